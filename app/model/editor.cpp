@@ -87,39 +87,54 @@ void Editor::catch_up() {
   }
 }
 
-Expected<void> Editor::load(const SampleData& data) {
-  const auto delta = replace_all(document_, data);
-  if (!delta) return std::unexpected(delta.error());
-  const auto loaded = std::make_shared<const SampleData>(data);
-  const auto change = std::make_shared<const DocumentDelta>(*delta);
-  if (in_gesture()) end_gesture();
-  document_.apply(*delta);
-  history_.clear();
-  timeline_.restart(loaded);
-  follow(*delta);
-  tell(change);
-  noted_layers_.reset();
-  saved_layers_.reset();
-  saved_lesson_ = 0;
-  mark_saved();
+Expected<void> Editor::load(SampleData data) {
+  auto loaded = std::make_shared<const SampleData>(std::move(data));
+  DocumentReplay replay(document_);
+  if (auto begun = replay.begin(*loaded); !begun) return begun;
+  PreparedDocument next(std::move(replay), std::move(loaded));
+  load(next);
   return {};
 }
 
 void Editor::restore(DocumentReplay replay, std::shared_ptr<const SampleData> data, TimelineLog entries,
                      Lesson lesson) {
-  if (in_gesture()) end_gesture();
-  replay.finish();
-  document_ = std::move(replay).take_document();
-  history_ = std::move(replay).take_history();
-  timeline_.restart(std::move(data), std::move(entries), std::move(lesson));
+  PreparedDocument next(std::move(replay), std::move(data), std::move(entries), std::move(lesson));
+  restore(next);
+}
+
+void Editor::load(PreparedDocument& next) {
+  take(next);
+  noted_layers_.reset();
+}
+
+void Editor::restore(PreparedDocument& next) {
+  take(next);
   take_layers_as_noted();
+}
+
+// Observers see one replacement.
+void Editor::take(PreparedDocument& next) {
+  MES_ASSERT(next.document_.revision() >= document_.next_revision());
+  MES_ASSERT(next.document_.first_id() >= document_.next_id());
+  MES_ASSERT(next.document_.first_ball_id() >= document_.next_ball_id());
+  if (in_gesture()) end_gesture();
+  const std::shared_ptr<DocumentDelta> change = std::move(next.change_);
+  change->from_revision = told_revision_;
+  change->curve_before = document_.curve_order();
+  change->annotations_before = document_.annotations();
+  change->source_before = document_.source();
+  std::swap(document_, next.document_);
+  std::swap(history_, next.history_);
+  index_.swap_tables(next.index_);
+  centers_.swap_tables(next.centers_);
+  std::shared_ptr<const SampleData> data = timeline_.data();
+  data.swap(next.data_);
+  timeline_.restart(std::move(data), std::move(next.entries_), std::move(next.lesson_));
+  selection_.follow(*change);
   saved_layers_.reset();
   saved_lesson_ = 0;
-  // Observers see one replacement.
-  const auto change = std::make_shared<const DocumentDelta>(replacement());
-  follow(*change);
-  tell(change);
   mark_saved();
+  tell(change);
 }
 
 std::size_t Editor::settle() {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <new>
 #include <type_traits>
+#include <utility>
 
 #include "core/base/assert.h"
 
@@ -50,8 +51,21 @@ std::size_t PlaceIndex<Places>::CellHash::operator()(const Cell& cell) const noe
 }
 
 template <class Places>
-PlaceIndex<Places>::PlaceIndex(const Document& document) : document_(document) {
-  rebuild();
+PlaceIndex<Places>::PlaceIndex(const Document& document, JobControl* job) : document_(document) {
+  rebuild(job);
+}
+
+template <class Places>
+void PlaceIndex<Places>::swap_tables(PlaceIndex& other) noexcept {
+  std::swap(cell_size_, other.cell_size_);
+  std::swap(origin_, other.origin_);
+  std::swap(size_, other.size_);
+  std::swap(size_at_rebuild_, other.size_at_rebuild_);
+  std::swap(is_lost_, other.is_lost_);
+  head_.swap(other.head_);
+  occupied_children_.swap(other.occupied_children_);
+  std::swap(next_, other.next_);
+  std::swap(previous_, other.previous_);
 }
 
 template <class Places>
@@ -93,7 +107,7 @@ double PlaceIndex<Places>::chosen_cell_size() const {
 }
 
 template <class Places>
-void PlaceIndex<Places>::rebuild() {
+void PlaceIndex<Places>::rebuild(JobControl* job) {
   head_.clear();
   occupied_children_.assign(kLevels - 1, {});
   next_.assign(Places::rows(document_), kNoSlot);
@@ -104,7 +118,10 @@ void PlaceIndex<Places>::rebuild() {
   // Most samples of a dense curve lie in the cell of the one before.
   Cell last{};
   Row* head = nullptr;
-  for (const Row slot : slots_below<Row>(Places::rows(document_))) {
+  constexpr std::size_t kOften = std::size_t{1} << 14U;
+  const std::size_t rows = Places::rows(document_);
+  for (const Row slot : slots_below<Row>(rows)) {
+    if (job != nullptr && slot.index() % kOften == 0) job->checkpoint(slot.index(), rows);
     if (!Places::is_alive(document_, slot)) continue;
     const Vec2 place = Places::place(document_, slot);
     if (size_ == 0) origin_ = place;

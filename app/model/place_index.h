@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/box2.h"
+#include "core/base/job_control.h"
 #include "core/document/document.h"
 
 namespace mes {
@@ -53,11 +54,14 @@ template <class Places>
 class PlaceIndex {
  public:
   using Row = typename Places::Row;
-  explicit PlaceIndex(const Document& document);
+  /// Throws `Cancelled` if there is a job.
+  explicit PlaceIndex(const Document& document, JobControl* job = nullptr);
 
   /// To be called after `document.apply(delta)`, with every delta, in order. Lack of memory makes searches slow, not
   /// wrong.
   void follow(const DocumentDelta& delta);
+  /// To be called when the documents of both were swapped. O(1), and asks for no memory.
+  void swap_tables(PlaceIndex& other) noexcept;
   /// Row of the place nearest to `p` at a distance of at most `radius`, or kNoSlot.
   Row nearest(Vec2 p, double radius) const;
   /// Rows of the places in the closed box, increasing.
@@ -80,7 +84,7 @@ class PlaceIndex {
   static constexpr std::int64_t kFanout = 4;
   static constexpr std::size_t kLevels = 24;  // 4^24 cells across: more than a double tells apart
 
-  void rebuild();
+  void rebuild(JobControl* job = nullptr);
   void follow_closely(const DocumentDelta& delta);
   double chosen_cell_size() const;
   Cell cell_of(Vec2 p, double size) const;

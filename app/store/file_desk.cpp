@@ -38,31 +38,110 @@ FileDesk::FileDesk(Editor& editor, std::function<Session()> session_now, std::fu
 }
 FileDesk::~FileDesk() = default;
 
-FileDesk::LoadedFiles FileDesk::read(std::span<const fs::path> files, MapDegrees degrees, Reading& reading) {
-  LoadedFiles out;
-  for (const fs::path& file : files) {
-    reading.control.reset_progress();
-    reading.read = out.size();
-    try {
-      out.push_back(read_sample_file(file, {}, &reading.control, {.degrees = degrees}));
-    } catch (const std::bad_alloc&) {
-      out.push_back(
-          std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file.string()}));
-    } catch (const std::exception& error) {
-      out.push_back(std::unexpected(Error{ErrorCode::bad_input, error.what(), file.string()}));
-    }
-    if (!out.back()) break;
+Expected<LoadedFile> FileDesk::read(const fs::path& file, MapDegrees degrees, JobControl& control) {
+  try {
+    return read_sample_file(file, {}, &control, {.degrees = degrees});
+  } catch (const std::bad_alloc&) {
+    return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file.string()});
+  } catch (const std::exception& error) {
+    return std::unexpected(Error{ErrorCode::bad_input, error.what(), file.string()});
   }
-  return out;
+}
+
+void FileDesk::read(const Asked& asked, Reading& reading, ReadFiles& out) {
+  out.outcome.is_shape = !asked.title.empty();
+  std::vector<LoadedFile> files;
+  for (const fs::path& file : asked.files) {
+    reading.control.reset_progress();
+    reading.read = files.size();
+    out.outcome.file = file;
+    auto loaded = read(file, asked.degrees, reading.control);
+    if (!loaded) {
+      out.outcome.error = std::move(loaded.error());
+      return;
+    }
+    files.push_back(std::move(*loaded));
+  }
+  reading.control.reset_progress();
+  reading.read = files.size();
+  join(asked, std::move(files), out);
+  prepare(reading, out);
+}
+
+void FileDesk::join(const Asked& asked, std::vector<LoadedFile> files, ReadFiles& out) {
+  Outcome& outcome = out.outcome;
+  outcome.format = files.front().format;
+  if (LoadedFile& first = files.front(); first.session) {
+    outcome.file = asked.files.front();
+    outcome.session = first.session;
+    outcome.files = {outcome.file};
+    outcome.left_out = asked.files.size() - 1;
+    out.data = first.session->data;
+    // What is saved must not take the place of a picture, nor of what came with the program.
+    if (!first.is_carried && !outcome.is_shape) out.session_file = outcome.file;
+    out.sources = std::move(first.sources);
+    return;
+  }
+  SampleData data;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    LoadedFile& loaded = files[i];
+    std::ranges::move(loaded.sources, std::back_inserter(out.sources));
+    const bool brings_known = (!loaded.data.positions.empty() && !data.positions.empty()) ||
+                              (!loaded.data.balls.empty() && !data.balls.empty());
+    if (i != 0 && (brings_known || (loaded.data.positions.empty() && loaded.data.balls.empty()))) {
+      ++outcome.left_out;
+      continue;
+    }
+    outcome.files.push_back(asked.files[i]);
+    if (!loaded.data.positions.empty()) {
+      data.positions = std::move(loaded.data.positions);
+      data.contours = std::move(loaded.data.contours);
+      data.source = std::move(loaded.data.source);
+      outcome.degrees = loaded.degrees;
+    }
+    if (!loaded.data.balls.empty()) data.balls = std::move(loaded.data.balls);
+    std::ranges::move(loaded.warnings, std::back_inserter(outcome.warnings));
+    // Other formats are read only: saving them means choosing a POFF file beside them.
+    if (outcome.is_shape) continue;
+    if (loaded.format == "poff") out.sample_file = asked.files[i];
+    if (loaded.format == "wpoff") out.ball_file = asked.files[i];
+  }
+  outcome.file = outcome.files.front();
+  out.data = std::make_shared<const SampleData>(std::move(data));
+}
+
+void FileDesk::prepare(Reading& reading, ReadFiles& out) {
+  const auto blame = [&out](Error error) {
+    error.file = out.outcome.file.string();
+    out.outcome.error = std::move(error);
+  };
+  try {
+    DocumentReplay replay(out.start);
+    const Session* const session = out.outcome.session.get();
+    const auto done = session != nullptr
+                          ? replay_session(*session, replay, out.outcome.file.string(), &reading.control)
+                          : replay.begin(*out.data);
+    if (!done) return blame(done.error());
+    out.document = std::make_unique<PreparedDocument>(
+        std::move(replay), out.data, session != nullptr ? session->entries : TimelineLog(),
+        session != nullptr ? session->lesson : Lesson(), &reading.control);
+  } catch (const std::bad_alloc&) {
+    blame({ErrorCode::out_of_memory, "there is not enough memory for it", {}});
+  } catch (const Cancelled&) {
+    blame({ErrorCode::cancelled, "stopped", {}});
+  }
 }
 
 void FileDesk::begin(Asked asked) {
   asked_ = std::move(asked);
   progress_ = std::make_shared<Reading>();
-  reading_.begin([files = asked_.files, degrees = asked_.degrees, reading = progress_](const std::stop_token& stop) {
-    reading->control.set_token(stop);
-    return read(files, degrees, *reading);
-  });
+  reading_.begin(
+      [asked = asked_, start = editor_.document().successor(), reading = progress_](const std::stop_token& stop) {
+        reading->control.set_token(stop);
+        auto out = std::make_shared<ReadFiles>(ReadFiles{.start = start});
+        read(asked, *reading, *out);
+        return out;
+      });
 }
 
 void FileDesk::open(const std::vector<fs::path>& files, MapDegrees degrees) {
@@ -84,83 +163,57 @@ std::string FileDesk::reading_name() const {
 
 double FileDesk::reading_progress() const {
   if (!is_reading()) return 0.0;
-  const double files = static_cast<double>(progress_->read) + progress_->control.progress();
-  return std::min(files / static_cast<double>(asked_.files.size()), 1.0);
+  constexpr double kReading = 0.9;  // the rest is the making of the document
+  const auto files = static_cast<double>(asked_.files.size());
+  const auto read = static_cast<double>(progress_->read);
+  const double progress = progress_->control.progress();
+  return read < files ? kReading * std::min((read + progress) / files, 1.0) : kReading + (1.0 - kReading) * progress;
 }
 
 std::optional<FileDesk::Outcome> FileDesk::poll() {
-  auto results = reading_.poll();
-  if (!results) return std::nullopt;
+  auto ended = reading_.poll();
+  if (!ended) return std::nullopt;
+  const ReadFilesPointer read = std::move(*ended);
+  Outcome& out = read->outcome;
+  if (!out.error && !editor_.fits(read->start)) {
+    read->document.reset();
+    read->start = editor_.document().successor();
+    if (!read->is_second) {
+      // It was edited meanwhile: the document is made once more, aside as before.
+      read->is_second = true;
+      reading_.begin([read, reading = progress_](const std::stop_token& stop) {
+        reading->control.set_token(stop);
+        reading->control.reset_progress();
+        prepare(*reading, *read);
+        return read;
+      });
+      return std::nullopt;
+    }
+    prepare(*progress_, *read);
+  }
   const Asked asked = std::exchange(asked_, {});
-  Outcome out;
-  out.is_shape = !asked.title.empty();
-  out.file = asked.files[results->size() - 1];
-  if (!results->back()) {
-    out.error = results->back().error();
-    return out;
-  }
-
-  const auto blame = [&out](Expected<void> done) {
-    if (done) return false;
-    out.error = std::move(done.error());
-    out.error->file = out.file.string();
-    return true;
-  };
-  if (const LoadedFile& first = *results->front(); first.session) {
-    out.file = asked.files.front();
-    if (blame(take_over(*first.session, out.file.string()))) return out;
-    out.session = first.session;
-    out.format = first.format;
-    out.files = {out.file};
-    out.left_out = asked.files.size() - 1;
-    out.samples = editor_.document().sample_count();
-    out.balls = editor_.document().ball_count();
-    forget_files();
-    // What is saved must not take the place of a picture, nor of what came with the program.
-    if (!first.is_carried && !out.is_shape) held_.file = held_.session_file = out.file;
-    note_known(first.sources);
-    note_all_as_saved();
-    held_.title = out.is_shape ? asked.title : out.file.filename().string();
-    return out;
-  }
-
-  SampleData data;
-  fs::path sample_file;
-  fs::path ball_file;
-  for (std::size_t i = 0; i < results->size(); ++i) {
-    LoadedFile& loaded = *(*results)[i];
-    const bool brings_known = (!loaded.data.positions.empty() && !data.positions.empty()) ||
-                              (!loaded.data.balls.empty() && !data.balls.empty());
-    if (i != 0 && (brings_known || (loaded.data.positions.empty() && loaded.data.balls.empty()))) {
-      ++out.left_out;
-      continue;
-    }
-    out.files.push_back(asked.files[i]);
-    if (!loaded.data.positions.empty()) {
-      data.positions = std::move(loaded.data.positions);
-      data.contours = std::move(loaded.data.contours);
-      data.source = std::move(loaded.data.source);
-      out.degrees = loaded.degrees;
-    }
-    if (!loaded.data.balls.empty()) data.balls = std::move(loaded.data.balls);
-    std::ranges::move(loaded.warnings, std::back_inserter(out.warnings));
-    // Other formats are read only: saving them means choosing a POFF file beside them.
-    if (loaded.format == "poff") sample_file = asked.files[i];
-    if (loaded.format == "wpoff") ball_file = asked.files[i];
-  }
-  out.file = out.files.front();
-  if (blame(editor_.load(data))) return out;
-  out.format = results->front()->format;
-  out.samples = data.positions.size();
-  out.balls = data.balls.size();
+  if (out.error) return std::move(out);
+  if (out.session)
+    editor_.restore(*read->document);
+  else
+    editor_.load(*read->document);
+  out.samples = editor_.document().sample_count();
+  out.balls = editor_.document().ball_count();
   forget_files();
-  held_.sample_file = out.is_shape ? fs::path() : sample_file;
-  held_.ball_file = out.is_shape ? fs::path() : ball_file;
-  for (const auto& loaded : *results) note_known(loaded->sources);
-  held_.file = held_.sample_file.empty() ? held_.ball_file : held_.sample_file;
+  held_.sample_file = read->sample_file;
+  held_.ball_file = read->ball_file;
+  held_.session_file = read->session_file;
+  held_.file = out.session ? held_.session_file : (held_.sample_file.empty() ? held_.ball_file : held_.sample_file);
+  note_known(read->sources);
   note_all_as_saved();
   held_.title = out.is_shape ? asked.title : out.file.filename().string();
-  return out;
+  Outcome taken = std::move(out);
+  // What was here before goes aside, too.
+  dropping_.begin([before = std::shared_ptr(std::move(read->document))](const std::stop_token&) mutable {
+    before.reset();
+    return true;
+  });
+  return taken;
 }
 
 void FileDesk::start_empty() {

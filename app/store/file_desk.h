@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "app/model/editor.h"
+#include "app/model/prepared_document.h"
 #include "app/store/file_conflict.h"
 #include "app/system/background_job.h"
 #include "core/base/job_control.h"
@@ -22,8 +23,9 @@
 namespace mes {
 
 /// What it guarantees:
-///  1. Reading happens on a thread of its own; until it ends well the document stays as it is, and a file that cannot
-///     be read leaves it so for good.
+///  1. Reading happens on a thread of its own, and so does the making of the document from what was read; until both end
+///     well the document stays as it is, and a file that cannot be read leaves it so for good. `poll` takes over what
+///     was made in O(1). Only where the document was edited while one was made, twice in a row, `poll` makes it itself.
 ///  2. Saving is atomic, and writes a session, POFF or WPOFF, whatever was read. A session holds everything. A POFF
 ///     file holds samples and a WPOFF file balls, so a document of both has two files; until each holds what the
 ///     document holds, it counts as modified.
@@ -51,6 +53,8 @@ class FileDesk {
   void open_shape(const std::filesystem::path& file, const std::string& title);
   void cancel_reading();
   bool is_reading() const { return reading_.is_under_way(); }
+  /// The next `poll` does not come in vain.
+  bool has_read() const { return reading_.has_ended(); }
   std::string reading_name() const;
   /// Share of what is to be read, from 0 to 1, by bytes of the present file; 0 where nothing is read.
   double reading_progress() const;
@@ -118,14 +122,29 @@ class FileDesk {
     std::string title{};  // of a shape
     MapDegrees degrees = MapDegrees::projected;
   };
-  using LoadedFiles = std::vector<Expected<LoadedFile>>;  // up to the first that failed
-  void begin(Asked asked);
   /// Of a reading, for the window: how far it is.
   struct Reading {
-    JobControl control{};              // of the present file
+    JobControl control{};              // of the present file, then of the document
     std::atomic<std::size_t> read{0};  // files before it
   };
-  static LoadedFiles read(std::span<const std::filesystem::path> files, MapDegrees degrees, Reading& reading);
+  /// What came of it, and the document that was made of that.
+  struct ReadFiles {
+    Outcome outcome{};  // an error: all else is empty
+    std::vector<SourceFile> sources{};
+    std::filesystem::path sample_file{};
+    std::filesystem::path ball_file{};
+    std::filesystem::path session_file{};
+    std::shared_ptr<const SampleData> data{};
+    Document start{};  // a successor of the editor's document, which `document` was made from
+    std::unique_ptr<PreparedDocument> document{};
+    bool is_second = false;  // the document was made once more, as the editor's had changed
+  };
+  using ReadFilesPointer = std::shared_ptr<ReadFiles>;
+  void begin(Asked asked);
+  static Expected<LoadedFile> read(const std::filesystem::path& file, MapDegrees degrees, JobControl& control);
+  static void read(const Asked& asked, Reading& reading, ReadFiles& out);
+  static void join(const Asked& asked, std::vector<LoadedFile> files, ReadFiles& out);
+  static void prepare(Reading& reading, ReadFiles& out);
   /// Which files hold what.
   struct Held {
     std::filesystem::path file{};
@@ -177,8 +196,9 @@ class FileDesk {
   Asked asked_;                           // while it is read
   std::shared_ptr<const Saving> saving_;  // while it is written
   std::shared_ptr<Reading> progress_;     // of the reading
-  BackgroundJob<LoadedFiles> reading_;
+  BackgroundJob<ReadFilesPointer> reading_;
   BackgroundJob<Written> writing_;
+  BackgroundJob<bool> dropping_{{}};  // of the document before, which may be large
 };
 
 }  // namespace mes

@@ -73,8 +73,10 @@ class BackgroundJob {
   /// It was begun, and what came of it was not taken.
   bool is_under_way() const { return run_ != nullptr; }
 
+  /// What came of it can be taken.
+  bool has_ended() const { return run_ && run_->has_ended; }
   /// Nothing while the call runs, or when none is under way.
-  std::optional<Result> poll() { return run_ && run_->has_ended ? finish() : std::nullopt; }
+  std::optional<Result> poll() { return has_ended() ? finish() : std::nullopt; }
 
   /// Waits for the call's end; nothing when none is under way.
   std::optional<Result> finish() {

@@ -69,8 +69,11 @@ Expected<Session> read_session(std::string_view text, const std::string& file, J
 /// Whether text is meant to be a session, from how it begins.
 bool looks_like_session(std::string_view text);
 
-/// Brings the document of the session to its last state. Error: `bad_input`, naming the entry.
-Expected<void> replay_session(const Session& session, DocumentReplay& replay, const std::string& file);
+/// Brings the document of the session to its last state. Error: `bad_input`, naming the entry. Throws `Cancelled` if there
+/// is a job, which is looked at before the data and before each entry: between two looks there is one edit, which takes
+/// no longer than all samples take to be replaced.
+Expected<void> replay_session(const Session& session, DocumentReplay& replay, const std::string& file,
+                              JobControl* job = nullptr);
 
 /// One line of a journal, with its end.
 std::string write_journal_head(const Session& session);

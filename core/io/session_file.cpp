@@ -16,7 +16,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJ
   if (!session) return std::unexpected(session.error());
   job.checkpoint();
   DocumentReplay replay;
-  if (const auto done = replay_session(*session, replay, name); !done) return std::unexpected(done.error());
+  if (const auto done = replay_session(*session, replay, name, job.control()); !done)
+    return std::unexpected(done.error());
   return LoadedFile{.data = data_of(replay.document()),
                     .format = {},
                     .warnings = {},

@@ -529,11 +529,15 @@ bool looks_like_session(std::string_view text) {
   return value != std::string_view::npos && begin.substr(value).starts_with("\"session\"");
 }
 
-Expected<void> replay_session(const Session& session, DocumentReplay& replay, const std::string& file) {
+Expected<void> replay_session(const Session& session, DocumentReplay& replay, const std::string& file,
+                              JobControl* job) {
+  if (job != nullptr) job->checkpoint();
   if (auto begun = replay.begin(*session.data); !begun) return bad(file, begun.error().text);
-  for (std::size_t i = 0; i < session.entries.size(); ++i)
+  for (std::size_t i = 0; i < session.entries.size(); ++i) {
+    if (job != nullptr) job->checkpoint();
     if (const auto done = replay.apply(session.entries[i]); !done)
       return bad(file, entry_name(i) + ": " + done.error().text);
+  }
   replay.finish();
   return {};
 }

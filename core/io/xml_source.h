@@ -41,7 +41,8 @@ class XmlSource {
   /// had by `value`, others from their nodes too. `job` goes through the bytes already.
   ///
   /// Throws `Cancelled`: the library is stopped where it wants memory for more elements and attributes. Text without
-  /// any, as a comment of a gibibyte, it goes through to its end, a second for a gibibyte.
+  /// any, as a comment, it goes through to its end: a gibibyte took 0.3 s of processor time, and 1.4 s with CR LF after
+  /// each third byte.
   Expected<pugi::xml_node> parse(ReadJob& job, std::initializer_list<std::string_view> bulky = {});
   /// Of an attribute; empty where there is none.
   std::string_view value(pugi::xml_node node, const char* attribute) const;

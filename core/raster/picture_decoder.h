@@ -36,9 +36,9 @@ struct Pixels {
 bool looks_like_picture(std::string_view bytes);
 
 /// Decodes a picture, which its first bytes tell from others, to so many channels; 0: as many as it has. `name` is that
-/// of the file in messages. A JPEG without its last marker is a picture if it has no restart
-/// markers, and its pixels do not depend on what would follow.
-/// Error: `bad_input`, also for more than `most_pixels`; `out_of_memory`.
+/// of the file in messages. A JPEG without its last marker is a picture if it has no restart markers, and its pixels do not
+/// depend on what would follow. Error: `bad_input`, also for more than `most_pixels`; `out_of_memory`. It is not stopped
+/// within: a JPEG of 2^27 pixels in three channels took 1.6 s of processor time, a progressive one 3.7 s.
 Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::string& name, int channels = 0,
                                std::size_t most_pixels = kMostPicturePixels);
 

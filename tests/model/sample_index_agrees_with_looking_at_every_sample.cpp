@@ -147,3 +147,63 @@ TEST_CASE("the centres of balls are found as samples are, whatever becomes of th
     }
   }
 }
+
+TEST_CASE("a document made aside is taken over as it is, without a copy, and what was here is in it") {
+  Rng random(77);
+  const auto places = [&](std::size_t count) {
+    std::vector<Vec2> out(count);
+    for (Vec2& p : out) p = {random.uniform(-1.0, 1.0), random.uniform(-1.0, 1.0)};
+    return out;
+  };
+  std::vector<std::shared_ptr<const DocumentDelta>> told;
+  Editor editor([&](std::shared_ptr<const DocumentDelta> delta) { told.push_back(std::move(delta)); });
+  REQUIRE(editor.load({.positions = places(300), .balls = {{{0, 0}, 1}}}));
+  REQUIRE(editor.insert(places(5), "more"));
+  const Document start = editor.document().successor();
+  const auto data = std::make_shared<const SampleData>(SampleData{.positions = places(5000)});
+  DocumentReplay replay(start);
+  REQUIRE(replay.begin(*data));
+  PreparedDocument next(std::move(replay), data);
+  REQUIRE(editor.fits(start));
+  const Vec2* const made = &next.document().positions()[SampleSlot{0}];
+  const Vec2* const before = &editor.document().positions()[SampleSlot{0}];
+  const std::uint64_t revision = editor.document().revision();
+  editor.load(next);
+  CHECK(&editor.document().positions()[SampleSlot{0}] == made);
+  CHECK(&next.document().positions()[SampleSlot{0}] == before);
+  CHECK(editor.timeline().data() == data);
+  CHECK(editor.document().revision() > revision);
+  CHECK_FALSE(editor.can_undo());
+  CHECK(editor.document().ball_count() == 0);
+  CHECK(editor.centers().size() == 0);
+  REQUIRE(told.back()->replaces_all());
+  CHECK(told.back()->from_revision == revision);
+  CHECK(told.back()->to_revision == editor.document().revision());
+  compare(editor, random, 1.0);
+  REQUIRE(editor.insert(places(5000), "as many again"));
+  compare(editor, random, 1.0);
+  editor.undo();
+  compare(editor, random, 1.0);
+  CHECK_FALSE(editor.fits(start));
+}
+
+TEST_CASE("making a document aside can be stopped at each look") {
+  SampleData data;
+  for (int i = 0; i < 40'000; ++i) data.positions.push_back({std::cos(0.001 * i), std::sin(0.001 * i)});
+  const auto shared = std::make_shared<const SampleData>(std::move(data));
+  int stopped = 0;
+  for (std::int64_t look = 1;; ++look) {
+    DocumentReplay replay;
+    REQUIRE(replay.begin(*shared));
+    JobControl job;
+    job.stop_at_look(look);
+    try {
+      const PreparedDocument made(std::move(replay), shared, {}, {}, &job);
+      CHECK(made.document().sample_count() == 40'000);
+      break;
+    } catch (const Cancelled&) {
+      ++stopped;
+    }
+  }
+  CHECK(stopped >= 3);
+}

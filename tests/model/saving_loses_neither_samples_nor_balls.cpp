@@ -65,6 +65,46 @@ TEST_CASE("the degrees of a map are projected or kept, as it is opened") {
   CHECK(bench.open({points}, MapDegrees::kept).degrees == std::nullopt);
 }
 
+TEST_CASE("a file that is read while the document is edited takes its place, with numbers never given before") {
+  Bench bench;
+  const auto file = bench.folder.write("a.poff", "POFF 2 0 0\n1 2\n3 4\n");
+  const auto session = bench.folder.write(
+      "a.json", R"({"mesecina":"session","schema":1,"data":{"samples":[0,0,1,1]},"timeline":[{"edit":{"name":"more",)"
+                R"("insert":[5,5]}}]})");
+  for (const auto& opened : {file, session}) {
+    for (const int edits : {0, 1, 2, 5}) {
+      INFO(opened << ", " << edits);
+      bench.add_sample();
+      const SampleId last = bench.editor.document().id(bench.editor.index().nearest({7, 8}, 0.5));
+      std::uint64_t revision = bench.editor.document().revision();
+      bench.desk.open(opened);
+      std::optional<FileDesk::Outcome> outcome;
+      for (int edit = 0; !outcome; ++edit) {
+        // Before each look the document changes once more.
+        if (edit < edits) {
+          bench.add_sample();
+          revision = bench.editor.document().revision();
+        }
+        while (!bench.desk.has_read()) std::this_thread::yield();
+        outcome = bench.desk.poll();
+      }
+      REQUIRE_FALSE(outcome->error);
+      const Document& document = bench.editor.document();
+      CHECK(document.sample_count() == (opened == file ? 2 : 3));
+      CHECK(outcome->samples == document.sample_count());
+      CHECK(document.revision() > revision);
+      for (const SampleSlot slot : document.slots_in_input_order()) CHECK(document.id(slot) > last);
+      CHECK_FALSE(bench.editor.is_modified());
+      CHECK(bench.editor.can_undo() == (opened == session));
+      CHECK(bench.editor.index().size() == document.sample_count());
+      const SampleSlot found = bench.editor.index().nearest(document.position(SampleSlot{1}), 0.25);
+      CHECK(found == SampleSlot{1});
+      bench.editor.undo();
+      CHECK(document.sample_count() == 2);
+    }
+  }
+}
+
 TEST_CASE("a file of balls is opened, changed and saved to itself") {
   Bench bench;
   const auto file = bench.folder.write("a.wpoff", "WPOFF 1 0 0\n0.1 0 2\n");
