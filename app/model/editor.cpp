@@ -108,11 +108,14 @@ void Editor::load(PreparedDocument& next) {
 }
 
 void Editor::restore(PreparedDocument& next) {
+  auto noted = noted_layers_;
+  if (layers_ != nullptr) noted = layers_->configuration();
   take(next);
-  take_layers_as_noted();
+  noted_layers_ = std::move(noted);
+  if (layers_ != nullptr) noted_revision_ = layers_->revision();
 }
 
-// Observers see one replacement.
+// Observers see one replacement. What asks for memory comes before the first change: the move constructors of deques do.
 void Editor::take(PreparedDocument& next) {
   MES_ASSERT(next.document_.revision() >= document_.next_revision());
   MES_ASSERT(next.document_.first_id() >= document_.next_id());
@@ -123,17 +126,20 @@ void Editor::take(PreparedDocument& next) {
   change->curve_before = document_.curve_order();
   change->annotations_before = document_.annotations();
   change->source_before = document_.source();
-  std::swap(document_, next.document_);
-  std::swap(history_, next.history_);
-  index_.swap_tables(next.index_);
-  centers_.swap_tables(next.centers_);
+  History before;
   std::shared_ptr<const SampleData> data = timeline_.data();
   data.swap(next.data_);
   timeline_.restart(std::move(data), std::move(next.entries_), std::move(next.lesson_));
-  selection_.follow(*change);
+  std::swap(document_, next.document_);
+  before = std::move(history_);
+  history_ = std::move(next.history_);
+  next.history_ = std::move(before);
+  index_.swap_tables(next.index_);
+  centers_.swap_tables(next.centers_);
   saved_layers_.reset();
   saved_lesson_ = 0;
   mark_saved();
+  selection_.follow(*change);
   tell(change);
 }
 

@@ -138,7 +138,11 @@ void EvolutionPlayer::set_value(std::string_view parameter, double value) {
   if (value == choice_.values[parameter]) return;
   const std::uint64_t k = target();
   choice_.values.set(parameter, value);
-  fitted_.reset();  // what is set by hand stays, whatever it is; the default asks for the proposal
+  // A length that is set by hand stays, whatever it is; the default asks for the proposal.
+  const auto parameters = parameters_of(choice_.evolution);
+  if (const auto at = std::ranges::find(parameters, parameter, &ParameterDescriptor::id);
+      at != parameters.end() && at->is_length)
+    fitted_.reset();
   fit_lengths();
   restart_from_beginning();
   if (k != 0) step_to(k);

@@ -129,6 +129,8 @@ void FileDesk::prepare(Reading& reading, ReadFiles& out) {
     blame({ErrorCode::out_of_memory, "there is not enough memory for it", {}});
   } catch (const Cancelled&) {
     blame({ErrorCode::cancelled, "stopped", {}});
+  } catch (const std::exception& error) {
+    blame({ErrorCode::bad_input, error.what(), {}});
   }
 }
 
@@ -176,7 +178,6 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
   const ReadFilesPointer read = std::move(*ended);
   Outcome& out = read->outcome;
   if (!out.error && !editor_.fits(read->start)) {
-    read->document.reset();
     read->start = editor_.document().successor();
     if (!read->is_second) {
       // It was edited meanwhile: the document is made once more, aside as before.
@@ -184,6 +185,7 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
       reading_.begin([read, reading = progress_](const std::stop_token& stop) {
         reading->control.set_token(stop);
         reading->control.reset_progress();
+        read->document.reset();
         prepare(*reading, *read);
         return read;
       });
@@ -193,36 +195,51 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
   }
   const Asked asked = std::exchange(asked_, {});
   if (out.error) return std::move(out);
-  if (out.session)
-    editor_.restore(*read->document);
-  else
-    editor_.load(*read->document);
-  out.samples = editor_.document().sample_count();
-  out.balls = editor_.document().ball_count();
-  forget_files();
-  held_.sample_file = read->sample_file;
-  held_.ball_file = read->ball_file;
-  held_.session_file = read->session_file;
-  held_.file = out.session ? held_.session_file : (held_.sample_file.empty() ? held_.ball_file : held_.sample_file);
-  note_known(read->sources);
-  note_all_as_saved();
-  held_.title = out.is_shape ? asked.title : out.file.filename().string();
-  Outcome taken = std::move(out);
-  // What was here before goes aside, too.
-  dropping_.begin([before = std::shared_ptr(std::move(read->document))](const std::stop_token&) mutable {
-    before.reset();
-    return true;
-  });
-  return taken;
+  // What asks for memory comes first: either all is taken over, or nothing.
+  try {
+    const Document& document = read->document->document();
+    out.samples = document.sample_count();
+    out.balls = document.ball_count();
+    Held after = held_by_files_of(document);
+    after.sample_file = read->sample_file;
+    after.ball_file = read->ball_file;
+    after.session_file = read->session_file;
+    after.file = out.session ? after.session_file : (after.sample_file.empty() ? after.ball_file : after.sample_file);
+    for (const SourceFile& file : read->sources) after.known[key_of(file.path)] = file.fingerprint;
+    after.title = out.is_shape ? asked.title : out.file.filename().string();
+    if (out.session)
+      editor_.restore(*read->document);
+    else
+      editor_.load(*read->document);
+    contested_.reset();
+    std::swap(held_, after);
+  } catch (const std::bad_alloc&) {
+    out.error = Error{ErrorCode::out_of_memory, "there is not enough memory for it", {}};
+    return std::move(out);
+  }
+  // What was here before goes aside, too. Where there is no thread for it, it goes here.
+  try {
+    dropping_.begin([read](const std::stop_token&) {
+      read->document.reset();
+      return true;
+    });
+  } catch (const std::exception&) {
+    read->document.reset();
+  }
+  return out;
+}
+
+FileDesk::Held FileDesk::held_by_files_of(const Document& document) {
+  return {
+      .samples = document.sample_digest(), .balls = document.ball_digest(), .annotations = document.annotations()};
 }
 
 void FileDesk::start_empty() {
   cancel_reading();
-  if (editor_.load({})) {
-    forget_files();
-    note_all_as_saved();
-    held_.title = "Untitled";
-  }
+  Held after = held_by_files_of(Document());
+  if (!editor_.load({})) return;
+  contested_.reset();
+  std::swap(held_, after);
 }
 
 void FileDesk::note_known(std::span<const SourceFile> files) {

@@ -183,6 +183,8 @@ class FileDesk {
   void note_all_as_saved();
   void forget_files();
   void note_known(std::span<const SourceFile> files);
+  /// What is held where no file is named yet, and the files hold this document.
+  static Held held_by_files_of(const Document& document);
   void begin_saving(Held after);
   static Written write(const Saving& saving);
   Saved saved(Written written);

@@ -101,7 +101,8 @@ Layer make_scale_axis_layer(const StructureSet& set) {
   const auto& balls = set.get<ScaleUnion>();
   return make_layer(
       descriptor_of("scale-axis", "Scale axis",
-                    "Medial axis of the union of the grown disks, with the radii divided by scale-axis-factor again",
+                    "Medial axis of the union of the grown disks without hairs of the sampling, radii divided by "
+                    "scale-axis-factor again",
                     {.color = palette::vermilion, .line_width_px = 2.5},
                     {PrimitiveKind::segment, PrimitiveKind::point}),
       {&balls},

@@ -5,6 +5,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <numbers>
 #include <numeric>
 #include <vector>
 
@@ -199,4 +200,45 @@ TEST_CASE("the scale axis of a comb has a free end for each tooth and corner, an
   // The gaps are filled; teeth stand out as their ends, beside them the corners of the beam and what is thicker in it.
   CHECK(at(2.0) <= 22);
   CHECK(bench.count("scale-union", "hairs") > 20);
+}
+
+TEST_CASE("just above a factor of 1 the axis of noisy samples keeps its branches") {
+  Rng rng(4);
+  std::vector<Vec2> samples;
+  for (int i = 0; i < 200; ++i) {
+    const double t = 2.0 * std::numbers::pi * i / 200.0;
+    const double r = 1.0 + 0.005 * rng.uniform(-1.0, 1.0);
+    samples.push_back({3.0 * r * std::cos(t), r * std::sin(t)});
+  }
+  Workbench bench;
+  bench.show({"scale-axis"});
+  bench.replace(samples);
+  ComputationSettings settings;
+  const auto length_at = [&](double s) {
+    settings[Parameter::scale_axis_factor] = s;
+    bench.choose(settings);
+    return bench.measure("scale-union", "length");
+  };
+  const double whole = length_at(1.0);
+  CHECK(length_at(1.0 + 1e-9) == Approx(whole).epsilon(1e-4));
+  CHECK(length_at(1.3) < 0.8 * whole);
+}
+
+// Two clusters whose grown balls touch: rounding leaves edges of the dual complex without crossings.
+TEST_CASE("crossings that the number type naive has lost end nothing") {
+  Workbench bench;
+  bench.show({"scale-axis"});
+  ComputationSettings settings;
+  settings.precision = Precision::naive;
+  settings[Parameter::scale_axis_factor] = 2.5321778220419997;
+  bench.choose(settings);
+  bench.replace({{-0.20405638649610558, -0.37148990157986611},
+                 {0.59616941315069338, -1.6808865712522887},
+                 {1.7388874267537853, -0.78526608521453189},
+                 {0.97114851195948859, 0.28192439195925778},
+                 {-3.4276774489156407, 0.6464391004537613},
+                 {-3.0169920852702177, 0.095153049001204915},
+                 {-2.3958941847562238, 0.45501322402553779},
+                 {-2.7843348808395181, 1.1255993221388358}});
+  CHECK(bench.count("scale-union", "balls") > 0);
 }

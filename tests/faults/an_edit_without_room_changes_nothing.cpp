@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "app/model/editor.h"
+#include "app/model/prepared_document.h"
 #include "core/base/rng.h"
 #include "tests/faults/faulty_memory.h"
 
@@ -133,6 +134,35 @@ TEST_CASE("whichever allocation of an edit fails, the edit is done or not begun,
   CHECK(desk.editor().document().sample_count() == 0);
   CHECK(desk.heard() == desk.editor().document().digest());
   CHECK(std::ranges::equal(desk.editor().timeline().entries(), plain.editor().timeline().entries()));
+}
+
+TEST_CASE("a document that finds no room to be taken over leaves the one before as it was") {
+  for (const bool is_session : {false, true}) {
+    Desk desk;
+    Editor& editor = desk.editor();
+    REQUIRE(editor.load({{{0, 0}, {1, 0}}, {}, {}}).has_value());
+    REQUIRE(editor.insert(std::array<Vec2, 2>{{{2, 2}, {3, 5}}}, "Mine").has_value());
+    const State before = desk.state();
+    const auto data = std::make_shared<const SampleData>(SampleData{.positions = {{7, 7}, {8, 7}, {7, 9}}});
+    const int failures = with_each_allocation_failing([&](int call) {
+      DocumentReplay replay(editor.document());
+      REQUIRE(replay.begin(*data).has_value());
+      PreparedDocument next(std::move(replay), data);
+      try {
+        const FailingMemory failing(call);
+        is_session ? editor.restore(next) : editor.load(next);
+        return false;
+      } catch (const std::bad_alloc&) {
+      }
+      REQUIRE(desk.state() == before);
+      return true;
+    });
+    CHECK(failures > 0);
+    CHECK(editor.document().sample_count() == 3);
+    CHECK(editor.timeline().entries().empty());
+    CHECK_FALSE(editor.can_undo());
+    CHECK(desk.heard() == editor.document().digest());
+  }
 }
 
 TEST_CASE("a listener that finds no room hears of everything later, at once") {

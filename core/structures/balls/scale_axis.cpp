@@ -130,7 +130,9 @@ void ScaleUnion::refine(UnionTables& tables) {
   tables.measures.axis_length = std::max(0.0, tables.measures.axis_length - hairs_.length);
 }
 
+// Multiplied by a share that is 0 at the factor 1, at which there are no hairs, so that the axis does not jump there.
 Table<FamilySlot, double> ScaleUnion::spacing() const {
+  constexpr double kWholeFrom = 1.1;
   Table<FamilySlot, double> out(family().rows(), 0.0);
   const double apart =
       2.0 * std::sin((180.0 - settings_.current()[Parameter::medial_sampling_angle]) * std::numbers::pi / 360.0);
@@ -154,6 +156,8 @@ Table<FamilySlot, double> ScaleUnion::spacing() const {
       for (const FaceSlot face : delaunay_.edge(edge).f) there = std::max(there, out[row_of(balls_.ball(face))]);
     });
   }
+  const double share = std::min(1.0, (factor() - 1.0) / (kWholeFrom - 1.0));
+  for (double& spacing : out) spacing *= share;
   return out;
 }
 

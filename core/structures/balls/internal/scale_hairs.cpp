@@ -59,6 +59,8 @@ class HairCutter {
 
   bool is_short(AxisPieceSlot row) const {
     const AxisPiece& piece = t_.axis[row];
+    // A crossing that rounding has taken away, as the number type `naive` may, says nothing.
+    if (piece.v[0] == kNoSlot || piece.v[1] == kNoSlot) return false;
     if (distance(piece.a, piece.b) <= kRounding * piece.radius_a) return true;
     const double across = chord(piece);
     return across <= spacing_[piece.v[0]] + spacing_[piece.v[1]] && across < nearest(piece);
