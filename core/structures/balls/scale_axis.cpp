@@ -132,7 +132,7 @@ void ScaleUnion::refine(UnionTables& tables) {
 
 // Multiplied by a share that is 0 at the factor 1, at which there are no hairs, so that the axis does not jump there.
 Table<FamilySlot, double> ScaleUnion::spacing() const {
-  constexpr double kWholeFrom = 1.1;
+  constexpr double kWholeFrom = 1.02;
   Table<FamilySlot, double> out(family().rows(), 0.0);
   const double apart =
       2.0 * std::sin((180.0 - settings_.current()[Parameter::medial_sampling_angle]) * std::numbers::pi / 360.0);

@@ -67,8 +67,9 @@ class AxisSampling final : public Structure {
 /// be smooth for all balls of the axis. The spacing of a Voronoi ball is the longest edge of the curve behind which it has
 /// an arc, or the distance at which `medial-sampling-angle` has equal balls of its radius, whichever is larger; that of a
 /// ball between is the larger of this distance and the spacings at the ends of its edge. So branches go, from free ends
-/// inwards, whose two nearest boundary points are no farther apart than two spacings, or the share (s - 1) / 0.1 of them
-/// below a factor of 1.1, and are seen at less than 60 degrees: decided with doubles, whatever the number type. Components and cycles are those of the grown union.
+/// inwards, whose two nearest boundary points are no farther apart than two spacings, or the share (s - 1) / 0.02 of them
+/// below a factor of 1.02, and are seen at less than 60 degrees: decided with doubles, whatever the number type.
+/// Components and cycles are those of the grown union.
 ///
 /// What true ends lose: with the largest spacing e of the balls there, a branch stays where its boundary points are seen
 /// at 2 t or more, sin t = min(1/2, e / (s r)). A smooth end is then no shorter than at the factor s / cos t, which is at
