@@ -217,7 +217,7 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
     out.error = Error{ErrorCode::out_of_memory, "there is not enough memory for it", {}};
     return std::move(out);
   }
-  // What was here before goes aside, too. Where there is no thread for it, it goes here.
+  // The document before is destroyed on another thread, or on this one if no thread can be started.
   try {
     dropping_.begin([read](const std::stop_token&) {
       read->document.reset();

@@ -26,8 +26,8 @@ struct LongValue {
 };
 
 /// `rest` becomes the bytes, with one character in place of each value of these attributes that is of some length and
-/// has no reference ("&") in it. What is no value of an attribute to an XML parser stays: comments, CDATA, instructions,
-/// and all that follows a document type with declarations of its own. Where the bytes are not XML, a parser finds in the
+/// has no reference ("&") in it. Comments, CDATA sections and processing instructions
+/// are not changed, nor is anything after a document type that has declarations of its own. Where the bytes are not XML, a parser finds in the
 /// rest what it finds in them. Throws `Cancelled`. Cost: linear, for long values a fraction of a nanosecond a byte.
 std::vector<LongValue> take_long_values(std::string_view bytes, std::initializer_list<std::string_view> attributes,
                                         std::string& rest, ReadJob& job);

@@ -39,7 +39,7 @@ std::string_view without_prolog(std::string_view text) {
 /// Whose parsing this thread is at; null: none that can be stopped.
 thread_local const JobControl* parsing = nullptr;
 
-/// Parsing ends in good order where there is no memory, and so it does where it is to be stopped.
+/// Returning null makes the parser stop with an error and free its memory. So a request to stop returns null.
 void* memory_for_xml(std::size_t size) {
   if (parsing != nullptr && parsing->stop_requested()) return nullptr;
   return std::malloc(size);

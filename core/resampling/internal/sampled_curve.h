@@ -47,7 +47,7 @@ class JudgedSamples {
   /// Distance to the axis; infinite without one.
   double size(std::uint32_t sample) const;
   TheoremLight light() const { return light_of(patch_.nodes); }
-  /// Why there is no axis; empty if there is one.
+  /// The reason for an axis that is missing, as a sentence without a full stop; empty if there is an axis.
   std::string why_no_axis() const { return std::string(get<FeatureSize>().reason()); }
   /// Of the one-step axis.
   std::int64_t components() const { return count("components"); }

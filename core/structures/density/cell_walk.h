@@ -18,8 +18,8 @@ namespace mes {
 /// goes from cell to cell across the duals of crust edges only; and where it leaves the cell of a sample s, at y, s is no
 /// farther from y than p is, so s is within twice |px| of p. A walk from the cell of p over crust edges, as far as twice
 /// the least distance seen so far, therefore comes to a cell with x on its boundary. The sample s of that cell is no
-/// farther from x than p is. So of the cells on the way only those matter whose own sample is no farther from an axis
-/// edge of theirs than the least distance seen so far.
+/// farther from x than p is. So a cell can be skipped if the distance of its sample from its nearest axis edge is
+/// larger than the least distance seen so far.
 ///
 /// Cells lie in memory along the curve, in blocks of a few, and the walk goes from block to block: what is too far away,
 /// or has no axis edge that near, is passed over at once.

@@ -70,7 +70,7 @@ void CoverDates::put_plane_above(Node& node) const {
   const Vec2 along = across >= 0.0 ? Vec2{length + across, 2.0 * xy} : Vec2{2.0 * xy, length - across};
   const double spread = xx * along.x * along.x + 2.0 * xy * along.x * along.y + yy * along.y * along.y;
   const Vec2 slope = (dot(with_radius, along) / spread) * along;
-  node.slope = dot(slope, slope) <= 4.0 ? slope : Vec2{};  // none either where it is no number
+  node.slope = dot(slope, slope) <= 4.0 ? slope : Vec2{};  // NaN gives no slope, too
   double height = -kNever;
   for (std::uint32_t i = node.first; i < node.last; ++i)
     height = std::max(height, sorted_[i].radius - dot(node.slope, sorted_[i].center - middle));

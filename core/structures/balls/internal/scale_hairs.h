@@ -17,7 +17,7 @@ struct ScaleHairs {
 /// Takes hairs off the axis of the tables, from free ends inwards. A piece may go if, at each of its points,
 ///  * the two nearest v-points are no farther from each other than the sum of their spacings, and
 ///  * these are seen at less than 60 degrees;
-/// or if it is no longer than 1e-9 of its radius.
+/// or if its length is at most 1e-9 of its radius.
 /// The spacing of a v-point is the largest `spacing` of the balls that cross there.
 ///
 /// What it guarantees: only free ends go, so the rest is a deformation retract of the axis, with as many components and
