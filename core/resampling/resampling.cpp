@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <initializer_list>
@@ -43,17 +44,22 @@ struct Rung {
 /// Crust, axis and what is proved of samples.
 class Measured {
  public:
+  Measured() { certificate_.forgo_updates(); }
   /// Error: a coordinate out of range.
   static Expected<std::unique_ptr<Measured>> of(std::span<const Vec2> positions, JobControl& job) {
     auto out = std::make_unique<Measured>();
-    if (auto done = out->post(positions); !done) return std::unexpected(done.error());
+    const SampleData data{.positions = {positions.begin(), positions.end()}};
+    if (auto done = out->post(replace_all(out->document_, data)); !done) return std::unexpected(done.error());
     out->bring_up_to_date(job, {&out->samples_, &out->delaunay_, &out->crust_, &out->sizes_}, false);
     return out;
   }
   /// More samples, numbered on; what it costs depends on these and what they change. Not after `certify`. The same error.
   Expected<void> insert(std::span<const Vec2> positions, JobControl& job) {
-    if (auto done = post(positions); !done) return done;
-    bring_up_to_date(job, {&samples_, &delaunay_, &crust_, &sizes_}, true);
+    if (auto done = post(insert_samples(document_, positions)); !done) return done;
+    // Until there have been a few insertions, the trees that an update of sizes asks cost more than all sizes anew.
+    constexpr int kFew = 2;
+    const bool is_updated = bring_up_to_date(job, {&samples_, &delaunay_, &crust_}, true);
+    bring_up_to_date(job, {&sizes_}, is_updated && ++insertions_ > kFew);
     return {};
   }
   /// Needed for what is asked of the certificate.
@@ -86,22 +92,24 @@ class Measured {
   }
 
  private:
-  Expected<void> post(std::span<const Vec2> positions) {
-    auto delta = insert_samples(document_, positions);
+  Expected<void> post(Expected<DocumentDelta> delta) {
     if (!delta) return std::unexpected(delta.error());
     document_.apply(*delta);
     samples_.post(std::make_shared<const DocumentDelta>(*std::move(delta)));
     return {};
   }
-  static void bring_up_to_date(JobControl& job, std::initializer_list<Structure*> structures, bool may_update) {
+  /// False if one of them was made anew.
+  static bool bring_up_to_date(JobControl& job, std::initializer_list<Structure*> structures, bool may_update) {
     for (Structure* structure : structures) structure->clear_changes();
     for (Structure* structure : structures) {
       job.checkpoint();
       may_update = may_update && structure->update(job);
       if (!may_update) structure->rebuild(job);
     }
+    return may_update;
   }
 
+  int insertions_ = 0;
   Document document_;
   Samples samples_;
   Delaunay delaunay_{samples_};
@@ -145,6 +153,48 @@ std::vector<Rung> Measured::rungs(std::span<const SampleLink> links) const {
   return out;
 }
 
+/// Of places, the number of the first of each; the two zeros are equal. The places outlive it. Cost: linear, expected.
+class PlaceNumbers {
+ public:
+  explicit PlaceNumbers(std::span<const Vec2> places)
+      : places_(places),
+        bits_(static_cast<unsigned>(std::bit_width(2 * places.size() + 1))),
+        slots_(1U << bits_, kFree) {
+    for (std::uint32_t i = 0; i < places.size(); ++i) {
+      std::uint32_t& slot = slots_[slot_of(places[i])];
+      if (slot != kFree) continue;
+      slot = i;
+      ++distinct_count_;
+    }
+  }
+  std::size_t distinct_count() const { return distinct_count_; }
+  /// Nothing where there is no such place.
+  std::optional<std::uint32_t> number_of(Vec2 place) const {
+    const std::uint32_t number = slots_[slot_of(place)];
+    return number != kFree ? std::optional(number) : std::nullopt;
+  }
+
+ private:
+  static constexpr std::uint32_t kFree = 0xffffffffU;
+
+  /// Where the place is, or would be.
+  std::size_t slot_of(Vec2 place) const {
+    constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;
+    constexpr std::uint64_t kOther = 0xc2b2ae3d27d4eb4f;
+    std::uint64_t mixed =
+        (std::bit_cast<std::uint64_t>(place.x + 0.0) * kOdd) ^ (std::bit_cast<std::uint64_t>(place.y + 0.0) * kOther);
+    mixed = (mixed ^ (mixed >> 32U)) * kOdd;
+    std::size_t at = mixed >> (64U - bits_);
+    while (slots_[at] != kFree && places_[slots_[at]] != place) at = (at + 1) & (slots_.size() - 1);
+    return at;
+  }
+
+  std::span<const Vec2> places_;
+  unsigned bits_;
+  std::vector<std::uint32_t> slots_;
+  std::size_t distinct_count_ = 0;
+};
+
 /// Measures lists of samples one after the other, each of which may be the one before and some more.
 class Meter {
  public:
@@ -176,26 +226,21 @@ class Meter {
   const std::vector<std::uint32_t>& numbers() const { return numbers_; }
 
  private:
-  static std::vector<std::uint32_t> in_order(const std::vector<Vec2>& positions) {
-    std::vector<std::uint32_t> out(positions.size());
-    std::iota(out.begin(), out.end(), 0U);
-    std::ranges::sort(out, lexicographically_less, [&](std::uint32_t i) { return positions[i]; });
-    return out;
-  }
-
   /// False unless the positions are those that were measured.
   bool find_numbers(const std::vector<Vec2>& positions) {
-    const std::vector<std::uint32_t> wanted = in_order(positions);
-    const std::vector<std::uint32_t> had = in_order(places_);
-    numbers_.resize(positions.size());
-    auto next = wanted.begin();
-    for (auto at = had.begin(); at != had.end();) {
-      const Vec2 here = places_[*at];
-      if (next == wanted.end() || positions[*next] != here) return false;
-      for (; next != wanted.end() && positions[*next] == here; ++next) numbers_[*next] = *at;
-      while (at != had.end() && places_[*at] == here) ++at;
+    const PlaceNumbers had(places_);
+    std::vector<bool> is_wanted(places_.size(), false);
+    std::size_t count = 0;
+    numbers_.clear();
+    numbers_.reserve(positions.size());
+    for (const Vec2 p : positions) {
+      const auto number = had.number_of(p);
+      if (!number) return false;
+      numbers_.push_back(*number);
+      count += is_wanted[*number] ? 0U : 1U;
+      is_wanted[*number] = true;
     }
-    return next == wanted.end();
+    return count == had.distinct_count();
   }
 
   Expected<void> measure(std::vector<Vec2> places) {
