@@ -35,7 +35,7 @@ TEST_CASE("a piece that turns back on a line is as long as the way there and bac
     const double control = turn / (2.0 * turn - 1.0);
     const auto at = [control](double t) { return 2.0 * control * t * (1.0 - t) + t * t; };
     const double expected = std::abs(at(turn)) + std::abs(1.0 - at(turn));
-    for (const int exponent : {-400, 0, 400}) {
+    for (const int exponent : {-480, -400, 0, 400, 480}) {
       const PieceLength length(quadratic({}, {std::ldexp(control, exponent), 0.0}, {std::ldexp(1.0, exponent), 0.0}));
       CHECK(std::ldexp(length.total(), -exponent) == Approx(expected).epsilon(1e-13));
       const double half = length.parameter_at(0.5 * length.total());

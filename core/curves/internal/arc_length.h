@@ -29,7 +29,7 @@ class PieceLength {
   };
   Vec2 velocity_at(double t) const;
   double quadrature(double begin, double end) const;
-  std::vector<double> slowest_places() const;
+  std::vector<double> slowest_places_of_arc() const;
   void halve(double begin, double end, double whole, double tolerance, int depth);
 
   Piece piece_;

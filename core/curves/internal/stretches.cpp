@@ -56,12 +56,13 @@ MeasuredCurve measured(const PlaneCurve& curve, double corner_angle, double negl
   std::size_t count = 0;
   MeasuredCurve out;
   out.is_closed = curve.is_closed();
+  out.pieces.reserve(curve.piece_count());
+  out.lengths.reserve(curve.piece_count());
   curve.for_each_piece([&](const Piece& piece) {
     if (job != nullptr && count++ % kOften == 0) job->checkpoint();
-    PieceLength length(piece);
-    if (length.total() < kLeastLength) return;
+    out.lengths.emplace_back(piece);
+    if (out.lengths.back().total() < kLeastLength) return out.lengths.pop_back();
     out.pieces.push_back(piece);
-    out.lengths.push_back(std::move(length));
   });
   if (out.pieces.empty()) return out;
 
