@@ -218,14 +218,15 @@ void add_evenly(const MeasuredCurve& curve, const PlaneCurve& source, double spa
   out.end_curve();
 }
 
-/// A curve by the places of samples in its stretches.
+/// A curve by the samples in its stretches.
 void add_stretches(const MeasuredCurve& curve, const PlaneCurve& source,
-                   const std::vector<std::vector<double>>& places, Collector& out) {
+                   const std::vector<std::vector<Vec2>>& positions, Collector& out) {
   out.begin_curve(curve.is_closed);
   if (curve.stretches.empty()) out.add(source.start());
-  for (std::size_t i = 0; i < curve.stretches.size(); ++i) {
-    const bool adds_end = !curve.is_closed && i + 1 == curve.stretches.size();
-    add_places(curve, curve.stretches[i], places[i], adds_end, out);
+  for (const std::vector<Vec2>& stretch : positions) out.add(stretch);
+  if (!curve.is_closed && !curve.stretches.empty()) {
+    const Stretch& last = curve.stretches.back();
+    out.add(curve.pieces[last.first + last.count - 1].to());
   }
   out.end_curve();
 }
@@ -307,25 +308,34 @@ Expected<void> sample_evenly(const CurveSet& curves, const SamplingRequest& requ
   return {};
 }
 
-/// Lengths of arc of samples, of each curve, of each of its stretches.
-using Places = std::vector<std::vector<std::vector<double>>>;
+/// Samples of each curve, of each of its stretches, without their ends.
+using Positions = std::vector<std::vector<std::vector<Vec2>>>;
 
-Expected<Places> places_of(const std::vector<std::vector<StretchSpacing>>& spacings, const SamplingRequest& request) {
+Expected<Positions> positions_by(const std::vector<std::vector<StretchSpacing>>& spacings,
+                                 std::span<const MeasuredCurve> curves, const SamplingRequest& request,
+                                 JobControl* job) {
   double count = 0.0;
   for (const std::vector<StretchSpacing>& curve : spacings)
     for (const StretchSpacing& stretch : curve) count += stretch.count();
   if (auto fits = check_count(count, request); !fits) return std::unexpected(fits.error());
-  Places out;
-  for (const std::vector<StretchSpacing>& curve : spacings) {
-    std::vector<std::vector<double>>& here = out.emplace_back();
-    for (const StretchSpacing& stretch : curve) here.push_back(stretch.places());
-  }
+  constexpr std::size_t kOften = 4096;
+  Positions out(spacings.size());
+  for (std::size_t c = 0; c < spacings.size(); ++c)
+    for (std::size_t s = 0; s < spacings[c].size(); ++s) {
+      std::vector<Vec2>& here = out[c].emplace_back();
+      const std::vector<double> places = spacings[c][s].places();
+      here.reserve(places.size());
+      for_each_place(curves[c], curves[c].stretches[s], places, [&](Vec2 p) {
+        if (job != nullptr && here.size() % kOften == 0) job->checkpoint();
+        here.push_back(p);
+      });
+    }
   return out;
 }
 
 /// By the rules under which spacings change along the curves.
-Expected<Places> uneven_places(std::span<const MeasuredCurve> curves, double length, const SamplingRequest& request,
-                               const FeatureSizes& sizes, JobControl* job) {
+Expected<Positions> uneven_positions(std::span<const MeasuredCurve> curves, double length,
+                                     const SamplingRequest& request, const FeatureSizes& sizes, JobControl* job) {
   const auto widest_for = [&](std::size_t count) {
     return length / static_cast<double>(std::max<std::size_t>(count, 1));
   };
@@ -336,9 +346,10 @@ Expected<Places> uneven_places(std::span<const MeasuredCurve> curves, double len
   limits.least_each = static_cast<double>(std::max<std::size_t>(request.least_each, 3));
   if (request.rule == SamplingRule::curvature) {
     limits.share = request.turn;
-    return places_of(spacings_by_curvature(curves, limits), request);
+    return positions_by(spacings_by_curvature(curves, limits), curves, request, job);
   }
-  if (request.rule != SamplingRule::feature_size) return places_of(spacings_of(curves, limits, job), request);
+  if (request.rule != SamplingRule::feature_size)
+    return positions_by(spacings_of(curves, limits, job), curves, request, job);
   // What follows is measured anyway, so few places will do to look around at first.
   constexpr std::size_t kFirstLook = 2000;
   SpacingLimits first = limits;
@@ -350,7 +361,7 @@ Expected<Places> uneven_places(std::span<const MeasuredCurve> curves, double len
                             .least_each = limits.least_each};
   auto found = places_by_feature_size(curves, spacings_of(curves, first, job), wider, request.most, sizes, job);
   if (!found) return std::unexpected(found.error());
-  return std::move(found->places);
+  return std::move(found->positions);
 }
 
 Expected<void> sample_unevenly(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes,
@@ -366,14 +377,14 @@ Expected<void> sample_unevenly(const CurveSet& curves, const SamplingRequest& re
     all += measured_curves.back().length();
   }
   if (!std::isfinite(all)) return beyond_range();
-  Places places(curves.curves.size());
+  Positions positions(curves.curves.size());
   if (all > 0.0) {
-    auto found = uneven_places(measured_curves, all, request, sizes, out.job());
+    auto found = uneven_positions(measured_curves, all, request, sizes, out.job());
     if (!found) return std::unexpected(found.error());
-    places = *std::move(found);
+    positions = *std::move(found);
   }
   for (std::size_t i = 0; i < measured_curves.size(); ++i)
-    add_stretches(measured_curves[i], curves.curves[i], places[i], out);
+    add_stretches(measured_curves[i], curves.curves[i], positions[i], out);
   return {};
 }
 

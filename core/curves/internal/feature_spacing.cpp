@@ -38,7 +38,7 @@ class FieldWalk {
  public:
   explicit FieldWalk(const StretchSpacing& field) : field_(field) {}
   double at(double place) {
-    while (next_ + 1 < field_.at.size() && field_.at[next_] <= place) ++next_;
+    go_to(place);
     const double begin = field_.at[next_ - 1];
     const double end = field_.at[next_];
     if (place <= begin) return field_.spacing[next_ - 1];
@@ -48,8 +48,18 @@ class FieldWalk {
     if (!std::isfinite(before) || !std::isfinite(after)) return std::min(before, after);
     return before + (place - begin) / (end - begin) * (after - before);
   }
+  /// The value at the place, which is not before those that were asked for, is above this one.
+  bool is_above(double place, double value) {
+    go_to(place);
+    if (std::max(field_.spacing[next_ - 1], field_.spacing[next_]) <= value) return false;
+    return at(place) > value;
+  }
 
  private:
+  void go_to(double place) {
+    while (next_ + 1 < field_.at.size() && field_.at[next_] <= place) ++next_;
+  }
+
   const StretchSpacing& field_;
   std::size_t next_ = 1;
 };
@@ -61,16 +71,52 @@ double count_of(const Field& field) {
   return out;
 }
 
-/// No more than the other anywhere, with the nodes of both.
-StretchSpacing least_of(const StretchSpacing& a, const StretchSpacing& b) {
-  StretchSpacing out{a.length, {}, {}};
-  out.at.reserve(a.at.size() + b.at.size());
-  std::ranges::merge(a.at, b.at, std::back_inserter(out.at));
-  out.at.erase(std::ranges::unique(out.at).begin(), out.at.end());
-  FieldWalk first(a);
-  FieldWalk second(b);
-  for (const double at : out.at) out.spacing.push_back(std::min(first.at(at), second.at(at)));
+/// No more than the bound anywhere: with the nodes of the field, and those of the bound that make a difference.
+StretchSpacing bounded_by(const StretchSpacing& field, const StretchSpacing& bound) {
+  const std::size_t count = bound.at.size();
+  // Where the bound is below the field, up to nodes where it is not.
+  std::vector<bool> is_needed(count, false);
+  std::size_t needed = 0;
+  FieldWalk along_field(field);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!along_field.is_above(bound.at[k], bound.spacing[k])) continue;
+    for (std::size_t i = k == 0 ? k : k - 1; i < std::min(k + 2, count); ++i) {
+      needed += is_needed[i] ? 0U : 1U;
+      is_needed[i] = true;
+    }
+  }
+  StretchSpacing out{field.length, {}, {}};
+  out.at.reserve(field.at.size() + needed);
+  out.spacing.reserve(field.at.size() + needed);
+  const auto add = [&out](double at, double spacing) {
+    out.at.push_back(at);
+    out.spacing.push_back(spacing);
+  };
+  FieldWalk along_bound(bound);
+  FieldWalk again(field);
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < field.at.size(); ++i) {
+    for (; k < count && bound.at[k] < field.at[i]; ++k)
+      if (is_needed[k]) add(bound.at[k], std::min(bound.spacing[k], again.at(bound.at[k])));
+    while (k < count && bound.at[k] == field.at[i]) ++k;
+    add(field.at[i], std::min(field.spacing[i], along_bound.at(field.at[i])));
+  }
   return out;
+}
+
+/// Along a curve a feature size changes by no more than the way: so what bounds it at one place bounds it beside that
+/// place. `steepest` is by how much a spacing may grow for each unit of length.
+void spread_bounds(StretchSpacing& field, double steepest, bool goes_on) {
+  std::vector<double>& spacing = field.spacing;
+  const auto follow = [&](std::size_t k, std::size_t before) {
+    spacing[k] = std::min(spacing[k], spacing[before] + steepest * std::abs(field.at[k] - field.at[before]));
+  };
+  const int rounds = goes_on ? 2 : 1;
+  for (int round = 0; round < rounds; ++round) {
+    if (round == 1) spacing.front() = spacing.back() = std::min(spacing.front(), spacing.back());
+    for (std::size_t k = 1; k < spacing.size(); ++k) follow(k, k - 1);
+    for (std::size_t k = spacing.size() - 1; k > 0; --k) follow(k - 1, k);
+  }
 }
 
 struct StretchSample {
@@ -108,6 +154,7 @@ class PlacedSamples {
 
   std::size_t size() const { return positions_.size(); }
   const std::vector<OfStretch>& of_curve(std::size_t curve) const { return of_stretch_[curve]; }
+  Vec2 position(const StretchSample& sample) const { return positions_[sample.number]; }
   double feature_size(const StretchSample& sample) const { return sizes_[sample.number]; }
   /// Half of what is between two neighbours over the most that it may be; above 1: too much.
   double excess(const StretchSample& a, const StretchSample& b, double epsilon) const {
@@ -162,11 +209,24 @@ class FeatureSampler {
         for (double& spacing : stretch.spacing) spacing = std::clamp(spacing, finest(c), widest(c));
   }
 
+  /// The field to begin with: with no more than the bends allow, there and beside them, so that the samples show most of
+  /// the axis at once. Without an axis there is more room beside bends.
+  Field first(const Field& field) const {
+    Field out(field.size());
+    for (std::size_t c = 0; c < field.size(); ++c)
+      for (std::size_t s = 0; s < field[c].size(); ++s) {
+        StretchSpacing bound = bends_[c][s];
+        spread_bounds(bound, 2.0 * kMargin * limits_.share, curves_[c].is_closed && !curves_[c].has_corner_at_start);
+        out[c].push_back(bounded_by(field[c][s], bound));
+      }
+    return out;
+  }
+
   /// The field, with no more than the bends allow.
   Field bounded(const Field& field) const {
     Field out(field.size());
     for (std::size_t c = 0; c < field.size(); ++c)
-      for (std::size_t s = 0; s < field[c].size(); ++s) out[c].push_back(least_of(field[c][s], bends_[c][s]));
+      for (std::size_t s = 0; s < field[c].size(); ++s) out[c].push_back(bounded_by(field[c][s], bends_[c][s]));
     return out;
   }
 
@@ -243,10 +303,10 @@ Expected<FeaturePlaces> places_by_feature_size(std::span<const MeasuredCurve> cu
                                                const SpacingLimits& limits, std::size_t most,
                                                const FeatureSizes& sizes, JobControl* job) {
   const FeatureSampler sampler(curves, limits);
-  Field field = sampler.bounded(first);
+  Field field = sampler.first(first);
+  double count = count_of(field);
   std::optional<PlacedSamples> samples;
   for (int round = 0; round < kMostRounds; ++round) {
-    const double count = count_of(field);
     if (count > static_cast<double>(most)) return too_many(count, most);
     samples.emplace(curves, field, job);
     if (auto done = samples->measure(sizes); !done) return std::unexpected(done.error());
@@ -258,6 +318,7 @@ Expected<FeaturePlaces> places_by_feature_size(std::span<const MeasuredCurve> cu
     const bool is_settled = asked > kSettled * count && kSettled * asked < count;
     if (is_near && (!may_grow || is_settled)) break;
     field = std::move(now.next);
+    count = asked;
   }
 
   FeaturePlaces out{.is_reached = false};
@@ -273,11 +334,12 @@ Expected<FeaturePlaces> places_by_feature_size(std::span<const MeasuredCurve> cu
     if (out.is_reached) break;
     if (auto done = samples->measure(sizes); !done) return std::unexpected(done.error());
   }
-  out.places.resize(curves.size());
+  out.positions.resize(curves.size());
   for (std::size_t c = 0; c < curves.size(); ++c)
     for (const std::vector<StretchSample>& stretch : samples->of_curve(c)) {
-      std::vector<double>& places = out.places[c].emplace_back();
-      for (std::size_t i = 0; i + 1 < stretch.size(); ++i) places.push_back(stretch[i].at);
+      std::vector<Vec2>& positions = out.positions[c].emplace_back();
+      positions.reserve(stretch.size() - 1);
+      for (std::size_t i = 0; i + 1 < stretch.size(); ++i) positions.push_back(samples->position(stretch[i]));
     }
   return out;
 }

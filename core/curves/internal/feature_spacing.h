@@ -15,9 +15,8 @@
 namespace mes {
 
 struct FeaturePlaces {
-  /// Of each curve, of each of its stretches: lengths of arc of its samples from its beginning on, 0 among them, its
-  /// end not.
-  std::vector<std::vector<std::vector<double>>> places{};
+  /// Of each curve, of each of its stretches: its samples from its beginning on, which is among them, and its end not.
+  std::vector<std::vector<std::vector<Vec2>>> positions{};
   bool is_reached = false;  ///< every interval has the epsilon, or is as short as intervals may become
 };
 
@@ -25,7 +24,7 @@ struct FeaturePlaces {
 /// distance along the curve is `limits.finest`.
 ///
 /// Begins with `first`, and nowhere with more than the bends of the curve allow, which bound feature sizes from above
-/// whatever the samples show. What is measured of these samples says where others should be; that is done anew until
+/// whatever the samples show, nor with more than a feature size may grow from there. What is measured of these samples says where others should be; that is done anew until
 /// nearly all intervals are as they should be. Then samples stay, and intervals that are still too long are divided, so
 /// that it comes to an end: only what is new need be measured. Error: that of `sizes`; `bad_input` for more samples than
 /// `most`. Throws `Cancelled` if there is a job.

@@ -122,21 +122,42 @@ struct Surroundings {
 
 }  // namespace
 
-double StretchSpacing::count() const {
-  double sum = 0.0;
-  for (std::size_t i = 1; i < spacing.size(); ++i)
-    sum += (0.5 / spacing[i - 1] + 0.5 / spacing[i]) * (at[i] - at[i - 1]);
+namespace {
+
+/// Calls `use(i, passed)` for each node with the number of spacings from the beginning to there.
+template <class Use>
+void for_each_passed(const StretchSpacing& field, Use use) {
+  double passed = 0.0;
+  use(0, passed);
+  double before = 0.5 / field.spacing[0];
+  for (std::size_t i = 1; i < field.spacing.size(); ++i) {
+    const double here = 0.5 / field.spacing[i];
+    passed += (before + here) * (field.at[i] - field.at[i - 1]);
+    use(i, passed);
+    before = here;
+  }
+}
+
+double whole_count(double passed) {
   constexpr double kRounding = 1e-9;
-  return std::max(1.0, std::ceil(sum * (1.0 - kRounding)));
+  return std::max(1.0, std::ceil(passed * (1.0 - kRounding)));
+}
+
+}  // namespace
+
+double StretchSpacing::count() const {
+  double all = 0.0;
+  for_each_passed(*this, [&all](std::size_t, double passed) { all = passed; });
+  return whole_count(all);
 }
 
 std::vector<double> StretchSpacing::places() const {
-  const double wanted = count();
-  std::vector<double> passed(spacing.size(), 0.0);
-  for (std::size_t i = 1; i < spacing.size(); ++i)
-    passed[i] = passed[i - 1] + (0.5 / spacing[i - 1] + 0.5 / spacing[i]) * (at[i] - at[i - 1]);
+  std::vector<double> passed(spacing.size());
+  for_each_passed(*this, [&passed](std::size_t i, double here) { passed[i] = here; });
+  const double wanted = whole_count(passed.back());
   const double each = passed.back() / wanted;
   std::vector<double> out;
+  out.reserve(static_cast<std::size_t>(wanted));
   std::size_t i = 1;
   for (double k = 0.0; k < wanted; ++k) {
     while (i + 1 < passed.size() && passed[i] <= k * each) ++i;
