@@ -398,6 +398,10 @@ TEST_CASE("sizes are the least of all rounded distances, to the last bit") {
       }
     for (int i = 0; i < 40; ++i) samples.push_back({20.0 * rng.uniform(), 3.0 * rng.uniform(-1.0, 1.0)});
   }
+  SECTION("a sample far from thousands along which it walks, and many with short walks") {
+    for (int i = 0; i < 5000; ++i) samples.push_back({1e-4 * i, 1e-4 * rng.uniform()});
+    samples.push_back({1.1, 0.0});
+  }
   check_least_of_all(samples);
 }
 

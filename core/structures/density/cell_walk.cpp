@@ -35,6 +35,10 @@ constexpr std::uint32_t kPart = 1024;
 /// Blocks of one walk at most, and axis edges.
 constexpr std::uint32_t kLongest = 160;
 constexpr std::uint32_t kMostLines = 800;
+/// The same for samples that were given up, and how many of these walks may become too long.
+constexpr std::uint32_t kLongestAgain = 8192;
+constexpr std::uint32_t kMostLinesAgain = 40960;
+constexpr int kMostFailures = 3;
 /// So many groups do without a walk after one that was too long; twice as many after each that follows, up to the most.
 constexpr std::size_t kPause = 24;
 constexpr std::size_t kLongestPause = 1536;
@@ -95,7 +99,16 @@ struct CellWalk::Group {
 };
 
 struct CellWalk::Trail {
-  std::array<std::uint32_t, kLongest> queue;
+  Trail(std::uint32_t most_blocks, std::uint32_t most_lines)
+      : longest(most_blocks),
+        longest_in_lines(most_lines),
+        queue(most_blocks),
+        marks(std::bit_ceil(2 * most_blocks + 1)),
+        last_mark(marks.size() - 1) {}
+
+  const std::uint32_t longest;  ///< blocks that there is room for
+  const std::uint32_t longest_in_lines;
+  std::vector<std::uint32_t> queue;
   std::uint32_t head = 0;
   std::uint32_t tail = 0;
   std::uint32_t line_count = 0;
@@ -104,9 +117,8 @@ struct CellWalk::Trail {
     std::uint32_t walk = 0;
     std::uint32_t block = 0;
   };
-  static constexpr std::uint32_t kMarks = 512;
-  static_assert(kMarks >= 2 * kLongest && std::has_single_bit(kMarks));
-  std::array<Mark, kMarks> marks{};
+  std::vector<Mark> marks;
+  const std::size_t last_mark;
   std::uint32_t number = 0;
   AxisEntry guess{.line = kNone};
 
@@ -116,10 +128,10 @@ struct CellWalk::Trail {
   }
   /// Adds a block that the walk has not come to yet. Returns false if the queue is full.
   bool add(std::uint32_t block) {
-    std::uint32_t at = block % kMarks;
-    for (; marks[at].walk == number; at = (at + 1) % kMarks)
+    std::size_t at = block & last_mark;
+    for (; marks[at].walk == number; at = (at + 1) & last_mark)
       if (marks[at].block == block) return true;
-    if (tail == kLongest) return false;
+    if (tail == longest) return false;
     marks[at] = {number, block};
     queue[tail++] = block;
     return true;
@@ -285,7 +297,7 @@ bool CellWalk::walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail&
   const auto look_at = [&](std::span<const AxisEntry> entries) {
     for (const AxisEntry& entry : entries) {
       if (entry.reach > group.far) break;
-      if (++trail.line_count > kMostLines) return false;
+      if (++trail.line_count > trail.longest_in_lines) return false;
       const AxisLine& line = lines_[entry.line];
       std::array<Pair, kPairs> squared;
       PairMask is_crossed{};
@@ -346,54 +358,85 @@ bool CellWalk::walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail&
   return !has_steep_ || group.far <= reach_;
 }
 
+/// Near enough to the first cell of a group to walk with it.
+bool CellWalk::is_in_group(std::uint32_t cell, std::uint32_t first) const {
+  const double room = kSpread * double{cells_[first].reach};
+  const Vec2 d = cells_[cell].at - cells_[first].at;
+  return dot(d, d) <= room * room;
+}
+
+/// Of the cells from `begin` to `end`, `kLanes` at most. False if the walk becomes too long.
+bool CellWalk::search_group(std::uint32_t begin, std::uint32_t end, Trail& trail, Table<SiteSlot, double>& squared,
+                            Table<SiteSlot, EdgeSlot>& nearest) const {
+  Group group;
+  group.pairs = (end - begin + 1) / 2;
+  for (std::uint32_t k = 0; k < 2 * group.pairs; ++k) {
+    const Vec2 p = cells_[std::min(begin + k, end - 1)].at;
+    group.x[k / 2][k % 2] = p.x;
+    group.y[k / 2][k % 2] = p.y;
+    group.box.add(p);
+  }
+  group.best.fill(Pair{kInfinity, kInfinity});
+  group.crossed.fill(Pair{kInfinity, kInfinity});
+  group.line.fill(kNone);
+  if (!walk(group, begin, end, trail)) return false;
+  for (std::uint32_t cell = begin; cell < end; ++cell) {
+    const SiteSlot site = sites_[cell];
+    squared[site] = group.best[(cell - begin) / 2][(cell - begin) % 2];
+    if (const std::uint32_t line = group.line[cell - begin]; line != kNone) nearest[site] = lines_[line].edge;
+  }
+  trail.guess = {group.line[end - begin - 1], begin, 0.0F};
+  return true;
+}
+
 void CellWalk::search(std::size_t part, Table<SiteSlot, double>& squared, Table<SiteSlot, EdgeSlot>& nearest,
                       std::vector<SiteSlot>& given_up) const {
-  Trail trail;
+  Trail trail(kLongest, kMostLines);
   std::size_t longest_pause = kPause;
   std::size_t pause = vague_.size() > kMostVague ? cells_.size() : 0;
   const std::size_t last_block = std::min<std::size_t>((part + 1) * kPart, blocks_.size() - 1);
   for (auto block = static_cast<std::uint32_t>(part * kPart); block < last_block; ++block) {
     const std::uint32_t end = blocks_[block + 1].first;
     for (std::uint32_t first = blocks_[block].first; first < end;) {
-      const double room = kSpread * double{cells_[first].reach};
-      const auto is_near_first = [&](std::uint32_t cell) {
-        const Vec2 d = cells_[cell].at - cells_[first].at;
-        return dot(d, d) <= room * room;
-      };
       std::uint32_t last = first + 1;
-      while (last < end && last < first + kLanes && is_near_first(last)) ++last;
+      while (last < end && last < first + kLanes && is_in_group(last, first)) ++last;
       bool is_found = false;
-      Group group;
       if (pause != 0) {
         --pause;
       } else {
-        group.pairs = (last - first + 1) / 2;
-        for (std::uint32_t k = 0; k < 2 * group.pairs; ++k) {
-          const Vec2 p = cells_[std::min(first + k, last - 1)].at;
-          group.x[k / 2][k % 2] = p.x;
-          group.y[k / 2][k % 2] = p.y;
-          group.box.add(p);
-        }
-        group.best.fill(Pair{kInfinity, kInfinity});
-        group.crossed.fill(Pair{kInfinity, kInfinity});
-        group.line.fill(kNone);
-        is_found = walk(group, first, last, trail);
+        is_found = search_group(first, last, trail, squared, nearest);
         longest_pause = is_found ? kPause : std::min(2 * longest_pause, kLongestPause);
         if (!is_found) pause = longest_pause;
       }
-      for (std::uint32_t cell = first; cell < last; ++cell) {
-        const SiteSlot site = sites_[cell];
-        if (is_found) {
-          squared[site] = group.best[(cell - first) / 2][(cell - first) % 2];
-          if (const std::uint32_t line = group.line[cell - first]; line != kNone) nearest[site] = lines_[line].edge;
-        } else {
-          given_up.push_back(site);
-        }
-      }
-      if (is_found) trail.guess = {group.line[last - first - 1], first, 0.0F};
+      if (!is_found) given_up.insert(given_up.end(), sites_.begin() + first, sites_.begin() + last);
       first = last;
     }
   }
+}
+
+void CellWalk::search_longer(std::vector<SiteSlot>& given_up, Table<SiteSlot, double>& squared,
+                             Table<SiteSlot, EdgeSlot>& nearest) const {
+  if (given_up.empty()) return;
+  Trail trail(std::min(kLongestAgain, static_cast<std::uint32_t>(blocks_.size())), kMostLinesAgain);
+  int failures = 0;
+  std::vector<SiteSlot> left;
+  for (std::size_t i = 0; i < given_up.size();) {
+    const std::uint32_t first = cell_of_[given_up[i]];
+    const std::uint32_t end = blocks_[cells_[first].block + 1].first;
+    std::uint32_t last = first + 1;
+    std::size_t next = i + 1;
+    while (next < given_up.size() && cell_of_[given_up[next]] == last && last < end && last < first + kLanes &&
+           is_in_group(last, first)) {
+      ++last;
+      ++next;
+    }
+    if (failures == kMostFailures || !search_group(first, last, trail, squared, nearest)) {
+      failures = std::min(failures + 1, kMostFailures);
+      left.insert(left.end(), sites_.begin() + first, sites_.begin() + last);
+    }
+    i = next;
+  }
+  given_up = std::move(left);
 }
 
 }  // namespace mes

@@ -31,7 +31,7 @@ namespace mes {
 /// sample.
 ///
 /// Cost: building O(n); a search O(blocks within twice the feature size, along the curve). Where these are many, a
-/// search gives up.
+/// search gives up, and does so later where few samples are left.
 /// Threads: building borrows other cores; searches may run side by side.
 class CellWalk {
  public:
@@ -45,6 +45,10 @@ class CellWalk {
   /// result.
   void search(std::size_t part, Table<SiteSlot, double>& squared, Table<SiteSlot, EdgeSlot>& nearest,
               std::vector<SiteSlot>& given_up) const;
+  /// The same for samples of a part that were given up, in their order, by walks that may be many times as long. What
+  /// is left is still to be found: where a few of these walks become too long, the others do not begin.
+  void search_longer(std::vector<SiteSlot>& given_up, Table<SiteSlot, double>& squared,
+                     Table<SiteSlot, EdgeSlot>& nearest) const;
 
  private:
   struct Group;
@@ -72,6 +76,9 @@ class CellWalk {
   void order_cells(const Delaunay& delaunay, const OneStepCrust& crust);
   void list_lines(const Delaunay& delaunay);
   void measure_blocks();
+  bool is_in_group(std::uint32_t cell, std::uint32_t first) const;
+  bool search_group(std::uint32_t begin, std::uint32_t end, Trail& trail, Table<SiteSlot, double>& squared,
+                    Table<SiteSlot, EdgeSlot>& nearest) const;
   bool walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail& trail) const;
 
   std::unique_ptr<AxisLine[]> lines_;  ///< in the order of the edges

@@ -218,6 +218,15 @@ void FeatureSize::rebuild(JobControl& job) {
     job.checkpoint();
     walk.search(part, squared_, nearest_, given_up[part]);
   });
+  std::size_t left = 0;
+  for (const std::vector<SiteSlot>& sites : given_up) left += sites.size();
+  // A tree costs about as much as longer walks of so many.
+  constexpr std::size_t kFew = 32;
+  if (kFew * left < delaunay_.site_count())
+    run_tasks(given_up.size(), [&](std::size_t part) {
+      job.checkpoint();
+      walk.search_longer(given_up[part], squared_, nearest_);
+    });
   if (std::ranges::all_of(given_up, [](const auto& sites) { return sites.empty(); })) return;
   const std::vector<AxisLine> lines = all_lines();
   make_line_tree(lines);
