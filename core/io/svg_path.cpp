@@ -2,7 +2,6 @@
 // Source: SVG 2, chapter 9.
 #include "core/io/svg_path.h"
 
-#include <array>
 #include <numbers>
 #include <span>
 #include <utility>
@@ -48,7 +47,7 @@ class VertexRuns {
     for (bool goes_on = true; goes_on; look_at(job)) {
       const PairRun run = read_coordinate_pairs(text.rest(), letter, pairs_, is_any);
       text.skip(run.size);
-      if (run.count != 0) use(std::span<const Vec2>(pairs_).first(run.count));
+      if (run.count != 0) use(std::span<const Vec2>(pairs_.first(run.count)));
       goes_on = run.count == pairs_.size();
       is_any = is_any || run.count != 0;
     }
@@ -57,8 +56,16 @@ class VertexRuns {
 
  private:
   static constexpr std::size_t kPatience = 8;  // where one vertex is unusual, the next ones may be
+  static constexpr std::size_t kAtOnce = 1024;
 
-  std::array<Vec2, 128> pairs_;
+  /// Of this thread: to make it anew would take as long as a short path. As large as what is near to the processor, so
+  /// that most curves get the memory for all their vertices at once.
+  static std::span<Vec2> room() {
+    thread_local std::vector<Vec2> pairs(kAtOnce);
+    return pairs;
+  }
+
+  std::span<Vec2> pairs_ = room();
   std::size_t unusual_ = 0;
 };
 
