@@ -73,6 +73,33 @@ TEST_CASE("an epsilon-sample is dense everywhere and not much denser than it mus
   }
 }
 
+TEST_CASE("the first samples are as dense as feature sizes may grow from the bends of a curve on") {
+  constexpr double kEpsilon = 0.1;
+  constexpr int kSides = 360;
+  PlaneCurve sides({kA, 0});
+  for (int i = 1; i < kSides; ++i)
+    sides.line_to({kA * std::cos(2.0 * kPi * i / kSides), kB * std::sin(2.0 * kPi * i / kSides)});
+  sides.close();
+  std::vector<Vec2> first;
+  const auto samples =
+      sample({.curves = {sides}}, {.rule = SamplingRule::feature_size, .count = 10, .epsilon = kEpsilon},
+             [&first](std::span<const Vec2> places) -> Expected<std::vector<double>> {
+               if (first.empty()) first.assign(places.begin(), places.end());
+               std::vector<double> out;
+               for (const Vec2 p : places) out.push_back(feature_size(p));
+               return out;
+             });
+  REQUIRE(samples);
+  REQUIRE(first.size() > 8);
+  // At the narrow ends the radius of the bend is the size; from there on it grows by the way, which is less than one and
+  // a half times the distance. Radii of bends grow several times as fast.
+  const auto bound = [](Vec2 p) {
+    return kB * kB / kA + 1.5 * std::min(distance(p, {kA, 0}), distance(p, {-kA, 0}));
+  };
+  for (std::size_t i = 1; i < first.size(); ++i)
+    CHECK(0.5 * distance(first[i - 1], first[i]) <= kEpsilon * std::max(bound(first[i - 1]), bound(first[i])));
+}
+
 TEST_CASE("what is said of feature sizes counts: an error ends the sampling, without them there is none") {
   const SamplingRequest request{.rule = SamplingRule::feature_size, .count = 400};
   const auto none = sample({.curves = {ellipse()}}, request);

@@ -25,7 +25,7 @@ constexpr int kMostDivisions = 48;
 // Between two samples the feature size may be smaller than at both; what is asked for is denser than what must be had.
 constexpr double kMargin = 0.9;
 // A share of the intervals that is too long is divided rather than placed anew.
-constexpr double kFew = 0.1;
+constexpr double kFew = 0.05;
 // Where the number of samples changes by more than this share, another round is worth it: fewer would do, or so many more
 // are asked for that dividing intervals, by two at least, would make far more of them.
 constexpr double kSettled = 0.9;
