@@ -94,10 +94,14 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
     layer.tally.add(piece.kind, piece.values);
     if (request.with_digests) layer.digest += digest_of(piece.kind, piece.values, !piece.scalars_are_names);
   };
-  const auto result = measure_with_progress(
-      std::move(input->data),
-      {.layers = *layers, .settings = *settings, .want_statistics = true, .want_findings = true, .on_patch = {}},
-      take);
+  const auto result = measure_with_progress(std::move(input->data),
+                                            {.layers = *layers,
+                                             .settings = *settings,
+                                             .want_statistics = true,
+                                             .want_findings = true,
+                                             .needs_scalars = request.with_digests,
+                                             .on_patch = {}},
+                                            take);
   if (!result) return std::unexpected(result.error());
 
   Json out;

@@ -110,7 +110,8 @@ Expected<ComputationReport> run_to_end(EngineStep step, const ComputationRequest
   ComputationReport result;
   Bell bell;
   TaskList tasks(request.layers);
-  Engine engine({.wake = [&bell] { bell.ring(); }, .take_instances = std::move(take)});
+  Engine engine(
+      {.wake = [&bell] { bell.ring(); }, .take_instances = std::move(take), .needs_scalars = request.needs_scalars});
   engine.set_want_statistics(request.want_statistics);
   engine.set_want_findings(request.want_findings);
   engine.post(std::move(step));

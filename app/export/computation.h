@@ -27,6 +27,8 @@ struct ComputationRequest {
   ComputationSettings settings;
   bool want_statistics = false;
   bool want_findings = false;
+  /// Of a one-shot run: otherwise scalars of instances are not looked for, and may be 0.
+  bool needs_scalars = true;
   /// Gets every patch in order; the last one's reports are final.
   std::function<void(const FramePatch&)> on_patch;
   /// What is being computed, and how much of the whole is done, in [0, 1]; some ten times a second. May be empty.

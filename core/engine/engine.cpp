@@ -18,7 +18,7 @@ namespace mes {
 struct Engine::Impl {
   explicit Impl(Options given) : options(std::move(given)) {
     found.reserve(kProvenanceWishes);
-    if (options.take_instances) graph.make_one_shot(options.take_instances);
+    if (options.take_instances) graph.make_one_shot(options.take_instances, options.needs_scalars);
     graph.set_on_task([this](std::string_view id) {
       const std::lock_guard lock(mutex);
       status.task = id;

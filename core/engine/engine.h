@@ -69,6 +69,8 @@ class Engine {
         wake;  ///< a patch or an answer is ready or the status changed; must be quick and must not throw
     /// Makes the engine's graph a one-shot one (core/engine/graph.h). Called on threads of the engine; must not throw.
     std::function<void(const InstancePiece&)> take_instances{};
+    /// Whether scalars of what is taken are needed.
+    bool needs_scalars = true;
   };
 
   explicit Engine(Options options);

@@ -18,9 +18,10 @@ Graph::Graph() {
   samples_ = &structures().get<Samples>();
 }
 
-void Graph::make_one_shot(InstanceTaker take) {
+void Graph::make_one_shot(InstanceTaker take, bool needs_scalars) {
   MES_ASSERT(run_ == 0);
   take_ = std::move(take);
+  needs_scalars_ = needs_scalars;
   for (const StructureNode& node : nodes_) node.structure->forgo_updates();
 }
 
@@ -369,7 +370,8 @@ void Graph::take_back(FramePatch& out) {
 
 void Graph::emit_whole(LayerPart& part, LayerPatch& patch) const {
   if (is_one_shot())
-    part.pour({.layer = patch.layer, .scalars_are_names = patch.scalars_are_names, .values = {}}, take_);
+    part.pour({.layer = patch.layer, .scalars_are_names = patch.scalars_are_names, .values = {}}, needs_scalars_,
+              take_);
   else
     part.reset(patch);
 }

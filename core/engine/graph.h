@@ -52,8 +52,8 @@ class Graph {
   /// Makes the graph a *one-shot* one, before its first run and for good: nothing is updated, each run computes anew,
   /// and layers are handed to `take` in pieces instead of being put into patches. So neither structures nor layers keep
   /// what only an edit would need, and no layer is ever in memory as a whole. After a run that was stopped or of which a
-  /// layer failed, what was taken is worthless.
-  void make_one_shot(InstanceTaker take);
+  /// layer failed, what was taken is worthless. Where scalars are not needed they are not looked for, and may be 0.
+  void make_one_shot(InstanceTaker take, bool needs_scalars = true);
 
   void post(std::shared_ptr<const DocumentDelta> delta);
   void post_settings(const ComputationSettings& settings);
@@ -178,6 +178,7 @@ class Graph {
   std::int64_t lap_ns_ = 0;
   std::function<void(std::string_view)> on_task_;
   InstanceTaker take_;  ///< empty unless the graph is a one-shot one
+  bool needs_scalars_ = true;
 
   // Work space of one run.
   struct LayerBefore {

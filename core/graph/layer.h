@@ -55,6 +55,9 @@ class Instance {
         {arc.center.x, arc.center.y, arc.radius, arc.from.x, arc.from.y, arc.to.x, arc.to.y, scalar});
   }
 
+  /// A scalar that takes time to find is not needed, and may be 0, unless this says so. True by default.
+  bool wants_scalar() const { return wants_scalar_; }
+  void set_wants_scalar(bool wanted) { wants_scalar_ = wanted; }
   bool is_set() const { return is_set_; }
   /// There was something, but not with finite coordinates.
   bool is_lost() const { return is_lost_; }
@@ -80,6 +83,7 @@ class Instance {
   PrimitiveKind kind_ = PrimitiveKind::point;
   bool is_set_ = false;
   bool is_lost_ = false;
+  bool wants_scalar_ = true;
 };
 
 /// Where the primitives of a table's rows stand in the drawing buffers of one layer.
@@ -91,8 +95,9 @@ class LayerPart {
   virtual ~LayerPart() = default;
   /// Emits every row.
   virtual void reset(LayerPatch& patch) = 0;
-  /// Hands the primitive of every row out, in pieces, and keeps none of them. `out` says which layer it is.
-  virtual void pour(InstancePiece out, const std::function<void(const InstancePiece&)>& take) = 0;
+  /// Hands the primitive of every row out, in pieces, and keeps none of them. `out` says which layer it is. Unless
+  /// scalars are needed, they may be 0.
+  virtual void pour(InstancePiece out, bool needs_scalars, const std::function<void(const InstancePiece&)>& take) = 0;
   /// Emits the rows of the change set.
   virtual void update(LayerPatch& patch) = 0;
   /// An `update` may follow soon: asks for the memory that it will look at.
@@ -232,7 +237,7 @@ class TablePart final : public LayerPart {
     for (const PrimitiveKind kind : kinds_) patch[kind].count = places_.count(kind);
   }
 
-  void pour(InstancePiece out, const std::function<void(const InstancePiece&)>& take) override {
+  void pour(InstancePiece out, bool needs_scalars, const std::function<void(const InstancePiece&)>& take) override {
     constexpr std::size_t kPiece = 4096;  // instances; some hundred kibibytes, which stay in the cache
     std::array<std::vector<double>, kPrimitiveKinds> pieces;
     const auto flush = [&](PrimitiveKind kind) {
@@ -246,6 +251,7 @@ class TablePart final : public LayerPart {
     for (const PrimitiveKind kind : kinds_) pieces[static_cast<std::size_t>(kind)].reserve(kPiece * stride_of(kind));
     const std::size_t rows = rows_();
     Instance instance;
+    instance.set_wants_scalar(needs_scalars);
     lost_.clear();
     for (RowNumber row = 0; row < rows; ++row) {
       instance.clear();

@@ -17,7 +17,7 @@ Layer make_curve_layer(const StructureSet& set) {
        .kinds = {PrimitiveKind::segment}},
       {&delaunay, &crust},
       edges_part({PrimitiveKind::segment}, delaunay, delaunay.edge_changes(), [&](EdgeSlot edge, Instance& out) {
-        if (crust.is_crust(edge)) emit_edge(delaunay, edge, out, crust.confidence(edge));
+        if (crust.is_crust(edge)) emit_edge(delaunay, edge, out, out.wants_scalar() ? crust.confidence(edge) : 0.0);
       }));
 }
 

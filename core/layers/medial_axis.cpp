@@ -20,7 +20,8 @@ Layer make_medial_axis_layer(const StructureSet& set) {
        .kinds = {PrimitiveKind::segment}},
       {&delaunay, &crust, &axis},
       edges_part({PrimitiveKind::segment}, delaunay, axis.edge_changes(), [&](EdgeSlot edge, Instance& out) {
-        if (axis.is_axis_edge(edge)) emit_dual(delaunay, crust, edge, out, contact_spread(delaunay, edge));
+        if (axis.is_axis_edge(edge))
+          emit_dual(delaunay, crust, edge, out, out.wants_scalar() ? contact_spread(delaunay, edge) : 0.0);
       }));
 }
 

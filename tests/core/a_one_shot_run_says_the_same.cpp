@@ -54,17 +54,21 @@ Layers kept(const std::vector<Vec2>& points, FramePatch& patch) {
   return out;
 }
 
-/// Computed `runs` times by one graph; of the last one.
-Layers poured(const std::vector<Vec2>& points, FramePatch& patch, int runs) {
+enum class Scalars : std::uint8_t { needed, not_needed, needed_and_left_out };
+
+/// Computed `runs` times by one graph; of the last one. Digests have scalars if these are `needed`.
+Layers poured(const std::vector<Vec2>& points, FramePatch& patch, int runs, Scalars scalars = Scalars::needed) {
   std::mutex mutex;
   std::vector<LayerDigest> digest(layer_descriptors().size());
   std::vector<std::size_t> count(layer_descriptors().size(), 0);
   Graph graph;
-  graph.make_one_shot([&](const InstancePiece& piece) {
+  const auto take = [&](const InstancePiece& piece) {
     const std::lock_guard lock(mutex);
-    digest[piece.layer] += digest_of(piece.kind, piece.values, !piece.scalars_are_names);
+    digest[piece.layer] +=
+        digest_of(piece.kind, piece.values, scalars == Scalars::needed && !piece.scalars_are_names);
     count[piece.layer] += piece.values.size() / stride_of(piece.kind);
-  });
+  };
+  graph.make_one_shot(take, scalars != Scalars::not_needed);
   prepare(graph);
   JobControl job;
   for (int run = 0; run < runs; ++run) {
@@ -119,6 +123,41 @@ TEST_CASE("a one-shot run draws and finds what a kept one does") {
   compare(test::uniform_square(5000, 5));
   // Several parts, stitched, and chunks of rows.
   compare(test::uniform_square(60000, 6));
+}
+
+TEST_CASE("a one-shot run without scalars draws the same without them, and does not look for those that take time") {
+  for (const std::vector<Vec2>& points : {std::vector<Vec2>{{0.0, 0.0}, {1.0, 1.0}, {2.0, 2.0}},
+                                          test::benchmark_curve(5000, 2), test::uniform_square(5000, 5)}) {
+    FramePatch patch;
+    FramePatch patch_without;
+    const Layers expected = poured(points, patch, 1, Scalars::needed_and_left_out);
+    const Layers found = poured(points, patch_without, 1, Scalars::not_needed);
+    CHECK(found.count == expected.count);
+    CHECK(found.digest == expected.digest);
+    for (const LayerIndex layer : layers_of_samples())
+      CHECK(patch_without.reports[layer].lost == patch.reports[layer].lost);
+  }
+  // Of the curve, that is the confidence of each edge.
+  for (const bool are_needed : {true, false}) {
+    std::size_t count = 0;
+    std::size_t with_scalar = 0;
+    Graph graph;
+    graph.make_one_shot(
+        [&](const InstancePiece& piece) {
+          const std::size_t stride = stride_of(piece.kind);
+          for (std::size_t at = 0; at < piece.values.size(); at += stride, ++count)
+            with_scalar += piece.values[at + stride - 1] != 0.0 ? 1U : 0U;
+        },
+        are_needed);
+    const std::vector<LayerIndex> layers{find_layer("curve")};
+    graph.set_demand(layers);
+    graph.post(document_of(test::benchmark_curve(1000, 2)));
+    FramePatch patch;
+    JobControl job;
+    REQUIRE(graph.run(patch, job));
+    CHECK(count == 1000);
+    CHECK(with_scalar == (are_needed ? count : 0));
+  }
 }
 
 TEST_CASE("edits are the same whether the graph was made ready for them or not") {
