@@ -83,7 +83,10 @@ std::expected<double, NumberFault> parse_number(std::string_view token, bool dec
   }
   if (token.starts_with('+') && token.size() > 1 && token[1] != '-' && token[1] != '+') token.remove_prefix(1);
   double value = 0.0;
-  if (!token.empty() && short_decimal(token, value) == token.size()) return value;
+  // With more bytes than this the digits are together above 2^53, zeros in front aside: looking at them twice would be
+  // slower than `from_chars` alone.
+  constexpr std::size_t kMostShort = 18;
+  if (!token.empty() && token.size() <= kMostShort && short_decimal(token, value) == token.size()) return value;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
   if (error == std::errc::invalid_argument || end != token.data() + token.size())
     return std::unexpected(NumberFault::not_a_number);

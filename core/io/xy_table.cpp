@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
+#include <numeric>
 #include <unordered_map>
 #include <vector>
 
@@ -20,11 +21,14 @@ constexpr std::size_t kMostSamples = 0xfffffffe;
 
 using Fields = std::vector<std::string_view>;
 
+bool is_blank(char c) {
+  return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
 std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\v\f\r";
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  const std::size_t last = text.find_last_not_of(kBlanks);
-  return last == std::string_view::npos ? text : text.substr(0, last + 1);
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
 }
 
 /// Goes through the lines that say something.
@@ -55,10 +59,6 @@ class Lines {
   std::string_view text_;
   std::uint64_t number_ = 0;
 };
-
-bool is_blank(char c) {
-  return c == ' ' || (c >= '\t' && c <= '\r');
-}
 
 void split_at_blanks(std::string_view line, std::size_t most, Fields& out) {
   const char* at = line.data();
@@ -278,8 +278,8 @@ class Grouping {
   /// Contours of a finished table. A column that numbers its rows groups nothing.
   void finish(SampleData& data) && {
     if (columns_.groups.empty()) {
-      contours_.emplace_back();
-      for (std::uint32_t i = 0; i < data.positions.size(); ++i) contours_.front().push_back(i);
+      contours_.emplace_back(data.positions.size());
+      std::iota(contours_.front().begin(), contours_.front().end(), 0U);
     }
     const auto is_single = [](const std::vector<std::uint32_t>& points) { return points.size() < 2; };
     if (std::ranges::all_of(contours_, is_single)) return;
