@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "core/base/quick_length.h"
 #include "core/base/vec2.h"
 
 namespace mes {
@@ -16,32 +17,36 @@ std::string_view plural_of(PrimitiveKind kind) {
 void LayerTally::add(PrimitiveKind kind, std::span<const double> values) {
   const std::size_t stride = stride_of(kind);
   counts_.count[static_cast<std::size_t>(kind)] += values.size() / stride;
-  for (std::size_t at = 0; at < values.size(); at += stride) {
-    const double* const v = values.data() + at;
-    switch (kind) {
-      case PrimitiveKind::segment:
+  const auto for_each = [&](auto visit) {
+    for (std::size_t at = 0; at < values.size(); at += stride) visit(values.data() + at);
+  };
+  switch (kind) {
+    case PrimitiveKind::segment:
+      for_each([this](const double* v) {
         if (is_zero_length(v)) {
           ++counts_.zero_length;
         } else {
-          length_.add(distance({v[0], v[1]}, {v[2], v[3]}));
+          length_.add(quick_length({v[2] - v[0], v[3] - v[1]}));
         }
-        break;
-      case PrimitiveKind::disk:
-      case PrimitiveKind::circle: radius_sum_.add(v[2]); break;
-      case PrimitiveKind::arc: {
+      });
+      break;
+    case PrimitiveKind::disk:
+    case PrimitiveKind::circle: for_each([this](const double* v) { radius_sum_.add(v[2]); }); break;
+    case PrimitiveKind::arc:
+      for_each([this](const double* v) {
         const Arc arc = arc_of(v);
         length_.add(arc.radius * sweep_of(arc));
-        break;
-      }
-      case PrimitiveKind::triangle: {
+      });
+      break;
+    case PrimitiveKind::triangle:
+      for_each([this](const double* v) {
         const Vec2 corner{v[0], v[1]};
         area_.add(0.5 * std::abs(cross(Vec2{v[2], v[3]} - corner, Vec2{v[4], v[5]} - corner)));
-        break;
-      }
-      case PrimitiveKind::point:
-      case PrimitiveKind::ray:
-      case PrimitiveKind::line: break;
-    }
+      });
+      break;
+    case PrimitiveKind::point:
+    case PrimitiveKind::ray:
+    case PrimitiveKind::line: break;
   }
 }
 

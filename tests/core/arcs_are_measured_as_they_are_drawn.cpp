@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Arcs, and lengths of vectors where sums of many are taken.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "core/base/arc.h"
+#include "core/base/quick_length.h"
 #include "core/base/rng.h"
 
 using namespace mes;
@@ -67,4 +70,27 @@ TEST_CASE("the box of an arc holds every point of it and touches it on each side
     CHECK(box.high.y == Approx(seen.high.y).margin(1e-5));
   }
   CHECK(bounding_box_of(Arc{{1, 2}, 3, {4, 2}, {4, 2}}) == Box2{{-2, -1}, {4, 5}});
+}
+
+TEST_CASE("a quick length has a relative error of 2^-52, in any unit of length") {
+  Rng rng(4);
+  const auto component = [&rng] {
+    const double size = std::ldexp(1.0 + rng.uniform(), static_cast<int>(rng.below(80)) - 40);
+    return rng.below(2) == 0 ? size : -size;
+  };
+  for (int i = 0; i < 20000; ++i) {
+    const Vec2 a{rng.below(20) == 0 ? 0.0 : component(), rng.below(20) == 0 ? 0.0 : component()};
+    const double found = quick_length(a);
+    const long double exact = std::sqrt(static_cast<long double>(a.x) * a.x + static_cast<long double>(a.y) * a.y);
+    if (!(std::abs(exact - found) <= 0x1.001p-52L * exact)) FAIL(a.x << ", " << a.y << ": " << found);
+    // From the range of squares to where these are zero or infinite.
+    for (const int exponent : {-900, -560, -490, -450, -300, 300, 440, 499, 510, 560, 900}) {
+      const Vec2 scaled{std::ldexp(a.x, exponent), std::ldexp(a.y, exponent)};
+      if (quick_length(scaled) != std::ldexp(found, exponent)) FAIL(a.x << ", " << a.y << " times 2^" << exponent);
+    }
+  }
+  CHECK(quick_length({}) == 0.0);
+  CHECK(quick_length({3.0, -4.0}) == 5.0);
+  CHECK(std::isinf(quick_length({std::numeric_limits<double>::infinity(), 1.0})));
+  CHECK(std::isnan(quick_length({std::numeric_limits<double>::quiet_NaN(), 1.0})));
 }
