@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/kernel/circumcircle.h"
+#include "core/base/quick_length.h"
 #include "core/structures/delaunay/internal/delaunay_mirror.h"
 
 namespace mes {
@@ -52,13 +52,7 @@ void Delaunay::clear_tables() {
 void Delaunay::compute_circumcircle(FaceSlot face) {
   FaceRow& row = face_[face];
   if (row.is_infinite()) return;
-  // Beginning at the smallest corner makes the doubles independent of how the triangle came about.
-  const Vec2 corner[3] = {site_position_[row.v[0]], site_position_[row.v[1]], site_position_[row.v[2]]};
-  int first = lexicographically_less(corner[1], corner[0]) ? 1 : 0;
-  if (lexicographically_less(corner[2], corner[first])) first = 2;
-  const Circle circle = circumcircle(corner[first], corner[next3(first)], corner[prev3(first)]);
-  row.center = circle.center;
-  row.radius = circle.radius;
+  set_circumcircle(row, {site_position_[row.v[0]], site_position_[row.v[1]], site_position_[row.v[2]]});
 }
 
 double Delaunay::dual_length(EdgeSlot edge) const {
@@ -71,7 +65,7 @@ double Delaunay::dual_length(EdgeSlot edge) const {
     const Vec2 apex = site_position_[face_[face].v[face_[face].index_of_edge(edge)]];
     cotangents += dot(p - apex, q - apex) / std::abs(cross(p - apex, q - apex));
   }
-  const double length = 0.5 * distance(p, q) * std::abs(cotangents);
+  const double length = 0.5 * quick_length(q - p) * std::abs(cotangents);
   // Products leave the range of doubles before distances do.
   return std::isnormal(length) ? length : distance(face_[row.f[0]].center, face_[row.f[1]].center);
 }

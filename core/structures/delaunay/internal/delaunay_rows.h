@@ -14,9 +14,21 @@
 #include "core/base/keep_memory.h"
 #include "core/base/parallel.h"
 #include "core/base/prefetch.h"
+#include "core/kernel/circumcircle.h"
 #include "core/structures/delaunay/delaunay.h"
 
 namespace mes {
+
+/// Of a face with these corners; nothing where one of them is at infinity.
+inline void set_circumcircle(FaceRow& row, const Vec2 (&corner)[3]) {
+  if (row.is_infinite()) return;
+  // Beginning at the smallest corner makes the doubles independent of how the triangle came about.
+  int first = lexicographically_less(corner[1], corner[0]) ? 1 : 0;
+  if (lexicographically_less(corner[2], corner[first])) first = 2;
+  const Circle circle = circumcircle(corner[first], corner[next3(first)], corner[prev3(first)]);
+  row.center = circle.center;
+  row.radius = circle.radius;
+}
 
 /// Row of a CGAL face; new ones have none.
 struct MirroredFace {
@@ -184,10 +196,13 @@ class Delaunay::Rows {
     const auto read_chunk = [&starts](std::size_t, std::size_t chunk) {
       return [f = starts[chunk]]() mutable { return topology_of(f++); };
     };
+    const auto read_placed_chunk = [&starts](std::size_t, std::size_t chunk) {
+      return [f = starts[chunk]]() mutable { return placed_topology_of(f++); };
+    };
     if (!d_.forgoes_updates()) {
       make_room(count, number_faces);
       find_faces_of_sites();
-      make_edges(fill_faces(read_chunk));
+      make_edges(fill_faces(read_placed_chunk));
       return;
     }
     // No edit will ask the triangulation again. It is larger than the rows, so it goes before they come.
@@ -251,8 +266,19 @@ class Delaunay::Rows {
     return out;
   }
 
-  // `reader(first, chunk)` gives a function that gives the topology of one face after the other. Returns the first row
-  // of the edges that each chunk makes, and the number of edges.
+  /// With the corners' positions, which lie beside their rows; that at infinity has none.
+  struct PlacedTopology : Topology {
+    Vec2 position[3]{};
+  };
+  static PlacedTopology placed_topology_of(FaceHandle f) {
+    PlacedTopology out{topology_of(f)};
+    for (int i = 0; i < 3; ++i)
+      if (out.v[i] != kInfiniteSite) out.position[i] = {f->vertex(i)->point().x(), f->vertex(i)->point().y()};
+    return out;
+  }
+
+  // `reader(first, chunk)` gives a function that gives the topology of one face after the other, with positions or
+  // without. Returns the first row of the edges that each chunk makes, and the number of edges.
   template <class Reader>
   std::vector<std::size_t> fill_faces(Reader reader) {
     const std::size_t count = d_.face_.size();
@@ -263,10 +289,14 @@ class Delaunay::Rows {
       std::size_t edges = 0;
       for (const FaceSlot face : slots_between<FaceSlot>(begin, end)) {
         FaceRow& row = d_.face_[face];
-        const Topology topology = next();
+        const auto topology = next();
         std::ranges::copy(topology.v, row.v);
         std::ranges::copy(topology.n, row.n);
-        d_.compute_circumcircle(face);
+        if constexpr (requires { topology.position; }) {
+          set_circumcircle(row, topology.position);
+        } else {
+          d_.compute_circumcircle(face);
+        }
         for (int i = 0; i < 3; ++i) edges += owns_edge(face, i) ? 1U : 0U;
       }
       first_edge[chunk + 1] = edges;
