@@ -145,9 +145,9 @@ double ambiguity_key(const EdgeCorners& corners) {
   if (!(size > 0.0)) return 0.0;
   // |cos| where it varies, and its complement by the sine near 1, where |cos| is flat: both are within some 40 u of
   // the true value, since D and X carry errors of a few u times the lengths of their factors.
-  const double cosine = std::abs(phase.h) / size;
-  const double sine = std::abs(phase.i) / size;
-  return cosine <= sine ? cosine : 1.41421356237309505 - sine;
+  const bool is_flat = std::abs(phase.h) > std::abs(phase.i);
+  const double smaller = std::abs(is_flat ? phase.i : phase.h) / size;
+  return is_flat ? 1.41421356237309505 - smaller : smaller;
 }
 
 int compare_ambiguity(const EdgeCorners& a, const EdgeCorners& b) {

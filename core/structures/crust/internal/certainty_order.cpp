@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/base/prefetch.h"
 #include "core/structures/crust/internal/length_limits.h"
 
 namespace mes {
@@ -111,11 +112,16 @@ bool CertaintyOrder::has_other_kind(const Rank& rank) const {
 
 void CertaintyOrder::find_keys() {
   forget_keys();
-  find_all_longest();
-  Table<EdgeSlot, double> keys(delaunay_.edge_rows(), 0.0);
+  Table<EdgeSlot, double> keys;
+  run_tasks(2, [&](std::size_t i) { i == 0 ? find_all_longest() : keys.assign(delaunay_.edge_rows(), 0.0); });
+  // Of the two faces, the rows of the first come in order.
+  constexpr std::size_t kAhead = 16;
   parallel_for(keys.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end))
+    for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end)) {
+      if (const EdgeSlot ahead(edge.index() + kAhead); ahead.index() < end)
+        prefetch(delaunay_.faces().address(delaunay_.edge(ahead).f[1]));
       if (delaunay_.edge(edge).is_alive()) keys[edge] = rank_of(edge).key;
+    }
   });
   keys_ = std::move(keys);
 }
