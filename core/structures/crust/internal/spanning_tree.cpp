@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -42,15 +43,30 @@ class SpanningTree {
   }
 
  private:
+  Box2 extent() const {
+    std::vector<Box2> boxes(chunk_count(delaunay_.site_rows()));
+    parallel_for(delaunay_.site_rows(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+      Box2 own;
+      for (const SiteSlot site : slots_between<SiteSlot>(begin, end))
+        if (delaunay_.is_site(site)) own.add(delaunay_.site_position(site));
+      boxes[chunk] = own;
+    });
+    Box2 all;
+    for (const Box2& box : boxes) {
+      if (box.is_empty()) continue;
+      all.add(box.low);
+      all.add(box.high);
+    }
+    return all;
+  }
+
   // Cells of a grid, so that uniform sites fill the blocks equally.
   std::size_t cut_into_blocks(std::size_t sites_per_block) {
     const double cells = static_cast<double>(delaunay_.site_count()) / static_cast<double>(sites_per_block);
     const auto side = static_cast<std::uint32_t>(std::clamp(std::sqrt(cells), 1.0, 256.0));
     block_of_.assign(delaunay_.site_rows(), 0);
     if (side == 1) return 1;
-    Box2 box;
-    for (const SiteSlot site : delaunay_.site_slots())
-      if (delaunay_.is_site(site)) box.add(delaunay_.site_position(site));
+    const Box2 box = extent();
     // Halved before subtracting, so that boxes as wide as the doubles do not overflow.
     const auto cell_of = [side](double value, double low, double high) {
       const double t = (0.5 * value - 0.5 * low) / (0.5 * high - 0.5 * low) * side;
@@ -66,23 +82,28 @@ class SpanningTree {
     return std::size_t{side} * side;
   }
 
-  // The edges of each block come to lie together; those between two blocks come last of all.
+  // The edges that have an end in a block come to lie together; those between two blocks lie in both, and once more at
+  // the end.
   void distribute_edges(std::size_t blocks) {
     const std::size_t rows = delaunay_.edge_rows();
     const std::size_t parts = worker_count();
     const auto rows_of = [&](std::size_t part) {
       return slots_between<EdgeSlot>(rows * part / parts, rows * (part + 1) / parts);
     };
-    const auto group_of = [&](const EdgeRow& row) {
+    const auto for_each_group = [&](const EdgeRow& row, auto visit) {
       const Block a = block_of_[row.v[0]];
-      return a == block_of_[row.v[1]] ? a : static_cast<Block>(blocks);
+      const Block b = block_of_[row.v[1]];
+      visit(a);
+      if (a == b) return;
+      visit(b);
+      visit(blocks);
     };
     std::vector<std::vector<std::size_t>> place(parts);  // first how many there are, then where the next one goes
     run_tasks(parts, [&](std::size_t part) {
       std::vector<std::size_t> counts(blocks + 1, 0);
       for (const EdgeSlot edge : rows_of(part)) {
-        const EdgeRow& row = delaunay_.edge(edge);
-        if (row.is_alive()) ++counts[group_of(row)];
+        if (delaunay_.edge(edge).is_alive())
+          for_each_group(delaunay_.edge(edge), [&](std::size_t group) { ++counts[group]; });
       }
       place[part] = std::move(counts);
     });
@@ -92,27 +113,30 @@ class SpanningTree {
       for (std::size_t part = 0; part < parts; ++part) total += std::exchange(place[part][group], total);
     }
     begin_.push_back(total);
-    ranks_.resize(total);
+    edges_ = std::make_unique_for_overwrite<RowNumber[]>(total);  // zeros would be one more pass on one thread
     run_tasks(parts, [&](std::size_t part) {
       std::vector<std::size_t>& next = place[part];
       for (const EdgeSlot edge : rows_of(part)) {
-        const EdgeRow& row = delaunay_.edge(edge);
-        if (row.is_alive()) ranks_[next[group_of(row)]++] = order_.rank_of(edge);
+        if (!delaunay_.edge(edge).is_alive()) continue;
+        for_each_group(delaunay_.edge(edge), [&](std::size_t group) { edges_[next[group]++] = edge.index(); });
       }
     });
-    leaving_.resize(blocks);
-    for (std::size_t i = begin_[blocks]; i < begin_[blocks + 1]; ++i)
-      for (const SiteSlot site : delaunay_.edge(ranks_[i].edge).v) leaving_[block_of_[site]].push_back(ranks_[i]);
     open_.resize(blocks);
+  }
+
+  std::vector<Rank> ranks_of_group(std::size_t group) const {
+    std::vector<Rank> ranks;
+    ranks.reserve(begin_[group + 1] - begin_[group]);
+    for (std::size_t i = begin_[group]; i < begin_[group + 1]; ++i)
+      ranks.push_back(order_.rank_of(EdgeSlot(edges_[i])));
+    return ranks;
   }
 
   // Kruskal's algorithm twice at once: `joined_` has the components that edges of this block make, and `kept_` those of
   // the edges that are in the tree for certain, where what is outside the block is one component, too, with all that
   // `reaches_out_`.
   void decide_within(std::size_t block, JobControl& job) {
-    std::vector<Rank> ranks(ranks_.begin() + static_cast<std::ptrdiff_t>(begin_[block]),
-                            ranks_.begin() + static_cast<std::ptrdiff_t>(begin_[block + 1]));
-    ranks.insert(ranks.end(), leaving_[block].begin(), leaving_[block].end());
+    std::vector<Rank> ranks = ranks_of_group(block);
     order_.sort(ranks, job);
     constexpr std::size_t kAhead = 12;
     for (std::size_t i = 0; i < ranks.size(); ++i) {
@@ -143,7 +167,7 @@ class SpanningTree {
   }
 
   void decide_the_rest(JobControl& job) {
-    std::vector<Rank> ranks(ranks_.begin() + static_cast<std::ptrdiff_t>(begin_[open_.size()]), ranks_.end());
+    std::vector<Rank> ranks = ranks_of_group(open_.size());
     for (const std::vector<Rank>& open : open_) ranks.insert(ranks.end(), open.begin(), open.end());
     order_.sort(ranks, job);
     for (const Rank& rank : ranks) {
@@ -160,10 +184,9 @@ class SpanningTree {
   const CertaintyOrder& order_;
   Table<EdgeSlot, std::uint8_t> is_in_tree_;
   Table<SiteSlot, Block> block_of_;
-  std::vector<Rank> ranks_;
-  std::vector<std::size_t> begin_;  // of each block in `ranks_`, of the edges between blocks, and the end of all
-  std::vector<std::vector<Rank>> leaving_;  // by block: the edges between it and others
-  std::vector<std::vector<Rank>> open_;     // by block: what is not decided within it
+  std::unique_ptr<RowNumber[]> edges_;   // by block
+  std::vector<std::size_t> begin_;       // of each block in `edges_`, of the edges between blocks, and the end of all
+  std::vector<std::vector<Rank>> open_;  // by block: what is not decided within it
   // Rows of one block are those of one thread.
   DisjointSets<SiteSlot> kept_;
   DisjointSets<SiteSlot> joined_;
