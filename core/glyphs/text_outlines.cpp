@@ -203,8 +203,7 @@ class TextReader {
     const double em = hb_face_get_upem(face_.get());
     // A thousandth of what is drawn of most letters.
     constexpr double kTolerance = 1.0 / 20'000.0;
-    if (job_ != nullptr) job_->checkpoint();
-    out.curves.curves = united_contours(std::move(pen_.contours), kTolerance * em);
+    out.curves.curves = united_contours(std::move(pen_.contours), kTolerance * em, job_);
     const double scale = request_.size / em;
     for (PlaneCurve& curve : out.curves.curves) curve.transform(Affine::scaling(scale, scale));
     if (!missing_.empty()) out.remarks.push_back(missing_in_words() + "; left out");

@@ -4,8 +4,13 @@
 #include <algorithm>
 #include <clipper.hpp>
 #include <cmath>
+#include <iterator>
 #include <map>
+#include <optional>
 #include <utility>
+
+#include "core/base/disjoint_sets.h"
+#include "core/base/slot.h"
 
 namespace mes {
 namespace {
@@ -71,33 +76,105 @@ PlaneCurve curve_of(const Path& path) {
   return out;
 }
 
-}  // namespace
-
-std::vector<PlaneCurve> united_contours(std::vector<PlaneCurve> contours, double tolerance) {
-  Paths paths;
-  std::map<Corners, std::size_t> contour_with;
-  for (std::size_t i = 0; i < contours.size(); ++i) {
-    Path path = path_of(contours[i], tolerance);
-    contour_with.emplace(corners_of(path), i);
-    paths.push_back(std::move(path));
+/// Of the corners.
+struct PathBox {
+  IntPoint low;
+  IntPoint high;
+};
+PathBox box_of(const Path& path) {
+  PathBox out{path.front(), path.front()};
+  for (const IntPoint& p : path) {
+    out.low = {std::min(out.low.X, p.X), std::min(out.low.Y, p.Y)};
+    out.high = {std::max(out.high.X, p.X), std::max(out.high.Y, p.Y)};
   }
-  ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple | ClipperLib::ioPreserveCollinear);
-  clipper.AddPaths(paths, ClipperLib::ptSubject, true);
-  Paths united;
-  clipper.Execute(ClipperLib::ctUnion, united, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+  return out;
+}
 
-  // What stays, in its own order; then what is new.
-  std::vector<bool> stays(contours.size());
-  std::vector<PlaneCurve> made;
-  for (const Path& path : united) {
-    if (path.size() < 3) continue;
-    const auto same = contour_with.find(corners_of(path));
-    if (same != contour_with.end() && !stays[same->second]) {
-      stays[same->second] = true;
-    } else {
-      made.push_back(curve_of(path));
+using PathSlot = Slot<struct PathTag>;
+
+/// Paths that can be united without the others: their boxes meet none of the others'. Each part in the order of its paths,
+/// the parts in that of their first ones. Paths have corners.
+std::vector<std::vector<PathSlot>> parts_of(const std::vector<Path>& paths) {
+  std::vector<PathBox> boxes;
+  std::vector<PathSlot> from_left;
+  for (const PathSlot path : slots_below<PathSlot>(paths.size())) {
+    boxes.push_back(box_of(paths[path.index()]));
+    from_left.push_back(path);
+  }
+  std::ranges::stable_sort(from_left, {}, [&](PathSlot path) { return boxes[path.index()].low.X; });
+  DisjointSets<PathSlot> sets(paths.size());
+  std::vector<PathSlot> across;  // those that the sweep has met and not left
+  for (const PathSlot path : from_left) {
+    const PathBox& box = boxes[path.index()];
+    std::erase_if(across, [&](PathSlot other) { return boxes[other.index()].high.X < box.low.X; });
+    for (const PathSlot other : across) {
+      const PathBox& its = boxes[other.index()];
+      if (its.low.Y <= box.high.Y && box.low.Y <= its.high.Y) sets.join(sets.root(path), sets.root(other));
+    }
+    across.push_back(path);
+  }
+  std::vector<std::vector<PathSlot>> out;
+  std::vector<std::optional<std::size_t>> part_of(paths.size());  // by the root
+  for (const PathSlot path : slots_below<PathSlot>(paths.size())) {
+    std::optional<std::size_t>& part = part_of[sets.root(path).index()];
+    if (!part) {
+      part = out.size();
+      out.emplace_back();
+    }
+    out[*part].push_back(path);
+  }
+  return out;
+}
+
+/// The boundary of a part: the paths that stay are noted, what is new is added.
+class PartUnion {
+ public:
+  PartUnion(const std::vector<Path>& paths, std::vector<bool>& stays, std::vector<PlaneCurve>& made)
+      : paths_(paths), stays_(stays), made_(made) {}
+
+  void unite(const std::vector<PathSlot>& part) {
+    ClipperLib::Clipper clipper(ClipperLib::ioStrictlySimple | ClipperLib::ioPreserveCollinear);
+    std::map<Corners, PathSlot> path_with;
+    for (const PathSlot path : part) {
+      path_with.emplace(corners_of(paths_[path.index()]), path);
+      clipper.AddPath(paths_[path.index()], ClipperLib::ptSubject, true);
+    }
+    Paths united;
+    clipper.Execute(ClipperLib::ctUnion, united, ClipperLib::pftNonZero, ClipperLib::pftNonZero);
+    for (const Path& path : united) {
+      if (path.size() < 3) continue;
+      const auto same = path_with.find(corners_of(path));
+      if (same != path_with.end() && !stays_[same->second.index()]) {
+        stays_[same->second.index()] = true;
+      } else {
+        made_.push_back(curve_of(path));
+      }
     }
   }
+
+ private:
+  const std::vector<Path>& paths_;
+  std::vector<bool>& stays_;
+  std::vector<PlaneCurve>& made_;
+};
+
+}  // namespace
+
+std::vector<PlaneCurve> united_contours(std::vector<PlaneCurve> contours, double tolerance, JobControl* job) {
+  std::vector<Path> paths;
+  for (const PlaneCurve& contour : contours) {
+    if (job != nullptr) job->checkpoint();
+    paths.push_back(path_of(contour, tolerance));
+  }
+  std::vector<bool> stays(contours.size());
+  std::vector<PlaneCurve> made;
+  PartUnion all(paths, stays, made);
+  const std::vector<std::vector<PathSlot>> parts = parts_of(paths);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (job != nullptr) job->checkpoint(i, parts.size());
+    all.unite(parts[i]);
+  }
+  // What stays, in its own order; then what is new.
   std::vector<PlaneCurve> out;
   for (std::size_t i = 0; i < contours.size(); ++i)
     if (stays[i]) out.push_back(std::move(contours[i]));

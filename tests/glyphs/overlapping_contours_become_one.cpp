@@ -2,6 +2,7 @@
 // Areas and numbers of contours where these are known.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "core/glyphs/internal/united_contours.h"
@@ -124,4 +125,45 @@ TEST_CASE("nothing, single points and lines make no contour") {
   back_and_forth.line_to({10, 0});
   back_and_forth.close();
   CHECK(united_contours({back_and_forth}, 0.05).empty());
+}
+
+TEST_CASE("what contours become does not depend on those apart from them, and uniting can be stopped between parts") {
+  // Some overlap along a diagonal, so that their boxes meet in chains; others do not.
+  std::vector<PlaneCurve> all;
+  std::vector<PlaneCurve> stay;
+  std::vector<PlaneCurve> made;
+  for (int i = 0; i < 12; ++i) {
+    const Vec2 at{500.0 * (i % 4) + 0.3, 400.0 * (i / 4) + 0.7};
+    const std::vector<PlaneCurve> part{circle(at, 100.0 / 3), circle(at + Vec2{40, 30}, 100.0 / 3),
+                                       circle(at + Vec2{80, 60}, 100.0 / 3), circle(at + Vec2{200, 0}, 10)};
+    all.insert(all.end(), part.begin(), part.end());
+    const std::vector<PlaneCurve> united = united_contours(part, 0.05);
+    REQUIRE(united.size() == 2);
+    stay.push_back(united[0]);
+    made.push_back(united[1]);
+  }
+  const auto points_of = [](const std::vector<PlaneCurve>& curves) {
+    std::vector<Vec2> out;
+    for (const PlaneCurve& curve : curves)
+      curve.for_each_piece(
+          [&](const Piece& piece) { out.insert(out.end(), piece.points.begin(), piece.points.end()); });
+    return out;
+  };
+  std::vector<PlaneCurve> expected = stay;
+  expected.insert(expected.end(), made.begin(), made.end());
+  CHECK(points_of(united_contours(all, 0.05)) == points_of(expected));
+
+  std::int64_t looks = 0;
+  for (bool is_stopped = true; is_stopped; looks += is_stopped ? 1 : 0) {
+    JobControl job;
+    job.stop_at_look(looks + 1);
+    try {
+      static_cast<void>(united_contours(all, 0.05, &job));
+      is_stopped = false;
+    } catch (const Cancelled&) {
+      is_stopped = true;
+    }
+  }
+  // A look before each contour is cut up, and before each of the 24 parts.
+  CHECK(looks == 48 + 24);
 }
