@@ -27,7 +27,9 @@ Expected<TracePreview> read_preview(const std::filesystem::path& file, const std
   out.level = otsu_level(out.histogram);
   out.specks = default_specks(out.image);
   while (std::max(out.image.width, out.image.height) > kLongestSide) {
-    out.image = halved(out.image);
+    GrayImage half = halved(out.image);
+    if (!out.whole) out.whole = std::make_shared<const GrayImage>(std::move(out.image));
+    out.image = std::move(half);
     out.reduction *= 2.0;
   }
   return out;
@@ -55,8 +57,10 @@ void TraceDesk::begin(const std::filesystem::path& file) {
 
 void TraceDesk::end() {
   reading_.give_up();
+  deciding_.give_up();
   tracing_.give_up();
   preview_.reset();
+  decision_.reset();
   traced_.reset();
   outlines_ = {};
 }
@@ -71,13 +75,36 @@ std::optional<Expected<void>> TraceDesk::poll_picture() {
   return Expected<void>();
 }
 
+void TraceDesk::follow() {
+  if (auto decision = deciding_.poll()) decision_ = *std::move(decision);
+}
+
+// One after the other, so that a slider that is dragged is followed.
+void TraceDesk::decide(const TraceRequest& request) {
+  if (!preview_->whole || deciding_.is_under_way() || (decision_ && decision_->request == request)) return;
+  deciding_.begin([whole = preview_->whole, request](const std::stop_token& stop) {
+    const JobControl job(stop);
+    Decision out{request};
+    try {
+      out.blur = blur_of_tracing(*whole, request, &job).value_or(0.0);
+    } catch (const std::bad_alloc&) {
+      // It is shown as it is.
+    }
+    return out;
+  });
+}
+
 const Expected<Tracing>& TraceDesk::outlines(const TraceRequest& request) {
-  if (traced_ == request || !preview_) return outlines_;
-  traced_ = request;
+  if (!preview_) return outlines_;
+  decide(request);
   TraceRequest reduced = request;
   reduced.pixel_area = preview_->reduction * preview_->reduction;
   if (reduced.specks) *reduced.specks /= reduced.pixel_area;
-  outlines_ = mes::trace(preview_->image, reduced);
+  const Traced wanted{reduced, decision_ ? std::optional(decision_->blur / preview_->reduction) : std::nullopt};
+  if (traced_ == wanted) return outlines_;
+  outlines_ =
+      wanted.blur ? trace_blurred(preview_->image, reduced, *wanted.blur) : mes::trace(preview_->image, reduced);
+  traced_ = wanted;
   return outlines_;
 }
 

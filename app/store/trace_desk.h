@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -16,30 +17,33 @@ namespace mes {
 
 /// What can be shown of a picture while its threshold is chosen.
 struct TracePreview {
-  GrayImage image{};             ///< reduced to about a thousand pixels a side
-  double reduction = 1.0;        ///< pixels of the file along a side of one of these
-  Histogram histogram{};         ///< of the file
-  std::optional<Level> level{};  ///< the best; nothing: all pixels are alike
-  double specks = 0.0;           ///< square pixels of the file, as usual for its size
+  GrayImage image{};                         ///< reduced to about a thousand pixels a side
+  double reduction = 1.0;                    ///< pixels of the file along a side of one of these
+  Histogram histogram{};                     ///< of the file
+  std::optional<Level> level{};              ///< the best; nothing: all pixels are alike
+  double specks = 0.0;                       ///< square pixels of the file, as usual for its size
+  std::shared_ptr<const GrayImage> whole{};  ///< that of the file, if this one is reduced
 };
 
-/// What it guarantees: it never waits for a file; outlines of the preview are computed at once, in milliseconds.
+/// What it guarantees: it never waits for a file; outlines of the preview are computed at once, in milliseconds. Whether
+/// they are of a blurred picture, and how much, is what the whole picture needs: this is found out on another thread, and
+/// until then it is as for the request before.
 ///
 /// Smallest use:
 ///     desk.begin("leaf.png");
-///     ... each frame: if (auto read = desk.poll_picture()) ...; if (desk.preview()) show(desk.outlines(request));
+///     ... each frame: if (auto read = desk.poll_picture()) ...; if (desk.preview()) desk.follow(), show(desk.outlines(request));
 ///     desk.trace(request);
 ///     ... each frame: if (auto traced = desk.poll_samples()) ...
 ///
 /// Threads: the window's; `wake` is called from the reading ones.
 class TraceDesk {
  public:
-  explicit TraceDesk(std::function<void()> wake) : reading_(wake), tracing_(std::move(wake)) {}
+  explicit TraceDesk(std::function<void()> wake) : reading_(wake), deciding_(wake), tracing_(std::move(wake)) {}
 
   void begin(const std::filesystem::path& file);
   /// Forgets the picture, and gives up what is under way.
   void end();
-  bool is_busy() const { return reading_.is_under_way() || tracing_.is_under_way(); }
+  bool is_busy() const { return reading_.is_under_way() || deciding_.is_under_way() || tracing_.is_under_way(); }
   bool is_tracing() const { return tracing_.is_under_way(); }
   const std::filesystem::path& file() const { return file_; }
 
@@ -48,6 +52,8 @@ class TraceDesk {
   const TracePreview* preview() const { return preview_ ? &*preview_ : nullptr; }
   /// A number that differs from that of every other picture.
   std::uint64_t preview_number() const { return number_; }
+  /// Once a turn: takes what was found out about the whole picture.
+  void follow();
   /// Outlines in pixels of the preview. `request` is about the file, and says threshold and specks. Computed when it
   /// differs from the last one.
   const Expected<Tracing>& outlines(const TraceRequest& request);
@@ -64,9 +70,23 @@ class TraceDesk {
   std::filesystem::path file_;
   std::optional<TracePreview> preview_;
   std::uint64_t number_ = 0;
-  std::optional<TraceRequest> traced_;
+  /// What the whole picture needs.
+  struct Decision {
+    TraceRequest request{};
+    double blur = 0.0;  // pixels of the file
+  };
+  void decide(const TraceRequest& request);
+  std::optional<Decision> decision_;
+  /// What was asked of the preview.
+  struct Traced {
+    TraceRequest request{};
+    std::optional<double> blur{};
+    friend bool operator==(const Traced&, const Traced&) = default;
+  };
+  std::optional<Traced> traced_;
   Expected<Tracing> outlines_;
   BackgroundJob<Expected<TracePreview>> reading_;
+  BackgroundJob<Decision> deciding_;
   BackgroundJob<Expected<Samples>> tracing_;
 };
 

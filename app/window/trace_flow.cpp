@@ -26,6 +26,7 @@ void TraceFlow::open(const std::filesystem::path& file) {
 }
 
 void TraceFlow::take_results() {
+  desk_.follow();
   if (const auto read = desk_.poll_picture(); read && !*read) {
     uses_.dialogs.trace.close();
     desk_.end();

@@ -102,6 +102,65 @@ bool is_two_valued(const PixelContours& contours) {
   return static_cast<double>(sharp) > kShareOfSharp * static_cast<double>(all);
 }
 
+/// Contours at the level, and the tracing but for its curves.
+struct Outlined {
+  Tracing tracing{};
+  PixelContours contours{};
+};
+Expected<Outlined> outlined(const GrayImage& image, const TraceRequest& request, std::optional<double> blur,
+                            const JobControl* job) {
+  const Histogram histogram = histogram_of(image);
+  const auto level = chosen_level(histogram, request);
+  if (!level) return std::unexpected(level.error());
+  const Sides sides = sides_of(histogram, *level);
+  Outlined out{.tracing = {.level = *level,
+                           .is_figure_light = is_figure_light(image, *level, request.figure),
+                           .speck_size = request.specks.value_or(default_specks(image))}};
+  const ContourRequest asked{.level = *level,
+                             .is_figure_light = out.tracing.is_figure_light,
+                             .least_area = out.tracing.speck_size,
+                             .dark = sides.dark_mean,
+                             .light = sides.light_mean};
+  if (blur && *blur > 0.0) {
+    out.contours = contours_of(blurred(image, *blur, job), asked, job);
+    out.tracing.blur = *blur;
+    return out;
+  }
+  out.contours = contours_of(image, asked, job);
+  if (blur || out.contours.specks + out.contours.pinholes <= kManyGrains) return out;
+  if (const double found = blur_for(image, sides); found > 0.0) {
+    const GrayImage smooth = blurred(image, found, job);
+    if (keeps_area(image, smooth, *level)) {
+      out.contours = contours_of(smooth, asked, job);
+      out.tracing.blur = found;
+    }
+  }
+  return out;
+}
+
+/// With the curves of its contours.
+Expected<Tracing> traced(Expected<Outlined> found, const TraceRequest& request, const JobControl* job) {
+  if (!found) return std::unexpected(std::move(found.error()));
+  Tracing out = std::move(found->tracing);
+  const PixelContours& contours = found->contours;
+  out.specks = contours.specks;
+  out.pinholes = contours.pinholes;
+  const std::string side =
+      fmt::format("{} than {:.1f} of 255", out.is_figure_light ? "lighter" : "darker", out.level.value());
+  if (contours.kept.empty() && contours.specks == 0)
+    return refused(ErrorCode::bad_input, "no figure stands out: nothing is " + side);
+  if (contours.kept.empty())
+    return refused(ErrorCode::bad_input,
+                   fmt::format("no figure stands out: there are only specks {}, the largest of {:.4g} square pixels",
+                               side, contours.largest_speck * request.pixel_area));
+  out.is_two_valued = is_two_valued(contours);
+  const SmoothingLimits limits{out.is_two_valued || out.blur > 0.0 ? kMostSmoothing : kMostSoftSmoothing,
+                               kWidestScale};
+  for (const PixelContour& contour : contours.kept)
+    out.curves.curves.push_back(closed_curve(smoothed(contour.points, limits, job)));
+  return out;
+}
+
 }  // namespace
 
 Histogram histogram_of(const GrayImage& image) {
@@ -182,44 +241,18 @@ bool is_figure_light(const GrayImage& image, Level level, FigureSide side) {
 }
 
 Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request, const JobControl* job) {
-  const Histogram histogram = histogram_of(image);
-  const auto level = chosen_level(histogram, request);
-  if (!level) return std::unexpected(level.error());
-  const Sides sides = sides_of(histogram, *level);
-  Tracing out{.level = *level,
-              .is_figure_light = is_figure_light(image, *level, request.figure),
-              .speck_size = request.specks.value_or(default_specks(image))};
-  const ContourRequest asked{.level = *level,
-                             .is_figure_light = out.is_figure_light,
-                             .least_area = out.speck_size,
-                             .dark = sides.dark_mean,
-                             .light = sides.light_mean};
-  PixelContours contours = contours_of(image, asked, job);
-  if (contours.specks + contours.pinholes > kManyGrains) {
-    if (const double blur = blur_for(image, sides); blur > 0.0) {
-      const GrayImage smooth = blurred(image, blur, job);
-      if (keeps_area(image, smooth, *level)) {
-        contours = contours_of(smooth, asked, job);
-        out.blur = blur;
-      }
-    }
-  }
-  out.specks = contours.specks;
-  out.pinholes = contours.pinholes;
-  const std::string side =
-      fmt::format("{} than {:.1f} of 255", out.is_figure_light ? "lighter" : "darker", level->value());
-  if (contours.kept.empty() && contours.specks == 0)
-    return refused(ErrorCode::bad_input, "no figure stands out: nothing is " + side);
-  if (contours.kept.empty())
-    return refused(ErrorCode::bad_input,
-                   fmt::format("no figure stands out: there are only specks {}, the largest of {:.4g} square pixels",
-                               side, contours.largest_speck * request.pixel_area));
-  out.is_two_valued = is_two_valued(contours);
-  const SmoothingLimits limits{out.is_two_valued || out.blur > 0.0 ? kMostSmoothing : kMostSoftSmoothing,
-                               kWidestScale};
-  for (const PixelContour& contour : contours.kept)
-    out.curves.curves.push_back(closed_curve(smoothed(contour.points, limits, job)));
-  return out;
+  return traced(outlined(image, request, std::nullopt, job), request, job);
+}
+
+Expected<Tracing> trace_blurred(const GrayImage& image, const TraceRequest& request, double blur,
+                                const JobControl* job) {
+  return traced(outlined(image, request, blur, job), request, job);
+}
+
+Expected<double> blur_of_tracing(const GrayImage& image, const TraceRequest& request, const JobControl* job) {
+  const auto found = outlined(image, request, std::nullopt, job);
+  if (!found) return std::unexpected(found.error());
+  return found->tracing.blur;
 }
 
 SamplingRequest sampling_of_tracing() {

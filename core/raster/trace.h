@@ -59,6 +59,13 @@ bool is_figure_light(const GrayImage& image, Level level, FigureSide side);
 /// Cost: O(pixels); any thread. Error: `bad_input` if nothing stands out, or nothing larger than a speck; `usage` for a
 /// threshold out of range. Throws `Cancelled` if there is a job.
 Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request, const JobControl* job = nullptr);
+/// The same of a picture that is blurred by so many pixels first, whatever its noise; 0: not at all.
+Expected<Tracing> trace_blurred(const GrayImage& image, const TraceRequest& request, double blur,
+                                const JobControl* job = nullptr);
+/// The blur of `trace`, without its curves: what a reduced picture has to be blurred by, in proportion, to show the same.
+/// Cost, errors and threads as of `trace`.
+Expected<double> blur_of_tracing(const GrayImage& image, const TraceRequest& request,
+                                 const JobControl* job = nullptr);
 inline constexpr double kMostSmoothing = 0.95;
 inline constexpr double kMostSoftSmoothing = 0.2;
 inline constexpr std::size_t kManyGrains = 100;

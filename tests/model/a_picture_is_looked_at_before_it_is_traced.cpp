@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <semaphore>
 
 #include "app/store/trace_desk.h"
+#include "core/base/rng.h"
 #include "tests/io/temporary_folder.h"
 
 using namespace mes;
@@ -79,7 +81,59 @@ TEST_CASE("outlines are those of a reduced picture, and samples those of the fil
   CHECK(samples->data.positions.size() >= 400);
   for (const Vec2 p : samples->data.positions) CHECK(std::abs(distance(p, {550.5, 549.5}) - 275.0) < 0.5);
   CHECK_THAT(samples->remark, Catch::Contains("traced what is darker than 124.5 of 255; left out: 1 hole"));
-  CHECK_FALSE(desk.is_busy());
+  CHECK_FALSE(desk.is_tracing());
+  // The whole picture is asked for the last request, too.
+  for (desk.follow(); desk.is_busy(); desk.follow()) waited.woken.acquire();
+  CHECK(desk.outlines(request)->blur == 0.0);
+}
+
+TEST_CASE("a reduced picture is blurred as the whole one, though it has less noise") {
+  // Grains of three deviations are specks; of the mean of sixteen pixels none is.
+  constexpr int kSide = 2100;
+  Rng random(5);
+  std::string noisy = "P5 " + std::to_string(kSide) + ' ' + std::to_string(kSide) + " 255\n";
+  for (int y = 0; y < kSide; ++y)
+    for (int x = 0; x < kSide; ++x) {
+      double noise = 0.0;
+      for (int i = 0; i < 6; ++i) noise += random.uniform(-10.0, 10.0);
+      const double mean = std::hypot(x - 0.5 * kSide, y - 0.5 * kSide) > 0.25 * kSide ? 170.0 : 80.0;
+      noisy += static_cast<char>(static_cast<unsigned char>(std::lround(std::clamp(mean + noise, 0.0, 255.0))));
+    }
+  const test::TemporaryFolder folder;
+  Waited waited;
+  TraceDesk& desk = waited.desk;
+  desk.begin(folder.write("noisy.pgm", noisy));
+  REQUIRE(waited.picture().has_value());
+  const TracePreview* const preview = desk.preview();
+  REQUIRE(preview != nullptr);
+  REQUIRE(preview->reduction == 4.0);
+  REQUIRE(preview->whole);
+  const auto blur_shown = [&](const TraceRequest& request) {
+    static_cast<void>(desk.outlines(request));
+    while (desk.is_busy()) {
+      waited.woken.acquire();
+      desk.follow();
+      static_cast<void>(desk.outlines(request));
+    }
+    REQUIRE(desk.outlines(request).has_value());
+    return desk.outlines(request)->blur * desk.preview()->reduction;
+  };
+  for (const int threshold : {125, 120, 125}) {
+    const TraceRequest request{.threshold = threshold, .specks = preview->specks};
+    const auto whole = trace(*preview->whole, request);
+    REQUIRE(whole.has_value());
+    REQUIRE(whole->blur > 2.0);
+    TraceRequest alone = request;
+    *alone.specks /= 16.0;
+    REQUIRE(trace(preview->image, alone).has_value());
+    CHECK(trace(preview->image, alone)->blur == 0.0);
+    CHECK(blur_shown(request) == Approx(whole->blur));
+    CHECK(blur_of_tracing(*preview->whole, request).value() == whole->blur);
+  }
+  // A decision is not of the picture before.
+  desk.begin(folder.write("disk.pgm", disk(1100, true)));
+  REQUIRE(waited.picture().has_value());
+  CHECK(blur_shown({.threshold = 124, .specks = 121.0}) == 0.0);
 }
 
 TEST_CASE("a picture that cannot be read is an error, and the next one is read all the same") {
