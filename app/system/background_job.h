@@ -4,11 +4,13 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <exception>
 #include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -20,7 +22,8 @@ namespace mes {
 ///  2. What the call returned is given once, by `poll` or `finish`. What it threw, std::bad_alloc among it, they throw
 ///     in its place, and the object is as before `begin`.
 ///  3. Of calls that were begun one after the other only the last is delivered: those before are given up. A call
-///     that was given up is asked to stop. What it returns or throws is dropped; others do not wait for it.
+///     that was given up is asked to stop; others do not wait for it. What it returns or throws is destroyed on its own
+///     thread, or on another one if it had ended before: however large it is, the caller does not wait for that either.
 ///  4. The destructor asks every call to stop and waits for its end. A call that must be complete does not look at
 ///     its stop token.
 ///
@@ -45,7 +48,7 @@ class BackgroundJob {
 
   void begin(Call call) {
     give_up();
-    std::erase_if(given_up_, [](const auto& run) { return run->has_ended.load(); });
+    std::erase_if(given_up_, [](const auto& run) { return run->is_empty.load(); });
     auto run = std::make_unique<Run>();
     run->thread = std::jthread([run = run.get(), call = std::move(call), wake = wake_](const std::stop_token& stop) {
       try {
@@ -53,6 +56,8 @@ class BackgroundJob {
       } catch (...) {
         run->failure = std::current_exception();
       }
+      auto before = Delivery::awaited;
+      if (!run->delivery.compare_exchange_strong(before, Delivery::ready)) run->drop();
       run->has_ended = true;
       if (wake) wake();
     });
@@ -62,7 +67,16 @@ class BackgroundJob {
   void give_up() {
     if (!run_) return;
     run_->thread.request_stop();
+    Run& run = *run_;
     given_up_.push_back(std::move(run_));
+    auto before = Delivery::awaited;
+    if (run.delivery.compare_exchange_strong(before, Delivery::unwanted)) return;
+    try {
+      // The thread before is at its end, and waited for.
+      run.thread = std::jthread([&run] { run.drop(); });
+    } catch (const std::system_error&) {
+      run.drop();
+    }
   }
 
   /// A call that was given up has not ended yet; `wake` is called when it has.
@@ -88,10 +102,18 @@ class BackgroundJob {
   }
 
  private:
+  enum class Delivery : std::uint8_t { awaited, ready, unwanted };
   struct Run {
     std::atomic<bool> has_ended = false;
+    std::atomic<Delivery> delivery = Delivery::awaited;
+    std::atomic<bool> is_empty = false;  // what it returned was destroyed
     std::optional<Result> result;
     std::exception_ptr failure;
+    void drop() {
+      result.reset();
+      failure = nullptr;
+      is_empty = true;
+    }
     std::jthread thread;  // last: it ends before what it writes to
   };
 

@@ -2,6 +2,7 @@
 #include <catch2/catch.hpp>
 #include <condition_variable>
 #include <latch>
+#include <memory>
 #include <mutex>
 #include <new>
 #include <semaphore>
@@ -132,4 +133,43 @@ TEST_CASE("the destructor asks running calls to stop and waits for their ends") 
   }
   log.emplace_back("destroyed");
   CHECK(log == std::vector<std::string>{"asked", "complete", "destroyed"});
+}
+
+TEST_CASE("what a call returned is not destroyed by the thread that gives it up") {
+  struct Large {
+    std::thread::id* destroyed_by;
+    std::binary_semaphore* destroyed;
+    ~Large() {
+      *destroyed_by = std::this_thread::get_id();
+      destroyed->release();
+    }
+  };
+  std::thread::id destroyed_by;
+  std::binary_semaphore destroyed{0};
+  const auto large = [&](const std::stop_token&) { return std::make_shared<Large>(&destroyed_by, &destroyed); };
+  const auto is_destroyed_elsewhere = [&] {
+    destroyed.acquire();
+    return destroyed_by != std::this_thread::get_id();
+  };
+  Desk<std::shared_ptr<Large>> desk;
+  // It had ended, and nothing is begun in its place.
+  desk.job.begin(large);
+  desk.woken.acquire();
+  REQUIRE(desk.job.has_ended());
+  desk.job.give_up();
+  CHECK(is_destroyed_elsewhere());
+  CHECK_FALSE(desk.job.is_ending());
+  // It has ended, and another one is begun.
+  desk.job.begin(large);
+  desk.woken.acquire();
+  desk.job.begin([](const std::stop_token&) { return nullptr; });
+  CHECK(is_destroyed_elsewhere());
+  CHECK(desk.job.finish());
+  // It ends later.
+  desk.job.begin([&](const std::stop_token& stop) {
+    wait_for(stop);
+    return large(stop);
+  });
+  desk.job.give_up();
+  CHECK(is_destroyed_elsewhere());
 }
