@@ -36,6 +36,10 @@ class Dialogs {
   std::vector<const Dialog*> open() const;
   /// True when one is open: it has taken the key. Enter that is held down answers one question, not the next as well.
   bool take_key(const KeyChord& chord, bool repeated);
+  /// Once a turn.
+  void follow() {
+    for (Dialog* dialog : all_) dialog->follow();
+  }
   /// The topmost; those below it are seen when it is closed.
   void draw(const Gui& gui);
 

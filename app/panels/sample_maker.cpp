@@ -37,7 +37,6 @@ void SampleMaker::draw_facts(const Gui& gui) const {
 }
 
 bool SampleMaker::draw_buttons(const Gui& gui, const std::string& name, const char* explanation) {
-  making_.follow();
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const ImVec2 size(0.5F * (ImGui::GetContentRegionAvail().x - spacing), 0);
   ImGui::BeginDisabled(!making_.is_possible() || making_.is_accepted());

@@ -10,7 +10,7 @@
 
 namespace mes {
 
-/// Smallest use, in each frame:
+/// Smallest use, in each frame, after `follow` in each turn:
 ///     if (wish != wished)
 ///       maker.want([wish](JobControl& job) { return SampleMaking::Made{sample_curves(curves, wish, &job)}; });
 ///     maker.draw_facts(gui);
@@ -26,6 +26,8 @@ class SampleMaker {
   SampleMaker();
   void set_uses(Make make, std::function<void()> wake);
 
+  /// Takes what was made.
+  void follow() { making_.follow(); }
   void want(SampleMaking::Call call) { making_.want(std::move(call)); }
   bool is_busy() const { return making_.is_busy(); }
   /// The key Enter, say.

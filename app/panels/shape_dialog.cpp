@@ -82,7 +82,7 @@ void ShapeDialog::draw_parameters(const Gui& gui) {
   ImGui::PopID();
 }
 
-void ShapeDialog::follow() {
+void ShapeDialog::follow_wish() {
   ShapeRequest request{.values = values_[chosen_], .sampling = sampling_.sampling()};
   if (wished_of_ == chosen_ && wished_for_ == request) return;
   maker_.want([chosen = &shape(), request](JobControl& job) {
@@ -107,7 +107,7 @@ void ShapeDialog::draw(const Gui& gui) {
     draw_parameters(gui);
     ImGui::Dummy({1, 2 * unit});
     sampling_.draw(gui);
-    follow();
+    follow_wish();
     maker_.draw_facts(gui);
     ImGui::EndChild();
     if (maker_.draw_buttons(gui, std::string(shape().name),

@@ -32,6 +32,7 @@ class ShapeDialog final : public Dialog {
     maker_.stop();
     wished_for_.reset();
   }
+  void follow() override { maker_.follow(); }
   void draw(const Gui& gui) override;
   /// Enter makes the shape, unless something is being typed.
   void press(const KeyChord& chord) override;
@@ -40,7 +41,7 @@ class ShapeDialog final : public Dialog {
   void draw_list(const Gui& gui);
   void draw_parameters(const Gui& gui);
   /// Wishes for it again if a parameter is another than before.
-  void follow();
+  void follow_wish();
   const ShapeDescriptor& shape() const { return shapes()[chosen_]; }
 
   bool is_open_ = false;

@@ -77,7 +77,7 @@ void TextDialog::draw_settings(const Gui& gui) {
   sampling_.draw(gui);
 }
 
-void TextDialog::follow() {
+void TextDialog::follow_wish() {
   wish_.sampling = sampling_.sampling();
   if (wished_for_ == wish_) return;
   wished_for_ = wish_;
@@ -104,7 +104,7 @@ void TextDialog::draw(const Gui& gui) {
     ImGui::BeginChild("settings", {std::min(kSettingsWidth * unit, 0.35F * size.x), 0});
     ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
     draw_settings(gui);
-    follow();
+    follow_wish();
     maker_.draw_facts(gui);
     ImGui::EndChild();
     if (maker_.draw_buttons(gui, "Text",

@@ -35,6 +35,7 @@ class TextDialog final : public Dialog {
     maker_.stop();
     wished_for_.reset();
   }
+  void follow() override { maker_.follow(); }
   void draw(const Gui& gui) override;
   /// Enter makes the samples, unless something is being typed.
   void press(const KeyChord& chord) override;
@@ -43,7 +44,7 @@ class TextDialog final : public Dialog {
   void draw_fonts(const Gui& gui);
   void draw_settings(const Gui& gui);
   /// Wishes for it again if something is another than before.
-  void follow();
+  void follow_wish();
 
   struct Wish {
     std::string family;  // empty: the program's own

@@ -18,6 +18,8 @@ class Dialog {
   virtual bool is_open() const = 0;
   /// Closes it without an answer.
   virtual void cancel() = 0;
+  /// To be called in each turn, drawn or not: takes what was made aside. One that lies below another is not drawn.
+  virtual void follow() {}
   /// To be called in each frame, open or not. An answer is acted on before it returns.
   virtual void draw(const Gui& gui) = 0;
   /// A key that does not cancel it.

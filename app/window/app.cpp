@@ -105,8 +105,9 @@ double App::next_wait() const {
                        work_.critical_values().is_under_way() || work_.persistence().is_under_way() ||
                        work_.sweep().is_under_way() || files.is_reading() || files.is_saving() ||
                        board_.traced().is_reading() || documents_.figures().is_busy() ||
-                       documents_.tracing().is_busy() || dialogs_.shape.is_busy() || dialogs_.text.is_busy() ||
-                       screen_.gui.is_about_to_rest() || recording_.holds_input();
+                       documents_.tracing().is_busy() || documents_.is_looking_for_left_work() ||
+                       dialogs_.shape.is_busy() || dialogs_.text.is_busy() || screen_.gui.is_about_to_rest() ||
+                       recording_.holds_input();
   return FrameClock::sleep({demo_.next_due(now), lesson_.next_due(now), work_.computation().next_due(now),
                             work_.evolution().next_due(now), panels_.presenter().next_due(now)},
                            is_busy);

@@ -226,6 +226,7 @@ void DocumentFlow::start_demo() {
 
 void DocumentFlow::take_results() {
   take_read_file();
+  uses_.dialogs.follow();
   if (reads_map_again_ && !files_.is_reading()) read_map_again();
   take_saved();
   figures_.take_results();

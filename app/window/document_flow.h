@@ -51,6 +51,8 @@ class DocumentFlow {
   FigureFlow& figures() { return figures_; }
   const FigureFlow& figures() const { return figures_; }
   const TraceFlow& tracing() const { return tracing_; }
+  /// A question about work that was left may still come up.
+  bool is_looking_for_left_work() const { return keeper_.is_looking_for_left_work(); }
   const FileDesk& files() const { return files_; }
   std::span<const SampleShape> shapes() const { return shapes_; }
   std::span<const ShippedLesson> lessons() const { return lessons_; }

@@ -35,6 +35,7 @@ class WorkKeeper {
   /// Waits until the journal is on the disk.
   void flush() { autosave_.flush(); }
 
+  bool is_looking_for_left_work() const { return left_work_.is_under_way(); }
   /// What an earlier run has left behind, once, when it has been found.
   std::optional<FoundWork> take_left_work() { return left_work_.poll(); }
 

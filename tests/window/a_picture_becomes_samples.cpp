@@ -64,3 +64,31 @@ TEST_CASE("a picture is traced into samples, in one step of undo") {
   REQUIRE(file->data.positions.size() >= 400);
   for (const Vec2 p : file->data.positions) CHECK(std::abs(distance(p, {100.0, 100.0}) - 80.0) < 0.3);
 }
+
+TEST_CASE("a picture to be traced waits until the question about work that was left is answered") {
+  DrivenProgram window;
+  const VirtualScreen& screen = window.screen;
+  window.folder.write("disk.pgm", disk());
+  window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
+  window.start("house.poff");
+  static_cast<void>(window.drawn());
+  window.press("i");
+  screen.click({500, 400});
+  REQUIRE(eventually([&] { return window.title().starts_with("* "); }));
+  static_cast<void>(screen.settled());
+  kill(window.program.pid(), SIGTERM);
+  REQUIRE(eventually([&] { return !window.program.is_running(); }));
+
+  window.begin("disk.pgm");
+  // Until there is a window the screen is black, and a key goes nowhere.
+  REQUIRE(eventually([&] {
+    const Screenshot shot = screen.shoot();
+    return !shot.is_white(90, 700) && !shot.is_dark(90, 700);
+  }));
+  const auto outlines = [](const Screenshot& shot) {
+    return shot.count([](Color c) { return c.r > 200 && c.g < 120 && c.b < 80; });
+  };
+  CHECK(outlines(screen.settled()) < 100);
+  window.press("Escape");
+  CHECK(eventually([&] { return outlines(screen.shoot()) > 500; }));
+}
