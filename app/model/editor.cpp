@@ -502,6 +502,14 @@ void Editor::show_layers(LayersChanged change, LayersChanged::Role role) {
   timeline_.note(std::move(change));
 }
 
+Editor::Work Editor::work() const {
+  const bool is_evolved = document_.revision() == evolved_revision_;
+  return {.revision = is_evolved ? revision_before_last_edit() : document_.revision(),
+          .is_evolved = is_evolved,
+          .lesson = timeline_.lesson_revision(),
+          .layers = saved_layers_ && layers_ != nullptr ? layers_->revision() : 0};
+}
+
 bool Editor::is_modified() const {
   if (document_.revision() != saved_revision_ || is_lesson_modified()) return true;
   if (!saved_layers_ || layers_ == nullptr) return false;

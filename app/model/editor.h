@@ -66,7 +66,10 @@ class Editor {
   void load(PreparedDocument& next);
   void restore(PreparedDocument& next);
   /// No revision and no id of it was given here since `start`, a successor of this document, from which it was made.
-  bool fits(const Document& start) const { return document_.next_revision() == start.revision(); }
+  bool fits(const Document& start) const {
+    return document_.next_revision() <= start.revision() && document_.next_id() <= start.first_id() &&
+           document_.next_ball_id() <= start.first_ball_id();
+  }
   const Timeline& timeline() const { return timeline_; }
 
   const Lesson& lesson() const { return timeline_.lesson(); }
@@ -180,6 +183,16 @@ class Editor {
   void catch_up();
 
   bool is_modified() const;
+  /// What there is to lose: equal values mean that nothing was done in between, or that it was taken back. States of an
+  /// evolution that take each other's place count as one.
+  struct Work {
+    std::uint64_t revision = 0;  // of the document, or of the one before the evolution
+    bool is_evolved = false;
+    std::uint64_t lesson = 0;
+    std::uint64_t layers = 0;  // where a file holds layers
+    friend bool operator==(const Work&, const Work&) = default;
+  };
+  Work work() const;
   void mark_saved() { mark_saved(document_.revision()); }
   /// The document as it was at this revision.
   void mark_saved(std::uint64_t revision) { saved_revision_ = revision; }

@@ -51,8 +51,8 @@ std::size_t PlaceIndex<Places>::CellHash::operator()(const Cell& cell) const noe
 }
 
 template <class Places>
-PlaceIndex<Places>::PlaceIndex(const Document& document, JobControl* job) : document_(document) {
-  rebuild(job);
+PlaceIndex<Places>::PlaceIndex(const Document& document, const JobPart& part) : document_(document) {
+  rebuild(part);
 }
 
 template <class Places>
@@ -107,7 +107,7 @@ double PlaceIndex<Places>::chosen_cell_size() const {
 }
 
 template <class Places>
-void PlaceIndex<Places>::rebuild(JobControl* job) {
+void PlaceIndex<Places>::rebuild(const JobPart& part) {
   head_.clear();
   occupied_children_.assign(kLevels - 1, {});
   next_.assign(Places::rows(document_), kNoSlot);
@@ -121,7 +121,8 @@ void PlaceIndex<Places>::rebuild(JobControl* job) {
   constexpr std::size_t kOften = std::size_t{1} << 14U;
   const std::size_t rows = Places::rows(document_);
   for (const Row slot : slots_below<Row>(rows)) {
-    if (job != nullptr && slot.index() % kOften == 0) job->checkpoint(slot.index(), rows);
+    if (part.job != nullptr && slot.index() % kOften == 0)
+      part.job->checkpoint(part.before + slot.index(), part.total);
     if (!Places::is_alive(document_, slot)) continue;
     const Vec2 place = Places::place(document_, slot);
     if (size_ == 0) origin_ = place;

@@ -54,8 +54,15 @@ template <class Places>
 class PlaceIndex {
  public:
   using Row = typename Places::Row;
+  explicit PlaceIndex(const Document& document) : PlaceIndex(document, JobPart{}) {}
+  /// Of a job whose steps are rows of several indices, in order.
+  struct JobPart {
+    JobControl* job = nullptr;
+    std::size_t before = 0;  ///< rows of the indices made before
+    std::size_t total = 0;   ///< of all of them
+  };
   /// Throws `Cancelled` if there is a job.
-  explicit PlaceIndex(const Document& document, JobControl* job = nullptr);
+  PlaceIndex(const Document& document, const JobPart& part);
 
   /// To be called after `document.apply(delta)`, with every delta, in order. Lack of memory makes searches slow, not
   /// wrong.
@@ -84,7 +91,8 @@ class PlaceIndex {
   static constexpr std::int64_t kFanout = 4;
   static constexpr std::size_t kLevels = 24;  // 4^24 cells across: more than a double tells apart
 
-  void rebuild(JobControl* job = nullptr);
+  void rebuild(const JobPart& part);
+  void rebuild() { rebuild(JobPart{}); }
   void follow_closely(const DocumentDelta& delta);
   double chosen_cell_size() const;
   Cell cell_of(Vec2 p, double size) const;

@@ -19,6 +19,26 @@ std::shared_ptr<DocumentDelta> change_to(const Document& document) {
 
 }  // namespace
 
+// Nothing takes the place of nothing, with later numbers.
+Document successor_of(const Document& before, const NumbersLeft& left) {
+  Document out = before.successor();
+  auto samples = std::make_shared<SampleSnapshot>();
+  samples->first = SampleId{before.next_id().value + left.ids};
+  auto balls = std::make_shared<BallSnapshot>();
+  balls->first = BallId{before.next_ball_id().value + left.ids};
+  DocumentDelta later;
+  later.from_revision = out.revision();
+  later.to_revision = out.revision() + left.revisions;
+  later.before = out.snapshot();
+  later.after = std::move(samples);
+  later.balls_before = out.ball_snapshot();
+  later.balls_after = std::move(balls);
+  later.curve_before = later.curve_after = out.curve_order();
+  later.annotations_before = later.annotations_after = out.annotations();
+  out.apply(later);
+  return out;
+}
+
 PreparedDocument::PreparedDocument(DocumentReplay replay, std::shared_ptr<const SampleData> data, TimelineLog entries,
                                    Lesson lesson, JobControl* job)
     : document_((replay.finish(), std::move(replay).take_document())),
@@ -27,7 +47,9 @@ PreparedDocument::PreparedDocument(DocumentReplay replay, std::shared_ptr<const 
       entries_(std::move(entries)),
       lesson_(std::move(lesson)),
       change_(change_to(document_)),
-      index_(document_, job),
-      centers_(document_, job) {}
+      index_(document_, {.job = job, .total = document_.slot_count() + document_.ball_slot_count()}),
+      centers_(document_, {.job = job,
+                           .before = document_.slot_count(),
+                           .total = document_.slot_count() + document_.ball_slot_count()}) {}
 
 }  // namespace mes

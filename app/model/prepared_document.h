@@ -2,6 +2,7 @@
 // A document with all that the editor keeps beside it, made on another thread.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "app/model/place_index.h"
@@ -12,11 +13,20 @@
 
 namespace mes {
 
+/// How many revisions, and ids of samples and of balls, a document keeps to itself while another one is made.
+struct NumbersLeft {
+  std::uint64_t revisions = 0;
+  std::uint32_t ids = 0;
+};
+/// As `before.successor()`, but further on: `before` may go on and be followed by it all the same, as long as the numbers
+/// that are left to it last.
+Document successor_of(const Document& before, const NumbersLeft& left);
+
 /// What it guarantees: `Editor::load` and `Editor::restore` take it over in O(1), whatever its size, and leave in it what
 /// they had before.
 ///
 /// Smallest use:
-///     DocumentReplay replay(editor.document().successor());
+///     DocumentReplay replay(successor_of(editor.document(), left));
 ///     ... on another thread: replay.begin(*data); PreparedDocument next(std::move(replay), data);
 ///     editor.load(next);
 ///

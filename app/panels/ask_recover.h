@@ -20,7 +20,10 @@ class AskRecover final : public Dialog {
   /// The work that was asked about.
   LeftWork take();
 
-  bool is_open() const override { return !works_.empty(); }
+  /// Not open while it waits: the work before is being recovered.
+  void set_waits(bool waits) { waits_ = waits; }
+
+  bool is_open() const override { return !works_.empty() && !waits_; }
   void cancel() override { works_.clear(); }
   void draw(const Gui& gui) override;
 
@@ -30,6 +33,7 @@ class AskRecover final : public Dialog {
 
   std::vector<LeftWork> works_;  // newest first
   std::function<void()> recover_;
+  bool waits_ = false;
 };
 
 }  // namespace mes

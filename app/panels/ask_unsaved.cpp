@@ -8,9 +8,10 @@ namespace {
 constexpr const char* kTitle = "##ask-unsaved";
 }
 
-void AskUnsaved::ask(std::string title, Answers answers) {
+void AskUnsaved::ask(std::string title, Answers answers, std::string reason) {
   is_open_ = true;
   title_ = std::move(title);
+  reason_ = std::move(reason);
   answers_ = std::move(answers);
 }
 
@@ -29,6 +30,7 @@ void AskUnsaved::draw(const Gui& gui) {
     ImGui::PushFont(gui.bold());
     ImGui::Text("%s has changes that are not saved", title_.c_str());
     ImGui::PopFont();
+    if (!reason_.empty()) ImGui::TextUnformatted(reason_.c_str());
     ImGui::Dummy({1, 6 * unit});
     const ImVec2 size(120 * unit, 0);
     if (ImGui::Button("Save", size)) answer = answers_.save;

@@ -15,7 +15,8 @@ class AskUnsaved final : public Dialog {
     std::function<void()> save;
     std::function<void()> discard;
   };
-  void ask(std::string title, Answers answers);
+  /// `reason` is why it is asked now; empty: because of what the user did.
+  void ask(std::string title, Answers answers, std::string reason = {});
 
   bool is_open() const override { return is_open_; }
   void cancel() override;
@@ -24,6 +25,7 @@ class AskUnsaved final : public Dialog {
  private:
   bool is_open_ = false;
   std::string title_;
+  std::string reason_;
   Answers answers_;
 };
 

@@ -282,7 +282,7 @@ fs::path default_autosave_folder() {
 LeftWork::LeftWork(fs::path file, int lock, Journaled journal)
     : file_(std::move(file)),
       lock_(lock),
-      session_(std::move(journal.session)),
+      session_(std::make_shared<const Session>(std::move(journal.session))),
       edits_(journal.unsaved_edits),
       is_partial_(!journal.complaint.empty()) {
   std::error_code error;

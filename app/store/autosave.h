@@ -6,6 +6,7 @@
 #include <condition_variable>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -92,7 +93,8 @@ class LeftWork {
   LeftWork(LeftWork&& other) noexcept;
   LeftWork& operator=(LeftWork&& other) noexcept;
 
-  const Session& session() const { return session_; }
+  const Session& session() const { return *session_; }
+  const std::shared_ptr<const Session>& shared_session() const { return session_; }
   /// Of the last write, in the computer's time zone: "2026-11-21 10:15".
   const std::string& when() const { return when_; }
   std::size_t edits() const { return edits_; }
@@ -102,7 +104,7 @@ class LeftWork {
  private:
   std::filesystem::path file_;
   int lock_ = -1;
-  Session session_;
+  std::shared_ptr<const Session> session_;
   std::size_t edits_ = 0;
   bool is_partial_ = false;
   std::string when_;

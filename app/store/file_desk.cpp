@@ -49,11 +49,16 @@ Expected<LoadedFile> FileDesk::read(const fs::path& file, MapDegrees degrees, Jo
 }
 
 void FileDesk::read(const Asked& asked, Reading& reading, ReadFiles& out) {
+  if (asked.recovered) {
+    out.outcome.file = "recovered work";
+    out.outcome.is_recovered = true;
+    out.outcome.session = asked.recovered;
+    out.data = asked.recovered->data;
+    return prepare(reading, out);
+  }
   out.outcome.is_shape = !asked.title.empty();
   std::vector<LoadedFile> files;
   for (const fs::path& file : asked.files) {
-    reading.control.reset_progress();
-    reading.read = files.size();
     out.outcome.file = file;
     auto loaded = read(file, asked.degrees, reading.control);
     if (!loaded) {
@@ -61,9 +66,8 @@ void FileDesk::read(const Asked& asked, Reading& reading, ReadFiles& out) {
       return;
     }
     files.push_back(std::move(*loaded));
+    reading.next_part();
   }
-  reading.control.reset_progress();
-  reading.read = files.size();
   join(asked, std::move(files), out);
   prepare(reading, out);
 }
@@ -122,6 +126,7 @@ void FileDesk::prepare(Reading& reading, ReadFiles& out) {
                           ? replay_session(*session, replay, out.outcome.file.string(), &reading.control)
                           : replay.begin(*out.data);
     if (!done) return blame(done.error());
+    reading.next_part();
     out.document = std::make_unique<PreparedDocument>(
         std::move(replay), out.data, session != nullptr ? session->entries : TimelineLog(),
         session != nullptr ? session->lesson : Lesson(), &reading.control);
@@ -135,15 +140,22 @@ void FileDesk::prepare(Reading& reading, ReadFiles& out) {
 }
 
 void FileDesk::begin(Asked asked) {
+  cancel_reading();
+  asked.work = editor_.work();
   asked_ = std::move(asked);
   progress_ = std::make_shared<Reading>();
-  reading_.begin(
-      [asked = asked_, start = editor_.document().successor(), reading = progress_](const std::stop_token& stop) {
-        reading->control.set_token(stop);
-        auto out = std::make_shared<ReadFiles>(ReadFiles{.start = start});
-        read(asked, *reading, *out);
-        return out;
-      });
+  reading_.begin([asked = asked_, start = start(), reading = progress_](const std::stop_token& stop) {
+    reading->control.set_token(stop);
+    auto out = std::make_shared<ReadFiles>(ReadFiles{.start = start});
+    read(asked, *reading, *out);
+    return out;
+  });
+}
+
+// So many numbers are left that what is done by hand meanwhile does not use them up, nor an evolution that moves samples.
+Document FileDesk::start() const {
+  constexpr NumbersLeft kLeft{.revisions = std::uint64_t{1} << 32U, .ids = std::uint32_t{1} << 16U};
+  return successor_of(editor_.document(), kLeft);
 }
 
 void FileDesk::open(const std::vector<fs::path>& files, MapDegrees degrees) {
@@ -154,84 +166,118 @@ void FileDesk::open_shape(const fs::path& file, const std::string& title) {
   begin({.files = {file}, .title = title});
 }
 
+void FileDesk::recover(std::shared_ptr<const Session> work) {
+  begin({.recovered = std::move(work)});
+}
+
 void FileDesk::cancel_reading() {
   reading_.give_up();
+  if (held_back_) drop(std::exchange(held_back_, nullptr));
 }
 
 std::string FileDesk::reading_name() const {
   if (!is_reading()) return {};
+  if (asked_.recovered) return "work that was left";
   return asked_.title.empty() ? asked_.files.front().filename().string() : asked_.title;
 }
 
 double FileDesk::reading_progress() const {
   if (!is_reading()) return 0.0;
-  constexpr double kReading = 0.9;  // the rest is the making of the document
+  constexpr double kReplayed = 0.5;  // of what comes after reading
+  const double read = asked_.recovered ? 0.0 : 0.9;
   const auto files = static_cast<double>(asked_.files.size());
-  const auto read = static_cast<double>(progress_->read);
-  const double progress = progress_->control.progress();
-  return read < files ? kReading * std::min((read + progress) / files, 1.0) : kReading + (1.0 - kReading) * progress;
+  const auto part = static_cast<double>(progress_->part);
+  const double done = std::min(progress_->control.progress(), 1.0);
+  double all = 0.0;
+  if (part < files)
+    all = read * (part + done) / files;
+  else if (part == files)
+    all = read + (1.0 - read) * kReplayed * done;
+  else
+    all = read + (1.0 - read) * (kReplayed + (1.0 - kReplayed) * done);
+  return progress_->shown = std::max(progress_->shown, all);
+}
+
+bool FileDesk::would_lose_work() const {
+  return held_back_ && !held_back_->outcome.error && editor_.is_modified() && editor_.work() != asked_.work;
 }
 
 std::optional<FileDesk::Outcome> FileDesk::poll() {
-  auto ended = reading_.poll();
-  if (!ended) return std::nullopt;
-  const ReadFilesPointer read = std::move(*ended);
-  Outcome& out = read->outcome;
-  if (!out.error && !editor_.fits(read->start)) {
-    read->start = editor_.document().successor();
-    if (!read->is_second) {
-      // It was edited meanwhile: the document is made once more, aside as before.
-      read->is_second = true;
-      reading_.begin([read, reading = progress_](const std::stop_token& stop) {
-        reading->control.set_token(stop);
-        reading->control.reset_progress();
-        read->document.reset();
-        prepare(*reading, *read);
-        return read;
-      });
-      return std::nullopt;
-    }
-    prepare(*progress_, *read);
+  if (auto ended = reading_.poll()) held_back_ = std::move(*ended);
+  if (!held_back_ || would_lose_work()) return std::nullopt;
+  ReadFilesPointer read = std::exchange(held_back_, nullptr);
+  if (!read->outcome.error && !editor_.fits(read->start)) {
+    prepare_again(std::move(read));
+    return std::nullopt;
   }
+  Outcome out = take_over(*read);
+  drop(std::move(read));
+  return out;
+}
+
+void FileDesk::prepare_again(ReadFilesPointer read) {
+  read->start = start();
+  reading_.begin([read = std::move(read), reading = progress_](const std::stop_token& stop) {
+    reading->control.set_token(stop);
+    read->document.reset();
+    prepare(*reading, *read);
+    return read;
+  });
+}
+
+FileDesk::Outcome FileDesk::take_over(ReadFiles& read) {
   const Asked asked = std::exchange(asked_, {});
+  Outcome& out = read.outcome;
   if (out.error) return std::move(out);
   // What asks for memory comes first: either all is taken over, or nothing.
   try {
-    const Document& document = read->document->document();
-    out.samples = document.sample_count();
-    out.balls = document.ball_count();
-    Held after = held_by_files_of(document);
-    after.sample_file = read->sample_file;
-    after.ball_file = read->ball_file;
-    after.session_file = read->session_file;
-    after.file = out.session ? after.session_file : (after.sample_file.empty() ? after.ball_file : after.sample_file);
-    for (const SourceFile& file : read->sources) after.known[key_of(file.path)] = file.fingerprint;
-    after.title = out.is_shape ? asked.title : out.file.filename().string();
+    out.samples = read.document->document().sample_count();
+    out.balls = read.document->document().ball_count();
+    Held after = held_by_read_files(read, asked.title);
     if (out.session)
-      editor_.restore(*read->document);
+      editor_.restore(*read.document);
     else
-      editor_.load(*read->document);
+      editor_.load(*read.document);
+    if (out.is_recovered) editor_.mark_unsaved();
     contested_.reset();
     std::swap(held_, after);
   } catch (const std::bad_alloc&) {
     out.error = Error{ErrorCode::out_of_memory, "there is not enough memory for it", {}};
-    return std::move(out);
   }
-  // The document before is destroyed on another thread, or on this one if no thread can be started.
+  return std::move(out);
+}
+
+void FileDesk::drop(ReadFilesPointer read) {
   try {
-    dropping_.begin([read](const std::stop_token&) {
-      read->document.reset();
+    dropping_.begin([what = std::move(read)](const std::stop_token&) mutable {
+      what.reset();
       return true;
     });
   } catch (const std::exception&) {
-    read->document.reset();
+    // It went with the call.
   }
-  return out;
 }
 
 FileDesk::Held FileDesk::held_by_files_of(const Document& document) {
   return {
       .samples = document.sample_digest(), .balls = document.ball_digest(), .annotations = document.annotations()};
+}
+
+FileDesk::Held FileDesk::held_by_read_files(const ReadFiles& read, const std::string& title) {
+  const Outcome& out = read.outcome;
+  if (out.is_recovered) {
+    Held none = held_by_files_of(Document());
+    if (!out.session->title.empty()) none.title = out.session->title;
+    return none;
+  }
+  Held after = held_by_files_of(read.document->document());
+  after.sample_file = read.sample_file;
+  after.ball_file = read.ball_file;
+  after.session_file = read.session_file;
+  after.file = out.session ? after.session_file : (after.sample_file.empty() ? after.ball_file : after.sample_file);
+  for (const SourceFile& file : read.sources) after.known[key_of(file.path)] = file.fingerprint;
+  after.title = out.is_shape ? title : out.file.filename().string();
+  return after;
 }
 
 void FileDesk::start_empty() {
@@ -244,30 +290,6 @@ void FileDesk::start_empty() {
 
 void FileDesk::note_known(std::span<const SourceFile> files) {
   for (const SourceFile& file : files) held_.known[key_of(file.path)] = file.fingerprint;
-}
-
-void FileDesk::forget_files() {
-  contested_.reset();
-  held_ = {.samples = held_.samples, .balls = held_.balls, .annotations = held_.annotations, .title = held_.title};
-}
-
-Expected<void> FileDesk::take_over(const Session& session, const std::string& name) {
-  DocumentReplay replay(editor_.document());
-  if (auto done = replay_session(session, replay, name); !done) return done;
-  editor_.restore(std::move(replay), session.data, session.entries, session.lesson);
-  return {};
-}
-
-Expected<void> FileDesk::recover(const Session& session) {
-  cancel_reading();
-  if (auto done = take_over(session, "recovered work"); !done) return done;
-  forget_files();
-  held_.samples = Document().sample_digest();
-  held_.balls = Document().ball_digest();
-  held_.annotations = Document().annotations();
-  editor_.mark_unsaved();
-  held_.title = session.title.empty() ? "Untitled" : session.title;
-  return {};
 }
 
 void FileDesk::note_all_as_saved() {

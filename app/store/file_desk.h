@@ -25,7 +25,8 @@ namespace mes {
 /// What it guarantees:
 ///  1. Reading happens on a thread of its own, and so does the making of the document from what was read; until both end
 ///     well the document stays as it is, and a file that cannot be read leaves it so for good. `poll` takes over what
-///     was made in O(1). Only where the document was edited while one was made, twice in a row, `poll` makes it itself.
+///     was made in O(1). The document may be edited meanwhile; what no file holds of that is not lost unasked:
+///     where `would_lose_work`, `poll` waits for `give_up_work` or `cancel_reading`.
 ///  2. Saving is atomic, and writes a session, POFF or WPOFF, whatever was read. A session holds everything. A POFF
 ///     file holds samples and a WPOFF file balls, so a document of both has two files; until each holds what the
 ///     document holds, it counts as modified.
@@ -52,11 +53,17 @@ class FileDesk {
   /// The same for a built-in shape: it has a title, but saving asks for a file.
   void open_shape(const std::filesystem::path& file, const std::string& title);
   void cancel_reading();
-  bool is_reading() const { return reading_.is_under_way(); }
-  /// The next `poll` does not come in vain.
-  bool has_read() const { return reading_.has_ended(); }
+  /// From `open` until `poll` says what became of it.
+  bool is_reading() const { return reading_.is_under_way() || held_back_; }
+  /// The thread that reads has ended.
+  bool has_read() const { return reading_.has_ended() || held_back_; }
+  /// Something was read, and in the document in its place something was done since `open` that no file holds.
+  bool would_lose_work() const;
+  /// That it is lost is wanted. What is done after this call is not meant.
+  void give_up_work() { asked_.work = editor_.work(); }
   std::string reading_name() const;
-  /// Share of what is to be read, from 0 to 1, by bytes of the present file; 0 where nothing is read.
+  /// Share of what is to be read, from 0 to 1, by bytes of the present file; 0 where nothing is read. Never goes
+  /// back during a reading.
   double reading_progress() const;
 
   struct Outcome {
@@ -64,6 +71,7 @@ class FileDesk {
     std::vector<std::filesystem::path> files;  ///< that were opened
     std::size_t left_out = 0;                  ///< files that would have replaced what the first brought
     bool is_shape = false;
+    bool is_recovered = false;               ///< work that was left behind: no files
     std::shared_ptr<const Session> session;  ///< if it was one; the document is the session's already
     std::string format;
     std::optional<MapDegrees> degrees;  ///< what became of longitude and latitude; none: there were none
@@ -72,12 +80,12 @@ class FileDesk {
     std::vector<std::string> warnings;
     std::optional<Error> error;
   };
-  /// What became of the reading, once, when it has ended.
+  /// What became of the reading, once, when it has ended; nothing while it `would_lose_work`.
   std::optional<Outcome> poll();
 
   void start_empty();
-  /// Takes over work that a crash left behind: no file holds it.
-  Expected<void> recover(const Session& session);
+  /// Begins to make the document of work that a crash left behind, as `open` does of files: no file holds it.
+  void recover(std::shared_ptr<const Session> work);
   /// Begins to write the session, or samples and balls, to the files they have. Waits for a writing under way.
   void save();
   /// The same for everything when the name ends in .json, for the balls when it ends in .wpoff, else for the samples.
@@ -118,14 +126,22 @@ class FileDesk {
  private:
   /// What is asked for by `open`.
   struct Asked {
-    std::vector<std::filesystem::path> files;
-    std::string title{};  // of a shape
+    std::vector<std::filesystem::path> files{};
+    std::string title{};                         // of a shape
+    std::shared_ptr<const Session> recovered{};  // no file
     MapDegrees degrees = MapDegrees::projected;
+    Editor::Work work{};  // that there was then
   };
   /// Of a reading, for the window: how far it is.
   struct Reading {
-    JobControl control{};              // of the present file, then of the document
-    std::atomic<std::size_t> read{0};  // files before it
+    JobControl control{};              // of the present part
+    std::atomic<std::size_t> part{0};  // each file, the document, what is kept beside it
+    double shown = 0.0;                // most that the window was given
+    /// The control begins anew first, so that what is seen of it is never of the part before.
+    void next_part() {
+      control.reset_progress();
+      ++part;
+    }
   };
   /// What came of it, and the document that was made of that.
   struct ReadFiles {
@@ -137,10 +153,15 @@ class FileDesk {
     std::shared_ptr<const SampleData> data{};
     Document start{};  // a successor of the editor's document, which `document` was made from
     std::unique_ptr<PreparedDocument> document{};
-    bool is_second = false;  // the document was made once more, as the editor's had changed
   };
   using ReadFilesPointer = std::shared_ptr<ReadFiles>;
   void begin(Asked asked);
+  Document start() const;
+  /// Makes the document once more, as the numbers left to the editor's did not last.
+  void prepare_again(ReadFilesPointer read);
+  Outcome take_over(ReadFiles& read);
+  /// Destroys what was read on another thread, or on this one if no thread can be started.
+  void drop(ReadFilesPointer read);
   static Expected<LoadedFile> read(const std::filesystem::path& file, MapDegrees degrees, JobControl& control);
   static void read(const Asked& asked, Reading& reading, ReadFiles& out);
   static void join(const Asked& asked, std::vector<LoadedFile> files, ReadFiles& out);
@@ -181,21 +202,21 @@ class FileDesk {
     bool is_good() const { return !error && !conflict; }
   };
   void note_all_as_saved();
-  void forget_files();
   void note_known(std::span<const SourceFile> files);
   /// What is held where no file is named yet, and the files hold this document.
   static Held held_by_files_of(const Document& document);
+  static Held held_by_read_files(const ReadFiles& read, const std::string& title);
   void begin_saving(Held after);
   static Written write(const Saving& saving);
   Saved saved(Written written);
   static void write_part(const Saving& saving, const Part& part, Written& out);
-  Expected<void> take_over(const Session& session, const std::string& name);
 
   Editor& editor_;
   std::function<Session()> session_now_;
   Held held_;
   std::optional<Held> contested_;         // what a saving that ended with a conflict would have led to
   Asked asked_;                           // while it is read
+  ReadFilesPointer held_back_;            // what was read, while it would lose work
   std::shared_ptr<const Saving> saving_;  // while it is written
   std::shared_ptr<Reading> progress_;     // of the reading
   BackgroundJob<ReadFilesPointer> reading_;

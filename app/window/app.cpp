@@ -103,8 +103,8 @@ double App::next_wait() const {
                        work_.curve_sampler().is_busy() || work_.branches().is_under_way() ||
                        work_.resampling().is_under_way() || work_.scale_events().is_under_way() ||
                        work_.critical_values().is_under_way() || work_.persistence().is_under_way() ||
-                       work_.sweep().is_under_way() || files.is_reading() || files.is_saving() ||
-                       board_.traced().is_reading() || documents_.figures().is_busy() ||
+                       work_.sweep().is_under_way() || (files.is_reading() && !files.would_lose_work()) ||
+                       files.is_saving() || board_.traced().is_reading() || documents_.figures().is_busy() ||
                        documents_.tracing().is_busy() || documents_.is_looking_for_left_work() ||
                        dialogs_.shape.is_busy() || dialogs_.text.is_busy() || screen_.gui.is_about_to_rest() ||
                        recording_.holds_input();

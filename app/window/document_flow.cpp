@@ -172,11 +172,11 @@ FileBrowser::Then DocumentFlow::remembering(FileBrowser::Then then) {
   };
 }
 
-void DocumentFlow::with_saved_work(std::function<void()> then) {
+void DocumentFlow::with_saved_work(std::function<void()> then, std::string reason) {
   uses_.board.canvas().cancel_gesture();
   uses_.lesson.end();
   if (files_.is_saving()) {
-    after_save_ = [this, then = std::move(then)] { with_saved_work(then); };
+    after_save_ = [this, then = std::move(then), reason = std::move(reason)] { with_saved_work(then, reason); };
     return;
   }
   if (!uses_.work.editor().is_modified()) {
@@ -187,7 +187,7 @@ void DocumentFlow::with_saved_work(std::function<void()> then) {
     after_save_ = then;
     save();
   };
-  uses_.dialogs.unsaved.ask(files_.title(), {.save = save_first, .discard = then});
+  uses_.dialogs.unsaved.ask(files_.title(), {.save = save_first, .discard = then}, std::move(reason));
 }
 
 void DocumentFlow::start_empty() {
@@ -226,6 +226,8 @@ void DocumentFlow::start_demo() {
 
 void DocumentFlow::take_results() {
   take_read_file();
+  ask_before_read_file();
+  uses_.dialogs.recover.set_waits(recovering_.has_value());
   uses_.dialogs.follow();
   if (reads_map_again_ && !files_.is_reading()) read_map_again();
   take_saved();

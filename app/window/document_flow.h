@@ -88,8 +88,9 @@ class DocumentFlow {
  private:
   void bind_files(ActionBindings& actions);
   void bind_bundles(ActionBindings& actions);
-  /// Saves what is unsaved or gives it up, as the answer is, and goes on with `then`; or does not.
-  void with_saved_work(std::function<void()> then);
+  /// Saves what is unsaved or gives it up, as the answer is, and goes on with `then`; or does not. The question says why
+  /// it is asked, if there is a reason.
+  void with_saved_work(std::function<void()> then, std::string reason = {});
   void start_empty();
   /// What belongs to the document before alone goes.
   void leave_document();
@@ -109,10 +110,13 @@ class DocumentFlow {
   void take_shape(const SampleData& data, const std::string& name);
   std::vector<std::filesystem::path> without_bundles(const std::vector<std::string>& files);
   void take_read_file();
+  /// What was done while a file was read is not lost without a question either; without an answer the document stays.
+  void ask_before_read_file();
   void say_opened(const FileDesk::Outcome& outcome);
   void show_as_in(const Session& session);
   void offer_left_work();
   void recover(LeftWork work);
+  void take_recovered(const FileDesk::Outcome& outcome, LeftWork work);
 
   // document_saving.cpp
   void save();
@@ -140,6 +144,8 @@ class DocumentFlow {
   MapDegrees map_degrees_{};                      // what became of those
   bool reads_map_again_ = false;                  // once nothing else is read
   bool presents_next_ = false;                    // what is being read
+  std::optional<LeftWork> recovering_;            // what is being read
+  bool asks_about_read_ = false;                  // whether it may take the place of what was done meanwhile
   bool had_first_file_ = false;
   bool is_left_ = false;
 };

@@ -118,6 +118,26 @@ std::vector<fs::path> DocumentFlow::without_bundles(const std::vector<std::strin
   return rest;
 }
 
+void DocumentFlow::ask_before_read_file() {
+  if (!files_.would_lose_work()) {
+    asks_about_read_ = false;
+    return;
+  }
+  // What a demo does is no work.
+  if (uses_.demo.is_running()) return files_.give_up_work();
+  const bool is_in_question = uses_.dialogs.unsaved.is_open() || files_.is_saving() || after_save_;
+  if (asks_about_read_) {
+    if (!is_in_question) files_.cancel_reading();
+    return;
+  }
+  // One thing after the other.
+  if (is_in_question || !uses_.dialogs.open().empty() || uses_.board.canvas().has_pointer()) return;
+  asks_about_read_ = true;
+  uses_.screen.clock.settle();
+  with_saved_work([this] { files_.give_up_work(); },
+                  fmt::format("{} has been read, and takes its place", files_.reading_name()));
+}
+
 void DocumentFlow::take_read_file() {
   const auto outcome = files_.poll();
   if (!outcome) {
@@ -125,16 +145,20 @@ void DocumentFlow::take_read_file() {
     // After a reading that was given up, too.
     traced_with_next_.clear();
     presents_next_ = false;
+    if (recovering_) uses_.messages.remark("The work that was left is offered again at the next start");
+    recovering_.reset();
     return;
   }
   const fs::path picture = std::exchange(traced_with_next_, {});
   const bool presents = std::exchange(presents_next_, false);
+  std::optional<LeftWork> recovered = std::exchange(recovering_, std::nullopt);
   uses_.screen.clock.settle();
   if (outcome->error) {
     report(*outcome->error);
     if (!fs::exists(outcome->file)) std::erase(uses_.settings.recent_files, outcome->file.string());
     return;
   }
+  if (outcome->is_recovered && recovered) return take_recovered(*outcome, *std::move(recovered));
   uses_.demo.end(true);
   leave_document();
   if (outcome->degrees) {
@@ -214,15 +238,18 @@ void DocumentFlow::offer_left_work() {
 }
 
 void DocumentFlow::recover(LeftWork work) {
+  traced_with_next_.clear();
+  recovering_.emplace(std::move(work));
+  uses_.dialogs.recover.set_waits(true);
+  files_.recover(recovering_->shared_session());
+}
+
+void DocumentFlow::take_recovered(const FileDesk::Outcome& outcome, LeftWork work) {
   uses_.demo.end(true);
-  if (const auto done = files_.recover(work.session()); !done) {
-    report(done.error());
-    return;
-  }
   uses_.messages.remark("Recovered " + files_.title() + "; no file holds it yet");
   leave_document();
   uses_.board.note_new_document();
-  show_as_in(work.session());
+  show_as_in(*outcome.session);
   uses_.board.fitter().want(ViewFitter::How::at_once);
   had_first_file_ = true;
   // What was left goes only when it is safe again.

@@ -534,7 +534,7 @@ Expected<void> replay_session(const Session& session, DocumentReplay& replay, co
   if (job != nullptr) job->checkpoint();
   if (auto begun = replay.begin(*session.data); !begun) return bad(file, begun.error().text);
   for (std::size_t i = 0; i < session.entries.size(); ++i) {
-    if (job != nullptr) job->checkpoint();
+    if (job != nullptr) job->checkpoint(i, session.entries.size());
     if (const auto done = replay.apply(session.entries[i]); !done)
       return bad(file, entry_name(i) + ": " + done.error().text);
   }

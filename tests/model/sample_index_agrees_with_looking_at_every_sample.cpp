@@ -187,11 +187,50 @@ TEST_CASE("a document made aside is taken over as it is, without a copy, and wha
   CHECK_FALSE(editor.fits(start));
 }
 
-TEST_CASE("making a document aside can be stopped at each look") {
+TEST_CASE("a document is taken over as long as the numbers left before it last") {
+  const std::shared_ptr<const SampleData> data =
+      std::make_shared<const SampleData>(SampleData{.positions = {{1, 2}, {3, 4}}, .balls = {{{0, 0}, 1}}});
+  const auto insert = [](Editor& editor, std::size_t count) {
+    REQUIRE(editor.insert(std::vector<Vec2>(count, {5, 6}), "more"));
+  };
+  Editor editor({});
+  REQUIRE(editor.load(*data));
+  const Document start = successor_of(editor.document(), {.revisions = 3, .ids = 10});
+  for (const std::size_t count : {4U, 5U, 1U}) {
+    insert(editor, count);
+    CHECK(editor.fits(start));
+  }
+  DocumentReplay replay(start);
+  REQUIRE(replay.begin(*data));
+  PreparedDocument next(std::move(replay), data);
+  const SampleId last{editor.document().next_id().value - 1};
+  editor.load(next);
+  CHECK(editor.document().sample_count() == 2);
+  CHECK(editor.document().id(SampleSlot{0}) > last);
+
+  const Document few_revisions = successor_of(editor.document(), {.revisions = 1, .ids = 10});
+  const Document few_samples = successor_of(editor.document(), {.revisions = 10, .ids = 1});
+  const Document many = successor_of(editor.document(), {.revisions = 10, .ids = 10});
+  insert(editor, 1);
+  CHECK(editor.fits(few_revisions));
+  CHECK(editor.fits(few_samples));
+  insert(editor, 1);
+  CHECK_FALSE(editor.fits(few_revisions));
+  CHECK_FALSE(editor.fits(few_samples));
+  CHECK(editor.fits(many));
+  REQUIRE(editor.insert_balls(std::vector<Disk>(11, Disk{{1, 1}, 1}), "balls"));
+  CHECK_FALSE(editor.fits(many));
+}
+
+TEST_CASE("making a document aside can be stopped at each look, and says how far it is without going back") {
   SampleData data;
-  for (int i = 0; i < 40'000; ++i) data.positions.push_back({std::cos(0.001 * i), std::sin(0.001 * i)});
+  for (int i = 0; i < 40'000; ++i) {
+    data.positions.push_back({std::cos(0.001 * i), std::sin(0.001 * i)});
+    data.balls.push_back({data.positions.back(), 0.5});
+  }
   const auto shared = std::make_shared<const SampleData>(std::move(data));
   int stopped = 0;
+  double before = 0.0;
   for (std::int64_t look = 1;; ++look) {
     DocumentReplay replay;
     REQUIRE(replay.begin(*shared));
@@ -204,6 +243,9 @@ TEST_CASE("making a document aside can be stopped at each look") {
     } catch (const Cancelled&) {
       ++stopped;
     }
+    CHECK(job.progress() >= before);
+    before = job.progress();
   }
-  CHECK(stopped >= 3);
+  CHECK(before > 0.5);
+  CHECK(stopped >= 6);
 }

@@ -1,109 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <sys/stat.h>
-
 #include <catch2/catch.hpp>
 #include <thread>
 
-#include "app/store/file_desk.h"
 #include "core/io/carried_session.h"
 #include "render/figure/writers.h"
-#include "tests/io/temporary_folder.h"
+#include "tests/model/desk_bench.h"
 
 using namespace mes;
 using mes::test::contents_of;
-
-namespace {
-
-struct Bench {
-  test::TemporaryFolder folder;
-  Editor editor{{}};
-  FileDesk desk{editor,
-                [this] { return Session{.data = editor.timeline().data(), .entries = editor.timeline().entries()}; },
-                {}};
-
-  FileDesk::Outcome open(const std::filesystem::path& file) { return open(std::vector{file}); }
-  FileDesk::Outcome open(const std::vector<std::filesystem::path>& files,
-                         MapDegrees degrees = MapDegrees::projected) {
-    desk.open(files, degrees);
-    for (;;) {
-      if (auto outcome = desk.poll()) return *outcome;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-  }
-  Expected<void> save() {
-    desk.save();
-    return saved();
-  }
-  Expected<void> save_as(const std::filesystem::path& file) {
-    desk.save_as(file);
-    return saved();
-  }
-  Expected<void> saved() {
-    const auto out = desk.finish_saving();
-    REQUIRE(out);
-    CHECK_FALSE(desk.is_saving());
-    if (out->error) return std::unexpected(*out->error);
-    return {};
-  }
-  void add_sample() { REQUIRE(editor.insert(std::vector{Vec2{7, 8}}, "sample")); }
-  void add_ball() { REQUIRE(editor.insert_balls(std::vector{Disk{{1, 2}, 3}}, "ball")); }
-  bool is_complete() const { return !desk.unsaved().any(); }
-};
-
-}  // namespace
-
-TEST_CASE("the degrees of a map are projected or kept, as it is opened") {
-  Bench bench;
-  const auto map =
-      bench.folder.write("a.geojson", R"({"type": "MultiPoint", "coordinates": [[10, 60], [12.5, 61]]})");
-  const auto points = bench.folder.write("a.poff", "POFF 1 0 0\n1 2\n");
-  CHECK(bench.open({map}, MapDegrees::kept).degrees == MapDegrees::kept);
-  CHECK(bench.editor.document().position(SampleSlot{1}) == Vec2{12.5, 61});
-  CHECK(bench.open(map).degrees == MapDegrees::projected);
-  CHECK(bench.editor.document().position(SampleSlot{1}) != Vec2{12.5, 61});
-  // Each opening is asked anew, and what has no degrees says so.
-  CHECK(bench.open({points}, MapDegrees::kept).degrees == std::nullopt);
-}
-
-TEST_CASE("a file that is read while the document is edited takes its place, with numbers never given before") {
-  Bench bench;
-  const auto file = bench.folder.write("a.poff", "POFF 2 0 0\n1 2\n3 4\n");
-  const auto session = bench.folder.write(
-      "a.json", R"({"mesecina":"session","schema":1,"data":{"samples":[0,0,1,1]},"timeline":[{"edit":{"name":"more",)"
-                R"("insert":[5,5]}}]})");
-  for (const auto& opened : {file, session}) {
-    for (const int edits : {0, 1, 2, 5}) {
-      INFO(opened << ", " << edits);
-      bench.add_sample();
-      const SampleId last = bench.editor.document().id(bench.editor.index().nearest({7, 8}, 0.5));
-      std::uint64_t revision = bench.editor.document().revision();
-      bench.desk.open(opened);
-      std::optional<FileDesk::Outcome> outcome;
-      for (int edit = 0; !outcome; ++edit) {
-        // Before each look the document changes once more.
-        if (edit < edits) {
-          bench.add_sample();
-          revision = bench.editor.document().revision();
-        }
-        while (!bench.desk.has_read()) std::this_thread::yield();
-        outcome = bench.desk.poll();
-      }
-      REQUIRE_FALSE(outcome->error);
-      const Document& document = bench.editor.document();
-      CHECK(document.sample_count() == (opened == file ? 2 : 3));
-      CHECK(outcome->samples == document.sample_count());
-      CHECK(document.revision() > revision);
-      for (const SampleSlot slot : document.slots_in_input_order()) CHECK(document.id(slot) > last);
-      CHECK_FALSE(bench.editor.is_modified());
-      CHECK(bench.editor.can_undo() == (opened == session));
-      CHECK(bench.editor.index().size() == document.sample_count());
-      const SampleSlot found = bench.editor.index().nearest(document.position(SampleSlot{1}), 0.25);
-      CHECK(found == SampleSlot{1});
-      bench.editor.undo();
-      CHECK(document.sample_count() == 2);
-    }
-  }
-}
+using Bench = mes::test::DeskBench;
 
 TEST_CASE("a file of balls is opened, changed and saved to itself") {
   Bench bench;
@@ -326,16 +231,6 @@ TEST_CASE("a session that cannot be written leaves file, title and mark as they 
   CHECK(contents_of(file) == "POFF 2 0 0\n5 6\n7 8\n");
 }
 
-TEST_CASE("recovered work has no file and counts as unsaved") {
-  Bench bench;
-  REQUIRE(bench.desk.recover({.title = "x", .data = std::make_shared<SampleData>(SampleData{{{1, 2}}, {}, {}})}));
-  CHECK(bench.desk.file().empty());
-  CHECK(bench.editor.is_modified());
-  CHECK(bench.desk.unsaved().samples);
-  REQUIRE(bench.save_as(bench.folder.path() / "x.poff"));
-  CHECK_FALSE(bench.editor.is_modified());
-}
-
 TEST_CASE("what is edited while a file is written stays unsaved") {
   Bench bench;
   const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
@@ -491,17 +386,4 @@ TEST_CASE("a document from a picture has no file yet, and the picture stays as i
   REQUIRE(bench.save_as(session));
   CHECK(bench.desk.file() == session);
   CHECK(contents_of(picture) == bytes);
-}
-
-TEST_CASE("a document is left although a file is still being waited for") {
-  const test::TemporaryFolder folder;
-  const auto pipe = folder / "pipe.poff";
-  REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0);
-  Bench bench;
-  bench.desk.open(pipe);
-  CHECK(bench.desk.is_reading());
-  bench.desk.open(pipe);
-  bench.desk.start_empty();
-  CHECK_FALSE(bench.desk.is_reading());
-  bench.desk.open(pipe);
 }
