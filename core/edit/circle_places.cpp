@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -274,6 +275,16 @@ std::unexpected<Error> refuse(const char* why) {
   return std::unexpected(Error{ErrorCode::bad_input, why});
 }
 
+std::unexpected<Error> no_room(std::span<const Vec2> places, const Disk& circle) {
+  double off = 0.0;
+  for (const Vec2 p : places) off = std::max(off, std::abs(distance(p, circle.center) - circle.radius));
+  return std::unexpected(
+      Error{ErrorCode::bad_input,
+            fmt::format("no circle of doubles has room for all {} places: it is too small for its distance from the "
+                        "origin; they stay within {:.3g} of the nearest circle",
+                        places.size(), off)});
+}
+
 }  // namespace
 
 Expected<Disk> nearest_circle(std::span<const Vec2> places) {
@@ -295,7 +306,7 @@ Expected<Disk> nearest_circle(std::span<const Vec2> places) {
 }
 
 Expected<DegeneratePlaces> on_one_circle(std::span<const Vec2> places) {
-  if (!are_distinct(places)) return refuse("two of the places are the same");
+  if (const auto twice = repeated_place(places)) return refuse_repeated(*twice);
   if (places.size() < 4) return DegeneratePlaces{{places.begin(), places.end()}, 0.0};
   const auto circle = nearest_circle(places);
   if (!circle) return std::unexpected(circle.error());
@@ -311,8 +322,7 @@ Expected<DegeneratePlaces> on_one_circle(std::span<const Vec2> places) {
   DegeneratePlaces out;
   if (points)
     for (const GridPoint p : *points) out.places.push_back(grid.place({center.x + p.x, center.y + p.y}));
-  if (!points || !are_distinct(out.places))
-    return refuse("there is no circle with room for all of them: it is too small for its distance from the origin");
+  if (!points || !are_distinct(out.places)) return no_room(places, *circle);
   out.largest_shift = largest_shift(places, out.places);
   return out;
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -84,8 +85,7 @@ bool are_collinear(std::span<const Vec2> places) {
 }  // namespace
 
 Expected<DegeneratePlaces> on_one_line(std::span<const Vec2> places) {
-  const auto refuse = [](const char* why) { return std::unexpected(Error{ErrorCode::bad_input, why}); };
-  if (!are_distinct(places)) return refuse("two of the places are the same");
+  if (const auto twice = repeated_place(places)) return refuse_repeated(*twice);
   if (places.size() < 3 || are_collinear(places)) return DegeneratePlaces{{places.begin(), places.end()}, 0.0};
   const Vec2 mean = mean_of(places);
   double extent = 0.0;
@@ -107,7 +107,13 @@ Expected<DegeneratePlaces> on_one_line(std::span<const Vec2> places) {
       if (!best || shift < best->largest_shift) best = DegeneratePlaces{std::move(*moved), shift};
     }
   }
-  if (!best) return refuse("two of the places would become the same; they are too near to each other along the line");
+  if (!best) {
+    const double farthest = off(*std::ranges::max_element(places, {}, off));
+    return std::unexpected(Error{ErrorCode::bad_input,
+                                 fmt::format("two of the places would become the same, being too near to each other "
+                                             "along the line; they stay within {:.3g} of the nearest line",
+                                             farthest)});
+  }
   return *std::move(best);
 }
 

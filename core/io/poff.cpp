@@ -75,9 +75,39 @@ Expected<std::optional<SampleData::Contour>> read_loop(const PoffScanner::Note& 
                                  in_quotes(word), points),
                      name, note.line, column);
   }
+  // Said twice in a row, also around the end of a closed loop, a point is one corner.
+  contour.points.erase(std::ranges::unique(contour.points).begin(), contour.points.end());
+  if (contour.closed && contour.points.size() > 1 && contour.points.front() == contour.points.back())
+    contour.points.pop_back();
   if (contour.points.empty()) return std::nullopt;
   return contour;
 }
+
+/// Points at which a loop crosses or touches itself, in one remark with the line of the first such loop.
+class RepeatedCorners {
+ public:
+  void add(const SampleData::Contour& contour, std::uint64_t line) {
+    std::vector<std::uint32_t> sorted = contour.points;
+    std::ranges::sort(sorted);
+    const std::size_t before = repeated_.size();
+    for (std::size_t i = 1; i < sorted.size(); ++i)
+      if (sorted[i] == sorted[i - 1]) repeated_.push_back(sorted[i]);
+    if (before == 0 && !repeated_.empty()) line_ = line;
+  }
+  std::optional<std::string> remark(const std::string& name) {
+    if (repeated_.empty()) return std::nullopt;
+    std::ranges::sort(repeated_);
+    const auto count = std::ranges::unique(repeated_).begin() - repeated_.begin();
+    std::string text =
+        count == 1 ? "1 point is on its loop more than once; evolutions do not move it"
+                   : fmt::format("{} points are on their loop more than once; evolutions do not move them", count);
+    return Error{ErrorCode::bad_input, std::move(text), name, line_, 1}.message();
+  }
+
+ private:
+  std::vector<std::uint32_t> repeated_;
+  std::uint64_t line_ = 0;
+};
 
 Match match_poff(std::string_view bytes) {
   return has_off_magic(bytes, kPoints) ? Match::surely : Match::no;
@@ -99,14 +129,17 @@ Expected<LoadedFile> read_poff(std::string_view bytes, const std::string& name, 
   auto remarks = reader.finish();
   if (!remarks) return std::unexpected(remarks.error());
   file.warnings = std::move(*remarks);
+  RepeatedCorners repeated;
   for (const PoffScanner::Note& note : scanner.notes()) {
     auto loop = read_loop(note, file.data.positions.size(), name);
     if (!loop) {
       file.warnings.push_back(loop.error().message());
     } else if (*loop) {
+      repeated.add(**loop, note.line);
       file.data.contours.push_back(std::move(**loop));
     }
   }
+  if (auto remark = repeated.remark(name)) file.warnings.push_back(*std::move(remark));
   return file;
 }
 

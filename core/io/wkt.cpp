@@ -26,13 +26,16 @@ struct GeometryType {
   int depth;
   Shape shape;
 };
-constexpr std::array<GeometryType, 7> kGeometries{{{"point", 0, Shape::point},
-                                                   {"multipoint", 0, Shape::point},
-                                                   {"linestring", 0, Shape::line},
-                                                   {"multilinestring", 1, Shape::line},
-                                                   {"polygon", 1, Shape::ring},
-                                                   {"multipolygon", 2, Shape::ring},
-                                                   {"geometrycollection", 0, Shape::any}}};
+constexpr std::array<GeometryType, 10> kGeometries{{{"point", 0, Shape::point},
+                                                    {"multipoint", 0, Shape::point},
+                                                    {"linestring", 0, Shape::line},
+                                                    {"multilinestring", 1, Shape::line},
+                                                    {"polygon", 1, Shape::ring},
+                                                    {"multipolygon", 2, Shape::ring},
+                                                    {"triangle", 1, Shape::ring},
+                                                    {"tin", 2, Shape::ring},
+                                                    {"polyhedralsurface", 2, Shape::ring},
+                                                    {"geometrycollection", 0, Shape::any}}};
 
 constexpr bool is_blank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');

@@ -154,12 +154,21 @@ TEST_CASE("far from the origin places become cocircular as well, if there is roo
   const auto crowded = on_one_circle(crowd);
   REQUIRE_FALSE(crowded);
   CHECK(crowded.error().text.find("distance from the origin") != std::string::npos);
+  // Doubles there are 2^-13 apart, so that none is farther from its circle than that.
+  const std::string& text = crowded.error().text;
+  const std::string_view within = "they stay within ";
+  REQUIRE(text.find(within) != std::string::npos);
+  const double off = std::stod(text.substr(text.find(within) + within.size()));
+  CHECK(off > 0.0);
+  CHECK(off < 0x1p-12);
 }
 
 TEST_CASE("what has no line or no circle is refused, and what always has one stays") {
   const std::vector<Vec2> twice{{1, 2}, {3, 4}, {1, 2}, {5, 1}};
-  CHECK_FALSE(on_one_line(twice));
-  CHECK_FALSE(on_one_circle(twice));
+  REQUIRE_FALSE(on_one_line(twice));
+  CHECK(on_one_line(twice).error().text == "two of the places are the same: 1, 2");
+  REQUIRE_FALSE(on_one_circle(twice));
+  CHECK(on_one_circle(twice).error().text == "two of the places are the same: 1, 2");
   const auto straight = on_one_circle(std::vector<Vec2>{{0, 0}, {1, 1}, {2, 2}, {3, 3}});
   REQUIRE_FALSE(straight);
   CHECK(straight.error().text.find("line") != std::string::npos);
@@ -170,6 +179,10 @@ TEST_CASE("what has no line or no circle is refused, and what always has one sta
   REQUIRE(on_one_circle(three));
   CHECK(on_one_circle(three)->places == three);
   CHECK(on_one_line(std::vector<Vec2>{})->places.empty());
+  // Mirror images of each other have the same place along the line between them.
+  const auto mirrored = on_one_line(std::vector<Vec2>{{-8, 0}, {0, 0.5}, {0, -0.5}, {8, 0}});
+  REQUIRE_FALSE(mirrored);
+  CHECK_THAT(mirrored.error().text, Catch::EndsWith("they stay within 0.5 of the nearest line"));
   // Nearly one place, seen from the origin.
   CHECK_FALSE(on_one_line(std::vector<Vec2>{{1e15, 1e15}, {1e15 + 0.125, 1e15 + 0.25}, {1e15 + 0.25, 1e15 + 0.125}}));
 }

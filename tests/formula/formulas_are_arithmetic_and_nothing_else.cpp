@@ -58,6 +58,15 @@ TEST_CASE("what is not an expression is refused with a reason in one line") {
   CHECK(Formula::parse("1 + foo", {"x"}).error().text.find("column 5") != std::string::npos);
 }
 
+TEST_CASE("a number beyond what a double holds is said to be that") {
+  for (const std::string text : {"1e400", "2*1e400"}) {
+    const auto number = number_of(text);
+    INFO(text);
+    REQUIRE_FALSE(number);
+    CHECK_THAT(number.error().message(), Catch::Contains("\"1e400\" is no number that a double can be"));
+  }
+}
+
 TEST_CASE("no text of letters that occur in expressions ends the program") {
   const std::string letters = "xysin(),.+-*/^?:<>=!& 0123456789e";
   Rng random(11);

@@ -39,6 +39,32 @@ TEST_CASE("a loop through points that do not exist is ignored with a warning, th
   CHECK_THAT(file.warnings[1], Catch::StartsWith("a.poff:5:17: ") && Catch::Contains("\"two\""));
 }
 
+TEST_CASE("a point that a loop names twice in a row, or at both ends of a closed one, is one corner") {
+  const LoadedFile file = read_good("POFF 4 0 0\n0 0\n1 0\n1 1\n0 1\n# loop closed 0 0 1 2 2 2 3 0\n");
+  CHECK(file.warnings.empty());
+  REQUIRE(file.data.contours.size() == 1);
+  CHECK(file.data.contours[0].points == Indices{0, 1, 2, 3});
+  const LoadedFile lone = read_good("POFF 1 0 0\n0 0\n# loop closed 0 0 0\n");
+  CHECK(lone.warnings.empty());
+  REQUIRE(lone.data.contours.size() == 1);
+  CHECK(lone.data.contours[0].points == Indices{0});
+}
+
+TEST_CASE("points that a loop names more than once stay in it, and are said in one line") {
+  const std::string points = "POFF 5 0 0\n0 0\n4 0\n2 2\n4 4\n0 4\n";
+  const LoadedFile eight = read_good(points + "# loop closed 0 1 2 3 4 2\n");
+  REQUIRE(eight.data.contours.size() == 1);
+  CHECK(eight.data.contours[0].points == Indices{0, 1, 2, 3, 4, 2});
+  REQUIRE(eight.warnings.size() == 1);
+  CHECK(eight.warnings[0] == "a.poff:7:1: 1 point is on its loop more than once; evolutions do not move it");
+  const LoadedFile more = read_good(points + "# loop closed 0 1 2\n# loop closed 2 3 2 1 2 4\n# loop open 0 4 0\n");
+  CHECK(more.data.contours.size() == 3);
+  REQUIRE(more.warnings.size() == 1);
+  CHECK(more.warnings[0] == "a.poff:8:1: 2 points are on their loop more than once; evolutions do not move them");
+  // Loops may meet.
+  CHECK(read_good(points + "# loop closed 0 1 2\n# loop open 2 3 4\n").warnings.empty());
+}
+
 TEST_CASE("what follows the announced points is ignored with a warning") {
   const LoadedFile file = read_good("POFF 1 0 0\n0 0 5\n6 7\n");
   CHECK(file.data.positions.size() == 1);

@@ -50,6 +50,21 @@ TEST_CASE("every geometry of WKT gives its positions in order") {
                                        {false, {19, 20}}});
 }
 
+TEST_CASE("triangles and surfaces of WKT are read by their rings") {
+  const LoadedFile file = read_good(
+      "POINT (9 9)\n"
+      "TRIANGLE Z ((0 0 1, 4 0 1, 0 3 1, 0 0 1))\n"
+      "TIN (((10 0, 14 0, 10 3, 10 0)), ((20 0, 24 0, 20 3, 20 0)))\n"
+      "PolyhedralSurface (((30 0, 34 0, 34 3, 30 3, 30 0)))\n");
+  CHECK(file.format == "wkt");
+  REQUIRE(file.data.contours.size() == 4);
+  for (const SampleData::Contour& contour : file.data.contours) CHECK(contour.closed);
+  CHECK(file.data.positions.size() == 14);
+  CHECK(file.data.contours.back().points.size() == 4);
+  CHECK(file.data.positions[file.data.contours.back().points[2]] == Vec2{34, 3});
+  CHECK(file.warnings.size() == 1);  // heights
+}
+
 TEST_CASE("heights and measures of WKT are left out with a warning") {
   for (const char* text : {"LINESTRING Z (1 2 3, 4 5 6)", "linestring zm(1 2 3 nan, 4 5 6 7)",
                            "LINESTRINGM(1 2 3,4 5 6)", "LINESTRING (1 2 3, 4 5 6)"}) {
