@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <optional>
 #include <utility>
 
@@ -14,17 +15,29 @@
 namespace mes {
 namespace {
 
-/// Samples in input order, as far as the brush has to look; nothing where there are too many even under it.
+/// Samples in input order, as far as the brush has to look: farther where they are few, since a curve cannot be seen by
+/// two of its samples; nothing where there are too many even under it.
 std::optional<std::vector<SampleSlot>> samples_near(const Editor& editor, Vec2 at, double radius) {
-  constexpr std::array kReaches{3.0, 1.5, 1.0};
-  for (const double reach : kReaches) {
+  constexpr double kReach = 3.0;
+  constexpr double kFarthest = 48.0;
+  constexpr std::array kNear{1.5, 1.0};
+  constexpr std::size_t kEnough = 24;
+  const auto within = [&](double reach) {
     const Vec2 corner{reach * radius, reach * radius};
-    std::vector<SampleSlot> out = editor.index().in_box({at - corner, at + corner});
-    if (out.size() > BrushStroke::kMostSamples) continue;
-    std::ranges::sort(out, {}, [&](SampleSlot slot) { return editor.document().id(slot); });
-    return out;
+    return editor.index().in_box({at - corner, at + corner});
+  };
+  std::vector<SampleSlot> out = within(kReach);
+  for (double reach = 2 * kReach; reach <= kFarthest && out.size() < kEnough; reach *= 2) {
+    if (out.size() == editor.document().sample_count()) break;
+    std::vector<SampleSlot> wider = within(reach);
+    if (wider.size() > BrushStroke::kMostSamples) break;
+    out = std::move(wider);
   }
-  return std::nullopt;
+  for (const double reach : kNear)
+    if (out.size() > BrushStroke::kMostSamples) out = within(reach);
+  if (out.size() > BrushStroke::kMostSamples) return std::nullopt;
+  std::ranges::sort(out, {}, [&](SampleSlot slot) { return editor.document().id(slot); });
+  return out;
 }
 
 /// Of the circle through three points that follow each other; positive where they turn to the left.
@@ -104,8 +117,8 @@ Expected<void> BrushStroke::along_curve(Vec2 at, double radius, BrushMode mode) 
       return p[(i + count + static_cast<std::size_t>(step + static_cast<int>(count))) % count];
     };
     for (std::size_t i = 0; i < count; ++i) {
-      if (!is_under(p[i])) continue;
       if (mode == BrushMode::thin) {
+        if (!is_under(p[i])) continue;
         // Ends of a stroke, and the last ones of a loop, stay.
         constexpr std::size_t kSmallestLoop = 5;
         if (!is_there(i, -1) || !is_there(i, 1) || (chain.closed && count < kSmallestLoop)) continue;
@@ -115,7 +128,7 @@ Expected<void> BrushStroke::along_curve(Vec2 at, double radius, BrushMode mode) 
         removed.push_back(id(p[i]));
         continue;
       }
-      if (!is_there(i, 1) || !is_under(neighbor(i, 1))) continue;
+      if (!is_there(i, 1)) continue;
       const Vec2 a = positions[p[i]];
       const Vec2 b = positions[neighbor(i, 1)];
       const Pair pair = std::minmax(id(p[i]), id(neighbor(i, 1)));
@@ -124,6 +137,9 @@ Expected<void> BrushStroke::along_curve(Vec2 at, double radius, BrushMode mode) 
       const Vec2* const after = is_there(i, 2) && count > 2 ? &positions[neighbor(i, 2)] : nullptr;
       const Vec2 middle = middle_of_arc(before, a, b, after);
       if (middle == a || middle == b) continue;
+      // Neighbours may be farther apart than the brush is wide.
+      const bool is_met = distance(middle, at) <= radius || (is_under(p[i]) && is_under(neighbor(i, 1)));
+      if (!is_met) continue;
       inserted.push_back(middle);
       between.push_back(pair);
     }
@@ -134,12 +150,39 @@ Expected<void> BrushStroke::along_curve(Vec2 at, double radius, BrushMode mode) 
   if (!rows) return std::unexpected(rows.error());
   for (std::size_t i = 0; i < rows->size(); ++i) {
     const SampleId added = document.id((*rows)[i]);
+    between_.emplace(between[i], added);
     refined_.insert(std::minmax(between[i].first, added));
     refined_.insert(std::minmax(between[i].second, added));
   }
   return {};
 } catch (const GeometryError& problem) {
   return std::unexpected(Error{ErrorCode::cannot_compute, problem.what()});
+}
+
+Expected<void> BrushStroke::finish() {
+  const Document& document = editor_.document();
+  const auto is_alive = [&](SampleId id) { return document.slot_of(id) != kNoSlot; };
+  const std::uint32_t first = document.first_id().value;
+  std::vector<SampleData::Contour> contours;
+  bool is_changed = false;
+  for (const CurveOrder::Contour& contour : document.curve_order()->contours) {
+    std::vector<SampleId> alive;
+    std::ranges::copy_if(contour.samples, std::back_inserter(alive), is_alive);
+    SampleData::Contour& out = contours.emplace_back(SampleData::Contour{contour.closed, {}});
+    for (std::size_t i = 0; i < alive.size(); ++i) {
+      out.points.push_back(alive[i].value - first);
+      const bool is_last = i + 1 == alive.size();
+      if (is_last && (!contour.closed || alive.size() < 3)) continue;
+      const auto added = between_.find(std::minmax(alive[i], alive[is_last ? 0 : i + 1]));
+      if (added == between_.end() || !is_alive(added->second)) continue;
+      out.points.push_back(added->second.value - first);
+      is_changed = true;
+    }
+    if (out.points.empty()) contours.pop_back();
+  }
+  between_.clear();
+  if (!is_changed) return {};
+  return editor_.perform({.name = "Refine", .curve = std::move(contours)});
 }
 
 }  // namespace mes

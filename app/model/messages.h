@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdint>
 #include <deque>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -28,6 +29,20 @@ class Messages {
   void problem(std::string text) {
     log(text, true);
     problem_ = std::move(text);
+  }
+  /// Several at once, none of which hides another: each is an entry of the log, and the first few stand above the canvas,
+  /// a line each. Nothing happens when there are none.
+  void problems(std::span<const std::string> texts) {
+    constexpr std::size_t kMostLines = 6;
+    if (texts.empty()) return;
+    std::string lines;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+      log(texts[i], true);
+      if (i < kMostLines) lines += (i == 0 ? "" : "\n") + texts[i];
+    }
+    if (texts.size() > kMostLines)
+      lines += "\nand " + std::to_string(texts.size() - kMostLines) + " more, in View > Log";
+    problem_ = std::move(lines);
   }
   void clear_remark() { remark_.clear(); }
   void clear_problem() { problem_.clear(); }

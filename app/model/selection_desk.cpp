@@ -46,6 +46,16 @@ std::string noun(std::size_t samples, std::size_t balls) {
   return noun_of_kind(false, samples) + " and " + noun_of_kind(true, balls);
 }
 
+std::string what_is_left_out(const SampleData& pasted) {
+  const auto counted = [](std::size_t count, std::string_view one) {
+    return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+  };
+  std::string out;
+  if (!pasted.contours.empty()) out = "their order along " + counted(pasted.contours.size(), "contour");
+  if (pasted.annotations.empty()) return out;
+  return (out.empty() ? "" : out + " and ") + counted(pasted.annotations.size(), "annotation");
+}
+
 }  // namespace
 
 SelectionDesk::Places SelectionDesk::places() const {
@@ -225,8 +235,27 @@ std::string SelectionDesk::text() const {
   return out;
 }
 
+// Samples are named by numbers that count from the first of the document, dead ones included.
+Expected<void> SelectionDesk::add_contours(const std::vector<SampleData::Contour>& contours,
+                                           const std::vector<SampleSlot>& rows, const std::string& name) {
+  if (contours.empty()) return {};
+  const Document& document = editor_.document();
+  const std::uint32_t first = document.first_id().value;
+  TimelineEdit edit{.name = name};
+  edit.curve.emplace();
+  for (const CurveOrder::Contour& contour : document.curve_order()->contours) {
+    SampleData::Contour& out = edit.curve->emplace_back(SampleData::Contour{contour.closed, {}});
+    for (const SampleId id : contour.samples) out.points.push_back(id.value - first);
+  }
+  for (const SampleData::Contour& contour : contours) {
+    SampleData::Contour& out = edit.curve->emplace_back(SampleData::Contour{contour.closed, {}});
+    for (const std::uint32_t place : contour.points) out.points.push_back(document.id(rows[place]).value - first);
+  }
+  return editor_.perform(edit);
+}
+
 Expected<void> SelectionDesk::add(std::vector<Vec2> samples, std::vector<Disk> balls, Vec2 shift,
-                                  const std::string& verb) {
+                                  const std::string& verb, const std::vector<SampleData::Contour>& contours) {
   for (Vec2& p : samples) p = p + shift;
   for (Disk& disk : balls) disk.center = disk.center + shift;
   const std::string name = verb.ends_with(' ') ? verb + noun(samples.size(), balls.size()) : verb;
@@ -238,6 +267,10 @@ Expected<void> SelectionDesk::add(std::vector<Vec2> samples, std::vector<Disk> b
     editor_.cancel_gesture();
     return std::unexpected(rows ? ball_rows.error() : rows.error());
   }
+  if (auto done = add_contours(contours, *rows, name); !done) {
+    editor_.cancel_gesture();
+    return done;
+  }
   editor_.end_gesture();
   Selection& selection = editor_.selection();
   selection.clear();
@@ -246,7 +279,9 @@ Expected<void> SelectionDesk::add(std::vector<Vec2> samples, std::vector<Disk> b
   return {};
 }
 
-Expected<void> SelectionDesk::paste(std::string_view text, Vec2 step, MapDegrees degrees) {
+Expected<SelectionDesk::Pasted> SelectionDesk::paste(std::string_view text, Vec2 step, MapDegrees degrees) {
+  if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
+    return std::unexpected(Error{ErrorCode::bad_input, "There is no text on the clipboard"});
   auto read = read_sample_bytes(text, "clipboard", {}, {.degrees = degrees});
   if (!read) return std::unexpected(read.error());
   SampleData& data = read->data;
@@ -263,7 +298,10 @@ Expected<void> SelectionDesk::paste(std::string_view text, Vec2 step, MapDegrees
   constexpr int kMostSteps = 1000;
   Vec2 shift;
   for (int i = 0; i < kMostSteps && is_taken(shift); ++i) shift = shift + step;
-  return add(std::move(data.positions), std::move(data.balls), shift, "Paste ");
+  Pasted out{std::move(read->warnings), what_is_left_out(data)};
+  if (auto done = add(std::move(data.positions), std::move(data.balls), shift, "Paste "); !done)
+    return std::unexpected(done.error());
+  return out;
 }
 
 Expected<void> SelectionDesk::duplicate(Vec2 step) {
@@ -272,8 +310,27 @@ Expected<void> SelectionDesk::duplicate(Vec2 step) {
   std::vector<Disk> balls;
   const std::size_t samples = all.samples.size();
   for (std::size_t i = 0; i < all.balls.size(); ++i) balls.push_back({all.at[samples + i], all.radius[i]});
+  // Places are in the order of the ids.
+  const auto place_of = [&](SampleId id) -> std::optional<std::uint32_t> {
+    const auto found = std::ranges::lower_bound(all.samples, id);
+    if (found == all.samples.end() || *found != id) return std::nullopt;
+    return static_cast<std::uint32_t>(found - all.samples.begin());
+  };
+  std::vector<SampleData::Contour> contours;
+  for (const CurveOrder::Contour& contour : editor_.document().curve_order()->contours) {
+    SampleData::Contour copy{contour.closed, {}};
+    bool is_whole = true;
+    for (const SampleId id : contour.samples) {
+      if (editor_.document().slot_of(id) == kNoSlot) continue;
+      const auto place = place_of(id);
+      is_whole = is_whole && place;
+      if (!is_whole) break;
+      copy.points.push_back(*place);
+    }
+    if (is_whole && copy.points.size() > 1) contours.push_back(std::move(copy));
+  }
   return add({all.at.begin(), all.at.begin() + static_cast<std::ptrdiff_t>(samples)}, std::move(balls), step,
-             "Duplicate ");
+             "Duplicate ", contours);
 }
 
 }  // namespace mes

@@ -71,11 +71,15 @@ class SelectionDesk {
   /// What is selected as text that any reader of tables takes: a line "x <tab> y" a sample; balls alone as WPOFF; both as
   /// a session. Every double reads back.
   std::string text() const;
+  struct Pasted {
+    std::vector<std::string> warnings;  ///< of the reader, a line each
+    std::string without;  ///< what the text has besides and was left out: "their order along 1 contour"; or empty
+  };
   /// Adds what the text holds, in any format that can be opened, and selects it. Where its first place is taken, all of
   /// it is moved by as many `step`s as it takes to find a free one. Curve order and annotations of the text are left out.
-  /// `degrees` of a map. Error: as when a file is read.
-  Expected<void> paste(std::string_view text, Vec2 step, MapDegrees degrees = MapDegrees::projected);
-  /// Adds the same once more, moved by a step, and selects it.
+  /// `degrees` of a map. Error: as when a file is read; there is no text.
+  Expected<Pasted> paste(std::string_view text, Vec2 step, MapDegrees degrees = MapDegrees::projected);
+  /// Adds the same once more, moved by a step, and selects it. Contours that are selected as a whole are there twice, too.
   Expected<void> duplicate(Vec2 step);
 
  private:
@@ -88,7 +92,11 @@ class SelectionDesk {
   Places places() const;
   Expected<void> put(const Places& from, std::vector<Vec2> at, const std::string& verb);
   Expected<void> put(const Places& from, std::vector<Vec2> at, std::vector<double> radius, const std::string& verb);
-  Expected<void> add(std::vector<Vec2> samples, std::vector<Disk> balls, Vec2 shift, const std::string& verb);
+  /// `contours` are added, of the new samples by their places in `samples`.
+  Expected<void> add(std::vector<Vec2> samples, std::vector<Disk> balls, Vec2 shift, const std::string& verb,
+                     const std::vector<SampleData::Contour>& contours = {});
+  Expected<void> add_contours(const std::vector<SampleData::Contour>& contours, const std::vector<SampleSlot>& rows,
+                              const std::string& name);
 
   Editor& editor_;
   mutable Numbers numbers_;

@@ -76,6 +76,10 @@ class Pen {
     list_.AddLine({p.x - arm, p.y}, {p.x + arm, p.y}, ink_, 1.2F * unit_);
     list_.AddLine({p.x, p.y - arm}, {p.x, p.y + arm}, ink_, 1.2F * unit_);
     const ImVec2 words{p.x + arm + 4.0F * unit_, p.y + 4.0F * unit_};
+    const ImVec2 size = ImGui::CalcTextSize(snap.name.data(), snap.name.data() + snap.name.size());
+    const float margin = 3.0F * unit_;
+    list_.AddRectFilled({words.x - margin, words.y}, {words.x + size.x + margin, words.y + size.y},
+                        to_imgui(paper_, 0.8), margin);
     list_.AddText(words, ink_, snap.name.data(), snap.name.data() + snap.name.size());
   }
   void line(Vec2 world, Vec2 px) const { list_.AddLine(at(to_px(world)), at(here(px)), ink_, unit_); }

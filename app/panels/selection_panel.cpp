@@ -24,7 +24,12 @@ void label(const Gui& gui, const char* text) {
 }  // namespace
 
 void SelectionPanel::report(const Expected<void>& done) {
-  if (!done) messages_.problem(done.error().message());
+  if (!done) return refusal_.say(done.error());
+  refusal_.forget();
+  if (canvas_.view().free_box().contains(desk_.numbers().middle)) return;
+  const std::string key = actions_.keymap().key_of(ActionId::fit_selection);
+  messages_.remark("What is selected lies outside the view: " + descriptor_of(ActionId::fit_selection).name +
+                   (key.empty() ? "" : " (" + key + ")") + " shows it");
 }
 
 void SelectionPanel::number(const char* label, double value, float width, const char* explanation,

@@ -6,17 +6,21 @@
 #include <string>
 
 #include "app/actions/action_bindings.h"
+#include "app/canvas/canvas.h"
 #include "app/model/messages.h"
+#include "app/model/refusal.h"
 #include "app/model/selection_desk.h"
 #include "app/ui/gui.h"
 
 namespace mes {
 
-/// Every field takes an expression (core/formula/formula.h). Threads: the window's.
+/// Every field takes an expression (core/formula/formula.h). What is refused is said until something of the panel is done;
+/// what is put outside the view is said to be there. Threads: the window's.
 class SelectionPanel {
  public:
-  SelectionPanel(const Gui& gui, const ActionBindings& actions, SelectionDesk& desk, Messages& messages)
-      : gui_(gui), actions_(actions), desk_(desk), messages_(messages) {}
+  SelectionPanel(const Gui& gui, const ActionBindings& actions, SelectionDesk& desk, const Canvas& canvas,
+                 Messages& messages)
+      : gui_(gui), actions_(actions), desk_(desk), canvas_(canvas), messages_(messages), refusal_(messages) {}
 
   void draw();
 
@@ -37,7 +41,9 @@ class SelectionPanel {
   const Gui& gui_;
   const ActionBindings& actions_;
   SelectionDesk& desk_;
+  const Canvas& canvas_;
   Messages& messages_;
+  Refusal refusal_;
   std::string step_x_;
   std::string step_y_;
   std::string degrees_;

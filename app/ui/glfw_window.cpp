@@ -30,6 +30,11 @@ Modifiers modifiers_now(GLFWwindow* window) {
           held(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT), held(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
 }
 
+bool is_modifier(int code) {
+  return (code >= GLFW_KEY_LEFT_SHIFT && code <= GLFW_KEY_LEFT_SUPER) ||
+         (code >= GLFW_KEY_RIGHT_SHIFT && code <= GLFW_KEY_RIGHT_SUPER);
+}
+
 char32_t named_key(int code) {
   switch (code) {
     case GLFW_KEY_ESCAPE: return key::escape;
@@ -239,6 +244,7 @@ void GlfwWindow::key(int code, int scancode, int action, int bits) {
   listener_->on_anything();
   key_repeats_ = action == GLFW_REPEAT;
   if (code == GLFW_KEY_SPACE && action != GLFW_REPEAT) listener_->on_space(action == GLFW_PRESS);
+  if (is_modifier(code) && action != GLFW_REPEAT) listener_->on_modifiers(modifiers_now(window_));
   if (action == GLFW_RELEASE) return;
   KeyChord chord{named_key(code), modifiers_of(bits)};
   if (chord.symbol == 0) chord.symbol = printed_key(code, scancode);

@@ -30,6 +30,8 @@ class WindowListener {
   virtual void on_key(const KeyChord& chord, bool repeated) = 0;
   virtual void on_typed(char32_t symbol, bool repeated) = 0;
   virtual void on_space(bool held) = 0;
+  /// Ctrl, Shift or Alt went down or up, wherever the pointer is.
+  virtual void on_modifiers(Modifiers modifiers) = 0;
   virtual void on_files_dropped(std::vector<std::string> files) = 0;
   virtual void on_close_wanted() = 0;
   /// Any event that may change the picture; also when the window was uncovered.

@@ -60,7 +60,8 @@ void App::bind_actions() {
                              return std::string(text == nullptr ? "" : text);
                            },
                            [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); },
-                           [this] { return board_.canvas().pointer().units_per_px; }});
+                           [this] { return board_.canvas().pointer().units_per_px; },
+                           [this](Vec2 place) { return board_.view().free_box().contains(place); }});
   board_.bind(actions);
   lesson_.bind(actions);
   recording_.bind(actions);

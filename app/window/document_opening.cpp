@@ -185,15 +185,13 @@ void DocumentFlow::say_opened(const FileDesk::Outcome& outcome) {
     for (const fs::path& file : outcome.files) remember_file(uses_.settings, file);
   if (outcome.left_out != 0) {
     const std::size_t opened = outcome.files.size();
-    uses_.messages.remark(fmt::format("Opened {} of {} files", opened == 1 ? "the first" : std::to_string(opened),
-                                      opened + outcome.left_out));
+    uses_.messages.remark(fmt::format("Opened {} of {} files: a document has one set of samples, and one of balls",
+                                      opened == 1 ? "the first" : std::to_string(opened), opened + outcome.left_out));
   }
-  if (outcome.warnings.empty()) return;
-  std::string text = outcome.warnings.front();
-  if (outcome.degrees == MapDegrees::projected && outcome.files.size() == 1)
-    text += fmt::format(" (File > {} leaves them)", descriptor_of(ActionId::keep_degrees).name);
-  if (outcome.warnings.size() > 1) text += fmt::format(" (and {} more remarks)", outcome.warnings.size() - 1);
-  uses_.messages.problem(text);
+  std::vector<std::string> warnings = outcome.warnings;
+  if (!warnings.empty() && outcome.degrees == MapDegrees::projected && outcome.files.size() == 1)
+    warnings.front() += fmt::format(" (File > {} leaves them)", descriptor_of(ActionId::keep_degrees).name);
+  uses_.messages.problems(warnings);
 }
 
 Session DocumentFlow::session_now() const {

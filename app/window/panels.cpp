@@ -67,7 +67,7 @@ Panels::Panels(const Uses& uses)
           {uses.screen.gui, uses.work.computation(), uses.board.picture(), uses.work.editor(), uses.work.layers(),
            uses.work.scale_events(), uses.work.critical_values(), uses.work.persistence(), uses.work.sweep()},
           {uses.screen.gui, uses.messages}, {uses.screen.gui, uses.actions, uses.lesson.desk()},
-          {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.messages},
+          {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.board.canvas(), uses.messages},
           {uses.screen.gui, uses.actions, uses.work.curve_sampler()},
           BranchesPanel({uses.screen.gui, uses.work.branches(), uses.board.canvas(), uses.work.editor(),
                          uses.work.computation(),
@@ -141,7 +141,13 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_toggle(ActionId::toggle_axes, settings.marks.axes);
   bind_toggle(ActionId::toggle_grid, settings.marks.grid);
   bind_toggle(ActionId::toggle_annotations, settings.show_annotations);
-  bind_toggle(ActionId::toggle_snap, settings.snap.is_on);
+  actions.bind(ActionId::toggle_snap,
+               {[&is_on = settings.snap.is_on, &messages = uses_.messages] {
+                  is_on = !is_on;
+                  messages.remark(is_on ? "Snapping is on; Ctrl held: not there" : "Snapping is off");
+                },
+                {},
+                [&is_on = settings.snap.is_on] { return is_on; }});
   bind_toggle(ActionId::toggle_handles, settings.show_handles);
   bind_toggle(ActionId::toggle_insertion_preview, settings.show_insertion_preview);
   actions.bind(ActionId::toggle_differences, {[&settings] { settings.show_differences = !settings.show_differences; },

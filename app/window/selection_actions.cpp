@@ -4,57 +4,76 @@
 #include <memory>
 #include <utility>
 
+#include "app/model/refusal.h"
+
 namespace mes {
 namespace {
 
 constexpr double kCopyStepPx = 16.0;
 
-void report(Messages& messages, const Expected<void>& done) {
-  if (!done) messages.problem(done.error().message());
-}
+struct Bound {
+  SelectionUses uses;
+  Refusal refusal{uses.messages};
 
-void bind_clipboard(ActionBindings& actions, const std::shared_ptr<const SelectionUses>& u) {
-  const auto has_selection = [u] { return !u->editor.selection().is_empty(); };
-  const auto selected = [u] {
-    const Selection& selection = u->editor.selection();
+  /// Whether it was done.
+  template <class T>
+  bool report(const Expected<T>& done) {
+    if (done)
+      refusal.forget();
+    else
+      refusal.say(done.error());
+    return done.has_value();
+  }
+  std::string selected() const {
+    const Selection& selection = uses.editor.selection();
     return counted(selection.sample_count(), selection.ball_count());
-  };
+  }
+};
+using Shared = std::shared_ptr<Bound>;
+
+void bind_clipboard(ActionBindings& actions, const Shared& shared) {
+  const auto has_selection = [shared] { return !shared->uses.editor.selection().is_empty(); };
   // To the lower right.
-  const auto step = [u] {
-    const double by = kCopyStepPx * u->units_per_px();
+  const auto step = [shared] {
+    const double by = kCopyStepPx * shared->uses.units_per_px();
     return Vec2{by, -by};
   };
-  actions.bind(ActionId::copy, {[u, selected] {
-                                  u->to_clipboard(u->desk.text());
-                                  u->messages.remark("Copied " + selected());
+  actions.bind(ActionId::copy, {[shared] {
+                                  const SelectionUses& u = shared->uses;
+                                  u.to_clipboard(u.desk.text());
+                                  u.messages.remark("Copied " + shared->selected());
                                 },
                                 has_selection});
-  actions.bind(ActionId::cut, {[u, selected] {
-                                 u->to_clipboard(u->desk.text());
-                                 const std::string what = selected();
-                                 const Expected<void> done = u->editor.remove_selection();
-                                 report(u->messages, done);
-                                 if (done) u->messages.remark("Cut " + what);
+  actions.bind(ActionId::cut, {[shared] {
+                                 const SelectionUses& u = shared->uses;
+                                 u.to_clipboard(u.desk.text());
+                                 const std::string what = shared->selected();
+                                 if (shared->report(u.editor.remove_selection())) u.messages.remark("Cut " + what);
                                },
                                has_selection});
-  actions.bind(ActionId::paste, {[u, selected, step] {
-                 const auto degrees = u->settings.keep_degrees ? MapDegrees::kept : MapDegrees::projected;
-                 const Expected<void> done = u->desk.paste(u->clipboard(), step(), degrees);
-                 report(u->messages, done);
-                 if (done) u->messages.remark("Pasted " + selected());
+  actions.bind(ActionId::paste, {[shared, step] {
+                 const SelectionUses& u = shared->uses;
+                 const auto degrees = u.settings.keep_degrees ? MapDegrees::kept : MapDegrees::projected;
+                 const auto done = u.desk.paste(u.clipboard(), step(), degrees);
+                 if (!shared->report(done)) return;
+                 u.messages.problems(done->warnings);
+                 std::string text = "Pasted " + shared->selected();
+                 if (!done->without.empty()) text += ", without " + done->without;
+                 if (!u.sees(u.desk.numbers().middle)) text += ", outside the view";
+                 u.messages.remark(std::move(text));
                }});
-  actions.bind(ActionId::duplicate, {[u, selected, step] {
-                                       const Expected<void> done = u->desk.duplicate(step());
-                                       report(u->messages, done);
-                                       if (done) u->messages.remark("Duplicated " + selected());
+  actions.bind(ActionId::duplicate, {[shared, step] {
+                                       const SelectionUses& u = shared->uses;
+                                       if (shared->report(u.desk.duplicate(step())))
+                                         u.messages.remark("Duplicated " + shared->selected());
                                      },
                                      has_selection});
 }
 
-void bind_arrangement(ActionBindings& actions, const std::shared_ptr<const SelectionUses>& u) {
+void bind_arrangement(ActionBindings& actions, const Shared& shared) {
   const auto bind = [&](ActionId id, std::size_t least, auto act) {
-    actions.bind(id, {[u, act] { report(u->messages, act(u->desk)); },
-                      [u, least] { return u->editor.selection().size() >= least; }});
+    actions.bind(id, {[shared, act] { shared->report(act(shared->uses.desk)); },
+                      [shared, least] { return shared->uses.editor.selection().size() >= least; }});
   };
   bind(ActionId::mirror_x, 2, [](SelectionDesk& desk) { return desk.mirror(Axis::x); });
   bind(ActionId::mirror_y, 2, [](SelectionDesk& desk) { return desk.mirror(Axis::y); });
@@ -65,14 +84,11 @@ void bind_arrangement(ActionBindings& actions, const std::shared_ptr<const Selec
   bind(ActionId::distribute_y, 3, [](SelectionDesk& desk) { return desk.distribute(Axis::y); });
   bind(ActionId::add_circle, 3, [](SelectionDesk& desk) { return desk.add_circle(); });
   const auto bind_exact = [&](ActionId id, std::size_t least, auto act) {
-    actions.bind(id, {[u, act] {
-                        const Expected<std::string> done = act(u->desk);
-                        if (done)
-                          u->messages.remark(*done);
-                        else
-                          u->messages.problem(done.error().message());
+    actions.bind(id, {[shared, act] {
+                        const Expected<std::string> done = act(shared->uses.desk);
+                        if (shared->report(done)) shared->uses.messages.remark(*done);
                       },
-                      [u, least] { return u->editor.selection().size() >= least; }});
+                      [shared, least] { return shared->uses.editor.selection().size() >= least; }});
   };
   bind_exact(ActionId::put_on_line, 3, [](SelectionDesk& desk) { return desk.put_on_line(); });
   bind_exact(ActionId::put_on_circle, 4, [](SelectionDesk& desk) { return desk.put_on_circle(); });
@@ -81,7 +97,7 @@ void bind_arrangement(ActionBindings& actions, const std::shared_ptr<const Selec
 }  // namespace
 
 void bind_selection(ActionBindings& actions, SelectionUses uses) {
-  const auto shared = std::make_shared<const SelectionUses>(std::move(uses));
+  const auto shared = std::make_shared<Bound>(std::move(uses));
   bind_clipboard(actions, shared);
   bind_arrangement(actions, shared);
 }

@@ -131,6 +131,13 @@ void WindowInput::on_space(bool held) {
   uses_.canvas.set_space_held(held && !uses_.screen.gui.wants_text() && !uses_.screen.gui.has_popup());
 }
 
+// What a gesture does, and where it snaps to, depends on them; the pointer may rest meanwhile.
+void WindowInput::on_modifiers(Modifiers modifiers) {
+  events_.push_move([this, px = pointer_px_, modifiers] {
+    if (uses_.canvas.is_hovered()) follow_pointer(px, modifiers);
+  });
+}
+
 void WindowInput::on_files_dropped(std::vector<std::string> files) {
   if (!files.empty()) uses_.documents.open(std::move(files));
 }

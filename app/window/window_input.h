@@ -52,6 +52,7 @@ class WindowInput final : private WindowListener {
   void on_key(const KeyChord& chord, bool repeated) override;
   void on_typed(char32_t symbol, bool repeated) override;
   void on_space(bool held) override;
+  void on_modifiers(Modifiers modifiers) override;
   void on_files_dropped(std::vector<std::string> files) override;
   void on_close_wanted() override;
   void on_anything() override { uses_.screen.clock.settle(); }

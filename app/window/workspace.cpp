@@ -40,10 +40,9 @@ void Workspace::report(const Expected<void>& done) {
 }
 
 void Workspace::report(const Expected<std::string>& done) {
-  if (done)
-    messages_.remark(*done);
-  else
-    messages_.problem(done.error().message());
+  if (!done) return refusal_.say(done.error());
+  refusal_.forget();
+  messages_.remark(*done);
 }
 
 void Workspace::follow_crust() {

@@ -25,6 +25,7 @@
 #include "app/model/pane_list.h"
 #include "app/model/parameter_sweep.h"
 #include "app/model/persistence_desk.h"
+#include "app/model/refusal.h"
 #include "app/model/resample_desk.h"
 #include "app/model/scale_events.h"
 #include "app/model/selection_desk.h"
@@ -153,6 +154,7 @@ class Workspace {
   void follow_family();
 
   Messages& messages_;
+  Refusal refusal_{messages_};
   Engine engine_;
   ComputationControl computation_{engine_};
   LayerStack layers_;

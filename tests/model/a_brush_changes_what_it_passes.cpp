@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
@@ -136,6 +137,64 @@ TEST_CASE("refining puts one sample between neighbours, on the curve") {
     bench.editor.undo();
     CHECK(bench.editor.document().sample_count() == kSamples);
     CHECK_FALSE(bench.editor.can_undo());
+  }
+}
+
+TEST_CASE("refining reaches neighbours that are farther apart than the brush is wide") {
+  // Samples are 7.9 apart.
+  for (const double radius : {6.0, 3.0}) {
+    Bench bench;
+    bench.brush.mode = BrushMode::refine;
+    bench.brush.radius_px = radius;
+    bench.around(1);
+    CHECK(bench.editor.document().sample_count() == 2 * kSamples);
+    for (const Vec2 p : bench.places()) CHECK(std::abs(length(p) - 100) < 1e-3);
+  }
+  // Beside the curve, and across the middle of the shape, it meets nothing.
+  Bench bench;
+  bench.brush.mode = BrushMode::refine;
+  bench.brush.radius_px = 3.0;
+  bench.stroke({{-90, 0}, {90, 0}});
+  CHECK(bench.editor.document().sample_count() == kSamples);
+  CHECK_FALSE(bench.editor.can_undo());
+}
+
+TEST_CASE("samples that refine a contour are on it, between their neighbours, and one undo takes them off") {
+  for (const bool is_closed : {true, false}) {
+    Bench bench;
+    SampleData data = data_of(bench.editor.document());
+    SampleData::Contour& contour = data.contours.emplace_back();
+    contour.closed = is_closed;
+    for (std::uint32_t i = 0; i < kSamples; ++i) contour.points.push_back(i);
+    REQUIRE(bench.editor.load(data));
+    // A sample that is gone leaves its neighbours on the contour next to each other, but not on the crust.
+    const std::array<SampleId, 1> gone{
+        bench.editor.document().id(bench.editor.document().slots_in_input_order()[20])};
+    REQUIRE(bench.editor.remove(gone, "Remove"));
+    const SampleData before = data_of(bench.editor.document());
+    bench.brush.mode = BrushMode::refine;
+    bench.around(1);
+    const SampleData after = data_of(bench.editor.document());
+    REQUIRE(after.contours.size() == 1);
+    CHECK(after.contours[0].closed == is_closed);
+    // Each is there once, and follows the one before along the circle.
+    const std::vector<std::uint32_t>& points = after.contours[0].points;
+    const std::size_t intervals = kSamples - 1 - (is_closed ? 0 : 1);
+    REQUIRE(points.size() == kSamples - 1 + intervals);
+    CHECK(after.positions.size() == 2 * (kSamples - 1));  // the crust is closed in both
+    double way = 0.0;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const Vec2 a = after.positions[points[i - 1]];
+      const Vec2 b = after.positions[points[i]];
+      CHECK(std::atan2(cross(a, b), dot(a, b)) > 0.0);
+      way += distance(a, b);
+    }
+    CHECK(way < 2 * std::numbers::pi * 100);
+    bench.editor.undo();
+    CHECK(data_of(bench.editor.document()).contours == before.contours);
+    CHECK(bench.editor.document().sample_count() == before.positions.size());
+    bench.editor.redo();
+    CHECK(data_of(bench.editor.document()).contours == after.contours);
   }
 }
 

@@ -218,6 +218,28 @@ TEST_CASE("what is pasted twice does not lie on itself, and what is duplicated n
   CHECK(d.document().sample_count() == 8);
 }
 
+TEST_CASE("a contour that is selected as a whole is duplicated as a contour, in one step") {
+  Desk d({.positions = {{0, 0}, {4, 0}, {4, 4}, {9, 9}, {8, 9}, {7, 7}},
+          .contours = {{true, {2, 0, 1}}, {false, {3, 4}}}});
+  // Of the second contour one sample is not selected.
+  for (const std::uint32_t i : {0U, 1U, 2U, 3U, 5U}) d.editor.selection().add(d.document().slots_in_input_order()[i]);
+  const SampleData before = data_of(d.document());
+  REQUIRE(d.desk.duplicate({100, 0}));
+  const SampleData after = data_of(d.document());
+  CHECK(after.positions.size() == 11);
+  REQUIRE(after.contours.size() == 3);
+  CHECK(after.contours[0] == before.contours[0]);
+  CHECK(after.contours[1] == before.contours[1]);
+  CHECK(after.contours[2].closed);
+  std::vector<Vec2> copied;
+  for (const std::uint32_t i : after.contours[2].points) copied.push_back(after.positions[i]);
+  CHECK(copied == std::vector<Vec2>{{104, 4}, {100, 0}, {104, 0}});
+  d.editor.undo();
+  CHECK(data_of(d.document()).contours == before.contours);
+  CHECK(d.positions() == before.positions);
+  CHECK_FALSE(d.editor.can_undo());
+}
+
 TEST_CASE("text that holds no samples is refused in one line, and nothing changes") {
   Desk d({.positions = {{1, 2}}});
   for (const std::string& text :
@@ -235,6 +257,34 @@ TEST_CASE("text that holds no samples is refused in one line, and nothing change
   CHECK(d.document().sample_count() >= 4);
   REQUIRE(d.desk.paste("SRID=4326;MULTIPOINT ((9 50), (11.5 51))", {1, 1}, MapDegrees::kept));
   CHECK(d.positions().back() == Vec2{11.5, 51});
+}
+
+TEST_CASE("what a pasted text has besides is said") {
+  Desk d({.positions = {{1, 2}}});
+  const auto table = d.desk.paste("0\t0\n5\t6\n", {1, 1});
+  REQUIRE(table);
+  CHECK(table->warnings.empty());
+  CHECK(table->without.empty());
+  const auto map = d.desk.paste("POLYGON ((0 0, 4 0, 4 4, 0 0))\nPOINT Z (7 8 9)", {1, 1});
+  REQUIRE(map);
+  CHECK(map->without == "their order along 1 contour");
+  REQUIRE(map->warnings.size() == 1);
+  CHECK_THAT(map->warnings[0], Catch::StartsWith("clipboard:2:") && Catch::Contains("heights"));
+  const auto drawing = d.desk.paste(
+      R"(<svg xmlns="http://www.w3.org/2000/svg"><rect width="3" height="2"/><text>a</text><text>b</text></svg>)",
+      {1, 1});
+  REQUIRE(drawing);
+  REQUIRE(drawing->warnings.size() == 1);
+  CHECK_THAT(drawing->warnings[0], Catch::Contains("2 text"));
+}
+
+TEST_CASE("a clipboard without text is said to have none") {
+  Desk d({.positions = {{1, 2}}});
+  for (const std::string text : {"", " \t\r\n"}) {
+    const auto done = d.desk.paste(text, {1, 1});
+    REQUIRE_FALSE(done);
+    CHECK(done.error().message() == "There is no text on the clipboard");
+  }
 }
 
 TEST_CASE("with nothing selected nothing happens") {

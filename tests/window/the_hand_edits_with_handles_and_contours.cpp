@@ -121,3 +121,17 @@ TEST_CASE("while Alt is held structures stay as they are, and follow when it is 
   CHECK(held.changes(kCanvas, released) > 200);
   CHECK(window.saved().positions[3].x > 0.2);
 }
+
+TEST_CASE("Ctrl holds off snapping, and lets it go on, under a pointer that rests") {
+  const Window window(kSquare);
+  const PixelBox samples = window.samples();
+  window.press("shift+s");
+  window.press("b");
+  const std::array<int, 2> at{samples.left + 8, samples.bottom - 8};
+  window.move_to(at);
+  const Screenshot snapped = window.screen.settled();
+  window.screen.xdotool("keydown ctrl");
+  CHECK(window.screen.settled().changes(around(at, 60), snapped) > 20);
+  window.screen.xdotool("keyup ctrl");
+  CHECK(window.screen.settled().changes(around(at, 60), snapped) == 0);
+}

@@ -60,6 +60,7 @@ void BrushTool::release(const Pointer& pointer) {
   if (!is_active()) return;
   drag(pointer);
   if (last_.px != pointer.px) touch(pointer);
+  accepted(stroke_->finish());
   context_.editor.end_gesture();
   stroke_.reset();
 }
