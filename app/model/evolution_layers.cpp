@@ -29,6 +29,20 @@ bool is_of_scale_axis(EvolutionIndex evolution) {
   return move != nullptr && move->parameter == Parameter::scale_axis_factor;
 }
 
+bool is_skeleton(EvolutionIndex evolution) {
+  return evolutions()[evolution].descriptor.id == "scale-skeleton";
+}
+/// It shows what such an evolution changes.
+bool is_of_scale_axis(const LayerDescriptor& layer) {
+  return std::ranges::any_of(layer.structures, [](std::string_view structure) {
+    return structure.ends_with("scale-union") || structure.ends_with("skeleton-union");
+  });
+}
+bool is_of_skeleton(const LayerDescriptor& layer) {
+  return std::ranges::any_of(layer.structures,
+                             [](std::string_view structure) { return structure.ends_with("skeleton-union"); });
+}
+
 /// It grows disks about the samples, and the balls of all families, additively.
 bool is_additive(EvolutionIndex evolution) {
   const ParameterMove* const move = evolutions()[evolution].moved_parameter();
@@ -43,17 +57,24 @@ std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStac
     const LayerDescriptor& descriptor = layers.descriptor(layer);
     const auto of = mes::family_of(descriptor);
     if (descriptor.kinds.empty()) return false;
-    if (is_of_scale_axis(evolution)) return descriptor.group == LayerGroup::scale_axis;
+    if (is_skeleton(evolution)) return is_of_skeleton(descriptor);
+    if (is_of_scale_axis(evolution)) return is_of_scale_axis(descriptor);
     if (is_additive(evolution)) return growth_of(descriptor).has_value();
     return family ? of == family : of != FamilyKind::own;
   };
   if (std::ranges::any_of(layers.visible_layers(), follows)) return {};
   std::vector<std::string> ids{"points", "curve"};
-  if (is_of_scale_axis(evolution)) ids = {"scale-axis-grown-disks", "scale-axis-boundary", "scale-axis"};
+  auto shown = mes::family_of(layers.configuration());
+  if (!shown && document.sample_count() == 0 && document.ball_count() != 0) shown = FamilyKind::own;
+  const std::string prefix = shown ? std::string(letter_of(*shown)) + "-" : "";
+  if (is_skeleton(evolution)) {
+    ids = {std::string(letter_of(shown.value_or(FamilyKind::inner))) + "-scale-skeleton"};
+  } else if (is_of_scale_axis(evolution)) {
+    // Of the inner balls those of the one-step axis, which cost less.
+    const std::string letter = shown == FamilyKind::inner ? "" : prefix;
+    ids = {letter + "scale-axis-grown-disks", letter + "scale-axis-boundary", letter + "scale-axis"};
+  }
   if (is_additive(evolution)) {
-    auto shown = mes::family_of(layers.configuration());
-    if (!shown && document.sample_count() == 0 && document.ball_count() != 0) shown = FamilyKind::own;
-    const std::string prefix = shown ? std::string(letter_of(*shown)) + "-" : "";
     ids = {prefix + "alpha-disks", prefix + "alpha-triangles", prefix + "alpha-edges", prefix + "alpha-boundary"};
   }
   if (family) {

@@ -32,6 +32,7 @@ constexpr auto kTitles = std::to_array<Title>({{"medial-sampling-angle", "Angle 
                                                {"angle-mode", "Object angle of an edge"},
                                                {"keep-topology", "Filters keep the topology"},
                                                {"scale-axis-factor", "Scale axis: factor"},
+                                               {"scale-skeleton-step", "Scale skeleton: step"},
                                                {"alpha-radius", "Alpha complex: radius"},
                                                {"smooth-mu", "Way to the middle"},
                                                {"smooth-back", "Way back"},

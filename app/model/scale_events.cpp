@@ -11,6 +11,7 @@
 namespace mes {
 namespace {
 
+constexpr int kIntervalsBelow = 6;
 constexpr int kIntervals = 32;
 constexpr double kNear = 1e-3;
 
@@ -93,8 +94,9 @@ Expected<std::vector<ScaleEvent>> scale_events_of(const SampleData& data, const 
   try {
     double low = range.low;
     ScaleSweep::Topology below = sweep.at(low);
-    for (int i = 1; i <= kIntervals; ++i) {
-      const double high = range.low + (range.high - range.low) * i / kIntervals;
+    for (int i = 1 - kIntervalsBelow; i <= kIntervals; ++i) {
+      const double high =
+          i <= 0 ? 1.0 + (1.0 - range.low) * i / kIntervalsBelow : 1.0 + (range.high - 1.0) * i / kIntervals;
       const ScaleSweep::Topology above = sweep.at(high);
       sweep.look_between(low, below, high, above, out);
       low = high;

@@ -29,9 +29,10 @@ struct ScaleEvent {
   std::string words() const;
 };
 
-/// Found by halving intervals of the factor between 1 and 3 at whose ends the union differs, from 32 equal ones on; so
-/// what happens and is undone within one of these is not seen, and events nearer than a thousandth are one. Throws
-/// `Cancelled`. Error: a structure failed. Cost: the grown union for each end, a few dozen to a few hundred times.
+/// Found by halving intervals of the factor at whose ends the union differs, from 32 equal ones between 1 and 3 on, and 6
+/// below 1, where shrunk balls seldom change the topology. So what happens and is undone within one of these is not seen,
+/// and events nearer than a thousandth are one. Throws `Cancelled`. Error: a structure failed. Cost: the union for each
+/// end, a few dozen to a few hundred times.
 Expected<std::vector<ScaleEvent>> scale_events_of(const SampleData& data, const ComputationSettings& settings,
                                                   JobControl& job);
 

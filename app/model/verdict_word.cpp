@@ -50,10 +50,13 @@ constexpr auto kNames = std::to_array<Name>({
 // The families of balls and what is made of each, for ids like "a-power-diagram".
 constexpr std::array<Name, 3> kFamilies{
     {{"a-", "the inner balls"}, {"p-", "the polar balls"}, {"b-", "your own balls"}}};
-constexpr std::array<Name, 5> kOfBalls{{{"union", "the union of "},
+constexpr std::array<Name, 8> kOfBalls{{{"union", "the union of "},
                                         {"power-diagram", "the power diagram of "},
                                         {"v-diagram", "the Voronoi diagram of the v-points of "},
                                         {"ball-sampling", "the sampled balls of "},
+                                        {"scale-union", "the union of the grown balls along the axis of "},
+                                        {"scale-sampling", "the balls along the scale axis of "},
+                                        {"skeleton-union", "the scale skeleton of "},
                                         {"precision-difference", "the difference of the number types for "}}};
 
 // What findings are called here, of several and of one.

@@ -160,7 +160,7 @@ void ParametersPanel::draw_scale_events(double& factor) {
   const std::string problem = scale_events_.problem();
   std::string words = !problem.empty()    ? "Factors at which components merge cannot be found: " + problem
                       : events == nullptr ? "Looking for factors at which components merge or holes close"
-                      : events->empty()   ? "No components merge and no holes close up to the factor 3"
+                      : events->empty()   ? "No components merge or part and no holes open or close at any factor"
                                           : "Factors at which components merge or holes close; a click goes there";
   if (events != nullptr) {
     const ScaleEvent* nearest = nullptr;

@@ -22,9 +22,10 @@ enum class Parameter : std::uint8_t {
   angle_mode,
   keep_topology,
   scale_axis_factor,
+  scale_skeleton_step,
   alpha_radius
 };
-inline constexpr std::size_t kParameters = 12;
+inline constexpr std::size_t kParameters = 13;
 
 struct ParameterDescriptor {
   std::string_view id;           ///< public name, kebab case
@@ -88,14 +89,23 @@ inline constexpr std::array<ParameterDescriptor, kParameters> kParameterDescript
       .high = 1.0,
       .is_whole = true},
      {.id = "scale-axis-factor",
-      .explanation = "The balls along the medial axis are grown by it before the scale axis is taken of their union; "
-                     "1: the axis itself",
+      .explanation =
+          "The balls along the medial axis are grown by it, below 1 shrunk, before the scale axis is taken "
+          "of their union; 1: the axis itself",
       .unit = "",
-      .low = 1.0,
+      .low = 0.1,
       .high = 3.0,
       .default_value = 1.0,
       .is_of_document = true,
       .is_limit = true},
+     {.id = "scale-skeleton-step",
+      .explanation =
+          "The scale skeleton reaches scale-axis-factor in steps of this size, and takes the balls along its "
+          "axis anew after each",
+      .unit = "%",
+      .low = 1.0,
+      .high = 100.0,
+      .default_value = 3.0},
      {.id = "alpha-radius",
       .explanation =
           "The alpha complex is that of disks of this radius about the samples; balls of a family grow from "

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Growing and shrinking: the balls of a family are scaled about their centres, step by step.
+// Growing and shrinking: the balls of a family, or those along an axis, are scaled about their centres, step by step.
 #include "core/evolutions/evolution.h"
 
 namespace mes {
@@ -59,8 +59,16 @@ Evolution scale_axis_growing_evolution() {
 }
 Evolution scale_axis_shrinking_evolution() {
   return shrinking("scale-axis-shrinking", "Balls along the axis: shrink",
-                   "Balls sampled along the medial axis, grown by scale-axis-factor, shrink back to their size",
+                   "Balls sampled along the medial axis shrink, and the scale axis of their union with them",
                    Parameter::scale_axis_factor);
+}
+
+Evolution scale_skeleton_evolution() {
+  return growing(
+      "scale-skeleton", "Balls along the axis: simplify",
+      "Balls sampled along the medial axis grow, and those along the scale axis take their place after each "
+      "scale-skeleton-step",
+      Parameter::scale_axis_factor);
 }
 
 }  // namespace mes

@@ -64,13 +64,16 @@ std::vector<Layer> make_layers(const StructureSet& structures) {
   std::vector<Layer> out;
   for (const AddLayers add : kLayers) add(structures, out);
   add_union_layers({'A', structures.get<AUnion>(), structures.get<APowerDiagram>(), structures.get<AVDiagram>(),
-                    structures.get<ABallSampling>(), structures.get<AGrownComplex>(), LayerGroup::union_a, true},
+                    structures.get<ABallSampling>(), structures.get<AGrownComplex>(), structures.get<AScaleUnion>(),
+                    structures.get<AScaleSampling>(), structures.get<ASkeletonUnion>(), LayerGroup::union_a, true},
                    out);
   add_union_layers({'P', structures.get<PUnion>(), structures.get<PPowerDiagram>(), structures.get<PVDiagram>(),
-                    structures.get<PBallSampling>(), structures.get<PGrownComplex>(), LayerGroup::union_p, true},
+                    structures.get<PBallSampling>(), structures.get<PGrownComplex>(), structures.get<PScaleUnion>(),
+                    structures.get<PScaleSampling>(), structures.get<PSkeletonUnion>(), LayerGroup::union_p, true},
                    out);
   add_union_layers({'B', structures.get<BUnion>(), structures.get<BPowerDiagram>(), structures.get<BVDiagram>(),
-                    structures.get<BBallSampling>(), structures.get<BGrownComplex>(), LayerGroup::union_b, false},
+                    structures.get<BBallSampling>(), structures.get<BGrownComplex>(), structures.get<BScaleUnion>(),
+                    structures.get<BScaleSampling>(), structures.get<BSkeletonUnion>(), LayerGroup::union_b, false},
                    out);
   return out;
 }

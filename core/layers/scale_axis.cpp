@@ -19,24 +19,12 @@ LayerDescriptor descriptor_of(std::string_view id, std::string_view name, std::s
           .kinds = std::move(kinds)};
 }
 
-/// Part over the balls of the grown union: `emit(state, disk, instance)`.
-template <class Emit>
-auto grown_part(PrimitiveKind kind, const ScaleUnion& balls, Emit emit) {
-  return table_part(
-      {kind}, [&balls] { return balls.tables().balls.size(); }, balls.changes().balls,
-      [&balls, emit](FamilySlot row, Instance& out) {
-        if (balls.tables().balls[row] != BallState::none)
-          emit(balls.tables().balls[row], balls.family().disk(row), out);
-      },
-      ElementType{ElementKind::ball, &balls});
-}
-
 Layer grown_disks(const StructureSet& set) {
   const auto& balls = set.get<ScaleUnion>();
   return make_layer(descriptor_of("scale-axis-grown-disks", "Grown disks",
                                   "Disks along the medial axis, grown by scale-axis-factor",
                                   {.color = palette::sky, .opacity = 0.25, .flat = true}, {PrimitiveKind::disk}),
-                    {&balls}, grown_part(PrimitiveKind::disk, balls, [](BallState, const Disk& disk, Instance& out) {
+                    {&balls}, ball_part(PrimitiveKind::disk, balls, [](BallState, const Disk& disk, Instance& out) {
                       out.disk(disk.center, disk.radius, disk.radius);
                     }));
 }
@@ -88,13 +76,7 @@ Layer make_scale_axis_boundary_layer(const StructureSet& set) {
       descriptor_of("scale-axis-boundary", "Grown boundary", "Boundary arcs of the union of the grown disks",
                     {.color = palette::sky, .line_width_px = 1.5}, {PrimitiveKind::arc});
   descriptor.scalar = {};
-  return make_layer(std::move(descriptor), {&balls},
-                    union_part({PrimitiveKind::arc}, balls, &UnionTables::arcs, balls.changes().arcs,
-                               [&balls](const BoundaryArc& arc, Instance& out) {
-                                 if (!arc.is_alive()) return;
-                                 if (const auto drawn = drawn_arc(arc, balls.family().disk(arc.ball)))
-                                   out.arc(*drawn);
-                               }));
+  return make_layer(std::move(descriptor), {&balls}, scale_axis_arcs(balls));
 }
 
 Layer make_scale_axis_layer(const StructureSet& set) {
@@ -105,15 +87,7 @@ Layer make_scale_axis_layer(const StructureSet& set) {
                     "scale-axis-factor again",
                     {.color = palette::vermilion, .line_width_px = 2.5},
                     {PrimitiveKind::segment, PrimitiveKind::point}),
-      {&balls},
-      union_part({PrimitiveKind::segment}, balls, &UnionTables::axis, balls.changes().dual_edges,
-                 [&balls](const AxisPiece& piece, Instance& out) {
-                   if (piece.is_alive())
-                     out.segment(piece.a, piece.b, 0.5 * (piece.radius_a + piece.radius_b) / balls.factor());
-                 }),
-      grown_part(PrimitiveKind::point, balls, [&balls](BallState state, const Disk& disk, Instance& out) {
-        if (state == BallState::isolated) out.point(disk.center, disk.radius / balls.factor());
-      }));
+      {&balls}, scale_axis_pieces(balls), scale_axis_points(balls));
 }
 
 }  // namespace mes

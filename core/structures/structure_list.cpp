@@ -9,6 +9,7 @@
 #include "core/structures/axis/axis_nodes.h"
 #include "core/structures/axis/inner_balls.h"
 #include "core/structures/axis/medial_axis.h"
+#include "core/structures/balls/axis_ball_union.h"
 #include "core/structures/balls/axis_difference.h"
 #include "core/structures/balls/ball_diagrams.h"
 #include "core/structures/balls/ball_filtration.h"
@@ -109,6 +110,15 @@ StructureSet make_structures(const StructureSet* shared, bool has_document) {
   add<ScaleUnion, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, AxisSampling,
       AxisCertificate>(set);
   add<ScaleBallSampling, SettingsSource, ScaleUnion>(set);
+  add<AScaleUnion, SettingsSource, AUnion>(set);
+  add<AScaleSampling, SettingsSource, AScaleUnion>(set);
+  add<ASkeletonUnion, SettingsSource, AUnion>(set);
+  add<PScaleUnion, SettingsSource, PUnion>(set);
+  add<PScaleSampling, SettingsSource, PScaleUnion>(set);
+  add<PSkeletonUnion, SettingsSource, PUnion>(set);
+  add<BScaleUnion, SettingsSource, BUnion>(set);
+  add<BScaleSampling, SettingsSource, BScaleUnion>(set);
+  add<BSkeletonUnion, SettingsSource, BUnion>(set);
   add<LambdaUnion, SettingsSource, Delaunay, Labels, InnerBalls, LambdaAxis>(set);
   add<AngleUnion, SettingsSource, Delaunay, Labels, InnerBalls, AngleAxis>(set);
   add<CoverUnion, SettingsSource, Delaunay, Labels, InnerBalls, CoverAxis>(set);

@@ -430,6 +430,13 @@ TEST_CASE("balls grow by equal steps, shrink by the inverse, and stay within the
     CHECK_FALSE(value(family + "-growing", 1.0, 3301));
     CHECK_FALSE(value(family + "-shrinking", 0.01, 1));
   }
+  for (const char* id : {"scale-axis-growing", "scale-skeleton"}) {
+    CHECK(value(id, 1.0, 10) == 1.3);
+    CHECK_FALSE(value(id, 1.0, 67));
+  }
+  CHECK(value("scale-axis-shrinking", 1.0, 100) == 0.25);
+  CHECK(value("scale-axis-shrinking", 1.0, 300) == 0.1);
+  CHECK_FALSE(value("scale-axis-shrinking", 1.0, 301));
   CHECK(value("alpha-growing", 0.0, 0) == 0.0);
   CHECK(value("alpha-growing", 0.5, 7) == 7.5);
   CHECK(value("alpha-shrinking", 7.0, 3) == 4.0);

@@ -102,13 +102,14 @@ TEST_CASE("at a factor of 1 the scale axis is the axis of the union of the inner
 
 TEST_CASE("the scale axis of an ellipse is shorter by a formula, with the radii of the ellipse") {
   // About (x, 0) the ellipse with half axes a and 1 has the ball of radius sqrt(1 - x^2 / c^2), c^2 = a^2 - 1. Times s
-  // it is maximal in the union while the derivative of its radius is less than 1: for |x| < c^2 / sqrt(s^2 + c^2).
+  // it is maximal in the union while the derivative of its radius is less than 1: for |x| < c^2 / sqrt(s^2 + c^2). The
+  // axis ends at c^2 / a, where this derivative is 1: so shrunk balls are all maximal.
   for (const double a : {2.0, 3.0}) {
     Workbench bench;
     show_scale_axis(bench);
     bench.replace(ellipse(a, 1.0, 400, {0.3, 0.1, 3}).data.positions);
     const double c2 = a * a - 1.0;
-    for (const double s : {1.1, 1.3, 2.0, 3.0}) {
+    for (const double s : {0.1, 0.3, 0.7, 0.95, 1.1, 1.3, 2.0, 3.0}) {
       for (const Precision precision : {Precision::fast, Precision::exact}) {
         if (precision == Precision::exact && s != 1.3) continue;
         INFO("a " << a << " s " << s);
@@ -126,7 +127,7 @@ TEST_CASE("the scale axis of an ellipse is shorter by a formula, with the radii 
             high = std::max(high, p.x);
           }
         }
-        const double end = c2 / std::sqrt(s * s + c2);
+        const double end = c2 / std::sqrt(std::max(1.0, s * s) + c2);
         CHECK(low == Approx(-end).margin(0.02));
         CHECK(high == Approx(end).margin(0.02));
         for (const Disk& disk : disks(bench, "scale-axis-disks")) {
@@ -145,7 +146,7 @@ TEST_CASE("the scale axis of a stadium is that of the stadium, with its radius, 
   Workbench bench;
   show_scale_axis(bench);
   bench.replace(stadium(half, 1.0, 0.1, {0.3, 0.2, 5}).data.positions);
-  for (const double s : {1.05, 1.3, 2.0, 3.0}) {
+  for (const double s : {0.1, 0.4, 0.9, 1.05, 1.3, 2.0, 3.0}) {
     INFO("s " << s);
     bench.choose(factor(s));
     CHECK(bench.count("scale-union", "components") == 1);
@@ -195,6 +196,43 @@ TEST_CASE("two disks merge at the factor that makes them touch, and a hole close
   }
 }
 
+TEST_CASE("the scale axis is continuous at a factor of 1") {
+  Workbench bench;
+  show_scale_axis(bench);
+  const auto length = [&] {
+    double out = 0.0;
+    for (const Piece& piece : pieces(bench, kAxis)) out += distance(piece.a, piece.b);
+    return out;
+  };
+  for (const TestShape& shape : oracle_shapes(0.25, {0.3, 0.2, 4})) {
+    INFO(shape.name);
+    bench.replace(shape.data.positions);
+    bench.choose(factor(1.0));
+    const double whole = length();
+    for (const double s : {1.0 - 1e-7, 1.0 + 1e-7}) {
+      INFO("s " << s);
+      bench.choose(factor(s));
+      CHECK(length() == Approx(whole).epsilon(0.01).margin(1e-3));
+    }
+  }
+}
+
+TEST_CASE("balls shrunk along an axis do not part, however coarsely it is sampled") {
+  Workbench bench;
+  show_scale_axis(bench);
+  bench.replace(stadium(3.0, 1.0, 0.5, {0.3, 0.2, 5}).data.positions);
+  for (const double angle : {90.0, 175.0}) {
+    for (const double s : {0.1, 0.2, 0.5, 0.8}) {
+      INFO("s " << s << " angle " << angle);
+      ComputationSettings settings = factor(s);
+      settings[Parameter::medial_sampling_angle] = angle;
+      bench.choose(settings);
+      CHECK(bench.count("scale-union", "components") == 1);
+      CHECK(bench.count("scale-union", "cycles") == 0);
+    }
+  }
+}
+
 TEST_CASE("hairs of a noisy outline go as the factor grows, and components and cycles follow the grown union") {
   Workbench bench;
   show_scale_axis(bench);
@@ -225,7 +263,7 @@ TEST_CASE("the scale axis follows random edits and changes of its factor as a fr
     for (int step = 0; step < 40; ++step) {
       INFO("seed " << seed << " step " << step);
       if (step % 5 == 0) {
-        settings = factor(std::array{1.0, 1.0, 1.1, 1.4, 3.0}[rng.below(5)]);
+        settings = factor(std::array{1.0, 0.4, 1.1, 1.4, 3.0}[rng.below(5)]);
         settings[Parameter::medial_sampling_angle] = std::array{120.0, 160.0, 175.0}[rng.below(3)];
         bench.choose(settings);
       }

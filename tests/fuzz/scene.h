@@ -60,7 +60,9 @@ inline ComputationSettings read_settings(ByteSource& bytes) {
   out[Parameter::medial_sampling_angle] = (choices & 4U) != 0 ? 170.0 : 95.0;
   // Roots of that many balls take minutes.
   if (out.precision != Precision::exact_roots)
-    out[Parameter::scale_axis_factor] = std::max(1.0, kScales[choices % kScales.size()]);
+    out[Parameter::scale_axis_factor] =
+        std::max(descriptor_of(Parameter::scale_axis_factor).low, kScales[choices % kScales.size()]);
+  out[Parameter::scale_skeleton_step] = (choices & 8U) != 0 ? 40.0 : 60.0;
   out[Parameter::keep_topology] = (choices & 8U) != 0 ? 1.0 : 0.0;
   out[Parameter::lambda_limit] = (choices & 16U) != 0 ? 0.5 : 0.0;
   out[Parameter::alpha_radius] = (choices & 48U) != 0 ? 0.75 : 0.0;

@@ -167,4 +167,17 @@ TEST_CASE("an evolution that no visible layer follows names layers that do") {
   const std::vector<LayerIndex> wanted = layers_to_show(*find_evolution("alpha-growing"), hidden, balls);
   REQUIRE_FALSE(wanted.empty());
   for (const LayerIndex layer : wanted) CHECK(hidden.descriptor(layer).id.starts_with("b-alpha-"));
+  const auto shown_by = [](std::string_view evolution, const LayerStack& layers, const Document& document) {
+    std::vector<std::string> ids;
+    for (const LayerIndex layer : layers_to_show(*find_evolution(evolution), layers, document))
+      ids.emplace_back(layers.descriptor(layer).id);
+    return ids;
+  };
+  using Ids = std::vector<std::string>;
+  CHECK(shown_by("scale-axis-shrinking", hidden, {}) ==
+        Ids{"scale-axis-grown-disks", "scale-axis-boundary", "scale-axis"});
+  CHECK(shown_by("scale-axis-shrinking", stack_showing({"p-v-points"}), {}) ==
+        Ids{"p-scale-axis-grown-disks", "p-scale-axis-boundary", "p-scale-axis"});
+  CHECK(shown_by("scale-skeleton", hidden, {}) == Ids{"a-scale-skeleton"});
+  CHECK(shown_by("scale-skeleton", hidden, balls) == Ids{"b-scale-skeleton"});
 }

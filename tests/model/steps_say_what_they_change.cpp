@@ -66,20 +66,26 @@ TEST_CASE(
 }
 
 TEST_CASE("steps of balls along the axis change what the factors between them do") {
-  const std::vector<ScaleEvent> events{{1.1, 3, 2, 0, 0}, {1.2, 2, 1, 0, 2}, {1.25, 1, 1, 2, 1}, {2.9, 1, 1, 1, 0}};
+  const std::vector<ScaleEvent> events{
+      {0.7, 4, 3, 0, 0}, {1.1, 3, 2, 0, 0}, {1.2, 2, 1, 0, 2}, {1.25, 1, 1, 2, 1}, {2.9, 1, 1, 1, 0}};
   const auto growing = step_events_of(range_of("scale-axis-growing", "growing-step", 10.0, 1.0, 12), events);
   REQUIRE(growing.size() == 3);
   CHECK(growing[0] == StepEvent{0, 1, 1, 0, 0, false});
   CHECK(growing[1].words() == "Step 2: components joined: 1, holes closed: 2");
   CHECK(growing[2] == StepEvent{2, 3, 0, 0, 1, false});
-  // Beyond the factor's range there is no step.
+  // From 1.3 to 0.867, and to 0.65.
   const auto shrinking = step_events_of(range_of("scale-axis-shrinking", "growing-step", 50.0, 1.3, 12), events);
-  CHECK(shrinking.empty());
+  REQUIRE(shrinking.size() == 2);
+  CHECK(shrinking[0].words() == "Step 1: components parted: 2, holes opened: 2, holes that come back: 1");
+  CHECK(shrinking[1].words() == "Step 2: components parted: 1");
+  // Beyond the factor's range there is no step.
+  CHECK(step_events_of(range_of("scale-axis-shrinking", "growing-step", 100.0, 0.15, 12), events).empty());
   const auto back = step_events_of(range_of("scale-axis-shrinking", "growing-step", 15.0, 1.3, 12), events);
-  REQUIRE(back.size() == 2);
+  REQUIRE(back.size() == 3);
   CHECK(back[0].is_undone);
   CHECK(back[0].words() == "Step 1: components parted: 1, holes opened: 2, holes that come back: 1");
   CHECK(back[1].words() == "Step 2: components parted: 1");
+  CHECK(back[2].words() == "Step 6: components parted: 1");
 }
 
 TEST_CASE("what is alive at a radius is exact for rounded births of balls") {

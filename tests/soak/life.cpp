@@ -106,7 +106,8 @@ void Life::choose_settings() {
   settings_[Parameter::medial_sampling_angle] = rng_.below(2) == 0 ? 120.0 : 150.0;
   for (const Parameter scale : {Parameter::a_scale, Parameter::p_scale, Parameter::b_scale})
     settings_[scale] = is_exact_ ? 1.0 : std::array{1.0, 1.0, 0.5, 1.1}[rng_.below(4)];  // roots take minutes
-  settings_[Parameter::scale_axis_factor] = is_exact_ ? 1.0 : std::array{1.0, 1.1, 1.5}[rng_.below(3)];
+  settings_[Parameter::scale_axis_factor] = is_exact_ ? 1.0 : std::array{1.0, 0.7, 1.1, 1.5}[rng_.below(4)];
+  settings_[Parameter::scale_skeleton_step] = rng_.below(2) == 0 ? 10.0 : 30.0;
   settings_[Parameter::lambda_limit] = std::array{0.0, 0.5, 5.0}[rng_.below(3)];
   settings_[Parameter::alpha_radius] = std::array{0.0, 0.5, 2.0, 50.0}[rng_.below(4)];
   settings_[Parameter::angle_limit] = std::array{0.0, 30.0, 45.0, 80.0}[rng_.below(4)];

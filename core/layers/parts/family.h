@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/layers/parts/helpers.h"
+#include "core/structures/balls/axis_ball_union.h"
 #include "core/structures/balls/ball_diagrams.h"
 #include "core/structures/balls/ball_sampling.h"
 #include "core/structures/balls/ball_union.h"
@@ -23,6 +24,9 @@ struct UnionFamily {
   const VDiagram& v_diagram;
   const BallSampling& sampling;
   const GrownComplex& grown;
+  const AxisBallUnion& scaled;
+  const BallSampling& scaled_sampling;
+  const AxisBallUnion& skeleton;
   LayerGroup group;
   bool in_paper;  ///< the paper has this family
 };
@@ -46,6 +50,14 @@ Layer grown_layer(const UnionFamily& family, LayerDescriptor descriptor, Parts..
   Layer layer = union_layer_of(family, family.grown.filtration(), std::move(descriptor), std::move(parts)...);
   layer.structures.front() = &family.grown;
   layer.descriptor.structures.front() = family.grown.id();
+  return layer;
+}
+/// A layer of the balls along the axis that have grown.
+template <class... Parts>
+Layer scale_layer(const UnionFamily& family, const AxisBallUnion& grown, LayerDescriptor descriptor, Parts... parts) {
+  Layer layer = union_layer_of(family, grown, std::move(descriptor), std::move(parts)...);
+  layer.structures.erase(layer.structures.begin());
+  layer.descriptor.structures.erase(layer.descriptor.structures.begin());
   return layer;
 }
 template <class... Parts>
@@ -86,6 +98,40 @@ auto union_part(std::vector<PrimitiveKind> kinds, const BallUnion& balls, Table<
         emit((balls.tables().*table)[same_row<Row>(row)], out);
       },
       ElementType{kElementOf<Value>, &balls});
+}
+
+/// Part over the balls of a union: `emit(state, disk, instance)`.
+template <class Emit>
+auto ball_part(PrimitiveKind kind, const BallUnion& balls, Emit emit) {
+  return table_part(
+      {kind}, [&balls] { return balls.tables().balls.size(); }, balls.changes().balls,
+      [&balls, emit](FamilySlot row, Instance& out) {
+        if (balls.tables().balls[row] != BallState::none)
+          emit(balls.tables().balls[row], balls.family().disk(row), out);
+      },
+      ElementType{ElementKind::ball, &balls});
+}
+
+/// The axis of a union of grown balls, with radii divided by the factor again: its pieces, and the balls without one.
+inline auto scale_axis_pieces(const BallUnion& balls) {
+  return union_part({PrimitiveKind::segment}, balls, &UnionTables::axis, balls.changes().dual_edges,
+                    [&balls](const AxisPiece& piece, Instance& out) {
+                      if (piece.is_alive())
+                        out.segment(piece.a, piece.b,
+                                    0.5 * (piece.radius_a + piece.radius_b) / balls.family().scale());
+                    });
+}
+inline auto scale_axis_points(const BallUnion& balls) {
+  return ball_part(PrimitiveKind::point, balls, [&balls](BallState state, const Disk& disk, Instance& out) {
+    if (state == BallState::isolated) out.point(disk.center, disk.radius / balls.family().scale());
+  });
+}
+inline auto scale_axis_arcs(const BallUnion& balls) {
+  return union_part({PrimitiveKind::arc}, balls, &UnionTables::arcs, balls.changes().arcs,
+                    [&balls](const BoundaryArc& arc, Instance& out) {
+                      if (!arc.is_alive()) return;
+                      if (const auto drawn = drawn_arc(arc, balls.family().disk(arc.ball))) out.arc(*drawn);
+                    });
 }
 
 template <class Emit>

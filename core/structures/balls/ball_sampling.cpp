@@ -86,8 +86,17 @@ void BallSampling::remake_piece(AxisPieceSlot row) {
       if (v != kNoSlot) disk.radius = std::min(disk.radius, distance(disk.center, t.v_points[v].position));
     return disk;
   };
-  halving_.halve(at, {piece.a, piece.radius_a}, {piece.b, piece.radius_b},
-                 [&](const Disk& disk) { medial_.balls.add(owner_of_link(row), disk); });
+  if (shrinking() == 1.0) {
+    halving_.halve(at, {piece.a, piece.radius_a}, {piece.b, piece.radius_b},
+                   [&](const Disk& disk) { medial_.balls.add(owner_of_link(row), disk); });
+    return;
+  }
+  const auto shrunk = [this](const Disk& disk) { return Disk{disk.center, shrinking() * disk.radius}; };
+  halving_.halve([&](double u) { return shrunk(at(u)); }, shrunk({piece.a, piece.radius_a}),
+                 shrunk({piece.b, piece.radius_b}),
+                 [&](const Disk& disk) {
+                   medial_.balls.add(owner_of_link(row), {disk.center, disk.radius / shrinking()});
+                 });
 }
 
 void BallSampling::remake_edge(DualEdgeSlot row) {

@@ -36,6 +36,8 @@ class BallSampling : public Structure {
 
  protected:
   BallSampling(std::string_view id, SettingsSource& settings, BallUnion& balls);
+  /// The circles that are to cross at the angle along the axis are these times as large; at most 1.
+  virtual double shrinking() const { return 1.0; }
 
  private:
   /// A piece of the axis, or a dual edge.

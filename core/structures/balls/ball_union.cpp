@@ -210,6 +210,21 @@ void BallUnion::rebuild(JobControl& job) {
   refine(tables_);
 }
 
+void BallUnion::take_over(const BallUnion& other) {
+  changes_.clear();
+  made_with_ = choice();
+  family_->set_scale(made_with_.scale);
+  rung_ = other.rung_;
+  why_ = other.why_;
+  ignored_ = other.ignored_;
+  tables_ = other.tables_;
+  tables_.measures = other.measures();
+}
+
+UnionMeasures BallUnion::measures() const {
+  return shortcut_ && rung_ == UnionRung::shortcut ? shortcut_->measures() : tables_.measures;
+}
+
 void BallUnion::run_pipeline(Precision precision, JobControl& job) {
   const LocalBalls balls = local_balls(*family_);
   ignored_ = balls.ignored;
@@ -285,7 +300,7 @@ StatList BallUnion::statistics() const {
     foreign += v.is_alive() && v.site == kNoSlot ? 1 : 0;
   }
   const AxisCounts axis = count_axis(t);
-  const UnionMeasures measures = rung_ == UnionRung::shortcut ? shortcut_->measures() : t.measures;
+  const UnionMeasures measures = this->measures();
   StatList out{{"rung", std::string(name_of(rung_))},
                {"why", why_},
                {"balls", visible + hidden + duplicates},

@@ -75,6 +75,8 @@ class BallUnion : public Structure {
   virtual bool is_exact_on_doubt() const { return false; }
   /// Called with what the pipeline gave, before anything else reads it.
   virtual void refine(UnionTables&) {}
+  /// In place of `rebuild`: the balls are those of another union. O(size of its tables).
+  void take_over(const BallUnion& other);
 
  private:
   struct Choice {
@@ -84,6 +86,7 @@ class BallUnion : public Structure {
     friend bool operator==(const Choice&, const Choice&) = default;
   };
   Choice choice() const;
+  UnionMeasures measures() const;
   bool is_shortcut_valid() const;
   void run_pipeline(Precision precision, JobControl& job);
   UnionTables run_pipeline(Precision precision, const PipelineInput& input, JobControl& job);

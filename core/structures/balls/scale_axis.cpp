@@ -2,8 +2,6 @@
 #include "core/structures/balls/scale_axis.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "core/graph/explain.h"
 #include "core/structures/balls/voronoi_balls.h"
@@ -66,10 +64,18 @@ AxisSampling::AxisSampling(SettingsSource& settings, Delaunay& delaunay, MedialA
       delaunay_(delaunay),
       axis_(axis) {}
 
+// At a factor of 1 balls between would add nothing to the union.
+AxisSampling::Density AxisSampling::density() const {
+  const ComputationSettings& settings = settings_.current();
+  const double factor = settings[Parameter::scale_axis_factor];
+  if (factor == 1.0) return {};
+  return {settings[Parameter::medial_sampling_angle], std::min(1.0, factor)};
+}
+
 // A ball about a place of the edge touches both samples; its radius is the distance to the one that comes first.
 void AxisSampling::remake(EdgeSlot edge) {
   between_.drop(owner_of(edge));
-  if (made_with_ == kNone) return;
+  if (made_with_.angle == kNone) return;
   const EdgeRow& row = delaunay_.edge(edge);
   if (!row.is_alive() || !axis_.is_axis_edge(edge) || axis_.is_zero_length(edge)) return;
   const Vec2 p = delaunay_.site_position(row.v[0]);
@@ -78,14 +84,15 @@ void AxisSampling::remake(EdgeSlot edge) {
   const Vec2 a = delaunay_.circumcenter(row.f[0]);
   const Vec2 b = delaunay_.circumcenter(row.f[1]);
   const auto ball_about = [sample](Vec2 center) { return Disk{center, distance(center, sample)}; };
+  const auto shrunk = [&](Vec2 center) { return Disk{center, made_with_.shrinking * distance(center, sample)}; };
   if (!is_finite(ball_about(a)) || !is_finite(ball_about(b))) return;
-  halving_.halve([&](double u) { return ball_about(place_between(a, b, u)); }, ball_about(a), ball_about(b),
-                 [&](const Disk& disk) { between_.add(owner_of(edge), disk); });
+  halving_.halve([&](double u) { return shrunk(place_between(a, b, u)); }, shrunk(a), shrunk(b),
+                 [&](const Disk& disk) { between_.add(owner_of(edge), ball_about(disk.center)); });
 }
 
 void AxisSampling::rebuild(JobControl& job) {
-  made_with_ = angle();
-  if (made_with_ != kNone) halving_ = BallHalving(made_with_);
+  made_with_ = density();
+  if (made_with_.angle != kNone) halving_ = BallHalving(made_with_.angle);
   between_.reset();
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
     if ((edge.index() & 0x3ffU) == 0) job.checkpoint(edge.index(), delaunay_.edge_rows());
@@ -95,7 +102,7 @@ void AxisSampling::rebuild(JobControl& job) {
 
 bool AxisSampling::update(JobControl&) {
   clear_changes();
-  if (angle() != made_with_) return false;
+  if (density() != made_with_) return false;
   between_.begin();
   for (const auto* rows : {&axis_.edge_changes().removed, &axis_.edge_changes().touched})
     for (const EdgeSlot edge : *rows) remake(edge);
@@ -125,17 +132,15 @@ void ScaleUnion::rebuild(JobControl& job) {
 }
 
 void ScaleUnion::refine(UnionTables& tables) {
-  if (!(factor() > 1.0)) return;
+  if (factor() == 1.0) return;
   hairs_ = cut_hairs(tables, spacing());
   tables.measures.axis_length = std::max(0.0, tables.measures.axis_length - hairs_.length);
 }
 
-// Multiplied by a share that is 0 at the factor 1, at which there are no hairs, so that the axis does not jump there.
 Table<FamilySlot, double> ScaleUnion::spacing() const {
-  constexpr double kWholeFrom = 1.02;
   Table<FamilySlot, double> out(family().rows(), 0.0);
   const double apart =
-      2.0 * std::sin((180.0 - settings_.current()[Parameter::medial_sampling_angle]) * std::numbers::pi / 360.0);
+      std::min(1.0, factor()) * distance_of_sampled(settings_.current()[Parameter::medial_sampling_angle]);
   const auto row_of = [](FaceSlot face) { return FamilySlot(2 * face.index()); };
   for (const FaceSlot face : delaunay_.face_slots()) {
     if (!balls_.is_ball(face)) continue;
@@ -156,8 +161,7 @@ Table<FamilySlot, double> ScaleUnion::spacing() const {
       for (const FaceSlot face : delaunay_.edge(edge).f) there = std::max(there, out[row_of(balls_.ball(face))]);
     });
   }
-  const double share = std::min(1.0, (factor() - 1.0) / (kWholeFrom - 1.0));
-  for (double& spacing : out) spacing *= share;
+  for (double& spacing : out) spacing *= share_of_spacing(factor());
   return out;
 }
 
@@ -167,33 +171,41 @@ StatList ScaleUnion::statistics() const {
   return out;
 }
 
-void ScaleBallSampling::explain(ElementKind kind, RowNumber row, Explanation& out) const {
+void GrownBallSampling::explain(ElementKind kind, RowNumber row, Explanation& out) const {
   const SampledSlot ball(row);
   if (kind != ElementKind::sampled_ball || ball.index() >= medial().rows() || !medial().is_alive(ball)) return;
   const Disk& grown = medial().disk(ball);
+  const double factor = balls_.family().scale();
   ProvenanceShapes itself, circle;
-  itself.circle({grown.center, grown.radius / balls_.factor()});
+  itself.circle({grown.center, grown.radius / factor});
   out.say(ProvenanceRole::itself,
-          "Ball about a point of the scale axis, radius " + number_text(grown.radius / balls_.factor()), itself);
+          "Ball about a point of the scale axis, radius " + number_text(grown.radius / factor), itself);
   circle.circle(grown);
   out.say(ProvenanceRole::origin,
-          "the largest ball there in the grown union, " + number_text(balls_.factor()) + " times as large", circle);
+          std::string("the largest ball there in the ") + (factor < 1.0 ? "shrunk" : "grown") + " union, " +
+              number_text(factor) + " times as large",
+          circle);
+}
+
+void explain_divided_radii(const BallUnion& balls, AxisPieceSlot row, Explanation& out) {
+  const double factor = balls.family().scale();
+  const auto& axis = balls.tables().axis;
+  if (factor == 1.0 || !axis.has(row) || !axis[row].is_alive()) return;
+  const AxisPiece& piece = axis[row];
+  ProvenanceShapes shapes;
+  shapes.circle({piece.a, piece.radius_a / factor});
+  shapes.circle({piece.b, piece.radius_b / factor});
+  out.say(ProvenanceRole::product,
+          "radii divided by " + number_text(factor) + " again: " + number_text(piece.radius_a / factor) + " to " +
+              number_text(piece.radius_b / factor),
+          shapes);
 }
 
 void ScaleUnion::explain(ElementKind kind, RowNumber row, Explanation& out) const {
   const FamilySlot ball(row);
   if (kind == ElementKind::axis_piece) {
     BallUnion::explain(kind, row, out);
-    const AxisPieceSlot slot(row);
-    if (factor() == 1.0 || !tables().axis.has(slot) || !tables().axis[slot].is_alive()) return;
-    ProvenanceShapes shapes;
-    const AxisPiece& piece = tables().axis[slot];
-    shapes.circle({piece.a, piece.radius_a / factor()});
-    shapes.circle({piece.b, piece.radius_b / factor()});
-    return out.say(ProvenanceRole::product,
-                   "radii divided by " + number_text(factor()) + " again: " + number_text(piece.radius_a / factor()) +
-                       " to " + number_text(piece.radius_b / factor()),
-                   shapes);
+    return explain_divided_radii(*this, AxisPieceSlot(row), out);
   }
   if (kind != ElementKind::ball) return BallUnion::explain(kind, row, out);
   if (!tables().balls.has(ball) || !family().is_ball(ball)) return;

@@ -11,13 +11,13 @@
 namespace mes {
 
 /// Balls between the ends of the edges of the one-step axis: inner Voronoi balls alone are too far apart on long edges,
-/// and leave gaps between them when they are grown.
+/// and leave gaps between them when they are grown or shrunk.
 ///
 /// What it guarantees:
 ///  1. A ball between lies about a point of an axis edge, and touches the two samples of the edge. It lies in the union
 ///     of the balls at both ends of the edge.
 ///  2. An edge is halved until the circles at both ends of each part cross at `medial-sampling-angle` or more, or twenty
-///     times.
+///     times. Below a factor of 1 these are the shrunk circles, so that balls of an edge do not part.
 ///
 /// Rows are owned by edges; each depends on its edge only. Updates O(changed edges). Decisions and radii are those of
 /// doubles.
@@ -39,18 +39,19 @@ class AxisSampling final : public Structure {
   StatList statistics() const override;
 
  private:
-  /// No balls between are wanted at a factor of 1.
-  double angle() const {
-    const ComputationSettings& settings = settings_.current();
-    return settings[Parameter::scale_axis_factor] == 1.0 ? kNone : settings[Parameter::medial_sampling_angle];
-  }
+  struct Density {
+    double angle = kNone;
+    double shrinking = 1.0;  ///< of the balls that are to cross at the angle; at most 1
+    friend bool operator==(const Density&, const Density&) = default;
+  };
+  Density density() const;
   void remake(EdgeSlot edge);
 
   const SettingsSource& settings_;
   const Delaunay& delaunay_;
   const MedialAxis& axis_;
-  static constexpr double kNone = -1.0;
-  double made_with_ = kNone;
+  static constexpr double kNone = -1.0;  // no balls between are wanted
+  Density made_with_;
   BallHalving halving_;
   SampledBalls between_;
 };
@@ -62,18 +63,20 @@ class AxisSampling final : public Structure {
 /// In `fast` it is that of rounded balls, unless that contradicts itself, as where centres are in line; in `exact`, inner
 /// Voronoi balls are grown as circumdisks of the samples.
 ///
-/// Above 1 *hairs* are taken off its axis (internal/scale_hairs.h). Where the grown boundary is touched from one side
+/// At other factors *hairs* are taken off its axis (internal/scale_hairs.h). Where the boundary is touched from one side
 /// only, each ball that has an arc of it makes a branch of its own: arcs between sampled balls are scallops of what would
-/// be smooth for all balls of the axis. The spacing of a Voronoi ball is the longest edge of the curve behind which it has
+/// be smooth for all balls of the axis. Below 1 it is so at each bend of the one-step axis, which is a polygon: the balls
+/// beside it cover the arc on the inside. The spacing of a Voronoi ball is the longest edge of the curve behind which it has
 /// an arc, or the distance at which `medial-sampling-angle` has equal balls of its radius, whichever is larger; that of a
 /// ball between is the larger of this distance and the spacings at the ends of its edge. So branches go, from free ends
-/// inwards, whose two nearest boundary points are no farther apart than two spacings, or the share (s - 1) / 0.02 of them
-/// below a factor of 1.02, and are seen at less than 60 degrees: decided with doubles, whatever the number type.
+/// inwards, whose two nearest boundary points are no farther apart than two spacings, or the share |s - 1| / 0.02 of them
+/// nearer to a factor of 1 than that, and are seen at less than 60 degrees: decided with doubles, whatever the number type.
 /// Components and cycles are those of the grown union.
 ///
 /// What true ends lose: with the largest spacing e of the balls there, a branch stays where its boundary points are seen
 /// at 2 t or more, sin t = min(1/2, e / (s r)). A smooth end is then no shorter than at the factor s / cos t, which is at
-/// most 1.16 s, and nearly s (1 + (e / (s r))^2 / 2) for small spacings. At a factor of 1 nothing goes.
+/// most 1.16 s, and nearly s (1 + (e / (s r))^2 / 2) for small spacings; so below 0.86 it is whole. At a factor of 1
+/// nothing goes.
 ///
 /// Rows of balls: at a factor of 1 faces; otherwise face f has row 2f, and row i of `AxisSampling` has row 2i + 1.
 /// Sources: Giesen, Miklos, Pauly and Wormser 2009; Miklos, Giesen and Pauly 2010 (balls that a slightly larger factor
@@ -103,15 +106,26 @@ class ScaleUnion final : public BallUnion {
   ScaleHairs hairs_;
 };
 
-/// Balls along the axis of `ScaleUnion`, as large as they are there.
-class ScaleBallSampling final : public BallSampling {
+/// Says what the radii of a piece of the axis are before the balls grow.
+void explain_divided_radii(const BallUnion& balls, AxisPieceSlot row, Explanation& out);
+
+/// Balls along the axis of a union of grown balls, as large as they are there.
+class GrownBallSampling : public BallSampling {
  public:
-  ScaleBallSampling(SettingsSource& settings, ScaleUnion& balls)
-      : BallSampling("scale-ball-sampling", settings, balls), balls_(balls) {}
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
+ protected:
+  GrownBallSampling(std::string_view id, SettingsSource& settings, BallUnion& balls)
+      : BallSampling(id, settings, balls), balls_(balls) {}
+
  private:
-  const ScaleUnion& balls_;
+  const BallUnion& balls_;
+};
+
+class ScaleBallSampling final : public GrownBallSampling {
+ public:
+  ScaleBallSampling(SettingsSource& settings, ScaleUnion& balls)
+      : GrownBallSampling("scale-ball-sampling", settings, balls) {}
 };
 
 }  // namespace mes

@@ -2,6 +2,7 @@
 // The union of the interior polar balls: what the union of the inner Voronoi balls would be if only poles counted.
 #pragma once
 
+#include "core/structures/balls/axis_ball_union.h"
 #include "core/structures/balls/ball_diagrams.h"
 #include "core/structures/balls/ball_sampling.h"
 #include "core/structures/balls/ball_union.h"
@@ -42,6 +43,22 @@ class PVDiagram final : public VDiagram {
 class PBallSampling final : public BallSampling {
  public:
   PBallSampling(SettingsSource& settings, PUnion& balls) : BallSampling("p-ball-sampling", settings, balls) {}
+};
+
+class PScaleUnion final : public AxisBallUnion {
+ public:
+  PScaleUnion(SettingsSource& settings, PUnion& balls) : AxisBallUnion("p-scale-union", settings, balls) {}
+};
+
+class PScaleSampling final : public GrownBallSampling {
+ public:
+  PScaleSampling(SettingsSource& settings, PScaleUnion& balls)
+      : GrownBallSampling("p-scale-sampling", settings, balls) {}
+};
+
+class PSkeletonUnion final : public SkeletonUnion {
+ public:
+  PSkeletonUnion(SettingsSource& settings, PUnion& balls) : SkeletonUnion("p-skeleton-union", settings, balls) {}
 };
 
 }  // namespace mes

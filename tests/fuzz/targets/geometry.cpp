@@ -69,6 +69,7 @@ test::GeometryState image_of(test::GeometryState state, const Image& image) {
 bool may_depend_on_place(std::string_view key, Precision precision) {
   const auto has = [key](std::string_view word) { return key.find(word) != std::string_view::npos; };
   if (has("-sampling ") || has("-v-diagram ") || has("-difference ")) return true;
+  if (has("-scale-union ") || has("-skeleton-union ")) return true;
   if (key.starts_with("lambda-union ") || key.starts_with("angle-union ") || key.starts_with("cover-union "))
     return true;
   if (precision != Precision::fast || key.starts_with("b-")) return false;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <tuple>
 #include <vector>
 
@@ -162,6 +163,15 @@ class HairCutter {
 };
 
 }  // namespace
+
+double distance_of_sampled(double sampling_angle) {
+  return 2.0 * std::sin((180.0 - sampling_angle) * std::numbers::pi / 360.0);
+}
+
+double share_of_spacing(double factor) {
+  constexpr double kWholeFrom = 1.02;
+  return std::min(1.0, std::abs(factor - 1.0) / (kWholeFrom - 1.0));
+}
 
 ScaleHairs cut_hairs(UnionTables& tables, const Table<FamilySlot, double>& spacing) {
   return HairCutter(tables, spacing).cut();

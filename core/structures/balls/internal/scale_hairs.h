@@ -8,6 +8,12 @@
 
 namespace mes {
 
+/// How far equal balls of radius 1 are apart whose circles cross at `sampling_angle` degrees.
+double distance_of_sampled(double sampling_angle);
+/// The share of spacings that counts at a factor: 0 at 1, where there are no hairs, so that the axis does not jump there,
+/// and 1 from 0.02 away on.
+double share_of_spacing(double factor);
+
 /// What was taken off.
 struct ScaleHairs {
   std::int64_t pieces = 0;

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/parts/family.h"
+
+namespace mes {
+
+Layer make_union_scale_skeleton_layer(const UnionFamily& family) {
+  return scale_layer(
+      family, family.skeleton,
+      {.id = "scale-skeleton",
+       .name = "scale skeleton",
+       .tooltip = "Scale axis of balls that grow to scale-axis-factor in steps of scale-skeleton-step, each of which "
+                  "begins with the scale axis of the one before",
+       .scalar = "radius",
+       .style = {.color = palette::purple, .line_width_px = 2.5},
+       .kinds = {PrimitiveKind::segment, PrimitiveKind::point}},
+      scale_axis_pieces(family.skeleton), scale_axis_points(family.skeleton));
+}
+
+}  // namespace mes

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/balls/axis_ball_union.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/graph/explain.h"
+
+namespace mes {
+namespace {
+
+/// Balls of a list, or of another union where the factor is 1.
+class ListedBalls final : public BallFamily {
+ public:
+  ListedBalls(const BallUnion* plain, std::shared_ptr<const DiskList> disks)
+      : plain_(plain), disks_(std::move(disks)) {}
+
+  std::size_t rows() const override { return is_plain() ? plain_->family().rows() : disks_->size(); }
+  bool is_ball(FamilySlot row) const override {
+    if (is_plain()) return plain_->family().is_ball(row);
+    return disks_->has(row);
+  }
+  Disk plain_disk(FamilySlot row) const override { return is_plain() ? plain_->family().disk(row) : (*disks_)[row]; }
+  bool is_from_samples() const override { return is_plain() && plain_->family().touch_samples(); }
+  BallOrigin origin(FamilySlot row) const override {
+    return is_from_samples() ? plain_->family().origin(row) : BallOrigin::disk;
+  }
+  std::array<Vec2, 3> corners(FamilySlot row) const override {
+    return is_from_samples() ? plain_->family().corners(row) : std::array<Vec2, 3>{};
+  }
+  void touched_samples(FamilySlot row, std::vector<TouchedSample>& out) const override {
+    if (is_from_samples()) plain_->family().touched_samples(row, out);
+  }
+  // Whoever makes the list knows.
+  bool has_changed() const override { return false; }
+  bool is_plain() const { return plain_ != nullptr && scale() == 1.0; }
+
+ private:
+  const BallUnion* plain_;
+  std::shared_ptr<const DiskList> disks_;
+};
+
+/// Balls along the axis of a union, as dense as they have to be for growing or shrinking them; outside of the graph.
+class AlongAxis final : public BallSampling {
+ public:
+  AlongAxis(SettingsSource& settings, BallUnion& balls)
+      : BallSampling("along-axis", settings, balls),
+        shrinking_(std::min(1.0, settings.current()[Parameter::scale_axis_factor])) {}
+
+ private:
+  double shrinking() const override { return shrinking_; }
+
+  double shrinking_;
+};
+
+DiskList disks_of(const SampledBalls& balls, double divisor) {
+  DiskList out;
+  for (SampledSlot row(0); row.index() < balls.rows(); row = SampledSlot(row.index() + std::size_t{1}))
+    if (balls.is_alive(row)) out.push_back({balls.disk(row).center, balls.disk(row).radius / divisor});
+  return out;
+}
+
+/// A step of the skeleton: outside of the graph, with settings of its own.
+class StepUnion final : public DiskListUnion {
+ public:
+  StepUnion(SettingsSource& settings, DiskList disks) : DiskListUnion("skeleton-step", {&settings}, settings) {
+    set_disks(std::move(disks));
+  }
+};
+
+}  // namespace
+
+DiskListUnion::DiskListUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
+                             const BallUnion* plain)
+    : DiskListUnion(id, std::move(inputs), settings, plain, std::make_shared<DiskList>()) {}
+
+DiskListUnion::DiskListUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
+                             const BallUnion* plain, const std::shared_ptr<DiskList>& disks)
+    : BallUnion(id, std::move(inputs), settings, Parameter::scale_axis_factor,
+                std::make_unique<ListedBalls>(plain, disks)),
+      settings_(settings),
+      disks_(disks) {}
+
+void DiskListUnion::refine(UnionTables& tables) {
+  hairs_ = {};
+  if (factor() == 1.0) return;
+  const double apart = share_of_spacing(factor()) * std::min(1.0, factor()) *
+                       distance_of_sampled(settings_.current()[Parameter::medial_sampling_angle]);
+  Table<FamilySlot, double> spacing(disks_->size(), 0.0);
+  for (const FamilySlot ball : spacing.rows()) spacing[ball] = apart * (*disks_)[ball].radius;
+  hairs_ = cut_hairs(tables, spacing);
+  tables.measures.axis_length = std::max(0.0, tables.measures.axis_length - hairs_.length);
+}
+
+StatList DiskListUnion::statistics() const {
+  StatList out = BallUnion::statistics();
+  out.insert(out.end(), {{"hairs", hairs_.pieces}, {"hair_length", hairs_.length}});
+  return out;
+}
+
+AxisBallUnion::AxisBallUnion(std::string_view id, SettingsSource& settings, BallUnion& plain)
+    : DiskListUnion(id, {&settings, &plain}, settings, &plain), source_(settings), plain_(plain) {}
+
+DiskList AxisBallUnion::disks(JobControl& job) {
+  AlongAxis sampling(source_, plain_);
+  sampling.rebuild(job);
+  return disks_of(sampling.medial(), 1.0);
+}
+
+void AxisBallUnion::rebuild(JobControl& job) {
+  angle_ = wanted_angle();
+  if (wanted_factor() == 1.0) {
+    set_disks({});
+    forget_hairs();
+    take_over(plain_);
+    return;
+  }
+  set_disks(disks(job));
+  BallUnion::rebuild(job);
+}
+
+bool AxisBallUnion::update(JobControl& job) {
+  if (plain_.changes().size() != 0 || (factor() != 1.0 && angle_ != wanted_angle())) return false;
+  return BallUnion::update(job);
+}
+
+// At a factor of 1 the other union says it.
+void AxisBallUnion::find(std::vector<Finding>& out) const {
+  if (factor() != 1.0) BallUnion::find(out);
+}
+
+void AxisBallUnion::explain(ElementKind kind, RowNumber row, Explanation& out) const {
+  if (factor() == 1.0) return plain_.explain(kind, row, out);
+  if (kind == ElementKind::axis_piece) {
+    BallUnion::explain(kind, row, out);
+    return explain_divided_radii(*this, AxisPieceSlot(row), out);
+  }
+  const FamilySlot ball(row);
+  if (kind != ElementKind::ball) return BallUnion::explain(kind, row, out);
+  if (!tables().balls.has(ball) || !family().is_ball(ball)) return;
+  ProvenanceShapes itself;
+  itself.circle(family().plain_disk(ball));
+  out.say(ProvenanceRole::itself,
+          "Ball about a point of the axis of the union, radius " + number_text(family().plain_disk(ball).radius),
+          itself);
+  explain_scale(ball, out);
+  explain_place(ball, out);
+}
+
+SkeletonUnion::SkeletonUnion(std::string_view id, SettingsSource& settings, BallUnion& plain)
+    : AxisBallUnion(id, settings, plain), settings_(settings) {}
+
+bool SkeletonUnion::update(JobControl& job) {
+  const bool is_same_step = settings_.current()[Parameter::scale_skeleton_step] == beginning_.step;
+  return (is_same_step || factor() == 1.0) && AxisBallUnion::update(job);
+}
+
+void SkeletonUnion::rebuild(JobControl& job) {
+  steps_ = 0;
+  AxisBallUnion::rebuild(job);
+}
+
+DiskList SkeletonUnion::disks(JobControl& job) {
+  const ComputationSettings& settings = settings_.current();
+  Beginning beginning{settings[Parameter::scale_skeleton_step], settings[Parameter::medial_sampling_angle],
+                      AxisBallUnion::disks(job)};
+  if (beginning != beginning_) kept_.clear();
+  beginning_ = std::move(beginning);
+  const double width = beginning_.step / 100.0;
+  const auto factor_of = [width](std::size_t step) { return 1.0 + static_cast<double>(step) * width; };
+  // What rounding leaves between the last step and the factor is none.
+  while (factor_of(steps_ + 1) < wanted_factor() * (1.0 - 0x1p-40)) ++steps_;
+  Step now{0, beginning_.disks};
+  for (const Step& step : kept_)
+    if (step.number <= steps_ && step.number > now.number) now = step;
+  while (now.number < steps_) {
+    job.checkpoint(now.number, steps_);
+    now.disks = after_step(now.disks, factor_of(now.number + 1), job);
+    ++now.number;
+    std::size_t balls = now.disks.size();
+    for (const Step& step : kept_) balls += step.disks.size();
+    if (balls > kMostKept) kept_.clear();
+    kept_.push_back(now);
+  }
+  return now.disks;
+}
+
+DiskList SkeletonUnion::after_step(const DiskList& disks, double factor, JobControl& job) const {
+  SettingsSource settings;
+  ComputationSettings chosen = settings_.current();
+  chosen.precision = Precision::fast;
+  chosen[Parameter::scale_axis_factor] = factor;
+  settings.post(chosen);
+  settings.rebuild(job);
+  StepUnion balls(settings, disks);
+  balls.rebuild(job);
+  AlongAxis sampling(settings, balls);
+  sampling.rebuild(job);
+  return disks_of(sampling.medial(), factor);
+}
+
+StatList SkeletonUnion::statistics() const {
+  StatList out = AxisBallUnion::statistics();
+  out.push_back({"steps_before", static_cast<std::int64_t>(steps_)});
+  return out;
+}
+
+}  // namespace mes

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Growing the balls along the axis of a union: the scale axis and the scale skeleton of each family of balls.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string_view>
+#include <vector>
+
+#include "core/structures/balls/ball_sampling.h"
+#include "core/structures/balls/ball_union.h"
+#include "core/structures/balls/internal/scale_hairs.h"
+#include "core/structures/balls/scale_axis.h"
+
+namespace mes {
+
+/// Balls that stand in no table of the document.
+using DiskList = Table<FamilySlot, Disk>;
+
+/// The union of balls from a list, with radii multiplied by `scale-axis-factor`.
+///
+/// At factors other than 1 hairs are taken off its axis, as off that of `ScaleUnion`: the spacing of a ball is the
+/// distance at which `medial-sampling-angle` has equal balls of its radius, or of its shrunk radius below 1. In `fast` it is that of rounded numbers unless these contradict
+/// themselves.
+class DiskListUnion : public BallUnion {
+ public:
+  /// What radii were multiplied by.
+  double factor() const { return family().scale(); }
+  StatList statistics() const override;
+
+ protected:
+  /// At a factor of 1 the balls are those of `plain`, if there is one, and not those of the list.
+  DiskListUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
+                const BallUnion* plain = nullptr);
+  void set_disks(DiskList disks) { *disks_ = std::move(disks); }
+  double wanted_factor() const { return settings_.current()[Parameter::scale_axis_factor]; }
+  void forget_hairs() { hairs_ = {}; }
+
+ private:
+  DiskListUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
+                const BallUnion* plain, const std::shared_ptr<DiskList>& disks);
+  bool is_exact_on_doubt() const override { return true; }
+  void refine(UnionTables& tables) override;
+
+  const SettingsSource& settings_;
+  std::shared_ptr<DiskList> disks_;
+  ScaleHairs hairs_;
+};
+
+/// The union of the balls that are sampled along the axis of another union, with radii multiplied by
+/// `scale-axis-factor`: its axis, with radii divided by the factor again, is the *scale axis* of that union.
+///
+/// What it guarantees:
+///  1. At a factor of 1 its tables are those of the other union.
+///  2. At other factors the balls are those of `BallSampling::medial`, as doubles, whatever the number type; below 1 as
+///     dense as the shrunk balls need it, so that those of a piece of the axis do not part.
+///
+/// Rows of balls: at a factor of 1 those of the other union; otherwise of a list. Each change makes it anew.
+/// `ScaleUnion` does the same with the one-step axis, and follows edits locally at a factor of 1.
+/// Source: Giesen, Miklos, Pauly and Wormser 2009.
+class AxisBallUnion : public DiskListUnion {
+ public:
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void find(std::vector<Finding>& out) const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
+
+ protected:
+  AxisBallUnion(std::string_view id, SettingsSource& settings, BallUnion& plain);
+  /// What is to grow by the factor: the balls along the axis of the other union.
+  virtual DiskList disks(JobControl& job);
+
+ private:
+  double wanted_angle() const { return source_.current()[Parameter::medial_sampling_angle]; }
+
+  SettingsSource& source_;
+  BallUnion& plain_;
+  double angle_ = 0.0;
+};
+
+/// The *scale skeleton*: as `AxisBallUnion`, but the factor is reached in steps of `scale-skeleton-step`, 1 + k d in step
+/// k, and each step but the last replaces the balls by those along the axis of their grown union, with radii divided by
+/// its factor.
+///
+/// What it guarantees:
+///  1. Up to a factor of 1 + d it is the scale axis.
+///  2. It does not depend on the factors that were looked at before.
+///
+/// Steps before the last are made in `fast`, whatever the number type. What balls remain is kept for each step, up to
+/// `kMostKept` balls; so as long as the balls that it begins with are the same, a step forwards is one more union.
+/// Otherwise the cost is that of (factor - 1) / d unions.
+class SkeletonUnion : public AxisBallUnion {
+ public:
+  bool update(JobControl& job) override;
+  void rebuild(JobControl& job) override;
+  StatList statistics() const override;
+
+ protected:
+  SkeletonUnion(std::string_view id, SettingsSource& settings, BallUnion& plain);
+
+ private:
+  static constexpr std::size_t kMostKept = 1'000'000;
+  struct Step {
+    std::size_t number = 0;
+    DiskList disks;
+  };
+  DiskList disks(JobControl& job) override;
+  DiskList after_step(const DiskList& disks, double factor, JobControl& job) const;
+
+  /// What the steps depend on.
+  struct Beginning {
+    double step = 0.0;
+    double angle = 0.0;
+    DiskList disks;
+    friend bool operator==(const Beginning&, const Beginning&) = default;
+  };
+
+  const SettingsSource& settings_;
+  Beginning beginning_;
+  std::vector<Step> kept_;  // from `beginning_`, by number
+  std::size_t steps_ = 0;   // before the last
+};
+
+class AScaleUnion final : public AxisBallUnion {
+ public:
+  AScaleUnion(SettingsSource& settings, AUnion& balls) : AxisBallUnion("a-scale-union", settings, balls) {}
+};
+class BScaleUnion final : public AxisBallUnion {
+ public:
+  BScaleUnion(SettingsSource& settings, BUnion& balls) : AxisBallUnion("b-scale-union", settings, balls) {}
+};
+
+class AScaleSampling final : public GrownBallSampling {
+ public:
+  AScaleSampling(SettingsSource& settings, AScaleUnion& balls)
+      : GrownBallSampling("a-scale-sampling", settings, balls) {}
+};
+class BScaleSampling final : public GrownBallSampling {
+ public:
+  BScaleSampling(SettingsSource& settings, BScaleUnion& balls)
+      : GrownBallSampling("b-scale-sampling", settings, balls) {}
+};
+
+class ASkeletonUnion final : public SkeletonUnion {
+ public:
+  ASkeletonUnion(SettingsSource& settings, AUnion& balls) : SkeletonUnion("a-skeleton-union", settings, balls) {}
+};
+class BSkeletonUnion final : public SkeletonUnion {
+ public:
+  BSkeletonUnion(SettingsSource& settings, BUnion& balls) : SkeletonUnion("b-skeleton-union", settings, balls) {}
+};
+
+}  // namespace mes

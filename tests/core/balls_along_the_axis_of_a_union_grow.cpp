@@ -1,0 +1,264 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The scale axes and scale skeletons of the three families: against formulas, against the axis itself where the factor is
+// 1, and against a fresh computation after every edit.
+#include <algorithm>
+#include <array>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "core/base/rng.h"
+#include "core/draw/layer_descriptor.h"
+#include "tests/support/shapes.h"
+#include "tests/support/shapes_degenerate.h"
+#include "tests/support/workbench.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+constexpr std::array<const char*, 3> kLetters{"a", "p", "b"};
+constexpr std::array<const char*, 6> kNames{"scale-axis",       "scale-axis-boundary", "scale-axis-grown-disks",
+                                            "scale-axis-disks", "scale-axis-circles",  "scale-skeleton"};
+
+std::string id_of(std::string_view letter, std::string_view name) {
+  return std::string(letter) + '-' + std::string(name);
+}
+
+void show(Workbench& bench, std::string_view letter) {
+  std::array<std::string, kNames.size()> ids;
+  for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = id_of(letter, kNames[i]);
+  bench.show({ids[0], ids[1], ids[2], ids[3], ids[4], ids[5]});
+}
+
+ComputationSettings factor(double s, double step = 3.0) {
+  ComputationSettings out;
+  out[Parameter::scale_axis_factor] = s;
+  out[Parameter::scale_skeleton_step] = step;
+  return out;
+}
+
+struct Piece {
+  Vec2 a, b;
+  double radius;
+};
+std::vector<Piece> pieces(const Workbench& bench, const std::string& layer) {
+  std::vector<Piece> out;
+  const auto values = bench.instances(layer, PrimitiveKind::segment);
+  for (std::size_t at = 0; at < values.size(); at += stride_of(PrimitiveKind::segment))
+    out.push_back({{values[at], values[at + 1]}, {values[at + 2], values[at + 3]}, values[at + 4]});
+  return out;
+}
+Box2 box_of(const std::vector<Piece>& pieces) {
+  Box2 out;
+  for (const Piece& piece : pieces) {
+    out.add(piece.a);
+    out.add(piece.b);
+  }
+  return out;
+}
+double length_of(const std::vector<Piece>& pieces) {
+  double out = 0.0;
+  for (const Piece& piece : pieces) out += distance(piece.a, piece.b);
+  return out;
+}
+
+/// Balls about places of the x axis, from `from` to `to`, with a radius that follows the place.
+template <class Radius>
+SampleData balls_in_line(double from, double to, int count, Radius radius) {
+  SampleData out;
+  for (int i = 0; i < count; ++i) {
+    const double x = from + (to - from) * i / (count - 1);
+    out.balls.push_back({{x, 0.0}, radius(x)});
+  }
+  return out;
+}
+
+SampleData random_scene(Rng& rng, std::size_t samples, std::size_t balls) {
+  SampleData out;
+  for (std::size_t i = 0; i < samples; ++i) {
+    const double t = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(samples);
+    const double r = 100.0 * (1.0 + 0.3 * std::cos(3.0 * t)) + 8.0 * (rng.uniform() - 0.5);
+    out.positions.push_back({r * std::cos(t), r * std::sin(t)});
+  }
+  for (std::size_t i = 0; i < balls; ++i)
+    out.balls.push_back({{200.0 * rng.uniform() - 100.0, 200.0 * rng.uniform() - 100.0}, 5.0 + 30.0 * rng.uniform()});
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("at a factor of 1 scale axis and scale skeleton are the axis of each family, instance for instance") {
+  for (const char* letter : kLetters) {
+    Workbench bench;
+    const auto id = [letter](std::string_view name) { return id_of(letter, name); };
+    bench.show({id("scale-axis"), id("scale-skeleton"), id("ball-medial-axis"), id("scale-axis-boundary"),
+                id("union-boundary"), id("scale-axis-disks"), id("ball-medial-disks")});
+    std::vector<SampleData> inputs;
+    for (const DegenerateInput& input : degenerate_inputs()) inputs.push_back({.positions = input.positions});
+    for (const TestShape& shape : oracle_shapes(0.25, {0.3, 0.2, 4})) inputs.push_back(shape.data);
+    Rng rng(4);
+    inputs.push_back(random_scene(rng, 60, 20));
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      INFO(letter << " input " << i);
+      bench.load(inputs[i]);
+      const auto same = [&](std::string_view a, std::string_view b) {
+        INFO(a);
+        CHECK(bench.contents().sorted(find_layer(id(a))) == bench.contents().sorted(find_layer(id(b))));
+      };
+      same("scale-axis", "ball-medial-axis");
+      same("scale-skeleton", "ball-medial-axis");
+      same("scale-axis-boundary", "union-boundary");
+      same("scale-axis-disks", "ball-medial-disks");
+      for (const char* key : {"components", "cycles", "nodes", "leaves", "visible"})
+        CHECK(bench.count(id("scale-union"), key) == bench.count(id("union"), key));
+      CHECK(bench.measure(id("scale-union"), "area") == bench.measure(id("union"), "area"));
+    }
+  }
+}
+
+TEST_CASE("the scale axis of own balls that make a stadium is its core, with its radius, at every factor") {
+  Workbench bench;
+  show(bench, "b");
+  bench.load(balls_in_line(-3.0, 3.0, 25, [](double) { return 1.0; }));
+  for (const double s : {0.2, 0.5, 0.9, 1.05, 1.3, 2.0, 3.0}) {
+    INFO("s " << s);
+    bench.choose(factor(s));
+    for (const char* layer : {"b-scale-axis", "b-scale-skeleton"}) {
+      INFO(layer);
+      const std::vector<Piece> axis = pieces(bench, layer);
+      CHECK(box_of(axis).low.x == Approx(-3.0).margin(1e-9));
+      CHECK(box_of(axis).high.x == Approx(3.0).margin(1e-9));
+      CHECK(std::max(-box_of(axis).low.y, box_of(axis).high.y) < 1e-9);
+      CHECK(length_of(axis) == Approx(6.0));
+      for (const Piece& piece : axis) CHECK(piece.radius == Approx(1.0).margin(0.01));
+    }
+    CHECK(bench.measure("b-scale-union", "area") == Approx(std::numbers::pi * s * s + 12.0 * s).epsilon(0.01));
+    CHECK(bench.count("b-scale-union", "components") == 1);
+  }
+}
+
+TEST_CASE("balls whose radius grows along a line are swallowed by the largest from the inverse of the slope on") {
+  Workbench bench;
+  show(bench, "b");
+  bench.load(balls_in_line(0.0, 4.0, 41, [](double x) { return 0.5 + 0.6 * x; }));
+  for (const double s : {0.3, 0.7, 1.2, 1.6, 1.7, 2.5}) {
+    INFO("s " << s);
+    bench.choose(factor(s, 1.0));
+    for (const char* layer : {"b-scale-axis", "b-scale-skeleton"}) {
+      INFO(layer);
+      if (s > 1.0 / 0.6) {
+        CHECK(pieces(bench, layer).empty());
+        const auto point = bench.instances(layer, PrimitiveKind::point);
+        REQUIRE(point.size() == stride_of(PrimitiveKind::point));
+        CHECK(point[0] == Approx(4.0));
+        CHECK(point[2] == Approx(2.9));
+      } else {
+        CHECK(box_of(pieces(bench, layer)).low.x == Approx(0.0).margin(1e-9));
+        CHECK(box_of(pieces(bench, layer)).high.x == Approx(4.0).margin(1e-9));
+      }
+    }
+  }
+}
+
+TEST_CASE("scale axis and skeleton of each family are continuous at a factor of 1") {
+  for (const char* letter : {"a", "p"}) {
+    Workbench bench;
+    show(bench, letter);
+    bench.replace(ellipse(2.0, 1.0, 200, {0.3, 0.1, 3}).data.positions);
+    const double whole = length_of(pieces(bench, id_of(letter, "scale-axis")));
+    for (const double s : {1.0 - 1e-6, 1.0 + 1e-6}) {
+      bench.choose(factor(s));
+      for (const char* name : {"scale-axis", "scale-skeleton"})
+        CHECK(length_of(pieces(bench, id_of(letter, name))) == Approx(whole).epsilon(0.01));
+    }
+  }
+}
+
+TEST_CASE("the scale skeleton of an ellipse is shorter by the formula of the scale axis, and has its radii") {
+  const double a = 2.0;
+  const double c2 = a * a - 1.0;
+  Workbench bench;
+  show(bench, "a");
+  bench.replace(ellipse(a, 1.0, 300, {0.3, 0.1, 3}).data.positions);
+  for (const double s : {1.1, 1.3, 2.0}) {
+    INFO("s " << s);
+    bench.choose(factor(s, 10.0));
+    const double end = c2 / std::sqrt(s * s + c2);
+    CHECK(bench.count("a-skeleton-union", "steps_before") == std::lround((s - 1.0) / 0.1) - 1);
+    CHECK(bench.count("a-skeleton-union", "components") == 1);
+    CHECK(bench.count("a-skeleton-union", "leaves") == 2);
+    const std::vector<Piece> axis = pieces(bench, "a-scale-skeleton");
+    CHECK(box_of(axis).low.x == Approx(-end).margin(0.03));
+    CHECK(box_of(axis).high.x == Approx(end).margin(0.03));
+    for (const Piece& piece : axis) {
+      const double x = std::min(end, std::abs(0.5 * (piece.a.x + piece.b.x)));
+      CHECK(piece.radius == Approx(std::sqrt(1.0 - x * x / c2)).margin(0.02));
+    }
+  }
+}
+
+TEST_CASE("the scale skeleton in one step is the scale axis, and does not depend on the factors before") {
+  Rng rng(9);
+  const SampleData scene = random_scene(rng, 60, 15);
+  for (const char* letter : kLetters) {
+    Workbench bench;
+    show(bench, letter);
+    bench.load(scene);
+    for (const double s : {0.5, 1.2, 1.5}) {
+      bench.choose(factor(s, 100.0));
+      CHECK(bench.contents().sorted(find_layer(id_of(letter, "scale-skeleton"))) ==
+            bench.contents().sorted(find_layer(id_of(letter, "scale-axis"))));
+    }
+    for (const auto& [s, step] : {std::pair{1.3, 5.0}, {1.31, 5.0}, {1.15, 5.0}, {1.45, 5.0}, {1.45, 9.0}}) {
+      INFO(letter << " s " << s << " step " << step);
+      bench.choose(factor(s, step));
+      Workbench fresh;
+      show(fresh, letter);
+      fresh.choose(factor(s, step));
+      fresh.load(scene);
+      CHECK(bench.contents().sorted(find_layer(id_of(letter, "scale-skeleton"))) ==
+            fresh.contents().sorted(find_layer(id_of(letter, "scale-skeleton"))));
+    }
+  }
+}
+
+TEST_CASE("scale axes of the families follow random edits and changes of the factor as a fresh computation does") {
+  for (const char* letter : kLetters) {
+    Rng rng(17);
+    Workbench bench;
+    show(bench, letter);
+    bench.load(random_scene(rng, 40, 12));
+    ComputationSettings settings;
+    for (int step = 0; step < 24; ++step) {
+      INFO(letter << " step " << step);
+      if (step % 4 == 0) {
+        settings = factor(std::array{1.0, 0.6, 1.1, 1.4}[rng.below(4)], std::array{4.0, 20.0}[rng.below(2)]);
+        settings[Parameter::medial_sampling_angle] = std::array{160.0, 175.0}[rng.below(2)];
+        bench.choose(settings);
+      }
+      const auto place = [&] { return Vec2{260.0 * rng.uniform() - 130.0, 260.0 * rng.uniform() - 130.0}; };
+      switch (rng.below(4)) {
+        case 0: bench.insert({place()}); break;
+        case 1: bench.remove({bench.ids()[rng.below(bench.ids().size())]}); break;
+        case 2: bench.move(bench.ids()[rng.below(bench.ids().size())], place()); break;
+        default: bench.insert_balls({{place(), 5.0 + 20.0 * rng.uniform()}}); break;
+      }
+      Workbench fresh;
+      show(fresh, letter);
+      SampleData reversed{.positions = bench.positions(), .balls = bench.balls()};
+      std::ranges::reverse(reversed.positions);
+      std::ranges::reverse(reversed.balls);
+      fresh.load(reversed);
+      fresh.choose(settings);
+      for (const char* name : kNames) {
+        INFO(name);
+        const LayerIndex layer = find_layer(id_of(letter, name));
+        REQUIRE(bench.contents().sorted(layer) == fresh.contents().sorted(layer));
+      }
+    }
+  }
+}
