@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/prepared_document.h"
 
+#include <algorithm>
+#include <limits>
 #include <utility>
 
 namespace mes {
@@ -17,15 +19,20 @@ std::shared_ptr<DocumentDelta> change_to(const Document& document) {
   return out;
 }
 
+// Where numbers run out, half of those that remain: what does not find any is refused, as any insertion is.
+std::uint32_t ids_left(std::uint32_t next, std::uint32_t wanted) {
+  return std::min(wanted, (std::numeric_limits<std::uint32_t>::max() - next) / 2);
+}
+
 }  // namespace
 
 // Nothing takes the place of nothing, with later numbers.
 Document successor_of(const Document& before, const NumbersLeft& left) {
   Document out = before.successor();
   auto samples = std::make_shared<SampleSnapshot>();
-  samples->first = SampleId{before.next_id().value + left.ids};
+  samples->first = SampleId{before.next_id().value + ids_left(before.next_id().value, left.ids)};
   auto balls = std::make_shared<BallSnapshot>();
-  balls->first = BallId{before.next_ball_id().value + left.ids};
+  balls->first = BallId{before.next_ball_id().value + ids_left(before.next_ball_id().value, left.ids)};
   DocumentDelta later;
   later.from_revision = out.revision();
   later.to_revision = out.revision() + left.revisions;

@@ -5,7 +5,8 @@
 
 namespace mes {
 
-LeftWork AskRecover::take() {
+std::optional<LeftWork> AskRecover::take() {
+  if (works_.empty()) return std::nullopt;
   LeftWork out = std::move(works_.front());
   works_.erase(works_.begin());
   return out;
@@ -20,7 +21,9 @@ void AskRecover::draw(const Gui& gui) {
   switch (draw_question(gui)) {
     case Pressed::none: break;
     case Pressed::later: cancel(); break;
-    case Pressed::discard: take().remove(); break;
+    case Pressed::discard:
+      if (auto work = take()) work->remove();
+      break;
     case Pressed::recover: recover_(); break;
   }
 }

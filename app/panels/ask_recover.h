@@ -17,8 +17,8 @@ class AskRecover final : public Dialog {
  public:
   /// `recover` is to `take` the work, now or when there is room for it.
   void offer(std::vector<LeftWork> works, std::function<void()> recover);
-  /// The work that was asked about.
-  LeftWork take();
+  /// The work that was asked about; none if it was refused meanwhile.
+  std::optional<LeftWork> take();
 
   /// Not open while it waits: the work before is being recovered.
   void set_waits(bool waits) { waits_ = waits; }

@@ -27,10 +27,13 @@ void AskUnsaved::draw(const Gui& gui) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * unit, 16 * unit});
   std::function<void()> answer;
   if (Gui::begin_dialog(kTitle, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
+    // Names of files may be long.
+    ImGui::PushTextWrapPos(0.6F * screen.x);
     ImGui::PushFont(gui.bold());
     ImGui::Text("%s has changes that are not saved", title_.c_str());
     ImGui::PopFont();
     if (!reason_.empty()) ImGui::TextUnformatted(reason_.c_str());
+    ImGui::PopTextWrapPos();
     ImGui::Dummy({1, 6 * unit});
     const ImVec2 size(120 * unit, 0);
     if (ImGui::Button("Save", size)) answer = answers_.save;

@@ -44,8 +44,8 @@ class Dialogs {
   void draw(const Gui& gui);
 
  private:
-  std::array<Dialog*, 10> all_{&figure,  &trace,    &shape,   &text, &unsaved,
-                               &recover, &conflict, &browser, &help, &palette};  // topmost last
+  std::array<Dialog*, 10> all_{&figure,  &trace,    &shape,   &text, &recover,
+                               &unsaved, &conflict, &browser, &help, &palette};  // topmost last
 };
 
 }  // namespace mes

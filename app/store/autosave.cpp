@@ -233,6 +233,14 @@ void Autosave::flush() {
   hurry_ = false;
 }
 
+bool Autosave::holds_all() {
+  if (!has_journal_) return false;
+  const std::lock_guard lock(mutex_);
+  const bool out = queue_.empty() && !is_writing_ && !has_failed_;
+  is_awaited_ = !out;
+  return out;
+}
+
 void Autosave::write(Work& work, Journal& journal) {
   if (work.ends) journal.drop();
   if (work.renews) {
@@ -263,8 +271,10 @@ void Autosave::write_on(const std::stop_token& stop) {
     const int error = journal.put(folder_);
     lock.lock();
     is_writing_ = false;
+    has_failed_ = error != 0;
     if (error == 0) {
       has_complained = false;
+      if (std::exchange(is_awaited_, false) && wake_) wake_();
     } else if (!std::exchange(has_complained, true)) {
       problem_ = fmt::format("unsaved work is not protected against a crash: {}: {}", folder_.string(),
                              std::strerror(error));

@@ -48,8 +48,10 @@ class Autosave {
   void discard();
   /// Why work is not protected, once.
   std::string take_problem();
-  /// Waits until everything given so far is on the disk.
+  /// Waits until everything given so far has been written, or could not be.
   void flush();
+  /// There is a journal, and everything given so far is in it, on the disk. If not, `wake` is called once it may be.
+  bool holds_all();
 
  private:
   struct Work {
@@ -78,6 +80,8 @@ class Autosave {
   std::vector<Work> queue_;
   bool is_writing_ = false;
   bool hurry_ = false;
+  bool has_failed_ = false;  // what was written last is not on the disk
+  bool is_awaited_ = false;  // by `holds_all`
   std::string problem_;
   std::jthread thread_;
 };

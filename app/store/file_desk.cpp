@@ -141,7 +141,8 @@ void FileDesk::prepare(Reading& reading, ReadFiles& out) {
 
 void FileDesk::begin(Asked asked) {
   cancel_reading();
-  asked.work = editor_.work();
+  note_work(asked);
+  attempts_ = 0;
   asked_ = std::move(asked);
   progress_ = std::make_shared<Reading>();
   reading_.begin([asked = asked_, start = start(), reading = progress_](const std::stop_token& stop) {
@@ -152,10 +153,16 @@ void FileDesk::begin(Asked asked) {
   });
 }
 
+void FileDesk::note_work(Asked& asked) const {
+  asked.work = editor_.work();
+  asked.was_modified = editor_.is_modified();
+}
+
 // So many numbers are left that what is done by hand meanwhile does not use them up, nor an evolution that moves samples.
+// One that adds samples may, and is left more of them each time, up to a number that takes longer to add than to read.
 Document FileDesk::start() const {
-  constexpr NumbersLeft kLeft{.revisions = std::uint64_t{1} << 32U, .ids = std::uint32_t{1} << 16U};
-  return successor_of(editor_.document(), kLeft);
+  const unsigned bits = std::min(16U + 4U * attempts_, 24U);
+  return successor_of(editor_.document(), {.revisions = std::uint64_t{1} << 32U, .ids = std::uint32_t{1} << bits});
 }
 
 void FileDesk::open(const std::vector<fs::path>& files, MapDegrees degrees) {
@@ -199,7 +206,8 @@ double FileDesk::reading_progress() const {
 }
 
 bool FileDesk::would_lose_work() const {
-  return held_back_ && !held_back_->outcome.error && editor_.is_modified() && editor_.work() != asked_.work;
+  if (!held_back_ || held_back_->outcome.error || !editor_.is_modified()) return false;
+  return !asked_.was_modified || editor_.work() != asked_.work;
 }
 
 std::optional<FileDesk::Outcome> FileDesk::poll() {
@@ -216,6 +224,7 @@ std::optional<FileDesk::Outcome> FileDesk::poll() {
 }
 
 void FileDesk::prepare_again(ReadFilesPointer read) {
+  ++attempts_;
   read->start = start();
   reading_.begin([read = std::move(read), reading = progress_](const std::stop_token& stop) {
     reading->control.set_token(stop);

@@ -60,7 +60,7 @@ class FileDesk {
   /// Something was read, and in the document in its place something was done since `open` that no file holds.
   bool would_lose_work() const;
   /// That it is lost is wanted. What is done after this call is not meant.
-  void give_up_work() { asked_.work = editor_.work(); }
+  void give_up_work() { note_work(asked_); }
   std::string reading_name() const;
   /// Share of what is to be read, from 0 to 1, by bytes of the present file; 0 where nothing is read. Never goes
   /// back during a reading.
@@ -130,7 +130,8 @@ class FileDesk {
     std::string title{};                         // of a shape
     std::shared_ptr<const Session> recovered{};  // no file
     MapDegrees degrees = MapDegrees::projected;
-    Editor::Work work{};  // that there was then
+    Editor::Work work{};        // that there was then
+    bool was_modified = false;  // so it was asked about
   };
   /// Of a reading, for the window: how far it is.
   struct Reading {
@@ -156,6 +157,7 @@ class FileDesk {
   };
   using ReadFilesPointer = std::shared_ptr<ReadFiles>;
   void begin(Asked asked);
+  void note_work(Asked& asked) const;
   Document start() const;
   /// Makes the document once more, as the numbers left to the editor's did not last.
   void prepare_again(ReadFilesPointer read);
@@ -219,6 +221,7 @@ class FileDesk {
   ReadFilesPointer held_back_;            // what was read, while it would lose work
   std::shared_ptr<const Saving> saving_;  // while it is written
   std::shared_ptr<Reading> progress_;     // of the reading
+  unsigned attempts_ = 0;                 // to make the document of it once more
   BackgroundJob<ReadFilesPointer> reading_;
   BackgroundJob<Written> writing_;
   BackgroundJob<bool> dropping_{{}};  // of the document before, which may be large

@@ -74,7 +74,7 @@ class BackgroundJob {
     try {
       // The thread before is at its end, and waited for.
       run.thread = std::jthread([&run] { run.drop(); });
-    } catch (const std::system_error&) {
+    } catch (const std::exception&) {
       run.drop();
     }
   }

@@ -234,6 +234,7 @@ void DocumentFlow::take_results() {
   figures_.take_results();
   tracing_.take_results();
   offer_left_work();
+  remove_recovered();
 }
 
 void DocumentFlow::follow_dialogs() {
@@ -254,10 +255,12 @@ void DocumentFlow::keep() {
 void DocumentFlow::end() {
   if (is_left_) {
     keeper_.discard();
+    for (LeftWork& work : recovered_) work.remove();
     return;
   }
   keep();
   keeper_.flush();
+  remove_recovered();
 }
 
 }  // namespace mes

@@ -117,6 +117,9 @@ class DocumentFlow {
   void offer_left_work();
   void recover(LeftWork work);
   void take_recovered(const FileDesk::Outcome& outcome, LeftWork work);
+  void say_left_work_waits();
+  /// What was left and is recovered, once it is in the journal or in a file, or was given up.
+  void remove_recovered();
 
   // document_saving.cpp
   void save();
@@ -145,6 +148,7 @@ class DocumentFlow {
   bool reads_map_again_ = false;                  // once nothing else is read
   bool presents_next_ = false;                    // what is being read
   std::optional<LeftWork> recovering_;            // what is being read
+  std::vector<LeftWork> recovered_;               // whose files are still there
   bool asks_about_read_ = false;                  // whether it may take the place of what was done meanwhile
   bool had_first_file_ = false;
   bool is_left_ = false;

@@ -7,6 +7,7 @@
 #include "app/model/session_evolution.h"
 #include "app/window/document_flow.h"
 #include "core/io/bundle_file.h"
+#include "imgui.h"
 
 namespace mes {
 
@@ -123,15 +124,16 @@ void DocumentFlow::ask_before_read_file() {
     asks_about_read_ = false;
     return;
   }
-  // What a demo does is no work.
-  if (uses_.demo.is_running()) return files_.give_up_work();
   const bool is_in_question = uses_.dialogs.unsaved.is_open() || files_.is_saving() || after_save_;
   if (asks_about_read_) {
-    if (!is_in_question) files_.cancel_reading();
+    if (is_in_question) return;
+    if (!recovering_) uses_.messages.remark(files_.reading_name() + " was read, and not opened");
+    files_.cancel_reading();
     return;
   }
   // One thing after the other.
-  if (is_in_question || !uses_.dialogs.open().empty() || uses_.board.canvas().has_pointer()) return;
+  const bool is_busy = uses_.board.canvas().has_pointer() || ImGui::IsAnyItemActive();
+  if (is_in_question || is_busy || !uses_.dialogs.open().empty()) return;
   asks_about_read_ = true;
   uses_.screen.clock.settle();
   with_saved_work([this] { files_.give_up_work(); },
@@ -145,8 +147,7 @@ void DocumentFlow::take_read_file() {
     // After a reading that was given up, too.
     traced_with_next_.clear();
     presents_next_ = false;
-    if (recovering_) uses_.messages.remark("The work that was left is offered again at the next start");
-    recovering_.reset();
+    if (std::exchange(recovering_, std::nullopt)) say_left_work_waits();
     return;
   }
   const fs::path picture = std::exchange(traced_with_next_, {});
@@ -155,6 +156,7 @@ void DocumentFlow::take_read_file() {
   uses_.screen.clock.settle();
   if (outcome->error) {
     report(*outcome->error);
+    if (recovered) say_left_work_waits();
     if (!fs::exists(outcome->file)) std::erase(uses_.settings.recent_files, outcome->file.string());
     return;
   }
@@ -173,6 +175,7 @@ void DocumentFlow::take_read_file() {
   uses_.board.note_new_document();
   had_first_file_ = true;
   say_opened(*outcome);
+  if (recovered) say_left_work_waits();
   if (!can_present()) return;
   if (presents)
     uses_.lesson.start(session_now());
@@ -230,12 +233,23 @@ void DocumentFlow::offer_left_work() {
   if (!found) return;
   if (!found->message.empty()) uses_.messages.problem(found->message);
   AskRecover& question = uses_.dialogs.recover;
-  question.offer(std::move(found->works),
-                 [this, &question] { with_saved_work([this, &question] { recover(question.take()); }); });
+  question.offer(std::move(found->works), [this, &question] {
+    with_saved_work([this, &question] {
+      if (auto work = question.take()) recover(*std::move(work));
+    });
+  });
   uses_.screen.clock.settle();
 }
 
+void DocumentFlow::say_left_work_waits() {
+  uses_.messages.remark("The work that was left is offered again at the next start");
+}
+
+// A demo would take what is recovered for its own drawing, which is no work.
 void DocumentFlow::recover(LeftWork work) {
+  uses_.demo.end(true);
+  if (files_.is_reading())
+    uses_.messages.problem(files_.reading_name() + " is not opened: work that was left is recovered");
   traced_with_next_.clear();
   recovering_.emplace(std::move(work));
   uses_.dialogs.recover.set_waits(true);
@@ -243,17 +257,21 @@ void DocumentFlow::recover(LeftWork work) {
 }
 
 void DocumentFlow::take_recovered(const FileDesk::Outcome& outcome, LeftWork work) {
-  uses_.demo.end(true);
   uses_.messages.remark("Recovered " + files_.title() + "; no file holds it yet");
   leave_document();
   uses_.board.note_new_document();
   show_as_in(*outcome.session);
   uses_.board.fitter().want(ViewFitter::How::at_once);
   had_first_file_ = true;
-  // What was left goes only when it is safe again.
   keep();
-  keeper_.flush();
-  work.remove();
+  recovered_.push_back(std::move(work));
+}
+
+void DocumentFlow::remove_recovered() {
+  if (recovered_.empty() || uses_.lesson.is_running()) return;
+  if (uses_.work.editor().is_modified() && !keeper_.holds_all()) return;
+  for (LeftWork& work : recovered_) work.remove();
+  recovered_.clear();
 }
 
 }  // namespace mes

@@ -131,10 +131,13 @@ void WindowInput::on_space(bool held) {
   uses_.canvas.set_space_held(held && !uses_.screen.gui.wants_text() && !uses_.screen.gui.has_popup());
 }
 
-// What a gesture does, and where it snaps to, depends on them; the pointer may rest meanwhile.
+// What a gesture does, and where it snaps to, depends on them; the pointer may rest meanwhile. Below a dialog nothing
+// does, and the pointer is where it was when the dialog has gone.
 void WindowInput::on_modifiers(Modifiers modifiers) {
-  events_.push_move([this, px = pointer_px_, modifiers] {
-    if (uses_.canvas.is_hovered()) follow_pointer(px, modifiers);
+  events_.push([this, px = pointer_px_, modifiers] {
+    const Canvas& canvas = uses_.canvas;
+    if (canvas.is_hovered() && (canvas.has_pointer() || !uses_.screen.gui.wants_pointer(px)))
+      uses_.canvas.move(px, modifiers);
   });
 }
 

@@ -32,8 +32,10 @@ class WorkKeeper {
   void note_saved() { autosave_.note_saved(); }
   /// What is unsaved was given up.
   void discard() { autosave_.discard(); }
-  /// Waits until the journal is on the disk.
+  /// Waits until the journal has been written.
   void flush() { autosave_.flush(); }
+  /// The journal is on the disk, with everything given so far.
+  bool holds_all() { return autosave_.holds_all(); }
 
   bool is_looking_for_left_work() const { return left_work_.is_under_way(); }
   /// What an earlier run has left behind, once, when it has been found.

@@ -8,6 +8,7 @@
 #include <thread>
 #include <vector>
 
+#include "app/model/prepared_document.h"
 #include "tests/model/desk_bench.h"
 
 using namespace mes;
@@ -154,6 +155,63 @@ TEST_CASE("an evolution that plays on while a file is read is asked about once")
   CHECK(bench.desk.poll());
   CHECK(bench.editor.document().sample_count() == 1);
   CHECK_FALSE(bench.editor.can_undo());
+}
+
+TEST_CASE("what an evolution changes while a file is read is asked about where nothing was to be lost before") {
+  Bench bench;
+  const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n1 2\n");
+  bench.add_sample();
+  const auto evolve = [&](double x) { REQUIRE(bench.editor.evolve(std::vector{Vec2{x, 8}}, {}, "evolution")); };
+  evolve(1);
+  REQUIRE(bench.save_as(bench.folder / "b.poff"));
+  REQUIRE_FALSE(bench.editor.is_modified());
+  bench.desk.open(file);
+  evolve(2);
+  while (!bench.desk.has_read()) std::this_thread::yield();
+  CHECK_FALSE(bench.desk.poll());
+  CHECK(bench.desk.would_lose_work());
+  bench.desk.give_up_work();
+  evolve(3);
+  CHECK_FALSE(bench.desk.would_lose_work());
+  CHECK(bench.desk.poll());
+}
+
+TEST_CASE("samples that are added before each look do not put off for good what was read") {
+  Bench bench;
+  const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n1 2\n");
+  bench.desk.open(file);
+  const std::vector<Vec2> many(70'000, Vec2{1, 1});
+  std::optional<FileDesk::Outcome> outcome;
+  int looks = 0;
+  for (; !outcome && looks < 10; ++looks) {
+    REQUIRE(bench.editor.insert(many, "many"));
+    bench.desk.give_up_work();
+    while (!bench.desk.has_read()) std::this_thread::yield();
+    outcome = bench.desk.poll();
+  }
+  REQUIRE(outcome);
+  CHECK(looks == 2);
+  CHECK(bench.editor.document().sample_count() == 1);
+}
+
+TEST_CASE("where ids run out, files are opened as long as there are some, and refused then") {
+  Bench bench;
+  const auto file = bench.folder.write("a.poff", "POFF 2 0 0\n1 2\n3 4\n");
+  Document start = bench.editor.document().successor();
+  // Each takes half of what remains.
+  for (int i = 0; i < 22; ++i) start = successor_of(start, {.revisions = 1, .ids = ~std::uint32_t{0}});
+  DocumentReplay replay(start);
+  const auto none = std::make_shared<const SampleData>();
+  REQUIRE(replay.begin(*none));
+  PreparedDocument near_the_end(std::move(replay), none);
+  bench.editor.load(near_the_end);
+  int opened = 0;
+  std::optional<Error> refusal;
+  for (; opened < 100 && !refusal; ++opened) refusal = bench.open(file).error;
+  CHECK(opened > 5);
+  REQUIRE(refusal);
+  CHECK(refusal->text.find("too many samples in one session") != std::string::npos);
+  CHECK(bench.editor.document().sample_count() == 2);
 }
 
 TEST_CASE("more samples than numbers were left for are made while a file is read") {

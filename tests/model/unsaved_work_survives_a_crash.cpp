@@ -300,18 +300,21 @@ TEST_CASE("when the disk is full work goes on, with one message, and is protecte
     int problems = 0;
     if (!editor.load({{{0, 0}}, {}})) ::_exit(1);
     Autosave autosave(folder.path(), {}, milliseconds(0));
-    ::setrlimit(RLIMIT_FSIZE, &small);
     const auto edit = [&] {
       if (!editor.insert(std::array{Vec2{1, 2}}, "Insert")) ::_exit(2);
       autosave.follow(editor, [&] { return head_of(editor); });
       autosave.flush();
       problems += autosave.take_problem().empty() ? 0 : 1;
     };
+    if (autosave.holds_all()) ::_exit(5);
+    edit();
+    if (!autosave.holds_all()) ::_exit(6);
+    ::setrlimit(RLIMIT_FSIZE, &small);
     for (int i = 0; i < 50; ++i) edit();
-    if (problems != 1) ::_exit(3);
+    if (problems != 1 || autosave.holds_all()) ::_exit(3);
     ::setrlimit(RLIMIT_FSIZE, &limit);
     edit();
-    ::_exit(problems == 1 ? 0 : 4);
+    ::_exit(problems == 1 && autosave.holds_all() ? 0 : 4);
   }
   int status = 0;
   ::waitpid(child, &status, 0);
@@ -319,5 +322,5 @@ TEST_CASE("when the disk is full work goes on, with one message, and is protecte
   CHECK(WEXITSTATUS(status) == 0);
   const FoundWork found = find_left_work(folder.path());
   REQUIRE(found.works.size() == 1);
-  CHECK(found.works[0].edits() == 51);
+  CHECK(found.works[0].edits() == 52);
 }
