@@ -2,6 +2,7 @@
 // What the window has to tell the user.
 #pragma once
 
+#include <algorithm>
 #include <chrono>
 #include <cstdint>
 #include <deque>
@@ -34,14 +35,16 @@ class Messages {
   /// a line each. Nothing happens when there are none.
   void problems(std::span<const std::string> texts) {
     constexpr std::size_t kMostLines = 6;
+    constexpr std::size_t kMostLogged = 100;
     if (texts.empty()) return;
     std::string lines;
-    for (std::size_t i = 0; i < texts.size(); ++i) {
+    for (std::size_t i = 0; i < std::min(texts.size(), kMostLogged); ++i) {
       log(texts[i], true);
       if (i < kMostLines) lines += (i == 0 ? "" : "\n") + texts[i];
     }
     if (texts.size() > kMostLines)
       lines += "\nand " + std::to_string(texts.size() - kMostLines) + " more, in View > Log";
+    if (texts.size() > kMostLogged) log("and " + std::to_string(texts.size() - kMostLogged) + " more", true);
     problem_ = std::move(lines);
   }
   void clear_remark() { remark_.clear(); }

@@ -82,6 +82,7 @@ const SelectionDesk::Numbers& SelectionDesk::numbers() const {
   const Places all = places();
   numbers_ = {all.samples.size(), all.balls.size(), middle_of(all.at),
               all.radius.empty() ? 0.0 : *std::ranges::max_element(all.radius)};
+  for (const Vec2 p : all.at) numbers_.box.add(p);
   numbers_of_ = now;
   return numbers_;
 }

@@ -34,6 +34,12 @@ class SelectionDesk {
     std::size_t balls = 0;
     Vec2 middle{};        ///< of the box around all places; of one its own place
     double radius = 0.0;  ///< of the largest ball
+    Box2 box{};           ///< around all places
+    /// Some of the box is seen.
+    bool is_in(const Box2& view) const {
+      return box.low.x <= view.high.x && view.low.x <= box.high.x && box.low.y <= view.high.y &&
+             view.low.y <= box.high.y;
+    }
   };
   /// O(1) while neither the selection nor the document changes.
   const Numbers& numbers() const;

@@ -26,7 +26,7 @@ void label(const Gui& gui, const char* text) {
 void SelectionPanel::report(const Expected<void>& done) {
   if (!done) return refusal_.say(done.error());
   refusal_.forget();
-  if (canvas_.view().free_box().contains(desk_.numbers().middle)) return;
+  if (desk_.numbers().is_in(canvas_.view().free_box())) return;
   const std::string key = actions_.keymap().key_of(ActionId::fit_selection);
   messages_.remark("What is selected lies outside the view: " + descriptor_of(ActionId::fit_selection).name +
                    (key.empty() ? "" : " (" + key + ")") + " shows it");

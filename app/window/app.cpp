@@ -61,7 +61,7 @@ void App::bind_actions() {
                            },
                            [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); },
                            [this] { return board_.canvas().pointer().units_per_px; },
-                           [this](Vec2 place) { return board_.view().free_box().contains(place); }});
+                           [this] { return board_.view().free_box(); }});
   board_.bind(actions);
   lesson_.bind(actions);
   recording_.bind(actions);

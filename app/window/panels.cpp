@@ -144,7 +144,7 @@ void Panels::bind_shown(ActionBindings& actions) {
   actions.bind(ActionId::toggle_snap,
                {[&is_on = settings.snap.is_on, &messages = uses_.messages] {
                   is_on = !is_on;
-                  messages.remark(is_on ? "Snapping is on; Ctrl held: not there" : "Snapping is off");
+                  messages.remark(is_on ? "Snapping is on; hold Ctrl to leave it off" : "Snapping is off");
                 },
                 {},
                 [&is_on = settings.snap.is_on] { return is_on; }});

@@ -59,7 +59,7 @@ void bind_clipboard(ActionBindings& actions, const Shared& shared) {
                  u.messages.problems(done->warnings);
                  std::string text = "Pasted " + shared->selected();
                  if (!done->without.empty()) text += ", without " + done->without;
-                 if (!u.sees(u.desk.numbers().middle)) text += ", outside the view";
+                 if (!u.desk.numbers().is_in(u.view())) text += ", outside the view";
                  u.messages.remark(std::move(text));
                }});
   actions.bind(ActionId::duplicate, {[shared, step] {

@@ -21,7 +21,7 @@ struct SelectionUses {
   std::function<std::string()> clipboard;  ///< its text
   std::function<void(const std::string&)> to_clipboard;
   std::function<double()> units_per_px;  ///< of the view, in logical pixels
-  std::function<bool(Vec2)> sees;        ///< whether the place is in the view
+  std::function<Box2()> view;            ///< what is seen
 };
 void bind_selection(ActionBindings& actions, SelectionUses uses);
 

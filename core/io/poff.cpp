@@ -130,15 +130,20 @@ Expected<LoadedFile> read_poff(std::string_view bytes, const std::string& name, 
   if (!remarks) return std::unexpected(remarks.error());
   file.warnings = std::move(*remarks);
   RepeatedCorners repeated;
+  std::size_t ignored = 0;
   for (const PoffScanner::Note& note : scanner.notes()) {
     auto loop = read_loop(note, file.data.positions.size(), name);
     if (!loop) {
-      file.warnings.push_back(loop.error().message());
+      if (ignored++ == 0) file.warnings.push_back(loop.error().message());
     } else if (*loop) {
       repeated.add(**loop, note.line);
       file.data.contours.push_back(std::move(**loop));
     }
   }
+  if (ignored > 1)
+    file.warnings.push_back(
+        fmt::format("{}: {} ignored as well", name,
+                    ignored == 2 ? "one more loop is" : fmt::format("{} more loops are", ignored - 1)));
   if (auto remark = repeated.remark(name)) file.warnings.push_back(*std::move(remark));
   return file;
 }

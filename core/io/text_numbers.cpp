@@ -83,8 +83,8 @@ std::expected<double, NumberFault> parse_number(std::string_view token, bool dec
   }
   if (token.starts_with('+') && token.size() > 1 && token[1] != '-' && token[1] != '+') token.remove_prefix(1);
   double value = 0.0;
-  // With more bytes than this the digits are together above 2^53, zeros in front aside: looking at them twice would be
-  // slower than `from_chars` alone.
+  // With more bytes than this the digits are together mostly above 2^53: looking at them twice would be slower than
+  // `from_chars` alone.
   constexpr std::size_t kMostShort = 18;
   if (!token.empty() && token.size() <= kMostShort && short_decimal(token, value) == token.size()) return value;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);

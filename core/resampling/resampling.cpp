@@ -159,7 +159,7 @@ class PlaceNumbers {
   explicit PlaceNumbers(std::span<const Vec2> places)
       : places_(places),
         bits_(static_cast<unsigned>(std::bit_width(2 * places.size() + 1))),
-        slots_(1U << bits_, kFree) {
+        slots_(std::size_t{1} << bits_, kFree) {
     for (std::uint32_t i = 0; i < places.size(); ++i) {
       std::uint32_t& slot = slots_[slot_of(places[i])];
       if (slot != kFree) continue;

@@ -197,8 +197,8 @@ TEST_CASE("an edit sends changes only, and undo restores the instances") {
   client.sync();
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < client.last().layer_count; ++i) {
-    // Diagrams of balls, what is made of all poles, what any ball may swallow, unions of what filters keep and of balls along axes
-    // of unions, and the order in which samples and balls come to alpha complexes, are made anew.
+    // Diagrams of balls, what is made of all poles, what any ball may swallow, unions of what filters keep and of balls
+    // along axes of unions, and the order in which samples and balls come to alpha complexes, are made anew.
     const LayerIndex layer = client.last().layers[i].layer;
     const LayerDescriptor& descriptor = layer_descriptors()[layer];
     if (std::ranges::any_of(descriptor.structures, [](std::string_view s) {

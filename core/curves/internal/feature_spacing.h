@@ -24,9 +24,9 @@ struct FeaturePlaces {
 /// distance along the curve is `limits.finest`.
 ///
 /// Begins with `first`, and nowhere with more than the bends of the curve allow, which bound feature sizes from above
-/// whatever the samples show, nor with more than a feature size may grow from there. What is measured of these samples says where others should be; that is done anew until
-/// nearly all intervals are as they should be. Then samples stay, and intervals that are still too long are divided, so
-/// that it comes to an end: only what is new need be measured. Error: that of `sizes`; `bad_input` for more samples than
+/// whatever the samples show, nor with more than a feature size may grow from there. What is measured of these samples
+/// says where others should be; that is done anew until nearly all intervals are as they should be. Then samples stay, and
+/// intervals that are still too long are divided, so that it comes to an end: only what is new need be measured. Error: that of `sizes`; `bad_input` for more samples than
 /// `most`. Throws `Cancelled` if there is a job.
 Expected<FeaturePlaces> places_by_feature_size(std::span<const MeasuredCurve> curves,
                                                std::vector<std::vector<StretchSpacing>> first,

@@ -415,12 +415,13 @@ void CellWalk::search(std::size_t part, Table<SiteSlot, double>& squared, Table<
 }
 
 void CellWalk::search_longer(std::vector<SiteSlot>& given_up, Table<SiteSlot, double>& squared,
-                             Table<SiteSlot, EdgeSlot>& nearest) const {
+                             Table<SiteSlot, EdgeSlot>& nearest, JobControl& job) const {
   if (given_up.empty()) return;
   Trail trail(std::min(kLongestAgain, static_cast<std::uint32_t>(blocks_.size())), kMostLinesAgain);
   int failures = 0;
   std::vector<SiteSlot> left;
   for (std::size_t i = 0; i < given_up.size();) {
+    job.checkpoint();
     const std::uint32_t first = cell_of_[given_up[i]];
     const std::uint32_t end = blocks_[cells_[first].block + 1].first;
     std::uint32_t last = first + 1;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/box2.h"
+#include "core/base/job_control.h"
 #include "core/structures/crust/one_step_crust.h"
 #include "core/structures/density/axis_line.h"
 
@@ -46,9 +47,9 @@ class CellWalk {
   void search(std::size_t part, Table<SiteSlot, double>& squared, Table<SiteSlot, EdgeSlot>& nearest,
               std::vector<SiteSlot>& given_up) const;
   /// The same for samples of a part that were given up, in their order, by walks that may be many times as long. What
-  /// is left is still to be found: where a few of these walks become too long, the others do not begin.
+  /// is left is still to be found: where a few of these walks become too long, the others do not begin. Throws `Cancelled`.
   void search_longer(std::vector<SiteSlot>& given_up, Table<SiteSlot, double>& squared,
-                     Table<SiteSlot, EdgeSlot>& nearest) const;
+                     Table<SiteSlot, EdgeSlot>& nearest, JobControl& job) const;
 
  private:
   struct Group;

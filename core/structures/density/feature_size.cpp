@@ -223,10 +223,8 @@ void FeatureSize::rebuild(JobControl& job) {
   // A tree costs about as much as longer walks of so many.
   constexpr std::size_t kFew = 32;
   if (kFew * left < delaunay_.site_count())
-    run_tasks(given_up.size(), [&](std::size_t part) {
-      job.checkpoint();
-      walk.search_longer(given_up[part], squared_, nearest_);
-    });
+    run_tasks(given_up.size(),
+              [&](std::size_t part) { walk.search_longer(given_up[part], squared_, nearest_, job); });
   if (std::ranges::all_of(given_up, [](const auto& sites) { return sites.empty(); })) return;
   const std::vector<AxisLine> lines = all_lines();
   make_line_tree(lines);
