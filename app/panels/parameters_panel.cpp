@@ -158,10 +158,11 @@ void ParametersPanel::draw_scale_events(double& factor) {
     return marks.left() + marks.width() * static_cast<float>((value - range.low) / (range.high - range.low));
   };
   const std::string problem = scale_events_.problem();
-  std::string words = !problem.empty()    ? "Factors at which components merge cannot be found: " + problem
-                      : events == nullptr ? "Looking for factors at which components merge or holes close"
-                      : events->empty()   ? "No components merge or part and no holes open or close at any factor"
-                                          : "Factors at which components merge or holes close; a click goes there";
+  std::string words =
+      !problem.empty()    ? "Factors at which components merge cannot be found: " + problem
+      : events == nullptr ? "Looking for factors at which components merge or part, or holes open or close"
+      : events->empty()   ? "No components merge or part and no holes open or close at any factor"
+                          : "Factors at which components merge or part, or holes open or close; a click goes there";
   if (events != nullptr) {
     const ScaleEvent* nearest = nullptr;
     for (const ScaleEvent& event : *events) {

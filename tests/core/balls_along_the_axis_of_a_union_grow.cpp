@@ -11,6 +11,7 @@
 
 #include "core/base/rng.h"
 #include "core/draw/layer_descriptor.h"
+#include "core/io/format.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"
@@ -198,6 +199,49 @@ TEST_CASE("the scale skeleton of an ellipse is shorter by the formula of the sca
       const double x = std::min(end, std::abs(0.5 * (piece.a.x + piece.b.x)));
       CHECK(piece.radius == Approx(std::sqrt(1.0 - x * x / c2)).margin(0.02));
     }
+  }
+}
+
+TEST_CASE(
+    "where edges of the curve are longer than the spacing of the angle, hairs go as they do from the scale axis") {
+  Workbench bench;
+  bench.show({"scale-axis", "a-scale-axis", "p-scale-axis", "a-scale-skeleton"});
+  auto glyph = read_sample_file("tests/data/glyph_dejavusans_B_1000.poff");
+  REQUIRE(glyph.has_value());
+  const std::array inputs{ellipse(2.0, 1.0, 60, {0.3, 0.1, 3}).data, rounded_rectangle(3.0, 1.0, 0.6, 0.25).data,
+                          glyph->data};
+  for (const double angle : {175.0, 178.0}) {
+    for (std::size_t i = 0; i < inputs.size(); ++i) {
+      INFO("input " << i << " angle " << angle);
+      bench.choose({});
+      bench.load(inputs[i]);
+      REQUIRE(bench.count("axis-certificate", "certified") == 1);
+      for (const double s : {0.5, 1.3}) {
+        INFO("s " << s);
+        ComputationSettings settings = factor(s, 3.0);
+        settings[Parameter::medial_sampling_angle] = angle;
+        bench.choose(settings);
+        CHECK(bench.count("a-scale-union", "leaves") == bench.count("scale-union", "leaves"));
+        CHECK(bench.measure("a-scale-union", "length") ==
+              Approx(bench.measure("scale-union", "length")).epsilon(1e-12));
+        CHECK(bench.count("p-scale-union", "leaves") == bench.count("scale-union", "leaves"));
+        CHECK(bench.count("a-skeleton-union", "leaves") <= bench.count("scale-union", "leaves"));
+      }
+    }
+  }
+}
+
+TEST_CASE("balls along a corridor far thinner than the data is wide do not part when they shrink") {
+  SampleData data = stadium(0.01, 0.0005, 0.25).data;
+  for (const Vec2& p : ellipse(0.6, 0.4, 60).data.positions) data.positions.push_back({p.x + 3.0, p.y});
+  Workbench bench;
+  bench.show({"scale-axis", "a-scale-axis", "p-scale-axis", "a-scale-skeleton"});
+  bench.replace(data.positions);
+  for (const double s : {0.1, 0.2, 0.5}) {
+    INFO("s " << s);
+    bench.choose(factor(s));
+    for (const char* balls : {"scale-union", "a-scale-union", "p-scale-union", "a-skeleton-union"})
+      CHECK(bench.count(balls, "components") == 2);
   }
 }
 

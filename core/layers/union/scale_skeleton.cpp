@@ -8,8 +8,7 @@ Layer make_union_scale_skeleton_layer(const UnionFamily& family) {
       family, family.skeleton,
       {.id = "scale-skeleton",
        .name = "scale skeleton",
-       .tooltip = "Scale axis of balls that grow to scale-axis-factor in steps of scale-skeleton-step, each of which "
-                  "begins with the scale axis of the one before",
+       .tooltip = "Scale axis reached in steps: after each, the balls along the axis replace those before",
        .scalar = "radius",
        .style = {.color = palette::purple, .line_width_px = 2.5},
        .kinds = {PrimitiveKind::segment, PrimitiveKind::point}},

@@ -2,6 +2,8 @@
 #include "core/structures/balls/axis_ball_union.h"
 
 #include <algorithm>
+#include <cmath>
+#include <map>
 #include <utility>
 
 #include "core/graph/explain.h"
@@ -20,7 +22,9 @@ class ListedBalls final : public BallFamily {
     if (is_plain()) return plain_->family().is_ball(row);
     return disks_->has(row);
   }
-  Disk plain_disk(FamilySlot row) const override { return is_plain() ? plain_->family().disk(row) : (*disks_)[row]; }
+  Disk plain_disk(FamilySlot row) const override {
+    return is_plain() ? plain_->family().disk(row) : (*disks_)[row].disk;
+  }
   bool is_from_samples() const override { return is_plain() && plain_->family().touch_samples(); }
   BallOrigin origin(FamilySlot row) const override {
     return is_from_samples() ? plain_->family().origin(row) : BallOrigin::disk;
@@ -31,7 +35,7 @@ class ListedBalls final : public BallFamily {
   void touched_samples(FamilySlot row, std::vector<TouchedSample>& out) const override {
     if (is_from_samples()) plain_->family().touched_samples(row, out);
   }
-  // Whoever makes the list knows.
+  // The structure that fills the list knows.
   bool has_changed() const override { return false; }
   bool is_plain() const { return plain_ != nullptr && scale() == 1.0; }
 
@@ -40,25 +44,98 @@ class ListedBalls final : public BallFamily {
   std::shared_ptr<const DiskList> disks_;
 };
 
+/// The spacing of balls about nodes of an axis, and along its pieces.
+struct AxisSpacing {
+  explicit AxisSpacing(const UnionTables& tables) : about(tables.node_count(), 0.0), along(tables.axis.size(), 0.0) {}
+
+  Table<AxisNodeSlot, double> about;
+  Table<AxisPieceSlot, double> along;
+};
+
+/// Chords of the arcs that the balls bear, if they touch samples.
+AxisSpacing spacing_of_arcs(const BallUnion& balls) {
+  const UnionTables& t = balls.tables();
+  AxisSpacing out(t);
+  if (!balls.family().touch_samples()) return out;
+  for (const BoundaryArc& arc : t.arcs) {
+    if (!arc.is_alive() || arc.is_whole != 0) continue;
+    double& about = out.about[node_of(arc.ball)];
+    about = std::max(about, distance(arc.from, arc.to));
+  }
+  for (const AxisPieceSlot piece : t.axis.rows())
+    if (t.axis[piece].is_alive())
+      out.along[piece] = std::max(out.about[t.axis[piece].node[0]], out.about[t.axis[piece].node[1]]);
+  return out;
+}
+
+/// The spacings of the list, handed on to the axis of its union.
+AxisSpacing spacing_handed_on(const UnionTables& t, const DiskList& disks) {
+  AxisSpacing out(t);
+  Table<FamilySlot, double> spacing(disks.size(), 0.0);
+  for (const FamilySlot ball : disks.rows()) {
+    spacing[ball] = disks[ball].spacing;
+    out.about[node_of(ball)] = disks[ball].spacing;
+  }
+  const Table<VPointSlot, double> at = spacing_of_v_points(t, spacing);
+  for (const AxisPieceSlot piece : t.axis.rows()) {
+    const AxisPiece& from = t.axis[piece];
+    if (!from.is_alive()) continue;
+    for (const VPointSlot v : from.v)
+      if (v != kNoSlot) out.along[piece] = std::max(out.along[piece], at[v]);
+    for (const AxisNodeSlot node : from.node)
+      if (!t.is_ball(node)) out.about[node] = std::max(out.about[node], out.along[piece]);
+  }
+  return out;
+}
+
 /// Balls along the axis of a union, as dense as they have to be for growing or shrinking them; outside of the graph.
 class AlongAxis final : public BallSampling {
  public:
   AlongAxis(SettingsSource& settings, BallUnion& balls)
       : BallSampling("along-axis", settings, balls),
+        tables_(balls.tables()),
         shrinking_(std::min(1.0, settings.current()[Parameter::scale_axis_factor])) {}
+
+  /// With radii divided by `divisor`.
+  DiskList listed(const AxisSpacing& spacing, double divisor) const {
+    const SampledBalls& balls = medial();
+    const Table<SampledSlot, double> at = by_row(spacing);
+    DiskList out;
+    for (const SampledSlot row : at.rows())
+      if (balls.is_alive(row)) out.push_back({{balls.disk(row).center, balls.disk(row).radius / divisor}, at[row]});
+    return out;
+  }
 
  private:
   double shrinking() const override { return shrinking_; }
+  bool has_to_meet() const override { return true; }
 
+  Table<SampledSlot, double> by_row(const AxisSpacing& spacing) const {
+    Table<SampledSlot, double> out(medial().rows(), 0.0);
+    for (const AxisPieceSlot piece : spacing.along.rows())
+      for_each_inside(piece, [&](SampledSlot row) { out[row] = spacing.along[piece]; });
+    // Of the faces of v-points with one circle one is sampled; which one is a matter of rows.
+    std::map<std::pair<double, double>, double> largest;
+    for (const VFaceSlot face : tables_.v_faces.rows()) {
+      const Vec2 center = tables_.v_faces[face].center;
+      const double about = spacing.about[tables_.node_of(face)];
+      if (about == 0.0 || !std::isfinite(center.x) || !std::isfinite(center.y)) continue;
+      double& at = largest[{center.x, center.y}];
+      at = std::max(at, about);
+    }
+    for (const AxisNodeSlot node : spacing.about.rows()) {
+      for_each_about(node, [&](SampledSlot row) {
+        const Vec2 center = medial().disk(row).center;
+        const auto found = tables_.is_ball(node) ? largest.end() : largest.find({center.x, center.y});
+        out[row] = found == largest.end() ? spacing.about[node] : found->second;
+      });
+    }
+    return out;
+  }
+
+  const UnionTables& tables_;
   double shrinking_;
 };
-
-DiskList disks_of(const SampledBalls& balls, double divisor) {
-  DiskList out;
-  for (SampledSlot row(0); row.index() < balls.rows(); row = SampledSlot(row.index() + std::size_t{1}))
-    if (balls.is_alive(row)) out.push_back({balls.disk(row).center, balls.disk(row).radius / divisor});
-  return out;
-}
 
 /// A step of the skeleton: outside of the graph, with settings of its own.
 class StepUnion final : public DiskListUnion {
@@ -84,10 +161,13 @@ DiskListUnion::DiskListUnion(std::string_view id, std::vector<Structure*> inputs
 void DiskListUnion::refine(UnionTables& tables) {
   hairs_ = {};
   if (factor() == 1.0) return;
-  const double apart = share_of_spacing(factor()) * std::min(1.0, factor()) *
-                       distance_of_sampled(settings_.current()[Parameter::medial_sampling_angle]);
+  const double apart =
+      std::min(1.0, factor()) * distance_of_sampled(settings_.current()[Parameter::medial_sampling_angle]);
   Table<FamilySlot, double> spacing(disks_->size(), 0.0);
-  for (const FamilySlot ball : spacing.rows()) spacing[ball] = apart * (*disks_)[ball].radius;
+  for (const FamilySlot ball : spacing.rows()) {
+    const ListedBall& from = (*disks_)[ball];
+    spacing[ball] = share_of_spacing(factor()) * std::max(from.spacing, apart * from.disk.radius);
+  }
   hairs_ = cut_hairs(tables, spacing);
   tables.measures.axis_length = std::max(0.0, tables.measures.axis_length - hairs_.length);
 }
@@ -104,7 +184,7 @@ AxisBallUnion::AxisBallUnion(std::string_view id, SettingsSource& settings, Ball
 DiskList AxisBallUnion::disks(JobControl& job) {
   AlongAxis sampling(source_, plain_);
   sampling.rebuild(job);
-  return disks_of(sampling.medial(), 1.0);
+  return sampling.listed(spacing_of_arcs(plain_), 1.0);
 }
 
 void AxisBallUnion::rebuild(JobControl& job) {
@@ -196,7 +276,7 @@ DiskList SkeletonUnion::after_step(const DiskList& disks, double factor, JobCont
   balls.rebuild(job);
   AlongAxis sampling(settings, balls);
   sampling.rebuild(job);
-  return disks_of(sampling.medial(), factor);
+  return sampling.listed(spacing_handed_on(balls.tables(), disks), factor);
 }
 
 StatList SkeletonUnion::statistics() const {

@@ -14,14 +14,19 @@
 
 namespace mes {
 
-/// Balls that stand in no table of the document.
-using DiskList = Table<FamilySlot, Disk>;
+/// A ball that stands in no table of the document.
+struct ListedBall {
+  Disk disk;
+  double spacing = 0.0;  ///< of the samples about the ball; 0 = not known, and that of the angle counts
+  friend bool operator==(const ListedBall&, const ListedBall&) = default;
+};
+using DiskList = Table<FamilySlot, ListedBall>;
 
 /// The union of balls from a list, with radii multiplied by `scale-axis-factor`.
 ///
-/// At factors other than 1 hairs are taken off its axis, as off that of `ScaleUnion`: the spacing of a ball is the
-/// distance at which `medial-sampling-angle` has equal balls of its radius, or of its shrunk radius below 1. In `fast` it is that of rounded numbers unless these contradict
-/// themselves.
+/// At factors other than 1 hairs are taken off its axis, as off that of `ScaleUnion`: the spacing of a ball is that of the
+/// list, or the distance at which `medial-sampling-angle` has equal balls of its radius, or of its shrunk radius below 1,
+/// whichever is larger. In `fast` the union is that of rounded numbers unless these contradict themselves.
 class DiskListUnion : public BallUnion {
  public:
   /// What radii were multiplied by.
@@ -53,7 +58,12 @@ class DiskListUnion : public BallUnion {
 /// What it guarantees:
 ///  1. At a factor of 1 its tables are those of the other union.
 ///  2. At other factors the balls are those of `BallSampling::medial`, as doubles, whatever the number type; below 1 as
-///     dense as the shrunk balls need it, so that those of a piece of the axis do not part.
+///     dense as the shrunk balls need it. Neighbours along a piece meet, as it is halved up to twenty times until they do,
+///     however short its parts are.
+///
+/// Spacings: a ball of the other union that touches samples has the longest chord of an arc that it bears there, which is
+/// an edge of the curve where the shape is certified; a ball between has the larger one at the ends of its piece. Balls
+/// of the document touch no samples, nor do those that are scaled: of these only the angle counts.
 ///
 /// Rows of balls: at a factor of 1 those of the other union; otherwise of a list. Each change makes it anew.
 /// `ScaleUnion` does the same with the one-step axis, and follows edits locally at a factor of 1.
@@ -81,6 +91,10 @@ class AxisBallUnion : public DiskListUnion {
 /// The *scale skeleton*: as `AxisBallUnion`, but the factor is reached in steps of `scale-skeleton-step`, 1 + k d in step
 /// k, and each step but the last replaces the balls by those along the axis of their grown union, with radii divided by
 /// its factor.
+///
+/// Spacings are handed on from step to step: a ball that stays keeps its own, and one along the axis of the grown union
+/// takes the largest of the balls that cross at the v-points nearest to it. Arcs of grown unions do not count, since at
+/// narrow ends they are large.
 ///
 /// What it guarantees:
 ///  1. Up to a factor of 1 + d it is the scale axis.

@@ -13,15 +13,6 @@ constexpr double kShortest = 1e-4;  // of the diameter
 constexpr double kThinnest = 0.1;   // of the smaller ball
 constexpr std::array<AxisNodeSlot, 2> kDead{};
 
-// Owners of sampled balls: nodes have even numbers, links odd ones.
-OwnerSlot owner_of(AxisNodeSlot node) {
-  return OwnerSlot(std::size_t{2} * node.index());
-}
-template <class Link>
-OwnerSlot owner_of_link(Link link) {
-  return OwnerSlot(std::size_t{2} * link.index() + 1);
-}
-
 }  // namespace
 
 BallSampling::BallSampling(std::string_view id, SettingsSource& settings, BallUnion& balls)
@@ -154,7 +145,7 @@ void BallSampling::rebuild(JobControl& job) {
   made_with_ = angle();
   measure();
   shortest_ = shortest();
-  halving_ = BallHalving(made_with_, shortest_);
+  halving_ = BallHalving(made_with_, shortest_, has_to_meet());
   is_recording_ = false;
   for (Sampling* sampling : {&medial_, &convex_}) {
     sampling->balls.reset();

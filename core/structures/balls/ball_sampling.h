@@ -36,8 +36,20 @@ class BallSampling : public Structure {
 
  protected:
   BallSampling(std::string_view id, SettingsSource& settings, BallUnion& balls);
+  /// `visit(row)` for the rows of `medial` about a node of the axis, and inside a piece of it. Of several nodes with one
+  /// place and radius one has it.
+  template <class Visit>
+  void for_each_about(AxisNodeSlot node, Visit visit) const {
+    medial_.balls.for_each_of(owner_of(node), visit);
+  }
+  template <class Visit>
+  void for_each_inside(AxisPieceSlot piece, Visit visit) const {
+    medial_.balls.for_each_of(owner_of_link(piece), visit);
+  }
   /// The circles that are to cross at the angle along the axis are these times as large; at most 1.
   virtual double shrinking() const { return 1.0; }
+  /// Parts shorter than 1e-4 of the diameter are halved on as long as these circles are apart.
+  virtual bool has_to_meet() const { return false; }
 
  private:
   /// A piece of the axis, or a dual edge.
@@ -53,6 +65,12 @@ class BallSampling : public Structure {
     std::array<double, 4> side{};
     std::array<FamilySlot, 4> ball{};
   };
+  // Owners of sampled balls: nodes have even numbers, links odd ones.
+  static OwnerSlot owner_of(AxisNodeSlot node) { return OwnerSlot(std::size_t{2} * node.index()); }
+  template <class Link>
+  static OwnerSlot owner_of_link(Link link) {
+    return OwnerSlot(std::size_t{2} * link.index() + 1);
+  }
   double angle() const { return settings_.current()[Parameter::medial_sampling_angle]; }
   void measure();
   void add_to_reach(FamilySlot ball);

@@ -11,15 +11,18 @@
 namespace mes {
 
 /// Two balls are near when their circles cross at `sampling_angle` degrees or more (their radii at the crossing enclose
-/// 180 degrees less that), or when their centres are nearer than `shortest`.
+/// 180 degrees less that), or when their centres are nearer than `shortest`; if balls have to meet, only where they do.
 class BallHalving {
  public:
-  explicit BallHalving(double sampling_angle = 180.0, double shortest = 0.0)
-      : least_cosine_(std::cos((180.0 - sampling_angle) * std::numbers::pi / 180.0)), shortest_(shortest) {}
+  explicit BallHalving(double sampling_angle = 180.0, double shortest = 0.0, bool has_to_meet = false)
+      : least_cosine_(std::cos((180.0 - sampling_angle) * std::numbers::pi / 180.0)),
+        shortest_(shortest),
+        has_to_meet_(has_to_meet) {}
 
   bool is_near(const Disk& a, const Disk& b) const {
     const double d = distance(a.center, b.center);
-    if (!(d > 0.0) || d < shortest_) return true;
+    if (!(d > 0.0)) return true;
+    if (d < shortest_ && (!has_to_meet_ || d < a.radius + b.radius)) return true;
     // In units of the largest: squares of what doubles hold need not fit.
     const double size = std::max({a.radius, b.radius, d});
     const double ra = a.radius / size;
@@ -51,6 +54,7 @@ class BallHalving {
 
   double least_cosine_;
   double shortest_;
+  bool has_to_meet_;
 };
 
 inline Vec2 place_between(Vec2 a, Vec2 b, double u) {

@@ -19,17 +19,11 @@ class HairCutter {
  public:
   HairCutter(UnionTables& tables, const Table<FamilySlot, double>& spacing)
       : t_(tables),
-        spacing_(tables.v_points.size(), 0.0),
+        spacing_(spacing_of_v_points(tables, spacing)),
         joined_(tables.node_count()),
         degree_(tables.node_count(), 0),
         pieces_(tables.node_count(), 0),
-        is_cut_off_(tables.node_count(), false) {
-    for (const VOrigin& origin : t_.v_origins) {
-      if (!origin.is_alive()) continue;
-      for (const FamilySlot ball : t_.dual_edges[origin.edge].ball)
-        spacing_[origin.v] = std::max(spacing_[origin.v], spacing[ball]);
-    }
-  }
+        is_cut_off_(tables.node_count(), false) {}
 
   ScaleHairs cut() {
     join_ends();
@@ -171,6 +165,16 @@ double distance_of_sampled(double sampling_angle) {
 double share_of_spacing(double factor) {
   constexpr double kWholeFrom = 1.02;
   return std::min(1.0, std::abs(factor - 1.0) / (kWholeFrom - 1.0));
+}
+
+Table<VPointSlot, double> spacing_of_v_points(const UnionTables& tables, const Table<FamilySlot, double>& spacing) {
+  Table<VPointSlot, double> out(tables.v_points.size(), 0.0);
+  for (const VOrigin& origin : tables.v_origins) {
+    if (!origin.is_alive()) continue;
+    for (const FamilySlot ball : tables.dual_edges[origin.edge].ball)
+      out[origin.v] = std::max(out[origin.v], spacing[ball]);
+  }
+  return out;
 }
 
 ScaleHairs cut_hairs(UnionTables& tables, const Table<FamilySlot, double>& spacing) {

@@ -14,6 +14,9 @@ double distance_of_sampled(double sampling_angle);
 /// and 1 from 0.02 away on.
 double share_of_spacing(double factor);
 
+/// The largest `spacing` of the balls that cross at each v-point.
+Table<VPointSlot, double> spacing_of_v_points(const UnionTables& tables, const Table<FamilySlot, double>& spacing);
+
 /// What was taken off.
 struct ScaleHairs {
   std::int64_t pieces = 0;
@@ -24,7 +27,7 @@ struct ScaleHairs {
 ///  * the two nearest v-points are no farther from each other than the sum of their spacings, and
 ///  * these are seen at less than 60 degrees;
 /// or if its length is at most 1e-9 of its radius.
-/// The spacing of a v-point is the largest `spacing` of the balls that cross there.
+/// The spacing of a v-point is that of `spacing_of_v_points`.
 ///
 /// What it guarantees: only free ends go, so the rest is a deformation retract of the axis, with as many components and
 /// cycles. A component of which all could go keeps the piece that is seen at the largest angle. What is left depends on
