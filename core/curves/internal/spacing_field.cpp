@@ -48,10 +48,11 @@ class Grid {
     }
   };
   Key key(Vec2 p) const {
-    // What lies farther out shares cells, which costs time only.
+    // What lies farther out shares cells, which costs time only, and so does what has no place in doubles.
     constexpr double kFar = 1e15;
     const auto cell_of = [&](double x) {
-      return static_cast<std::int64_t>(std::clamp(std::floor(x / cell_), -kFar, kFar));
+      const double cell = std::floor(x / cell_);
+      return static_cast<std::int64_t>(cell > -kFar ? std::min(cell, kFar) : -kFar);
     };
     return {cell_of(p.x - origin_.x), cell_of(p.y - origin_.y)};
   }
@@ -157,7 +158,8 @@ std::vector<double> StretchSpacing::places() const {
   const double wanted = whole_count(passed.back());
   const double each = passed.back() / wanted;
   std::vector<double> out;
-  out.reserve(static_cast<std::size_t>(wanted));
+  constexpr double kMostAtOnce = 1e6;
+  out.reserve(static_cast<std::size_t>(std::min(wanted, kMostAtOnce)));
   std::size_t i = 1;
   for (double k = 0.0; k < wanted; ++k) {
     while (i + 1 < passed.size() && passed[i] <= k * each) ++i;
