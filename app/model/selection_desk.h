@@ -83,7 +83,7 @@ class SelectionDesk {
   };
   /// Adds what the text holds, in any format that can be opened, and selects it. Where its first place is taken, all of
   /// it is moved by as many `step`s as it takes to find a free one. Curve order and annotations of the text are left out.
-  /// `degrees` of a map. Error: as when a file is read; there is no text.
+  /// `degrees` of a map. Error: that of the reader, or an empty clipboard.
   Expected<Pasted> paste(std::string_view text, Vec2 step, MapDegrees degrees = MapDegrees::projected);
   /// Adds the same once more, moved by a step, and selects it. Contours that are selected as a whole are there twice, too.
   Expected<void> duplicate(Vec2 step);

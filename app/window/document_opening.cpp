@@ -245,7 +245,7 @@ void DocumentFlow::say_left_work_waits() {
   uses_.messages.remark("The work that was left is offered again at the next start");
 }
 
-// A demo would take what is recovered for its own drawing, which is no work.
+// The end of a demo marks the document as saved, so it comes before recovered work is the document.
 void DocumentFlow::recover(LeftWork work) {
   uses_.demo.end(true);
   if (files_.is_reading())

@@ -168,7 +168,7 @@ class PlaceNumbers {
     }
   }
   std::size_t distinct_count() const { return distinct_count_; }
-  /// Nothing where there is no such place.
+  /// The number of the place; none if it is not among them.
   std::optional<std::uint32_t> number_of(Vec2 place) const {
     const std::uint32_t number = slots_[slot_of(place)];
     return number != kFree ? std::optional(number) : std::nullopt;

@@ -78,7 +78,7 @@ TEST_CASE("steps of balls along the axis change what the factors between them do
   REQUIRE(shrinking.size() == 2);
   CHECK(shrinking[0].words() == "Step 1: components parted: 2, holes opened: 2, holes that come back: 1");
   CHECK(shrinking[1].words() == "Step 2: components parted: 1");
-  // Beyond the factor's range there is no step.
+  // Steps that would leave the range of the factor do not exist.
   CHECK(step_events_of(range_of("scale-axis-shrinking", "growing-step", 100.0, 0.15, 12), events).empty());
   const auto back = step_events_of(range_of("scale-axis-shrinking", "growing-step", 15.0, 1.3, 12), events);
   REQUIRE(back.size() == 3);
