@@ -332,8 +332,9 @@ void LeftWork::remove() {
     fs::remove(file_, error);
 }
 
-FoundWork find_left_work(const fs::path& folder) {
+FoundWork find_left_work(const fs::path& folder, const std::stop_token& stop) {
   FoundWork out;
+  JobControl job(stop);
   std::error_code error;
   std::vector<fs::path> files;
   for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::directory_iterator();
@@ -346,7 +347,7 @@ FoundWork find_left_work(const fs::path& folder) {
     const auto text = open.text(file);
     // It may be readable another time.
     if (!text) continue;
-    auto journal = read_journal(*text, file.string());
+    auto journal = read_journal(*text, file.string(), &job);
     if (!journal && !text->empty()) {
       const fs::path aside = set_aside(file);
       out.message = fmt::format("work that was left unsaved cannot be read ({}); it is kept as {}",

@@ -8,6 +8,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <stop_token>
 #include <string>
 #include <thread>
 #include <vector>
@@ -118,7 +119,8 @@ struct FoundWork {
   std::vector<LeftWork> works;  ///< newest first
   std::string message;          ///< about journals that could not be read and were set aside; empty: none
 };
-/// Journals without unsaved edits are removed on the way; what cannot be read is kept as `.broken`.
-FoundWork find_left_work(const std::filesystem::path& folder);
+/// Journals without unsaved edits are removed on the way; what cannot be read is kept as `.broken`. Throws `Cancelled`
+/// when it is asked to stop; works that were found until then are found again the next time.
+FoundWork find_left_work(const std::filesystem::path& folder, const std::stop_token& stop = {});
 
 }  // namespace mes

@@ -14,9 +14,9 @@ WorkKeeper::WorkKeeper(Workspace& work, Messages& messages, std::function<Sessio
       session_now_(std::move(session_now)),
       autosave_(default_autosave_folder(), wake),
       left_work_(wake) {
-  left_work_.begin([folder = default_autosave_folder()](const std::stop_token&) {
+  left_work_.begin([folder = default_autosave_folder()](const std::stop_token& stop) {
     remove_abandoned_scratch();
-    return find_left_work(folder);
+    return find_left_work(folder, stop);
   });
 }
 

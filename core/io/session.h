@@ -88,7 +88,7 @@ struct Journaled {
   bool is_torn = false;   ///< ends within a line, as after a crash
   std::string complaint;  ///< about the line at which reading ended early; empty: all was read
 };
-/// Reads as far as it makes sense. Error: the first line does not.
-Expected<Journaled> read_journal(std::string_view text, const std::string& file);
+/// Reads as far as it makes sense. Error: the first line does not. Throws `Cancelled` when `job` is asked to stop.
+Expected<Journaled> read_journal(std::string_view text, const std::string& file, JobControl* job = nullptr);
 
 }  // namespace mes

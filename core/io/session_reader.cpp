@@ -542,12 +542,13 @@ Expected<void> replay_session(const Session& session, DocumentReplay& replay, co
   return {};
 }
 
-Expected<Journaled> read_journal(std::string_view text, const std::string& file) {
+Expected<Journaled> read_journal(std::string_view text, const std::string& file, JobControl* job) {
   Journaled out;
   bool is_first = true;
   bool has_unsaved_lesson = false;
   DocumentReplay replay;
   for (std::uint64_t line = 1; !text.empty(); ++line) {
+    if (job != nullptr) job->checkpoint();
     const std::size_t end = text.find('\n');
     if (end == std::string_view::npos) {
       out.is_torn = true;
@@ -556,7 +557,7 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file)
     const std::string_view this_line = text.substr(0, end);
     text.remove_prefix(end + 1);
     if (is_first) {
-      auto session = read(this_line, Timelines::following, file, nullptr, 0.0);
+      auto session = read(this_line, Timelines::following, file, job, 0.0);
       if (!session) return std::unexpected(session.error());
       out.session = std::move(*session);
       has_unsaved_lesson = !out.session.lesson.steps.empty();

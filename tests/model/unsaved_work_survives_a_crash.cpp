@@ -100,6 +100,43 @@ TEST_CASE("what was edited is found after the program is gone, and what was save
   CHECK(find_left_work(folder.path()).works.empty());
 }
 
+TEST_CASE("a search for left work that is stopped loses nothing") {
+  const TemporaryFolder folder;
+  Editor editor({});
+  {
+    Autosave autosave(folder.path(), {}, milliseconds(0));
+    for (int i = 0; i < 20; ++i) {
+      REQUIRE(editor.insert(std::array{Vec2{1.0 * i, 1.0 * i * i}}, "Insert"));
+      autosave.follow(editor, [&] { return head_of(editor); });
+    }
+    autosave.flush();
+  }
+  std::stop_source stop;
+  stop.request_stop();
+  CHECK_THROWS_AS(find_left_work(folder.path(), stop.get_token()), Cancelled);
+  const FoundWork found = find_left_work(folder.path());
+  REQUIRE(found.works.size() == 1);
+  CHECK(digest_of(found.works[0].session()) == editor.document().digest());
+
+  // At whichever line the reader is stopped.
+  std::string text = write_journal_head(head_of(Editor({})));
+  for (const TimelineEntry& entry : found.works[0].session().entries) text += write_journal_line(entry);
+  int stops = 0;
+  for (std::int64_t look = 1;; ++look) {
+    JobControl job;
+    job.stop_at_look(look);
+    try {
+      const auto journal = read_journal(text, "test", &job);
+      REQUIRE(journal);
+      CHECK(journal->session.entries.size() == 20);
+      break;
+    } catch (const Cancelled&) {
+      ++stops;
+    }
+  }
+  CHECK(stops > 20);
+}
+
 TEST_CASE("a lesson that no file holds is found after the program is gone, with the work it is made of") {
   const TemporaryFolder folder;
   Editor editor({});
