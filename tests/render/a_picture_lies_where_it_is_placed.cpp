@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The picture to trace: read from any bytes, and drawn where doubles say.
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 
@@ -61,8 +63,12 @@ TEST_CASE("a picture covers exactly its place, upright, below the other layers")
   CHECK(pixel(image, 30, 45) == palette::blue);
   CHECK(pixel(image, 40, 34) == palette::green);
 
-  // Tiles show the same.
-  CHECK(drawing.draw(pixel_camera(100, 60), views, {.background = palette::blue, .tile_px = 32}) == image);
+  // Tiles show the same, but for what a graphics card rounds where it reads between two pixels of a picture.
+  const Image tiled = drawing.draw(pixel_camera(100, 60), views, {.background = palette::blue, .tile_px = 32});
+  REQUIRE(tiled.rgba.size() == image.rgba.size());
+  int most = 0;
+  for (std::size_t i = 0; i < image.rgba.size(); ++i) most = std::max(most, std::abs(tiled.rgba[i] - image.rgba[i]));
+  CHECK(most <= 1);
 
   std::vector<LayerView> pale = views;
   pale[0].style.opacity = 0.5;

@@ -6,6 +6,7 @@
 
 #include "render/frame_capture.h"
 #include "tests/render/drawing.h"
+#include "tests/support/golden_image.h"
 
 using namespace mes;
 using namespace mes::test;
@@ -30,9 +31,11 @@ std::vector<render::LayerView> views() {
   return {{0, style({0xD5, 0x5E, 0x00})}, {1, style({0x00, 0x72, 0xB2})}};
 }
 
-int most_different(const render::Image& a, const render::Image& b) {
-  REQUIRE(a.width == b.width);
-  REQUIRE(a.height == b.height);
+int most_different(const render::Image& first, const render::Image& second) {
+  REQUIRE(first.width == second.width);
+  REQUIRE(first.height == second.height);
+  const render::Image a = premultiplied(first);
+  const render::Image b = premultiplied(second);
   int out = 0;
   for (std::size_t i = 0; i < a.rgba.size(); ++i) out = std::max(out, std::abs(a.rgba[i] - b.rgba[i]));
   return out;

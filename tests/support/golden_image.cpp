@@ -33,6 +33,13 @@ std::string output_path(const std::string& name) {
 
 }  // namespace
 
+render::Image premultiplied(render::Image image) {
+  for (std::size_t i = 0; i < image.rgba.size(); i += 4)
+    for (std::size_t c = i; c < i + 3; ++c)
+      image.rgba[c] = static_cast<std::uint8_t>((image.rgba[c] * image.rgba[i + 3] + 127) / 255);
+  return image;
+}
+
 render::Image decode_png(const void* bytes, std::size_t size) {
   int width = 0;
   int height = 0;
@@ -72,12 +79,14 @@ std::string compare_with_golden(const render::Image& image, const std::string& n
     write_png(image, actual_path);
     return name + " has another size than its golden picture; see " + actual_path;
   }
+  const render::Image expected = premultiplied(golden);
+  const render::Image drawn = premultiplied(image);
   render::Image difference = golden;
   std::size_t outliers = 0;
   int largest = 0;
   for (std::size_t i = 0; i < golden.rgba.size(); i += 4) {
     int off = 0;
-    for (std::size_t c = 0; c < 4; ++c) off = std::max(off, std::abs(golden.rgba[i + c] - image.rgba[i + c]));
+    for (std::size_t c = 0; c < 4; ++c) off = std::max(off, std::abs(expected.rgba[i + c] - drawn.rgba[i + c]));
     if (off > tolerance.channel) ++outliers;
     largest = std::max(largest, off);
     const auto shade = static_cast<std::uint8_t>(255 - std::min(255, off * 8));

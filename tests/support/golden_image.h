@@ -16,7 +16,11 @@ struct GoldenTolerance {
   double outliers = 2e-4;  ///< fraction of pixels that may differ by more
 };
 
-/// Empty when the pictures agree, otherwise what is wrong and where to look.
+/// The same with colours multiplied by alpha. Of pixels that are nearly transparent the colour without it is the quotient
+/// of two small numbers, which drivers round otherwise, and which is not seen.
+render::Image premultiplied(render::Image image);
+
+/// Empty when the pictures agree, as far as they are seen; otherwise what is wrong and where to look.
 std::string compare_with_golden(const render::Image& image, const std::string& name, const GoldenTolerance& = {});
 
 /// Throws std::runtime_error when the file is not a readable PNG.
