@@ -100,10 +100,11 @@ struct DrawCall {
   ProgramKey program;
   Blend blend = Blend::over;
   BufferId buffer;
-  BufferId scalars;  ///< one double an instance, for a program with a colour map
-  TextureId maps;    ///< one colour map a row
+  BufferId scalars;         ///< one double an instance, for a program with a colour map
+  TextureId maps;           ///< one colour map a row
+  std::uint32_t first = 0;  ///< of the instances in the buffers
   std::uint32_t instances = 0;
-  std::uint32_t every = 1;  ///< draws the instances 0, every, 2 every, ... only
+  std::uint32_t every = 1;  ///< draws the instances first, first + every, first + 2 every, ... only
   DrawUniforms uniforms;
 };
 

@@ -378,7 +378,7 @@ void GlDevice::draw(const DrawCall& call) {
   if (call.instances == 0 || call.area.width <= 0 || call.area.height <= 0) return;
   const Buffer& buffer = buffer_of(call.buffer);
   const InstanceLayout layout = layout_of(call.program.kind);
-  MES_ASSERT(call.instances * layout.bytes() <= buffer.bytes);
+  MES_ASSERT((std::size_t{call.first} + call.instances) * layout.bytes() <= buffer.bytes);
   const Program& program = program_of(call.program);
   bind_target(call.target, call.area);
 
@@ -394,7 +394,7 @@ void GlDevice::draw(const DrawCall& call) {
   GLuint scalars = 0;
   if (call.program.mapped) {
     const Buffer& of_scalars = buffer_of(call.scalars);
-    MES_ASSERT(call.instances * sizeof(double) <= of_scalars.bytes);
+    MES_ASSERT((std::size_t{call.first} + call.instances) * sizeof(double) <= of_scalars.bytes);
     scalars = of_scalars.handle.get();
     glUniform1i(program.maps, 0);
     glActiveTexture(GL_TEXTURE0);
@@ -429,9 +429,9 @@ void GlDevice::draw(const DrawCall& call) {
   constexpr std::size_t kLargestStride = 2048;
   const std::uint32_t drawn = (call.instances + call.every - 1) / call.every;
   if (layout.bytes() * call.every <= kLargestStride) {
-    draw_from(0, call.every, drawn);
+    draw_from(call.first, call.every, drawn);
   } else {
-    for (std::uint32_t i = 0; i < drawn; ++i) draw_from(std::size_t{i} * call.every, 1, 1);
+    for (std::uint32_t i = 0; i < drawn; ++i) draw_from(call.first + std::size_t{i} * call.every, 1, 1);
   }
 
   glBindVertexArray(0);

@@ -36,6 +36,7 @@ void InstanceBuffer::swap(InstanceBuffer& other) noexcept {
   std::swap(count_, other.count_);
   std::swap(frame_, other.frame_);
   std::swap(extent_, other.extent_);
+  std::swap(boxes_, other.boxes_);
   std::swap(store_, other.store_);
   std::swap(kept_, other.kept_);
   std::swap(removed_, other.removed_);
@@ -51,6 +52,7 @@ void InstanceBuffer::clear() {
   capacity_ = 0;
   count_ = 0;
   extent_ = {};
+  boxes_.clear();
   store_.clear();
   kept_ = {};
   note_all_changed();
@@ -129,16 +131,19 @@ std::uint64_t InstanceBuffer::replace(std::uint32_t count, std::span<const doubl
   MES_ASSERT(data.size() >= count * stride);
   const std::size_t doubles = layout_of(kind_).doubles();
   decltype(extent_) extent{};
+  BlockBoxes boxes;
   // Encoded first, so that without memory for it the present instances stay.
   std::vector<double> encoded(count * doubles);
   for (std::size_t i = 0; i < count; ++i) {
     encode_instance(kind_, frame, data.subspan(i * stride, stride), std::span(encoded).subspan(i * doubles, doubles),
                     extent);
+    boxes.add(i, box_of_instance(kind_, std::span(encoded).subspan(i * doubles, doubles)));
   }
   if (has_scalars != has_scalars_) clear();
   has_scalars_ = has_scalars;
   frame_ = frame;
   extent_ = extent;
+  boxes_ = std::move(boxes);
   store_.clear();
   count_ = 0;
   try {
@@ -184,7 +189,10 @@ std::uint64_t InstanceBuffer::apply(const KindPatch& patch, const DrawingFrame& 
   MES_ASSERT(has_scalars == has_scalars_);
   if (patch.count > capacity_) reserve(patch.count, count_);
   const std::uint32_t first_new = std::exchange(count_, patch.count);
-  if (count_ == 0) extent_ = {};
+  if (count_ == 0) {
+    extent_ = {};
+    boxes_.clear();
+  }
   try {
     if (has_scalars_) store_.resize(count_);
     if (is_kept()) keep_count(count_);
@@ -221,6 +229,7 @@ std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::s
     const std::size_t end = encoded.size();
     encoded.resize(end + doubles);
     encode_instance(kind_, frame_, data.subspan(order[i] * stride, stride), std::span(encoded).subspan(end), extent_);
+    boxes_.add(instance, box_of_instance(kind_, std::span(encoded).subspan(end)));
     append(ranges, instance, bytes);
     if (are_kept) keep(instance, std::span(encoded).subspan(end), instance >= first_new);
     if (!has_scalars_) continue;

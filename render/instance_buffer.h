@@ -5,6 +5,8 @@
 // that the patch names, or all of them for a patch with `reset`. The buffer grows geometrically and is copied on the
 // device.
 //
+// Instances out of view can be left out, in blocks (`BlockBoxes`).
+//
 // Scalars are in a buffer of their own, so drawing without a colour map does not read them. Their range is kept up to
 // date in time proportional to the change.
 #pragma once
@@ -14,6 +16,7 @@
 #include <vector>
 
 #include "core/draw/patch.h"
+#include "render/block_boxes.h"
 #include "render/device.h"
 #include "render/instance_encoder.h"
 #include "render/scalar_store.h"
@@ -47,6 +50,9 @@ class InstanceBuffer {
   const DrawingFrame& frame() const { return frame_; }
   const InstanceExtent& extent() const { return extent_; }
 
+  /// The instances that may be seen in a box of drawing space, in order. Valid until the next call.
+  std::span<const BlockBoxes::Run> runs(const Box2& view) { return boxes_.runs(count_, view); }
+
   /// The encoded instances, `layout_of(kind()).doubles()` each, where the processor may have to draw them: disks, and
   /// segments and points if the device takes long to place them. Else none.
   std::span<const double> kept() const { return kept_; }
@@ -79,6 +85,7 @@ class InstanceBuffer {
   std::uint32_t count_ = 0;
   DrawingFrame frame_;
   InstanceExtent extent_;
+  BlockBoxes boxes_;
   ScalarStore store_;
   std::vector<double> kept_;
   std::vector<double> removed_;

@@ -156,7 +156,8 @@ void RecordingDevice::destroy_texture(TextureId texture) {
 void RecordingDevice::draw(const DrawCall& call) {
   check_target(call.target, call.area);
   MES_ASSERT(call.instances > 0 && call.every > 0);
-  MES_ASSERT(call.instances * layout_of(call.program.kind).bytes() <= bytes_of(call.buffer).size());
+  const std::size_t end = std::size_t{call.first} + call.instances;
+  MES_ASSERT(end * layout_of(call.program.kind).bytes() <= bytes_of(call.buffer).size());
   const DrawUniforms& u = call.uniforms;
   MES_ASSERT(is_finite(u.center_1) && is_finite(u.center_2) && is_finite(u.center_3));
   MES_ASSERT(is_finite(
@@ -166,7 +167,7 @@ void RecordingDevice::draw(const DrawCall& call) {
   MES_ASSERT(!is_ring(call.program.kind) || u.arc_pieces == 0.0F || u.arc_pieces >= 3.0F);
   MES_ASSERT(is_color(u.color));
   if (call.program.mapped) {
-    MES_ASSERT(call.instances * sizeof(double) <= bytes_of(call.scalars).size());
+    MES_ASSERT(end * sizeof(double) <= bytes_of(call.scalars).size());
     MES_ASSERT(textures_.contains(call.maps.value));
     MES_ASSERT(is_finite(u.map_low));
     MES_ASSERT(is_finite({u.map_factor, u.map_exponent, u.map_offset, u.map_row, u.map_categories}));

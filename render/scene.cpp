@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/packing.hpp>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -84,6 +85,18 @@ Placement placement_of(const InstanceBuffer& buffer, const Camera& camera) {
                     .width = camera.width(),
                     .height = camera.height()},
           .reach = (buffer.extent().coordinate + buffer.extent().radius + center_size) * scale};
+}
+
+/// What the view shows of drawing space, and `margin` pixels around it.
+Box2 shown_box(const PixelFrame& frame, double margin) {
+  // Rims are a pixel and a half wide at most, single precision rounds to less, and some bits are for this sum.
+  constexpr double kBits = 0x1p-48;
+  const auto reach = [&](int size, double center) {
+    return (0.5 * size + margin + 2.0) / frame.scale + kBits * std::abs(center);
+  };
+  const Vec2 center{frame.center_x, frame.center_y};
+  const Vec2 half{reach(frame.width, center.x), reach(frame.height, center.y)};
+  return {center - half, center + half};
 }
 
 /// Sets the uniforms by which a program finds the colours of scalars.
@@ -497,8 +510,15 @@ void Scene::draw_kind(const Pass& pass, InstanceBuffer& buffer, const Look& look
     call.maps = map_texture();
     set_map(*look.map, look.range, look.map_row, u);
   }
-  device_.draw(call);
-  ++draw_calls_;
+  // What is thinned out is counted from the first instance on.
+  const Box2 everywhere = shown_box(placement.frame, std::numeric_limits<double>::infinity());
+  const double margin = static_cast<double>(u.half_width_px) + static_cast<double>(u.ring_px);
+  for (const BlockBoxes::Run run : buffer.runs(call.every > 1 ? everywhere : shown_box(placement.frame, margin))) {
+    call.first = run.first;
+    call.instances = run.count;
+    device_.draw(call);
+    ++draw_calls_;
+  }
 }
 
 }  // namespace mes::render

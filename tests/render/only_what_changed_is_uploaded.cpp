@@ -28,7 +28,9 @@ using enum PrimitiveKind;
 std::vector<double> held(RecordingDevice& device, Scene& scene, LayerIndex layer) {
   device.forget_calls();
   const std::vector<LayerView> views{{layer, {}}};
-  scene.draw(pixel_camera(100, 100), views, {});
+  Camera camera = pixel_camera(100, 100);
+  camera.look_at({}, 1e9);  // it sees all of them
+  scene.draw(camera, views, {});
   std::vector<double> out;
   for (const render::DrawCall& call : device.calls()) {
     const auto bytes = device.contents(call.buffer);
@@ -73,7 +75,7 @@ TEST_CASE("panning, zooming and restyling upload nothing") {
     }
     std::swap(views[static_cast<std::size_t>(i) % views.size()], views.front());
     scene.draw(camera, views, {.content_scale = 1.0 + 0.01 * i});
-    CHECK(scene.draw_calls() == kPrimitiveKinds);
+    CHECK(scene.draw_calls() <= kPrimitiveKinds);  // some are out of view
   }
   CHECK(device.counters().bytes_uploaded == after_patches);
   CHECK(device.counters().bytes_allocated == allocated);
