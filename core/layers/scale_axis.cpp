@@ -21,8 +21,8 @@ LayerDescriptor descriptor_of(std::string_view id, std::string_view name, std::s
 
 Layer grown_disks(const StructureSet& set) {
   const auto& balls = set.get<ScaleUnion>();
-  return make_layer(descriptor_of("scale-axis-grown-disks", "Grown disks",
-                                  "Disks along the medial axis, grown by scale-axis-factor",
+  return make_layer(descriptor_of("scale-axis-grown-disks", "Scaled disks",
+                                  "Disks along the medial axis, radii multiplied by scale-axis-factor",
                                   {.color = palette::sky, .opacity = 0.25, .flat = true}, {PrimitiveKind::disk}),
                     {&balls}, ball_part(PrimitiveKind::disk, balls, [](BallState, const Disk& disk, Instance& out) {
                       out.disk(disk.center, disk.radius, disk.radius);
@@ -73,7 +73,7 @@ Layer make_scale_axis_circles_layer(const StructureSet& set) {
 Layer make_scale_axis_boundary_layer(const StructureSet& set) {
   const auto& balls = set.get<ScaleUnion>();
   LayerDescriptor descriptor =
-      descriptor_of("scale-axis-boundary", "Grown boundary", "Boundary arcs of the union of the grown disks",
+      descriptor_of("scale-axis-boundary", "Scaled boundary", "Boundary arcs of the union of the scaled disks",
                     {.color = palette::sky, .line_width_px = 1.5}, {PrimitiveKind::arc});
   descriptor.scalar = {};
   return make_layer(std::move(descriptor), {&balls}, scale_axis_arcs(balls));
@@ -83,7 +83,7 @@ Layer make_scale_axis_layer(const StructureSet& set) {
   const auto& balls = set.get<ScaleUnion>();
   return make_layer(
       descriptor_of("scale-axis", "Scale axis",
-                    "Medial axis of the union of the grown disks without hairs of the sampling, radii divided by "
+                    "Medial axis of the union of the scaled disks without hairs of the sampling, radii divided by "
                     "scale-axis-factor again",
                     {.color = palette::vermilion, .line_width_px = 2.5},
                     {PrimitiveKind::segment, PrimitiveKind::point}),

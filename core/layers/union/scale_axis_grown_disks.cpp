@@ -6,8 +6,8 @@ namespace mes {
 Layer make_union_scale_axis_grown_disks_layer(const UnionFamily& family) {
   return scale_layer(family, family.scaled,
                      {.id = "scale-axis-grown-disks",
-                      .name = "grown disks along the axis",
-                      .tooltip = "Disks along the medial axis of the union, grown by scale-axis-factor",
+                      .name = "scaled disks along the axis",
+                      .tooltip = "Disks along the medial axis of the union, radii multiplied by scale-axis-factor",
                       .scalar = "radius",
                       .style = {.color = palette::sky, .opacity = 0.25, .flat = true},
                       .kinds = {PrimitiveKind::disk}},
