@@ -306,3 +306,55 @@ TEST_CASE("scale axes of the families follow random edits and changes of the fac
     }
   }
 }
+
+TEST_CASE("at a factor of 1 a certified union's scale axis follows edits by parts, and other settings send nothing") {
+  Workbench bench;
+  bench.show({"a-scale-axis", "a-scale-axis-boundary", "a-scale-axis-grown-disks", "a-scale-axis-disks",
+              "a-scale-skeleton", "lambda-axis"});
+  std::vector<Vec2> samples = ellipse(2.0, 1.0, 400, {0.3, 0.1, 3}).data.positions;
+  bench.replace(samples);
+  REQUIRE(bench.count("axis-certificate", "certified") == 1);
+  const auto report = [&](std::string_view structure) -> const NodeReport& {
+    return *std::ranges::find(bench.patch().nodes, structure, &NodeReport::structure);
+  };
+  const std::array structures{"a-scale-union", "a-skeleton-union", "a-scale-sampling"};
+  ComputationSettings settings;
+  for (const double limit : {0.1, 0.4}) {
+    settings[Parameter::lambda_limit] = limit;
+    bench.choose(settings);
+    for (const char* id : structures) {
+      INFO(id);
+      CHECK_FALSE(report(id).rebuilt);
+    }
+    for (std::size_t i = 0; i < bench.patch().layer_count; ++i)
+      CHECK(layer_descriptors()[bench.patch().layers[i].layer].id == "lambda-axis");
+  }
+  Rng rng(3);
+  for (int step = 0; step < 60; ++step) {
+    INFO("step " << step);
+    const SampleId id = bench.ids()[rng.below(400)];
+    const Vec2 at = bench.document().position(bench.document().slot_of(id));
+    const double size = step % 6 == 5 ? 0.3 : 1e-4;
+    switch (step % 3) {
+      case 0: bench.move(id, {at.x + size * rng.uniform(-1.0, 1.0), at.y + size * rng.uniform(-1.0, 1.0)}); break;
+      case 1: bench.insert({{(1.0 + size * rng.uniform()) * at.x, at.y + 1e-3}}); break;
+      default: bench.undo(); break;
+    }
+    if (size < 0.1 && step % 6 > 1 && report("a-union").rebuilt == false)
+      CHECK_FALSE(report("a-scale-union").rebuilt);
+    Workbench fresh;
+    fresh.show({"a-scale-axis", "a-scale-axis-boundary", "a-scale-axis-grown-disks", "a-scale-axis-disks",
+                "a-scale-skeleton"});
+    std::vector<Vec2> reversed = bench.positions();
+    std::ranges::reverse(reversed);
+    fresh.replace(reversed);
+    for (const char* name :
+         {"scale-axis", "scale-axis-boundary", "scale-axis-grown-disks", "scale-axis-disks", "scale-skeleton"}) {
+      INFO(name);
+      const LayerIndex layer = find_layer(id_of("a", name));
+      REQUIRE(bench.contents().sorted(layer) == fresh.contents().sorted(layer));
+    }
+    for (const char* key : {"area", "perimeter", "length"})
+      CHECK(bench.measure("a-scale-union", key) == bench.measure("a-union", key));
+  }
+}

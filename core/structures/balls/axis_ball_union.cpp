@@ -200,6 +200,7 @@ void AxisBallUnion::rebuild(JobControl& job) {
 }
 
 bool AxisBallUnion::update(JobControl& job) {
+  if (factor() == 1.0 && wanted_factor() == 1.0) return follow(plain_);
   if (plain_.changes().size() != 0 || (factor() != 1.0 && angle_ != wanted_angle())) return false;
   return BallUnion::update(job);
 }

@@ -65,8 +65,8 @@ class DiskListUnion : public BallUnion {
 /// an edge of the curve where the shape is certified; a ball between has the larger one at the ends of its piece. Balls
 /// of the document touch no samples, nor do those that are scaled: of these only the angle counts.
 ///
-/// Rows of balls: at a factor of 1 those of the other union; otherwise of a list. Each change makes it anew.
-/// `ScaleUnion` does the same with the one-step axis, and follows edits locally at a factor of 1.
+/// Rows of balls: at a factor of 1 those of the other union, whose changes are its own; otherwise of a list, which each
+/// change makes anew. `ScaleUnion` does the same with the one-step axis.
 /// Source: Giesen, Miklos, Pauly and Wormser 2009.
 class AxisBallUnion : public DiskListUnion {
  public:

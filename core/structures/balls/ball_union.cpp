@@ -187,6 +187,7 @@ bool BallUnion::is_shortcut_valid() const {
 
 void BallUnion::rebuild(JobControl& job) {
   changes_.clear();
+  taken_from_ = nullptr;
   made_with_ = choice();
   family_->set_scale(made_with_.scale);
   if (is_shortcut_valid()) {
@@ -218,10 +219,37 @@ void BallUnion::take_over(const BallUnion& other) {
   why_ = other.why_;
   ignored_ = other.ignored_;
   tables_ = other.tables_;
-  tables_.measures = other.measures();
+  taken_from_ = &other;
+}
+
+// Only the shortcut changes tables by parts; it has no faces and edges of the v-points, and counts nothing.
+bool BallUnion::follow(const BallUnion& other) {
+  changes_.clear();
+  const bool is_same_rung = rung_ == other.rung_ && why_ == other.why_;
+  if (taken_from_ != &other || made_with_ != choice() || !is_same_rung) return false;
+  if (other.changes_.size() == 0) return true;
+  if (rung_ != UnionRung::shortcut) return false;
+  changes_ = other.changes_;
+  const auto copy = []<class Row, class Value, class ChangedRow>(Table<Row, Value>& to, const Table<Row, Value>& from,
+                                                                 const ChangeSet<ChangedRow>& changes) {
+    to.resize(from.size());
+    for (const auto* rows : {&changes.touched, &changes.removed})
+      for (const ChangedRow row : *rows)
+        if (const Row at = same_row<Row>(row); from.has(at)) to[at] = from[at];
+  };
+  const UnionTables& from = other.tables_;
+  copy(tables_.balls, from.balls, changes_.balls);
+  copy(tables_.dual_edges, from.dual_edges, changes_.dual_edges);
+  copy(tables_.axis, from.axis, changes_.dual_edges);
+  copy(tables_.dual_faces, from.dual_faces, changes_.dual_faces);
+  copy(tables_.v_points, from.v_points, changes_.v_points);
+  copy(tables_.v_origins, from.v_origins, changes_.v_points);
+  copy(tables_.arcs, from.arcs, changes_.arcs);
+  return true;
 }
 
 UnionMeasures BallUnion::measures() const {
+  if (taken_from_ != nullptr) return taken_from_->measures();
   return shortcut_ && rung_ == UnionRung::shortcut ? shortcut_->measures() : tables_.measures;
 }
 

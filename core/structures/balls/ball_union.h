@@ -75,8 +75,10 @@ class BallUnion : public Structure {
   virtual bool is_exact_on_doubt() const { return false; }
   /// Called with what the pipeline gave, before anything else reads it.
   virtual void refine(UnionTables&) {}
-  /// In place of `rebuild`: the balls are those of another union. O(size of its tables).
+  /// In place of `rebuild`: the balls are those of another union, which outlives this one. O(size of its tables).
   void take_over(const BallUnion& other);
+  /// In place of `update`, after `take_over`: the changes of the other union. O(changes); false: it asks for `take_over`.
+  bool follow(const BallUnion& other);
 
  private:
   struct Choice {
@@ -96,6 +98,7 @@ class BallUnion : public Structure {
   std::unique_ptr<BallFamily> family_;
   const AxisCertificate* certificate_;
   std::unique_ptr<SampleUnion> shortcut_;
+  const BallUnion* taken_from_ = nullptr;  ///< null: the tables are its own
   Choice made_with_;
   UnionRung rung_ = UnionRung::doubles;
   std::string why_;
