@@ -358,3 +358,29 @@ TEST_CASE("at a factor of 1 a certified union's scale axis follows edits by part
       CHECK(bench.measure("a-scale-union", key) == bench.measure("a-union", key));
   }
 }
+
+TEST_CASE("hairs of a scaled family go by the spacing of its samples, as they do unscaled") {
+  Workbench bench;
+  bench.show({"scale-axis", "a-scale-axis", "p-scale-axis", "a-scale-skeleton"});
+  auto glyph = read_sample_file("tests/data/glyph_dejavusans_B_1000.poff");
+  REQUIRE(glyph.has_value());
+  const std::array inputs{ellipse(2.0, 1.0, 60, {0.3, 0.1, 3}).data, rounded_rectangle(3.0, 1.0, 0.6, 0.25).data,
+                          glyph->data};
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    bench.load(inputs[i]);
+    for (const double scale : {0.9, 1.0, 1.05}) {
+      for (const double s : {0.7, 1.3}) {
+        INFO("input " << i << " balls times " << scale << " s " << s);
+        ComputationSettings settings = factor(s, 100.0);
+        settings[Parameter::a_scale] = settings[Parameter::p_scale] = scale;
+        bench.choose(settings);
+        const std::int64_t leaves = bench.count("scale-union", "leaves");
+        CAPTURE(leaves, bench.count("a-scale-union", "leaves"), bench.count("p-scale-union", "leaves"));
+        CHECK(bench.count("a-scale-union", "leaves") <= leaves + 4);
+        CHECK(bench.count("p-scale-union", "leaves") <= leaves + 4);
+        CHECK(bench.measure("a-scale-union", "length") ==
+              Approx(bench.measure("scale-union", "length")).epsilon(scale == 1.0 ? 1e-9 : 0.1));
+      }
+    }
+  }
+}

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
+#include <numbers>
 #include <utility>
 
 #include "core/graph/explain.h"
@@ -52,40 +54,80 @@ struct AxisSpacing {
   Table<AxisPieceSlot, double> along;
 };
 
-/// Chords of the arcs that the balls bear, if they touch samples.
-AxisSpacing spacing_of_arcs(const BallUnion& balls) {
-  const UnionTables& t = balls.tables();
-  AxisSpacing out(t);
-  if (!balls.family().touch_samples()) return out;
-  for (const BoundaryArc& arc : t.arcs) {
-    if (!arc.is_alive() || arc.is_whole != 0) continue;
-    double& about = out.about[node_of(arc.ball)];
-    about = std::max(about, distance(arc.from, arc.to));
-  }
-  for (const AxisPieceSlot piece : t.axis.rows())
-    if (t.axis[piece].is_alive())
-      out.along[piece] = std::max(out.about[t.axis[piece].node[0]], out.about[t.axis[piece].node[1]]);
-  return out;
-}
+/// Of a ball, the two neighbours among the samples it touches that have the middle of an arc of its circle between them:
+/// their distance. Infinite where it touches fewer.
+class TouchedGaps {
+ public:
+  explicit TouchedGaps(const BallFamily& family) : family_(family) {}
 
-/// The spacings of the list, handed on to the axis of its union.
-AxisSpacing spacing_handed_on(const UnionTables& t, const DiskList& disks) {
-  AxisSpacing out(t);
-  Table<FamilySlot, double> spacing(disks.size(), 0.0);
-  for (const FamilySlot ball : disks.rows()) {
-    spacing[ball] = disks[ball].spacing;
-    out.about[node_of(ball)] = disks[ball].spacing;
+  double across(const BoundaryArc& arc) {
+    touched_.clear();
+    family_.touched_samples(arc.ball, touched_);
+    if (touched_.size() < 2) return std::numeric_limits<double>::infinity();
+    const Vec2 center = family_.plain_disk(arc.ball).center;
+    const auto direction = [center](Vec2 at) { return std::atan2(at.y - center.y, at.x - center.x); };
+    const double from = direction(arc.from);
+    const double middle = from + 0.5 * turn_between(from, direction(arc.to));
+    // The last sample before the middle, and the first one after it.
+    const auto after = [&](const TouchedSample& sample) { return turn_between(middle, direction(sample.position)); };
+    const auto [next, last] = std::ranges::minmax(touched_, {}, after);
+    return distance(next.position, last.position);
   }
+
+ private:
+  /// Counter-clockwise, from 0 to a whole turn.
+  static double turn_between(double from, double to) {
+    constexpr double kWhole = 2.0 * std::numbers::pi;
+    const double turn = std::fmod(to - from, kWhole);
+    return turn < 0.0 ? turn + kWhole : turn;
+  }
+
+  const BallFamily& family_;
+  std::vector<TouchedSample> touched_;
+};
+
+/// Spacings of balls, handed on to the axis of their union: to a piece the larger one of the balls at its ends, or, where
+/// an end is no ball, the largest of those that cross at its v-points.
+AxisSpacing along_axis(const UnionTables& t, const Table<FamilySlot, double>& spacing, bool is_by_ends) {
+  AxisSpacing out(t);
+  for (const FamilySlot ball : spacing.rows()) out.about[node_of(ball)] = spacing[ball];
   const Table<VPointSlot, double> at = spacing_of_v_points(t, spacing);
   for (const AxisPieceSlot piece : t.axis.rows()) {
     const AxisPiece& from = t.axis[piece];
     if (!from.is_alive()) continue;
+    if (is_by_ends && t.is_ball(from.node[0]) && t.is_ball(from.node[1])) {
+      out.along[piece] = std::max(out.about[from.node[0]], out.about[from.node[1]]);
+      continue;
+    }
     for (const VPointSlot v : from.v)
       if (v != kNoSlot) out.along[piece] = std::max(out.along[piece], at[v]);
     for (const AxisNodeSlot node : from.node)
       if (!t.is_ball(node)) out.about[node] = std::max(out.about[node], out.along[piece]);
   }
   return out;
+}
+
+/// If the balls touch samples, or did before they were scaled: chords of the arcs that they bear, as long as those were
+/// before, but no longer than the samples there are apart. Of a scaled union an arc may be the cap of a narrow end.
+AxisSpacing spacing_of_arcs(const BallUnion& balls) {
+  const UnionTables& t = balls.tables();
+  const BallFamily& family = balls.family();
+  Table<FamilySlot, double> spacing(t.balls.size(), 0.0);
+  if (family.is_from_samples()) {
+    TouchedGaps gaps(family);
+    for (const BoundaryArc& arc : t.arcs) {
+      if (!arc.is_alive() || arc.is_whole != 0) continue;
+      const double chord = distance(arc.from, arc.to) / family.scale();
+      spacing[arc.ball] = std::max(spacing[arc.ball], std::min(chord, gaps.across(arc)));
+    }
+  }
+  return along_axis(t, spacing, true);
+}
+
+AxisSpacing spacing_handed_on(const UnionTables& t, const DiskList& disks) {
+  Table<FamilySlot, double> spacing(disks.size(), 0.0);
+  for (const FamilySlot ball : disks.rows()) spacing[ball] = disks[ball].spacing;
+  return along_axis(t, spacing, false);
 }
 
 /// Balls along the axis of a union, as dense as they have to be for growing or shrinking them; outside of the graph.

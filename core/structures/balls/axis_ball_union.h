@@ -62,8 +62,9 @@ class DiskListUnion : public BallUnion {
 ///     however short its parts are.
 ///
 /// Spacings: a ball of the other union that touches samples has the longest chord of an arc that it bears there, which is
-/// an edge of the curve where the shape is certified; a ball between has the larger one at the ends of its piece. Balls
-/// of the document touch no samples, nor do those that are scaled: of these only the angle counts.
+/// an edge of the curve where the shape is certified; a ball between has the larger one at the ends of its piece. Of a ball
+/// that has been scaled the chord is divided by the scale, and no longer than the two samples are apart between which the
+/// middle of the arc was before. Balls of the document touch no samples: of these only the angle counts.
 ///
 /// Rows of balls: at a factor of 1 those of the other union, whose changes are its own; otherwise of a list, which each
 /// change makes anew. `ScaleUnion` does the same with the one-step axis.
