@@ -139,18 +139,23 @@ class AlongAxis final : public BallSampling {
         shrinking_(std::min(1.0, settings.current()[Parameter::scale_axis_factor])) {}
 
   /// With radii divided by `divisor`.
-  DiskList listed(const AxisSpacing& spacing, double divisor) const {
+  AxisDisks listed(const AxisSpacing& spacing, double divisor) const {
     const SampledBalls& balls = medial();
     const Table<SampledSlot, double> at = by_row(spacing);
-    DiskList out;
-    for (const SampledSlot row : at.rows())
-      if (balls.is_alive(row)) out.push_back({{balls.disk(row).center, balls.disk(row).radius / divisor}, at[row]});
+    AxisDisks out{{}, halving().tolerance()};
+    for (const SampledSlot row : at.rows()) {
+      if (!balls.is_alive(row)) continue;
+      const Disk& disk = balls.disk(row);
+      // Where the angle does not say how far apart they are.
+      const double apart = out.tolerance == 0.0 ? 0.0 : halving().widest(shrinking_ * disk.radius);
+      out.list.push_back({{disk.center, disk.radius / divisor}, std::max(at[row], apart)});
+    }
     return out;
   }
 
  private:
   double shrinking() const override { return shrinking_; }
-  bool has_to_meet() const override { return true; }
+  bool is_for_growing() const override { return true; }
 
   Table<SampledSlot, double> by_row(const AxisSpacing& spacing) const {
     Table<SampledSlot, double> out(medial().rows(), 0.0);
@@ -223,7 +228,7 @@ StatList DiskListUnion::statistics() const {
 AxisBallUnion::AxisBallUnion(std::string_view id, SettingsSource& settings, BallUnion& plain)
     : DiskListUnion(id, {&settings, &plain}, settings, &plain), source_(settings), plain_(plain) {}
 
-DiskList AxisBallUnion::disks(JobControl& job) {
+AxisDisks AxisBallUnion::disks(JobControl& job) {
   AlongAxis sampling(source_, plain_);
   sampling.rebuild(job);
   return sampling.listed(spacing_of_arcs(plain_), 1.0);
@@ -231,13 +236,17 @@ DiskList AxisBallUnion::disks(JobControl& job) {
 
 void AxisBallUnion::rebuild(JobControl& job) {
   angle_ = wanted_angle();
+  tolerance_ = 0.0;
   if (wanted_factor() == 1.0) {
     set_disks({});
     forget_hairs();
     take_over(plain_);
     return;
   }
-  set_disks(disks(job));
+  AxisDisks disks = this->disks(job);
+  tolerance_ = disks.tolerance;
+  listed_ = disks.list.size();
+  set_disks(std::move(disks.list));
   BallUnion::rebuild(job);
 }
 
@@ -249,7 +258,15 @@ bool AxisBallUnion::update(JobControl& job) {
 
 // At a factor of 1 the other union says it.
 void AxisBallUnion::find(std::vector<Finding>& out) const {
-  if (factor() != 1.0) BallUnion::find(out);
+  if (factor() == 1.0) return;
+  BallUnion::find(out);
+  find_tolerance(id(), tolerance_, listed_, out);
+}
+
+StatList AxisBallUnion::statistics() const {
+  StatList out = DiskListUnion::statistics();
+  out.push_back({"tolerance", tolerance_});
+  return out;
 }
 
 void AxisBallUnion::explain(ElementKind kind, RowNumber row, Explanation& out) const {
@@ -283,14 +300,12 @@ void SkeletonUnion::rebuild(JobControl& job) {
   AxisBallUnion::rebuild(job);
 }
 
-DiskList SkeletonUnion::disks(JobControl& job) {
+AxisDisks SkeletonUnion::disks(JobControl& job) {
   const ComputationSettings& settings = settings_.current();
   Beginning beginning{settings[Parameter::scale_skeleton_step], settings[Parameter::medial_sampling_angle],
                       AxisBallUnion::disks(job)};
   if (beginning != beginning_) kept_.clear();
   beginning_ = std::move(beginning);
-  const double width = beginning_.step / 100.0;
-  const auto factor_of = [width](std::size_t step) { return 1.0 + static_cast<double>(step) * width; };
   // What rounding leaves between the last step and the factor is none.
   while (factor_of(steps_ + 1) < wanted_factor() * (1.0 - 0x1p-40)) ++steps_;
   Step now{0, beginning_.disks};
@@ -300,26 +315,28 @@ DiskList SkeletonUnion::disks(JobControl& job) {
     job.checkpoint(now.number, steps_);
     now.disks = after_step(now.disks, factor_of(now.number + 1), job);
     ++now.number;
-    std::size_t balls = now.disks.size();
-    for (const Step& step : kept_) balls += step.disks.size();
+    std::size_t balls = now.disks.list.size();
+    for (const Step& step : kept_) balls += step.disks.list.size();
     if (balls > kMostKept) kept_.clear();
     kept_.push_back(now);
   }
   return now.disks;
 }
 
-DiskList SkeletonUnion::after_step(const DiskList& disks, double factor, JobControl& job) const {
+AxisDisks SkeletonUnion::after_step(const AxisDisks& disks, double factor, JobControl& job) const {
   SettingsSource settings;
   ComputationSettings chosen = settings_.current();
   chosen.precision = Precision::fast;
   chosen[Parameter::scale_axis_factor] = factor;
   settings.post(chosen);
   settings.rebuild(job);
-  StepUnion balls(settings, disks);
+  StepUnion balls(settings, disks.list);
   balls.rebuild(job);
   AlongAxis sampling(settings, balls);
   sampling.rebuild(job);
-  return sampling.listed(spacing_handed_on(balls.tables(), disks), factor);
+  AxisDisks out = sampling.listed(spacing_handed_on(balls.tables(), disks.list), factor);
+  out.tolerance = std::max(out.tolerance, disks.tolerance);
+  return out;
 }
 
 StatList SkeletonUnion::statistics() const {

@@ -21,6 +21,12 @@ struct ListedBall {
   friend bool operator==(const ListedBall&, const ListedBall&) = default;
 };
 using DiskList = Table<FamilySlot, ListedBall>;
+/// Those along an axis.
+struct AxisDisks {
+  DiskList list;
+  double tolerance = 0.0;  ///< with which they were sampled (`next_tolerance`)
+  friend bool operator==(const AxisDisks&, const AxisDisks&) = default;
+};
 
 /// The union of balls from a list, with radii multiplied by `scale-axis-factor`.
 ///
@@ -60,6 +66,8 @@ class DiskListUnion : public BallUnion {
 ///  2. At other factors the balls are those of `BallSampling::medial`, as doubles, whatever the number type; below 1 as
 ///     dense as the shrunk balls need it. Neighbours along a piece meet, as it is halved up to twenty times until they do,
 ///     however short its parts are.
+///  3. Between the nodes of the axis there are at most `kMostBallsBetween`. If these were more, neighbours are as far from
+///     each other as a tolerance allows, which `findings` gives, or it fails (as `AxisSampling`).
 ///
 /// Spacings: a ball of the other union that touches samples has the longest chord of an arc that it bears there, which is
 /// an edge of the curve where the shape is certified; a ball between has the larger one at the ends of its piece. Of a ball
@@ -73,13 +81,14 @@ class AxisBallUnion : public DiskListUnion {
  public:
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
+  StatList statistics() const override;
   void find(std::vector<Finding>& out) const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  protected:
   AxisBallUnion(std::string_view id, SettingsSource& settings, BallUnion& plain);
   /// What is to grow by the factor: the balls along the axis of the other union.
-  virtual DiskList disks(JobControl& job);
+  virtual AxisDisks disks(JobControl& job);
 
  private:
   double wanted_angle() const { return source_.current()[Parameter::medial_sampling_angle]; }
@@ -87,6 +96,8 @@ class AxisBallUnion : public DiskListUnion {
   SettingsSource& source_;
   BallUnion& plain_;
   double angle_ = 0.0;
+  double tolerance_ = 0.0;
+  std::size_t listed_ = 0;
 };
 
 /// The *scale skeleton*: as `AxisBallUnion`, but the factor is reached in steps of `scale-skeleton-step`, 1 + k d in step
@@ -117,16 +128,17 @@ class SkeletonUnion : public AxisBallUnion {
   static constexpr std::size_t kMostKept = 1'000'000;
   struct Step {
     std::size_t number = 0;
-    DiskList disks;
+    AxisDisks disks;
   };
-  DiskList disks(JobControl& job) override;
-  DiskList after_step(const DiskList& disks, double factor, JobControl& job) const;
+  AxisDisks disks(JobControl& job) override;
+  double factor_of(std::size_t step) const { return 1.0 + static_cast<double>(step) * (beginning_.step / 100.0); }
+  AxisDisks after_step(const AxisDisks& disks, double factor, JobControl& job) const;
 
   /// What the steps depend on.
   struct Beginning {
     double step = 0.0;
     double angle = 0.0;
-    DiskList disks;
+    AxisDisks disks;
     friend bool operator==(const Beginning&, const Beginning&) = default;
   };
 

@@ -11,6 +11,7 @@ namespace {
 
 constexpr double kShortest = 1e-4;  // of the diameter
 constexpr double kThinnest = 0.1;   // of the smaller ball
+constexpr std::size_t kBallsALook = 1024;
 constexpr std::array<AxisNodeSlot, 2> kDead{};
 
 }  // namespace
@@ -36,10 +37,13 @@ void BallSampling::add_to_reach(FamilySlot ball) {
   }
 }
 
+double BallSampling::diameter() const {
+  return std::hypot(reach_.side[0] + reach_.side[2], reach_.side[1] + reach_.side[3]);
+}
+
 // Rounded down to a power of two, so that an edit at the border of the data seldom concerns what lies inside.
 double BallSampling::shortest() const {
-  const double diameter = std::hypot(reach_.side[0] + reach_.side[2], reach_.side[1] + reach_.side[3]);
-  const double length = kShortest * diameter;
+  const double length = kShortest * diameter();
   return std::isnormal(length) ? std::ldexp(1.0, std::ilogb(length)) : 0.0;
 }
 
@@ -140,29 +144,43 @@ void BallSampling::add_vertices_of_axis() {
       medial_.balls.add(owner_of(nodes[i].node), nodes[i].disk);
 }
 
-void BallSampling::rebuild(JobControl& job) {
+bool BallSampling::fill(JobControl& job) {
   const UnionTables& t = union_.tables();
-  made_with_ = angle();
-  measure();
-  shortest_ = shortest();
-  halving_ = BallHalving(made_with_, shortest_, has_to_meet());
-  is_recording_ = false;
   for (Sampling* sampling : {&medial_, &convex_}) {
     sampling->balls.reset();
     sampling->ends.clear();
     sampling->degree.assign(t.node_count(), 0);
   }
+  std::size_t looked_at = 0;
   for (const AxisPieceSlot piece : t.axis.rows()) {
-    if ((piece.index() & 0x3ffU) == 0) job.checkpoint(piece.index(), t.axis.size() + t.dual_edges.size());
+    if ((piece.index() & 0x3ffU) == 0 || medial().count() - looked_at > kBallsALook) {
+      job.checkpoint(piece.index(), t.axis.size() + t.dual_edges.size());
+      looked_at = medial().count();
+    }
     remake_piece(piece);
+    if (is_for_growing() && medial().count() > kMostBallsBetween) return false;
   }
   for (const DualEdgeSlot edge : t.dual_edges.rows()) {
+    if (is_for_growing()) break;
     if ((edge.index() & 0x3ffU) == 0)
       job.checkpoint(t.axis.size() + edge.index(), t.axis.size() + t.dual_edges.size());
     remake_edge(edge);
   }
   for (const FamilySlot ball : t.balls.rows()) remake_ball(ball);
   add_vertices_of_axis();
+  return true;
+}
+
+void BallSampling::rebuild(JobControl& job) {
+  made_with_ = angle();
+  measure();
+  shortest_ = shortest();
+  is_recording_ = false;
+  halving_ = BallHalving(made_with_, shortest_, is_for_growing());
+  while (!fill(job)) {
+    const double tolerance = next_tolerance(halving_.tolerance(), diameter());
+    halving_ = BallHalving(made_with_, shortest_, is_for_growing(), tolerance);
+  }
 }
 
 // Only the certified shortcut follows edits. It knows no faces of v-points, and its pieces and dual edges share rows.

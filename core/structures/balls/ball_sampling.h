@@ -48,8 +48,11 @@ class BallSampling : public Structure {
   }
   /// The circles that are to cross at the angle along the axis are these times as large; at most 1.
   virtual double shrinking() const { return 1.0; }
-  /// Parts shorter than 1e-4 of the diameter are halved on as long as these circles are apart.
-  virtual bool has_to_meet() const { return false; }
+  /// For growing and shrinking: there are no convex balls, at most `kMostBallsBetween` inside pieces, with a tolerance if
+  /// it takes one (`next_tolerance`), and parts shorter than 1e-4 of the diameter are halved on as long as their circles
+  /// are apart.
+  virtual bool is_for_growing() const { return false; }
+  const BallHalving& halving() const { return halving_; }
 
  private:
   /// A piece of the axis, or a dual edge.
@@ -74,7 +77,10 @@ class BallSampling : public Structure {
   double angle() const { return settings_.current()[Parameter::medial_sampling_angle]; }
   void measure();
   void add_to_reach(FamilySlot ball);
+  double diameter() const;
   double shortest() const;
+  /// All balls; false: there are too many inside pieces.
+  bool fill(JobControl& job);
   void set_ends(Sampling& sampling, LinkSlot link, const std::array<AxisNodeSlot, 2>& ends);
   void remake_piece(AxisPieceSlot row);
   void remake_edge(DualEdgeSlot row);

@@ -9,6 +9,8 @@
 namespace mes {
 namespace {
 
+constexpr std::size_t kEdgesALook = 1024;
+
 OwnerSlot owner_of(EdgeSlot edge) {
   return same_row<OwnerSlot>(edge);
 }
@@ -72,12 +74,15 @@ AxisSampling::Density AxisSampling::density() const {
   return {settings[Parameter::medial_sampling_angle], std::min(1.0, factor)};
 }
 
+bool AxisSampling::is_edge(EdgeSlot edge) const {
+  return delaunay_.edge(edge).is_alive() && axis_.is_axis_edge(edge) && !axis_.is_zero_length(edge);
+}
+
 // A ball about a place of the edge touches both samples; its radius is the distance to the one that comes first.
 void AxisSampling::remake(EdgeSlot edge) {
   between_.drop(owner_of(edge));
-  if (made_with_.angle == kNone) return;
+  if (made_with_.angle == kNone || !is_edge(edge)) return;
   const EdgeRow& row = delaunay_.edge(edge);
-  if (!row.is_alive() || !axis_.is_axis_edge(edge) || axis_.is_zero_length(edge)) return;
   const Vec2 p = delaunay_.site_position(row.v[0]);
   const Vec2 q = delaunay_.site_position(row.v[1]);
   const Vec2 sample = lexicographically_less(p, q) ? p : q;
@@ -90,28 +95,86 @@ void AxisSampling::remake(EdgeSlot edge) {
                  [&](const Disk& disk) { between_.add(owner_of(edge), ball_about(disk.center)); });
 }
 
+double AxisSampling::diameter() const {
+  Box2 box;
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
+    if (!is_edge(edge)) continue;
+    for (const FaceSlot face : delaunay_.edge(edge).f)
+      if (const Vec2 center = delaunay_.circumcenter(face); is_finite(center)) box.add(center);
+  }
+  return box.is_empty() ? 0.0 : distance(box.low, box.high);
+}
+
+double AxisSampling::spacing(double radius) const {
+  const double of_angle = made_with_.shrinking * distance_of_sampled(made_with_.angle) * radius;
+  if (halving_.tolerance() == 0.0) return of_angle;
+  return std::max(of_angle, halving_.widest(made_with_.shrinking * radius));
+}
+
+bool AxisSampling::fill(JobControl& job) {
+  between_.reset();
+  std::size_t looked = 0;
+  std::size_t made = 0;
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
+    if (looked == 0) job.checkpoint(edge.index(), delaunay_.edge_rows());
+    remake(edge);
+    if (between_.count() > kMostBallsBetween) return false;
+    // An edge may have as many balls as others have together.
+    looked = looked == kEdgesALook || between_.count() - made > kEdgesALook ? 0 : looked + 1;
+    if (looked == 0) made = between_.count();
+  }
+  return true;
+}
+
 void AxisSampling::rebuild(JobControl& job) {
   made_with_ = density();
-  if (made_with_.angle != kNone) halving_ = BallHalving(made_with_.angle);
   between_.reset();
-  for (const EdgeSlot edge : delaunay_.edge_slots()) {
-    if ((edge.index() & 0x3ffU) == 0) job.checkpoint(edge.index(), delaunay_.edge_rows());
-    remake(edge);
-  }
+  if (made_with_.angle == kNone) return;
+  halving_ = BallHalving(made_with_.angle);
+  while (!fill(job))
+    halving_ = BallHalving(made_with_.angle, 0.0, false, next_tolerance(halving_.tolerance(), diameter()));
 }
 
 bool AxisSampling::update(JobControl&) {
   clear_changes();
   if (density() != made_with_) return false;
+  const ChangeSet<EdgeSlot>& edges = axis_.edge_changes();
+  if (made_with_.angle == kNone || edges.is_empty()) return true;
+  if (halving_.tolerance() != 0.0) return false;
   between_.begin();
-  for (const auto* rows : {&axis_.edge_changes().removed, &axis_.edge_changes().touched})
-    for (const EdgeSlot edge : *rows) remake(edge);
+  for (const auto* rows : {&edges.removed, &edges.touched}) {
+    for (const EdgeSlot edge : *rows) {
+      remake(edge);
+      if (between_.count() > 2 * kMostBallsBetween) return false;
+    }
+  }
   between_.finish();
-  return true;
+  return between_.count() <= kMostBallsBetween;
 }
 
 StatList AxisSampling::statistics() const {
-  return {{"balls_between", static_cast<std::int64_t>(between_.count())}};
+  std::int64_t not_finite = 0;
+  if (made_with_.angle != kNone) {
+    for (const EdgeSlot edge : delaunay_.edge_slots()) {
+      if (!is_edge(edge)) continue;
+      const EdgeRow& row = delaunay_.edge(edge);
+      const Vec2 sample = delaunay_.site_position(row.v[0]);
+      not_finite += std::ranges::all_of(row.f,
+                                        [&](FaceSlot face) {
+                                          const Vec2 center = delaunay_.circumcenter(face);
+                                          return is_finite(Disk{center, distance(center, sample)});
+                                        })
+                        ? 0
+                        : 1;
+    }
+  }
+  return {{"balls_between", static_cast<std::int64_t>(between_.count())},
+          {"tolerance", made_with_.angle == kNone ? 0.0 : halving_.tolerance()},
+          {"not_finite", not_finite}};
+}
+
+void AxisSampling::find(std::vector<Finding>& out) const {
+  if (made_with_.angle != kNone) find_tolerance(id(), halving_.tolerance(), between_.count(), out);
 }
 
 ScaleUnion::ScaleUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels,
@@ -120,7 +183,6 @@ ScaleUnion::ScaleUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrus
                 settings, Parameter::scale_axis_factor,
                 std::make_unique<BallsAlongAxis>(delaunay, balls, sampling.between()), &certificate,
                 std::make_unique<SampleUnion>(delaunay, crust, labels, balls, axis, certificate)),
-      settings_(settings),
       delaunay_(delaunay),
       labels_(labels),
       balls_(balls),
@@ -139,14 +201,12 @@ void ScaleUnion::refine(UnionTables& tables) {
 
 Table<FamilySlot, double> ScaleUnion::spacing() const {
   Table<FamilySlot, double> out(family().rows(), 0.0);
-  const double apart =
-      std::min(1.0, factor()) * distance_of_sampled(settings_.current()[Parameter::medial_sampling_angle]);
   const auto row_of = [](FaceSlot face) { return FamilySlot(2 * face.index()); };
   for (const FaceSlot face : delaunay_.face_slots()) {
     if (!balls_.is_ball(face)) continue;
     const FamilySlot ball = row_of(balls_.ball(face));
     const FaceRow& row = delaunay_.face(face);
-    out[ball] = std::max(out[ball], apart * family().plain_disk(ball).radius);
+    out[ball] = std::max(out[ball], sampling_.spacing(family().plain_disk(ball).radius));
     for (int i = 0; i < 3; ++i) {
       if (labels_.is_inside(row.n[i])) continue;
       const Vec2 p = delaunay_.site_position(row.v[next3(i)]);
@@ -157,7 +217,7 @@ Table<FamilySlot, double> ScaleUnion::spacing() const {
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
     sampling_.for_each_on(edge, [&](SampledSlot between) {
       double& there = out[FamilySlot(2 * between.index() + std::size_t{1})];
-      there = apart * sampling_.between().disk(between).radius;
+      there = sampling_.spacing(sampling_.between().disk(between).radius);
       for (const FaceSlot face : delaunay_.edge(edge).f) there = std::max(there, out[row_of(balls_.ball(face))]);
     });
   }
@@ -180,6 +240,7 @@ void GrownBallSampling::explain(ElementKind kind, RowNumber row, Explanation& ou
   itself.circle({grown.center, grown.radius / factor});
   out.say(ProvenanceRole::itself,
           "Ball about a point of the scale axis, radius " + number_text(grown.radius / factor), itself);
+  if (factor == 1.0) return;
   circle.circle(grown);
   out.say(ProvenanceRole::origin,
           std::string("the largest ball there in the ") + (factor < 1.0 ? "shrunk" : "grown") + " union, " +

@@ -18,9 +18,13 @@ namespace mes {
 ///     of the balls at both ends of the edge.
 ///  2. An edge is halved until the circles at both ends of each part cross at `medial-sampling-angle` or more, or twenty
 ///     times. Below a factor of 1 these are the shrunk circles, so that balls of an edge do not part.
+///  3. There are at most `kMostBallsBetween`. If these were more, neighbours may cross at 120 degrees where the dents
+///     between them are no deeper than a *tolerance*: the least of 2^-29, 2^-27, ... 2^-11 of the diameter that suffices.
+///     `findings` says so. If none suffices it fails.
+///  4. Edges of which an end is beyond doubles have no balls; `not_finite` counts them.
 ///
-/// Rows are owned by edges; each depends on its edge only. Updates O(changed edges). Decisions and radii are those of
-/// doubles.
+/// Rows are owned by edges; each depends on its edge and the tolerance only. Updates O(changed edges), or a rebuild where
+/// a tolerance is needed or was. Decisions and radii are those of doubles.
 class AxisSampling final : public Structure {
  public:
   AxisSampling(SettingsSource& settings, Delaunay& delaunay, MedialAxis& axis);
@@ -32,11 +36,15 @@ class AxisSampling final : public Structure {
     between_.for_each_of(same_row<OwnerSlot>(edge), visit);
   }
 
+  /// How far from each other neighbours are that are as large as the balls at a place where these have this radius.
+  double spacing(double radius) const;
+
   void rebuild(JobControl& job) override;
   bool update(JobControl& job) override;
   void clear_changes() override { between_.clear_changes(); }
   std::size_t touched() const override { return between_.changes().size(); }
   StatList statistics() const override;
+  void find(std::vector<Finding>& out) const override;
 
  private:
   struct Density {
@@ -45,6 +53,11 @@ class AxisSampling final : public Structure {
     friend bool operator==(const Density&, const Density&) = default;
   };
   Density density() const;
+  bool is_edge(EdgeSlot edge) const;
+  /// Of all places where balls may be.
+  double diameter() const;
+  /// Balls of all edges; false: there are too many.
+  bool fill(JobControl& job);
   void remake(EdgeSlot edge);
 
   const SettingsSource& settings_;
@@ -98,7 +111,6 @@ class ScaleUnion final : public BallUnion {
   /// Of the samples, or of the balls along the axis, at a ball.
   Table<FamilySlot, double> spacing() const;
 
-  const SettingsSource& settings_;
   const Delaunay& delaunay_;
   const Labels& labels_;
   const InnerBalls& balls_;

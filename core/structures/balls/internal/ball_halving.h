@@ -4,20 +4,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
+#include <string_view>
+#include <vector>
 
 #include "core/base/disk.h"
+#include "core/base/finding.h"
 
 namespace mes {
 
 /// Two balls are near when their circles cross at `sampling_angle` degrees or more (their radii at the crossing enclose
 /// 180 degrees less that), or when their centres are nearer than `shortest`; if balls have to meet, only where they do.
+/// With a tolerance they are, too, when their circles cross at 120 degrees or more, and nowhere farther than that below a
+/// line that touches both.
 class BallHalving {
  public:
-  explicit BallHalving(double sampling_angle = 180.0, double shortest = 0.0, bool has_to_meet = false)
+  explicit BallHalving(double sampling_angle = 180.0, double shortest = 0.0, bool has_to_meet = false,
+                       double tolerance = 0.0)
       : least_cosine_(std::cos((180.0 - sampling_angle) * std::numbers::pi / 180.0)),
         shortest_(shortest),
-        has_to_meet_(has_to_meet) {}
+        has_to_meet_(has_to_meet),
+        tolerance_(tolerance) {}
+
+  double tolerance() const { return tolerance_; }
+  /// The largest distance at which balls of that radius are near.
+  double widest(double radius) const { return radius * std::sqrt(2.0 * (1.0 - least_cosine(radius))); }
 
   bool is_near(const Disk& a, const Disk& b) const {
     const double d = distance(a.center, b.center);
@@ -27,7 +39,7 @@ class BallHalving {
     const double size = std::max({a.radius, b.radius, d});
     const double ra = a.radius / size;
     const double rb = b.radius / size;
-    return ra * ra + rb * rb - (d / size) * (d / size) >= least_cosine_ * 2.0 * ra * rb;
+    return ra * ra + rb * rb - (d / size) * (d / size) >= least_cosine(std::max(a.radius, b.radius)) * 2.0 * ra * rb;
   }
 
   /// Adds the balls `at(u)`, 0 < u < 1, between `first` = at(0) and `last` = at(1), by halving at most twenty times. Parts
@@ -39,6 +51,15 @@ class BallHalving {
 
  private:
   static constexpr int kMostHalvings = 20;
+  static constexpr double kLeastCosine = 0.5;  // of 60 degrees
+
+  /// Of the angle that radii enclose at the crossing; `radius` is the larger one.
+  double least_cosine(double radius) const {
+    if (tolerance_ == 0.0) return least_cosine_;
+    // The dent is no deeper than the larger radius times 1 - cos of half the angle.
+    const double cosine_of_half = 1.0 - std::min(1.0, tolerance_ / radius);
+    return std::min(least_cosine_, std::max(kLeastCosine, 2.0 * cosine_of_half * cosine_of_half - 1.0));
+  }
 
   template <class At, class Add>
   void halve(const At& at, double from, const Disk& first, double to, const Disk& last, int depth,
@@ -55,7 +76,17 @@ class BallHalving {
   double least_cosine_;
   double shortest_;
   bool has_to_meet_;
+  double tolerance_;
 };
+
+/// Balls between that are grown or shrunk at once. What a union takes for each of them is about two kilobytes.
+inline constexpr std::size_t kMostBallsBetween = 500'000;
+
+/// The tolerance after one with which there are more: none, 2^-29 of the diameter, four times that, and so on up to 2^-11,
+/// half a pixel of a picture with a thousand. Throws `GeometryError` after that.
+double next_tolerance(double tolerance, double diameter);
+/// Says that balls were made with a tolerance, if it is not 0.
+void find_tolerance(std::string_view structure, double tolerance, std::size_t balls, std::vector<Finding>& out);
 
 inline Vec2 place_between(Vec2 a, Vec2 b, double u) {
   return (1.0 - u) * a + u * b;

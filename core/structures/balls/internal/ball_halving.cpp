@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/balls/internal/ball_halving.h"
+
+#include <fmt/core.h>
+
+#include "core/base/error.h"
+
+namespace mes {
+
+double next_tolerance(double tolerance, double diameter) {
+  const double largest = std::ldexp(diameter, -11);
+  const double next = tolerance == 0.0 ? std::ldexp(diameter, -29) : 4.0 * tolerance;
+  if (std::isnormal(next) && next <= largest) return next;
+  throw GeometryError(fmt::format(
+      "it takes more than {} balls along the axis; a smaller medial-sampling-angle takes fewer, and below 1 "
+      "a larger scale-axis-factor",
+      kMostBallsBetween));
+}
+
+void find_tolerance(std::string_view structure, double tolerance, std::size_t balls, std::vector<Finding>& out) {
+  if (tolerance == 0.0) return;
+  out.push_back(
+      {FindingLevel::doubt,
+       fmt::format("{}: balls along the axis are farther apart than medial-sampling-angle asks for, which would "
+                   "take more than {}; dents between them are at most {:.2g} deep",
+                   structure, kMostBallsBetween, tolerance),
+       static_cast<std::int64_t>(balls),
+       {}});
+}
+
+}  // namespace mes
