@@ -11,7 +11,9 @@
 
 #include "core/base/rng.h"
 #include "core/draw/layer_descriptor.h"
+#include "core/graph/explain.h"
 #include "core/io/format.h"
+#include "core/structures/balls/axis_ball_union.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"
@@ -383,4 +385,24 @@ TEST_CASE("hairs of a scaled family go by the spacing of its samples, as they do
       }
     }
   }
+}
+
+TEST_CASE("balls of the scale skeleton say which step they are of") {
+  Workbench bench;
+  bench.show({"a-scale-axis-grown-disks", "a-scale-skeleton"});
+  bench.replace(ellipse(2.0, 1.0, 60, {0.3, 0.1, 3}).data.positions);
+  bench.choose(factor(1.25, 10.0));
+  REQUIRE(bench.count("a-skeleton-union", "steps_before") == 2);
+  const auto line_of = [&](const Structure& structure, FamilySlot ball) {
+    JobControl job;
+    Explanation out(
+        bench.graph().structures(), [](const Structure&) { return true; }, job);
+    structure.explain(ElementKind::ball, ball.index(), out);
+    const std::vector<ProvenanceLine> lines = out.take();
+    return lines.empty() ? std::string() : lines.front().text;
+  };
+  CHECK(line_of(bench.get<ASkeletonUnion>(), FamilySlot(0))
+            .starts_with("Ball about a point of the scale axis after step 2, at a factor of 1.2, radius "));
+  CHECK(
+      line_of(bench.get<AScaleUnion>(), FamilySlot(0)).starts_with("Ball about a point of the axis of the union, "));
 }

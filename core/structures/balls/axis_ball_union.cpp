@@ -281,7 +281,7 @@ void AxisBallUnion::explain(ElementKind kind, RowNumber row, Explanation& out) c
   ProvenanceShapes itself;
   itself.circle(family().plain_disk(ball));
   out.say(ProvenanceRole::itself,
-          "Ball about a point of the axis of the union, radius " + number_text(family().plain_disk(ball).radius),
+          "Ball about a point of " + axis_text() + ", radius " + number_text(family().plain_disk(ball).radius),
           itself);
   explain_scale(ball, out);
   explain_place(ball, out);
@@ -300,6 +300,11 @@ void SkeletonUnion::rebuild(JobControl& job) {
   AxisBallUnion::rebuild(job);
 }
 
+std::string SkeletonUnion::axis_text() const {
+  if (steps_ == 0) return AxisBallUnion::axis_text();
+  return "the scale axis after step " + std::to_string(steps_) + ", at a factor of " + number_text(factor_of(steps_));
+}
+
 AxisDisks SkeletonUnion::disks(JobControl& job) {
   const ComputationSettings& settings = settings_.current();
   Beginning beginning{settings[Parameter::scale_skeleton_step], settings[Parameter::medial_sampling_angle],
@@ -309,18 +314,29 @@ AxisDisks SkeletonUnion::disks(JobControl& job) {
   // What rounding leaves between the last step and the factor is none.
   while (factor_of(steps_ + 1) < wanted_factor() * (1.0 - 0x1p-40)) ++steps_;
   Step now{0, beginning_.disks};
-  for (const Step& step : kept_)
-    if (step.number <= steps_ && step.number > now.number) now = step;
+  if (steps_ == 0) return now.disks;
+  const auto last =
+      std::ranges::find_if(kept_.rbegin(), kept_.rend(), [&](const Step& step) { return step.number <= steps_; });
+  if (last != kept_.rend()) now = *last;
   while (now.number < steps_) {
     job.checkpoint(now.number, steps_);
     now.disks = after_step(now.disks, factor_of(now.number + 1), job);
     ++now.number;
-    std::size_t balls = now.disks.list.size();
-    for (const Step& step : kept_) balls += step.disks.list.size();
-    if (balls > kMostKept) kept_.clear();
-    kept_.push_back(now);
+    keep(now);
   }
   return now.disks;
+}
+
+// The last one always stays: it is what the next factor begins with.
+void SkeletonUnion::keep(const Step& step) {
+  kept_.insert(std::ranges::upper_bound(kept_, step.number, {}, &Step::number), step);
+  const auto balls = [this] {
+    std::size_t out = 0;
+    for (const Step& kept : kept_) out += kept.disks.list.size();
+    return out;
+  };
+  for (std::size_t apart = 2; kept_.size() > 1 && balls() > kMostKept; apart *= 2)
+    std::erase_if(kept_, [&](const Step& kept) { return kept.number != step.number && kept.number % apart != 0; });
 }
 
 AxisDisks SkeletonUnion::after_step(const AxisDisks& disks, double factor, JobControl& job) const {

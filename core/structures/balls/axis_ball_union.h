@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -89,6 +90,8 @@ class AxisBallUnion : public DiskListUnion {
   AxisBallUnion(std::string_view id, SettingsSource& settings, BallUnion& plain);
   /// What is to grow by the factor: the balls along the axis of the other union.
   virtual AxisDisks disks(JobControl& job);
+  /// "the axis of the union", along which these balls lie.
+  virtual std::string axis_text() const { return "the axis of the union"; }
 
  private:
   double wanted_angle() const { return source_.current()[Parameter::medial_sampling_angle]; }
@@ -112,9 +115,10 @@ class AxisBallUnion : public DiskListUnion {
 ///  1. Up to a factor of 1 + d it is the scale axis.
 ///  2. It does not depend on the factors that were looked at before.
 ///
-/// Steps before the last are made in `fast`, whatever the number type. What balls remain is kept for each step, up to
-/// `kMostKept` balls; so as long as the balls that it begins with are the same, a step forwards is one more union.
-/// Otherwise the cost is that of (factor - 1) / d unions.
+/// Steps before the last are made in `fast`, whatever the number type. What balls remain is kept for each step; so as long
+/// as the balls that it begins with are the same, a step forwards is one more union. Beyond `kMostKept` balls each second
+/// step is kept, then each fourth, and so on: a step backwards is then a few unions. Otherwise the cost is that of
+/// (factor - 1) / d unions.
 class SkeletonUnion : public AxisBallUnion {
  public:
   bool update(JobControl& job) override;
@@ -131,8 +135,10 @@ class SkeletonUnion : public AxisBallUnion {
     AxisDisks disks;
   };
   AxisDisks disks(JobControl& job) override;
+  std::string axis_text() const override;
   double factor_of(std::size_t step) const { return 1.0 + static_cast<double>(step) * (beginning_.step / 100.0); }
   AxisDisks after_step(const AxisDisks& disks, double factor, JobControl& job) const;
+  void keep(const Step& step);
 
   /// What the steps depend on.
   struct Beginning {
