@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/scale_events.h"
 
+#include <algorithm>
 #include <array>
+#include <functional>
 #include <new>
 #include <utility>
 
@@ -14,23 +16,57 @@ namespace {
 constexpr int kIntervalsBelow = 6;
 constexpr int kIntervals = 32;
 constexpr double kNear = 1e-3;
+constexpr double kLargestAngle = 175.0;
+constexpr int kMostUnions = 400;
+constexpr std::int64_t kMostBalls = 40'000'000;
+
+double angle_for_events(const ComputationSettings& settings) {
+  return std::min(kLargestAngle, settings[Parameter::medial_sampling_angle]);
+}
 
 class ScaleSweep {
  public:
   ScaleSweep(Graph& graph, ComputationSettings settings, JobControl& job)
       : graph_(graph), settings_(std::move(settings)), job_(job) {}
 
+  std::vector<ScaleEvent> events() {
+    const ParameterDescriptor& range = descriptor_of(Parameter::scale_axis_factor);
+    const Topology whole = at(1.0);
+    look_on(whole, 1.0, range.high, kIntervals);
+    if (!is_certified_) {
+      try {
+        look_on(whole, 1.0, range.low, kIntervalsBelow);
+      } catch (const GeometryError&) {
+        // What is known of larger factors counts.
+      }
+    }
+    halve();
+    std::ranges::sort(events_, {}, &ScaleEvent::factor);
+    return std::move(events_);
+  }
+
+ private:
   struct Topology {
     std::int64_t components = 0;
     std::int64_t holes = 0;
     friend bool operator==(const Topology&, const Topology&) = default;
   };
+  struct Interval {
+    double low = 0.0, high = 0.0;
+    Topology below, above;
+    double width() const { return high - low; }
+    /// Wide ones come first in a heap, of these the lowest.
+    friend bool operator<(const Interval& a, const Interval& b) {
+      return a.width() != b.width() ? a.width() < b.width() : a.low > b.low;
+    }
+  };
 
-  /// Of the grown union: its axis has as many components, and a cycle for each hole.
+  /// Of the scaled union: its axis has as many components, and a cycle for each hole.
   Topology at(double factor) {
     settings_[Parameter::scale_axis_factor] = factor;
     graph_.post_settings(settings_);
     if (!graph_.run(patch_, job_)) throw Cancelled{};
+    ++unions_;
     Topology out;
     for (const NodeReport& node : patch_.nodes) {
       if (node.state == NodeState::failed)
@@ -39,29 +75,60 @@ class ScaleSweep {
       for (const Stat& stat : node.stats) {
         if (stat.key == "components") out.components = std::get<std::int64_t>(stat.value);
         if (stat.key == "cycles") out.holes = std::get<std::int64_t>(stat.value);
+        if (stat.key == "balls") balls_ += std::get<std::int64_t>(stat.value);
+        if (stat.key == "rung" && factor == 1.0) is_certified_ = std::get<std::string>(stat.value) == "shortcut";
       }
     }
     return out;
   }
+  bool may_go_on() const { return unions_ < kMostUnions && balls_ < kMostBalls; }
 
-  void look_between(double low, const Topology& below, double high, const Topology& above,
-                    std::vector<ScaleEvent>& out) {
-    if (below == above) return;
-    if (high - low <= kNear) {
-      out.push_back({0.5 * (low + high), below.components, above.components, below.holes, above.holes});
-      return;
+  /// Equal intervals from one factor to another.
+  void look_on(const Topology& there, double from, double to, int count) {
+    double last = from;
+    Topology before = there;
+    for (int i = 1; i <= count; ++i) {
+      if (!may_go_on()) throw GeometryError("it takes too many balls");
+      const double next = from + (to - from) * i / count;
+      const Topology after = at(next);
+      add(last < next ? Interval{last, next, before, after} : Interval{next, last, after, before});
+      last = next;
+      before = after;
     }
-    const double middle = 0.5 * (low + high);
-    const Topology there = at(middle);
-    look_between(low, below, middle, there, out);
-    look_between(middle, there, high, above, out);
   }
 
- private:
+  void add(const Interval& interval) {
+    if (interval.below == interval.above) return;
+    intervals_.push_back(interval);
+    std::ranges::push_heap(intervals_, std::less{});
+  }
+
+  void halve() {
+    while (!intervals_.empty()) {
+      std::ranges::pop_heap(intervals_, std::less{});
+      const Interval at_hand = intervals_.back();
+      intervals_.pop_back();
+      const double middle = 0.5 * (at_hand.low + at_hand.high);
+      if (at_hand.width() <= kNear || !may_go_on()) {
+        events_.push_back({middle, 0.5 * at_hand.width(), at_hand.below.components, at_hand.above.components,
+                           at_hand.below.holes, at_hand.above.holes});
+        continue;
+      }
+      const Topology there = at(middle);
+      add({at_hand.low, middle, at_hand.below, there});
+      add({middle, at_hand.high, there, at_hand.above});
+    }
+  }
+
   Graph& graph_;
   ComputationSettings settings_;
   JobControl& job_;
   FramePatch patch_;
+  bool is_certified_ = false;
+  int unions_ = 0;
+  std::int64_t balls_ = 0;
+  std::vector<Interval> intervals_;  // a heap
+  std::vector<ScaleEvent> events_;
 };
 
 }  // namespace
@@ -88,24 +155,12 @@ Expected<std::vector<ScaleEvent>> scale_events_of(const SampleData& data, const 
   // Other number types would take minutes for as many unions.
   ComputationSettings fast = settings;
   fast.precision = Precision::fast;
-  ScaleSweep sweep(graph, fast, job);
-  std::vector<ScaleEvent> out;
-  const ParameterDescriptor& range = descriptor_of(Parameter::scale_axis_factor);
+  fast[Parameter::medial_sampling_angle] = angle_for_events(settings);
   try {
-    double low = range.low;
-    ScaleSweep::Topology below = sweep.at(low);
-    for (int i = 1 - kIntervalsBelow; i <= kIntervals; ++i) {
-      const double high =
-          i <= 0 ? 1.0 + (1.0 - range.low) * i / kIntervalsBelow : 1.0 + (range.high - 1.0) * i / kIntervals;
-      const ScaleSweep::Topology above = sweep.at(high);
-      sweep.look_between(low, below, high, above, out);
-      low = high;
-      below = above;
-    }
+    return ScaleSweep(graph, fast, job).events();
   } catch (const GeometryError& error) {
     return std::unexpected(Error{ErrorCode::cannot_compute, error.what(), {}, 0, 0});
   }
-  return out;
 }
 
 void ScaleEvents::follow(std::uint64_t document, const ComputationSettings& settings,
@@ -113,7 +168,7 @@ void ScaleEvents::follow(std::uint64_t document, const ComputationSettings& sett
   // Nothing else makes a difference: all factors are looked at, with one number type.
   is_followed_ = true;
   wanted_ = {document, {}};
-  wanted_.settings[Parameter::medial_sampling_angle] = settings[Parameter::medial_sampling_angle];
+  wanted_.settings[Parameter::medial_sampling_angle] = angle_for_events(settings);
   if (auto found = job_.poll()) found_ = *std::move(found);
   if (job_.is_under_way() && begun_ == wanted_) return;
   if (found_ && found_->state == wanted_) return;

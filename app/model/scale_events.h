@@ -20,7 +20,8 @@ namespace mes {
 
 /// The topology just below and just above.
 struct ScaleEvent {
-  double factor = 1.0;  ///< to a thousandth
+  double factor = 1.0;
+  double within = 0.0;  ///< it is no farther away than that; a thousandth, unless the search ended before
   std::int64_t components_before = 0, components_after = 0;
   std::int64_t holes_before = 0, holes_after = 0;
   friend bool operator==(const ScaleEvent&, const ScaleEvent&) = default;
@@ -29,10 +30,18 @@ struct ScaleEvent {
   std::string words() const;
 };
 
-/// Found by halving intervals of the factor at whose ends the union differs, from 32 equal ones between 1 and 3 on, and 6
-/// below 1, where shrunk balls seldom change the topology. So what happens and is undone within one of these is not seen,
-/// and events nearer than a thousandth are one. Throws `Cancelled`. Error: a structure failed. Cost: the union for each
-/// end, a few dozen to a few hundred times.
+/// Found by halving intervals of the factor at whose ends the union differs, the widest first: from 32 equal ones between 1
+/// and 3 on, and 6 below 1. So what happens and is undone within one of these is not seen, and events nearer than a
+/// thousandth are one.
+///
+/// Below 1 nothing is looked for where the union at 1 is certified: shrunk balls along an axis have the topology of that
+/// axis, which is then that of the union. Where it is not, balls of parts that are no neighbours may part as they shrink.
+/// Of these factors those are left out at which the union fails, as it does where it takes too many balls.
+///
+/// Balls are sampled at 175 degrees at most; dents between them are then no deeper than a thousandth of the radius.
+///
+/// Throws `Cancelled`. Error: a structure failed, or 39 unions are too much. Cost: at most 400 unions, and none after 4 * 10^7
+/// balls.
 Expected<std::vector<ScaleEvent>> scale_events_of(const SampleData& data, const ComputationSettings& settings,
                                                   JobControl& job);
 

@@ -171,6 +171,7 @@ void ParametersPanel::draw_scale_events(double& factor) {
     }
     if (nearest != nullptr) {
       words = fmt::format("{:.4g}: {}", nearest->factor, nearest->words());
+      if (nearest->within > 1e-3) words += fmt::format(" (to {:.2g}: there is too much to look at)", nearest->within);
       if (marks.is_clicked()) factor = nearest->factor;
     }
   }

@@ -10,7 +10,9 @@
 #include "app/model/editor.h"
 #include "app/model/resample_desk.h"
 #include "app/model/scale_events.h"
+#include "core/base/rng.h"
 #include "tests/support/shapes.h"
+#include "tests/support/workbench.h"
 
 using namespace mes;
 
@@ -244,4 +246,42 @@ TEST_CASE("events of the scale axis are where disks touch and holes are filled")
   CHECK(merged->front().words() == "components 2 to 1");
   SampleData none;
   CHECK(scale_events_of(none, {}, job)->empty());
+}
+
+TEST_CASE("events of noise are where the union differs, below a factor of 1 too, and in order") {
+  SampleData data;
+  Rng rng(8);
+  for (int i = 0; i < 60; ++i) data.positions.push_back({rng.uniform(), rng.uniform()});
+  JobControl job;
+  const auto events = scale_events_of(data, {}, job);
+  REQUIRE(events.has_value());
+  CHECK(std::ranges::is_sorted(*events, {}, &ScaleEvent::factor));
+  CHECK(std::ranges::any_of(*events, [](const ScaleEvent& event) { return event.factor < 1.0; }));
+  test::Workbench bench;
+  bench.show({"scale-axis"});
+  bench.load(data);
+  ComputationSettings settings;
+  for (const ScaleEvent& event : *events) {
+    INFO(event.factor << ": " << event.words());
+    CHECK(event.within <= 5e-4);
+    settings[Parameter::scale_axis_factor] = event.factor - event.within;
+    bench.choose(settings);
+    CHECK(bench.count("scale-union", "components") == event.components_before);
+    CHECK(bench.count("scale-union", "cycles") == event.holes_before);
+    settings[Parameter::scale_axis_factor] = event.factor + event.within;
+    bench.choose(settings);
+    CHECK(bench.count("scale-union", "components") == event.components_after);
+    CHECK(bench.count("scale-union", "cycles") == event.holes_after);
+  }
+}
+
+TEST_CASE("a certified shape has no events below a factor of 1, and a stopped search throws") {
+  SampleData data = test::rounded_rectangle(3.0, 1.0, 0.3, 0.02).data;
+  JobControl job;
+  const auto events = scale_events_of(data, {}, job);
+  REQUIRE(events.has_value());
+  for (const ScaleEvent& event : *events) CHECK(event.factor > 1.0);
+  JobControl stopped;
+  stopped.stop_at_look(200);
+  CHECK_THROWS_AS(scale_events_of(data, {}, stopped), Cancelled);
 }
