@@ -387,6 +387,30 @@ TEST_CASE("hairs of a scaled family go by the spacing of its samples, as they do
   }
 }
 
+TEST_CASE("where parts of the axis are too short to be halved, hairs go by how far apart their balls are") {
+  // Noise of a size of a few hundred short parts, beside something large.
+  SampleData data;
+  Rng rng(4);
+  for (int i = 0; i < 150; ++i) data.positions.push_back({0.02 * rng.uniform(), 0.02 * rng.uniform()});
+  for (const Vec2& p : ellipse(1.0, 0.9, 60).data.positions) data.positions.push_back({p.x + 5.0, p.y});
+  Workbench bench;
+  bench.show({"a-scale-axis"});
+  bench.replace(data.positions);
+  std::vector<std::int64_t> leaves, balls;
+  for (const double angle : {179.0, 179.9}) {
+    ComputationSettings settings = factor(0.5);
+    settings[Parameter::medial_sampling_angle] = angle;
+    bench.choose(settings);
+    leaves.push_back(bench.count("a-scale-union", "leaves"));
+    balls.push_back(bench.count("a-scale-union", "balls"));
+  }
+  CHECK(balls[1] < 5 * balls[0]);  // ten times as many by the angle
+  CHECK(leaves[1] <= leaves[0]);
+  ComputationSettings coarse = factor(0.5);
+  bench.choose(coarse);
+  CHECK(leaves[1] <= bench.count("a-scale-union", "leaves"));
+}
+
 TEST_CASE("balls of the scale skeleton say which step they are of") {
   Workbench bench;
   bench.show({"a-scale-axis-grown-disks", "a-scale-skeleton"});

@@ -146,8 +146,8 @@ class AlongAxis final : public BallSampling {
     for (const SampledSlot row : at.rows()) {
       if (!balls.is_alive(row)) continue;
       const Disk& disk = balls.disk(row);
-      // Where the angle does not say how far apart they are.
-      const double apart = out.tolerance == 0.0 ? 0.0 : halving().widest(shrinking_ * disk.radius);
+      // The angle alone does not say how far apart they are where parts are short, or there is a tolerance.
+      const double apart = halving().widest(shrinking_ * disk.radius);
       out.list.push_back({{disk.center, disk.radius / divisor}, std::max(at[row], apart)});
     }
     return out;

@@ -29,7 +29,10 @@ class BallHalving {
 
   double tolerance() const { return tolerance_; }
   /// The largest distance at which balls of that radius are near.
-  double widest(double radius) const { return radius * std::sqrt(2.0 * (1.0 - least_cosine(radius))); }
+  double widest(double radius) const {
+    const double of_short_parts = has_to_meet_ ? std::min(shortest_, 2.0 * radius) : shortest_;
+    return std::max(radius * std::sqrt(2.0 * (1.0 - least_cosine(radius))), of_short_parts);
+  }
 
   bool is_near(const Disk& a, const Disk& b) const {
     const double d = distance(a.center, b.center);
