@@ -1,13 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cover dates against all pairs of balls, bit for bit.
+#include <algorithm>
+#include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <numbers>
 #include <vector>
 
 #include "core/base/rng.h"
 #include "core/structures/filters/cover_dates.h"
+#include "core/structures/filters/internal/cover_search.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"
@@ -118,4 +122,99 @@ TEST_CASE(
   }
   CHECK(looked_at > 100);
   CHECK(bench.count("cover-dates", "never_covered") >= 1);
+}
+
+namespace {
+
+/// Of balls that need not be those of any axis: they may be nested, or touch, or be the same.
+void check_search(const std::vector<Disk>& balls, const std::vector<CoverSearch::Hints>& hints) {
+  const CoverSearch search(balls, hints);
+  std::vector<double> found(balls.size(), -1.0);
+  for (std::size_t part = 0; part < search.part_count(); ++part) search.search(part, found);
+  std::size_t wrong = 0;
+  for (std::size_t i = 0; i < balls.size(); ++i) {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Disk& other : balls)
+      if (const double more = other.radius - balls[i].radius; more > 0.0)
+        least = std::min(least, std::max(1.0, distance(balls[i].center, other.center) / more));
+    wrong += found[i] == least ? 0U : 1U;
+  }
+  REQUIRE(wrong == 0);
+}
+
+}  // namespace
+
+TEST_CASE("a search for covers finds the least quotient of all pairs, whatever the balls are") {
+  Rng rng(21);
+  const auto noise = [&] { return rng.uniform(-1.0, 1.0); };
+  std::vector<Disk> balls;
+  std::size_t count = 3000;
+  SECTION("a few, so that leaves are not full") {
+    count = rng.below(70);
+    for (std::size_t i = 0; i < count; ++i) balls.push_back({{noise(), noise()}, rng.uniform()});
+  }
+  SECTION("in no order, many of them nested") {
+    for (std::size_t i = 0; i < count; ++i) balls.push_back({{noise(), noise()}, rng.uniform()});
+  }
+  SECTION("hardly different in radius") {
+    for (std::size_t i = 0; i < count; ++i) balls.push_back({{noise(), noise()}, 1.0 + 1e-3 * rng.uniform()});
+  }
+  SECTION("of magnitudes that have nothing in common, in clusters of clusters") {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double scale = std::ldexp(1.0, -static_cast<int>(rng.below(60)));
+      balls.push_back(
+          {{static_cast<double>(rng.below(3)) + scale * noise(), scale * noise()}, scale * rng.uniform()});
+    }
+  }
+  SECTION("of all magnitudes of doubles about the origin") {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double scale = std::ldexp(1.0, static_cast<int>(rng.below(1600)) - 800);
+      balls.push_back({{scale * noise(), scale * noise()}, scale * rng.uniform()});
+    }
+  }
+  SECTION("far from the origin, where centres have few digits left") {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double t = noise();
+      balls.push_back({{0x1p40 + t, -0x1p41 + t * t + 1e-3 * noise()}, 1.0 + 0.5 * std::cos(3.0 * t)});
+    }
+  }
+  SECTION("far from the origin on a grid of the last digit") {
+    for (std::size_t i = 0; i < count; ++i)
+      balls.push_back({{0x1p52 + static_cast<double>(rng.below(40)), 0x1p53 - static_cast<double>(rng.below(80))},
+                       static_cast<double>(rng.below(60))});
+  }
+  SECTION("touching in one point from within, so that all quotients are nearly 1") {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double radius = std::ldexp(1.0 + rng.uniform(), -static_cast<int>(rng.below(20)));
+      balls.push_back({{1.0 - 0.6 * radius, 0.8 * radius}, radius});
+    }
+  }
+  SECTION("touching circles through two points, the same ones several times") {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double height = i % 3 == 0 ? 0.5 : std::ldexp(noise(), static_cast<int>(rng.below(12)));
+      balls.push_back({{height, -2.0 * height}, std::sqrt(1.0 + 5.0 * height * height)});
+    }
+  }
+  SECTION("on a line, with radii that rise evenly, so that all quotients are the same but for rounding") {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double t = rng.uniform();
+      balls.push_back({{3.0 * t, 4.0 * t}, 1.0 + t});
+    }
+  }
+  SECTION("under a hillside with hairs") {
+    for (std::size_t i = 0; i < count; ++i) {
+      const double x = 10.0 * noise();
+      const double height = std::ldexp(1.0 + rng.uniform(), -static_cast<int>(rng.below(12)));
+      balls.push_back({{x, height + 0.01 * x * x}, height * (1.0 - 1e-4 * rng.uniform())});
+    }
+  }
+  SECTION("all the same") {
+    balls.assign(100, {{1.0, 2.0}, 3.0});
+  }
+  check_search(balls, {});
+  std::vector<CoverSearch::Hints> hints(balls.size());
+  for (auto& own : hints)
+    own = {static_cast<std::uint32_t>(rng.below(balls.size())), CoverSearch::kNone,
+           static_cast<std::uint32_t>(rng.below(balls.size()))};
+  check_search(balls, hints);
 }

@@ -2,9 +2,6 @@
 // The factor at which an inner ball is swallowed when all inner balls grow by it.
 #pragma once
 
-#include <vector>
-
-#include "core/base/box2.h"
 #include "core/graph/structure.h"
 #include "core/structures/axis/inner_balls.h"
 
@@ -18,11 +15,8 @@ namespace mes {
 ///
 /// Not to be confused with the scale axis, which is of the union of grown balls.
 ///
-/// Rows: nodes, faces that stand for their ball (`InnerBalls::ball`). Cost: rebuild O(n log n) typically, O(n^2) at worst: a
-/// search for each ball in a tree of boxes, which begins with what swallowed the ball before it and with its neighbours.
-/// Each box knows its largest radius and a plane above its balls, as points (x, y, radius): along an axis radii change
-/// evenly, so the plane is near to them where the largest radius is not. An edit asks for a rebuild, as a new ball may
-/// swallow any other.
+/// Rows: nodes, faces that stand for their ball (`InnerBalls::ball`). Cost: rebuild O(n log n) typically, O(n^2) at worst
+/// (internal/cover_search.h). An edit asks for a rebuild, as a new ball may swallow any other.
 class CoverDates final : public Structure {
  public:
   CoverDates(Delaunay& delaunay, InnerBalls& balls);
@@ -38,31 +32,10 @@ class CoverDates final : public Structure {
   StatList statistics() const override;
 
  private:
-  struct Ball {
-    Vec2 center{};
-    double radius = 0.0;
-    FaceSlot face{};
-  };
-  /// Balls from `first` on, up to that of the next node.
-  struct Node {
-    Box2 box{};
-    double most = 0.0;  ///< radius
-    /// No ball in it is larger than `height` + `slope` * (its centre - that of the box). Rounding is seen to.
-    double height = 0.0;
-    Vec2 slope{};
-    std::uint32_t first = 0, last = 0;
-    std::uint32_t child = 0;  ///< the first of two; 0 = none
-  };
   bool is_node(FaceSlot face) const { return balls_.is_ball(face) && balls_.ball(face) == face; }
-  void build(std::uint32_t node);
-  void put_plane_above(Node& node) const;
-  /// `guess`: position of a ball that may swallow it early; becomes that of the one that does, if found in the tree.
-  double search(const Ball& ball, std::uint32_t& guess) const;
 
   const Delaunay& delaunay_;
   const InnerBalls& balls_;
-  std::vector<Ball> sorted_;
-  std::vector<Node> tree_;
   Table<FaceSlot, double> date_;  ///< below 0: no node
 };
 
