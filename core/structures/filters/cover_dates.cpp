@@ -43,9 +43,12 @@ void CoverDates::rebuild(JobControl& job) {
       std::size_t count = 0;
       for (const EdgeSlot edge : delaunay_.face(nodes[i]).e) {
         if (edge == kNoSlot) continue;
-        for (const FaceSlot face : delaunay_.edge(edge).f)
-          if (face != kNoSlot && face != nodes[i] && balls_.is_ball(face))
-            hints[i][count++] = number_of[balls_.ball(face)];
+        for (const FaceSlot face : delaunay_.edge(edge).f) {
+          if (face == kNoSlot || face == nodes[i]) continue;
+          std::uint32_t number = number_of[face];
+          if (number == CoverSearch::kNone && balls_.is_ball(face)) number = number_of[balls_.ball(face)];
+          hints[i][count++] = number;
+        }
       }
     }
   });

@@ -44,8 +44,8 @@ template <class Number>
 auto is_beyond(Number squared, Number reach) {
   constexpr double kGivesWay = 1.0 - 0x1p-48;
   constexpr double kTiny = 0x1p-900;
-  const Number huge = 0x1p1000 - Number{};
-  return (squared < huge ? squared : huge) * kGivesWay - kTiny >= reach * reach;
+  constexpr double kHuge = 0x1p1000;
+  return (squared * kGivesWay - kTiny >= reach * reach) & (squared < kHuge);
 }
 
 double squared_gap(const Box2& a, const Box2& b) {
@@ -56,6 +56,15 @@ double squared_gap(const Box2& a, const Box2& b) {
 
 }  // namespace
 
+/// No date of a group of balls is larger.
+struct CoverSearch::Bound {
+  Bound() = default;
+  explicit Bound(double most_) : most(most_), rate((1.0 - kRounding) * (1.0 - kRounding) / most_) {}
+
+  double most = kNever;
+  double rate = 0.0;  // less than its inverse
+};
+
 /// The balls of a leaf, and the least quotients that they have so far.
 struct CoverSearch::Lanes {
   std::array<Pair, kPairs> x, y, radius;
@@ -65,11 +74,12 @@ struct CoverSearch::Lanes {
   std::array<double, kLeaf> quotient;
   std::array<std::uint32_t, kLeaf> pending;
   const Node* leaf = nullptr;
-  double most = kNever;  // of `best`
+  Bound bound;
 
-  void find_most() {
-    most = 0.0;
+  void find_bound() {
+    double most = 0.0;
     for (const Pair& pair : best) most = std::max({most, pair[0], pair[1]});
+    bound = Bound(most);
   }
 };
 
@@ -249,18 +259,18 @@ std::size_t CoverSearch::part_count() const {
 }
 
 /// The distance of the boxes over the largest difference of radii bounds every quotient.
-bool CoverSearch::is_apart(const Node& asked, double best, const Node& node) {
+bool CoverSearch::is_apart(const Node& asked, const Bound& bound, const Node& node) {
   const double more = node.most - asked.least;
-  return !(more > 0.0) || is_beyond(squared_gap(asked.box, node.box), best * more);
+  return !(more > 0.0) || is_beyond(squared_gap(asked.box, node.box), bound.most * more);
 }
 
-CoverSearch::Direction CoverSearch::towards(const Node& asked, double best, const Node& node) {
+CoverSearch::Direction CoverSearch::towards(const Node& asked, const Bound& bound, const Node& node) {
   const Vec2 away = node.middle - asked.middle;
   const double squared = dot(away, away);
   Direction out;
   if (!(squared > 1.0 / (kWide * kWide) && squared < kWide * kWide)) return out;
   const double far = std::sqrt(squared);
-  out.up = ((1.0 - kRounding) / best * (1.0 - kRounding) / far) * away;
+  out.up = (bound.rate / far) * away;
   out.way = dot(out.up, away);
   out.rounding = kRounding * (std::abs(node.high) + std::abs(asked.low) +
                               8.0 * (node.half.x + node.half.y + asked.half.x + asked.half.y + far));
@@ -318,8 +328,8 @@ bool CoverSearch::look_at(Lanes& lanes, std::uint32_t by) const {
 
 void CoverSearch::look_into(Lanes& lanes, const Node& leaf) const {
   const Node& own = *lanes.leaf;
-  if (is_apart(own, lanes.most, leaf)) return;
-  const Direction direction = towards(own, lanes.most, leaf);
+  if (is_apart(own, lanes.bound, leaf)) return;
+  const Direction direction = towards(own, lanes.bound, leaf);
   if (is_below(own, leaf, direction)) return;
   std::array<PairMask, kPairs> is_below{};
   if (direction.is_known) {
@@ -341,7 +351,7 @@ void CoverSearch::look_into(Lanes& lanes, const Node& leaf) const {
   bool is_better = false;
   for (std::uint32_t i = 0; i < leaf.last - leaf.first; ++i)
     if (is_below[i / 2][i % 2] == 0) is_better = look_at(lanes, leaf.first + i) || is_better;
-  if (is_better) lanes.find_most();
+  if (is_better) lanes.find_bound();
 }
 
 // Balls near to each other are mostly swallowed by the same ones.
@@ -373,7 +383,7 @@ void CoverSearch::begin(Lanes& lanes, const Node& leaf, const Guesses& guesses) 
           take(lanes, i, place_of_[hint]);
       }
     }
-  lanes.find_most();
+  lanes.find_bound();
 }
 
 void CoverSearch::search_block(const Node& block, Guesses& guesses, std::span<double> dates) const {
@@ -397,20 +407,21 @@ void CoverSearch::search_block(const Node& block, Guesses& guesses, std::span<do
   for_each_leaf(
       static_cast<std::uint32_t>(&block - tree_.data()),
       [&](const Node& leaf) { begin(leaves[count++], leaf, guesses); }, [](const Node&) { return true; });
-  double most = 0.0;
-  const auto find_most = [&] {
-    most = 0.0;
-    for (std::size_t i = 0; i < count; ++i) most = std::max(most, leaves[i].most);
+  Bound bound;
+  const auto find_bound = [&] {
+    double most = 0.0;
+    for (std::size_t i = 0; i < count; ++i) most = std::max(most, leaves[i].bound.most);
+    if (most != bound.most) bound = Bound(most);
   };
-  find_most();
+  find_bound();
   for_each_leaf(
       0,
       [&](const Node& leaf) {
         for (std::size_t i = 0; i < count; ++i) look_into(leaves[i], leaf);
-        find_most();
+        find_bound();
       },
       [&](const Node& node) {
-        return !is_apart(block, most, node) && !is_below(block, node, towards(block, most, node));
+        return !is_apart(block, bound, node) && !is_below(block, node, towards(block, bound, node));
       });
   for (std::size_t i = 0; i < count; ++i) {
     const Lanes& lanes = leaves[i];

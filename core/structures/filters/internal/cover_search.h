@@ -40,6 +40,7 @@ class CoverSearch {
   void search(std::size_t part, std::span<double> dates) const;
 
  private:
+  struct Bound;
   struct Lanes;
   struct Direction;
   struct Guesses;
@@ -65,8 +66,8 @@ class CoverSearch {
   void fit_planes(Node& node) const;
   void split(std::vector<Node>& nodes, std::uint32_t at, std::uint32_t down_to);
   void find_blocks(std::uint32_t at);
-  static bool is_apart(const Node& asked, double best, const Node& node);
-  static Direction towards(const Node& asked, double best, const Node& node);
+  static bool is_apart(const Node& asked, const Bound& bound, const Node& node);
+  static Direction towards(const Node& asked, const Bound& bound, const Node& node);
   static bool is_below(const Node& asked, const Node& node, const Direction& direction);
   void begin(Lanes& lanes, const Node& leaf, const Guesses& guesses) const;
   double date_of(const Ball& ball, const Ball& by) const;
