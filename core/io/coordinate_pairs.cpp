@@ -24,38 +24,55 @@ constexpr unsigned kWord = 8;  // bytes that are read for a number at once, and 
 
 /// Of 64 bytes, the first one the lowest bit.
 struct Signs {
-  std::uint64_t numeric = 0;  // digits and points
+  std::uint64_t digits = 0;
   std::uint64_t points = 0;
+  std::uint64_t minuses = 0;
+  std::uint64_t separators = 0;  // the usual ones: a space, a comma, the letter
 };
 
-Signs signs_of(const char* at) {
+Signs signs_of(const char* at, char letter) {
   Signs out;
+  const auto mask = [](__m128i truth) { return std::uint64_t{static_cast<std::uint32_t>(_mm_movemask_epi8(truth))}; };
+#pragma GCC unroll 4
   for (unsigned i = 0; i < kWindow; i += 16) {
     const __m128i bytes = _mm_loadu_si128(reinterpret_cast<const __m128i*>(at + i));
+    const auto are = [&](char c) { return _mm_cmpeq_epi8(bytes, _mm_set1_epi8(c)); };
     const __m128i value = _mm_sub_epi8(bytes, _mm_set1_epi8('0'));
-    const __m128i digits = _mm_cmpeq_epi8(_mm_min_epu8(value, _mm_set1_epi8(9)), value);
-    const __m128i points = _mm_cmpeq_epi8(bytes, _mm_set1_epi8('.'));
-    const auto mask = [](__m128i truth) {
-      return std::uint64_t{static_cast<std::uint32_t>(_mm_movemask_epi8(truth))};
-    };
-    out.numeric |= mask(_mm_or_si128(digits, points)) << i;
-    out.points |= mask(points) << i;
+    out.digits |= mask(_mm_cmpeq_epi8(_mm_min_epu8(value, _mm_set1_epi8(9)), value)) << i;
+    out.points |= mask(are('.')) << i;
+    out.minuses |= mask(are('-')) << i;
+    out.separators |= mask(_mm_or_si128(_mm_or_si128(are(' '), are(',')), are(letter))) << i;
   }
   return out;
 }
 
-/// Where numbers begin and end, and points.
+/// Where numbers begin and end, and points; and the first byte that makes it unusual: up to there a number has at most
+/// one point, and digits, and between two stands one separator, or a minus sign, or both.
 struct Window {
   std::uint64_t begins, ends, points;
+  unsigned unusual;
 };
 
-Window window_at(const char* at) {
-  const Signs signs = signs_of(at);
-  return {signs.numeric & ~(signs.numeric << 1U), ~signs.numeric & (signs.numeric << 1U), signs.points};
+/// The bytes begin with a number, or right after one.
+Window window_at(const char* at, char letter) {
+  const Signs s = signs_of(at, letter);
+  const std::uint64_t numeric = s.digits | s.points;
+  // Digits after a point, and what comes after them, if that is a point again.
+  const std::uint64_t second_points = (s.digits + (s.points << 1U)) & ~s.digits & s.points;
+  const std::uint64_t lone_points = s.points & ~(s.digits << 1U) & ~(s.digits >> 1U);
+  const std::uint64_t others = ~(numeric | s.minuses | s.separators);
+  const std::uint64_t gaps = (s.separators & ~((numeric | s.minuses) >> 1U)) | (s.minuses & ~(numeric >> 1U));
+  const std::uint64_t unusual = second_points | lone_points | others | gaps;
+  return {numeric & ~(numeric << 1U), ~numeric & (numeric << 1U), s.points,
+          static_cast<unsigned>(std::countr_zero(unusual | std::uint64_t{1} << (kWindow - 1)))};
 }
 
 bool is_blank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+bool is_numeric(char c) {
+  return c == '.' || (c >= '0' && c <= '9');
 }
 
 /// Blanks, with at most one separator among them.
@@ -108,6 +125,91 @@ bool to_number(const char* at, unsigned size, std::uint64_t points, double& valu
   return all <= kMostExact;
 }
 
+/// Any number from one byte to another, without its sign, after a gap since another one. False where it takes more.
+bool number_at(const char* here, unsigned last, unsigned from, unsigned to, std::uint64_t points, char letter,
+               bool is_first, double& value) {
+  const bool is_negative = from > last && here[from - 1] == '-';
+  const unsigned gap = from - last - (is_negative ? 1U : 0U);
+  const bool may_follow = is_first   ? gap == 0
+                          : gap == 0 ? is_negative
+                                     : is_gap(here + last, here + last + gap, letter);
+  const unsigned size = to - from;
+  double found = 0.0;
+  if (!may_follow || !to_number(here + from, size, (points >> from) & ((std::uint64_t{1} << size) - 1), found))
+    return false;
+  value = is_negative ? -found : found;
+  return true;
+}
+
+/// For numbers of up to eight bytes whose point is so many bytes before the highest one, 7 - i, or that have none (the
+/// last): which bytes come before it and after, and by what their digits are to be divided.
+struct Points {
+  std::array<std::uint64_t, kWord + 1> before{};
+  std::array<std::uint64_t, kWord + 1> after{};
+  std::array<double, kWord + 1> powers{};
+};
+
+constexpr Points kPoints = [] {
+  Points out;
+  for (unsigned i = 0; i < kWord; ++i) {
+    out.before[i] = (std::uint64_t{1} << (8 * i)) - 1;
+    out.after[i] = ~out.before[i] & ~(std::uint64_t{0xff} << (8 * i));
+    out.powers[i] = kPowers[kWord - 1 - i];
+  }
+  out.after[kWord] = ~std::uint64_t{0};
+  out.powers[kWord] = 1.0;
+  return out;
+}();
+
+/// A number without a sign, of one byte to eight, which has digits, and a point or none.
+struct ShortNumber {
+  std::uint64_t bytes = 0;  // its last one the highest; digits as the numbers that they are, zeros in front
+  unsigned point = 0;       // in kPoints
+
+  ShortNumber(const char* at, unsigned size) {
+    constexpr std::uint64_t kAllPoints = 0x1010101010101010;  // what a point has and a digit has not
+    std::memcpy(&bytes, at, kWord);
+    bytes = (bytes ^ 0x3030303030303030) << (-(8 * size) & 63U);
+    const std::uint64_t points = bytes & kAllPoints;
+    point = (static_cast<unsigned>(std::countr_zero(points | std::uint64_t{1} << 63U)) + 1) / 8;
+  }
+};
+
+__m128d two(const double& low, const double& high) {
+  return _mm_loadh_pd(_mm_load_sd(&low), &high);
+}
+
+__m128i two(const std::uint64_t& low, const std::uint64_t& high) {
+  return _mm_unpacklo_epi64(_mm_loadl_epi64(reinterpret_cast<const __m128i*>(&low)),
+                            _mm_loadl_epi64(reinterpret_cast<const __m128i*>(&high)));
+}
+
+/// Both at once. Both sides of each quotient are doubles without rounding, so that it is rounded once.
+__m128d values_of(const ShortNumber& x, const ShortNumber& y) {
+  const auto constant = [](int high, int low) { return _mm_set1_epi32(high | low << 16); };
+  const __m128i bytes = two(x.bytes, y.bytes);
+  const __m128i before = _mm_and_si128(bytes, two(kPoints.before[x.point], kPoints.before[y.point]));
+  const __m128i after = _mm_and_si128(bytes, two(kPoints.after[x.point], kPoints.after[y.point]));
+  const __m128i digits = _mm_or_si128(_mm_slli_epi64(before, 8), after);
+  // Of two digits in 16 bits each, then of four in 32, then of eight.
+  const __m128i tens = _mm_and_si128(digits, _mm_set1_epi16(0x00ff));
+  const __m128i twos = _mm_add_epi16(_mm_mullo_epi16(tens, _mm_set1_epi16(10)), _mm_srli_epi16(digits, 8));
+  const __m128i fours = _mm_madd_epi16(twos, constant(100, 1));
+  const __m128i eights = _mm_madd_epi16(_mm_packs_epi32(fours, fours), constant(10000, 1));
+  return _mm_div_pd(_mm_cvtepi32_pd(eights), two(kPoints.powers[x.point], kPoints.powers[y.point]));
+}
+
+/// By the byte before a number: what changes its sign.
+constexpr std::array<double, 256> kSigns = [] {
+  std::array<double, 256> out{};
+  out['-'] = -0.0;
+  return out;
+}();
+
+const double& sign_after(char c) {
+  return kSigns[static_cast<unsigned char>(c)];
+}
+
 }  // namespace
 
 PairRun read_coordinate_pairs(std::string_view text, char letter, std::span<Vec2> out, bool follows_a_pair) {
@@ -115,6 +217,7 @@ PairRun read_coordinate_pairs(std::string_view text, char letter, std::span<Vec2
   const char* const end = at + text.size();
   std::size_t count = 0;
   bool is_first = !follows_a_pair;
+  if (!is_first && !text.empty() && is_numeric(*at)) return {};
   // Pairs that are taken of a window: as many as the fullest ones have is a number that changes, and each change makes the
   // processor go back.
   std::size_t most = kWindow;
@@ -124,37 +227,33 @@ PairRun read_coordinate_pairs(std::string_view text, char letter, std::span<Vec2
     if (is_last) std::copy(at, end, last_bytes.begin());
     const char* const here = is_last ? last_bytes.data() : at;
     // Locals all: these are what the processor works ahead with.
-    auto [begins, ends, points] = window_at(here);
-    unsigned last = 0;  // end of the last number
+    auto [begins, ends, points, unusual] = window_at(here, letter != '\0' ? letter : ',');
     unsigned done = 0;  // end of the last pair
-    bool is_x = true;
-    Vec2 pair;
+    const auto take = [](std::uint64_t& bits) {
+      if (bits == 0) __builtin_unreachable();
+      const auto first = static_cast<unsigned>(std::countr_zero(bits));
+      bits &= bits - 1;
+      return first;
+    };
     const std::size_t wanted = std::min(count + most, out.size());
-    for (; ends != 0; begins &= begins - 1, ends &= ends - 1, is_x = !is_x) {
-      const auto from = static_cast<unsigned>(std::countr_zero(begins));
-      const auto to = static_cast<unsigned>(std::countr_zero(ends));
-      const bool is_negative = from > last && here[from - 1] == '-';
-      const unsigned gap = from - last - (is_negative ? 1U : 0U);
-      const bool is_usual = gap == 1 && (here[last] == ' ' || here[last] == ',' || (is_x && here[last] == letter));
-      const bool may_follow = is_first               ? gap == 0
-                              : is_usual || gap == 0 ? is_usual || is_negative
-                                                     : is_gap(here + last, here + last + gap, is_x ? letter : '\0');
-      const unsigned size = to - from;
-      double value = 0.0;
-      if (!may_follow || !to_number(here + from, size, (points >> from) & ((std::uint64_t{1} << size) - 1), value))
-        break;
-      value = is_negative ? -value : value;
-      last = to;
-      is_first = false;
-      if (is_x) {
-        pair.x = value;
+    while (count < wanted && (ends & (ends - 1)) != 0) {
+      const unsigned x_from = take(begins), x_to = take(ends), y_from = take(begins), y_to = take(ends);
+      const unsigned x_size = x_to - x_from, y_size = y_to - y_from;
+      Vec2& pair = out[count];
+      if (!is_first && y_to < unusual && std::max(x_size, y_size) <= kWord && here[x_to] != letter) {
+        const __m128d values = values_of({here + x_from, x_size}, {here + y_from, y_size});
+        _mm_storeu_pd(&pair.x, _mm_xor_pd(values, two(sign_after(here[x_from - 1]), sign_after(here[y_from - 1]))));
+        ++count;
+        done = y_to;
         continue;
       }
-      if ((here[to] | 0x20) == 'e') break;  // of x it is none of what may follow
-      pair.y = value;
-      out[count++] = pair;
-      done = to;
-      if (count == wanted) break;
+      if ((here[y_to] | 0x20) == 'e') break;  // of x it is none of what may follow
+      const bool is_good = number_at(here, done, x_from, x_to, points, letter, is_first, pair.x) &&
+                           number_at(here, x_to, y_from, y_to, points, '\0', false, pair.y);
+      if (!is_good) break;
+      is_first = false;
+      ++count;
+      done = y_to;
     }
     if (count < wanted) most -= wanted - count;
     at += done;

@@ -3,9 +3,13 @@
 // one.
 #include <fmt/format.h>
 #include <array>
+#include <bit>
 #include <catch2/catch.hpp>
+#include <charconv>
+#include <cstdint>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "core/base/rng.h"
@@ -110,7 +114,113 @@ TEST_CASE("polylines and polygons are read as they are number by number, up to t
   }
 }
 
+namespace {
+
+/// As files write them: any sign, points anywhere, exponents, many digits.
+std::string spelled_number(Rng& random) {
+  const char* const kOdd[] = {"4.9e-324",
+                              "1e-400",
+                              "2.2250738585072011e-308",
+                              "9007199254740993",
+                              "0.1234567890123456789",
+                              "1e-1",
+                              "5E+2",
+                              "-0",
+                              "+7",
+                              "12345678.12345678",
+                              "99999999",
+                              ".00000001",
+                              "1e22",
+                              "-1.e1",
+                              "123456789.5"};
+  if (random.below(8) == 0) return kOdd[random.below(std::size(kOdd))];
+  return random_number(random);
+}
+
+bool has_digits(const std::string& number) {
+  return number.find_first_of("0123456789") != number.npos;
+}
+
+/// Nothing where it is beyond the range.
+double value_of(std::string_view number) {
+  if (number.starts_with('+')) number.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), value);
+  REQUIRE(end == number.data() + number.size());
+  return error == std::errc() ? value : 0.0;  // those beyond the range are near to zero here
+}
+
+/// Whether they may follow each other without anything between.
+bool may_touch(const std::string& before, const std::string& after) {
+  const bool ends_mantissa = before.find_first_of("eE") != before.npos || before.find('.') != before.npos;
+  return after[0] == '-' || after[0] == '+' || (after[0] == '.' && ends_mantissa);
+}
+
+}  // namespace
+
+TEST_CASE("numbers of paths are what std::from_chars says, however they are spelled and run together") {
+  Rng random(11);
+  for (int i = 0; i < 4000; ++i) {
+    std::string text = "M";
+    std::vector<Vec2> expected;
+    std::string last = "M";
+    const auto add = [&](const std::string& number, bool may_have_letter) {
+      const char* const kGaps[] = {" ", ",", " ", ",", " , ", "\n", "  "};
+      if (last == "M" || last == "A") {
+      } else if (may_have_letter && random.below(2) == 0) {
+        text += random.below(8) == 0 ? " L " : "L";
+      } else if (!may_touch(last, number) || random.below(2) == 0) {
+        text += kGaps[random.below(random.below(4) == 0 ? std::size(kGaps) : 4)];
+      }
+      text += number;
+      last = number;
+      return value_of(number);
+    };
+    const auto number = [&] {
+      std::string out = spelled_number(random);
+      while (!has_digits(out)) out = spelled_number(random);
+      return out;
+    };
+    const std::size_t pairs = 2 + random.below(60);
+    for (std::size_t k = 0; k < pairs; ++k) {
+      const double x = add(number(), k > 0);
+      const double y = add(number(), false);
+      expected.push_back({x, y});
+    }
+    // Flags of an arc that is a line, for its radii are zero, and what follows them without a gap.
+    text += "A0 0 0 1";
+    text += random.below(2) == 0 ? "0" : " ,1";
+    last = "A";
+    const double x = add(number(), false);
+    const double y = add(number(), false);
+    expected.push_back({x, y});
+    INFO(text);
+    const SvgPath path = read_svg_path(text);
+    REQUIRE(!path.fault);
+    REQUIRE(path.curves.size() == 1);
+    const std::vector<Vec2>& points = path.curves[0].points();
+    REQUIRE(points.size() == expected.size());
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      INFO(fmt::format("vertex {}: {} {} for {} {}", k, points[k].x, points[k].y, expected[k].x, expected[k].y));
+      REQUIRE(std::bit_cast<std::uint64_t>(points[k].x) == std::bit_cast<std::uint64_t>(expected[k].x));
+      REQUIRE(std::bit_cast<std::uint64_t>(points[k].y) == std::bit_cast<std::uint64_t>(expected[k].y));
+    }
+  }
+}
+
 #ifdef __SSE2__
+TEST_CASE("a gap before the first pair, or none after another, is left to others") {
+  std::array<Vec2, 4> pairs;
+  for (const char* const text : {" 1 2 3 4", ",1 2 3 4", "L1 2 3 4", "x1 2"})
+    CHECK(read_coordinate_pairs(text, 'L', pairs).count == 0);
+  CHECK(read_coordinate_pairs("-1-2-3-4", 'L', pairs).count == 2);
+  CHECK(read_coordinate_pairs("1 2", 'L', pairs, true).count == 0);
+  CHECK(read_coordinate_pairs("L1 2", 'L', pairs, true).count == 1);
+  CHECK(read_coordinate_pairs(std::string_view("1 2\0003 4", 7), '\0', pairs).count == 1);
+  CHECK(read_coordinate_pairs("1 2 3 4e1", 'L', pairs).count == 1);
+  CHECK(read_coordinate_pairs("1 2 3L4", 'L', pairs).count == 1);
+}
+
 TEST_CASE("usual pairs are all read together, to the end of the text") {
   std::string text = "1,2";
   for (int i = 1; i < 100; ++i) text += fmt::format("L{}.25 -{}.5", i, i);
