@@ -258,19 +258,24 @@ std::optional<SampledCurves> vertices_that_differ(const CurveSet& curves, JobCon
     ends.push_back(i + 1);
     counted = count;
   }
-  out.positions.resize(count);
+  // Copied in order, for threads could fill only what is there, and to be there it would be filled with zeros first.
+  out.positions.reserve(count);
+  constexpr std::size_t kOften = 4096;
+  for (std::size_t i = 0; i < out.chains.size(); ++i) {
+    const std::span from = std::span(curves.curves[i].points()).first(out.chains[i].count);
+    for (std::size_t k = 0; k < from.size(); k += kOften) {
+      if (job != nullptr && job->stop_requested()) throw Cancelled{};
+      const auto part = from.subspan(k, std::min(kOften, from.size() - k));
+      out.positions.insert(out.positions.end(), part.begin(), part.end());
+    }
+  }
   std::atomic<bool> is_good = true;
   run_tasks(ends.size(), [&](std::size_t run) {
-    constexpr std::size_t kOften = 4096;
     RepeatedPositions repeated;
     for (std::size_t i = run == 0 ? 0 : ends[run - 1]; i < ends[run] && is_good; ++i) {
+      if (job != nullptr && job->stop_requested()) throw Cancelled{};
       const SampledCurves::Chain& chain = out.chains[i];
-      const std::span<Vec2> here = std::span(out.positions).subspan(chain.first, chain.count);
-      const std::span from = std::span(curves.curves[i].points()).first(chain.count);
-      for (std::size_t k = 0; k < from.size(); k += kOften) {
-        if (job != nullptr && job->stop_requested()) throw Cancelled{};
-        std::ranges::copy(from.subspan(k, std::min(kOften, from.size() - k)), here.subspan(k).begin());
-      }
+      const std::span here = std::span(out.positions).subspan(chain.first, chain.count);
       if (!repeated.find(here).empty() || !repeated.were_finite()) is_good = false;
     }
   });
