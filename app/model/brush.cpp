@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/job_control.h"
+#include "core/document/live_corners.h"
 #include "core/evolutions/moving_curve.h"
 
 namespace mes {
@@ -166,8 +167,7 @@ Expected<void> BrushStroke::finish() {
   std::vector<SampleData::Contour> contours;
   bool is_changed = false;
   for (const CurveOrder::Contour& contour : document.curve_order()->contours) {
-    std::vector<SampleId> alive;
-    std::ranges::copy_if(contour.samples, std::back_inserter(alive), is_alive);
+    const std::vector<SampleId> alive = live_corners(document, contour);
     SampleData::Contour& out = contours.emplace_back(SampleData::Contour{contour.closed, {}});
     for (std::size_t i = 0; i < alive.size(); ++i) {
       out.points.push_back(alive[i].value - first);

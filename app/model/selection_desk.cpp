@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "core/document/live_corners.h"
 #include "core/edit/degenerate_places.h"
 #include "core/formula/formula.h"
 #include "core/io/format.h"
@@ -321,8 +322,7 @@ Expected<void> SelectionDesk::duplicate(Vec2 step) {
   for (const CurveOrder::Contour& contour : editor_.document().curve_order()->contours) {
     SampleData::Contour copy{contour.closed, {}};
     bool is_whole = true;
-    for (const SampleId id : contour.samples) {
-      if (editor_.document().slot_of(id) == kNoSlot) continue;
+    for (const SampleId id : live_corners(editor_.document(), contour)) {
       const auto place = place_of(id);
       is_whole = is_whole && place;
       if (!is_whole) break;

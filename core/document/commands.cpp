@@ -9,6 +9,7 @@
 
 #include "core/base/assert.h"
 #include "core/document/curve_source.h"
+#include "core/document/live_corners.h"
 
 namespace mes {
 namespace {
@@ -318,8 +319,7 @@ SampleData data_of(const Document& document) {
   }
   for (const CurveOrder::Contour& contour : document.curve_order()->contours) {
     SampleData::Contour kept{.closed = contour.closed, .points = {}};
-    for (const SampleId id : contour.samples)
-      if (const SampleSlot slot = document.slot_of(id); slot != kNoSlot) kept.points.push_back(place[slot]);
+    for (const SampleId id : live_corners(document, contour)) kept.points.push_back(place[document.slot_of(id)]);
     if (!kept.points.empty()) out.contours.push_back(std::move(kept));
   }
   Table<BallSlot, std::uint32_t> ball_place(document.ball_slot_count(), 0);

@@ -9,6 +9,8 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/document/live_corners.h"
+
 namespace mes {
 namespace {
 
@@ -47,10 +49,7 @@ class Editing {
 };
 
 Contour Editing::living(const Contour& contour) const {
-  Contour out{contour.closed, {}};
-  for (const SampleId id : contour.samples)
-    if (document_.slot_of(id) != kNoSlot) out.samples.push_back(id);
-  return out;
+  return {contour.closed, live_corners(document_, contour)};
 }
 
 void Editing::keep(Contour contour) {

@@ -7,6 +7,7 @@
 
 #include "core/base/assert.h"
 #include "core/base/coordinate_range.h"
+#include "core/document/live_corners.h"
 
 namespace mes {
 namespace {
@@ -87,8 +88,7 @@ std::vector<ParameterDescriptor> parameters_of(EvolutionIndex evolution) {
 EvolutionState state_of(const Document& document) {
   EvolutionState out;
   std::vector<std::uint32_t> numbers;
-  constexpr std::uint32_t kNoPlace = 0xffffffffU;
-  std::vector<std::uint32_t> place(document.next_id().value - document.first_id().value, kNoPlace);
+  std::vector<std::uint32_t> place(document.next_id().value - document.first_id().value, 0);
   for (const SampleSlot slot : document.slots_in_input_order()) {
     const std::uint32_t number = document.id(slot).value - document.first_id().value;
     place[number] = static_cast<std::uint32_t>(numbers.size());
@@ -99,9 +99,8 @@ EvolutionState state_of(const Document& document) {
   std::vector<MovingCurve::Chain> chains;
   for (const CurveOrder::Contour& contour : document.curve_order()->contours) {
     MovingCurve::Chain chain{contour.closed, {}};
-    for (const SampleId id : contour.samples)
-      if (const std::uint32_t at = place[id.value - document.first_id().value]; at != kNoPlace)
-        chain.points.push_back(at);
+    for (const SampleId id : live_corners(document, contour))
+      chain.points.push_back(place[id.value - document.first_id().value]);
     if (!chain.points.empty()) chains.push_back(std::move(chain));
   }
   if (!chains.empty())

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "core/io/format.h"
+#include "core/io/session.h"
 #include "temporary_folder.h"
 
 using namespace mes;
@@ -184,4 +185,21 @@ TEST_CASE("a column that numbers the rows groups nothing, and one called path is
 
 TEST_CASE("without a repetition rows of a table are points and no curve") {
   CHECK(read_good("0,0\n1,0\n1,1\n", "a.csv").data.contours.empty());
+}
+
+TEST_CASE("a session whose contour lost the sample between two visits of another has one corner there") {
+  Session session;
+  session.data = std::make_shared<const SampleData>(
+      SampleData{.positions = {{0, 0}, {1, 0}, {2, 0}}, .contours = {{false, {0, 1, 0, 2}}, {true, {0, 0, 2, 0}}}});
+  session.entries = {TimelineEdit{.name = "Delete", .removed = {1}}};
+  const LoadedFile file = read_good(write_session(session), "a.json");
+  CHECK(file.data.contours == std::vector<SampleData::Contour>{{false, {0, 1}}, {true, {0, 1}}});
+  Document document;
+  document.apply(*replace_all(document, file.data));
+  const LoadedFile again = read_good(write_poff(document));
+  CHECK(again.warnings.empty());
+  CHECK(again.data.contours == file.data.contours);
+  // What was recorded is kept, so that the sample comes back to both visits.
+  REQUIRE(file.session);
+  CHECK(file.session->data->contours[0].points == Indices{0, 1, 0, 2});
 }
