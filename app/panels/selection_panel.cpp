@@ -6,7 +6,6 @@
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"
 #include "core/formula/formula.h"
-#include "core/io/text_numbers.h"
 #include "imgui_stdlib.h"
 
 namespace mes {
@@ -23,25 +22,33 @@ void label(const Gui& gui, const char* text) {
 
 }  // namespace
 
-void SelectionPanel::report(const Expected<void>& done) {
-  if (!done) return refusal_.say(done.error());
+bool SelectionPanel::report(const Expected<void>& done) {
+  if (!done) {
+    refusal_.say(done.error());
+    return false;
+  }
   refusal_.forget();
-  if (desk_.numbers().is_in(canvas_.view().free_box())) return;
+  if (desk_.numbers().is_in(canvas_.view().free_box())) return true;
   const std::string key = actions_.keymap().key_of(ActionId::fit_selection);
   messages_.remark("What is selected lies outside the view: " + descriptor_of(ActionId::fit_selection).name +
                    (key.empty() ? "" : " (" + key + ")") + " shows it");
+  return true;
+}
+
+void SelectionPanel::enter(const std::string& typed, const Expected<void>& done) {
+  if (!report(done)) stay_in_field(typed);
 }
 
 void SelectionPanel::number(const char* label, double value, float width, const char* explanation,
                             const std::function<Expected<void>(double)>& use) {
   std::string text;
-  append_number(text, value);
   ImGui::SetNextItemWidth(width);
-  const bool is_left = formula_field(label, "", text);
-  tooltip(gui_, explanation);
-  if (!is_left) return;
-  const auto number = number_of(text);
-  report(number ? use(*number) : std::unexpected(number.error()));
+  if (exact_field(label, value, text)) {
+    const auto number = number_of(text);
+    enter(text, number ? use(*number) : std::unexpected(number.error()));
+  }
+  const bool has_room = ImGui::CalcTextSize(text.c_str()).x <= width - 2 * ImGui::GetStyle().FramePadding.x;
+  tooltip(gui_, has_room ? explanation : text + '\n' + explanation);
 }
 
 void SelectionPanel::wish(const char* label, const char* hint, std::string& text, const char* button,
@@ -49,14 +56,15 @@ void SelectionPanel::wish(const char* label, const char* hint, std::string& text
   const float unit = gui_.unit();
   const float width = ImGui::CalcTextSize(button).x + 2 * ImGui::GetStyle().FramePadding.x;
   ImGui::SetNextItemWidth(std::max(40 * unit, ImGui::GetContentRegionAvail().x - width - kGap * unit));
-  const bool is_entered = ImGui::InputTextWithHint(label, hint, &text, ImGuiInputTextFlags_EnterReturnsTrue);
+  const auto act = [&] {
+    const auto number = number_of(text);
+    return number ? use(*number) : std::unexpected(number.error());
+  };
+  if (ImGui::InputTextWithHint(label, hint, &text, ImGuiInputTextFlags_EnterReturnsTrue)) enter(text, act());
   tooltip(gui_, explanation);
   ImGui::SameLine(0, kGap * unit);
-  const bool is_pressed = ImGui::Button(button);
+  if (ImGui::Button(button)) report(act());
   tooltip(gui_, explanation);
-  if (!is_entered && !is_pressed) return;
-  const auto number = number_of(text);
-  report(number ? use(*number) : std::unexpected(number.error()));
 }
 
 void SelectionPanel::action_button(ActionId id, const char* label) {
@@ -114,19 +122,22 @@ void SelectionPanel::draw_motion() {
   label(gui_, "Move by");
   const float button = ImGui::CalcTextSize("Move").x + 2 * ImGui::GetStyle().FramePadding.x;
   const float half = std::max(30 * unit, 0.5F * (ImGui::GetContentRegionAvail().x - button - 2 * kGap * unit));
-  ImGui::SetNextItemWidth(half);
-  bool is_entered = ImGui::InputTextWithHint("##dx", "dx", &step_x_, ImGuiInputTextFlags_EnterReturnsTrue);
-  tooltip(gui_, "Step along x");
-  ImGui::SameLine(0, kGap * unit);
-  ImGui::SetNextItemWidth(half);
-  is_entered = ImGui::InputTextWithHint("##dy", "dy", &step_y_, ImGuiInputTextFlags_EnterReturnsTrue) || is_entered;
-  tooltip(gui_, "Step along y");
-  ImGui::SameLine(0, kGap * unit);
-  if (ImGui::Button("Move") || is_entered) {
+  const auto move = [&]() -> Expected<void> {
     const auto dx = step_x_.empty() ? Expected<double>(0.0) : number_of(step_x_);
+    if (!dx) return std::unexpected(dx.error());
     const auto dy = step_y_.empty() ? Expected<double>(0.0) : number_of(step_y_);
-    report(!dx ? std::unexpected(dx.error()) : !dy ? std::unexpected(dy.error()) : desk_.move_by({*dx, *dy}));
-  }
+    if (!dy) return std::unexpected(dy.error());
+    return desk_.move_by({*dx, *dy});
+  };
+  const auto step = [&](const char* id, const char* hint, std::string& text, const char* explanation) {
+    ImGui::SetNextItemWidth(half);
+    if (ImGui::InputTextWithHint(id, hint, &text, ImGuiInputTextFlags_EnterReturnsTrue)) enter(text, move());
+    tooltip(gui_, explanation);
+    ImGui::SameLine(0, kGap * unit);
+  };
+  step("##dx", "dx", step_x_, "Step along x");
+  step("##dy", "dy", step_y_, "Step along y");
+  if (ImGui::Button("Move")) report(move());
   if (numbers.samples + numbers.balls < 2) return;
   label(gui_, "Turn by");
   wish("##degrees", "degrees", degrees_, "Turn", "About the middle, counter-clockwise, in degrees",
@@ -176,14 +187,12 @@ void SelectionPanel::draw_formulas() {
   const SelectionDesk::Numbers numbers = desk_.numbers();
   const char* const explanation =
       "A formula for each by itself. x, y, r: its own numbers; i: its place, from 0; n: how many there are; cx, cy: "
-      "the "
-      "middle; pi, e, deg. For example cx + 10 * cos(2*pi*i/n)";
-  bool is_entered = false;
+      "the middle; pi, e, deg. For example cx + 10 * cos(2*pi*i/n)";
   const auto field = [&](const char* name, const char* id, std::string& text) {
     label(gui_, name);
     ImGui::SetNextItemWidth(-1.0F);
-    is_entered =
-        ImGui::InputTextWithHint(id, "a formula for each", &text, ImGuiInputTextFlags_EnterReturnsTrue) || is_entered;
+    if (ImGui::InputTextWithHint(id, "a formula for each", &text, ImGuiInputTextFlags_EnterReturnsTrue))
+      enter(text, desk_.place_each(each_));
     tooltip(gui_, explanation);
   };
   field("Each x =", "##each-x", each_.x);
@@ -192,7 +201,7 @@ void SelectionPanel::draw_formulas() {
   ImGui::Dummy({0, 0});
   ImGui::SameLine(kLabelWidth * gui_.unit());
   ImGui::BeginDisabled(each_.x.empty() && each_.y.empty() && each_.r.empty());
-  if (ImGui::Button("Place each") || is_entered) report(desk_.place_each(each_));
+  if (ImGui::Button("Place each")) report(desk_.place_each(each_));
   ImGui::EndDisabled();
   tooltip(gui_, explanation);
 }

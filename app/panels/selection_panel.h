@@ -36,7 +36,10 @@ class SelectionPanel {
   void draw_arrangement();
   void draw_formulas();
   void action_button(ActionId id, const char* label);
-  void report(const Expected<void>& done);
+  /// Whether it was done.
+  bool report(const Expected<void>& done);
+  /// Right after the field that Enter has left: it is done, or the keyboard stays there.
+  void enter(const std::string& typed, const Expected<void>& done);
 
   const Gui& gui_;
   const ActionBindings& actions_;

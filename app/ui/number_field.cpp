@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/ui/number_field.h"
 
+#include <fmt/core.h>
+
 #include <cmath>
 
+#include "core/io/text_numbers.h"
 #include "imgui.h"
 #include "imgui_internal.h"
 #include "imgui_stdlib.h"
@@ -18,6 +21,22 @@ struct Typed {
   int frame = 0;  // in which the field was last drawn
   T value{};
 };
+template <class T>
+Typed<T>& typed_last() {
+  static Typed<T> one;
+  return one;
+}
+
+/// What was refused, until its field has the keyboard again.
+struct Refused {
+  ImGuiID field = 0;
+  int frame = 0;  // in which the field was last drawn
+  std::string typed{};
+};
+Refused& refused() {
+  static Refused one;
+  return one;
+}
 
 bool is_usable(double value) {
   return std::isfinite(value);
@@ -32,7 +51,7 @@ bool is_usable(const std::string&) {
 /// `draw` returns true while the text of the field is another number than the one it was given, which it changes.
 template <class T, class Draw>
 bool left_with_another(const char* label, T& value, Draw draw) {
-  static Typed<T> typed;
+  Typed<T>& typed = typed_last<T>();
   const ImGuiID id = ImGui::GetID(label);
   const int frame = ImGui::GetFrameCount();
   // A field that was gone in between was not left, but lost.
@@ -65,11 +84,67 @@ bool number_field(const char* label, std::uint64_t& value) {
                            [&](std::uint64_t& now) { return ImGui::InputScalar(label, ImGuiDataType_U64, &now); });
 }
 
+namespace {
+
+/// With as many digits as the next field has room for, so that no exponent is cut off.
+std::string fitted(double value, const std::string& exact) {
+  const float room = ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x;
+  std::string out = exact;
+  for (int digits = 16; digits > 0 && ImGui::CalcTextSize(out.c_str()).x > room; --digits)
+    out = fmt::format("{:.{}g}", value, digits);
+  return out;
+}
+
+/// The next field has the keyboard, gets it with this frame, or has just lost it.
+bool is_edited(const char* label) {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  const ImGuiID id = ImGui::GetID(label);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 end(at.x + ImGui::CalcItemWidth(), at.y + ImGui::GetFrameHeight());
+  return typed_last<std::string>().field == id || refused().field == id || context.ActiveId == id ||
+         context.NavActivateId == id || context.NavActivateInputId == id || ImGui::IsMouseHoveringRect(at, end);
+}
+
+}  // namespace
+
+bool exact_field(const char* label, double value, std::string& text) {
+  text.clear();
+  append_number(text, value);
+  if (is_edited(label)) return formula_field(label, "", text);
+  std::string shown = fitted(value, text);
+  if (shown == text) return formula_field(label, "", text);
+  ImGui::InputText(label, &shown);
+  return false;
+}
+
 bool formula_field(const char* label, const char* hint, std::string& text) {
-  return left_with_another(label, text, [&](std::string& now) {
+  const ImGuiID id = ImGui::GetID(label);
+  const int frame = ImGui::GetFrameCount();
+  Refused& last = refused();
+  if (last.field == id && frame > last.frame + 1) last = {};
+  if (last.field == id && ImGui::GetActiveID() != id) {
+    // The keyboard comes with this frame or the next one.
+    last.frame = frame;
+    std::string now = last.typed;
+    ImGui::InputTextWithHint(label, hint, &now);
+    return false;
+  }
+  std::string left = text;
+  const bool is_left = left_with_another(label, left, [&](std::string& now) {
     ImGui::InputTextWithHint(label, hint, &now);
     return now != text;
   });
+  // Esc would leave what was refused, from which the editing began.
+  if (!is_left || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) return false;
+  text = std::move(left);
+  return true;
+}
+
+void stay_in_field(const std::string& typed) {
+  const auto is_pressed = [](ImGuiKey key) { return ImGui::IsKeyPressed(ImGui::GetKeyIndex(key)); };
+  if (!is_pressed(ImGuiKey_Enter) && !is_pressed(ImGuiKey_KeyPadEnter)) return;
+  ImGui::SetKeyboardFocusHere(-1);
+  refused() = {ImGui::GetItemID(), ImGui::GetFrameCount(), typed};
 }
 
 }  // namespace mes

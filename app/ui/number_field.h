@@ -13,5 +13,11 @@ bool number_field(const char* label, double& value, const char* format);
 bool number_field(const char* label, std::uint64_t& value);
 /// The same for a formula, which is text here.
 bool formula_field(const char* label, const char* hint, std::string& text);
+/// The same for a number that a formula can be typed for; `text` is what it shows, with all digits. Where these have no
+/// room, a field that is neither edited nor pointed at shows as many as have, and the exponent.
+bool exact_field(const char* label, double value, std::string& text);
+/// Right after a field of text, when what was typed there is refused: if Enter left it, it has the keyboard again, and
+/// shows `typed` for it to be corrected; Esc then restores what it had before.
+void stay_in_field(const std::string& typed);
 
 }  // namespace mes

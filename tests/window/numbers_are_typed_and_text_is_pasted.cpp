@@ -46,6 +46,49 @@ TEST_CASE("the middle of what is selected is typed as an expression, and taken b
   CHECK(window.saved() == std::vector<Vec2>{{0, 0}, {4, 0}, {4, 4}, {0, 4}});
 }
 
+TEST_CASE("a refused number keeps the keyboard and what was typed, until it is corrected or given up") {
+  const Window window;
+  window.press("n");
+  window.press("ctrl+a");
+  static_cast<void>(window.screen.settled());
+  window.screen.click(kMiddleX);
+  static_cast<void>(window.screen.settled());
+  window.screen.type_over("1 + ");
+  window.press("Return");
+  static_cast<void>(window.screen.settled());
+  SECTION("corrected") {
+    window.press("End");
+    window.screen.xdotool("type --delay 20 '1/4'");
+    static_cast<void>(window.screen.settled());
+    window.press("Return");
+    CHECK(window.saved() == std::vector<Vec2>{{-0.75, 0}, {3.25, 0}, {3.25, 4}, {-0.75, 4}});
+  }
+  SECTION("given up") {
+    window.press("Escape");
+    static_cast<void>(window.screen.settled());
+    CHECK_FALSE(window.title().starts_with("* "));
+    // Keys mean the drawing again, and everything is still selected.
+    window.press("ctrl+d");
+    CHECK(window.saved().size() == 8);
+  }
+}
+
+TEST_CASE("a number with more digits than its field has room for shows its exponent") {
+  DrivenProgram window;
+  window.folder.write("three.poff", "POFF 3 0 0\n1.2345678901234567e-5 0\n1.2345678901234567 0\n0.6 0.9\n");
+  window.start("three.poff");
+  static_cast<void>(window.drawn());
+  window.press("n");
+  const auto is_black = [](Color c) { return c.r < 40 && c.g < 40 && c.b < 40; };
+  const PixelBox samples = window.screen.settled().box_of(kCanvas, is_black);
+  REQUIRE_FALSE(samples.is_empty());
+  window.screen.click({samples.left + 3, samples.bottom - 4});
+  const Screenshot small = window.screen.settled();
+  window.screen.click({samples.right - 4, samples.bottom - 4});
+  constexpr PixelBox kFieldX{1066, 580, 1148, 597};
+  CHECK(window.screen.settled().changes(kFieldX, small) > 20);
+}
+
 TEST_CASE("what is selected goes through the clipboard of the desktop") {
   const Window window;
   window.press("ctrl+a");
