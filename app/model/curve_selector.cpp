@@ -2,8 +2,17 @@
 #include "app/model/curve_selector.h"
 
 #include <algorithm>
+#include <array>
 
 namespace mes {
+namespace {
+
+// In the order of the wishes.
+constexpr std::array<const char*, 3> kNothingChanged{"No selected sample has more of a curve than is selected",
+                                                     "Nothing on a curve is next to what is selected",
+                                                     "Nothing that is selected is next to something else on a curve"};
+
+}  // namespace
 
 void CurveSelector::begin(Wish wish) {
   if (editor_.selection().sample_count() == 0) return;
@@ -27,6 +36,7 @@ Expected<void> CurveSelector::follow() {
 
 void CurveSelector::select(const CrustChains::Curve& curve, Wish wish) {
   Selection& selection = editor_.selection();
+  const std::size_t before = selection.sample_count();
   for (const auto& [follower, other] : curve.followers)
     if (selection.contains(follower)) selection.add(other);
   std::vector<SampleSlot> changed;
@@ -58,6 +68,9 @@ void CurveSelector::select(const CrustChains::Curve& curve, Wish wish) {
     else if (!is_added)
       selection.remove(follower);
   }
+  remark_ = selection.sample_count() == before
+                ? kNothingChanged[static_cast<std::size_t>(wish)]
+                : "Selected " + counted(selection.sample_count(), selection.ball_count());
 }
 
 }  // namespace mes

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -32,6 +33,8 @@ class CurveSelector {
   bool is_under_way() const { return crust_.is_under_way(); }
   /// Takes the curve when it was found, and selects. Error: the crust could not be computed.
   Expected<void> follow();
+  /// What was selected last, or why nothing changed; once, and empty where there is nothing to say.
+  std::string take_remark() { return std::exchange(remark_, {}); }
 
  private:
   void select(const CrustChains::Curve& curve, Wish wish);
@@ -39,6 +42,7 @@ class CurveSelector {
   Editor& editor_;
   CrustChains crust_;
   std::vector<Wish> wishes_;
+  std::string remark_;
 };
 
 }  // namespace mes

@@ -16,6 +16,7 @@ struct PaletteEntry {
   std::string explanation{};  ///< one sentence; not searched
   std::string more{};         ///< other words by which it is found, such as an id
   bool is_enabled = true;
+  std::string missing{};  ///< why it is not enabled, as in "nothing is selected"
   bool is_checked = false;
   std::function<void()> run{};
 };

@@ -22,7 +22,8 @@ void action_item(const MenuBar& menu, ActionId id, const std::string& label = {}
   const std::string key = menu.actions.keymap().key_of(id);
   if (ImGui::MenuItem(name.c_str(), key.c_str(), menu.actions.is_checked(id), menu.actions.is_enabled(id)))
     menu.actions.run(id);
-  tooltip(menu.gui, std::string(action.tooltip));
+  const std::string why = menu.actions.missing(id);
+  tooltip(menu.gui, action.tooltip + (why.empty() ? "" : "\nNot possible now: " + why));
 }
 
 void recent_files_menu(const MenuBar& menu) {

@@ -79,11 +79,14 @@ void DrawingBoard::bind(ActionBindings& actions) {
   bind_tool(ActionId::tool_measure, ToolId::measure);
   bind_tool(ActionId::tool_annotate, ToolId::annotate);
   actions.bind(ActionId::select_sources,
-               {[this] { select_sources(); }, [this] { return provenance_.shown() != nullptr; }});
+               {[this] { select_sources(); },
+                {[this] { return provenance_.shown() != nullptr; }, "click something that is drawn first"}});
   actions.bind(ActionId::keep_measurement,
-               {[this] { keep_measurement(); }, [this] { return canvas_.tool().measurement().has_value(); }});
-  actions.bind(ActionId::keep_highlight,
-               {[this] { keep_highlight(); }, [this] { return provenance_.can_be_kept(work_.editor()); }});
+               {[this] { keep_measurement(); },
+                {[this] { return canvas_.tool().measurement().has_value(); }, "nothing is measured"}});
+  actions.bind(ActionId::keep_highlight, {[this] { keep_highlight(); },
+                                          {[this] { return provenance_.can_be_kept(work_.editor()); },
+                                           "nothing that can be kept highlighted was clicked"}});
 }
 
 void DrawingBoard::bind_nudges(ActionBindings& actions) {
@@ -92,7 +95,8 @@ void DrawingBoard::bind_nudges(ActionBindings& actions) {
   for (std::size_t i = 0; i < kNudges; ++i) {
     const Vec2 px = (i < kDirections.size() ? 1.0 : kFar) * kDirections[i % kDirections.size()];
     actions.bind(nth(ActionId::first_nudge, i),
-                 {[this, px] { nudge(px); }, [this] { return !work_.editor().selection().is_empty(); }});
+                 {[this, px] { nudge(px); },
+                  {[this] { return !work_.editor().selection().is_empty(); }, "nothing is selected"}});
   }
 }
 
@@ -103,9 +107,11 @@ void DrawingBoard::bind_view(ActionBindings& actions) {
                {[this] { canvas_.view_at_pointer().zoom_at(canvas_.zoom_center(), 1.0 / kKeyZoom); }});
   actions.bind(ActionId::fit, {[this] { fit_all(); }});
   actions.bind(ActionId::fit_selection,
-               {[this] { fit_selection(); }, [this] { return !work_.editor().selection().is_empty(); }});
-  actions.bind(ActionId::previous_view, {[this] { canvas_.view_at_pointer().back(); },
-                                         [this] { return canvas_.view_at_pointer().can_go_back(); }});
+               {[this] { fit_selection(); },
+                {[this] { return !work_.editor().selection().is_empty(); }, "nothing is selected"}});
+  actions.bind(ActionId::previous_view,
+               {[this] { canvas_.view_at_pointer().back(); },
+                {[this] { return canvas_.view_at_pointer().can_go_back(); }, "there is no view before this one"}});
 }
 
 void DrawingBoard::nudge(Vec2 px) {

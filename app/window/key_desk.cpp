@@ -87,7 +87,8 @@ void KeyDesk::bind() {
                                          },
                                          {},
                                          [this] { return settings_.classic_keys; }});
-  actions_.bind(ActionId::write_keys, {[this] { write(); }, [] { return !file().empty(); }});
+  actions_.bind(ActionId::write_keys,
+                {[this] { write(); }, {[] { return !file().empty(); }, "there is no folder for settings"}});
 }
 
 }  // namespace mes

@@ -28,12 +28,15 @@ void LessonRun::bind(ActionBindings& actions) {
       leave_step();
       say((presenter_.*step)());
     };
-    binding.enabled = [this, otherwise] { return is_running() || !otherwise.enabled || otherwise.enabled(); };
+    binding.enabled = {[this, otherwise] { return is_running() || otherwise.enabled.holds(); },
+                       otherwise.enabled.missing()};
     actions.bind(id, std::move(binding));
   };
   bind_step(ActionId::next_bundle, &LessonPresenter::go_on);
   bind_step(ActionId::previous_bundle, &LessonPresenter::go_back);
-  actions.bind(ActionId::mark_step, {[this] { desk_.mark(); }, [this] { return !is_running() && desk_.can_mark(); }});
+  actions.bind(ActionId::mark_step, {[this] { desk_.mark(); },
+                                     {[this] { return !is_running() && desk_.can_mark(); },
+                                      "a lesson is presented, or has as many steps as there may be"}});
 }
 
 void LessonRun::start(const Session& session) {

@@ -33,8 +33,9 @@ void LiveRecording::bind(ActionBindings& actions) {
                                   },
                                   {},
                                   [this] { return desk_.is_recording(); }});
-  actions.bind(ActionId::make_video,
-               {[this, &settings] { desk_.start_video(settings); }, [this] { return desk_.can_make_video(); }});
+  actions.bind(ActionId::make_video, {[this, &settings] { desk_.start_video(settings); },
+                                      {[this] { return desk_.can_make_video(); },
+                                       "there is no take to make it of, or a video is being made"}});
 }
 
 void LiveRecording::start(const RecordSettings& settings) {

@@ -27,6 +27,7 @@ void add_actions(const Panels::Uses& uses, Entries& out) {
                    .explanation = action.tooltip,
                    .more = action.public_id,
                    .is_enabled = actions.is_enabled(action.id),
+                   .missing = actions.missing(action.id),
                    .is_checked = actions.is_checked(action.id),
                    .run = [&actions, id = action.id] { actions.run(id); }});
   }

@@ -150,14 +150,16 @@ void Panels::bind_shown(ActionBindings& actions) {
                 [&is_on = settings.snap.is_on] { return is_on; }});
   bind_toggle(ActionId::toggle_handles, settings.show_handles);
   bind_toggle(ActionId::toggle_insertion_preview, settings.show_insertion_preview);
-  actions.bind(ActionId::toggle_differences, {[&settings] { settings.show_differences = !settings.show_differences; },
-                                              [&work = uses_.work] { return !work.panes().is_empty(); },
-                                              [&settings] { return settings.show_differences; }});
+  actions.bind(ActionId::toggle_differences,
+               {[&settings] { settings.show_differences = !settings.show_differences; },
+                {[&work = uses_.work] { return !work.panes().is_empty(); }, "there is no second pane"},
+                [&settings] { return settings.show_differences; }});
   actions.bind(ActionId::put_marks_back, {[&settings] {
                                             settings.legend_at.reset();
                                             settings.marks.bar_at.reset();
                                           },
-                                          [&settings] { return settings.legend_at || settings.marks.bar_at; }});
+                                          {[&settings] { return settings.legend_at || settings.marks.bar_at; },
+                                           "legend and scale bar are where they were at first"}});
   const auto bind_page = [&](ActionId id, DetailsPage page) {
     actions.bind(id, {[&settings, page] { settings.details = settings.details == page ? DetailsPage::none : page; },
                       {},

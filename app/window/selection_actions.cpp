@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/selection_actions.h"
 
+#include <array>
 #include <memory>
+#include <string>
 #include <utility>
 
 #include "app/model/refusal.h"
@@ -32,7 +34,8 @@ struct Bound {
 using Shared = std::shared_ptr<Bound>;
 
 void bind_clipboard(ActionBindings& actions, const Shared& shared) {
-  const auto has_selection = [shared] { return !shared->uses.editor.selection().is_empty(); };
+  const ActionBindings::Condition has_selection{[shared] { return !shared->uses.editor.selection().is_empty(); },
+                                                "nothing is selected"};
   // To the lower right.
   const auto step = [shared] {
     const double by = kCopyStepPx * shared->uses.units_per_px();
@@ -70,10 +73,15 @@ void bind_clipboard(ActionBindings& actions, const Shared& shared) {
                                      has_selection});
 }
 
+ActionBindings::Condition at_least(const Shared& shared, std::size_t least) {
+  constexpr std::array<const char*, 5> kNumbers{"", "one", "two", "three", "four"};
+  return {[shared, least] { return shared->uses.editor.selection().size() >= least; },
+          std::string("fewer than ") + kNumbers[least] + " samples or balls are selected"};
+}
+
 void bind_arrangement(ActionBindings& actions, const Shared& shared) {
   const auto bind = [&](ActionId id, std::size_t least, auto act) {
-    actions.bind(id, {[shared, act] { shared->report(act(shared->uses.desk)); },
-                      [shared, least] { return shared->uses.editor.selection().size() >= least; }});
+    actions.bind(id, {[shared, act] { shared->report(act(shared->uses.desk)); }, at_least(shared, least)});
   };
   bind(ActionId::mirror_x, 2, [](SelectionDesk& desk) { return desk.mirror(Axis::x); });
   bind(ActionId::mirror_y, 2, [](SelectionDesk& desk) { return desk.mirror(Axis::y); });
@@ -88,7 +96,7 @@ void bind_arrangement(ActionBindings& actions, const Shared& shared) {
                         const Expected<std::string> done = act(shared->uses.desk);
                         if (shared->report(done)) shared->uses.messages.remark(*done);
                       },
-                      [shared, least] { return shared->uses.editor.selection().size() >= least; }});
+                      at_least(shared, least)});
   };
   bind_exact(ActionId::put_on_line, 3, [](SelectionDesk& desk) { return desk.put_on_line(); });
   bind_exact(ActionId::put_on_circle, 4, [](SelectionDesk& desk) { return desk.put_on_circle(); });

@@ -47,6 +47,7 @@ void Workspace::report(const Expected<std::string>& done) {
 
 void Workspace::follow_crust() {
   report(curve_selector_.follow());
+  if (std::string remark = curve_selector_.take_remark(); !remark.empty()) messages_.remark(std::move(remark));
   const auto made = contour_desk_.follow();
   if (!made)
     messages_.problem(made.error().message());

@@ -15,48 +15,50 @@ void Workspace::bind(ActionBindings& actions, Settings& settings) {
 }
 
 void Workspace::bind_editing(ActionBindings& actions) {
-  const auto has_something = [this] { return !document().is_empty(); };
-  const auto has_selection = [this] { return !editor_.selection().is_empty(); };
-  actions.bind(ActionId::undo, {[this] {
-                                  editor_.note_layers();
-                                  messages_.remark("Undone: " + editor_.undo_name());
-                                  editor_.undo();
-                                },
-                                [this] { return editor_.can_undo(); }});
+  using Condition = ActionBindings::Condition;
+  const Condition has_something{[this] { return !document().is_empty(); }, "there are neither samples nor balls"};
+  const Condition has_samples{[this] { return editor_.selection().sample_count() != 0; }, "no sample is selected"};
+  const Condition has_two{[this] { return document().sample_count() > 1; }, "there are fewer than two samples"};
+  actions.bind(ActionId::undo,
+               {[this] {
+                  editor_.note_layers();
+                  messages_.remark("Undone: " + editor_.undo_name());
+                  editor_.undo();
+                },
+                {[this] { return editor_.can_undo(); }, "nothing was done since the file was opened"}});
   actions.bind(ActionId::redo, {[this] {
                                   editor_.note_layers();
                                   messages_.remark("Redone: " + editor_.redo_name());
                                   editor_.redo();
                                 },
-                                [this] { return editor_.can_redo(); }});
+                                {[this] { return editor_.can_redo(); }, "nothing was undone last"}});
   actions.bind(ActionId::add_pane, {[this] { panes_.add(next_choice(panes_, computation_.settings())); },
-                                    [this] { return !panes_.is_full(); }});
-  actions.bind(ActionId::toggle_free_cameras,
-               {[this] { panes_.set_free_cameras(!panes_.has_free_cameras()); },
-                [this] { return !panes_.is_empty(); }, [this] { return panes_.has_free_cameras(); }});
-  actions.bind(ActionId::close_panes, {[this] { panes_.close_all(); }, [this] { return !panes_.is_empty(); }});
+                                    {[this] { return !panes_.is_full(); }, "there is no room for another pane"}});
+  actions.bind(ActionId::toggle_free_cameras, {[this] { panes_.set_free_cameras(!panes_.has_free_cameras()); },
+                                               {[this] { return !panes_.is_empty(); }, "there is no second pane"},
+                                               [this] { return panes_.has_free_cameras(); }});
+  actions.bind(ActionId::close_panes,
+               {[this] { panes_.close_all(); }, {[this] { return !panes_.is_empty(); }, "there is no second pane"}});
   actions.bind(ActionId::select_all, {[this] { editor_.selection().select_all(document()); }, has_something});
   actions.bind(ActionId::invert_selection, {[this] { editor_.selection().invert(document()); }, has_something});
   const auto bind_along_curve = [&](ActionId id, CurveSelector::Wish wish) {
-    actions.bind(id, {[this, wish] { curve_selector_.begin(wish); },
-                      [this] { return editor_.selection().sample_count() != 0; }});
+    actions.bind(id, {[this, wish] { curve_selector_.begin(wish); }, has_samples});
   };
-  actions.bind(ActionId::curves_of_samples, {[this] { curve_sampler_.want_curves_of_samples(); },
-                                             [this] { return document().sample_count() > 1; }});
-  actions.bind(ActionId::mark_corners, {[this] { report(curve_sampler_.mark_corners()); },
-                                        [this] { return !curve_sampler_.corners().empty(); }});
+  actions.bind(ActionId::curves_of_samples, {[this] { curve_sampler_.want_curves_of_samples(); }, has_two});
+  actions.bind(ActionId::mark_corners,
+               {[this] { report(curve_sampler_.mark_corners()); },
+                {[this] { return !curve_sampler_.corners().empty(); }, "there are no curves with corners"}});
   bind_along_curve(ActionId::select_curve, CurveSelector::Wish::whole);
   bind_along_curve(ActionId::grow_selection, CurveSelector::Wish::grow);
   bind_along_curve(ActionId::shrink_selection, CurveSelector::Wish::shrink);
   for (std::size_t i = 0; i < kContourChanges; ++i)
     actions.bind(nth(ActionId::first_contour_change, i),
-                 {[this, i] { report(contour_desk_.change(static_cast<ContourChange>(i))); },
-                  [this] { return editor_.selection().sample_count() != 0; }});
-  actions.bind(ActionId::contours_along_crust,
-               {[this] { contour_desk_.begin_along_crust(); }, [this] { return document().sample_count() > 1; }});
+                 {[this, i] { report(contour_desk_.change(static_cast<ContourChange>(i))); }, has_samples});
+  actions.bind(ActionId::contours_along_crust, {[this] { contour_desk_.begin_along_crust(); }, has_two});
   const auto bind_resampling = [&](ActionId id, ResampleDesk::Wish wish) {
     actions.bind(id, {[this, wish] { resampling_.begin(wish); },
-                      [this] { return document().sample_count() != 0 && !resampling_.is_under_way(); }});
+                      {[this] { return document().sample_count() != 0 && !resampling_.is_under_way(); },
+                       "there are no samples, or the sampling is being changed already"}});
   };
   bind_resampling(ActionId::repair_sampling, ResampleDesk::Wish::repair);
   bind_resampling(ActionId::decimate_sampling, ResampleDesk::Wish::decimate);
@@ -72,20 +74,21 @@ void Workspace::bind_editing(ActionBindings& actions) {
                   report(done);
                   if (done) messages_.remark("Deleted " + what);
                 },
-                [this, has_selection] { return has_selection() || annotations_.current() != nullptr; }});
+                {[this] { return !editor_.selection().is_empty() || annotations_.current() != nullptr; },
+                 "nothing is selected"}});
 }
 
 void Workspace::bind_evolution(ActionBindings& actions, Settings& settings) {
   using Direction = EvolutionPlayer::Direction;
   // A step by a key shows the slider, which says where it led.
   const auto bind = [&](ActionId id, auto act) {
-    actions.bind(
-        id, {[this, &settings, act] {
-               settings.show_evolution = true;
-               release_hold();
-               act();
-             },
-             [this] { return !editor_.in_gesture() && document().sample_count() + document().ball_count() != 0; }});
+    actions.bind(id, {[this, &settings, act] {
+                        settings.show_evolution = true;
+                        release_hold();
+                        act();
+                      },
+                      {[this] { return !editor_.in_gesture() && !document().is_empty(); },
+                       "there are neither samples nor balls"}});
   };
   bind(ActionId::evolution_first, [this] {
     evolution_.play(Direction::none);
@@ -99,14 +102,17 @@ void Workspace::bind_evolution(ActionBindings& actions, Settings& settings) {
   bind(ActionId::evolution_play_back, [this] { evolution_.play(Direction::backward); });
   actions.bind(ActionId::evolution_stop,
                {[this] { evolution_.cancel(); },
-                [this] { return evolution_.is_waiting() || evolution_.direction() != Direction::none; }});
+                {[this] { return evolution_.is_waiting() || evolution_.direction() != Direction::none; },
+                 "no evolution is running"}});
 }
 
 void Workspace::bind_computation(ActionBindings& actions) {
-  actions.bind(ActionId::cancel_computation,
-               {[this] { engine_.cancel(); }, [this] { return engine_.status().busy; }});
+  actions.bind(
+      ActionId::cancel_computation,
+      {[this] { engine_.cancel(); }, {[this] { return engine_.status().busy; }, "nothing is being computed"}});
   actions.bind(ActionId::resume_computation,
-               {[this] { engine_.resume(); }, [this] { return engine_.status().cancelled; }});
+               {[this] { engine_.resume(); },
+                {[this] { return engine_.status().cancelled; }, "no computation was cancelled"}});
   actions.bind(ActionId::hold_update, {[this] {
                                          is_held_by_action_ = !is_held_by_action_;
                                          if (!is_held_by_action_) release_hold();
@@ -135,9 +141,10 @@ void Workspace::bind_computation(ActionBindings& actions) {
 
 void Workspace::bind_bundles(ActionBindings& actions) {
   for (std::size_t index = 0; index < kNumberedBundles; ++index) {
-    actions.bind(nth(ActionId::first_bundle, index), {[this, index] { choose_bundle(index); },
-                                                      [this, index] { return index < bundles_.bundles().size(); },
-                                                      [this, index] { return bundles_.current() == index; }});
+    actions.bind(nth(ActionId::first_bundle, index),
+                 {[this, index] { choose_bundle(index); },
+                  {[this, index] { return index < bundles_.bundles().size(); }, "there are fewer bundles"},
+                  [this, index] { return bundles_.current() == index; }});
   }
   const auto bind_step = [&](ActionId id, bool is_forward) {
     actions.bind(id, {[this, is_forward] {
@@ -148,7 +155,7 @@ void Workspace::bind_bundles(ActionBindings& actions) {
                                                               : *now - std::min<std::size_t>(*now, 1);
                         choose_bundle(next);
                       },
-                      [this] { return !bundles_.bundles().empty(); }});
+                      {[this] { return !bundles_.bundles().empty(); }, "there are no bundles"}});
   };
   bind_step(ActionId::next_bundle, true);
   bind_step(ActionId::previous_bundle, false);
@@ -156,7 +163,8 @@ void Workspace::bind_bundles(ActionBindings& actions) {
     actions.bind(
         nth(ActionId::balls_inner, static_cast<std::size_t>(family)),
         {[this, family] { choose_family(family); }, {}, [this, family] { return this->family() == family; }});
-  actions.bind(ActionId::undo_bundles, {[this] { report(bundles_.undo()); }, [this] { return bundles_.can_undo(); }});
+  actions.bind(ActionId::undo_bundles, {[this] { report(bundles_.undo()); },
+                                        {[this] { return bundles_.can_undo(); }, "no bundle was changed"}});
 }
 
 }  // namespace mes

@@ -98,3 +98,24 @@ TEST_CASE("a document that changes meanwhile drops the wish") {
   bench.finish();
   CHECK(bench.editor.selection().sample_count() == 1);
 }
+
+TEST_CASE("what was selected along the curve is said, and why nothing changed") {
+  Bench bench;
+  using enum CurveSelector::Wish;
+  CHECK(bench.selector.take_remark().empty());
+  bench.select({10});
+  static_cast<void>(bench.after(grow));
+  CHECK(bench.selector.take_remark() == "Selected 3 samples");
+  CHECK(bench.selector.take_remark().empty());
+  static_cast<void>(bench.after(whole));
+  CHECK(bench.selector.take_remark() == "Selected 25 samples");
+  static_cast<void>(bench.after(whole));
+  CHECK_THAT(bench.selector.take_remark(), Catch::StartsWith("No selected sample has more"));
+  static_cast<void>(bench.after(grow));
+  CHECK_THAT(bench.selector.take_remark(), Catch::StartsWith("Nothing on a curve is next to"));
+  static_cast<void>(bench.after(shrink));
+  CHECK_THAT(bench.selector.take_remark(), Catch::StartsWith("Nothing that is selected is next to"));
+  bench.select({});
+  static_cast<void>(bench.after(grow));
+  CHECK(bench.selector.take_remark().empty());
+}

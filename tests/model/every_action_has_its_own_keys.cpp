@@ -65,12 +65,29 @@ TEST_CASE("chords are read and written") {
     CHECK_FALSE(parse_chord(wrong));
 }
 
+TEST_CASE("an action that is not possible says why, and only then") {
+  ActionBindings bindings;
+  bool is_selected = false;
+  int cuts = 0;
+  bindings.bind(ActionId::cut, {[&] { ++cuts; }, {[&] { return is_selected; }, "nothing is selected"}});
+  bindings.bind(ActionId::paste, {[] {}});
+  CHECK(bindings.missing(ActionId::cut) == "nothing is selected");
+  CHECK(bindings.missing(ActionId::paste).empty());
+  CHECK_THAT(bindings.tooltip_of(ActionId::cut), Catch::EndsWith("\nNot possible now: nothing is selected"));
+  CHECK_FALSE(bindings.run(ActionId::cut));
+  is_selected = true;
+  CHECK(bindings.missing(ActionId::cut).empty());
+  CHECK_THAT(bindings.tooltip_of(ActionId::cut), !Catch::Contains("Not possible"));
+  CHECK(bindings.run(ActionId::cut));
+  CHECK(cuts == 1);
+}
+
 TEST_CASE("an action that runs out of memory ends there, and the next one runs") {
   ActionBindings bindings;
   int calls = 0;
   int done = 0;
   bindings.bind(ActionId::undo, {[] { throw std::bad_alloc(); }});
-  bindings.bind(ActionId::redo, {[&] { ++done; }, [] { return true; }});
+  bindings.bind(ActionId::redo, {[&] { ++done; }, {[] { return true; }, "never"}});
   CHECK(bindings.run(ActionId::undo));
   bindings.when_out_of_memory([&] { ++calls; });
   CHECK(bindings.run(ActionId::undo));

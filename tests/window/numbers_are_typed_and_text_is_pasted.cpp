@@ -89,6 +89,14 @@ TEST_CASE("a number with more digits than its field has room for shows its expon
   CHECK(window.screen.settled().changes(kFieldX, small) > 20);
 }
 
+TEST_CASE("a key whose action is not possible says why in the status bar") {
+  constexpr PixelBox kRemark{0, 774, 600, 800};
+  const Window window;
+  const Screenshot before = window.screen.settled();
+  window.press("j");
+  CHECK(window.screen.settled().changes(kRemark, before) > 50);
+}
+
 TEST_CASE("what is selected goes through the clipboard of the desktop") {
   const Window window;
   window.press("ctrl+a");
