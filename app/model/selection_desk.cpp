@@ -291,11 +291,13 @@ Expected<SelectionDesk::Pasted> SelectionDesk::paste(std::string_view text, Vec2
     return std::unexpected(Error{ErrorCode::bad_input, "there is nothing in it", "clipboard"});
   const Document& document = editor_.document();
   const auto is_taken = [&](Vec2 shift) {
-    if (!data.positions.empty()) return editor_.index().nearest(data.positions.front() + shift, 0.0) != kNoSlot;
-    const Disk first{data.balls.front().center + shift, data.balls.front().radius};
-    return std::ranges::any_of(slots_below<BallSlot>(document.ball_slot_count()), [&](BallSlot slot) {
-      return document.is_ball_alive(slot) && document.disk(slot) == first;
-    });
+    return std::ranges::any_of(data.positions,
+                               [&](Vec2 p) { return editor_.index().nearest(p + shift, 0.0) != kNoSlot; }) ||
+           std::ranges::any_of(data.balls, [&](const Disk& ball) {
+             const Vec2 center = ball.center + shift;
+             return std::ranges::any_of(editor_.centers().in_box({center, center}),
+                                        [&](BallSlot slot) { return document.disk(slot).radius == ball.radius; });
+           });
   };
   constexpr int kMostSteps = 1000;
   Vec2 shift;

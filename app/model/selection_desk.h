@@ -81,7 +81,7 @@ class SelectionDesk {
     std::vector<std::string> warnings;  ///< of the reader, a line each
     std::string without;  ///< what the text has besides and was left out: "their order along 1 contour"; or empty
   };
-  /// Adds what the text holds, in any format that can be opened, and selects it. Where its first place is taken, all of
+  /// Adds what the text holds, in any format that can be opened, and selects it. Where one of its places is taken, all of
   /// it is moved by as many `step`s as it takes to find a free one. Curve order and annotations of the text are left out.
   /// `degrees` of a map. Error: that of the reader, or an empty clipboard.
   Expected<Pasted> paste(std::string_view text, Vec2 step, MapDegrees degrees = MapDegrees::projected);

@@ -259,6 +259,20 @@ TEST_CASE("text that holds no samples is refused in one line, and nothing change
   CHECK(d.positions().back() == Vec2{11.5, 51});
 }
 
+TEST_CASE("what is pasted lies on nothing that is there, whichever of its places is taken") {
+  Desk d({.positions = {{0, 0}, {1, 0}, {2, 0}}, .balls = {{{5, 5}, 1}}});
+  d.select_all();
+  const std::string text = d.desk.text();
+  d.editor.selection().clear();
+  d.editor.selection().add(SampleSlot(0));
+  REQUIRE(d.editor.remove_selection());
+  REQUIRE(d.desk.paste(text, {0.25, -0.25}));
+  CHECK(d.selected() == std::vector<Vec2>{{0.25, -0.25}, {1.25, -0.25}, {2.25, -0.25}});
+  // The ball alone is in the way.
+  REQUIRE(d.desk.paste("WPOFF 2 0 0\n7 7 1\n5 5 1\n", {0.25, -0.25}));
+  CHECK(d.balls().back() == Disk{{5.5, 4.5}, 1});
+}
+
 TEST_CASE("what a pasted text has besides is said") {
   Desk d({.positions = {{1, 2}}});
   const auto table = d.desk.paste("0\t0\n5\t6\n", {1, 1});
