@@ -76,7 +76,8 @@ void ShapeDialog::draw_parameters(const Gui& gui) {
            {.format = parameter.is_whole ? "%.0f" : "%.4g",
             .is_logarithmic = range.is_logarithmic,
             .is_whole = parameter.is_whole,
-            .width = width});
+            .width = width,
+            .typed = SliderLook::Range{parameter.low, parameter.high}});
     tooltip(gui, std::string(parameter.explanation));
   }
   ImGui::PopID();

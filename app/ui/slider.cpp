@@ -52,7 +52,8 @@ bool slider(const Gui& gui, const char* label, double& value, double low, double
   ImGui::PopID();
   if (value == before) return false;
   if (look.is_whole) value = std::round(value);
-  value = std::clamp(value, low, high);
+  const SliderLook::Range range = look.typed.value_or(SliderLook::Range{low, high});
+  value = std::clamp(value, range.low, range.high);
   return value != before;
 }
 

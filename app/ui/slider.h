@@ -2,6 +2,8 @@
 // A slider with its number beside it, where it can be typed.
 #pragma once
 
+#include <optional>
+
 #include "app/ui/gui.h"
 
 namespace mes {
@@ -12,13 +14,18 @@ struct SliderLook {
   bool is_whole = false;
   double end = 0.0;    ///< above 0: of the slider, on which small numbers have more room; typed ones may be beyond
   float width = 0.0F;  ///< of slider and number together, in screen coordinates; 0: what is free
+  struct Range {
+    double low;
+    double high;
+  };
+  std::optional<Range> typed{};  ///< what the number may be, where that is more than the slider has
 };
 
 /// How wide the slider itself is, of a slider that is `width` wide with its number.
 float slider_rail(const Gui& gui, float width);
 
-/// `label` stands after the number; what follows "##" in it is not shown. The number stays within [low, high]. Returns
-/// true when it has changed.
+/// `label` stands after the number; what follows "##" in it is not shown. The number stays within [low, high], or
+/// within `typed`. Returns true when it has changed.
 bool slider(const Gui& gui, const char* label, double& value, double low, double high, const SliderLook& look = {});
 
 }  // namespace mes

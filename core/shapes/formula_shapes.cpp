@@ -58,7 +58,7 @@ Expected<MadeShape> curve(const ShapeValues& values) {
   if (!x) return std::unexpected(x.error());
   const auto y = FormulaInT::parse(values.formulas[1], "y");
   if (!y) return std::unexpected(y.error());
-  if (!(values.numbers[0] < values.numbers[1])) return impossible("from is less than to");
+  if (!(values.numbers[0] < values.numbers[1])) return impossible("from must be less than to");
   return of_function(
       [&](double t) {
         return Vec2{x->at(t), y->at(t)};
@@ -69,7 +69,7 @@ Expected<MadeShape> curve(const ShapeValues& values) {
 Expected<MadeShape> polar(const ShapeValues& values) {
   const auto radius = FormulaInT::parse(values.formulas[0], "r");
   if (!radius) return std::unexpected(radius.error());
-  if (!(values.numbers[0] < values.numbers[1])) return impossible("from is less than to");
+  if (!(values.numbers[0] < values.numbers[1])) return impossible("from must be less than to");
   return of_function([&](double t) { return at_angle(radius->at(t), t); }, values.numbers[0], values.numbers[1],
                      kPieces, true);
 }
