@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/pointer_marks.h"
 
+#include <algorithm>
 #include <span>
 #include <vector>
 
@@ -114,6 +115,21 @@ class Pen {
   ImU32 ink_;
 };
 
+/// What of the pane no panel covers.
+struct FreePart {
+  ImVec2 begin;
+  ImVec2 end;
+};
+FreePart free_part(const PointerMarks& marks) {
+  const float unit = marks.gui.unit();
+  const Insets& panels = marks.canvas.view().insets();
+  const auto on_screen = [&](double px) { return static_cast<float>(px / marks.canvas.content_scale()) * unit; };
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 at = marks.pane.shift;
+  return {{at.x + on_screen(panels.left), at.y + on_screen(panels.top)},
+          {at.x + screen.x - on_screen(panels.right), at.y + screen.y - on_screen(panels.bottom)}};
+}
+
 }  // namespace
 
 void PointerMarks::draw() const {
@@ -153,11 +169,7 @@ void PointerMarks::draw_measurement() const {
   }
   const PaperDrawing words = layout_words(measured_words(places), measure_on_canvas(gui), background);
   const float unit = gui.unit();
-  const Insets& panels = canvas.view().insets();
-  const auto on_screen = [&](double px) { return static_cast<float>(px / canvas.content_scale()) * unit; };
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 end(pane.shift.x + screen.x - on_screen(panels.right),
-                   pane.shift.y + screen.y - on_screen(panels.bottom));
+  const ImVec2 end = free_part(*this).end;
   const ImVec2 at = pen.on_screen(places.back());
   constexpr float kBeside = 16.0F;
   // On the other side of the place if this one has too little room.
@@ -184,9 +196,22 @@ void PointerMarks::draw_frame() const {
     if (frame.has(handle)) pen.handle(frame.at(handle), handle == Handle::turn, mark->taken == handle);
   }
   if (mark->words.empty()) return;
-  const ImVec2 at = pen.on_screen({outline.high.x, outline.low.y});
-  ImGui::GetBackgroundDrawList()->AddText({at.x + 10 * gui.unit(), at.y + 6 * gui.unit()}, to_imgui(color),
-                                          mark->words.c_str());
+  // Below the lower right corner, or as near to it as can be seen.
+  const float unit = gui.unit();
+  const FreePart part = free_part(*this);
+  const ImVec2 corner = pen.on_screen({outline.high.x, outline.low.y});
+  const ImVec2 size = ImGui::CalcTextSize(mark->words.c_str());
+  const auto kept = [&](float place, float length, float begin, float end) {
+    const float margin = 6 * unit;
+    return std::max(begin + margin, std::min(place, end - margin - length));
+  };
+  const ImVec2 at(kept(corner.x + 10 * unit, size.x, part.begin.x, part.end.x),
+                  kept(corner.y + 6 * unit, size.y, part.begin.y, part.end.y));
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const float margin = 3 * unit;
+  list.AddRectFilled({at.x - margin, at.y}, {at.x + size.x + margin, at.y + size.y},
+                     to_imgui(background.value_or(Rgb{255, 255, 255}), 0.8), margin);
+  list.AddText(at, to_imgui(color), mark->words.c_str());
 }
 
 void PointerMarks::draw_waiting(const UpdateHold& hold) const {

@@ -75,6 +75,22 @@ TEST_CASE("a handle of the frame widens what is selected, and what is opposite s
   CHECK(window.saved().positions[1] == Vec2{4, 0});
 }
 
+TEST_CASE("by how much a handle widens is said where no panel hides it") {
+  const Window window(kSquare);
+  const PixelBox samples = window.samples();
+  window.press("ctrl+a");
+  static_cast<void>(window.screen.settled());
+  const int y = samples.middle()[1];
+  window.screen.drag({samples.right + 9, y}, {1010, y}, 4);
+  // Left of the panels, below the frame.
+  const auto is_blue = [](Color c) { return c.b > c.r + 60; };
+  const PixelBox words =
+      window.screen.settled().box_of({kCanvas.right - 110, samples.bottom + 13, kCanvas.right, 768}, is_blue);
+  window.screen.xdotool("mouseup 1");
+  CHECK(words.right - words.left > 20);
+  CHECK(words.bottom - words.top > 5);
+}
+
 TEST_CASE("contours made of the crust are cut and joined, and saved with the samples") {
   const Window window(kOctagon);
   window.press("ctrl+k");
