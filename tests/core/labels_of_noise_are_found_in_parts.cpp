@@ -350,3 +350,98 @@ TEST_CASE("noise that was labelled for the picture alone is followed as if it ha
     REQUIRE(labels_of(stopped) == expected);
   }
 }
+
+TEST_CASE("an edit of noise names each row with a new label once, and no row far away without one") {
+  Rng rng(31);
+  Graph graph;
+  graph.set_demand(std::vector{find_layer("interior-voronoi-disks"), find_layer("label-conflicts")});
+  Document document;
+  FramePatch patch;
+  JobControl job;
+  const auto run = [&](const Expected<DocumentDelta>& delta) {
+    REQUIRE(delta);
+    const auto shared = std::make_shared<const DocumentDelta>(*delta);
+    document.apply(*shared);
+    graph.post(shared);
+    REQUIRE(graph.run(patch, job));
+    graph.get_ready(job);
+  };
+  SampleData data;
+  data.positions = uniform_square(3000, 7);
+  run(replace_all(document, data));
+  const auto& delaunay = graph.structures().get<Delaunay>();
+  const auto& labels = graph.structures().get<Labels>();
+  std::vector<SampleId> ids;
+  for (const SampleSlot slot : slots_below<SampleSlot>(data.positions.size())) ids.push_back(document.id(slot));
+
+  // By row: alive, and its label or conflict.
+  const auto faces_now = [&] {
+    std::vector<std::pair<bool, bool>> out;
+    for (const FaceSlot face : delaunay.face_slots())
+      out.emplace_back(delaunay.face(face).is_alive(), labels.is_inside(face));
+    return out;
+  };
+  const auto edges_now = [&] {
+    std::vector<std::pair<bool, bool>> out;
+    for (const EdgeSlot edge : delaunay.edge_slots())
+      out.emplace_back(delaunay.edge(edge).is_alive(), labels.is_conflict(edge));
+    return out;
+  };
+  const auto rows_of = [](const auto& changes) {
+    std::vector<RowNumber> rows;
+    for (const auto& list : {changes.touched, changes.removed})
+      for (const auto row : list) rows.push_back(row.index());
+    std::ranges::sort(rows);
+    REQUIRE(std::ranges::adjacent_find(rows) == rows.end());
+    return rows;
+  };
+  std::size_t most_turned = 0;
+  for (int step = 0; step < 200; ++step) {
+    INFO("step " << step);
+    const auto faces_before = faces_now();
+    const auto edges_before = edges_now();
+    const std::size_t i = rng.below(ids.size());
+    const Vec2 place{rng.uniform(0.0, 400.0), rng.uniform(0.0, 400.0)};
+    if (step % 3 == 0) {
+      run(remove_samples(document, std::vector{ids[i]}));
+      ids[i] = ids.back();
+      ids.pop_back();
+    } else if (step % 3 == 1) {
+      ids.push_back(document.next_id());
+      run(insert_samples(document, std::vector{place}));
+    } else {
+      run(move_samples(document, std::vector{std::pair{ids[i], place}}));
+    }
+
+    const auto faces_after = faces_now();
+    const std::vector<RowNumber> faces = rows_of(labels.face_changes());
+    const std::vector<RowNumber> new_faces = rows_of(delaunay.face_changes());
+    REQUIRE(std::ranges::includes(faces, new_faces));
+    const auto is_turned = [&](FaceSlot face) {
+      return face.index() < faces_before.size() && faces_before[face.index()] != faces_after[face.index()];
+    };
+    std::size_t turned = 0;
+    for (const FaceSlot face : delaunay.face_slots()) {
+      if (std::ranges::binary_search(new_faces, face.index())) continue;
+      REQUIRE(std::ranges::binary_search(faces, face.index()) == is_turned(face));
+      turned += is_turned(face) ? 1U : 0U;
+    }
+    most_turned = std::max(most_turned, turned);
+
+    const auto edges_after = edges_now();
+    const std::vector<RowNumber> edges = rows_of(labels.edge_changes());
+    const std::vector<RowNumber> new_edges = rows_of(delaunay.edge_changes());
+    REQUIRE(std::ranges::includes(edges, new_edges));
+    std::size_t conflicts = 0;
+    for (const EdgeSlot edge : delaunay.edge_slots()) {
+      conflicts += edges_after[edge.index()].second ? 1U : 0U;
+      if (std::ranges::binary_search(new_edges, edge.index())) continue;
+      const EdgeRow& row = delaunay.edge(edge);
+      const bool is_touched = row.is_alive() && (is_turned(row.f[0]) || is_turned(row.f[1]));
+      const bool differs = edges_before[edge.index()] != edges_after[edge.index()];
+      REQUIRE(std::ranges::binary_search(edges, edge.index()) == (is_touched || differs));
+    }
+    REQUIRE(labels.conflict_count() == conflicts);
+  }
+  CHECK(most_turned > 256);
+}

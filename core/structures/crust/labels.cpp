@@ -2,13 +2,37 @@
 #include "core/structures/crust/labels.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cstdint>
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/base/prefetch.h"
 #include "core/structures/crust/internal/label_spread.h"
 #include "core/structures/crust/internal/spanning_tree.h"
 
 namespace mes {
+
+namespace {
+
+// Roughly in the order of the table, in which neighbours mostly lie near each other: who follows the change sets then
+// finds one row beside the other. By `room`, which is work space. O(rows).
+template <class Row>
+void bring_near(std::vector<Row>& rows, std::size_t table_rows, std::vector<Row>& room) {
+  constexpr std::size_t kFew = 256;
+  constexpr int kBits = 11;
+  if (rows.size() < kFew) return;
+  const int shift = std::max(static_cast<int>(std::bit_width(table_rows)) - kBits, 0);
+  std::array<std::uint32_t, (std::size_t{1} << kBits) + 1> begin{};
+  for (const Row row : rows) ++begin[(row.index() >> shift) + 1];
+  for (std::size_t i = 1; i < begin.size(); ++i) begin[i] += begin[i - 1];
+  room.resize(rows.size());
+  for (const Row row : rows) room[begin[row.index() >> shift]++] = row;
+  rows.swap(room);
+}
+
+}  // namespace
 
 Labels::Labels(Delaunay& delaunay, OneStepCrust& crust)
     : Structure("labels", {&delaunay, &crust}),
@@ -25,7 +49,7 @@ void Labels::clear_changes() {
 
 void Labels::set_conflict(EdgeSlot edge, bool is_conflict) {
   if (this->is_conflict(edge) == is_conflict) return;
-  conflict_[edge] = is_conflict ? 1 : 0;
+  conflict_[edge] ^= kIsConflict;
   if (is_conflict) {
     ++conflict_count_;
   } else {
@@ -37,7 +61,7 @@ void Labels::set_conflict(EdgeSlot edge, bool is_conflict) {
 bool Labels::is_in_conflict(EdgeSlot edge) const {
   const EdgeRow& row = delaunay_.edge(edge);
   if (!row.is_alive()) return false;
-  if (tree_) return (inside_[row.f[0]] != inside_[row.f[1]]) != crust_.is_crust(edge);
+  if (tree_) return ((inside_[row.f[0]] ^ inside_[row.f[1]]) & 1U) != (crust_.is_crust(edge) ? 1U : 0U);
   return join_.has_edge(edge) != strokes_.has_edge(edge);
 }
 
@@ -58,11 +82,6 @@ void Labels::read_all_conflicts() {
   });
   conflict_count_ = 0;
   for (const std::size_t count : counts) conflict_count_ += count;
-}
-
-void Labels::read_conflicts_at(FaceSlot face) {
-  for (const EdgeSlot edge : delaunay_.face(face).e)
-    if (edge != kNoSlot) read_conflict(edge);
 }
 
 // By clusters if they are small, otherwise by the tree, which may be known. Open strokes are known.
@@ -253,56 +272,86 @@ bool Labels::repair(JobControl& job) {
 }
 
 // In the tree of faces it is known which side of a violated edge is the one away from infinity, across an odd number of
-// violated edges: what lies there is turned over, and nothing else is looked at.
+// violated edges: what lies there is turned over, and nothing else is looked at. It can be thousands of faces, so each
+// is looked at once, with the rows of those ahead on their way. Whether an edge is in conflict changes where one of its
+// faces is turned, and changes back where both are.
 bool Labels::turn_along_tree(JobControl& job) {
+  constexpr std::size_t kAhead = 8;
   tree_->find_odd_sides(violations_, queue_);
-  face_marks_.begin(delaunay_.face_rows());
-  std::size_t kept = 0;
-  for (const FaceSlot face : queue_)
-    if (face_marks_.insert(face)) queue_[kept++] = face;
-  queue_.resize(kept);
-  for (std::size_t next = 0; next < queue_.size(); ++next) {
-    if ((next & 0xfffU) == 0xfffU) job.checkpoint();
-    const FaceSlot face = queue_[next];
-    const FaceRow& row = delaunay_.face(face);
-    if (row.is_infinite()) return false;
-    for (int i = 0; i < 3; ++i)
-      if (is_passage(face, i) && !is_violated(face, i) && face_marks_.insert(row.n[i])) queue_.push_back(row.n[i]);
-  }
-  for (const FaceSlot face : queue_) inside_[face] ^= 1U;
-  turned_.insert(turned_.end(), queue_.begin(), queue_.end());
-  return true;
-}
-
-bool Labels::update(JobControl& job) {
-  inside_.resize(delaunay_.face_rows(), 0);
-  turned_.clear();
-  conflict_edges_.clear();
-  if (!follow_conflicts(job)) {
-    label_new_faces();
-    if (!repair(job)) return false;
-    if (tree_) {
-      for (const EdgeSlot edge : delaunay_.edge_changes().removed) read_conflict(edge);
-      for (const EdgeSlot edge : delaunay_.edge_changes().touched) read_conflict(edge);
-      for (const EdgeSlot edge : strokes_.changed_edges()) read_conflict(edge);
-      for (const FaceSlot face : delaunay_.face_changes().touched) read_conflicts_at(face);
-      // Between two faces that are turned nothing changes.
-      face_marks_.begin(delaunay_.face_rows());
-      for (const FaceSlot face : turned_) face_marks_.insert(face);
-      for (const FaceSlot face : turned_) {
-        const FaceRow& row = delaunay_.face(face);
-        for (int i = 0; i < 3; ++i)
-          if (row.e[i] != kNoSlot && !face_marks_.contains(row.n[i])) read_conflict(row.e[i]);
+  for (const auto& [face, other] : violations_)
+    walls_.push_back(delaunay_.face(face).e[delaunay_.face(face).index_of_neighbour(other)]);
+  tree_->raise(walls_);
+  for (const FaceSlot face : delaunay_.face_changes().touched) inside_[face] |= kIsListed;
+  for (const EdgeSlot edge : delaunay_.edge_changes().touched) conflict_[edge] |= kIsListed;
+  const auto list = [this](EdgeSlot edge) {
+    if ((conflict_[edge] & kIsListed) != 0) return;
+    conflict_[edge] |= kIsListed;
+    turned_edges_.push_back(edge);
+  };
+  std::size_t next = 0;
+  front_.clear();
+  for (std::size_t i = 0; i < walls_.size(); ++i) {
+    if (tree_->is_met(walls_[i])) continue;
+    front_.push_back({queue_[i], kNoSlot});
+    for (; next < front_.size(); ++next) {
+      if ((next & 0xfffU) == 0xfffU) job.checkpoint();
+      if (next + kAhead < front_.size()) {
+        const FaceSlot ahead = front_[next + kAhead].face;
+        prefetch(inside_.address(ahead));
+        for (const EdgeSlot edge : delaunay_.face(ahead).e) {
+          if (edge == kNoSlot) continue;
+          tree_->expect(edge);
+          prefetch(conflict_.address(edge));
+        }
+      }
+      const auto [face, by] = front_[next];
+      const FaceRow& row = delaunay_.face(face);
+      if (row.is_infinite()) return false;
+      inside_[face] ^= 1U;
+      for (int k = 0; k < 3; ++k) {
+        const EdgeSlot edge = row.e[k];
+        if (edge == by) continue;
+        list(edge);
+        if (!tree_->is_between_faces(edge)) {
+          conflict_[edge] ^= kIsConflict;
+          if (is_conflict(edge)) {
+            ++conflict_count_;
+          } else {
+            --conflict_count_;
+          }
+        } else if (tree_->is_wall(edge)) {
+          tree_->meet(edge);
+        } else {
+          prefetch(delaunay_.faces().address(row.n[k]));
+          front_.push_back({row.n[k], edge});
+        }
       }
     }
   }
+  tree_->lower(walls_);
+  for (const auto& [face, by] : front_) turned_.push_back(face);
+  return true;
+}
 
-  if (turned_.empty() && conflict_edges_.empty()) {
-    // The usual case: labels differ only where the triangulation does.
-    face_changes_ = delaunay_.face_changes();
-    edge_changes_ = delaunay_.edge_changes();
-    return true;
+// The change sets after `turn_along_tree`.
+void Labels::list_turned() {
+  for (const EdgeSlot edge : conflict_edges_) {
+    if (!delaunay_.edge(edge).is_alive() || (conflict_[edge] & kIsListed) != 0) continue;
+    conflict_[edge] |= kIsListed;
+    turned_edges_.push_back(edge);
   }
+  bring_near(turned_, delaunay_.face_rows(), queue_);
+  bring_near(turned_edges_, delaunay_.edge_rows(), edge_room_);
+  face_changes_ = delaunay_.face_changes();
+  for (const FaceSlot face : turned_)
+    if ((inside_[face] & kIsListed) == 0) face_changes_.touched.push_back(face);
+  edge_changes_ = delaunay_.edge_changes();
+  edge_changes_.touched.insert(edge_changes_.touched.end(), turned_edges_.begin(), turned_edges_.end());
+  for (const FaceSlot face : delaunay_.face_changes().touched) inside_[face] ^= kIsListed;
+  for (const EdgeSlot edge : edge_changes_.touched) conflict_[edge] ^= kIsListed;
+}
+
+void Labels::list_changes() {
   face_recorder_.begin(delaunay_.face_rows());
   edge_recorder_.begin(delaunay_.edge_rows());
   for (const FaceSlot face : delaunay_.face_changes().removed) face_recorder_.note(face, true);
@@ -318,6 +367,33 @@ bool Labels::update(JobControl& job) {
   }
   face_recorder_.finish(face_changes_, [this](FaceSlot face) { return delaunay_.face(face).is_alive(); });
   edge_recorder_.finish(edge_changes_, [this](EdgeSlot edge) { return delaunay_.edge(edge).is_alive(); });
+}
+
+bool Labels::update(JobControl& job) {
+  inside_.resize(delaunay_.face_rows(), 0);
+  turned_.clear();
+  turned_edges_.clear();
+  conflict_edges_.clear();
+  walls_.clear();
+  if (!follow_conflicts(job)) {
+    label_new_faces();
+    if (!repair(job)) return false;
+    if (tree_) {
+      for (const EdgeSlot edge : delaunay_.edge_changes().removed) read_conflict(edge);
+      for (const EdgeSlot edge : delaunay_.edge_changes().touched) read_conflict(edge);
+      for (const EdgeSlot edge : strokes_.changed_edges()) read_conflict(edge);
+      for (const EdgeSlot edge : walls_) read_conflict(edge);
+    }
+  }
+  if (turned_.empty() && conflict_edges_.empty()) {
+    // The usual case: labels differ only where the triangulation does.
+    face_changes_ = delaunay_.face_changes();
+    edge_changes_ = delaunay_.edge_changes();
+  } else if (walls_.empty()) {
+    list_changes();
+  } else {
+    list_turned();
+  }
   return true;
 }
 

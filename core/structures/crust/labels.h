@@ -40,7 +40,7 @@ class Labels final : public Structure {
   Labels(Delaunay& delaunay, OneStepCrust& crust);
 
   bool is_inside(FaceSlot face) const { return inside_[face] != 0; }
-  bool is_conflict(EdgeSlot edge) const { return conflict_.has(edge) && conflict_[edge] != 0; }
+  bool is_conflict(EdgeSlot edge) const { return conflict_.has(edge) && (conflict_[edge] & kIsConflict) != 0; }
   std::size_t conflict_count() const { return conflict_count_; }
 
   /// Faces that are new or have a new label.
@@ -64,6 +64,9 @@ class Labels final : public Structure {
   static constexpr std::size_t kFewSites = 4;
   /// ... and there are so many of them that threads pay.
   static constexpr std::size_t kManyOddSites = 4096;
+  static constexpr std::uint8_t kIsConflict = 1;
+  /// In labels and conflicts, while change sets are made: the row is in its change set already.
+  static constexpr std::uint8_t kIsListed = 2;
 
   // The next four are about edge `i` of a face, opposite its corner `i`.
   bool is_crust(FaceSlot face, int i) const {
@@ -95,12 +98,13 @@ class Labels final : public Structure {
   void label_new_faces();
   bool repair(JobControl& job);
   bool turn_along_tree(JobControl& job);
+  void list_turned();
+  void list_changes();
   void set_conflict(EdgeSlot edge, bool is_conflict);
   /// By the trees or clusters, or by the labels that follow from them.
   bool is_in_conflict(EdgeSlot edge) const;
   void read_all_conflicts();
   void read_conflict(EdgeSlot edge);
-  void read_conflicts_at(FaceSlot face);
 
   Delaunay& delaunay_;
   OneStepCrust& crust_;
@@ -127,6 +131,14 @@ class Labels final : public Structure {
   std::vector<FaceSlot> queue_;
   std::vector<EdgeSlot> conflict_edges_;
   std::vector<FaceSlot> turned_;
+  std::vector<EdgeSlot> turned_edges_;  ///< of these faces, unless they are among the changes of the triangulation
+  std::vector<EdgeSlot> edge_room_;
+  struct Reached {
+    FaceSlot face;
+    EdgeSlot by;
+  };
+  std::vector<Reached> front_;
+  std::vector<EdgeSlot> walls_;  ///< violated edges of `violations_`, where labels are turned along the tree
   std::vector<std::pair<FaceSlot, FaceSlot>> violations_;
 };
 

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
 #include "core/base/job_control.h"
+#include "core/base/prefetch.h"
 #include "core/structures/crust/internal/certainty_order.h"
 #include "core/structures/crust/internal/link_cut_forest.h"
 
@@ -31,7 +33,8 @@ class CertaintyTree {
   CertaintyTree& operator=(const CertaintyTree&) = delete;
 
   /// The edge is in the tree of faces; otherwise in that of the sites.
-  bool is_between_faces(EdgeSlot edge) const { return place_[edge] == Place::faces; }
+  bool is_between_faces(EdgeSlot edge) const { return place_[edge] >= Place::faces; }
+  void expect(EdgeSlot edge) const { prefetch(place_.address(edge)); }
 
   /// Tells which edge is in which tree, and no more. Takes the spanning tree (spanning_tree.h) and the keys of all edges.
   void rebuild(const Table<EdgeSlot, std::uint8_t>& is_in_tree, Table<EdgeSlot, double> keys);
@@ -44,11 +47,22 @@ class CertaintyTree {
   /// Of each two neighbours, in the tree of faces, the one between which and infinity lies an odd number of those pairs.
   /// The forests must be there. O(log n) for each pair, amortised.
   void find_odd_sides(const std::vector<std::pair<FaceSlot, FaceSlot>>& pairs, std::vector<FaceSlot>& out);
+  /// Walls for a walk through the tree of faces, each of which can be noted to have been met. To be lowered before the
+  /// next update.
+  void raise(std::span<const EdgeSlot> walls) {
+    for (const EdgeSlot edge : walls) place_[edge] = Place::wall;
+  }
+  void lower(std::span<const EdgeSlot> walls) {
+    for (const EdgeSlot edge : walls) place_[edge] = Place::faces;
+  }
+  bool is_wall(EdgeSlot edge) const { return place_[edge] >= Place::wall; }
+  void meet(EdgeSlot wall) { place_[wall] = Place::met_wall; }
+  bool is_met(EdgeSlot wall) const { return place_[wall] == Place::met_wall; }
   /// Edges that the last update put into the tree of faces.
   const std::vector<EdgeSlot>& new_between_faces() const { return new_between_faces_; }
 
  private:
-  enum class Place : std::uint8_t { none, sites, faces };
+  enum class Place : std::uint8_t { none, sites, faces, wall, met_wall };  // the last two are between faces
   /// Vertices of the two forests. Face 0 is all at infinity.
   using Vertex = std::uint32_t;
   struct Ends {
