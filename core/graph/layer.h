@@ -273,7 +273,14 @@ class TablePart final : public LayerPart {
       for (const auto* rows : {&changes_.removed, &changes_.touched})
         for (const Row row : *rows) lost_.erase(row.index());
     Instance instance;
-    for (const Row row : changes_.touched) {
+    constexpr std::size_t kAhead = 8;
+    const std::vector<Row>& touched = changes_.touched;
+    for (std::size_t i = 0; i < touched.size(); ++i) {
+      const Row row = touched[i];
+      if constexpr (requires { emit_.expect(row); }) {
+        if (i + 2 * kAhead < touched.size()) emit_.expect(touched[i + 2 * kAhead]);
+        if (i + kAhead < touched.size()) emit_.expect_more(touched[i + kAhead]);
+      }
       instance.clear();
       emit_(row, instance);
       if (instance.is_lost()) lost_.insert(row.index());
@@ -314,7 +321,9 @@ class TablePart final : public LayerPart {
 };
 
 /// Part of a layer over one table, whose rows are of the kind of the change set. Each kind of primitive of a layer
-/// belongs to one part. `element` says what the rows are when one of them is pointed at.
+/// belongs to one part. `element` says what the rows are when one of them is pointed at. `Emit` may have members
+/// `expect(row)` and, for what the row refers to, `expect_more(row)`: they ask for memory a few rows ahead, for a label
+/// may turn thousands.
 template <class Row, class RowCount, class Emit>
 std::unique_ptr<LayerPart> table_part(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet<Row>& changes,
                                       Emit emit, ElementType element = {}) {

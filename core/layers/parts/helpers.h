@@ -19,27 +19,50 @@ Layer make_layer(LayerDescriptor descriptor, std::vector<const Structure*> struc
   return layer;
 }
 
+/// `emit(edge, instance)` for live Delaunay edges.
+template <class Emit>
+struct EdgeEmit {
+  const Delaunay& delaunay;
+  Emit emit;
+  void operator()(EdgeSlot edge, Instance& out) const {
+    if (delaunay.edge(edge).is_alive()) emit(edge, out);
+  }
+  void expect(EdgeSlot edge) const { prefetch(delaunay.edges().address(edge)); }
+  void expect_more(EdgeSlot edge) const {
+    for (const FaceSlot face : delaunay.edge(edge).f)
+      if (face != kNoSlot) prefetch(delaunay.faces().address(face));
+    for (const SiteSlot site : delaunay.edge(edge).v)
+      if (site != kNoSlot) prefetch(delaunay.site_positions().address(site));
+  }
+};
+
 /// Part over live Delaunay edges.
 template <class Emit>
 auto edges_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, const ChangeSet<EdgeSlot>& changes,
                 Emit emit) {
   return table_part(
-      std::move(kinds), [&delaunay] { return delaunay.edge_rows(); }, changes,
-      [&delaunay, emit](EdgeSlot edge, Instance& out) {
-        if (delaunay.edge(edge).is_alive()) emit(edge, out);
-      },
+      std::move(kinds), [&delaunay] { return delaunay.edge_rows(); }, changes, EdgeEmit<Emit>{delaunay, emit},
       ElementType{ElementKind::delaunay_edge});
 }
+
+/// `emit(face, instance)` for live finite faces.
+template <class Emit>
+struct FaceEmit {
+  const Delaunay& delaunay;
+  Emit emit;
+  void operator()(FaceSlot face, Instance& out) const {
+    if (delaunay.is_finite_face(face)) emit(face, out);
+  }
+  void expect(FaceSlot face) const { prefetch(delaunay.faces().address(face)); }
+  void expect_more(FaceSlot /*face*/) const {}
+};
 
 /// Part over live finite faces, which are the Voronoi vertices.
 template <class Emit>
 auto faces_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, const ChangeSet<FaceSlot>& changes,
                 Emit emit) {
   return table_part(
-      std::move(kinds), [&delaunay] { return delaunay.face_rows(); }, changes,
-      [&delaunay, emit](FaceSlot face, Instance& out) {
-        if (delaunay.is_finite_face(face)) emit(face, out);
-      },
+      std::move(kinds), [&delaunay] { return delaunay.face_rows(); }, changes, FaceEmit<Emit>{delaunay, emit},
       ElementType{ElementKind::voronoi_vertex});
 }
 
