@@ -22,6 +22,7 @@
 #include "core/document/commands.h"
 #include "core/document/history.h"
 #include "core/document/layer_fold.h"
+#include "core/document/live_corners.h"
 #include "core/document/taken_samples.h"
 #include "core/document/timeline.h"
 #include "core/draw/layer_mirror.h"
@@ -656,4 +657,18 @@ TEST_CASE("core/edit/frame_handles.h") {
   if (const auto handle = frame.handle_at(pointer, 8.0 * units_per_pixel))
     places = dragged(places, box, {*handle, held_place(box, *handle), to}).value().places;
   CHECK(places == std::vector<Vec2>{{0, 0}, {5, 2}});
+}
+
+TEST_CASE("core/document/live_corners.h") {
+  Document document;
+  document.apply(
+      *replace_all(document, {.positions = {{0, 0}, {1, 0}, {2, 0}}, .contours = {{false, {0, 1, 0, 2}}}}));
+  const SampleId first = document.id(SampleSlot(0));
+  const SampleId last = document.id(SampleSlot(2));
+  document.apply(*remove_samples(document, std::vector{document.id(SampleSlot(1))}));
+  std::vector<SampleId> seen;
+  const auto use = [&](SampleId id) { seen.push_back(id); };
+  const CurveOrder::Contour& contour = document.curve_order()->contours.front();
+  for (const SampleId id : live_corners(document, contour)) use(id);
+  CHECK(seen == std::vector<SampleId>{first, last});
 }
