@@ -66,8 +66,11 @@ TEST_CASE(
 }
 
 TEST_CASE("steps of balls along the axis change what the factors between them do") {
-  const std::vector<ScaleEvent> events{
-      {0.7, 4, 3, 0, 0}, {1.1, 3, 2, 0, 0}, {1.2, 2, 1, 0, 2}, {1.25, 1, 1, 2, 1}, {2.9, 1, 1, 1, 0}};
+  const std::vector<ScaleEvent> events{{0.7, 0.0, 4, 3, 0, 0},
+                                       {1.1, 0.0, 3, 2, 0, 0},
+                                       {1.2, 0.0, 2, 1, 0, 2},
+                                       {1.25, 0.0, 1, 1, 2, 1},
+                                       {2.9, 0.0, 1, 1, 1, 0}};
   const auto growing = step_events_of(range_of("scale-axis-growing", "growing-step", 10.0, 1.0, 12), events);
   REQUIRE(growing.size() == 3);
   CHECK(growing[0] == StepEvent{0, 1, 1, 0, 0, false});
