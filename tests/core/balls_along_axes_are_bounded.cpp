@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -134,6 +135,40 @@ TEST_CASE("along the one-step axis there is a largest number of balls, and what 
     coarse.find(findings);
     CHECK(findings.empty());
   }
+}
+
+TEST_CASE("one inner ball that is a million times as large as the samples' box makes no dents that are seen") {
+  // In a unit square, the outer ones so near to its sides that circles through three of them may be huge.
+  std::mt19937_64 bits(12 * 97 + 1500);
+  const auto uniform = [&] { return static_cast<double>(bits() >> 11U) * 0x1p-53; };
+  std::vector<Vec2> samples;
+  for (int i = 0; i < 1500; ++i) {
+    const double off = 1e-9 * uniform();
+    const double along = uniform();
+    const std::array sides{Vec2{-off, along}, Vec2{1 + off, along}, Vec2{along, -off}, Vec2{along, 1 + off}};
+    if (i < 150) {
+      samples.push_back(sides[static_cast<std::size_t>(i % 4)]);
+    } else {
+      const double x = uniform();
+      samples.push_back({x, uniform()});
+    }
+  }
+  Workbench bench;
+  bench.show({"medial-axis", "interior-voronoi-disks"});
+  bench.replace(samples);
+  const StructureSet& set = bench.graph().structures();
+  const auto& delaunay = set.get<Delaunay>();
+  double largest = 0.0;
+  for (const FaceSlot face : delaunay.face_slots())
+    if (delaunay.is_finite_face(face) && set.get<InnerBalls>().is_ball(face))
+      largest = std::max(largest, delaunay.circumradius(face));
+  REQUIRE(largest > 1e6);
+  OwnSettings own(dense(0.5));
+  AxisSampling sampling(own.settings, set.get<Delaunay>(), set.get<MedialAxis>());
+  sampling.rebuild(own.job);
+  const auto tolerance = std::get<double>(sampling.statistics()[1].value);
+  CHECK(tolerance > 0.0);
+  CHECK(tolerance <= 1.5 / 2048.0);
 }
 
 TEST_CASE("sampling an axis is stopped while it makes the balls of few edges") {

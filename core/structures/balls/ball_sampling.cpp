@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <tuple>
+#include <vector>
 
 namespace mes {
 namespace {
@@ -39,6 +40,20 @@ void BallSampling::add_to_reach(FamilySlot ball) {
 
 double BallSampling::diameter() const {
   return std::hypot(reach_.side[0] + reach_.side[2], reach_.side[1] + reach_.side[3]);
+}
+
+// Of what is looked at: one ball whose circle passes close by a straight side may be a million times as large.
+double BallSampling::diameter_of_shape() const {
+  if (!union_.family().is_from_samples()) return diameter();
+  Box2 box;
+  std::vector<TouchedSample> touched;
+  for (const FamilySlot ball : union_.tables().balls.rows()) {
+    if (union_.tables().balls[ball] == BallState::none) continue;
+    touched.clear();
+    union_.family().touched_samples(ball, touched);
+    for (const TouchedSample& sample : touched) box.add(sample.position);
+  }
+  return box.is_empty() ? 0.0 : distance(box.low, box.high);
 }
 
 // Rounded down to a power of two, so that an edit at the border of the data seldom concerns what lies inside.
@@ -178,7 +193,7 @@ void BallSampling::rebuild(JobControl& job) {
   is_recording_ = false;
   halving_ = BallHalving(made_with_, shortest_, is_for_growing());
   while (!fill(job)) {
-    const double tolerance = next_tolerance(halving_.tolerance(), diameter());
+    const double tolerance = next_tolerance(halving_.tolerance(), diameter_of_shape());
     halving_ = BallHalving(made_with_, shortest_, is_for_growing(), tolerance);
   }
 }

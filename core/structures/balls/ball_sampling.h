@@ -78,6 +78,7 @@ class BallSampling : public Structure {
   void measure();
   void add_to_reach(FamilySlot ball);
   double diameter() const;
+  double diameter_of_shape() const;
   double shortest() const;
   /// All balls; false: there are too many inside pieces.
   bool fill(JobControl& job);

@@ -100,7 +100,8 @@ double AxisSampling::diameter() const {
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
     if (!is_edge(edge)) continue;
     for (const FaceSlot face : delaunay_.edge(edge).f)
-      if (const Vec2 center = delaunay_.circumcenter(face); is_finite(center)) box.add(center);
+      for (const SiteSlot site : delaunay_.face(face).v)
+        if (site != kInfiniteSite) box.add(delaunay_.site_position(site));
   }
   return box.is_empty() ? 0.0 : distance(box.low, box.high);
 }

@@ -17,9 +17,11 @@ namespace mes {
 ///  1. A ball between lies about a point of an axis edge, and touches the two samples of the edge. It lies in the union
 ///     of the balls at both ends of the edge.
 ///  2. An edge is halved until the circles at both ends of each part cross at `medial-sampling-angle` or more, or twenty
-///     times. Below a factor of 1 these are the shrunk circles, so that balls of an edge do not part.
+///     times. Below a factor of 1 these are the shrunk circles, so that balls of an edge do not part unless one end is a
+///     million times as large as the other.
 ///  3. There are at most `kMostBallsBetween`. If these were more, neighbours may cross at 120 degrees where the dents
-///     between them are no deeper than a *tolerance*: the least of 2^-29, 2^-27, ... 2^-11 of the diameter that suffices.
+///     between them are no deeper than a *tolerance*: the least of 2^-29, 2^-27, ... 2^-11 of the samples' diameter
+///     that suffices.
 ///     `findings` says so. If none suffices it fails.
 ///  4. Edges of which an end is beyond doubles have no balls; `not_finite` counts them.
 ///

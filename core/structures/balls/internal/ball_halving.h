@@ -85,8 +85,8 @@ class BallHalving {
 /// Balls between that are grown or shrunk at once. What a union takes for each of them is about two kilobytes.
 inline constexpr std::size_t kMostBallsBetween = 500'000;
 
-/// The tolerance after one with which there are more: none, 2^-29 of the diameter, four times that, and so on up to 2^-11,
-/// half a pixel of a picture with a thousand. Throws `GeometryError` after that.
+/// The tolerance after one with which there are more: none, 2^-29 of the diameter of the samples, or of own balls, four times
+/// that, and so on up to 2^-11, half a pixel of a picture with a thousand. Throws `GeometryError` after that.
 double next_tolerance(double tolerance, double diameter);
 /// Says that balls were made with a tolerance, if it is not 0.
 void find_tolerance(std::string_view structure, double tolerance, std::size_t balls, std::vector<Finding>& out);
