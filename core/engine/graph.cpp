@@ -40,7 +40,10 @@ void Graph::add(std::unique_ptr<Variant> added) {
     node.variant = index;
     node.source = dynamic_cast<SourceStructure*>(structure.get());
     if (is_one_shot()) structure->forgo_updates();
-    for (const Structure* input : structure->inputs()) node.inputs.push_back(position_of(input));
+    for (const Structure* input : structure->inputs()) {
+      node.inputs.push_back(position_of(input));
+      if (dynamic_cast<const SettingsSource*>(input) != nullptr) node.settings = node.inputs.back();
+    }
     nodes_.push_back(std::move(node));
   }
   for (Layer& layer : make_layers(variant.structures)) {
@@ -442,7 +445,8 @@ void Graph::report_node(StructureNode& node, NodeReport& report) {
     report.findings = node.findings;
   }
   if (!want_statistics_) return;
-  if (may_ask && (node.stats_run < node.changed || node.stats.empty())) {
+  const bool has_other_settings = node.settings && nodes_[*node.settings].changed > node.stats_run;
+  if (may_ask && (node.stats_run < node.changed || has_other_settings || node.stats.empty())) {
     node.stats = node.structure->statistics();
     node.stats_run = run_;
   }

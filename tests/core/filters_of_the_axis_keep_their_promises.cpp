@@ -666,3 +666,15 @@ TEST_CASE("where nothing is kept the statistics say why") {
   CHECK_THAT(why(noisy_curve(60, 1.0, 1), limits(1e5, 0.0, false)), Catch::Contains("above every value"));
   CHECK(why(noisy_curve(60, 1.0, 1), none).empty());
 }
+
+TEST_CASE("statistics say the limit that is set, also where it removes as much as the one before") {
+  Workbench bench;
+  show_filters(bench);
+  bench.replace(ellipse(2.0, 1.0, 200, {0.3, 0.0, 1}).data.positions);
+  for (const double factor : {1.0, 1.2, 0.8, 1.0}) {
+    ComputationSettings settings;
+    settings[Parameter::scale_axis_factor] = factor;
+    bench.choose(settings);
+    CHECK(bench.measure("cover-axis", "limit") == factor);
+  }
+}
