@@ -130,7 +130,8 @@ namespace {
 void check_search(const std::vector<Disk>& balls, const std::vector<CoverSearch::Hints>& hints) {
   const CoverSearch search(balls, hints);
   std::vector<double> found(balls.size(), -1.0);
-  for (std::size_t part = 0; part < search.part_count(); ++part) search.search(part, found);
+  JobControl job;
+  for (std::size_t part = 0; part < search.part_count(); ++part) search.search(part, found, job);
   std::size_t wrong = 0;
   for (std::size_t i = 0; i < balls.size(); ++i) {
     double least = std::numeric_limits<double>::infinity();

@@ -55,10 +55,7 @@ void CoverDates::rebuild(JobControl& job) {
   job.checkpoint();
   const CoverSearch search(balls, hints);
   std::vector<double> dates(nodes.size());
-  run_tasks(search.part_count(), [&](std::size_t part) {
-    job.checkpoint();
-    search.search(part, dates);
-  });
+  run_tasks(search.part_count(), [&](std::size_t part) { search.search(part, dates, job); });
   for (std::size_t i = 0; i < nodes.size(); ++i) date_[nodes[i]] = dates[i];
 }
 

@@ -437,10 +437,12 @@ void CoverSearch::search_block(const Node& block, Guesses& guesses, std::span<do
   }
 }
 
-void CoverSearch::search(std::size_t part, std::span<double> dates) const {
+void CoverSearch::search(std::size_t part, std::span<double> dates, JobControl& job) const {
   Guesses guesses;
-  for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, blocks_.size()); ++i)
+  for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, blocks_.size()); ++i) {
+    job.checkpoint();
     search_block(tree_[blocks_[i]], guesses, dates);
+  }
 }
 
 }  // namespace mes

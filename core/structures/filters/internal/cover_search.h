@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/disk.h"
+#include "core/base/job_control.h"
 
 namespace mes {
 
@@ -36,8 +37,8 @@ class CoverSearch {
 
   /// Searches are made in so many parts, independent of each other.
   std::size_t part_count() const;
-  /// Finds the dates of the balls of a part, to their places in `dates`.
-  void search(std::size_t part, std::span<double> dates) const;
+  /// Finds the dates of the balls of a part, to their places in `dates`. Throws `Cancelled`.
+  void search(std::size_t part, std::span<double> dates, JobControl& job) const;
 
  private:
   struct Bound;
