@@ -114,7 +114,14 @@ class ScaleSweep {
                            at_hand.below.holes, at_hand.above.holes});
         continue;
       }
-      const Topology there = at(middle);
+      Topology there;
+      try {
+        there = at(middle);
+      } catch (const GeometryError&) {
+        unions_ = kMostUnions;  // what is known so far counts
+        intervals_.push_back(at_hand);
+        continue;
+      }
       add({at_hand.low, middle, at_hand.below, there});
       add({middle, at_hand.high, there, at_hand.above});
     }
