@@ -103,12 +103,14 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
   actions.bind(ActionId::save, {[this] { save(); }});
   actions.bind(ActionId::save_as, {[this] { ask_save_as(); }});
   actions.bind(ActionId::quit, {[this] { with_saved_work([this] { is_left_ = true; }); }});
-  actions.bind(ActionId::present_lesson, {[this] {
-                                            uses_.demo.end(true);
-                                            uses_.lesson.start(session_now());
-                                          },
-                                          {[this] { return can_present(); }, "the session holds no lesson"},
-                                          [this] { return uses_.lesson.is_running(); }});
+  actions.bind(ActionId::present_lesson,
+               {[this] {
+                  uses_.demo.end(true);
+                  uses_.lesson.start(session_now());
+                },
+                {[this] { return can_present(); },
+                 "the session holds no lesson, one is presented, or a file is read or saved"},
+                [this] { return uses_.lesson.is_running(); }});
   actions.bind(ActionId::demo, {[this] { with_saved_work([this] { start_demo(); }); }});
 }
 

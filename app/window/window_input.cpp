@@ -106,7 +106,8 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   }
   // A gesture under way is ended only by Esc; the document must not change beneath it.
   if (uses_.canvas.has_pointer() && *action != ActionId::deselect) return;
-  // A press of a key that does nothing has to say why: no menu shows that it is not possible.
+  // A press of a key that does nothing says why, as no menu shows that it is not possible; those that need a selection do
+  // not get here.
   if (const std::string why = uses_.actions.missing(*action); !why.empty())
     uses_.messages.remark(descriptor_of(*action).name + " is not possible now: " + why);
   uses_.actions.run(*action);

@@ -19,13 +19,12 @@ void Workspace::bind_editing(ActionBindings& actions) {
   const Condition has_something{[this] { return !document().is_empty(); }, "there are neither samples nor balls"};
   const Condition has_samples{[this] { return editor_.selection().sample_count() != 0; }, "no sample is selected"};
   const Condition has_two{[this] { return document().sample_count() > 1; }, "there are fewer than two samples"};
-  actions.bind(ActionId::undo,
-               {[this] {
-                  editor_.note_layers();
-                  messages_.remark("Undone: " + editor_.undo_name());
-                  editor_.undo();
-                },
-                {[this] { return editor_.can_undo(); }, "nothing was done since the file was opened"}});
+  actions.bind(ActionId::undo, {[this] {
+                                  editor_.note_layers();
+                                  messages_.remark("Undone: " + editor_.undo_name());
+                                  editor_.undo();
+                                },
+                                {[this] { return editor_.can_undo(); }, "there is nothing to undo"}});
   actions.bind(ActionId::redo, {[this] {
                                   editor_.note_layers();
                                   messages_.remark("Redone: " + editor_.redo_name());
