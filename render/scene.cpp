@@ -510,7 +510,7 @@ void Scene::draw_kind(const Pass& pass, InstanceBuffer& buffer, const Look& look
     call.maps = map_texture();
     set_map(*look.map, look.range, look.map_row, u);
   }
-  // What is thinned out is counted from the first instance on.
+  // What is thinned out is mostly counted from the first instance on, whatever is in view.
   const Box2 everywhere = shown_box(placement.frame, std::numeric_limits<double>::infinity());
   const double margin = static_cast<double>(u.half_width_px) + static_cast<double>(u.ring_px);
   for (const BlockBoxes::Run run : buffer.runs(call.every > 1 ? everywhere : shown_box(placement.frame, margin))) {

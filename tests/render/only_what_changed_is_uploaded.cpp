@@ -77,6 +77,9 @@ TEST_CASE("panning, zooming and restyling upload nothing") {
     scene.draw(camera, views, {.content_scale = 1.0 + 0.01 * i});
     CHECK(scene.draw_calls() <= kPrimitiveKinds);  // some are out of view
   }
+  camera.look_at({}, 1.0);
+  scene.draw(camera, views, {});
+  CHECK(scene.draw_calls() == kPrimitiveKinds);
   CHECK(device.counters().bytes_uploaded == after_patches);
   CHECK(device.counters().bytes_allocated == allocated);
 }
