@@ -2,11 +2,10 @@
 #include "app/model/annotation_desk.h"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 #include <vector>
 
-#include "core/kernel/circumcircle.h"
+#include "app/model/vertex_near.h"
 
 namespace mes {
 namespace {
@@ -37,44 +36,33 @@ Anchor AnnotationDesk::anchor_at(Vec2 p, double reach, bool with_vertices) const
 }
 
 // The samples around a vertex are all at one distance from it, and none is nearer. A circle far larger than the reach
-// is not searched, nor any among very many samples: the box around it can hold most of them.
+// is not searched; among very many samples the reach is a smaller one.
 std::optional<Anchor> AnnotationDesk::vertex_at(Vec2 p, double reach) const {
   constexpr double kFarthest = 128.0;
-  constexpr std::size_t kMostAround = 24;
+  constexpr std::size_t kMostAround = 400;
+  constexpr int kMostHalvings = 4;
   const Document& document = editor_.document();
   if (document.sample_count() > kMostSamplesForVertices) return std::nullopt;
   SampleSlot nearest;
   for (double radius = 2.0 * reach; nearest == kNoSlot && radius <= kFarthest * reach; radius *= 2.0)
     nearest = editor_.index().nearest(p, radius);
   if (nearest == kNoSlot) return std::nullopt;
-  const double ring = distance(p, document.position(nearest)) + 2.0 * reach;
-  std::vector<SampleSlot> around = editor_.index().in_box({p - Vec2{ring, ring}, p + Vec2{ring, ring}});
-  std::erase_if(around, [&](SampleSlot slot) { return distance(p, document.position(slot)) > ring; });
-  if (around.size() < 3 || around.size() > kMostAround) return std::nullopt;
-  std::optional<Anchor> best;
-  double best_distance = reach;
-  for (std::size_t i = 0; i < around.size(); ++i) {
-    for (std::size_t j = i + 1; j < around.size(); ++j) {
-      for (std::size_t k = j + 1; k < around.size(); ++k) {
-        const std::array<SampleSlot, 3> corners{around[i], around[j], around[k]};
-        const Circle circle =
-            circumcircle(document.position(corners[0]), document.position(corners[1]), document.position(corners[2]));
-        // Not a decision of geometry: what is a hair inside is taken to be on the circle.
-        constexpr double kHair = 1.0 - 1e-9;
-        const double away = distance(p, circle.center);
-        if (!(away < best_distance)) continue;
-        if (std::ranges::any_of(around, [&](SampleSlot other) {
-              return distance(document.position(other), circle.center) < kHair * circle.radius;
-            }))
-          continue;
-        best_distance = away;
-        best = Anchor{.at = circle.center};
-        for (const SampleSlot corner : corners)
-          best->samples.push_back(document.id(corner).value - document.first_id().value);
-      }
-    }
+  for (int halvings = 0; halvings <= kMostHalvings; ++halvings, reach *= 0.5) {
+    const double ring = distance(p, document.position(nearest)) + 2.0 * reach;
+    std::vector<SampleSlot> around = editor_.index().in_box({p - Vec2{ring, ring}, p + Vec2{ring, ring}});
+    std::erase_if(around, [&](SampleSlot slot) { return distance(p, document.position(slot)) > ring; });
+    if (around.size() > kMostAround) continue;
+    std::ranges::sort(around);
+    std::vector<Vec2> sites;
+    for (const SampleSlot slot : around) sites.push_back(document.position(slot));
+    const auto vertex = vertex_near(sites, p, reach);
+    if (!vertex) return std::nullopt;
+    Anchor out{.at = vertex->at};
+    for (const std::size_t corner : vertex->corners)
+      out.samples.push_back(document.id(around[corner]).value - document.first_id().value);
+    return out;
   }
-  return best;
+  return std::nullopt;
 }
 
 Expected<void> AnnotationDesk::put(Annotations annotations, const std::string& name, bool continues) {

@@ -1,11 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <numbers>
+#include <vector>
 
 #include "app/canvas/tools/ball_tool.h"
 #include "app/canvas/tools/insert_tool.h"
 #include "app/canvas/tools/select_tool.h"
 #include "app/model/snapper.h"
+#include "app/model/vertex_near.h"
+#include "core/base/rng.h"
 #include "core/document/taken_samples.h"
+#include "core/kernel/circumcircle.h"
 
 using namespace mes;
 
@@ -191,4 +198,52 @@ TEST_CASE("where nothing else is near, coordinates have as few digits as pixels 
   CHECK(bench.snap({2.51, 1.49})->name == "grid");
   bench.settings.grid = false;
   CHECK(bench.snap({2.514, 1.488})->place == Vec2{2.51, 1.49});
+}
+
+TEST_CASE("the vertex that is found is the nearest of all empty circles through three sites") {
+  Rng rng(9);
+  int found = 0;
+  for (int round = 0; round < 400; ++round) {
+    const Vec2 off = round % 4 == 3 ? Vec2{1e6, -3e5} : Vec2{};
+    std::vector<Vec2> sites;
+    const std::size_t count = 3 + rng.below(25);
+    for (std::size_t i = 0; i < count; ++i)
+      sites.push_back(off + Vec2{rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)});
+    if (round % 5 == 4) sites.back() = sites.front();
+    const Vec2 p = off + Vec2{rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};
+    const double reach = rng.uniform(0.05, 0.6);
+    double nearest = reach;
+    for (std::size_t i = 0; i < count; ++i)
+      for (std::size_t j = i + 1; j < count; ++j)
+        for (std::size_t k = j + 1; k < count; ++k) {
+          const Circle circle = circumcircle(sites[i], sites[j], sites[k]);
+          const auto is_inside = [&](Vec2 q) { return distance(q, circle.center) < (1.0 - 1e-9) * circle.radius; };
+          if (std::ranges::none_of(sites, is_inside)) nearest = std::min(nearest, distance(p, circle.center));
+        }
+    const auto vertex = vertex_near(sites, p, reach);
+    CAPTURE(round, count, reach, nearest);
+    REQUIRE(vertex.has_value() == (nearest < reach));
+    if (!vertex) continue;
+    ++found;
+    CHECK(distance(p, vertex->at) == nearest);
+    CHECK(std::ranges::is_sorted(vertex->corners));
+  }
+  CHECK(found > 100);
+  CHECK_FALSE(vertex_near({}, {}, 1.0));
+}
+
+TEST_CASE("vertices are snapped to where hundreds of samples are as near as those that make them") {
+  Bench bench;
+  std::vector<Vec2> circle;
+  for (int i = 0; i < 1000; ++i) {
+    const double t = 2.0 * std::numbers::pi * i / 1000.0;
+    circle.push_back({100.0 + 3.0 * std::cos(t), 1.5 * std::sin(t)});
+  }
+  bench.grid = 0.0;
+  REQUIRE(bench.editor.insert(circle, "Insert"));
+  // The medial axis of this ellipse ends at the centre of curvature of its right end, (100 + 3 - 0.75, 0).
+  const auto snap = bench.snap({102.25, 0.02}, 0.1);
+  REQUIRE(snap);
+  CHECK(snap->name == "Voronoi vertex");
+  CHECK(distance(snap->place, {102.25, 0.0}) < 0.1);
 }
