@@ -46,6 +46,8 @@ void SelectionPanel::number(const char* label, double value, float width, const 
   if (exact_field(label, value, text)) {
     const auto number = number_of(text);
     enter(text, number ? use(*number) : std::unexpected(number.error()));
+  } else if (ImGui::IsItemDeactivated()) {
+    refusal_.forget();  // what was refused is given up
   }
   const bool has_room = ImGui::CalcTextSize(text.c_str()).x <= width - 2 * ImGui::GetStyle().FramePadding.x;
   tooltip(gui_, has_room ? explanation : text + '\n' + explanation);
