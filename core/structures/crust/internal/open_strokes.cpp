@@ -185,6 +185,7 @@ EdgeSlot OpenStrokes::next_on_curve(SiteSlot site, EdgeSlot last) const {
 SiteSlot OpenStrokes::end_of_stroke(SiteSlot begin, Walk& walk, JobControl& job) const {
   walk.edges.clear();
   walk.met.clear();
+  walk.end = kNoSlot;
   std::size_t most_edges = std::numeric_limits<std::size_t>::max();
   SiteSlot site = begin;
   for (;;) {
@@ -200,7 +201,9 @@ SiteSlot OpenStrokes::end_of_stroke(SiteSlot begin, Walk& walk, JobControl& job)
     if (walk.edges.size() + 1 >= most_edges) return {};
   }
   // Noted once, at that of its two ends whose row comes first: the other may depend on fewer sites.
-  if (curve_degree(site) != 1 || site < begin || !is_open(begin, site, walk, job)) return {};
+  if (curve_degree(site) != 1) return {};
+  walk.end = site;
+  if (site < begin || !is_open(begin, site, walk, job)) return {};
   return site;
 }
 
@@ -242,12 +245,18 @@ void OpenStrokes::find_strokes(const std::vector<SiteSlot>& begins, const Table<
   const std::size_t pieces = (begins.size() + kPiece - 1) / kPiece;
   std::vector<std::vector<Stroke>> found(pieces);
   std::atomic<std::size_t> next_piece{0};
+  // Chains that were walked from their first end need not be walked from the other one, where none is noted. Which are
+  // known by then is up to the threads, and changes nothing.
+  std::vector<std::atomic<bool>> is_known(delaunay_.site_rows());
   run_tasks(std::min(worker_count(), pieces), [&](std::size_t) {
     Walk walk{CertaintyGrowth(delaunay_, order_, &tree)};
     for (std::size_t piece = next_piece++; piece < pieces; piece = next_piece++) {
       job.checkpoint();
       for (std::size_t i = kPiece * piece; i < std::min(kPiece * (piece + 1), begins.size()); ++i) {
+        if (is_known[begins[i].index()].load(std::memory_order_relaxed)) continue;
         const SiteSlot end = end_of_stroke(begins[i], walk, job);
+        if (walk.end != kNoSlot && begins[i] < walk.end)
+          is_known[walk.end.index()].store(true, std::memory_order_relaxed);
         if (end != kNoSlot) found[piece].push_back({begins[i], end, walk.edges});
       }
     }

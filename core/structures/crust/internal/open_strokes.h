@@ -94,6 +94,7 @@ class OpenStrokes {
   struct Walk {
     CertaintyGrowth growth;
     std::vector<EdgeSlot> edges{};
+    SiteSlot end{};               ///< the other end of the chain, if the walk came to it
     std::vector<SiteSlot> met{};  ///< sites on which the outcome depends, some of them several times
   };
   struct Stroke {
