@@ -21,7 +21,7 @@ namespace mes {
 /// The topology just below and just above.
 struct ScaleEvent {
   double factor = 1.0;
-  double within = 0.0;  ///< it is no farther away than that; a thousandth, unless the search ended before
+  double within = 0.0;  ///< largest error of `factor`: 5e-4, or more if the search reached its limits
   std::int64_t components_before = 0, components_after = 0;
   std::int64_t holes_before = 0, holes_after = 0;
   friend bool operator==(const ScaleEvent&, const ScaleEvent&) = default;

@@ -98,9 +98,8 @@ class Graph {
     VariantIndex variant = kMainVariant;
     SourceStructure* source = nullptr;  ///< the structure, if it is one
     std::vector<std::size_t> inputs;
-    std::optional<std::size_t>
-        settings;                       ///< the input that is the settings, on which what it says of itself may hang
-    std::vector<LayerIndex> completes;  ///< layers for which this is the last structure to wait for
+    std::optional<std::size_t> settings;  ///< the input that gives the settings; statistics may depend on them
+    std::vector<LayerIndex> completes;    ///< layers for which this is the last structure to wait for
     bool needed = false;
     NodeState state = NodeState::inactive;
     std::uint64_t synced = 0;   ///< run in which it was last known to be true to its inputs; 0 = never

@@ -54,8 +54,8 @@ struct AxisSpacing {
   Table<AxisPieceSlot, double> along;
 };
 
-/// Of a ball, the two neighbours among the samples it touches that have the middle of an arc of its circle between them:
-/// their distance. Infinite where it touches fewer.
+/// The distance of the two samples on the circle of a ball between which the middle of an arc lies; infinite if the ball
+/// touches fewer than two samples.
 class TouchedGaps {
  public:
   explicit TouchedGaps(const BallFamily& family) : family_(family) {}
@@ -86,8 +86,8 @@ class TouchedGaps {
   std::vector<TouchedSample> touched_;
 };
 
-/// Spacings of balls, handed on to the axis of their union: to a piece the larger one of the balls at its ends, or, where
-/// an end is no ball, the largest of those that cross at its v-points.
+/// Spacings along the axis of a union, from those of its balls. A piece has the larger spacing of the balls at its two ends.
+/// If an end is not the centre of a ball, it has the largest spacing of the balls whose circles cross at its v-points.
 AxisSpacing along_axis(const UnionTables& t, const Table<FamilySlot, double>& spacing, bool is_by_ends) {
   AxisSpacing out(t);
   for (const FamilySlot ball : spacing.rows()) out.about[node_of(ball)] = spacing[ball];

@@ -42,7 +42,7 @@ double BallSampling::diameter() const {
   return std::hypot(reach_.side[0] + reach_.side[2], reach_.side[1] + reach_.side[3]);
 }
 
-// Of what is looked at: one ball whose circle passes close by a straight side may be a million times as large.
+// Of the samples, since one ball that touches three almost collinear samples may be a million times as large.
 double BallSampling::diameter_of_shape() const {
   if (!union_.family().is_from_samples()) return diameter();
   Box2 box;

@@ -21,8 +21,7 @@ namespace mes {
 ///     million times as large as the other.
 ///  3. There are at most `kMostBallsBetween`. If these were more, neighbours may cross at 120 degrees where the dents
 ///     between them are no deeper than a *tolerance*: the least of 2^-29, 2^-27, ... 2^-11 of the samples' diameter
-///     that suffices.
-///     `findings` says so. If none suffices it fails.
+///     that suffices. `findings` says so. If none suffices it fails.
 ///  4. Edges of which an end is beyond doubles have no balls; `not_finite` counts them.
 ///
 /// Rows are owned by edges; each depends on its edge and the tolerance only. Updates O(changed edges), or a rebuild where

@@ -59,7 +59,7 @@ class BallHalving {
   /// Of the angle that radii enclose at the crossing; `radius` is the larger one.
   double least_cosine(double radius) const {
     if (tolerance_ == 0.0) return least_cosine_;
-    // The dent is no deeper than the larger radius times 1 - cos of half the angle.
+    // For radii of at most r and half the angle h, the dent is at most r (1 - cos h) deep.
     const double cosine_of_half = 1.0 - std::min(1.0, tolerance_ / radius);
     return std::min(least_cosine_, std::max(kLeastCosine, 2.0 * cosine_of_half * cosine_of_half - 1.0));
   }

@@ -245,8 +245,8 @@ void OpenStrokes::find_strokes(const std::vector<SiteSlot>& begins, const Table<
   const std::size_t pieces = (begins.size() + kPiece - 1) / kPiece;
   std::vector<std::vector<Stroke>> found(pieces);
   std::atomic<std::size_t> next_piece{0};
-  // Chains that were walked from their first end need not be walked from the other one, where none is noted. Which are
-  // known by then is up to the threads, and changes nothing.
+  // A stroke is noted at its first end only, so a walk from the other end finds nothing and can be skipped. The order of
+  // the threads decides which walks are skipped; the result is the same.
   std::vector<std::atomic<bool>> is_known(delaunay_.site_rows());
   run_tasks(std::min(worker_count(), pieces), [&](std::size_t) {
     Walk walk{CertaintyGrowth(delaunay_, order_, &tree)};
