@@ -1,18 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `FastKernel` with two more steps in the predicate that regular triangulations ask most. Balls that touch one sample
-// have nearly one point of equal power: where samples make the balls, intervals fail as a rule, and integers of any
-// length took a third of the time.
+// `FastKernel` with another step in the predicates that triangulations ask most, between doubles and integers of any
+// length: neighbours on both sides of a shape lie nearly on one circle, and balls that touch one sample nearly have a
+// point of equal power. Intervals fail there as a rule.
 #pragma once
 
 #include <type_traits>
 
 #include "core/kernel/ball_signs.h"
+#include "core/kernel/circle_side.h"
 #include "core/kernel/kernels.h"
 
 namespace mes {
 
-/// The kernel's own predicates, but for the one declared here; all answers are the same.
+/// The kernel's own predicates, but for those declared here; all answers are the same.
 struct FilteredKernel : FastKernel {
+  struct Side_of_oriented_circle_2 {
+    using result_type = CGAL::Oriented_side;
+    CGAL::Oriented_side operator()(const FastKernel::Point_2& a, const FastKernel::Point_2& b,
+                                   const FastKernel::Point_2& c, const FastKernel::Point_2& d) const {
+      const auto place = [](const FastKernel::Point_2& p) { return Vec2{p.x(), p.y()}; };
+      return static_cast<CGAL::Oriented_side>(sign_of_in_circle(place(a), place(b), place(c), place(d)));
+    }
+  };
+  Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {}; }
+
   class Power_side_of_oriented_power_circle_2 : public FastKernel::Power_side_of_oriented_power_circle_2 {
    public:
     using Base = FastKernel::Power_side_of_oriented_power_circle_2;

@@ -29,7 +29,9 @@ std::vector<SampleSlot> edit_order(const std::vector<SampleSlot>& touched, const
 }  // namespace
 
 Delaunay::Delaunay(Samples& samples)
-    : Structure("delaunay", {&samples}), samples_(samples), mirror_(std::make_unique<Mirror<FastKernel>>(*this)) {}
+    : Structure("delaunay", {&samples}),
+      samples_(samples),
+      mirror_(std::make_unique<Mirror<FilteredKernel>>(*this)) {}
 
 Delaunay::~Delaunay() = default;
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/parallel.h"
-#include "core/kernel/kernels.h"
+#include "core/kernel/filtered_kernel.h"
 #include "core/structures/delaunay/delaunay.h"
 #include "core/structures/delaunay/internal/delaunay_rows.h"
 #include "core/structures/delaunay/internal/delaunay_stitch.h"
