@@ -26,15 +26,23 @@ std::array<Vec2, 3> VoronoiVertices::sorted_corners(FaceSlot face) const {
 }
 
 void VoronoiVertices::gather_group(FaceSlot face) {
-  const GroupId id = next_group_;
-  ++next_group_.value;
-  std::vector<FaceSlot> members{face};
-  group_of_[face] = id;
+  GroupSlot group = groups_.next();
+  if (free_groups_.empty()) {
+    groups_.emplace_back();
+  } else {
+    group = free_groups_.back();
+    free_groups_.pop_back();
+  }
+  std::vector<FaceSlot>& members = groups_[group];
+  members.assign(1, face);
+  group_of_[face] = group;
   for (std::size_t next = 0; next < members.size(); ++next) {
     const FaceRow& row = delaunay_.face(members[next]);
     for (int i = 0; i < 3; ++i) {
       if (row.e[i] == kNoSlot || !crust_.is_cocircular(row.e[i])) continue;
-      if (group_of_.try_emplace(row.n[i], id).second) members.push_back(row.n[i]);
+      if (group_of_[row.n[i]] != kNoSlot) continue;
+      group_of_[row.n[i]] = group;
+      members.push_back(row.n[i]);
     }
   }
   // Each face of the group has the circle rounded in its own way, and other corners to make balls of. The first of
@@ -48,7 +56,6 @@ void VoronoiVertices::gather_group(FaceSlot face) {
     return std::ranges::lexicographical_compare(sorted_corners(x), sorted_corners(y), lexicographically_less);
   };
   std::ranges::iter_swap(members.begin(), std::ranges::min_element(members, comes_before));
-  groups_.emplace(id, std::move(members));
 }
 
 void VoronoiVertices::append_sites(FaceSlot face, std::vector<SiteSlot>& out) const {
@@ -64,21 +71,24 @@ void VoronoiVertices::rebuild(JobControl&) {
   clear_changes();
   group_of_.clear();
   groups_.clear();
+  free_groups_.clear();
   if (crust_.cocircular_count() == 0) return;
+  group_of_.resize(delaunay_.face_rows());
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
     if (!delaunay_.edge(edge).is_alive() || !crust_.is_cocircular(edge)) continue;
     const FaceSlot face = delaunay_.edge(edge).f[0];
-    if (!group_of_.contains(face)) gather_group(face);
+    if (group_of_[face] == kNoSlot) gather_group(face);
   }
 }
 
 bool VoronoiVertices::update(JobControl&) {
   const ChangeSet<FaceSlot>& faces = delaunay_.face_changes();
-  follows_faces_ = crust_.cocircular_count() == 0 && group_of_.empty();
+  follows_faces_ = crust_.cocircular_count() == 0 && group_count() == 0;
   if (follows_faces_) {
     changes_ = faces;
     return true;
   }
+  group_of_.resize(delaunay_.face_rows());
   recorder_.begin(delaunay_.face_rows());
   for (const FaceSlot face : faces.removed) recorder_.note(face, true);
   for (const FaceSlot face : faces.touched) recorder_.note(face, true);
@@ -89,23 +99,21 @@ bool VoronoiVertices::update(JobControl&) {
   for (const EdgeSlot edge : delaunay_.edge_changes().touched)
     if (crust_.is_cocircular(edge))
       for (const FaceSlot face : delaunay_.edge(edge).f) work_.push_back(face);
-  if (!group_of_.empty()) {
-    work_.insert(work_.end(), faces.removed.begin(), faces.removed.end());
-    for (std::size_t next = 0; next < work_.size(); ++next) {
-      const auto found = group_of_.find(work_[next]);
-      if (found == group_of_.end()) continue;
-      const auto group = groups_.find(found->second);
-      for (const FaceSlot member : group->second) {
-        group_of_.erase(member);
-        work_.push_back(member);
-      }
-      groups_.erase(group);
+  work_.insert(work_.end(), faces.removed.begin(), faces.removed.end());
+  for (std::size_t next = 0; next < work_.size(); ++next) {
+    const GroupSlot group = group_of_[work_[next]];
+    if (group == kNoSlot) continue;
+    for (const FaceSlot member : groups_[group]) {
+      group_of_[member] = kNoSlot;
+      work_.push_back(member);
     }
+    groups_[group].clear();
+    free_groups_.push_back(group);
   }
   for (const FaceSlot face : work_) {
-    if (!delaunay_.is_finite_face(face) || !has_cocircular_edge(face) || group_of_.contains(face)) continue;
+    if (!delaunay_.is_finite_face(face) || !has_cocircular_edge(face) || group_of_[face] != kNoSlot) continue;
     gather_group(face);
-    for (const FaceSlot member : groups_.at(group_of_.at(face))) recorder_.note(member, true);
+    for (const FaceSlot member : groups_[group_of_[face]]) recorder_.note(member, true);
   }
   for (const FaceSlot face : work_) recorder_.note(face, true);
   recorder_.finish(changes_, [this](FaceSlot face) { return delaunay_.face(face).is_alive(); });
@@ -116,7 +124,7 @@ StatList VoronoiVertices::statistics() const {
   std::int64_t vertices = 0;
   for (const FaceSlot face : delaunay_.face_slots())
     vertices += delaunay_.face(face).is_alive() && is_vertex(face) ? 1 : 0;
-  return {{"vertices", vertices}, {"of_more_than_three_samples", static_cast<std::int64_t>(groups_.size())}};
+  return {{"vertices", vertices}, {"of_more_than_three_samples", static_cast<std::int64_t>(group_count())}};
 }
 
 }  // namespace mes

@@ -3,10 +3,10 @@
 #pragma once
 
 #include <array>
-#include <unordered_map>
 #include <vector>
 
 #include "core/base/change_set.h"
+#include "core/base/table.h"
 #include "core/graph/structure.h"
 #include "core/structures/crust/one_step_crust.h"
 
@@ -24,15 +24,14 @@ class VoronoiVertices final : public Structure {
 
   /// The face that stands for all faces with this circumcircle.
   FaceSlot vertex(FaceSlot face) const {
-    if (group_of_.empty()) return face;
-    const auto found = group_of_.find(face);
-    return found == group_of_.end() ? face : groups_.at(found->second).front();
+    const GroupSlot group = group_of(face);
+    return group == kNoSlot ? face : groups_[group].front();
   }
   bool is_vertex(FaceSlot face) const { return delaunay_.is_finite_face(face) && vertex(face) == face; }
   /// Faces with the same circumcircle, for a face for which there are several; otherwise null.
   const std::vector<FaceSlot>* group(FaceSlot face) const {
-    const auto found = group_of_.find(face);
-    return found == group_of_.end() ? nullptr : &groups_.at(found->second);
+    const GroupSlot group = group_of(face);
+    return group == kNoSlot ? nullptr : &groups_[group];
   }
   /// The last changes are just those of the triangulation: no group came, changed or went.
   bool follows_faces() const { return follows_faces_; }
@@ -50,17 +49,19 @@ class VoronoiVertices final : public Structure {
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:
-  using GroupId = Id<struct GroupTag>;
+  using GroupSlot = Slot<struct GroupTag>;
+  GroupSlot group_of(FaceSlot face) const { return group_of_.has(face) ? group_of_[face] : GroupSlot(); }
+  std::size_t group_count() const { return groups_.size() - free_groups_.size(); }
   bool has_cocircular_edge(FaceSlot face) const;
   std::array<Vec2, 3> sorted_corners(FaceSlot face) const;
   void gather_group(FaceSlot face);
 
   Delaunay& delaunay_;
   OneStepCrust& crust_;
-  // Groups of two or more faces; without cocircular samples both are empty.
-  std::unordered_map<FaceSlot, GroupId> group_of_;
-  std::unordered_map<GroupId, std::vector<FaceSlot>> groups_;
-  GroupId next_group_{0};
+  // Groups of two or more faces. Until there is one, all are empty; faces of rows that came later are in none.
+  Table<FaceSlot, GroupSlot> group_of_;
+  Table<GroupSlot, std::vector<FaceSlot>> groups_;
+  std::vector<GroupSlot> free_groups_;
   bool follows_faces_ = true;
   ChangeRecorder<FaceSlot> recorder_;
   ChangeSet<FaceSlot> changes_;
