@@ -4,6 +4,8 @@
 #include <CGAL/Exact_rational.h>
 #include <CGAL/FPU.h>
 #include <CGAL/Interval_nt.h>
+#include <CGAL/Mpzf.h>
+#include <CGAL/number_utils.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +17,7 @@ namespace {
 
 using Interval = CGAL::Interval_nt<false>;
 using Rational = CGAL::Exact_rational;
+using Integer = CGAL::Mpzf;  ///< times a power of two: a ring that doubles lie in, quicker than fractions
 
 template <class Number>
 struct GeneralPhase {
@@ -69,8 +72,8 @@ EdgeClass classify_slowly(const EdgeCorners& corners, FilterCounts& counts) {
     }
   }
   ++counts.exact;
-  const GeneralPhase<Rational> phase = phase_in<Rational>(corners);
-  return {phase.h >= 0, corners.s && phase.i == 0};
+  const GeneralPhase<Integer> phase = phase_in<Integer>(corners);
+  return {CGAL::sign(phase.h) != CGAL::NEGATIVE, corners.s && CGAL::is_zero(phase.i)};
 }
 
 }  // namespace
