@@ -57,6 +57,7 @@ StatList MedialAxis::statistics() const {
   std::int64_t components = nodes;
   Sum length_sum;
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
+    delaunay_.expect_faces_after(edge);
     if (!delaunay_.edge(edge).is_alive() || !is_axis_edge(edge) || is_zero_length(edge)) continue;
     const EdgeRow& row = delaunay_.edge(edge);
     ++edges;

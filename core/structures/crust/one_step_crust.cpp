@@ -67,6 +67,7 @@ void OneStepCrust::rebuild(JobControl& job) {
     job.checkpoint();
     Tally own;  // not counted in place: the threads would take a cache line from each other all the time
     for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end)) {
+      delaunay_.expect_faces_after(edge);
       const EdgeRow& row = delaunay_.edge(edge);
       if (!row.is_alive()) continue;
       flags_[edge] = flags_for(edge, own.filter);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/change_set.h"
+#include "core/base/prefetch.h"
 #include "core/base/vec2.h"
 #include "core/graph/structure.h"
 #include "core/structures/inputs/samples.h"
@@ -116,6 +117,12 @@ class Delaunay final : public Structure {
   SlotRange<EdgeSlot> edge_slots() const { return edge_.rows(); }
   const Table<EdgeSlot, EdgeRow>& edges() const { return edge_; }
   const EdgeRow& edge(EdgeSlot edge) const { return edge_[edge]; }
+  /// For passes over all edges: asks for the memory of what lies at an edge that comes soon. Rows lie in the order of
+  /// the first face; the second may be anywhere before it.
+  void expect_faces_after(EdgeSlot edge) const {
+    const EdgeSlot soon(edge.index() + std::size_t{16});
+    if (edge_.has(soon) && edge_[soon].f[1] != kNoSlot) prefetch(face_.address(edge_[soon].f[1]));
+  }
   /// Corner of `face` opposite `edge`.
   SiteSlot apex(FaceSlot face, EdgeSlot edge) const { return face_[face].v[face_[face].index_of_edge(edge)]; }
 

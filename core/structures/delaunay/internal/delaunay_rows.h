@@ -193,8 +193,13 @@ class Delaunay::Rows {
         f->info().slot = row;
       }
     };
-    const auto read_chunk = [&starts](std::size_t, std::size_t chunk) {
-      return [f = starts[chunk]]() mutable { return topology_of(f++); };
+    const auto read_chunk = [&starts, end = triangulation_.tds().faces_end()](std::size_t, std::size_t chunk) {
+      FaceIterator ahead = starts[chunk];
+      for (int i = 0; i < kFacesAhead && ahead != end; ++i) ++ahead;
+      return [f = starts[chunk], ahead, end]() mutable {
+        if (ahead != end) expect_topology_of(ahead++);
+        return topology_of(f++);
+      };
     };
     const auto read_placed_chunk = [&starts](std::size_t, std::size_t chunk) {
       return [f = starts[chunk]]() mutable { return placed_topology_of(f++); };
@@ -257,6 +262,13 @@ class Delaunay::Rows {
     FaceSlot n[3]{};
   };
   static SiteSlot corner_of(VertexHandle v) { return v->info().slot == kNoSlot ? kInfiniteSite : v->info().slot; }
+  static void expect_topology_of(FaceHandle f) {
+    for (int i = 0; i < 3; ++i) {
+      prefetch(&f->vertex(i)->info());
+      prefetch(&f->neighbor(i)->info());
+    }
+  }
+  static constexpr int kFacesAhead = 8;
   static Topology topology_of(FaceHandle f) {
     Topology out;
     for (int i = 0; i < 3; ++i) {
