@@ -16,9 +16,15 @@ void main() {
     rim.anchor = rim.nearest;
 #endif
   } else {
-    q = r;
+    // Of a larger disk squares overflow. Seen from as deep inside as its middle, it covers the view all the same.
+    q = min(r, 1e15);
+    rim.depth = max(rim.depth, -q);
+    rim.nearest = -rim.depth * rim.outward;
+#if REACH != 0
+    rim.anchor = rim.nearest;
+#endif
   }
-  v_rim = vec4(rim.outward, min(q, 1e15), soft_alpha(r));
+  v_rim = vec4(rim.outward, q, soft_alpha(r));
 
   // The bounding square, cut to the view; for a huge disk the view itself.
   vec2 view = u_half_view + 1.0;

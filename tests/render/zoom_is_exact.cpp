@@ -276,6 +276,37 @@ TEST_CASE("triangles far larger than the view have straight edges in place") {
   CHECK(worst < 0.06);
 }
 
+TEST_CASE("the inside of a disk or a triangle stays covered, however small a part of it is in view") {
+  for (const GlDeviceOptions& way : kWays) {
+    GlDeviceOptions painted = way;
+    painted.pixel_cost_ns = 0.0;
+    Drawing drawing(painted);
+    drawing.set(0, disk, {0.25, 0.5, 1.0});
+    drawing.set(1, triangle, {-2.0, -2.0, 3.0, -2.0, 0.0, 4.0});
+    drawing.set(2, disk, {0.25, 0.5, 0x1p40, 0.25, 0.5, 0x1p-40});
+    // Deep inside, near the rim of the first, and in the middle of it.
+    for (const Vec2 p : {Vec2{0.9, 0.1}, Vec2{0.25 + 0.999, 0.5}, Vec2{0.25, 0.5}}) {
+      Camera camera;
+      camera.set_viewport(16, 12);
+      for (int exponent = 8; exponent <= 240; exponent += 4) {
+        camera.look_at(p, std::ldexp(1.0, -exponent - 8));
+        for (const LayerIndex layer : {0U, 1U, 2U}) {
+          INFO("layer " << layer << ", pixels of 2^-" << exponent + 8 << ", at " << p.x << ' ' << p.y);
+          const Image image = drawing.draw(camera, {{layer, black(1.0)}});
+          CHECK(covered_area(image) == Approx(16 * 12));
+        }
+      }
+    }
+    // Just outside of the first there is nothing at any zoom.
+    Camera camera;
+    camera.set_viewport(16, 12);
+    for (int exponent = 16; exponent <= 240; exponent += 8) {
+      camera.look_at({0.25 + 1.001, 0.5}, std::ldexp(1.0, -exponent));
+      CHECK(covered_area(drawing.draw(camera, {{0, black(1.0)}})) == 0.0);
+    }
+  }
+}
+
 TEST_CASE("a drawing far from the origin pans and zooms like any other") {
   Drawing drawing;
   const double offset = 1e15;
