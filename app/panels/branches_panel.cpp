@@ -144,7 +144,7 @@ void BranchesPanel::draw_histogram() {
 
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x), kHistogramHeight * unit};
-  ImGui::InvisibleButton("histogram", size);
+  hit_area("histogram", size);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 3 * unit);
   const double most = *std::ranges::max_element(histogram_.lengths);

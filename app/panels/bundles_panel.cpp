@@ -7,6 +7,7 @@
 
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 namespace {
@@ -96,7 +97,7 @@ void BundlesPanel::draw_head() {
   bool& is_unfolded = uses_.is_unfolded;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
-  if (ImGui::InvisibleButton("fold", {100 * unit, height})) is_unfolded = !is_unfolded;
+  if (hit_area("fold", {100 * unit, height})) is_unfolded = !is_unfolded;
   tooltip(uses_.gui, is_unfolded ? "Fold the bundles away" : "Show the bundles");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 middle(at.x + 5 * unit, at.y + 0.5F * height);
@@ -194,7 +195,7 @@ void BundlesPanel::draw_row(std::size_t index) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 end(at.x + ImGui::GetContentRegionAvail().x, at.y + height);
-  const bool clicked = ImGui::InvisibleButton("row", {std::max(1.0F, end.x - at.x), height});
+  const bool clicked = hit_area("row", {end.x - at.x, height});
   const bool hovered = ImGui::IsItemHovered();
   std::string explanation = name;
   if (index < kDigits) explanation += fmt::format(" ({})", index + 1);

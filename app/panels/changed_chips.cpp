@@ -78,7 +78,7 @@ bool ChangedChips::draw_chip(const char* id, const std::string& text, bool has_c
   const ThemeColors& colors = gui_.colors();
   const ImVec2 size(text_width(text) + (has_cross ? (kCross + 2) * unit : 0.0F), ImGui::GetFrameHeight());
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool is_clicked = ImGui::InvisibleButton(id, size);
+  const bool is_clicked = hit_area(id, size);
   const bool is_hovered = ImGui::IsItemHovered();
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 end(at.x + size.x, at.y + size.y);

@@ -91,7 +91,7 @@ bool CommandPalette::draw_row(const Gui& gui, std::size_t row) {
   const float width = ImGui::GetContentRegionAvail().x;
   const float height = kRow * unit;
   ImGui::PushID(static_cast<int>(row));
-  const bool is_clicked = ImGui::InvisibleButton("row", {width, height});
+  const bool is_clicked = hit_area("row", {width, height});
   ImGui::PopID();
   const ImVec2 moved = ImGui::GetIO().MouseDelta;
   if (ImGui::IsItemHovered() && (moved.x != 0.0F || moved.y != 0.0F)) list_.mark(row);

@@ -12,6 +12,7 @@
 #include "app/ui/icons.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 #include "imgui_stdlib.h"
 #include "render/convert.h"
 
@@ -321,12 +322,12 @@ void LayersPanel::draw_row(LayerIndex layer, const LayerSection& section) {
 
   // The swatch lies on the row and is asked first.
   ImGui::SetCursorScreenPos(swatch_at);
-  if (ImGui::InvisibleButton("swatch", swatch_size)) ImGui::OpenPopup("style");
+  if (hit_area("swatch", swatch_size)) ImGui::OpenPopup("style");
   tooltip(gui_, descriptor.scalar.empty() ? "Colour, opacity, sizes" : "Colour, colour map, opacity, sizes");
   draw_style_popup(layer);
 
   ImGui::SetCursorScreenPos(at);
-  const bool clicked = ImGui::InvisibleButton("row", {std::max(1.0F, width - swatch_size.x - 6 * unit), height});
+  const bool clicked = hit_area("row", {width - swatch_size.x - 6 * unit, height});
   if (ImGui::IsItemHovered())
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + height}, gui_.colors().accent_faint,
                                               4 * unit);
@@ -384,7 +385,7 @@ bool LayersPanel::draw_heading(std::size_t index) {
     const bool is_possible = shown != 0 || !hidden_[*section.group].empty();
     ImGui::SetCursorScreenPos(eye_at);
     ImGui::BeginDisabled(!is_possible);
-    if (ImGui::InvisibleButton("eye", {eye, eye})) toggle_group(now);
+    if (hit_area("eye", {eye, eye})) toggle_group(now);
     const bool is_eye_hovered = ImGui::IsItemHovered();
     ImGui::EndDisabled();
     tooltip(gui_, shown != 0    ? "Hide what is shown of this group"
@@ -394,7 +395,7 @@ bool LayersPanel::draw_heading(std::size_t index) {
     draw_icon(list, shown != 0 ? Icon::eye : Icon::eye_closed, eye_at, eye, is_possible ? quiet : colors.text_faint);
   }
   ImGui::SetCursorScreenPos(at);
-  if (ImGui::InvisibleButton("fold", {std::max(1.0F, width - eye - 12 * unit), height})) {
+  if (hit_area("fold", {width - eye - 12 * unit, height})) {
     if (is_folded)
       folded_.erase(section.title);
     else

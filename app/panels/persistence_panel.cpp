@@ -133,7 +133,7 @@ void PersistencePanel::draw_diagram() {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   const float size = std::max(kLeastSize * unit, std::min(room.x, room.y - ImGui::GetTextLineHeightWithSpacing()));
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  ImGui::InvisibleButton("diagram", {size, size});
+  hit_area("diagram", {size, size});
   const bool is_hovered = ImGui::IsItemHovered();
   const bool is_pressed = ImGui::IsItemActivated();
   const bool is_active = ImGui::IsItemActive();

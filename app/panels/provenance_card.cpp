@@ -108,7 +108,7 @@ ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, float width
   const float unit = gui.unit();
   const ImVec2 at = ImGui::GetCursorPos();
   const float keep_width = ImGui::CalcTextSize("Keep").x + 8 * unit;
-  ImGui::InvisibleButton("head", {width - 48 * unit - keep_width, ImGui::GetTextLineHeight()});
+  hit_area("head", {width - 48 * unit - keep_width, ImGui::GetTextLineHeight()});
   if (ImGui::IsItemActive()) {
     moved_.x += ImGui::GetIO().MouseDelta.x;
     moved_.y += ImGui::GetIO().MouseDelta.y;
@@ -148,7 +148,7 @@ std::optional<std::size_t> ProvenanceCard::draw_lines(const Gui& gui, float widt
     const float height = ImGui::CalcTextSize(line.text.c_str(), nullptr, false, wrap).y;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::PushID(static_cast<int>(i));
-    const bool is_clicked = ImGui::InvisibleButton("line", {width - 20 * unit, height});
+    const bool is_clicked = hit_area("line", {width - 20 * unit, height});
     ImGui::PopID();
     if (ImGui::IsItemHovered()) {
       pointed_at = i + 1;

@@ -127,7 +127,7 @@ void Verdict::draw() const {
   const VerdictWord look = word_of(*this);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
-  if (ImGui::InvisibleButton("##light", {kLightWidth * unit, height})) ImGui::OpenPopup("##reasons");
+  if (hit_area("##light", {kLightWidth * unit, height})) ImGui::OpenPopup("##reasons");
   if (ImGui::IsItemHovered()) {
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + kLightWidth * unit, at.y + height},
                                               gui.colors().accent_soft, 4 * unit);

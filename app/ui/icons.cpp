@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 namespace {
@@ -228,7 +229,7 @@ void draw_fold(ImDrawList& list, ImVec2 middle, float size, bool is_unfolded, Im
 bool icon_button(const char* id, Icon icon, float size, ButtonLook look, bool enabled) {
   ImGui::BeginDisabled(!enabled);
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const bool clicked = ImGui::InvisibleButton(id, {size, size});
+  const bool clicked = hit_area(id, {size, size});
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const float rounding = ImGui::GetStyle().FrameRounding;
   if (look == ButtonLook::chosen)

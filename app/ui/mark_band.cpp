@@ -17,7 +17,7 @@ MarkBand::MarkBand(const Gui& gui, const char* id, float width, float height)
     : gui_(gui),
       at_(ImGui::GetCursorScreenPos()),
       size_(width, height),
-      is_clicked_(ImGui::InvisibleButton(id, size_)),
+      is_clicked_(hit_area(id, size_)),
       is_hovered_(ImGui::IsItemHovered()),
       nearest_(kReach * gui.unit()) {
   ImGui::GetWindowDrawList()->AddRectFilled(at_, {at_.x + size_.x, at_.y + size_.y},

@@ -107,6 +107,10 @@ bool default_button(const Gui& gui, const char* label, ImVec2 size, bool is_defa
   return is_clicked;
 }
 
+bool hit_area(const char* id, ImVec2 size) {
+  return ImGui::InvisibleButton(id, {std::max(1.0F, size.x), std::max(1.0F, size.y)});
+}
+
 SplitterMove splitter(const Gui& gui, const char* id, const PanelArea& area) {
   const bool is_upright = area.size.y > area.size.x;
   const float reach = 3 * gui.unit();
@@ -120,7 +124,7 @@ SplitterMove splitter(const Gui& gui, const char* id, const PanelArea& area) {
   ImGui::Begin(id, nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
-  ImGui::InvisibleButton("line", size);
+  hit_area("line", size);
   const bool is_active = ImGui::IsItemActive();
   if (is_active || ImGui::IsItemHovered()) {
     ImGui::SetMouseCursor(is_upright ? ImGuiMouseCursor_ResizeEW : ImGuiMouseCursor_ResizeNS);
@@ -148,7 +152,7 @@ SplitterMove drag_handle(const Gui& gui, const char* id, const PanelArea& area, 
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBackground |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
                    ImGuiWindowFlags_NoBringToFrontOnFocus);
-  ImGui::InvisibleButton("handle", area.size);
+  hit_area("handle", area.size);
   const bool is_active = ImGui::IsItemActive();
   bool is_reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   if (is_active || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);

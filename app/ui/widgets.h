@@ -26,6 +26,10 @@ bool begin_context_popup(const Gui& gui, const char* id);
 /// To be called first in a popup that has its place from elsewhere.
 void keep_in_window(const Gui& gui);
 
+/// A place without a look of its own that can be clicked and dragged. What has no room counts as one pixel: the library
+/// ends the program at an empty one, and a window may be smaller than it asked to be.
+bool hit_area(const char* id, ImVec2 size);
+
 /// The line between two panels, `area` wide or high, which can be dragged.
 struct SplitterMove {
   bool is_dragged = false;
