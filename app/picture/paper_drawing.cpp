@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/vector_relational.hpp>
 #include <memory>
 #include <numbers>
 #include <utility>
@@ -92,6 +93,31 @@ class Shapes {
   double steps_;
 };
 
+struct PixelBox {
+  glm::dvec2 from{0.0};
+  glm::dvec2 to{0.0};
+  const PaperDrawing::Box* box = nullptr;
+};
+
+/// On whole pixels, so that edges are sharp and thin lines look alike. Where the box lies within the one before, what it
+/// leaves of that as a frame is a pixel wide at least.
+PixelBox in_pixels(const PaperDrawing::Box& box, const glm::dmat3& place_of, const PixelBox& below) {
+  const glm::dvec2 from(box.left, box.top);
+  const glm::dvec2 to(box.left + box.width, box.top + box.height);
+  const auto rounded = [&place_of](glm::dvec2 p) { return glm::round(glm::dvec2(place_of * glm::dvec3(p, 1.0))); };
+  PixelBox out{rounded(from), rounded(to), &box};
+  if (below.box != nullptr) {
+    const glm::dvec2 outer_from(below.box->left, below.box->top);
+    const glm::dvec2 outer_to(below.box->left + below.box->width, below.box->top + below.box->height);
+    if (glm::all(glm::lessThan(outer_from, from)) && glm::all(glm::lessThan(to, outer_to))) {
+      out.from = glm::max(out.from, below.from + 1.0);
+      out.to = glm::min(out.to, below.to - 1.0);
+    }
+  }
+  out.to = glm::max(out.to, out.from + 1.0);
+  return out;
+}
+
 }  // namespace
 
 PaperColors paper_colors(const std::optional<Rgb>& background) {
@@ -141,12 +167,12 @@ glm::dmat3 paper_placement(const glm::dvec2& corner, double scale) {
 void paint(render::Image& image, const PaperFonts& fonts, const PaperDrawing& drawing, const glm::dvec2& corner,
            double scale) {
   const glm::dmat3 place_of = paper_placement(corner, scale);
-  // On whole pixels, so that edges are sharp and thin lines look alike.
+  PixelBox below;
   for (const PaperDrawing::Box& box : drawing.boxes) {
-    const glm::dvec2 from = glm::round(glm::dvec2(place_of * glm::dvec3(box.left, box.top, 1.0)));
-    const glm::dvec3 end(box.left + box.width, box.top + box.height, 1.0);
-    const glm::dvec2 size = glm::max(glm::round(glm::dvec2(place_of * end)) - from, glm::dvec2(1.0));
-    render::fill_rectangle(image, from.x, from.y, size.x, size.y, box.color, box.opacity);
+    const PixelBox at = in_pixels(box, place_of, below);
+    render::fill_rectangle(image, at.from.x, at.from.y, at.to.x - at.from.x, at.to.y - at.from.y, box.color,
+                           box.opacity);
+    below = at;
   }
   const auto at = [&](Vec2 p) {
     const glm::dvec3 out = place_of * glm::dvec3(p.x, p.y, 1.0);

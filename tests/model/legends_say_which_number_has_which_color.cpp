@@ -134,6 +134,30 @@ TEST_CASE("a legend on a picture shows the map's colours, and one of any size do
   }
 }
 
+TEST_CASE("the frame of a legend is closed at every scale") {
+  const auto fonts = PaperFonts::read(find_assets({}));
+  REQUIRE(fonts);
+  const ColorMap map{"ends", {{1, 0, 0}, {0, 0, 1}}, false};
+  const std::vector<LegendEntry> entries{{"Axis", "radius", &map, {0.0, 1.0}}};
+  const PaperColors colors = paper_colors(kWhiteCanvas);
+  for (int hundredths = 60; hundredths <= 220; ++hundredths) {
+    const double scale = 0.01 * hundredths;
+    INFO("scale " << scale);
+    const PaperDrawing legend = layout_legend(entries, measure_with(*fonts, scale), 1000.0, kWhiteCanvas);
+    Image image = white(600, 300);
+    paint(image, *fonts, legend, {10.0, 10.0}, scale);
+    const int right = 10 + static_cast<int>(std::lround(scale * legend.width)) - 1;
+    const int bottom = 10 + static_cast<int>(std::lround(scale * legend.height)) - 1;
+    const auto is_frame = [&](int x, int y) {
+      const std::size_t at = 4 * (static_cast<std::size_t>(y) * 600 + static_cast<std::size_t>(x));
+      return Rgb{image.rgba[at], image.rgba[at + 1], image.rgba[at + 2]} == colors.frame;
+    };
+    for (int x = 10; x <= right; ++x) REQUIRE((is_frame(x, 10) && is_frame(x, bottom)));
+    for (int y = 10; y <= bottom; ++y) REQUIRE((is_frame(10, y) && is_frame(right, y)));
+    CHECK_FALSE(is_frame(10 + right / 2, bottom + 1));
+  }
+}
+
 TEST_CASE("the legend of a film stays in its corner, above the caption") {
   const auto read = [] { return PaperFonts::read(find_assets({})); };
   REQUIRE(read());
