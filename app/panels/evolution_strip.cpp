@@ -90,11 +90,8 @@ void step_marks(const EvolutionStrip& strip, float width) {
   const StepEvents& events = strip.events;
   const float unit = strip.gui.unit();
   MarkBand marks(strip.gui, "step-marks", width, 8 * unit);
-  // As far from the ends of the band as the middle of the slider's grip.
-  const float margin = 2.0F + 0.5F * ImGui::GetStyle().GrabMinSize;
   const auto x_of = [&](std::uint64_t k) {
-    const double part = static_cast<double>(k) / static_cast<double>(strip.evolution.end());
-    return marks.left() + margin + (width - 2 * margin) * static_cast<float>(part);
+    return marks.track().at(static_cast<double>(k) / static_cast<double>(strip.evolution.end()));
   };
   std::string words =
       !events.problem().empty() ? "Steps at which the topology changes cannot be found: " + events.problem()

@@ -21,9 +21,6 @@
 namespace mes {
 namespace {
 
-/// What a band below a slider leaves free to its right, in logical pixels: the slider ends there, before its number.
-constexpr float kNumberRoom = 80.0F;
-
 bool matches(const ParameterDescriptor& descriptor, const std::string& search) {
   return lower_case(title_of(descriptor) + ' ' + std::string(descriptor.id) + ' ' + spoken_explanation(descriptor))
              .find(lower_case(search)) != std::string::npos;
@@ -139,9 +136,9 @@ void ParametersPanel::draw_value(const ParameterDescriptor& descriptor, double& 
   tooltip(gui_, explanation(descriptor));
 }
 
-MarkBand ParametersPanel::band(const char* id, float right) const {
-  const float unit = gui_.unit();
-  return {gui_, id, std::max(40 * unit, ImGui::GetContentRegionAvail().x - right * unit), 12 * unit};
+// As wide as the slider above it is without its number.
+MarkBand ParametersPanel::band(const char* id) const {
+  return {gui_, id, slider_rail(gui_, ImGui::GetContentRegionAvail().x), 12 * gui_.unit()};
 }
 
 void ParametersPanel::draw_scale_events(double& factor) {
@@ -152,11 +149,9 @@ void ParametersPanel::draw_scale_events(double& factor) {
   const Document& document = editor_.document();
   scale_events_.follow(document.revision(), computation_.settings(), [&document] { return data_of(document); });
   const std::vector<ScaleEvent>* const events = scale_events_.events();
-  MarkBand marks = band("events", 0.0F);
+  MarkBand marks = band("events");
   const ParameterDescriptor& range = descriptor_of(Parameter::scale_axis_factor);
-  const auto x_of = [&](double value) {
-    return marks.left() + marks.width() * static_cast<float>((value - range.low) / (range.high - range.low));
-  };
+  const auto x_of = [&](double value) { return marks.track().at((value - range.low) / (range.high - range.low)); };
   const std::string problem = scale_events_.problem();
   std::string words =
       !problem.empty()    ? "Factors at which components merge cannot be found: " + problem
@@ -187,11 +182,9 @@ void ParametersPanel::draw_critical_values(double& limit) {
   const Document& document = editor_.document();
   critical_values_.follow(document.revision(), [&document] { return data_of(document); });
   const std::vector<double>* const values = critical_values_.values();
-  MarkBand marks = band("critical", kNumberRoom);
+  MarkBand marks = band("critical");
   const double end = longest();
-  const auto x_of = [&](double value) {
-    return marks.left() + marks.width() * static_cast<float>(std::sqrt(std::clamp(value / end, 0.0, 1.0)));
-  };
+  const auto x_of = [&](double value) { return marks.track().at(std::sqrt(std::clamp(value / end, 0.0, 1.0))); };
   const std::string problem = critical_values_.problem();
   std::string words = !problem.empty()    ? "Critical values cannot be found: " + problem
                       : values == nullptr ? "Looking for critical values of the distance to the samples"
@@ -200,7 +193,7 @@ void ParametersPanel::draw_critical_values(double& limit) {
                                             "the estimate of the weak feature size, below which the lambda axis has "
                                             "the topology of the shape. A click goes to the nearest";
   if (values != nullptr) {
-    float drawn = marks.left() - 1.0F;
+    float drawn = x_of(0.0) - 1.0F;
     const double* nearest = nullptr;
     for (const double& value : *values) {
       const float x = x_of(value);
@@ -227,13 +220,11 @@ void ParametersPanel::draw_alpha_events(double& radius) {
   persistence_.choose_growth(*shown);
   const Document& document = editor_.document();
   persistence_.follow(document, computation_.settings());
-  MarkBand marks = band("births", kNumberRoom);
+  MarkBand marks = band("births");
   const double end = longest();
-  const auto x_of = [&](double value) {
-    return marks.left() + marks.width() * static_cast<float>(std::sqrt(std::clamp(value / end, 0.0, 1.0)));
-  };
+  const auto x_of = [&](double value) { return marks.track().at(std::sqrt(std::clamp(value / end, 0.0, 1.0))); };
   const auto value_at = [&](float x) {
-    const double part = std::clamp(static_cast<double>((x - marks.left()) / marks.width()), 0.0, 1.0);
+    const double part = marks.track().part_at(x);
     return part * part * end;
   };
   std::string words =

@@ -41,8 +41,8 @@ class ParametersPanel {
   void draw_animation(Parameter parameter);
   /// Begins or gives up the table of what is shown for the values of the animation.
   void draw_sweep(Parameter parameter);
-  /// Below a slider; `right` is left free, in logical pixels.
-  MarkBand band(const char* id, float right) const;
+  /// Below a slider.
+  MarkBand band(const char* id) const;
   /// Where the grown union changes its topology, while the scale axis is shown; a click sets the factor.
   void draw_scale_events(double& factor);
   /// Critical values of lambda, while a layer of it is shown; a click sets the limit.

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/ui/gui.h"
+#include "app/ui/slider.h"
 #include "core/base/color.h"
 
 namespace mes {
@@ -22,8 +23,8 @@ class MarkBand {
   /// In screen coordinates.
   MarkBand(const Gui& gui, const char* id, float width, float height);
 
-  float left() const { return at_.x; }
-  float width() const { return size_.x; }
+  /// Of a slider above the band that is as wide.
+  SliderTrack track() const { return {at_.x, size_.x}; }
   /// Draws a mark at this place of the screen; true: the pointer is near, and nearest to this one of all so far.
   bool mark(float x, Rgb color, float thickness = 1.0F);
   bool is_clicked() const { return is_clicked_; }

@@ -19,6 +19,19 @@ float slider_rail(const Gui& gui, float width) {
   return std::max(30 * gui.unit(), width - (kField + kGap) * gui.unit());
 }
 
+// As far from the ends as Dear ImGui has the grip.
+SliderTrack::SliderTrack(float left, float width) {
+  constexpr float kPadding = 2.0F;
+  const float margin =
+      kPadding + 0.5F * std::min(ImGui::GetStyle().GrabMinSize, std::max(0.0F, width - 2 * kPadding));
+  from_ = left + margin;
+  length_ = std::max(0.0F, width - 2 * margin);
+}
+
+double SliderTrack::part_at(float x) const {
+  return length_ > 0.0F ? std::clamp(static_cast<double>((x - from_) / length_), 0.0, 1.0) : 0.0;
+}
+
 bool slider(const Gui& gui, const char* label, double& value, double low, double high, const SliderLook& look) {
   const float gap = kGap * gui.unit();
   const double before = value;

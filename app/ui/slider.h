@@ -24,6 +24,20 @@ struct SliderLook {
 /// How wide the slider itself is, of a slider that is `width` wide with its number.
 float slider_rail(const Gui& gui, float width);
 
+/// Where the middle of the grip is, from the least value to the largest, of a slider that is drawn from `left` on. Marks
+/// that say where something happens on a slider belong there.
+class SliderTrack {
+ public:
+  SliderTrack(float left, float width);
+  /// `part` of the way, from 0 to 1.
+  float at(double part) const { return from_ + length_ * static_cast<float>(part); }
+  double part_at(float x) const;
+
+ private:
+  float from_;
+  float length_;
+};
+
 /// `label` stands after the number; what follows "##" in it is not shown. The number stays within [low, high], or
 /// within `typed`. Returns true when it has changed.
 bool slider(const Gui& gui, const char* label, double& value, double low, double high, const SliderLook& look = {});
