@@ -13,6 +13,8 @@
 namespace mes {
 namespace {
 
+constexpr double kShareOfSampling = 0.05;  // of what sampling an axis and the union after it take
+
 /// Balls of a list, or of another union where the factor is 1.
 class ListedBalls final : public BallFamily {
  public:
@@ -229,6 +231,7 @@ AxisBallUnion::AxisBallUnion(std::string_view id, SettingsSource& settings, Ball
     : DiskListUnion(id, {&settings, &plain}, settings, &plain), source_(settings), plain_(plain) {}
 
 AxisDisks AxisBallUnion::disks(JobControl& job) {
+  const JobShare share(job, kShareOfSampling);
   AlongAxis sampling(source_, plain_);
   sampling.rebuild(job);
   return sampling.listed(spacing_of_arcs(plain_), 1.0);
@@ -244,6 +247,7 @@ void AxisBallUnion::rebuild(JobControl& job) {
     return;
   }
   AxisDisks disks = this->disks(job);
+  const JobShare rest(job, 1.0);
   tolerance_ = disks.tolerance;
   listed_ = disks.list.size();
   set_disks(std::move(disks.list));
@@ -318,8 +322,12 @@ AxisDisks SkeletonUnion::disks(JobControl& job) {
   const auto last =
       std::ranges::find_if(kept_.rbegin(), kept_.rend(), [&](const Step& step) { return step.number <= steps_; });
   if (last != kept_.rend()) now = *last;
+  const std::size_t before = now.number;
   while (now.number < steps_) {
-    job.checkpoint(now.number, steps_);
+    job.checkpoint();
+    // Each step is a union, and so is what follows the last one.
+    const JobShare share(job,
+                         static_cast<double>(now.number + 1 - before) / static_cast<double>(steps_ + 1 - before));
     now.disks = after_step(now.disks, factor_of(now.number + 1), job);
     ++now.number;
     keep(now);
@@ -347,7 +355,7 @@ AxisDisks SkeletonUnion::after_step(const AxisDisks& disks, double factor, JobCo
   settings.post(chosen);
   settings.rebuild(job);
   StepUnion balls(settings, disks.list);
-  balls.rebuild(job);
+  in_share(job, 1.0 - kShareOfSampling, [&] { balls.rebuild(job); });
   AlongAxis sampling(settings, balls);
   sampling.rebuild(job);
   AxisDisks out = sampling.listed(spacing_handed_on(balls.tables(), disks.list), factor);

@@ -32,8 +32,8 @@ struct PointTriangulation {
   std::vector<std::array<InputSlot, 2>> line;  ///< edges, when all points are collinear
 };
 
-/// O(n log n) typical, for points that come in the order of neighbours. Decisions are those of the kernel. The job's
-/// progress goes from a quarter to a half. Kernels of numbers that belong to one thread use CGAL.
+/// O(n log n) typical, for points that come in the order of neighbours. Decisions are those of the kernel. Kernels of
+/// numbers that belong to one thread use CGAL.
 template <class Kernel>
 PointTriangulation point_triangulation(const Table<InputSlot, typename Kernel::Point_2>& points, JobControl& job) {
   using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<InputSlot, Kernel>;
@@ -46,7 +46,7 @@ PointTriangulation point_triangulation(const Table<InputSlot, typename Kernel::P
   typename Dt::Face_handle hint{};
   std::size_t done = 0;
   for (const InputSlot i : in_rounds<InputSlot>(points.size())) {
-    if ((++done & 0x3fU) == 0) job.checkpoint(points.size() + done, 4 * points.size());
+    if ((++done & 0x3fU) == 0) job.checkpoint(done, points.size());
     const std::size_t before = dt.number_of_vertices();
     const auto vertex = dt.insert(points[i], hint);
     if (dt.number_of_vertices() != before) vertex->info() = i;

@@ -124,7 +124,7 @@ RegularTables regular_triangulation(const Table<InputSlot, BallOf<typename Kerne
   typename Rt::Face_handle hint{};
   std::size_t done = 0;
   for (const InputSlot ball_slot : in_rounds<InputSlot>(balls.size())) {
-    if ((++done & 0x3fU) == 0) job.checkpoint(done, 4 * balls.size());
+    if ((++done & 0x3fU) == 0) job.checkpoint(done, balls.size());
     if (!left_out.empty() && left_out[ball_slot]) {
       out.state[ball_slot] = BallState::hidden;
       out.same_as[ball_slot] = ball_slot;

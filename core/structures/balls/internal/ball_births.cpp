@@ -81,7 +81,7 @@ class BirthSearch {
   BirthSearch(const PipelineInput& input, JobControl& job) : input_(input), job_(job), balls_(input) {}
 
   BallBirths run() {
-    tables_ = first_triangulation(balls_, job_);
+    tables_ = in_share(job_, 0.25, [this] { return first_triangulation(balls_, job_); });
     find_circles();
     find_ranks();
     find_attached_ranks();

@@ -59,7 +59,7 @@ UnionFaces place_faces(const UnionBalls<Balls, Points>& balls, const VPoints<Poi
   out.local_center.resize(v.faces.size());
   balls.in_parts(v.faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (const VFaceSlot slot : slots_between<VFaceSlot>(begin, end)) {
-      if ((slot.index() & 0xffU) == 0) job.checkpoint();
+      if ((slot.index() & 0xffU) == 0) job.checkpoint(slot.index() - begin, end - begin);
       VFace& face = out.rows[slot];
       std::ranges::copy(v.faces[slot], face.v);
       face.is_inside = cuts.is_inside[slot];

@@ -116,8 +116,7 @@ class CenterFinder {
   std::uint32_t now_ = 0;
 };
 
-/// Calls `look(ball, finder)` for every ball, several side by side; `make_look()` gives each thread its own. Progress
-/// of the job: the third quarter.
+/// Calls `look(ball, finder)` for every ball, several side by side; `make_look()` gives each thread its own.
 template <class Balls, class Points, class MakeLook>
 CenterTables find_centers(const UnionBalls<Balls, Points>& balls, const VTriangulation& v, JobControl& job,
                           MakeLook make_look) {
@@ -125,7 +124,7 @@ CenterTables find_centers(const UnionBalls<Balls, Points>& balls, const VTriangu
   balls.in_parts(balls.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
     auto look = make_look();
     for (const InputSlot ball : slots_between<InputSlot>(begin, end)) {
-      if ((ball.index() & 0x3fU) == 0) job.checkpoint(2 * balls.size() + ball.index(), 4 * balls.size());
+      if ((ball.index() & 0x3fU) == 0) job.checkpoint(ball.index() - begin, end - begin);
       look(ball, parts[part]);
     }
   });

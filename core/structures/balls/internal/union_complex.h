@@ -53,7 +53,7 @@ void classify_faces(const UnionBalls<Balls, Points>& balls, const UnionTriangula
   };
   balls.in_parts(faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (const TriangleSlot f : slots_between<TriangleSlot>(begin, end)) {
-      if ((f.index() & 0xffU) == 0) job.checkpoint(f.index(), 4 * faces.size());
+      if ((f.index() & 0xffU) == 0) job.checkpoint(f.index() - begin, end - begin);
       judge(f);
     }
   });
@@ -148,7 +148,6 @@ void classify_edges(const UnionBalls<Balls, Points>& balls, const UnionTriangula
   }
 }
 
-/// Progress of the job: the first quarter.
 template <class Balls, class Points>
 DualComplex dual_complex(const UnionBalls<Balls, Points>& balls, const UnionTriangulation& triangulation,
                          JobControl& job) {

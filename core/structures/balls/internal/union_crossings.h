@@ -176,7 +176,7 @@ RawCrossings<Balls, Points> raw_crossings(const UnionBalls<Balls, Points>& balls
   balls.in_parts(edges, [&](std::size_t begin, std::size_t end, std::size_t part) {
     RawCrossings<Balls, Points> found;
     for (const RegularEdgeSlot e : slots_between<RegularEdgeSlot>(begin, end)) {
-      if ((e.index() & 0x3fU) == 0) job.checkpoint(edges + e.index(), 4 * edges);
+      if ((e.index() & 0x3fU) == 0) job.checkpoint(e.index() - begin, end - begin);
       if (complex.row_of_edge[e] == kNoSlot) continue;
       const auto& edge = tables.edges[e];
       for (std::uint8_t side = 0; side < 2; ++side) {
@@ -291,12 +291,11 @@ void join_equal_crossings(const UnionBalls<Balls, Points>& balls, const RegularT
   }
 }
 
-/// Progress of the job: the second quarter.
 template <class Balls, class Points>
 VPoints<Points> v_points(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
                          const DualComplex& complex, JobControl& job) {
   VPoints<Points> out;
-  RawCrossings<Balls, Points> raw = raw_crossings(balls, tables, complex, job);
+  RawCrossings<Balls, Points> raw = in_share(job, 0.5, [&] { return raw_crossings(balls, tables, complex, job); });
   const std::size_t count = raw.made.size();
   out.negative_radicands = raw.negative_radicands;
   out.raw_v_points = static_cast<std::int64_t>(count);

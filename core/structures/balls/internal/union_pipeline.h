@@ -95,12 +95,13 @@ void publish(VPoints<Points>& points, VTriangulation& v, const EdgeCuts& cuts, U
 template <class Balls, class Points>
 UnionTables run(const PipelineInput& input, JobControl& job) {
   const UnionBalls<Balls, Points> balls(input);
-  const UnionTriangulation triangulation = union_triangulation(balls, job);
+  const UnionTriangulation triangulation = in_share(job, 0.25, [&] { return union_triangulation(balls, job); });
   const RegularTables& tables = triangulation.tables;
-  DualComplex complex = dual_complex(balls, triangulation, job);
-  VPoints<Points> points = v_points(balls, tables, complex, job);
+  DualComplex complex = in_share(job, 0.3, [&] { return dual_complex(balls, triangulation, job); });
+  VPoints<Points> points = in_share(job, 0.7, [&] { return v_points(balls, tables, complex, job); });
   VTriangulation v = v_triangulation(points);
-  UnionCircles circles = union_circles(balls, triangulation, complex, points, v, job);
+  UnionCircles circles =
+      in_share(job, 0.9, [&] { return union_circles(balls, triangulation, complex, points, v, job); });
   CenterTables& centers = circles.centers;
   const EdgeCuts cuts = cut_edges(balls, points, v, std::move(centers.events), centers.ball_of_face);
   UnionFaces faces = place_faces(balls, points, v, centers.ball_of_face, cuts, job);
@@ -127,7 +128,7 @@ UnionTables run(const PipelineInput& input, JobControl& job) {
 template <class Balls, class Points>
 UnionTables run_dual_complex(const PipelineInput& input, JobControl& job) {
   const UnionBalls<Balls, Points> balls(input);
-  const UnionTriangulation triangulation = union_triangulation(balls, job);
+  const UnionTriangulation triangulation = in_share(job, 0.8, [&] { return union_triangulation(balls, job); });
   DualComplex complex = dual_complex(balls, triangulation, job);
   UnionTables out;
   out.balls = by_row(balls, triangulation.tables.state);
@@ -139,9 +140,9 @@ UnionTables run_dual_complex(const PipelineInput& input, JobControl& job) {
 template <class Balls, class Points>
 UnionTables run_v_diagram(const PipelineInput& input, const KnownVPoints& known, JobControl& job) {
   const UnionBalls<Balls, Points> balls(input);
-  VPoints<Points> points = known_v_points(balls, known, job);
+  VPoints<Points> points = in_share(job, 0.5, [&] { return known_v_points(balls, known, job); });
   VTriangulation v = v_triangulation(points);
-  CenterTables centers = known_centers(balls, v, known, job);
+  CenterTables centers = in_share(job, 0.9, [&] { return known_centers(balls, v, known, job); });
   const EdgeCuts cuts = cut_edges(balls, points, v, std::move(centers.events), centers.ball_of_face);
   UnionFaces faces = place_faces(balls, points, v, centers.ball_of_face, cuts, job);
   UnionTables out;
