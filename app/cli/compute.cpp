@@ -52,6 +52,11 @@ Json json_of(const LayerSummary& summary, const LayerDescriptor& layer, std::uin
   return out;
 }
 
+/// The colour that the light has at least.
+std::string_view level_name(FindingLevel level) {
+  return level == FindingLevel::note ? "note" : name_of(light_of(level));
+}
+
 /// The theorem light and its reasons.
 Json diagnostics_of(std::span<const NodeReport> nodes) {
   Json reasons = Json::array();
@@ -60,7 +65,7 @@ Json diagnostics_of(std::span<const NodeReport> nodes) {
       Json places = Json::array();
       for (const Vec2 place : finding.places) places.push_back({place.x, place.y});
       reasons.push_back({{"structure", node.structure},
-                         {"level", finding.level == FindingLevel::wrong ? "red" : "yellow"},
+                         {"level", level_name(finding.level)},
                          {"count", finding.count},
                          {"text", finding.text},
                          {"places", places}});

@@ -103,6 +103,15 @@ const Name* family_of(std::string_view structure) {
 
 }  // namespace
 
+Mood mood_of(FindingLevel level) {
+  switch (level) {
+    case FindingLevel::doubt: return Mood::doubtful;
+    case FindingLevel::wrong: return Mood::wrong;
+    case FindingLevel::note: break;
+  }
+  return Mood::quiet;
+}
+
 VerdictWord verdict_word(TheoremLight light, bool lacks_memory, Checking checking) {
   if (checking == Checking::under_way)
     return {Mood::quiet, "Checking", "What the light says about these samples is being computed"};

@@ -20,6 +20,8 @@ struct VerdictWord {
   std::string_view word;     ///< for the status bar
   std::string_view meaning;  ///< one sentence, no full stop
 };
+/// Of a finding in the list of what the light rests on.
+VerdictWord::Mood mood_of(FindingLevel level);
 VerdictWord verdict_word(TheoremLight light, bool lacks_memory, Checking checking);
 
 /// A finding of a structure with its count: "207 triangles misjudged by rounding ..., of the inner balls".

@@ -74,7 +74,7 @@ void SamplingPanel::draw_findings() {
   for (const NodeReport& node : uses_.picture.nodes()) {
     if (node.variant != kMainVariant) continue;
     for (std::size_t i = 0; i < node.findings.size(); ++i) {
-      any = true;
+      any = any || node.findings[i].level != FindingLevel::note;
       ImGui::PushID(node.structure.c_str());
       ImGui::PushID(static_cast<int>(i));
       wrapped(text_of(node.findings[i], node.structure));

@@ -68,10 +68,10 @@ void show_place(const Verdict& verdict, Vec2 place) {
 void draw_reasons(const Verdict& verdict) {
   const float unit = verdict.gui.unit();
   static constexpr float kWidth = 380;
-  bool any = false;
+  bool gives_reasons = false;
   for (const NodeReport& node : verdict.picture.nodes()) {
     if (node.state == NodeState::failed) {
-      any = true;
+      gives_reasons = true;
       ImGui::PushTextWrapPos(kWidth * unit);
       ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(verdict.gui.colors().warning), "Failed: %s. %s",
                          structure_name(node.structure).c_str(), node.reason.c_str());
@@ -79,13 +79,12 @@ void draw_reasons(const Verdict& verdict) {
     }
     for (std::size_t i = 0; i < node.findings.size(); ++i) {
       const Finding& finding = node.findings[i];
-      any = true;
+      gives_reasons = gives_reasons || finding.level != FindingLevel::note;
       ImGui::PushID(node.structure.c_str());
       ImGui::PushID(static_cast<int>(i));
       const ImVec2 at = ImGui::GetCursorScreenPos();
-      const auto mood = finding.level == FindingLevel::wrong ? VerdictWord::Mood::wrong : VerdictWord::Mood::doubtful;
       ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()},
-                                                  4 * unit, color_of(verdict.gui.colors(), mood));
+                                                  4 * unit, color_of(verdict.gui.colors(), mood_of(finding.level)));
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
       ImGui::PushTextWrapPos(kWidth * unit);
       ImGui::TextUnformatted(text_of(finding, node.structure).c_str());
@@ -107,7 +106,7 @@ void draw_reasons(const Verdict& verdict) {
       ImGui::Dummy({0, 2 * unit});
     }
   }
-  if (any) return;
+  if (gives_reasons) return;
   const std::string meaning(word_of(verdict).meaning);
   ImGui::PushTextWrapPos(kWidth * unit);
   ImGui::TextUnformatted(meaning.c_str());

@@ -12,6 +12,7 @@ namespace mes {
 
 /// Together the findings of all structures make the theorem light.
 enum class FindingLevel : std::uint8_t {
+  note,   ///< no colour: how something is drawn or sampled, which the theorem does not speak of
   doubt,  ///< yellow: exact, but the sample does not meet what the theorem asks for
   wrong,  ///< red: the chosen number type gave a wrong or inconsistent result
 };

@@ -28,6 +28,16 @@ constexpr std::string_view name_of(TheoremLight light) {
   return "none";
 }
 
+/// What a finding of this level makes the light at least.
+constexpr TheoremLight light_of(FindingLevel level) {
+  switch (level) {
+    case FindingLevel::doubt: return TheoremLight::yellow;
+    case FindingLevel::wrong: return TheoremLight::red;
+    case FindingLevel::note: break;
+  }
+  return TheoremLight::none;
+}
+
 /// From the reports of a run in which findings were wanted. Lack of memory says nothing about the result.
 inline TheoremLight light_of(std::span<const NodeReport> nodes) {
   TheoremLight light = TheoremLight::none;
@@ -36,8 +46,7 @@ inline TheoremLight light_of(std::span<const NodeReport> nodes) {
     if (node.state == NodeState::up_to_date && node.is_judging) light = std::max(light, TheoremLight::green);
   }
   for (const NodeReport& node : nodes)
-    for (const Finding& finding : node.findings)
-      light = std::max(light, finding.level == FindingLevel::wrong ? TheoremLight::red : TheoremLight::yellow);
+    for (const Finding& finding : node.findings) light = std::max(light, light_of(finding.level));
   return light;
 }
 

@@ -118,6 +118,7 @@ TEST_CASE("along the one-step axis there is a largest number of balls, and what 
     std::vector<Finding> findings;
     sampling.find(findings);
     REQUIRE(findings.size() == 1);
+    CHECK(findings.front().level == FindingLevel::note);
     CHECK(findings.front().text.find("farther apart than medial-sampling-angle asks for") != std::string::npos);
     const auto tolerance = std::get<double>(sampling.statistics()[1].value);
     CHECK(tolerance > 0.0);

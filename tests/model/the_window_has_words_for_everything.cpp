@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 #include <set>
+#include <vector>
 
 #include "app/model/editor.h"
 #include "app/model/neighborhood.h"
@@ -23,6 +24,27 @@ TEST_CASE("the light says one thing for each state, and nothing while it is not 
     CHECK(verdict_word(light, false, Checking::under_way).mood == VerdictWord::Mood::quiet);
     CHECK(verdict_word(light, false, Checking::cancelled).word == "Not checked");
   }
+}
+
+TEST_CASE("a note about sampling or drawing is listed and leaves the light as it is") {
+  NodeReport judge;
+  judge.structure = "axis-certificate";
+  judge.state = NodeState::up_to_date;
+  judge.is_judging = true;
+  NodeReport sampled = judge;
+  sampled.structure = "axis-sampling";
+  sampled.is_judging = false;
+  sampled.findings.push_back({FindingLevel::note, "axis-sampling: sampled balls are farther apart", 7, {}});
+  CHECK(light_of(std::vector{judge, sampled}) == TheoremLight::green);
+  CHECK(light_of(std::vector{sampled}) == TheoremLight::none);
+  CHECK(text_of(sampled.findings.front(), "axis-sampling") == "7 sampled balls are farther apart");
+  CHECK(mood_of(FindingLevel::note) == VerdictWord::Mood::quiet);
+  CHECK(mood_of(FindingLevel::doubt) == VerdictWord::Mood::doubtful);
+  CHECK(mood_of(FindingLevel::wrong) == VerdictWord::Mood::wrong);
+  judge.findings.push_back({FindingLevel::doubt, "samples with an odd number of curve edges", 1, {}});
+  CHECK(light_of(std::vector{judge, sampled}) == TheoremLight::yellow);
+  judge.findings.front().level = FindingLevel::wrong;
+  CHECK(light_of(std::vector{sampled, judge}) == TheoremLight::red);
 }
 
 TEST_CASE("a finding is said with its count, one as one, and whose balls it is about") {

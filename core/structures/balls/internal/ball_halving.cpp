@@ -20,7 +20,7 @@ double next_tolerance(double tolerance, double diameter) {
 void find_tolerance(std::string_view structure, double tolerance, std::size_t balls, std::vector<Finding>& out) {
   if (tolerance == 0.0) return;
   out.push_back(
-      {FindingLevel::doubt,
+      {FindingLevel::note,
        fmt::format("{}: balls along the axis are farther apart than medial-sampling-angle asks for, which would "
                    "take more than {}; dents between them are at most {:.2g} deep",
                    structure, kMostBallsBetween, tolerance),
