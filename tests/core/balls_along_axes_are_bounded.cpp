@@ -52,6 +52,10 @@ ComputationSettings dense(double factor, double angle = 179.9) {
   return out;
 }
 
+double tolerance_of(const ABallSampling& sampling) {
+  return std::get<double>(sampling.statistics().back().value);
+}
+
 /// A structure outside of the graph, with settings of its own.
 struct OwnSettings {
   explicit OwnSettings(const ComputationSettings& chosen) {
@@ -200,6 +204,95 @@ TEST_CASE("sampling an axis is stopped while it makes the balls of few edges") {
   }
   CHECK(looks > 10);
   CHECK(sampling.between().count() == balls);
+}
+
+TEST_CASE("balls along the axis of a union that are only shown are bounded, too, and never fail") {
+  Workbench bench;
+  bench.show({"a-ball-medial-axis"});
+  bench.replace(noise(600, 100.0, 3));
+  const StructureSet& set = bench.graph().structures();
+  const UnionTables& t = set.get<AUnion>().tables();
+  OwnSettings own(dense(1.0));
+  ABallSampling whole(own.settings, set.get<AUnion>());
+  whole.rebuild(own.job);
+  CHECK(tolerance_of(whole) == 0.0);
+  const std::size_t medial = whole.medial().count();
+  const std::size_t convex = whole.convex().count();
+  REQUIRE(std::min(medial, convex) > 3 * t.node_count());
+  std::vector<Finding> findings;
+  whole.find(findings);
+  CHECK(findings.empty());
+  double last = 0.0;
+  for (const std::size_t most : {std::min(medial, convex) / 2, std::min(medial, convex) / 4}) {
+    INFO("at most " << most);
+    ABallSampling fewer(own.settings, set.get<AUnion>(), most);
+    fewer.rebuild(own.job);
+    CHECK(fewer.medial().count() <= most + t.node_count());
+    CHECK(fewer.convex().count() <= most + t.node_count());
+    CHECK(std::max(fewer.medial().count(), fewer.convex().count()) > most / 4);
+    CHECK(tolerance_of(fewer) > last);
+    last = tolerance_of(fewer);
+    findings.clear();
+    fewer.find(findings);
+    REQUIRE(findings.size() == 1);
+    CHECK(findings.front().text.starts_with("a-ball-sampling: sampled balls are farther apart"));
+    CHECK(findings.front().count == static_cast<std::int64_t>(fewer.medial().count() + fewer.convex().count()));
+  }
+  // No tolerance suffices: as many as the widest takes.
+  ABallSampling widest(own.settings, set.get<AUnion>(), 10);
+  widest.rebuild(own.job);
+  CHECK(tolerance_of(widest) > last);
+  CHECK_FALSE(wider_tolerance(tolerance_of(widest), 150.0).has_value());
+  CHECK(widest.medial().count() > t.node_count() / 4);
+  CHECK(widest.medial().count() < medial / 4);
+}
+
+TEST_CASE("sampled balls are followed up to the bound, and made anew with a tolerance beyond it") {
+  Workbench bench;
+  bench.show({"a-ball-medial-axis"});
+  bench.replace(ellipse(2.0, 1.0, 120, {0.3, 0.1, 3}).data.positions);
+  const StructureSet& set = bench.graph().structures();
+  OwnSettings own(dense(1.0));
+  ABallSampling whole(own.settings, set.get<AUnion>());
+  whole.rebuild(own.job);
+  const auto sorted = [](const SampledBalls& balls) {
+    std::vector<std::array<double, 3>> out;
+    for (const SampledSlot row : slots_below<SampledSlot>(balls.rows()))
+      if (balls.is_alive(row))
+        out.push_back({balls.disk(row).center.x, balls.disk(row).center.y, balls.disk(row).radius});
+    std::ranges::sort(out);
+    return out;
+  };
+  std::size_t followed = 0;
+  std::size_t made_anew = 0;
+  Rng rng(11);
+  // About as many as there are inside links: some edits lead across the bound, and back.
+  const std::size_t most = std::max(whole.medial().count(), whole.convex().count()) -
+                           static_cast<std::size_t>(bench.count("a-union", "visible"));
+  ABallSampling sampling(own.settings, set.get<AUnion>(), most);
+  sampling.rebuild(own.job);
+  for (int edit = 0; edit < 80; ++edit) {
+    if (edit % 8 < 4) {
+      const double angle = 2.0 * std::numbers::pi * rng.uniform();
+      bench.insert({{2.0 * std::cos(angle), std::sin(angle)}});
+    } else {
+      const std::vector<SampleId> ids = bench.ids();
+      bench.remove({ids.back()});
+    }
+    if (sampling.update(own.job)) {
+      ++followed;
+    } else {
+      ++made_anew;
+      sampling.rebuild(own.job);
+    }
+    ABallSampling fresh(own.settings, set.get<AUnion>(), most);
+    fresh.rebuild(own.job);
+    REQUIRE(sorted(sampling.medial()) == sorted(fresh.medial()));
+    REQUIRE(sorted(sampling.convex()) == sorted(fresh.convex()));
+    REQUIRE(tolerance_of(sampling) == tolerance_of(fresh));
+  }
+  CHECK(followed > 5);
+  CHECK(made_anew > 5);
 }
 
 TEST_CASE("balls that no tolerance makes few enough are refused in one line") {

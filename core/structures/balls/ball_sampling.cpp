@@ -17,8 +17,8 @@ constexpr std::array<AxisNodeSlot, 2> kDead{};
 
 }  // namespace
 
-BallSampling::BallSampling(std::string_view id, SettingsSource& settings, BallUnion& balls)
-    : Structure(id, {&settings, &balls}), settings_(settings), union_(balls) {}
+BallSampling::BallSampling(std::string_view id, SettingsSource& settings, BallUnion& balls, std::size_t most_between)
+    : Structure(id, {&settings, &balls}), settings_(settings), union_(balls), most_between_(most_between) {}
 
 void BallSampling::measure() {
   constexpr double kNone = -std::numeric_limits<double>::infinity();
@@ -87,7 +87,7 @@ void BallSampling::set_ends(Sampling& sampling, LinkSlot link, const std::array<
 void BallSampling::remake_piece(AxisPieceSlot row) {
   const UnionTables& t = union_.tables();
   const AxisPiece& piece = t.axis[row];
-  medial_.balls.drop(owner_of_link(row));
+  medial_.between -= medial_.balls.drop(owner_of_link(row));
   set_ends(medial_, same_row<LinkSlot>(row), piece.is_alive() ? std::array{piece.node[0], piece.node[1]} : kDead);
   if (!piece.is_alive() || piece.is_zero != 0) return;
   const auto at = [&](double u) {
@@ -96,23 +96,26 @@ void BallSampling::remake_piece(AxisPieceSlot row) {
       if (v != kNoSlot) disk.radius = std::min(disk.radius, distance(disk.center, t.v_points[v].position));
     return disk;
   };
+  const auto add = [&](const Disk& disk) {
+    medial_.balls.add(owner_of_link(row), disk);
+    ++medial_.between;
+  };
   if (shrinking() == 1.0) {
-    halving_.halve(at, {piece.a, piece.radius_a}, {piece.b, piece.radius_b},
-                   [&](const Disk& disk) { medial_.balls.add(owner_of_link(row), disk); });
+    halving_.halve(at, {piece.a, piece.radius_a}, {piece.b, piece.radius_b}, add);
     return;
   }
   const auto shrunk = [this](const Disk& disk) { return Disk{disk.center, shrinking() * disk.radius}; };
   halving_.halve([&](double u) { return shrunk(at(u)); }, shrunk({piece.a, piece.radius_a}),
                  shrunk({piece.b, piece.radius_b}),
                  [&](const Disk& disk) {
-                   medial_.balls.add(owner_of_link(row), {disk.center, disk.radius / shrinking()});
+                   add({disk.center, disk.radius / shrinking()});
                  });
 }
 
 void BallSampling::remake_edge(DualEdgeSlot row) {
   const DualEdge& edge = union_.tables().dual_edges[row];
   const bool is_boundary = edge.is_alive() && edge.kind != DualClass::interior;
-  convex_.balls.drop(owner_of_link(row));
+  convex_.between -= convex_.balls.drop(owner_of_link(row));
   set_ends(convex_, same_row<LinkSlot>(row),
            is_boundary ? std::array{node_of(edge.ball[0]), node_of(edge.ball[1])} : kDead);
   if (!is_boundary) return;
@@ -126,7 +129,10 @@ void BallSampling::remake_edge(DualEdgeSlot row) {
     const double weight = ((1.0 - u) * square(a.radius) + u * square(b.radius)) - u * (1.0 - u) * square(d);
     return Disk{place_between(a.center, b.center, u), std::max(least, size * std::sqrt(std::max(weight, 0.0)))};
   };
-  halving_.halve(at, a, b, [&](const Disk& disk) { convex_.balls.add(owner_of_link(row), disk); });
+  halving_.halve(at, a, b, [&](const Disk& disk) {
+    convex_.balls.add(owner_of_link(row), disk);
+    ++convex_.between;
+  });
 }
 
 void BallSampling::remake_ball(FamilySlot ball) {
@@ -163,23 +169,28 @@ bool BallSampling::fill(JobControl& job) {
   const UnionTables& t = union_.tables();
   for (Sampling* sampling : {&medial_, &convex_}) {
     sampling->balls.reset();
+    sampling->between = 0;
     sampling->ends.clear();
     sampling->degree.assign(t.node_count(), 0);
   }
-  std::size_t looked_at = 0;
+  const std::size_t all = t.axis.size() + (is_for_growing() ? 0 : t.dual_edges.size());
+  std::size_t made = 0;
+  const auto look = [&](std::size_t done) {
+    const std::size_t now = medial_.between + convex_.between;
+    if ((done & 0x3ffU) != 0 && now - made <= kBallsALook) return;
+    job.checkpoint(done, all);
+    made = now;
+  };
   for (const AxisPieceSlot piece : t.axis.rows()) {
-    if ((piece.index() & 0x3ffU) == 0 || medial().count() - looked_at > kBallsALook) {
-      job.checkpoint(piece.index(), t.axis.size() + t.dual_edges.size());
-      looked_at = medial().count();
-    }
+    look(piece.index());
     remake_piece(piece);
-    if (is_for_growing() && medial().count() > kMostBallsBetween) return false;
+    if (has_too_many(medial_)) return false;
   }
   for (const DualEdgeSlot edge : t.dual_edges.rows()) {
     if (is_for_growing()) break;
-    if ((edge.index() & 0x3ffU) == 0)
-      job.checkpoint(t.axis.size() + edge.index(), t.axis.size() + t.dual_edges.size());
+    look(t.axis.size() + edge.index());
     remake_edge(edge);
+    if (has_too_many(convex_)) return false;
   }
   for (const FamilySlot ball : t.balls.rows()) remake_ball(ball);
   add_vertices_of_axis();
@@ -191,9 +202,13 @@ void BallSampling::rebuild(JobControl& job) {
   measure();
   shortest_ = shortest();
   is_recording_ = false;
+  is_bounded_ = true;
   halving_ = BallHalving(made_with_, shortest_, is_for_growing());
   while (!fill(job)) {
-    const double tolerance = next_tolerance(halving_.tolerance(), diameter_of_shape());
+    const double before = halving_.tolerance();
+    const double size = diameter_of_shape();
+    is_bounded_ = is_for_growing() || wider_tolerance(before, size);
+    const double tolerance = is_bounded_ ? next_tolerance(before, size) : before;
     halving_ = BallHalving(made_with_, shortest_, is_for_growing(), tolerance);
   }
 }
@@ -204,7 +219,7 @@ bool BallSampling::update(JobControl&) {
   if (angle() != made_with_) return false;
   const UnionChanges& changes = union_.changes();
   if (changes.size() == 0) return true;
-  if (union_.rung() != UnionRung::shortcut) return false;
+  if (union_.rung() != UnionRung::shortcut || halving_.tolerance() != 0.0 || !is_bounded_) return false;
   const UnionTables& t = union_.tables();
 
   bool is_reach_lost = false;
@@ -232,11 +247,13 @@ bool BallSampling::update(JobControl&) {
     for (const DualEdgeSlot edge : *rows) {
       remake_piece(same_row<AxisPieceSlot>(edge));
       remake_edge(edge);
+      // A rebuild takes a tolerance.
+      if (std::max(medial_.between, convex_.between) > 2 * most_between_) return false;
     }
   }
   for (const FamilySlot ball : touched_balls_) remake_ball(ball);
   for (Sampling* sampling : {&medial_, &convex_}) sampling->balls.finish();
-  return true;
+  return !has_too_many(medial_) && !has_too_many(convex_);
 }
 
 void BallSampling::clear_changes() {
@@ -246,7 +263,12 @@ void BallSampling::clear_changes() {
 
 StatList BallSampling::statistics() const {
   return {{"medial_balls", static_cast<std::int64_t>(medial().count())},
-          {"convex_balls", static_cast<std::int64_t>(convex().count())}};
+          {"convex_balls", static_cast<std::int64_t>(convex().count())},
+          {"tolerance", halving_.tolerance()}};
+}
+
+void BallSampling::find(std::vector<Finding>& out) const {
+  find_tolerance(id(), halving_.tolerance(), medial().count() + convex().count(), out);
 }
 
 }  // namespace mes

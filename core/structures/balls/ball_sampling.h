@@ -19,9 +19,13 @@ namespace mes {
 ///  3. A piece or edge is halved until the circles at both ends of each part cross at `medial-sampling-angle` or more
 ///     (their radii at the crossing enclose 180 degrees less that), or the part is shorter than 1e-4 of the union's
 ///     diameter, or twenty times.
+///  4. There are at most `kMostBallsBetween` inside pieces, and as many inside edges. If these were more, neighbours may
+///     cross at 120 degrees where the dents between them are no deeper than a *tolerance*, the least that suffices, or the
+///     largest of `wider_tolerance` if none does. `findings` says so.
 ///
 /// For display and for growing: radii and decisions are those of doubles. The samples of a piece depend on that piece
-/// only, so updates of the union are followed locally; a diameter that doubles asks for a rebuild.
+/// only, so updates of the union are followed locally; a diameter that doubles asks for a rebuild, and so does every change
+/// where there is a tolerance.
 /// Cost: O(samples made anew), and O(n) when the ball farthest out on one side changes.
 class BallSampling : public Structure {
  public:
@@ -33,9 +37,11 @@ class BallSampling : public Structure {
   void clear_changes() override;
   std::size_t touched() const override { return medial().changes().size() + convex().changes().size(); }
   StatList statistics() const override;
+  void find(std::vector<Finding>& out) const override;
 
  protected:
-  BallSampling(std::string_view id, SettingsSource& settings, BallUnion& balls);
+  BallSampling(std::string_view id, SettingsSource& settings, BallUnion& balls,
+               std::size_t most_between = kMostBallsBetween);
   /// `visit(row)` for the rows of `medial` about a node of the axis, and inside a piece of it. Of several nodes with one
   /// place and radius one has it.
   template <class Visit>
@@ -48,9 +54,8 @@ class BallSampling : public Structure {
   }
   /// The circles that are to cross at the angle along the axis are these times as large; at most 1.
   virtual double shrinking() const { return 1.0; }
-  /// For growing and shrinking: there are no convex balls, at most `kMostBallsBetween` inside pieces, with a tolerance if
-  /// it takes one (`next_tolerance`), and parts shorter than 1e-4 of the diameter are halved on as long as their circles
-  /// are apart.
+  /// For growing and shrinking: there are no convex balls, it fails where no tolerance suffices, and parts shorter than
+  /// 1e-4 of the diameter are halved on as long as their circles are apart.
   virtual bool is_for_growing() const { return false; }
   const BallHalving& halving() const { return halving_; }
 
@@ -60,6 +65,7 @@ class BallSampling : public Structure {
   /// One of the two samplings: balls of nodes, and of the links between them.
   struct Sampling {
     SampledBalls balls;
+    std::size_t between = 0;                            ///< balls inside links
     Table<LinkSlot, std::array<AxisNodeSlot, 2>> ends;  ///< kNoSlot: the link is dead
     Table<AxisNodeSlot, std::uint32_t> degree;          ///< links at a node
   };
@@ -80,7 +86,8 @@ class BallSampling : public Structure {
   double diameter() const;
   double diameter_of_shape() const;
   double shortest() const;
-  /// All balls; false: there are too many inside pieces.
+  bool has_too_many(const Sampling& sampling) const { return is_bounded_ && sampling.between > most_between_; }
+  /// All balls; false: there are too many inside links.
   bool fill(JobControl& job);
   void set_ends(Sampling& sampling, LinkSlot link, const std::array<AxisNodeSlot, 2>& ends);
   void remake_piece(AxisPieceSlot row);
@@ -90,6 +97,8 @@ class BallSampling : public Structure {
 
   const SettingsSource& settings_;
   const BallUnion& union_;
+  std::size_t most_between_;
+  bool is_bounded_ = true;  ///< false: no tolerance suffices
   double made_with_ = 0.0;
   double shortest_ = 0.0;
   BallHalving halving_;
@@ -103,7 +112,8 @@ class BallSampling : public Structure {
 
 class ABallSampling final : public BallSampling {
  public:
-  ABallSampling(SettingsSource& settings, AUnion& balls) : BallSampling("a-ball-sampling", settings, balls) {}
+  ABallSampling(SettingsSource& settings, AUnion& balls, std::size_t most_between = kMostBallsBetween)
+      : BallSampling("a-ball-sampling", settings, balls, most_between) {}
 };
 
 class BBallSampling final : public BallSampling {

@@ -7,10 +7,15 @@
 
 namespace mes {
 
-double next_tolerance(double tolerance, double diameter) {
+std::optional<double> wider_tolerance(double tolerance, double diameter) {
   const double largest = std::ldexp(diameter, -11);
   const double next = tolerance == 0.0 ? std::ldexp(diameter, -29) : 4.0 * tolerance;
   if (std::isnormal(next) && next <= largest) return next;
+  return std::nullopt;
+}
+
+double next_tolerance(double tolerance, double diameter) {
+  if (const auto next = wider_tolerance(tolerance, diameter)) return *next;
   throw GeometryError(fmt::format(
       "it takes more than {} balls along the axis; a smaller medial-sampling-angle takes fewer, and below 1 "
       "a larger scale-axis-factor",
@@ -19,13 +24,12 @@ double next_tolerance(double tolerance, double diameter) {
 
 void find_tolerance(std::string_view structure, double tolerance, std::size_t balls, std::vector<Finding>& out) {
   if (tolerance == 0.0) return;
-  out.push_back(
-      {FindingLevel::note,
-       fmt::format("{}: balls along the axis are farther apart than medial-sampling-angle asks for, which would "
-                   "take more than {}; dents between them are at most {:.2g} deep",
-                   structure, kMostBallsBetween, tolerance),
-       static_cast<std::int64_t>(balls),
-       {}});
+  out.push_back({FindingLevel::note,
+                 fmt::format("{}: sampled balls are farther apart than medial-sampling-angle asks for, which would "
+                             "take more than {}; dents between them are at most {:.2g} deep",
+                             structure, kMostBallsBetween, tolerance),
+                 static_cast<std::int64_t>(balls),
+                 {}});
 }
 
 }  // namespace mes

@@ -61,15 +61,18 @@ class SampledBalls {
     next_[row] = first_[owner];
     first_[owner] = row;
   }
-  /// Drops all rows of an owner.
-  void drop(OwnerSlot owner) {
-    if (!first_.has(owner)) return;
+  /// Drops all rows of an owner; says how many.
+  std::size_t drop(OwnerSlot owner) {
+    if (!first_.has(owner)) return 0;
+    std::size_t dropped = 0;
     for (SampledSlot row = first_[owner]; row != kNoSlot; row = next_[row]) {
       if (is_recording_) recorder_.note(row, true);
       disks_[row].radius = kDead;
       free_.push_back(row);
+      ++dropped;
     }
     first_[owner] = kNoSlot;
+    return dropped;
   }
 
  private:
