@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/graph/explain.h"
+#include "core/resampling/internal/epsilon_words.h"
 #include "core/resampling/internal/sampled_curve.h"
 
 namespace mes {
@@ -214,16 +215,13 @@ Expected<Decimation> decimate(const SampleData& data, double epsilon, JobControl
 }
 
 std::string Decimation::words() const {
-  const auto epsilon_text = [](double epsilon) {
-    return std::isfinite(epsilon) ? number_text(epsilon) : std::string("infinite (curve edges are missing)");
-  };
   const std::string went = count_text(removed.size(), "sample", "samples") + " of " +
                            std::to_string(removed.size() + data.positions.size()) + " removed; ";
   if (!no_axis.empty()) return went + no_axis;
-  return went + "epsilon " + epsilon_text(epsilon_before) + " before, " + epsilon_text(epsilon_after) +
-         " now; the axis has " + count_text(static_cast<std::size_t>(components), "component", "components") +
-         " and " + count_text(static_cast<std::size_t>(cycles), "cycle", "cycles") +
-         " as before; the theorem light is " + std::string(name_of(light_after));
+  return went + epsilon_words(epsilon_before, epsilon_after) + "; the axis has " +
+         count_text(static_cast<std::size_t>(components), "component", "components") + " and " +
+         count_text(static_cast<std::size_t>(cycles), "cycle", "cycles") + " as before; the theorem light is " +
+         std::string(name_of(light_after));
 }
 
 }  // namespace mes

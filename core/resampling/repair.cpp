@@ -8,6 +8,7 @@
 #include <set>
 
 #include "core/graph/explain.h"
+#include "core/resampling/internal/epsilon_words.h"
 #include "core/resampling/internal/sampled_curve.h"
 
 namespace mes {
@@ -303,10 +304,6 @@ class Repairer {
   std::vector<RepairedChain> chains_;
 };
 
-std::string epsilon_text(double epsilon) {
-  return std::isfinite(epsilon) ? number_text(epsilon) : "infinite (curve edges are missing)";
-}
-
 std::string place_and_more(Vec2 place, std::size_t count) {
   return "at " + place_text(place) + (count > 1 ? ", and " + std::to_string(count - 1) + " more" : std::string());
 }
@@ -341,8 +338,8 @@ Expected<Repair> repair(const SampleData& data, double epsilon, JobControl& job)
 std::vector<std::string> Repair::words() const {
   if (!no_axis.empty()) return {"nothing to repair: " + no_axis};
   std::vector<std::string> out;
-  out.push_back(count_text(inserted, "sample", "samples") + " inserted; epsilon " + epsilon_text(epsilon_before) +
-                " before, " + epsilon_text(epsilon_after) + " now" +
+  out.push_back(count_text(inserted, "sample", "samples") + " inserted; " +
+                epsilon_words(epsilon_before, epsilon_after) +
                 (corners.empty() ? std::string() : " away from corners") + "; the theorem light is " +
                 std::string(name_of(light_after)));
   if (!corners.empty()) {

@@ -82,6 +82,25 @@ double epsilon_drawn(const std::vector<Vec2>& positions) {
 
 }  // namespace
 
+TEST_CASE("an epsilon that stays infinite is said once, with its reason") {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  Repair repair;
+  repair.epsilon_before = repair.epsilon_after = kInfinity;
+  CHECK_THAT(
+      repair.words().front(),
+      Catch::Contains("0 samples inserted; epsilon as before infinite (curve edges are missing); the theorem"));
+  repair.epsilon_after = 0.25;
+  CHECK_THAT(repair.words().front(),
+             Catch::Contains("epsilon infinite (curve edges are missing) before, 0.25 now; the theorem"));
+  Decimation decimation;
+  decimation.epsilon_before = decimation.epsilon_after = kInfinity;
+  CHECK_THAT(decimation.words(),
+             Catch::Contains("removed; epsilon as before infinite (curve edges are missing); the"));
+  decimation.epsilon_before = 0.125;
+  decimation.epsilon_after = 0.25;
+  CHECK_THAT(decimation.words(), Catch::Contains("epsilon 0.125 before, 0.25 now; the axis"));
+}
+
 TEST_CASE("a curve with too few samples is repaired to green, near the curve they came from") {
   for (const std::size_t n : {12U, 16U, 24U, 40U}) {
     for (const double a : {2.0, 3.0}) {
