@@ -65,7 +65,7 @@ void ParametersPanel::draw_animation(Parameter parameter) {
     tooltip(gui_, "From the first picture to the last");
     ImGui::EndDisabled();
     slider(gui_, "Speed", animation.steps_per_second, 0.5, 60.0,
-           {.format = "%.1f steps/s", .is_logarithmic = true, .width = 210 * unit});
+           {.format = "%.3g steps/s", .is_logarithmic = true, .width = 210 * unit});
     tooltip(gui_, "At most; each step waits until its picture is complete");
     if (animation.is_running()) {
       if (ImGui::Button("Stop here")) animation.stop();
