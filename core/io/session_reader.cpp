@@ -3,11 +3,9 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <utility>
 
-#include "core/base/coordinate_range.h"
 #include "core/document/layer_fold.h"
 #include "core/io/json_annotations.h"
 #include "core/io/json_curves.h"
@@ -17,141 +15,10 @@
 #include "core/io/json_view.h"
 #include "core/io/read_job.h"
 #include "core/io/session.h"
+#include "core/io/session_values.h"
 
 namespace mes {
 namespace {
-
-/// Says where in a session something makes no sense; turned into an `Error` at the surface.
-struct Nonsense {
-  std::string text;
-  JsonView number{};  ///< that is at fault; none: not known
-};
-
-[[noreturn]] void complain(const std::string& where, const std::string& what) {
-  throw Nonsense{where + ": " + what};
-}
-
-std::string text_from(JsonView value, const char* key, const std::string& where) {
-  if (!value) return {};
-  if (!value.is_text()) complain(where, fmt::format("\"{}\" is not a text", key));
-  return value.text();
-}
-
-double number_of(JsonView value, const std::string& where) {
-  if (!value.is_number()) complain(where, "not a number");
-  return value.number();
-}
-
-std::uint32_t count_of(JsonView value, const std::string& where) {
-  const auto count = value.is_number() ? value.count() : std::nullopt;
-  if (!count || *count > std::numeric_limits<std::uint32_t>::max())
-    complain(where, "not a whole number that counts something");
-  return static_cast<std::uint32_t>(*count);
-}
-
-/// The numbers of a list, one after the other.
-struct Numbers {
-  JsonView::Elements::Iterator at;
-  const std::string& where;
-  JsonView next() {
-    const JsonView out = *at;
-    ++at;
-    return out;
-  }
-};
-
-void take(Numbers& from, double& out) {
-  out = number_of(from.next(), from.where);
-}
-void take(Numbers& from, std::uint32_t& out) {
-  out = count_of(from.next(), from.where);
-}
-void take(Numbers& from, Vec2& out) {
-  take(from, out.x);
-  take(from, out.y);
-}
-void take(Numbers& from, Disk& out) {
-  take(from, out.center);
-  take(from, out.radius);
-}
-template <class Place>
-void take(Numbers& from, std::pair<std::uint32_t, Place>& out) {
-  take(from, out.first);
-  take(from, out.second);
-}
-/// The first of the numbers that no document can hold, and why; counted within the thing.
-struct BadNumber {
-  std::size_t index = 0;
-  std::string why;
-};
-std::optional<BadNumber> bad_number_of(std::uint32_t /*count*/) {
-  return std::nullopt;
-}
-template <class Place>
-std::optional<BadNumber> bad_number_of(const Place& place) {
-  std::optional<BadNumber> out;
-  std::size_t index = 0;
-  for_each_number(place, [&](double x) {
-    if (const auto fault = range_fault_of(x); fault && !out) out = BadNumber{index, describe(*fault, x)};
-    ++index;
-  });
-  return out;
-}
-template <class Place>
-std::optional<BadNumber> bad_number_of(const std::pair<std::uint32_t, Place>& thing) {
-  auto out = bad_number_of(thing.second);
-  if (out) ++out->index;
-  return out;
-}
-
-/// The element of a list.
-JsonView element_of(JsonView list, std::size_t index) {
-  auto at = list.elements().begin();
-  while (index-- > 0) ++at;
-  return *at;
-}
-
-template <class T>
-constexpr std::size_t kNumbersEach = 1;
-template <>
-constexpr std::size_t kNumbersEach<Vec2> = 2;
-template <>
-constexpr std::size_t kNumbersEach<Disk> = 3;
-template <class Place>
-constexpr std::size_t kNumbersEach<std::pair<std::uint32_t, Place>> = 1 + kNumbersEach<Place>;
-
-// Counts before it reads, so that a list takes no more room than what it says.
-template <class T>
-void read_flat(JsonView value, const char* key, std::vector<T>& out, const std::string& where) {
-  if (!value) return;
-  const std::string here = fmt::format("{} \"{}\"", where, key);
-  constexpr std::size_t each = kNumbersEach<T>;
-  if (!value.is_list()) complain(here, "not a list");
-  const std::size_t count = value.size();
-  if (count % each != 0) complain(here, fmt::format("the number of numbers is not a multiple of {}", each));
-  out.resize(count / each);
-  Numbers numbers{value.elements().begin(), here};
-  for (std::size_t i = 0; i < out.size(); ++i) {
-    take(numbers, out[i]);
-    if (const auto bad = bad_number_of(out[i]))
-      throw Nonsense{here + ": " + bad->why, element_of(value, each * i + bad->index)};
-  }
-}
-
-/// The numbers of all things fit with each other and with those seen before.
-template <class T>
-void require_together(const std::vector<T>& things, JsonView list, const char* key, const std::string& where,
-                      Magnitudes& seen) {
-  std::size_t index = 0;
-  for (const T& thing : things) {
-    for_each_number(thing, [&](double x) {
-      if (const auto fault = seen.fault_of(x))
-        throw Nonsense{fmt::format("{} \"{}\": {}", where, key, describe(*fault, x, seen)), element_of(list, index)};
-      seen.add(x);
-      ++index;
-    });
-  }
-}
 
 // A contour without points is none.
 std::vector<SampleData::Contour> contours_of(JsonView list, const std::string& where) {
@@ -270,14 +137,8 @@ LayerConfiguration layers_from(JsonView value) {
 // What is looked at may be any place, however small or far.
 Box2 view_from(JsonView value) {
   if (value.size() != 4) complain("view", "not two corners");
-  const std::string where = "view";
-  Numbers numbers{value.elements().begin(), where};
   Box2 out;
-  for (int corner = 0; corner < 2; ++corner) {
-    Vec2 p;
-    take(numbers, p);
-    out.add(p);
-  }
+  for (const Vec2 corner : places_of(value, "view")) out.add(corner);
   return out;
 }
 
@@ -389,29 +250,6 @@ void read_timeline(JsonView timeline, std::vector<WrittenPosition> positions, Ti
                    next->number};
 }
 
-/// A text of so many bytes at most.
-std::string short_text_from(JsonView value, const char* key, std::size_t longest, const std::string& where) {
-  constexpr std::size_t kLongestEscape = 6;
-  if (!value) return {};
-  if (!value.is_text()) throw Nonsense{fmt::format("{}: \"{}\" is not a text", where, key), value};
-  std::string out = value.text_length() <= kLongestEscape * longest ? value.text() : std::string();
-  if (value.text_length() > kLongestEscape * longest || out.size() > longest)
-    throw Nonsense{fmt::format("{}: \"{}\" is longer than {} bytes", where, key, longest), value};
-  return out;
-}
-
-/// Runs `read`; where that knows no place of its own, `value` is at fault.
-template <class Read>
-auto at(JsonView value, const std::string& where, Read read) {
-  try {
-    return read(value);
-  } catch (Nonsense& nonsense) {
-    nonsense.text = where + ": " + nonsense.text;
-    if (!nonsense.number) nonsense.number = value;
-    throw;
-  }
-}
-
 LessonStep lesson_step_from(JsonView object, const std::string& where, WrittenPosition& position) {
   if (!object.is_object()) throw Nonsense{where + ": not an object", object};
   const auto [caption, entries, layers, settings, view, seconds] =
@@ -423,12 +261,12 @@ LessonStep lesson_step_from(JsonView object, const std::string& where, WrittenPo
     if (!count) throw Nonsense{where + ": \"position\" is not a whole number that counts entries", entries};
     position = {*count, entries, nullptr};
   }
-  if (layers) out.layers = at(layers, where, layers_from);
+  if (layers) out.layers = read_at(layers, where, layers_from);
   if (settings) {
     if (!settings.is_object()) throw Nonsense{where + ": \"settings\" is not an object", settings};
     out.settings = settings_from(settings);
   }
-  if (view) out.view = at(view, where, view_from);
+  if (view) out.view = read_at(view, where, view_from);
   if (seconds) {
     if (!seconds.is_number()) throw Nonsense{where + ": \"seconds\" is not a number", seconds};
     // Not a clamp, which would keep a negative zero.
@@ -507,8 +345,8 @@ Expected<Session> read(std::string_view text, Timelines where, const std::string
   try {
     return session_from(JsonView::whole(text), where);
   } catch (const Nonsense& nonsense) {
-    if (!nonsense.number) return bad(file, nonsense.text);
-    return bad_json(text, nonsense.number.offset_in(text), nonsense.text, file);
+    if (!nonsense.at) return bad(file, nonsense.text);
+    return bad_json(text, nonsense.at.offset_in(text), nonsense.text, file);
   }
 }
 
