@@ -2,16 +2,16 @@
 // Which rows belong together after some have been joined.
 #pragma once
 
-#include <boost/pending/disjoint_sets.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "core/base/slot.h"
 
 namespace mes {
 
-/// Disjoint sets of the rows of a table: Boost's, with their memory.
+/// Disjoint sets of the rows of a table.
 ///
 /// Smallest use:
 ///     DisjointSets<FaceSlot> sets(count);
@@ -37,18 +37,24 @@ class DisjointSets {
     for (auto x = static_cast<RowNumber>(parent_.size()); x < count; ++x) parent_.push_back(x);
   }
 
-  Row root(Row x) { return Row(sets().find_set(x.index())); }
+  Row root(Row x) {
+    RowNumber at = x.index();
+    while (parent_[at] != at) at = parent_[at];
+    for (RowNumber next = x.index(); next != at;) next = std::exchange(parent_[next], at);
+    return Row(at);
+  }
   /// Of two roots; returns the root of what is now one set, which is either of them.
   Row join(Row a, Row b) {
-    if (a != b) sets().link(a.index(), b.index());
-    return parent_[a.index()] == a.index() ? a : b;
+    if (a == b) return a;
+    if (rank_[a.index()] > rank_[b.index()]) std::swap(a, b);
+    parent_[a.index()] = b.index();
+    if (rank_[a.index()] == rank_[b.index()]) ++rank_[b.index()];
+    return b;
   }
 
  private:
-  boost::disjoint_sets<std::uint8_t*, RowNumber*> sets() { return {rank_.data(), parent_.data()}; }
-
   std::vector<RowNumber> parent_;
-  std::vector<std::uint8_t> rank_;
+  std::vector<std::uint8_t> rank_;  // at least the length of the longest way to a root
 };
 
 }  // namespace mes
