@@ -84,6 +84,7 @@ void FileDesk::join(const Asked& asked, std::vector<LoadedFile> files, ReadFiles
     // What is saved must not take the place of a picture, nor of what came with the program.
     if (!first.is_carried && !outcome.is_shape) out.session_file = outcome.file;
     out.sources = std::move(first.sources);
+    outcome.warnings = std::move(first.warnings);
     return;
   }
   SampleData data;

@@ -14,6 +14,7 @@
 #include "core/io/format_registry.h"
 #include "core/io/off_header.h"
 #include "core/io/read_file.h"
+#include "core/io/repeated_corners.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -82,32 +83,6 @@ Expected<std::optional<SampleData::Contour>> read_loop(const PoffScanner::Note& 
   if (contour.points.empty()) return std::nullopt;
   return contour;
 }
-
-/// Points at which a loop crosses or touches itself, in one remark with the line of the first such loop.
-class RepeatedCorners {
- public:
-  void add(const SampleData::Contour& contour, std::uint64_t line) {
-    std::vector<std::uint32_t> sorted = contour.points;
-    std::ranges::sort(sorted);
-    const std::size_t before = repeated_.size();
-    for (std::size_t i = 1; i < sorted.size(); ++i)
-      if (sorted[i] == sorted[i - 1]) repeated_.push_back(sorted[i]);
-    if (before == 0 && !repeated_.empty()) line_ = line;
-  }
-  std::optional<std::string> remark(const std::string& name) {
-    if (repeated_.empty()) return std::nullopt;
-    std::ranges::sort(repeated_);
-    const auto count = std::ranges::unique(repeated_).begin() - repeated_.begin();
-    std::string text =
-        count == 1 ? "1 point is on its loop more than once; evolutions do not move it"
-                   : fmt::format("{} points are on their loop more than once; evolutions do not move them", count);
-    return Error{ErrorCode::bad_input, std::move(text), name, line_, 1}.message();
-  }
-
- private:
-  std::vector<std::uint32_t> repeated_;
-  std::uint64_t line_ = 0;
-};
 
 Match match_poff(std::string_view bytes) {
   return has_off_magic(bytes, kPoints) ? Match::surely : Match::no;

@@ -2,6 +2,7 @@
 // Sessions as a source of samples and balls: their last state.
 #include "core/document/commands.h"
 #include "core/io/format_registry.h"
+#include "core/io/repeated_corners.h"
 #include "core/io/session.h"
 
 namespace mes {
@@ -18,10 +19,13 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJ
   DocumentReplay replay;
   if (const auto done = replay_session(*session, replay, name, job.control()); !done)
     return std::unexpected(done.error());
-  return LoadedFile{.data = data_of(replay.document()),
-                    .format = {},
-                    .warnings = {},
-                    .session = std::make_shared<const Session>(std::move(*session))};
+  LoadedFile file;
+  file.data = data_of(replay.document());
+  RepeatedCorners repeated;
+  for (const SampleData::Contour& contour : file.data.contours) repeated.add(contour);
+  if (auto remark = repeated.remark(name)) file.warnings.push_back(*std::move(remark));
+  file.session = std::make_shared<const Session>(std::move(*session));
+  return file;
 }
 
 }  // namespace

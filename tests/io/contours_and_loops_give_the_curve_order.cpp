@@ -65,11 +65,11 @@ TEST_CASE("points that a loop names more than once stay in it, and are said in o
   REQUIRE(eight.data.contours.size() == 1);
   CHECK(eight.data.contours[0].points == Indices{0, 1, 2, 3, 4, 2});
   REQUIRE(eight.warnings.size() == 1);
-  CHECK(eight.warnings[0] == "a.poff:7:1: 1 point is on its loop more than once; evolutions do not move it");
+  CHECK(eight.warnings[0] == "a.poff:7:1: 1 sample is on its contour more than once; evolutions do not move it");
   const LoadedFile more = read_good(points + "# loop closed 0 1 2\n# loop closed 2 3 2 1 2 4\n# loop open 0 4 0\n");
   CHECK(more.data.contours.size() == 3);
   REQUIRE(more.warnings.size() == 1);
-  CHECK(more.warnings[0] == "a.poff:8:1: 2 points are on their loop more than once; evolutions do not move them");
+  CHECK(more.warnings[0] == "a.poff:8:1: 2 samples are on their contour more than once; evolutions do not move them");
   // Loops may meet.
   CHECK(read_good(points + "# loop closed 0 1 2\n# loop open 2 3 4\n").warnings.empty());
 }

@@ -361,6 +361,31 @@ TEST_CASE("a session is a source of samples and balls: those of its last state")
   CHECK(file->data.balls[0].radius == 0.1);
 }
 
+TEST_CASE("samples that a contour of a session has more than once are said in one line, as they are now") {
+  const auto warnings_of = [](std::vector<std::uint32_t> points, TimelineLog entries = {}) {
+    Session session;
+    session.data = std::make_shared<const SampleData>(
+        SampleData{.positions = {{0, 0}, {4, 0}, {2, 2}, {4, 4}, {0, 4}}, .contours = {{true, std::move(points)}}});
+    session.entries = std::move(entries);
+    const auto file = read_sample_bytes(write_session(session), "a.json");
+    REQUIRE(file);
+    return file->warnings;
+  };
+  const std::vector<std::string> one{"a.json: 1 sample is on its contour more than once; evolutions do not move it"};
+  CHECK(warnings_of({0, 1, 2, 3, 4}).empty());
+  CHECK(warnings_of({0, 1, 2, 3, 4, 2}) == one);
+  CHECK(
+      warnings_of({0, 1, 2, 3, 1, 2}) ==
+      std::vector<std::string>{"a.json: 2 samples are on their contour more than once; evolutions do not move them"});
+  // Named twice in a row, and around the end, it is one corner.
+  CHECK(warnings_of({0, 1, 1, 2, 0}).empty());
+  TimelineLog without_the_sample;
+  TimelineEdit edit{.name = "Delete"};
+  edit.removed = {2};
+  without_the_sample.push_back(edit);
+  CHECK(warnings_of({0, 1, 2, 3, 4, 2}, without_the_sample).empty());
+}
+
 TEST_CASE("what can be undone is not skipped: kinds of annotations that are not known are refused in one line") {
   for (const char* annotation :
        {R"({"kind":"fresco","at":"a wall"})", R"({"kind":"highlight","at":[1,2],"elements":[["torus","itself",7]]})",
