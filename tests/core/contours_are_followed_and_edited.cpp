@@ -10,6 +10,7 @@
 
 #include "core/base/rng.h"
 #include "core/document/contour_edit.h"
+#include "core/graph/explain.h"
 #include "core/structures/inputs/contours.h"
 #include "tests/support/workbench.h"
 
@@ -25,10 +26,11 @@ std::vector<std::pair<std::uint32_t, std::uint32_t>> links_of(const Document& do
     std::vector<std::uint32_t> alive;
     for (const SampleId id : contour.samples)
       if (document.slot_of(id) != kNoSlot) alive.push_back(id.value);
+    alive.erase(std::ranges::unique(alive).begin(), alive.end());
+    if (contour.closed && alive.size() > 1 && alive.front() == alive.back()) alive.pop_back();
     for (std::size_t i = 0; i + 1 < alive.size(); ++i) out.emplace_back(alive[i], alive[i + 1]);
     if (contour.closed && alive.size() > 2) out.emplace_back(alive.back(), alive.front());
   }
-  std::erase_if(out, [](const auto& link) { return link.first == link.second; });
   std::ranges::sort(out);
   return out;
 }
@@ -166,6 +168,37 @@ TEST_CASE("links of contours follow random edits as if they were made anew") {
       desk.check();
     }
   }
+}
+
+TEST_CASE("a contour is told by its corners and its samples, not by how often it names them") {
+  const auto links = [](bool closed, std::vector<std::uint32_t> points) {
+    Desk desk(with_contours_of(4, {{closed, std::move(points)}}));
+    desk.check();
+    return desk.links().size();
+  };
+  CHECK(links(true, {0, 0, 1}) == 1);
+  CHECK(links(true, {0, 1, 0}) == 1);
+  CHECK(links(true, {0, 1, 1, 2, 0}) == 3);
+  CHECK(links(true, {0, 1, 0, 2}) == 4);
+  CHECK(links(false, {0, 1, 1, 0}) == 2);
+
+  Workbench bench;
+  bench.show({"contours"});
+  bench.load(with_contours_of(4, {{true, {0, 1, 1, 0, 2}}}));
+  const auto& contours = bench.get<Contours>();
+  int links_seen = 0;
+  for (const ContourSlot row : slots_below<ContourSlot>(contours.row_count())) {
+    if (!contours.has_link(row)) continue;
+    JobControl job;
+    Explanation said(
+        bench.graph().structures(), [](const Structure&) { return true; }, job);
+    contours.explain(ElementKind::contour_link, row.index(), said);
+    const std::vector<ProvenanceLine> lines = said.take();
+    REQUIRE(!lines.empty());
+    CHECK(lines.front().text == "Link of contour 1, which is closed and has 3 samples");
+    ++links_seen;
+  }
+  CHECK(links_seen == 4);
 }
 
 TEST_CASE("contours that were edited are shown without an edit of samples") {

@@ -10,7 +10,7 @@
 namespace mes {
 namespace {
 
-// Below this many, the last place is linked to the first already.
+// With fewer corners, the last one is linked to the first already.
 constexpr std::uint32_t kLeastOfLoop = 3;
 
 }  // namespace
@@ -21,7 +21,9 @@ bool Contours::has_link(ContourSlot row) const {
   const Place& place = places_[row];
   if (place.sample == kNoSlot || place.sample == places_[place.next].sample) return false;
   const Contour& contour = contours_[place.contour];
-  return place.next > row || (contour.closed && contour.live >= kLeastOfLoop);
+  if (!contour.closed) return place.next > row;
+  // Of the way there and the way back, the one that begins where the contour does.
+  return contour.corners >= kLeastOfLoop || place.sample == places_[contour.head].sample;
 }
 
 std::pair<SampleSlot, SampleSlot> Contours::link(ContourSlot row) const {
@@ -40,17 +42,29 @@ void Contours::note_around(ContourSlot row) {
   note(places_[row].previous);
 }
 
-// A loop gains or loses the link from its last place to its first with the third place.
-void Contours::note_all_if(const Contour& contour, ContourSlot row, std::uint32_t live) {
-  if (contour.live != live) return;
-  for (std::uint32_t i = 0; i < live; ++i, row = places_[row].next) note(row);
+// Before any place changes: what else has a link, with these corners and this sample at the first place, is noted.
+void Contours::become(Contour& contour, std::uint32_t corners, ContourSlot head, SampleSlot head_sample) {
+  const bool was_loop = contour.corners >= kLeastOfLoop;
+  const bool is_loop = corners >= kLeastOfLoop;
+  const bool begins_elsewhere = contour.live != 0 && places_[contour.head].sample != head_sample;
+  if (contour.closed && (was_loop != is_loop || (!is_loop && begins_elsewhere))) {
+    ContourSlot row = contour.head;
+    for (std::uint32_t i = 0; i < contour.live; ++i, row = places_[row].next) note(row);
+  }
+  contour.corners = corners;
+  contour.head = head;
 }
 
 void Contours::kill(ContourSlot row) {
   Place& place = places_[row];
   Contour& contour = contours_[place.contour];
   note_around(row);
-  note_all_if(contour, row, kLeastOfLoop);
+  const SampleSlot before = places_[place.previous].sample;
+  const SampleSlot after = places_[place.next].sample;
+  const std::uint32_t corners =
+      contour.corners + is_step(before, after) - is_step(before, place.sample) - is_step(place.sample, after);
+  const ContourSlot head = contour.head == row ? place.next : contour.head;
+  become(contour, corners, head, places_[head].sample);
   places_[place.previous].next = place.next;
   places_[place.next].previous = place.previous;
   place.sample = kNoSlot;
@@ -73,16 +87,24 @@ void Contours::revive(ContourSlot row, SampleSlot sample) {
   Contour& contour = contours_[place.contour];
   note(row);
   const ContourSlot previous = live_before(row);
-  place.sample = sample;
-  place.previous = place.next = row;
-  if (previous != row) {
+  if (previous == row) {
+    become(contour, 0, row, sample);
+    place.previous = place.next = row;
+  } else {
     note(previous);
-    note_all_if(contour, previous, kLeastOfLoop - 1);
+    const ContourSlot next = places_[previous].next;
+    const SampleSlot before = places_[previous].sample;
+    const SampleSlot after = places_[next].sample;
+    const std::uint32_t corners =
+        contour.corners + is_step(before, sample) + is_step(sample, after) - is_step(before, after);
+    const bool is_first = row < contour.head;
+    become(contour, corners, is_first ? row : contour.head, is_first ? sample : places_[contour.head].sample);
     place.previous = previous;
-    place.next = places_[previous].next;
-    places_[place.next].previous = row;
+    place.next = next;
+    places_[next].previous = row;
     places_[previous].next = row;
   }
+  place.sample = sample;
   ++contour.live;
 }
 
@@ -100,7 +122,11 @@ void Contours::rebuild(JobControl&) {
   for (const CurveOrder::Contour& contour : order_->contours) {
     const auto number = static_cast<std::uint32_t>(contours_.size());
     contours_.push_back({static_cast<std::uint32_t>(places_.size()),
-                         static_cast<std::uint32_t>(contour.samples.size()), 0, contour.closed});
+                         static_cast<std::uint32_t>(contour.samples.size()),
+                         0,
+                         0,
+                         {},
+                         contour.closed});
     for (const SampleId id : contour.samples) {
       of_sample_.emplace_back(id, places_.next());
       places_.push_back({id, kNoSlot, number, {}, {}});
@@ -166,11 +192,19 @@ void Contours::explain(ElementKind kind, RowNumber number, Explanation& out) con
   if (kind != ElementKind::contour_link || !places_.has(row) || !has_link(row)) return;
   const auto [from, to] = link(row);
   const std::uint32_t which = contour(row);
+  std::vector<SampleSlot> samples;
+  ContourSlot place = row;
+  do {
+    samples.push_back(places_[place].sample);
+    place = places_[place].next;
+  } while (place != row);
+  std::ranges::sort(samples);
+  const auto count = static_cast<std::uint32_t>(std::ranges::unique(samples).begin() - samples.begin());
   ProvenanceShapes itself, ends;
   itself.segment(samples_.position(from), samples_.position(to));
   out.say(ProvenanceRole::itself,
           fmt::format("Link of contour {}, which is {} and has {}", which + 1, is_closed(which) ? "closed" : "open",
-                      count_text(contours_[which].live, "sample", "samples")),
+                      count_text(count, "sample", "samples")),
           itself);
   ends.point(samples_.position(from));
   ends.point(samples_.position(to));

@@ -16,10 +16,12 @@ namespace mes {
 using ContourSlot = Slot<struct ContourTag>;
 
 /// One row for each place on a contour, in the order of the contours. A place whose sample is alive has a link to the
-/// next such place; the last one of a closed contour is linked to the first if there are at least three. Ids of samples
-/// that are not alive are passed over, and count again when the sample comes back. A sample is never linked to itself.
+/// next such place; the last one of a closed contour is linked to the first if it has at least three corners. Ids of
+/// samples that are not alive are passed over, and count again when the sample comes back. A sample is never linked to
+/// itself: where it follows itself, around the end of a closed contour too, it is one corner.
 ///
-/// Cost: an edit looks at the places of its samples and at their neighbours; other contours are a rebuild, O(places).
+/// Cost: an edit looks at the places of its samples and at their neighbours, and at all places of a closed contour that
+/// has fewer than three corners before or after; other contours are a rebuild, O(places).
 class Contours final : public Structure {
  public:
   explicit Contours(Samples& samples);
@@ -52,13 +54,17 @@ class Contours final : public Structure {
     std::uint32_t first = 0;
     std::uint32_t size = 0;
     std::uint32_t live = 0;
+    std::uint32_t corners =
+        0;             // live places followed by another sample, the last one by the first; 0 with one sample
+    ContourSlot head;  // the first live place
     bool closed = true;
   };
   template <class Visit>
   void for_each_place(SampleId id, Visit visit) const;
   void note(ContourSlot row) { recorder_.note(row, has_link(row)); }
   void note_around(ContourSlot row);
-  void note_all_if(const Contour& contour, ContourSlot row, std::uint32_t live);
+  static std::uint32_t is_step(SampleSlot from, SampleSlot to) { return from == to ? 0 : 1; }
+  void become(Contour& contour, std::uint32_t corners, ContourSlot head, SampleSlot head_sample);
   void kill(ContourSlot row);
   void revive(ContourSlot row, SampleSlot sample);
   ContourSlot live_before(ContourSlot row) const;
