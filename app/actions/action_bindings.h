@@ -2,11 +2,14 @@
 // What the actions of the table do in this window, and when they are possible.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <functional>
+#include <initializer_list>
 #include <new>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/actions/keymap.h"
 
@@ -17,15 +20,35 @@ class ActionBindings {
   /// When an action is possible, and what there is to say when it is not: "nothing is selected".
   class Condition {
    public:
+    struct Need {
+      std::function<bool()> holds;
+      std::string missing;  ///< said where it does not hold
+    };
     Condition() = default;  ///< always
-    Condition(std::function<bool()> holds, std::string missing)
-        : holds_(std::move(holds)), missing_(std::move(missing)) {}
-    bool holds() const { return !holds_ || holds_(); }
-    const std::string& missing() const { return missing_; }
+    Condition(std::function<bool()> holds, std::string missing) : needs_{{std::move(holds), std::move(missing)}} {}
+    /// When all of them hold. They are looked at in this order, and the first that does not hold is what there is to
+    /// say: each has a reason of its own.
+    Condition(std::initializer_list<Need> needs) : needs_(needs) {}
+    bool holds() const { return first_missing() == nullptr; }
+    /// Empty where it holds.
+    std::string missing() const {
+      const Need* const need = first_missing();
+      return need == nullptr ? std::string() : need->missing;
+    }
+    /// The same, but it holds as well where `otherwise` does.
+    Condition unless(const std::function<bool()>& otherwise) const {
+      Condition out = *this;
+      for (Need& need : out.needs_)
+        need.holds = [otherwise, holds = std::move(need.holds)] { return otherwise() || holds(); };
+      return out;
+    }
 
    private:
-    std::function<bool()> holds_;
-    std::string missing_;
+    const Need* first_missing() const {
+      const auto found = std::ranges::find_if(needs_, [](const Need& need) { return !need.holds(); });
+      return found == needs_.end() ? nullptr : &*found;
+    }
+    std::vector<Need> needs_;
   };
   struct Binding {
     std::function<void()> run{};
@@ -38,7 +61,7 @@ class ActionBindings {
   bool is_bound(ActionId id) const { return static_cast<bool>(at(id).run); }
   bool is_enabled(ActionId id) const { return is_bound(id) && at(id).enabled.holds(); }
   /// Why it is not possible now; empty where it is, and where nothing is bound.
-  std::string missing(ActionId id) const { return is_enabled(id) ? std::string() : at(id).enabled.missing(); }
+  std::string missing(ActionId id) const { return is_bound(id) ? at(id).enabled.missing() : std::string(); }
   bool is_checked(ActionId id) const { return at(id).checked && at(id).checked(); }
   /// Runs it if it is possible now; whether it was. An action that runs out of memory ends there.
   bool run(ActionId id) const {

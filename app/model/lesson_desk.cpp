@@ -33,7 +33,7 @@ std::optional<std::size_t> LessonDesk::chosen() {
 }
 
 bool LessonDesk::can_mark() const {
-  return !editor_.in_gesture() && lesson().steps.size() < kMostLessonSteps;
+  return !editor_.in_gesture() && !is_full();
 }
 
 LessonStep LessonDesk::moment() {

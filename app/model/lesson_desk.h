@@ -39,6 +39,7 @@ class LessonDesk {
   std::optional<std::size_t> chosen();
   void choose(std::size_t step) { chosen_ = step; }
 
+  bool is_full() const { return lesson().steps.size() >= kMostLessonSteps; }
   bool can_mark() const;
   /// Makes what is shown now a step after the chosen one, or the last one, and chooses it. Where `can_mark`.
   void mark();

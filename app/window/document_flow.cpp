@@ -103,14 +103,11 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
   actions.bind(ActionId::save, {[this] { save(); }});
   actions.bind(ActionId::save_as, {[this] { ask_save_as(); }});
   actions.bind(ActionId::quit, {[this] { with_saved_work([this] { is_left_ = true; }); }});
-  actions.bind(ActionId::present_lesson,
-               {[this] {
-                  uses_.demo.end(true);
-                  uses_.lesson.start(session_now());
-                },
-                {[this] { return can_present(); },
-                 "the session holds no lesson, one is presented, or a file is read or saved"},
-                [this] { return uses_.lesson.is_running(); }});
+  actions.bind(ActionId::present_lesson, {[this] {
+                                            uses_.demo.end(true);
+                                            uses_.lesson.start(session_now());
+                                          },
+                                          when_presentable(), [this] { return uses_.lesson.is_running(); }});
   actions.bind(ActionId::demo, {[this] { with_saved_work([this] { start_demo(); }); }});
 }
 
@@ -207,9 +204,11 @@ void DocumentFlow::leave_document() {
 }
 
 // What is being read or saved is about the document that the lesson would put aside.
-bool DocumentFlow::can_present() const {
-  return !uses_.work.editor().timeline().lesson().steps.empty() && !uses_.lesson.is_running() &&
-         !files_.is_reading() && !files_.is_saving();
+ActionBindings::Condition DocumentFlow::when_presentable() const {
+  return {{[this] { return !uses_.lesson.is_running(); }, "a lesson is being presented"},
+          {[this] { return !files_.is_reading(); }, "a file is being read"},
+          {[this] { return !files_.is_saving(); }, "a file is being saved"},
+          {[this] { return !uses_.work.editor().timeline().lesson().steps.empty(); }, "the session holds no lesson"}};
 }
 
 void DocumentFlow::start_demo() {

@@ -95,7 +95,8 @@ class DocumentFlow {
   /// What belongs to the document before alone goes.
   void leave_document();
   void start_demo();
-  bool can_present() const;
+  /// When its lesson can be presented.
+  ActionBindings::Condition when_presentable() const;
 
   // document_opening.cpp
   void open_documents(const std::vector<std::filesystem::path>& files);

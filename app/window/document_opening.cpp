@@ -176,7 +176,7 @@ void DocumentFlow::take_read_file() {
   had_first_file_ = true;
   say_opened(*outcome);
   if (recovered) say_left_work_waits();
-  if (!can_present()) return;
+  if (!when_presentable().holds()) return;
   if (presents)
     uses_.lesson.start(session_now());
   else if (outcome->warnings.empty())

@@ -28,15 +28,16 @@ void LessonRun::bind(ActionBindings& actions) {
       leave_step();
       say((presenter_.*step)());
     };
-    binding.enabled = {[this, otherwise] { return is_running() || otherwise.enabled.holds(); },
-                       otherwise.enabled.missing()};
+    binding.enabled = otherwise.enabled.unless([this] { return is_running(); });
     actions.bind(id, std::move(binding));
   };
   bind_step(ActionId::next_bundle, &LessonPresenter::go_on);
   bind_step(ActionId::previous_bundle, &LessonPresenter::go_back);
-  actions.bind(ActionId::mark_step, {[this] { desk_.mark(); },
-                                     {[this] { return !is_running() && desk_.can_mark(); },
-                                      "a lesson is presented, or has as many steps as there may be"}});
+  actions.bind(ActionId::mark_step,
+               {[this] { desk_.mark(); },
+                {{[this] { return !is_running(); }, "a lesson is being presented"},
+                 {[this] { return !work_.editor().in_gesture(); }, "a gesture is under way"},
+                 {[this] { return !desk_.is_full(); }, "the lesson has as many steps as there may be"}}});
 }
 
 void LessonRun::start(const Session& session) {

@@ -33,9 +33,11 @@ void LiveRecording::bind(ActionBindings& actions) {
                                   },
                                   {},
                                   [this] { return desk_.is_recording(); }});
-  actions.bind(ActionId::make_video, {[this, &settings] { desk_.start_video(settings); },
-                                      {[this] { return desk_.can_make_video(); },
-                                       "there is no take to make it of, or a video is being made"}});
+  actions.bind(ActionId::make_video,
+               {[this, &settings] { desk_.start_video(settings); },
+                {{[this] { return !desk_.is_recording(); }, "a recording is under way"},
+                 {[this] { return !desk_.is_making_video(); }, "a video is being made"},
+                 {[this] { return desk_.can_make_video(); }, "there is no take to make it of"}}});
 }
 
 void LiveRecording::start(const RecordSettings& settings) {

@@ -79,6 +79,12 @@ ActionBindings::Condition at_least(const Shared& shared, std::size_t least) {
           std::string("fewer than ") + kNumbers[least] + " samples or balls are selected"};
 }
 
+ActionBindings::Condition exactly_three(const Shared& shared) {
+  const auto size = [shared] { return shared->uses.editor.selection().size(); };
+  return {{[size] { return size() >= 3; }, "fewer than three samples or balls are selected"},
+          {[size] { return size() <= 3; }, "more than three samples or balls are selected"}};
+}
+
 void bind_arrangement(ActionBindings& actions, const Shared& shared) {
   const auto bind = [&](ActionId id, std::size_t least, auto act) {
     actions.bind(id, {[shared, act] { shared->report(act(shared->uses.desk)); }, at_least(shared, least)});
@@ -90,7 +96,8 @@ void bind_arrangement(ActionBindings& actions, const Shared& shared) {
          [i](SelectionDesk& desk) { return desk.align(static_cast<Alignment>(i)); });
   bind(ActionId::distribute_x, 3, [](SelectionDesk& desk) { return desk.distribute(Axis::x); });
   bind(ActionId::distribute_y, 3, [](SelectionDesk& desk) { return desk.distribute(Axis::y); });
-  bind(ActionId::add_circle, 3, [](SelectionDesk& desk) { return desk.add_circle(); });
+  actions.bind(ActionId::add_circle,
+               {[shared] { shared->report(shared->uses.desk.add_circle()); }, exactly_three(shared)});
   const auto bind_exact = [&](ActionId id, std::size_t least, auto act) {
     actions.bind(id, {[shared, act] {
                         const Expected<std::string> done = act(shared->uses.desk);

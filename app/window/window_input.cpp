@@ -97,8 +97,10 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   if (gui.has_popup()) return;
   FileDesk& files = uses_.documents.files();
   if (chord.symbol == key::escape && !uses_.canvas.has_pointer() && files.is_reading()) return files.cancel_reading();
-  const auto action =
-      uses_.actions.keymap().find(chord, !uses_.selection.is_empty() || uses_.annotations.current() != nullptr);
+  const bool has_selection = !uses_.selection.is_empty() || uses_.annotations.current() != nullptr;
+  auto action = uses_.actions.keymap().find(chord, has_selection);
+  // Without a selection, too, the key of an action that needs one says so.
+  if (!action) action = uses_.actions.keymap().find(chord, true);
   if (!action || (repeated && !descriptor_of(*action).repeats)) return;
   if (uses_.mark_drag.is_under_way()) {
     if (*action == ActionId::deselect || *action == ActionId::undo) uses_.mark_drag.cancel();
@@ -106,8 +108,7 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   }
   // A gesture under way is ended only by Esc; the document must not change beneath it.
   if (uses_.canvas.has_pointer() && *action != ActionId::deselect) return;
-  // A press of a key that does nothing says why, as no menu shows that it is not possible; those that need a selection do
-  // not get here.
+  // A press of a key that does nothing says why, as no menu shows that it is not possible.
   if (const std::string why = uses_.actions.missing(*action); !why.empty())
     uses_.messages.remark(descriptor_of(*action).name + " is not possible now: " + why);
   uses_.actions.run(*action);

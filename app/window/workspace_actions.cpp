@@ -56,8 +56,8 @@ void Workspace::bind_editing(ActionBindings& actions) {
   actions.bind(ActionId::contours_along_crust, {[this] { contour_desk_.begin_along_crust(); }, has_two});
   const auto bind_resampling = [&](ActionId id, ResampleDesk::Wish wish) {
     actions.bind(id, {[this, wish] { resampling_.begin(wish); },
-                      {[this] { return document().sample_count() != 0 && !resampling_.is_under_way(); },
-                       "there are no samples, or the sampling is being changed already"}});
+                      {{[this] { return document().sample_count() != 0; }, "there are no samples"},
+                       {[this] { return !resampling_.is_under_way(); }, "the sampling is being changed already"}}});
   };
   bind_resampling(ActionId::repair_sampling, ResampleDesk::Wish::repair);
   bind_resampling(ActionId::decimate_sampling, ResampleDesk::Wish::decimate);
@@ -86,8 +86,8 @@ void Workspace::bind_evolution(ActionBindings& actions, Settings& settings) {
                         release_hold();
                         act();
                       },
-                      {[this] { return !editor_.in_gesture() && !document().is_empty(); },
-                       "there are neither samples nor balls"}});
+                      {{[this] { return !document().is_empty(); }, "there are neither samples nor balls"},
+                       {[this] { return !editor_.in_gesture(); }, "a gesture is under way"}}});
   };
   bind(ActionId::evolution_first, [this] {
     evolution_.play(Direction::none);

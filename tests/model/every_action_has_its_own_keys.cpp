@@ -82,6 +82,29 @@ TEST_CASE("an action that is not possible says why, and only then") {
   CHECK(cuts == 1);
 }
 
+TEST_CASE("of several things that are missing the first is said, each in words of its own") {
+  ActionBindings bindings;
+  bool has_lesson = false;
+  bool is_reading = true;
+  bool is_running = false;
+  const ActionBindings::Condition condition{{[&] { return has_lesson; }, "there is no lesson"},
+                                            {[&] { return !is_reading; }, "a file is being read"}};
+  bindings.bind(ActionId::present_lesson, {[] {}, condition});
+  bindings.bind(ActionId::next_bundle, {[] {}, condition.unless([&] { return is_running; })});
+  CHECK(bindings.missing(ActionId::present_lesson) == "there is no lesson");
+  has_lesson = true;
+  CHECK(bindings.missing(ActionId::present_lesson) == "a file is being read");
+  CHECK_FALSE(bindings.is_enabled(ActionId::present_lesson));
+  CHECK(bindings.missing(ActionId::next_bundle) == "a file is being read");
+  is_running = true;
+  CHECK(bindings.is_enabled(ActionId::next_bundle));
+  CHECK(bindings.missing(ActionId::next_bundle).empty());
+  CHECK_FALSE(bindings.is_enabled(ActionId::present_lesson));
+  is_running = is_reading = false;
+  CHECK(bindings.is_enabled(ActionId::present_lesson));
+  CHECK(bindings.is_enabled(ActionId::next_bundle));
+}
+
 TEST_CASE("an action that runs out of memory ends there, and the next one runs") {
   ActionBindings bindings;
   int calls = 0;

@@ -94,9 +94,12 @@ TEST_CASE("a number with more digits than its field has room for shows its expon
 TEST_CASE("a key whose action is not possible says why in the status bar") {
   constexpr PixelBox kRemark{0, 774, 600, 800};
   const Window window;
-  const Screenshot before = window.screen.settled();
-  window.press("j");
-  CHECK(window.screen.settled().changes(kRemark, before) > 50);
+  for (const char* key : {"j", "Delete", "shift+Left"}) {
+    const Screenshot before = window.screen.settled();
+    window.press(key);
+    CHECK(window.screen.settled().changes(kRemark, before) > 50);
+  }
+  CHECK_FALSE(window.title().starts_with("* "));
 }
 
 TEST_CASE("what is selected goes through the clipboard of the desktop") {
