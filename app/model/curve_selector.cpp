@@ -36,7 +36,7 @@ Expected<void> CurveSelector::follow() {
 
 void CurveSelector::select(const CrustChains::Curve& curve, Wish wish) {
   Selection& selection = editor_.selection();
-  const std::size_t before = selection.sample_count();
+  const std::vector<SampleSlot> before = selection.slots();
   for (const auto& [follower, other] : curve.followers)
     if (selection.contains(follower)) selection.add(other);
   std::vector<SampleSlot> changed;
@@ -68,9 +68,8 @@ void CurveSelector::select(const CrustChains::Curve& curve, Wish wish) {
     else if (!is_added)
       selection.remove(follower);
   }
-  remark_ = selection.sample_count() == before
-                ? kNothingChanged[static_cast<std::size_t>(wish)]
-                : "Selected " + counted(selection.sample_count(), selection.ball_count());
+  remark_ = selection.slots() == before ? kNothingChanged[static_cast<std::size_t>(wish)]
+                                        : "Selected " + counted(selection.sample_count(), selection.ball_count());
 }
 
 }  // namespace mes

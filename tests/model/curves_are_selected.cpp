@@ -119,3 +119,13 @@ TEST_CASE("what was selected along the curve is said, and why nothing changed") 
   static_cast<void>(bench.after(grow));
   CHECK(bench.selector.take_remark().empty());
 }
+
+TEST_CASE("a selection that is another one of the same size is said to be selected") {
+  Bench bench;
+  const std::vector<Vec2> twin{bench.editor.document().position(SampleSlot(24))};
+  REQUIRE(bench.editor.insert(twin, "Insert"));
+  bench.select({25, 32});
+  // The end of the stroke takes the place of its neighbour.
+  CHECK(bench.after(CurveSelector::Wish::shrink) == std::vector<std::uint32_t>{24, 32});
+  CHECK(bench.selector.take_remark() == "Selected 2 samples");
+}
