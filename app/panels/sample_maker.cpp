@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <utility>
 
+#include "app/model/selection.h"
 #include "app/panels/sampling_controls.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -20,18 +21,20 @@ void SampleMaker::set_uses(Make make, std::function<void()> wake) {
   wake_ = std::move(wake);
 }
 
-void SampleMaker::draw_facts(const Gui& gui) const {
+void SampleMaker::draw_facts(const Gui& gui, const std::string& refusal) const {
   const SampleMaking::Made* made = making_.made();
-  if (made == nullptr) return;
   ImGui::PushTextWrapPos(0.0F);
-  if (made->data) {
+  if (made != nullptr && made->data) {
     const std::size_t balls = made->data->balls.size();
-    ImGui::TextDisabled("%s", balls != 0 ? fmt::format("{} balls", balls).c_str()
-                                         : fmt::format("{} samples", made->data->positions.size()).c_str());
+    const std::size_t samples = made->data->positions.size();
+    ImGui::TextDisabled("%s", counted(samples, balls).c_str());
   }
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-  if (!made->data) ImGui::TextUnformatted(made->data.error().text.c_str());
-  for (const std::string& remark : made->remarks) ImGui::TextUnformatted(remark.c_str());
+  if (!refusal.empty()) ImGui::TextUnformatted(refusal.c_str());
+  if (made != nullptr) {
+    if (!made->data) ImGui::TextUnformatted(made->data.error().text.c_str());
+    for (const std::string& remark : made->remarks) ImGui::TextUnformatted(remark.c_str());
+  }
   ImGui::PopStyleColor();
   ImGui::PopTextWrapPos();
 }

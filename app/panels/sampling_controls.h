@@ -2,6 +2,8 @@
 // What the dialogs that make samples of curves have in common: how they are sampled, and how they look.
 #pragma once
 
+#include <string>
+
 #include "app/ui/gui.h"
 #include "core/shapes/shape.h"
 
@@ -10,7 +12,8 @@ namespace mes {
 /// Number, jitter and seed of samples.
 class SamplingControls {
  public:
-  void draw(const Gui& gui);
+  /// `refusal`: as for `number_field`.
+  void draw(const Gui& gui, std::string& refusal);
   ShapeSampling sampling() const;
 
  private:

@@ -3,8 +3,11 @@
 
 #include <fmt/core.h>
 
+#include <array>
 #include <cmath>
+#include <cstdio>
 
+#include "core/formula/formula.h"
 #include "core/io/text_numbers.h"
 #include "imgui.h"
 #include "imgui_internal.h"
@@ -137,6 +140,26 @@ bool formula_field(const char* label, const char* hint, std::string& text) {
   // Esc would leave what was refused, from which the editing began.
   if (!is_left || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) return false;
   text = std::move(left);
+  return true;
+}
+
+bool number_field(const char* label, double& value, const char* format, std::string& refusal) {
+  constexpr std::size_t kLongest = 64;
+  std::array<char, kLongest> shown{};
+  std::snprintf(shown.data(), shown.size(), format, value);
+  std::string text = shown.data();
+  if (!formula_field(label, "", text)) {
+    if (ImGui::IsItemDeactivated()) refusal.clear();
+    return false;
+  }
+  const auto number = number_of(text);
+  if (!number) {
+    refusal = number.error().message();
+    stay_in_field(text);
+    return false;
+  }
+  refusal.clear();
+  value = *number;
   return true;
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 
 #include "app/ui/gui.h"
 
@@ -18,7 +19,8 @@ struct SliderLook {
     double low;
     double high;
   };
-  std::optional<Range> typed{};  ///< what the number may be, where that is more than the slider has
+  std::optional<Range> typed{};    ///< what the number may be, where that is more than the slider has
+  std::string* refusal = nullptr;  ///< where it is, expressions can be typed, and this says why one is refused
 };
 
 /// How wide the slider itself is, of a slider that is `width` wide with its number.

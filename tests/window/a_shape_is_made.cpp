@@ -77,6 +77,34 @@ TEST_CASE("what a parameter of a shape may be is typed, also where its slider en
   for (const Vec2 p : file->data.positions) CHECK(length(p) == Approx(50.0));
 }
 
+TEST_CASE("a parameter of a shape is typed as an expression, and one that has no value is refused") {
+  constexpr std::array<int, 2> kRadius{601, 167};
+  DrivenProgram window;
+  window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
+  window.start("house.poff");
+  open_dialog(window, window.drawn(), "make-shape");
+  window.screen.click(kRadius);
+  static_cast<void>(window.screen.settled());
+  window.screen.type_over("1/0");
+  window.press("Return");
+  static_cast<void>(window.screen.settled());
+  // The field has the keyboard: Enter makes nothing.
+  window.press("Return");
+  static_cast<void>(window.screen.settled());
+  CHECK(is_dimmed(window.screen));
+  window.screen.type_over("sqrt(2)/2");
+  window.press("Return");
+  static_cast<void>(window.screen.settled());
+  window.press("Return");
+  REQUIRE(eventually([&] { return !is_dimmed(window.screen); }));
+  static_cast<void>(window.drawn());
+  window.save_as("circle.poff");
+  const auto file = read_sample_file(window.folder / "circle.poff");
+  REQUIRE(file.has_value());
+  REQUIRE_FALSE(file->data.positions.empty());
+  for (const Vec2 p : file->data.positions) CHECK(length(p) == Approx(std::sqrt(0.5)));
+}
+
 TEST_CASE("a text is written in one step of undo") {
   DrivenProgram window;
   const VirtualScreen& screen = window.screen;
