@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <memory>
 #include <string_view>
 
 namespace mes::cli {
@@ -38,9 +39,21 @@ CommandHelp help_of(const CLI::App& app, const std::string& name) {
   return out;
 }
 
+/// The library says of a flag that it switches something off: "--no-legend{false}".
+class PlainNames final : public CLI::Formatter {
+ public:
+  std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
+    std::string out = CLI::Formatter::make_option_name(option, is_positional);
+    for (std::size_t at = out.find('{'); at != std::string::npos; at = out.find('{'))
+      out.erase(at, out.find('}', at) + 1 - at);
+    return out;
+  }
+};
+
 }  // namespace
 
 void name_values(CLI::App& app) {
+  app.formatter(std::make_shared<PlainNames>());
   for (CLI::Option* option : app.get_options())
     if (takes_value(*option)) option->type_name(std::string(value_of(app.get_name(), names_of(*option).back()).name));
   for (CLI::App* command : app.get_subcommands({})) name_values(*command);

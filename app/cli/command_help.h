@@ -31,7 +31,8 @@ struct CommandHelp {
   std::vector<OptionHelp> options{};
 };
 
-/// Gives the value of each option the name that `OptionValue` has for it, so that help pages say it.
+/// Gives the value of each option the name that `OptionValue` has for it, so that help pages say it, and names flags in
+/// them as they are typed.
 void name_values(CLI::App& app);
 
 /// The program itself first, then its commands.

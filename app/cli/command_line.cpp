@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/command_line.h"
 
-#include <fmt/core.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
-#include <functional>
 #include <new>
 #include <optional>
 #include <system_error>
@@ -18,27 +15,12 @@
 #include "app/cli/manual.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
-#include "app/cli/picture_request.h"
 #include "app/cli/requests.h"
-#include "app/cli/style_request.h"
-#include "app/export/page_size.h"
-#include "app/store/layer_text.h"
-#include "core/base/assert.h"
 #include "core/base/coordinate_range.h"
-#include "core/io/format.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
 namespace {
-
-std::string help_of_export_formats() {
-  std::string out;
-  for (const LayerTextFormat& format : layer_text_formats()) {
-    if (!out.empty()) out += ";\n";
-    out += fmt::format("{}: {}", format.name, format.help);
-  }
-  return out;
-}
 
 constexpr const char* kExamples = R"(Examples:
   mesecina shape.poff
@@ -93,106 +75,6 @@ std::string wrapped(std::string_view text, std::size_t indent) {
   return out;
 }
 
-/// What is read, and how; into `file`, `from` and `reading` of the request.
-template <class Request>
-void add_input(CLI::App& command, Request& request) {
-  command.add_option("FILE", request.file, "Samples to read, or - for standard input")->required();
-  command.add_option("--from", request.from,
-                     "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
-  add_reading(command, request.reading);
-}
-
-void add_source(CLI::App& command, Source& source) {
-  add_input(command, source);
-  command.add_option("--precision", source.precision,
-                     "Number type: " + ids_of(kPrecisionDescriptors) + "; default: fast");
-  command
-      .add_option("--set", source.settings,
-                  "Set a parameter, NAME=VALUE (mesecina list parameters);\nmay be repeated")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-}
-
-/// "one-column (84mm), ...".
-std::string page_preset_words() {
-  std::string out;
-  for (const PagePreset& preset : page_presets())
-    out += (out.empty() ? "" : ", ") + std::string(preset.name) + " (" + std::string(preset.size) + ')';
-  return out;
-}
-
-/// ".png, .svg, ...".
-std::string picture_extension_words() {
-  std::string out(kPixelExtension);
-  for (const figure::Format& format : figure::formats()) out += ", " + std::string(format.extension);
-  return out;
-}
-
-/// What stands on a picture to explain it.
-template <class Request>
-void add_explanations(CLI::App& command, Request& to) {
-  command.add_flag("--legend,!--no-legend", to.with_legend,
-                   "With a colour map: whether its colour bar is drawn; default: yes");
-  command.add_flag("--key", to.with_key, "With all layers in the legend, and a sample of how each is drawn");
-  command.add_flag("--scale-bar", to.marks.bar,
-                   "A line of a round length, with its length in the units of the samples");
-  command.add_flag("--axes", to.marks.axes, "Numbers along the lower and the left edge");
-  command.add_flag("--grid", to.marks.grid, "Faint lines at round numbers, those of the axes");
-  command.add_flag("!--no-annotations", to.with_annotations,
-                   "Leave out text, arrows, dimensions and highlights that a session holds");
-}
-
-/// An option whose value is a place; `to` gets it.
-CLI::Option* add_place(CLI::App& command, const std::string& name, std::function<void(const PaperPlace&)> to,
-                       const std::string& explanation) {
-  return command.add_option_function<std::string>(
-      name,
-      [name, to = std::move(to)](const std::string& text) {
-        const auto place = parse_place(text);
-        if (!place)
-          throw CLI::ValidationError(name + " expects " + one_of(place_corners()) +
-                                     ", and perhaps millimetres from there to 5080, as in top-left:5,7.5, not " +
-                                     in_quotes(text));
-        to(*place);
-      },
-      explanation);
-}
-
-void add_places(CLI::App& command, RenderRequest& to) {
-  add_place(
-      command, "--legend-at", [&to](const PaperPlace& place) { to.legend_at = place; },
-      "Where the legend stands, CORNER or CORNER:XMM,YMM: top-left, top-right,\n"
-      "bottom-left or bottom-right, so many millimetres from its sides (of 96\n"
-      "pixels an inch, times --scale); default: the corner where it hides least");
-  add_place(
-      command, "--scale-bar-at",
-      [&to](const PaperPlace& place) {
-        to.marks.bar = true;
-        to.marks.bar_at = place;
-      },
-      "With a scale bar there, as for --legend-at");
-}
-
-void add_title(CLI::App& command, std::string& title) {
-  command.add_option("--title", title,
-                     "Words above the drawing, with as much LaTeX as annotations have:\n"
-                     "\"Crust of $\\varepsilon$-samples\"");
-}
-
-void add_film(CLI::App& command, FilmRequest& film) {
-  command.add_option("--frames", film.frames, "Folder for the pictures 00001.png ... and manifest.json");
-  command.add_option("--video", film.video, "A video, .mp4 or .webm; needs ffmpeg");
-  command.add_option("--size", film.size, "Width and height in pixels, WxH")->capture_default_str();
-  command.add_option("--fps", film.fps, "Pictures a second, 1 to 120")->capture_default_str();
-  add_explanations(command, film);
-  command.add_flag("!--no-source", film.with_source,
-                   "Leave the session out of manifest.json: with it the manifest can be given\n"
-                   "as FILE");
-  add_title(command, film.title);
-  command.add_option("--shard", film.shard,
-                     "I/N: only every Nth picture, beginning with the Ith, under the same names");
-}
-
 void describe_commands(CLI::App& app, Arguments& to) {
   app.name("mesecina");
   app.description(
@@ -204,253 +86,21 @@ void describe_commands(CLI::App& app, Arguments& to) {
   app.option_defaults()->always_capture_default(false);
   app.require_subcommand(0, 1);
 
-  CLI::App* const compute = app.add_subcommand("compute", "Counts and measures of structures and layers, as JSON");
-  add_source(*compute, to.compute.source);
-  compute->add_option("--layers", to.compute.layers,
-                      "Comma list of layer ids (mesecina list layers), or all;\n"
-                      "default: those visible at start");
-  compute->add_flag("!--no-timing", to.compute.with_timing, "Leave out times: equal input gives equal bytes");
-  compute->add_flag("--digest", to.compute.with_digests,
-                    "Add a digest to each layer: a function of what it draws, equal to that of `play`");
-  compute->add_option("-o,--output", to.compute.output, "Write to this file instead of standard output");
-  add_force(*compute, to.compute.force);
-
-  CLI::App* const sweep =
-      app.add_subcommand("sweep", "Counts and measures while a parameter goes through its values, as CSV");
-  add_source(*sweep, to.sweep.source);
-  sweep
-      ->add_option("--parameter", to.sweep.parameter,
-                   "NAME=FROM..TO, as in lambda-limit=0..20 (mesecina list parameters)")
-      ->required();
-  sweep->add_option("--steps", to.sweep.steps, "How many steps from the first value to the last, both of them shown")
-      ->required();
-  sweep->add_option("--layers", to.sweep.layers,
-                    "Comma list of layer ids (mesecina list layers), or all;\n"
-                    "default: those visible at start");
-  sweep->add_option("-o,--output", to.sweep.output, "Write to this file instead of standard output");
-  add_force(*sweep, to.sweep.force);
-  sweep->footer(
-      "One line for each value; the columns are the numbers that `compute` gives for these layers and their "
-      "structures.");
-
-  CLI::App* const branches = app.add_subcommand("branches", "The branches of an axis with their measures, as CSV");
-  add_source(*branches, to.branches.source);
-  branches
-      ->add_option("--layer", to.branches.layer,
-                   "Which axis: medial-axis, lambda-medial-axis, angle-medial-axis or\n"
-                   "cover-medial-axis, whose limits are parameters")
-      ->capture_default_str();
-  branches->add_option("-o,--output", to.branches.output, "Write to this file instead of standard output");
-  add_force(*branches, to.branches.force);
-  branches->footer(
-      "One line for each branch, the longest first: its ends (leaf, junction, cut by the filter, or none of a loop "
-      "or a "
-      "point),\n"
-      "length, radius of its balls, and the largest lambda and object angle in degrees. Lengths add up to the "
-      "layer's.");
-
-  CLI::App* const persistence = app.add_subcommand(
-      "persistence", "Births and deaths of components and holes of growing disks or balls, as CSV");
-  add_source(*persistence, to.persistence.source);
-  persistence
-      ->add_option("--of", to.persistence.of,
-                   "What grows: samples, as disks of one radius; or the inner, polar or own balls, where\na ball of "
-                   "radius r has the radius sqrt(r^2 + a^2) at a growth of a")
-      ->capture_default_str();
-  persistence->add_option("-o,--output", to.persistence.output, "Write to this file instead of standard output");
-  add_force(*persistence, to.persistence.force);
-  persistence->footer(
-      "One line for each class of the alpha complexes of the samples, the longest first: dimension (0: component,\n"
-      "1: hole), radii of birth and death, the sample of the component or the centre of the circle that fills the\n"
-      "hole, and the edge that joins or closes. What stays has no death. Of balls, births and deaths are growths;\n"
-      "those below 0 are of what the balls have before they grow.");
-
-  const auto add_resampling = [](CLI::App& command, ResampleRequest& request, const char* epsilon) {
-    add_input(command, request);
-    command.add_option("--epsilon", request.epsilon, epsilon)->capture_default_str();
-    command.add_option("-o,--output", request.output, "Write to this file instead of standard output");
-    add_force(command, request.force);
-  };
-  CLI::App* const repair = app.add_subcommand("repair", "Samples inserted where the curve has too few of them");
-  add_resampling(*repair, to.repair,
-                 "Curve edges are halved while half their length is more than this part of the\n"
-                 "distance of their ends to the axis; above 0, at most 1");
-  repair->footer(
-      "New samples lie on a spline through the others, interrupted at corners. What was done is said on standard\n"
-      "error, and what could not be: no number of samples is dense enough at a corner.");
-  CLI::App* const decimate =
-      app.add_subcommand("decimate", "Samples taken away that the curve and the topology of the axis do not need");
-  add_resampling(*decimate, to.decimate,
-                 "The rest is to have, along the curve, half the distance of neighbours at most this\n"
-                 "part of their distance to the axis; above 0, at most 1");
-  decimate->footer(
-      "The curve goes through the rest in the same order, and the axis has as many components and cycles as before.");
-
-  CLI::App* const exported = app.add_subcommand("export", "The geometry of layers, as text");
-  add_source(*exported, to.exported.source);
-  exported
-      ->add_option("--layer", to.exported.layer,
-                   "Layer id (mesecina list layers);\nfor geojson, wkt and svg-path also a comma list, or all")
-      ->required();
-  exported->add_option("--format", to.exported.format, help_of_export_formats())->required();
-  exported->add_option("-o,--output", to.exported.output, "Write to this file instead of standard output");
-  add_force(*exported, to.exported.force);
-
-  CLI::App* const render =
-      app.add_subcommand("render", "A picture of layers, in pixels or as vector graphics; needs no display");
-  add_source(*render, to.render.source);
-  render->add_option("--layers", to.render.layers,
-                     "Comma list of layer ids, or all; default: those of the session, if FILE\n"
-                     "is one or carries one, and else those visible at start.\n"
-                     "They are drawn in the order of mesecina list layers, the first at\n"
-                     "the bottom, however they are listed here");
-  render
-      ->add_option("--bundle", to.render.bundle,
-                   "Layers, their order and their styles as in a bundle: its name\n"
-                   "(mesecina list bundles) or a file of bundles, .json or .bnd, of which\n"
-                   "the first is taken, or that of FILE:NAME")
-      ->excludes("--layers");
-  CLI::Option* const size = render
-                                ->add_option("--size", to.render.size,
-                                             "Width and height in pixels, WxH; in vector formats a pixel is\n"
-                                             "1/96 inch")
-                                ->capture_default_str();
-  render
-      ->add_option("--figure-size", to.render.figure_size,
-                   "Size of a vector format on paper: WxH, or a width to which the height\n"
-                   "follows, with units mm, cm, in, pt or px, as in 84mmx60mm;\n"
-                   "or " +
-                       page_preset_words())
-      ->excludes(size);
-  render->add_option("--bounds", to.render.bounds, "Of a vector format: view, or tight to cut it to what is drawn")
-      ->capture_default_str();
-  render->add_option("--rasterize", to.render.rasterized,
-                     "Layers that become pictures in a vector format: of thousands of shapes\n"
-                     "a picture is smaller");
-  render->add_option("--dpi", to.render.dpi, "Dots an inch of these pictures, from 10 to 2400")
-      ->capture_default_str();
-  render->add_option("--view", to.render.view,
-                     "fit, or X0,Y0,X1,Y1: two corners of what must be seen. fit shows the\n"
-                     "samples and the layers that count for it, with a margin of 5 %;\n"
-                     "default: what the session shows, and else fit");
-  render
-      ->add_option("--scale", to.render.scale,
-                   "Factor for line widths and point sizes, as for a denser screen;\n"
-                   "dots of samples shrink where they would run together")
-      ->capture_default_str();
-  render->add_option("--background", to.render.background, "RRGGBB, or transparent (none)")->capture_default_str();
-  render
-      ->add_option("--set-style", to.render.styles,
-                   "Change the style of a layer, LAYER:KEY=VALUE[,KEY=VALUE...]; may be repeated.\n"
-                   "Keys: " +
-                       style_keys() +
-                       ".\n"
-                       "point-size and line-width are in pixels, or on paper with a unit, as in\n"
-                       "0.5pt; color-map is the name of a map (mesecina list color-maps) or none,\n"
-                       "range is LOW:HIGH or fit; dashed, flat and thin-when-dense are on or off")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  CLI::Option* const compare =
-      render->add_option("--compare", to.render.compared,
-                         "Panes side by side, WHAT=VALUE,VALUE[,VALUE...]: precision, family (a, p,\n"
-                         "b: the layers of these balls), bundle, step (of --evolution), or a\n"
-                         "parameter (mesecina list parameters), as in precision=naive,exact.\n"
-                         "All panes show the same part of the plane, unless --free-cameras is given");
-  render
-      ->add_flag("--free-cameras", to.render.has_free_cameras,
-                 "Show in each pane all that is in it, each at a scale of its own")
-      ->needs(compare);
-  render->add_flag("--differences", to.render.with_differences, "Mark what only some of the panes have")
-      ->needs(compare);
-  render
-      ->add_option("--evolution", to.render.evolution,
-                   "Evolution of --compare step=..., NAME or NAME:KEY=VALUE[,KEY=VALUE...] with\n"
-                   "its parameters and seed (mesecina list evolutions, parameters)")
-      ->needs(compare);
-  render->add_option("--image", to.render.image,
-                     "A picture (PNG, JPEG, BMP, PGM) below everything else (the layer image), FILE or\n"
-                     "FILE:X,Y,WIDTH: its centre and width in the units of the samples;\n"
-                     "without them it is laid into the box around the samples");
-  add_explanations(*render, to.render);
-  add_places(*render, to.render);
-  add_title(*render, to.render.title);
-  render->add_flag("!--no-source", to.render.with_source,
-                   "Leave out of the picture what it is of: without this PNG, SVG, PDF and\n"
-                   "Ipe files hold samples, view and layers, and can be given as FILE");
-  render->add_option("--to", to.render.format,
-                     "Format of the picture: " + one_of(picture_formats()) +
-                         "; default: as the\n"
-                         "name of the output says, and png for standard output");
-  render
-      ->add_option("-o,--output", to.render.output,
-                   "The picture, " + picture_extension_words() + "; - for standard output")
-      ->required();
-  add_force(*render, to.render.force);
-
-  CLI::App* const play = app.add_subcommand("play", "What happened in a session, once more, step by step");
-  play->add_option("SESSION", to.play.session, "A saved session, .json, or - for standard input")->required();
-  add_film(*play, to.play.film);
-  play->footer("Without --frames and --video: one line of JSON a step, with digests of document and layers.");
-
-  CLI::App* const demo = app.add_subcommand(
-      "demo", "The paper's video: the one-step axis, the general pipeline, smoothing; needs no display");
-  add_film(*demo, to.demo.film);
-
-  CLI::App* const lesson =
-      app.add_subcommand("lesson", "The steps of a lesson, listed or as slides; needs no display");
-  lesson
-      ->add_option("LESSON", to.lesson.file,
-                   "A session with a lesson, .json or a file that carries it, - for standard\ninput, or the name of "
-                   "one that comes with the program\n(mesecina list lessons)")
-      ->required();
-  lesson->add_option("--pdf", to.lesson.pdf, "Slides as vector graphics, a page a step; - for standard output");
-  lesson->add_option(
-      "--html", to.lesson.html,
-      "Slides in one file for a browser, with keys and nothing from elsewhere;\n- for standard output");
-  lesson->add_option("--frames", to.lesson.frames, "Folder for a picture a step, 00001.png ..., and manifest.json");
-  lesson->add_option("--video", to.lesson.video,
-                     "A video that shows each step for its seconds, .mp4 or .webm; needs ffmpeg");
-  lesson->add_option("--vtt", to.lesson.vtt,
-                     "The captions with the times of the steps, as WebVTT; - for standard output");
-  lesson->add_option("--size", to.lesson.size, "Width and height of these pictures in pixels, WxH")
-      ->capture_default_str();
-  lesson->add_option("--steps", to.lesson.steps, "Only these steps, as in 2-4 or 1,3-5; default: all");
-  lesson
-      ->add_option("--figure-size", to.lesson.figure_size,
-                   "Size of a page of PDF and HTML: WxH, with units mm, cm, in, pt or px, as in 297mmx210mm;\n"
-                   "or " +
-                       page_preset_words())
-      ->capture_default_str();
-  lesson->add_option("--scale", to.lesson.scale, "Factor for line widths and point sizes of drawings")
-      ->capture_default_str();
-  lesson->add_option("--background", to.lesson.background, "RRGGBB, or transparent (none)")->capture_default_str();
-  add_explanations(*lesson, to.lesson);
-  lesson->add_flag("!--no-source", to.lesson.with_source,
-                   "Leave the session out of the PDF, and of manifest.json of the frames: with it\n"
-                   "the PDF can be given as LESSON");
-  add_force(*lesson, to.lesson.force);
-  lesson->footer("Without an output: one line a step, with its number, how long it is to be shown, and its name.");
-
-  CLI::App* const evolve = app.add_subcommand("evolve", "Samples after some steps of an evolution, as POFF");
-  evolve->add_option("FILE", to.evolve.file, "Samples to read, or - for standard input")->required();
-  evolve->add_option("--from", to.evolve.from,
-                     "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
-  add_reading(*evolve, to.evolve.reading);
-  evolve->add_option("--evolution", to.evolve.evolution, "Evolution id (mesecina list evolutions)")->required();
-  evolve->add_option("--steps", to.evolve.steps, "How many steps")->required();
-  evolve->add_option("--seed", to.evolve.seed, "Of the random numbers, where an evolution draws any")
-      ->capture_default_str();
-  evolve
-      ->add_option("--set", to.evolve.settings,
-                   "Set a parameter of evolutions, NAME=VALUE (mesecina list\nparameters); may be repeated")
-      ->expected(1)
-      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
-  evolve->add_option("-o,--output", to.evolve.output, "Write to this file instead of standard output");
-  add_force(*evolve, to.evolve.force);
-
-  CLI::App* const shape = describe_shape(app, to.shape);
-  CLI::App* const sample = describe_sample(app, to.sample);
-  CLI::App* const text = describe_text(app, to.text);
+  describe_compute(app, to.compute);
+  describe_sweep(app, to.sweep);
+  describe_branches(app, to.branches);
+  describe_persistence(app, to.persistence);
+  describe_repair(app, to.repair);
+  describe_decimate(app, to.decimate);
+  describe_export(app, to.exported);
+  describe_render(app, to.render);
+  describe_play(app, to.play);
+  describe_demo(app, to.demo);
+  describe_lesson(app, to.lesson);
+  describe_evolve(app, to.evolve);
+  describe_shape(app, to.shape);
+  describe_sample(app, to.sample);
+  describe_text(app, to.text);
 
   CLI::App* const list = app.add_subcommand("list", "What there is to name");
   std::string things;
@@ -461,15 +111,14 @@ void describe_commands(CLI::App& app, Arguments& to) {
   CLI::App* const manual =
       app.add_subcommand("manual", "All keys, layers, parameters, formats, commands: as Markdown");
   manual->add_flag("--man", to.manual.as_man_page, "The commands and keys as a man page instead");
-  manual->add_option("-o,--output", to.manual.output, "Write to this file instead of standard output");
+  add_output(*manual, to.manual.output);
 
   CLI::App* const completions =
       app.add_subcommand("completions", "A script that completes commands and options in a shell");
   completions->add_option("SHELL", to.completions.shell, "bash, zsh or fish")->required();
-  completions->add_option("-o,--output", to.completions.output, "Write to this file instead of standard output");
+  add_output(*completions, to.completions.output);
 
-  for (CLI::App* const command : {compute, sweep, branches, persistence, repair, decimate, exported, render, play,
-                                  demo, lesson, evolve, shape, sample, text, list, manual, completions})
+  for (CLI::App* const command : app.get_subcommands({}))
     command->set_help_flag("-h,--help", "Print this help and exit");
   // An empty value is most likely an unset variable of a script, and never the same as no option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };

@@ -21,7 +21,7 @@ std::vector<FormatDescriptor> map_formats() {
 
 void add_reading(CLI::App& command, ReadingOptions& reading) {
   command.add_option("--threshold", reading.threshold,
-                     "Of a picture (PNG, JPEG, BMP, PGM): what is traced parts from the rest between the\n"
+                     "Of a picture (PNG, JPEG, BMP, PGM): what is traced and the rest are separated between the\n"
                      "grey values N and N + 1, from 0 to 254; default: found by Otsu's method");
   command.add_option("--specks", reading.specks,
                      "Of a picture: outlines and holes around less than so many square pixels are left out;\n"
@@ -33,6 +33,32 @@ void add_reading(CLI::App& command, ReadingOptions& reading) {
                    "Of a map (" + ids_of(map_formats()) +
                        "): longitude and latitude stay as they are, in\n"
                        "degrees; default: they are projected to kilometres about the middle of the map");
+}
+
+void add_format(CLI::App& command, std::string& from) {
+  command.add_option("--from", from,
+                     "Format of the input: " + ids_of(format_descriptors()) +
+                         ";\ndefault: found by what it holds, then by its name");
+}
+
+void add_output(CLI::App& command, std::string& output) {
+  command.add_option("-o,--output", output, "Write to this file instead of standard output");
+}
+
+void add_output(CLI::App& command, std::string& output, bool& force) {
+  add_output(command, output);
+  add_force(command, force);
+}
+
+void add_source(CLI::App& command, Source& source) {
+  add_input(command, source);
+  command.add_option("--precision", source.precision,
+                     "Number type: " + ids_of(kPrecisionDescriptors) + "; default: fast");
+  command
+      .add_option("--set", source.settings,
+                  "Set a parameter, NAME=VALUE (mesecina list parameters);\nmay be repeated")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void add_force(CLI::App& command, bool& force) {

@@ -112,7 +112,7 @@ std::vector<std::string> compared_things() {
   return out;
 }
 
-constexpr std::array<OptionValue, 54> kValues{{
+constexpr std::array<OptionValue, 55> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"LESSON", {}, ValueKind::file},
@@ -167,6 +167,7 @@ constexpr std::array<OptionValue, 54> kValues{{
     {"--corner-angle", "DEGREES"},
     {"--corner-radius", "R"},
     {"--jitter", "J"},
+    {"--shard", "I/N"},
 }};
 constexpr OptionValue kText{{}, "TEXT"};
 

@@ -1,12 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands that make samples of curves, as users see them: `shape`, `sample`, `text`.
+// The commands that make samples, as users see them: `repair`, `decimate`, `evolve`, `shape`, `sample`, `text`.
 #include "app/cli/command_options.h"
 #include "core/curves/sampling.h"
 #include "core/io/format.h"
 
 namespace mes::cli {
+namespace {
 
-CLI::App* describe_shape(CLI::App& app, ShapeCommand& to) {
+void add_resampling(CLI::App& command, ResampleRequest& request, const char* epsilon) {
+  add_input(command, request);
+  command.add_option("--epsilon", request.epsilon, epsilon)->capture_default_str();
+  add_output(command, request.output, request.force);
+}
+}  // namespace
+
+void describe_repair(CLI::App& app, ResampleRequest& to) {
+  CLI::App* const repair = app.add_subcommand("repair", "Samples inserted where the curve has too few of them");
+  add_resampling(*repair, to,
+                 "Curve edges are halved while half their length is more than this part of the\n"
+                 "distance of their ends to the axis; above 0, at most 1");
+  repair->footer(
+      "New samples lie on a spline through the others, interrupted at corners. What was done is said on standard\n"
+      "error, and what could not be: no number of samples is dense enough at a corner.");
+}
+
+void describe_decimate(CLI::App& app, ResampleRequest& to) {
+  CLI::App* const decimate =
+      app.add_subcommand("decimate", "Samples taken away that the curve and the topology of the axis do not need");
+  add_resampling(*decimate, to,
+                 "The rest is to have, along the curve, half the distance of neighbours at most this\n"
+                 "part of their distance to the axis; above 0, at most 1");
+  decimate->footer(
+      "The curve goes through the rest in the same order, and the axis has as many components and cycles as before.");
+}
+
+void describe_evolve(CLI::App& app, EvolveRequest& to) {
+  CLI::App* const evolve = app.add_subcommand("evolve", "Samples after some steps of an evolution, as POFF");
+  add_input(*evolve, to);
+  evolve->add_option("--evolution", to.evolution, "Evolution id (mesecina list evolutions)")->required();
+  evolve->add_option("--steps", to.steps, "How many steps")->required();
+  evolve->add_option("--seed", to.seed, "Of the random numbers, where an evolution draws any")->capture_default_str();
+  evolve
+      ->add_option("--set", to.settings,
+                   "Set a parameter of evolutions, NAME=VALUE (mesecina list\nparameters); may be repeated")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  add_output(*evolve, to.output, to.force);
+}
+
+void describe_shape(CLI::App& app, ShapeCommand& to) {
   CLI::App* const shape =
       app.add_subcommand("shape", "Samples of a shape with parameters, as POFF; of balls, as WPOFF");
   shape->add_option("NAME", to.name, "Shape id (mesecina list shapes)")->required();
@@ -24,19 +66,14 @@ CLI::App* describe_shape(CLI::App& app, ShapeCommand& to) {
   shape->add_option("--spacing", to.spacing, "Between samples along curves, at most")->excludes(samples);
   shape->add_option("--jitter", to.jitter, "Move each sample by up to so many mean spacings")->capture_default_str();
   shape->add_option("--seed", to.seed, "Of random points and of the jitter")->capture_default_str();
-  shape->add_option("-o,--output", to.output, "Write to this file instead of standard output");
-  add_force(*shape, to.force);
-  return shape;
+  add_output(*shape, to.output, to.force);
 }
 
-CLI::App* describe_sample(CLI::App& app, SampleRequest& to) {
+void describe_sample(CLI::App& app, SampleRequest& to) {
   CLI::App* const sample = app.add_subcommand(
       "sample",
       "Other samples of the curves of a drawing, a map or a picture, or of a curve through samples, as POFF");
-  sample->add_option("FILE", to.file, "File to read, or - for standard input")->required();
-  sample->add_option("--from", to.from,
-                     "Format of the input, when it is not to be found out (" + ids_of(format_descriptors()) + ")");
-  add_reading(*sample, to.reading);
+  add_input(*sample, to, "File to read, or - for standard input");
   sample->add_option("--rule", to.rule,
                      "Where samples lie: " + ids_of(sampling_rules()) +
                          ";\n"
@@ -56,18 +93,16 @@ CLI::App* describe_sample(CLI::App& app, SampleRequest& to) {
   sample->add_option("--corner-radius", to.corner_radius, "Round corners with arcs of this radius");
   sample->add_option("--jitter", to.jitter, "Move each sample by up to so many mean spacings");
   sample->add_option("--seed", to.seed, "Of the jitter")->capture_default_str();
-  sample->add_option("-o,--output", to.output, "Write to this file instead of standard output");
-  add_force(*sample, to.force);
-  return sample;
+  add_output(*sample, to.output, to.force);
 }
 
-CLI::App* describe_text(CLI::App& app, TextCommand& to) {
+void describe_text(CLI::App& app, TextCommand& to) {
   CLI::App* const text = app.add_subcommand("text", "Samples of the outlines of a text, as POFF");
   text->add_option("TEXT", to.text, "The text; lines end at line feeds")->required();
   text->add_option("--font", to.font,
                    "Name of an installed font, such as \"DejaVu Serif:bold\" (mesecina list fonts),\n"
                    "or a file with a slash in its name; default: the font of the program's window");
-  text->add_option("--size", to.size, "Height of an em, in units of the plane")->capture_default_str();
+  text->add_option("--size", to.size, "Height of an em, in units of the samples")->capture_default_str();
   text->add_option("--line-spacing", to.line_spacing, "From line to line, as a multiple of what the font says")
       ->capture_default_str();
   text->add_flag("--no-kerning", to.no_kerning, "Leave letters as far apart as without their neighbours");
@@ -78,10 +113,8 @@ CLI::App* describe_text(CLI::App& app, TextCommand& to) {
   text->add_option("--spacing", to.spacing, "Between samples along curves, at most")->excludes(samples);
   text->add_option("--jitter", to.jitter, "Move each sample by up to so many mean spacings")->capture_default_str();
   text->add_option("--seed", to.seed, "Of the jitter")->capture_default_str();
-  text->add_option("-o,--output", to.output, "Write to this file instead of standard output");
-  add_force(*text, to.force);
+  add_output(*text, to.output, to.force);
   text->footer("Contours that overlap become one. Characters that the font has no glyph for are left out and named.");
-  return text;
 }
 
 }  // namespace mes::cli

@@ -112,6 +112,8 @@ TEST_CASE("help and version are results") {
     CHECK(help.exit_code == 0);
     CHECK(help.err.empty());
     CHECK_THAT(help.out, Catch::Contains("Usage:"));
+    // Flags are named as they are typed.
+    CHECK_THAT(help.out, !Catch::Contains("{"));
   }
 }
 

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands that write what was computed as numbers, as users see them: `compute`, `sweep`, `branches`,
+// `persistence`, `export`.
+#include <fmt/core.h>
+
+#include "app/cli/command_options.h"
+#include "app/store/layer_text.h"
+
+namespace mes::cli {
+namespace {
+
+std::string help_of_export_formats() {
+  std::string out;
+  for (const LayerTextFormat& format : layer_text_formats()) {
+    if (!out.empty()) out += ";\n";
+    out += fmt::format("{}: {}", format.name, format.help);
+  }
+  return out;
+}
+
+}  // namespace
+
+void describe_compute(CLI::App& app, ComputeRequest& to) {
+  CLI::App* const compute = app.add_subcommand("compute", "Counts and measures of structures and layers, as JSON");
+  add_source(*compute, to.source);
+  compute->add_option("--layers", to.layers,
+                      "Layer ids separated by commas (mesecina list layers), or all;\n"
+                      "default: those visible at start");
+  compute->add_flag("!--no-timing", to.with_timing, "Leave out times: equal input gives equal bytes");
+  compute->add_flag("--digest", to.with_digests,
+                    "Add a digest to each layer: a function of what it draws, equal to that of `play`");
+  add_output(*compute, to.output, to.force);
+}
+
+void describe_sweep(CLI::App& app, SweepRequest& to) {
+  CLI::App* const sweep =
+      app.add_subcommand("sweep", "Counts and measures while a parameter goes through its values, as CSV");
+  add_source(*sweep, to.source);
+  sweep->add_option("--parameter", to.parameter, "NAME=FROM..TO, as in lambda-limit=0..20 (mesecina list parameters)")
+      ->required();
+  sweep->add_option("--steps", to.steps, "How many steps from the first value to the last, both of them shown")
+      ->required();
+  sweep->add_option("--layers", to.layers,
+                    "Layer ids separated by commas (mesecina list layers), or all;\n"
+                    "default: those visible at start");
+  add_output(*sweep, to.output, to.force);
+  sweep->footer(
+      "One line for each value; the columns are the numbers that `compute` gives for these layers and their "
+      "structures.");
+}
+
+void describe_branches(CLI::App& app, BranchesRequest& to) {
+  CLI::App* const branches = app.add_subcommand("branches", "The branches of an axis with their measures, as CSV");
+  add_source(*branches, to.source);
+  branches
+      ->add_option("--layer", to.layer,
+                   "Which axis: medial-axis, lambda-medial-axis, angle-medial-axis or\n"
+                   "cover-medial-axis, whose limits are parameters")
+      ->capture_default_str();
+  add_output(*branches, to.output, to.force);
+  branches->footer(
+      "One line for each branch, the longest first: its ends (leaf, junction, cut by the filter, or none of a loop "
+      "or a "
+      "point),\n"
+      "length, radius of its balls, and the largest lambda and object angle in degrees. Lengths add up to the "
+      "layer's.");
+}
+
+void describe_persistence(CLI::App& app, PersistenceRequest& to) {
+  CLI::App* const persistence = app.add_subcommand(
+      "persistence", "Births and deaths of components and holes of growing disks or balls, as CSV");
+  add_source(*persistence, to.source);
+  persistence
+      ->add_option("--of", to.of,
+                   "What grows: samples, as disks of one radius; or the inner, polar or own balls, where\na ball of "
+                   "radius r has the radius sqrt(r^2 + a^2) at a growth of a")
+      ->capture_default_str();
+  add_output(*persistence, to.output, to.force);
+  persistence->footer(
+      "One line for each class of the alpha complexes of the samples, the longest first: dimension (0: component,\n"
+      "1: hole), radii of birth and death, the sample of the component or the centre of the circle that fills the\n"
+      "hole, and the edge that joins or closes. What stays has no death. Of balls, births and deaths are growths;\n"
+      "those below 0 are of what the balls have before they grow.");
+}
+
+void describe_export(CLI::App& app, ExportRequest& to) {
+  CLI::App* const exported = app.add_subcommand("export", "The geometry of layers, as text");
+  add_source(*exported, to.source);
+  exported
+      ->add_option(
+          "--layer", to.layer,
+          "Layer id (mesecina list layers);\nfor geojson, wkt and svg-path also several separated by commas, or all")
+      ->required();
+  exported->add_option("--format", to.format, help_of_export_formats())->required();
+  add_output(*exported, to.output, to.force);
+}
+
+}  // namespace mes::cli
