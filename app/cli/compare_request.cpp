@@ -125,7 +125,7 @@ class Reader {
     }
     if (subject == kBundle) {
       out_.subject = Subject::bundle;
-      if (!request_.bundle.empty()) return usage_error("--compare bundle goes without --bundle");
+      if (!request_.bundle.empty()) return usage_error("--compare bundle excludes --bundle");
       RenderRequest one = request_;
       one.bundle = value;
       one.layers.clear();
@@ -202,17 +202,17 @@ std::vector<std::string_view> compared_subjects() {
 
 Expected<CompareRequest> understand_comparison(const RenderRequest& request, std::span<const render::ColorMap> maps) {
   if (request.compared.empty()) {
-    if (request.with_differences) return usage_error("--differences goes with --compare");
-    if (request.has_free_cameras) return usage_error("--free-cameras goes with --compare");
-    if (!request.evolution.empty()) return usage_error("--evolution goes with --compare step=...");
+    if (request.with_differences) return usage_error("--differences needs --compare");
+    if (request.has_free_cameras) return usage_error("--free-cameras needs --compare");
+    if (!request.evolution.empty()) return usage_error("--evolution needs --compare step=...");
     return CompareRequest{};
   }
   if (request.has_free_cameras && !request.view.empty())
-    return usage_error("--free-cameras goes without --view: each pane shows all that is in it");
+    return usage_error("--free-cameras excludes --view: each pane shows all that is in it");
   auto out = Reader(request, maps).read();
   if (out && out->subject != CompareRequest::Subject::step && !request.evolution.empty())
-    return usage_error("--evolution goes with --compare step=...");
-  if (out && request.bounds != kBoundsOfView) return usage_error("--bounds goes without --compare");
+    return usage_error("--evolution needs --compare step=...");
+  if (out && request.bounds != kBoundsOfView) return usage_error("--bounds excludes --compare");
   return out;
 }
 

@@ -239,7 +239,7 @@ class Studio {
         if (const auto read = read_background(image.file))
           scene_.set_picture(layer, *read);
         else
-          say("the picture to trace is left out: " + read.error().message());
+          say("the picture underneath is left out: " + read.error().message());
       }
     }
     scene_.place_picture({image.center, image.width});

@@ -111,7 +111,7 @@ Expected<Precision> select_precision(const std::string& id) {
     if (descriptor.id == id) return descriptor.precision;
     ids.push_back(descriptor.id);
   }
-  return usage_error(fmt::format("unknown precision {}; it is one of {}", in_quotes(id), one_of(ids)));
+  return usage_error(fmt::format("unknown number type {}; it is one of {}", in_quotes(id), one_of(ids)));
 }
 
 Expected<std::pair<std::size_t, double>> parse_setting(const std::string& setting,

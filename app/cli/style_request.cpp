@@ -85,7 +85,7 @@ class Setting {
   }
   Expected<void> color_map(const LayerDescriptor& layer, LayerStyle& style) const {
     if (value_ != "none" && layer.scalar.empty())
-      return usage_error(fmt::format("layer {} has no scalar that a colour map could show", layer.id));
+      return usage_error(fmt::format("layer {} has no number that a colour map could show", layer.id));
     if (value_ != "none" && std::ranges::find(maps_, value_) == maps_.end()) {
       const std::vector<std::string_view> names(maps_.begin(), maps_.end());
       return usage_error(fmt::format("unknown colour map {}; did you mean {}?", in_quotes(value_),

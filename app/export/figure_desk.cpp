@@ -185,7 +185,7 @@ Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(const 
     if (auto image = read_background(subject.image.file))
       out->traced = std::move(*image);
     else
-      out->remarks.push_back("the picture to trace is left out: " + image.error().message());
+      out->remarks.push_back("the picture underneath is left out: " + image.error().message());
   }
   return out;
 } catch (const std::bad_alloc&) {
@@ -221,7 +221,8 @@ FigureDesk::Drawn FigureDesk::draw(const Contents& contents, const Wanted& wante
   preview.remarks.insert(preview.remarks.end(), drawn->remarks.begin(), drawn->remarks.end());
   const figure::Format* const format = figure::format_for(wanted.settings.extension);
   if (contents.traced && format != nullptr && !format->has_images) {
-    preview.remarks.push_back("the picture to trace is left out: " + std::string(format->name) + " files hold none");
+    preview.remarks.push_back("the picture underneath is left out: " + std::string(format->name) +
+                              " files hold none");
     for (figure::FigureLayer& layer : drawn->figure.layers) layer.image.reset();
   }
   preview.layers = counted(drawn->figure, contents.comparison.panes);

@@ -111,7 +111,7 @@ const render::Image* LessonPrinter::traced(const BackgroundImage& image, std::ve
     if (auto read = read_background(image.file))
       found->second = std::move(*read);
     else
-      remarks.push_back("the picture to trace is left out: " + read.error().message());
+      remarks.push_back("the picture underneath is left out: " + read.error().message());
   }
   return found->second ? &*found->second : nullptr;
 }

@@ -191,16 +191,16 @@ void take_the_general_way(Script& script) {
   show_scene(
       script, "Dual complex", "What of it the union covers: the dual complex",
       {"a-inner-disks", "a-dual-faces", "a-dual-interior-edges", "a-dual-regular-edges", "a-dual-singular-edges"});
-  show_scene(script, "V points", "Points where circles cross on the boundary of the union: the V points",
+  show_scene(script, "V-points", "Points where circles cross on the boundary of the union: the v-points",
              {"a-inner-disks", "a-union-boundary", "a-dual-singular-edges", "a-v-points"});
-  show_scene(script, "Voronoi diagram of the V points", "The Voronoi diagram of the V points ...",
+  show_scene(script, "Voronoi diagram of the v-points", "The Voronoi diagram of the v-points ...",
              {"a-inner-disks", "a-v-voronoi", "a-v-points"});
   show_scene(script, "The axis, the general way", "... cut by the dual complex: the medial axis, the general way",
              {"a-inner-disks", "a-ball-medial-axis", "a-v-points"});
 }
 
 void compare_the_numbers(Script& script) {
-  const std::string lost = "The same in plain doubles: V points are lost and found, and the axis with them";
+  const std::string lost = "The same in plain doubles: v-points are lost and found, and the axis with them";
   script.say(lost, 0.0);
   script.compute_in(Precision::naive, false);
   script.say(lost, 4.0);

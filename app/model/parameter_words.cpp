@@ -57,7 +57,7 @@ constexpr auto kSpoken = std::to_array<Title>(
       "alpha-radius^2)"},
      {"growing-step", "How much is added in each step to the factor by which radii are multiplied or divided"},
      {"freeze-chains",
-      "Where no loops came with the samples. On: the crust of the beginning says who follows whom; off: the crust of "
+      "Where the document has no contours. On: the crust of the beginning says who follows whom; off: the crust of "
       "each step does"}});
 constexpr std::array<std::pair<Words, LayerGroup>, 3> kFamilies{
     {{"a-", LayerGroup::union_a}, {"p-", LayerGroup::union_p}, {"b-", LayerGroup::union_b}}};

@@ -51,8 +51,8 @@ Expected<void> check(const RecordSettings& settings) {
     return refuse(fmt::format("a frame of {} pixels is too large: it has at most {} million pixels", size,
                               kMostFramePixels >> 20));
   if (settings.supersampling != 1 && settings.supersampling != 2 && settings.supersampling != 4)
-    return refuse("supersampling is by 1, 2 or 4");
-  if (!(settings.fps >= 1.0 && settings.fps <= 120.0)) return refuse("frames per second are from 1 to 120");
+    return refuse("supersampling must be by 1, 2 or 4");
+  if (!(settings.fps >= 1.0 && settings.fps <= 120.0)) return refuse("frames per second must be from 1 to 120");
   return {};
 }
 

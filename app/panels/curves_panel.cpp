@@ -112,7 +112,7 @@ void CurvesPanel::draw_density(SamplingRequest& request) {
     case SamplingRule::vertices: break;
     case SamplingRule::spacing:
       number("Distance", request.spacing, 1e-4 * extent_, extent_, "%.4g", true,
-             "Between neighbours along the curve, at most; in the unit of the document");
+             "Between neighbours along the curve, at most; in units of the samples");
       break;
     case SamplingRule::count: count(request, "As many samples at most, but for corners and short curves"); break;
     case SamplingRule::adaptive:
@@ -158,7 +158,7 @@ void CurvesPanel::draw_corners(SamplingRequest& request) {
   tooltip(gui_, actions_.tooltip_of(ActionId::mark_corners));
   if (is_rounded)
     number("Radius", request.corner_radius, 1e-4 * extent_, 0.5 * extent_, "%.4g", true,
-           "Of the arcs, in the unit of the document; smaller where corners are near to each other");
+           "Of the arcs, in units of the samples; smaller where corners are near to each other");
 }
 
 void CurvesPanel::draw_jitter(SamplingRequest& request) {

@@ -231,7 +231,7 @@ void FigureDialog::draw_look(const Gui& gui) const {
   title(gui, "Scale");
   ImGui::Checkbox("Bar", &settings.marks.bar);
   tooltip(gui,
-          "A line of a round length, with its length in the units of the samples, where it was dragged to on the "
+          "A line of a round length, with its length in units of the samples, where it was dragged to on the "
           "canvas");
   ImGui::SameLine();
   ImGui::Checkbox("Axes", &settings.marks.axes);

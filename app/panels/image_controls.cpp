@@ -34,7 +34,7 @@ void ImageControls::draw() const {
   };
   BackgroundImage image = layers.image();
   if (image.file.empty()) {
-    ImGui::TextUnformatted("No picture to trace is open");
+    ImGui::TextUnformatted("There is no picture underneath");
     choose("Choose a picture...");
     tooltip(gui, "PNG, JPEG, BMP or PGM; it can also be dropped on the window");
     return;
@@ -56,7 +56,7 @@ void ImageControls::draw() const {
   tooltip(gui, "As large as it can be in what is seen now");
   ImGui::SameLine(0, 4 * unit);
   choose("Replace...");
-  tooltip(gui, "Trace another picture");
+  tooltip(gui, "Lay another picture underneath");
   ImGui::SameLine(0, 4 * unit);
   if (ImGui::Button("Remove")) {
     layers.set_image({});

@@ -29,7 +29,7 @@ bool matches(const ParameterDescriptor& descriptor, const std::string& search) {
 std::string explanation(const ParameterDescriptor& descriptor) {
   if (descriptor.is_length)
     return fmt::format(
-        "{}\n\nA length in the unit of the document, {:.6g} by default. On the command line: --set {}=VALUE",
+        "{}\n\nA length in units of the samples, {:.6g} by default. On the command line: --set {}=VALUE",
         spoken_explanation(descriptor), descriptor.default_value, descriptor.id);
   return fmt::format("{}\n\n{:.6g} to {:.6g}{}{}, {:.6g} by default. On the command line: --set {}=VALUE",
                      spoken_explanation(descriptor), descriptor.low, descriptor.high,

@@ -169,7 +169,7 @@ void SelectionPanel::draw_arrangement() {
   };
   using Button = std::pair<ActionId, const char*>;
   constexpr std::array<Button, 6> kAlign{{{nth(ActionId::first_alignment, 0), "Left"},
-                                          {nth(ActionId::first_alignment, 1), "Center"},
+                                          {nth(ActionId::first_alignment, 1), "Centre"},
                                           {nth(ActionId::first_alignment, 2), "Right"},
                                           {nth(ActionId::first_alignment, 3), "Bottom"},
                                           {nth(ActionId::first_alignment, 4), "Middle"},

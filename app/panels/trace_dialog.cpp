@@ -96,7 +96,7 @@ void TraceDialog::draw_choices(const Gui& gui) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::TextUnformatted("Threshold");
   slider(gui, "##threshold", threshold_, 0.0, 254.0, {.format = "%.0f", .is_whole = true, .width = width});
-  tooltip(gui, "Grey value, from black (0) to white (255), that parts what is traced from the rest");
+  tooltip(gui, "Grey value, from black (0) to white (255), that separates what is traced from the rest");
   ImGui::TextUnformatted("Leave out specks below");
   slider(gui, "##specks", specks_, 1.0, kMostSpecks,
          {.format = "%.0f px", .is_logarithmic = true, .is_whole = true, .width = width});

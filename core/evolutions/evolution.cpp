@@ -14,7 +14,7 @@ namespace {
 
 constexpr ParameterDescriptor kFreezeChains{
     "freeze-chains",
-    "Where no loops came with the samples. 0: the crust says at each step who follows whom; 1: the crust of the "
+    "Where the document has no contours. 0: the crust says at each step who follows whom; 1: the crust of the "
     "beginning does",
     "",
     0.0,

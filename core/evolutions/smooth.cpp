@@ -66,7 +66,7 @@ Expected<EvolutionState> step(const EvolutionState& state, const EvolutionStep& 
 Evolution smooth_evolution() {
   return {{"smooth",
            "Smooth",
-           "Each sample moves halfway to the middle of its neighbours on the curve",
+           "Each sample moves towards the middle of its neighbours on the curve",
            false,
            {{kMu, "How far a sample goes towards the middle of its neighbours", "", 0.001, 1.0, 0.5},
             {kBack,

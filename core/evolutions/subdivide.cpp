@@ -114,7 +114,7 @@ Evolution subdivide_evolution() {
   return {
       {"subdivide",
        "Subdivide",
-       "A new sample between each two neighbours on the curve, which becomes a smooth spline",
+       "A new sample between each two neighbours on the curve, by a subdivision scheme",
        false,
        {{kScheme, "0: cubic B-spline; 1: Chaikin's corner cutting; 2: four-point, through every sample; 3: midpoints",
          "", 0.0, 3.0, 0.0, true}}},

@@ -15,7 +15,7 @@ Layer make_contours_layer(const StructureSet& set) {
       {.id = "contours",
        .name = "Contours",
        .tooltip = "The order of the samples along curves as the file gave it, or as it was edited; the "
-                  "scalar is the direction from each sample to the next, counter-clockwise from the right",
+                  "number is the direction from each sample to the next, counter-clockwise from the right",
        .group = LayerGroup::samples,
        .scalar = "direction in degrees",
        .style = {.color = palette::orange, .opacity = 0.7, .line_width_px = 3},

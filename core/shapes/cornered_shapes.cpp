@@ -25,7 +25,7 @@ Expected<MadeShape> polygon(const ShapeValues& values) {
 
 Expected<MadeShape> star(const ShapeValues& values) {
   const double points = values.numbers[0];
-  if (values.numbers[2] >= values.numbers[1]) return impossible("inner is less than outer");
+  if (values.numbers[2] >= values.numbers[1]) return impossible("inner must be less than outer");
   std::vector<Vec2> corners;
   for (double i = 0.0; i < points; ++i) {
     corners.push_back(at_angle(values.numbers[1], kTurn * (0.25 + i / points)));
@@ -39,7 +39,7 @@ Expected<MadeShape> gear(const ShapeValues& values) {
   const double teeth = values.numbers[0];
   const double outer = values.numbers[1];
   const double inner = values.numbers[2];
-  if (inner >= outer) return impossible("inner is less than outer");
+  if (inner >= outer) return impossible("inner must be less than outer");
   const double half = 0.5 * kTurn / teeth;
   PlaneCurve out(at_angle(outer, 0.0));
   for (double i = 0.0; i < teeth; ++i) {

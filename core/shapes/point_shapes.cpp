@@ -157,7 +157,7 @@ Expected<MadeShape> almost_cocircular(const ShapeValues& values) {
 /// Multiples of a step of whole numbers, which are exact.
 Expected<MadeShape> collinear(const ShapeValues& values) {
   const Vec2 step{values.numbers[0], values.numbers[1]};
-  if (step == Vec2{}) return impossible("dx and dy are not both zero");
+  if (step == Vec2{}) return impossible("dx and dy must not both be zero");
   std::vector<Vec2> out;
   for (std::size_t i = 0; i < values.samples; ++i) out.push_back(static_cast<double>(i) * step);
   return of_points(std::move(out));

@@ -41,13 +41,13 @@ Expected<MadeShape> rounded_rectangle(const ShapeValues& values) {
   const double half_width = 0.5 * values.numbers[0];
   const double half_height = 0.5 * values.numbers[1];
   if (values.numbers[2] > std::min(half_width, half_height))
-    return impossible("the radius of the corners is at most half of width and height");
+    return impossible("the radius of the corners must be at most half of width and height");
   return MadeShape{.curves = {{rounded(half_width, half_height, values.numbers[2])}, {}}};
 }
 
 Expected<MadeShape> annulus(const ShapeValues& values) {
   if (values.numbers[1] + std::abs(values.numbers[2]) >= values.numbers[0])
-    return impossible("the hole lies within the outer circle: inner and shift together are less than outer");
+    return impossible("the hole must lie within the outer circle: inner and shift together must be less than outer");
   return MadeShape{.curves = {{ellipse_curve({}, values.numbers[0], values.numbers[0]),
                                ellipse_curve({values.numbers[2], 0.0}, values.numbers[1], values.numbers[1], true)},
                               {}}};

@@ -38,10 +38,10 @@ SamplingRequest sampling_of(const ShapeSampling& wish) {
 Expected<void> check(const ShapeSampling& wish) {
   if (wish.samples && wish.spacing) return impossible("either the number of samples or their spacing, not both");
   if (wish.spacing && !(*wish.spacing > 0.0 && std::isfinite(*wish.spacing)))
-    return impossible("a spacing is a positive number");
+    return impossible("a spacing must be a positive number");
   if (wish.samples && (*wish.samples == 0 || *wish.samples > kMostShapeSamples))
-    return impossible(fmt::format("there are from 1 to {} samples", kMostShapeSamples));
-  if (!(wish.jitter >= 0.0 && wish.jitter <= 100.0)) return impossible("a jitter is a number from 0 to 100");
+    return impossible(fmt::format("the number of samples must be from 1 to {}", kMostShapeSamples));
+  if (!(wish.jitter >= 0.0 && wish.jitter <= 100.0)) return impossible("a jitter must be a number from 0 to 100");
   return {};
 }
 

@@ -36,7 +36,7 @@ TEST_CASE("an unknown layer names the nearest ones") {
 
 TEST_CASE("what this build cannot do is said, not ignored") {
   require_usage_error({"compute", kDude, "--set", "union-shortcut=0.5"}, {"whole number"});
-  require_usage_error({"compute", kDude, "--precision", "exakt"}, {"unknown precision", "exact-roots"});
+  require_usage_error({"compute", kDude, "--precision", "exakt"}, {"unknown number type", "exact-roots"});
   require_usage_error({"export", kDude, "--layer", "points,curve", "--format", "csv"},
                       {"holds one layer", "geojson, wkt and svg-path hold several"});
   require_usage_error({"export", kDude, "--layer", "points", "--format", "npoff"},
@@ -123,7 +123,7 @@ TEST_CASE("a style that makes no sense is refused with what there is") {
         {"render", kDude, "--layers", "curve,curve-normals,points", "--set-style", style, "-o", "a.png"}, says);
   };
   refused("curve:color-map=virdis", {"unknown colour map \"virdis\"", "viridis"});
-  refused("curve-normals:color-map=viridis", {"curve-normals has no scalar"});
+  refused("curve-normals:color-map=viridis", {"curve-normals has no number"});
   refused("curve", {"LAYER:KEY=VALUE"});
   refused("curve:", {"KEY=VALUE"});
   refused("curve:flat", {"KEY=VALUE"});

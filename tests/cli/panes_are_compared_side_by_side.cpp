@@ -193,7 +193,7 @@ TEST_CASE("what cannot be compared is a usage error, and nothing is written") {
   const std::vector<Wrong> wrong{
       {{"--compare", "precision=naive"}, "give 2 to 16 values, not 1"},
       {{"--compare", "precision"}, "expects WHAT=VALUE,VALUE"},
-      {{"--compare", "precision=naive,best"}, "unknown precision \"best\""},
+      {{"--compare", "precision=naive,best"}, "unknown number type \"best\""},
       {{"--compare", "speed=1,2"}, "unknown subject \"speed\""},
       {{"--compare", "a-scale=1,,2"}, "a value is empty"},
       {{"--compare", "a-scale=1,1000"}, "is not between"},
@@ -202,12 +202,12 @@ TEST_CASE("what cannot be compared is a usage error, and nothing is written") {
       {{"--compare", "step=0,2"}, "name the evolution with --evolution"},
       {{"--compare", "step=0,-2", "--evolution", "smooth"}, "is not a whole number"},
       {{"--compare", "step=0,2", "--evolution", "smooth:speed=1"}, "unknown parameter \"speed\""},
-      {{"--compare", "precision=fast,exact", "--evolution", "smooth"}, "goes with --compare step"},
+      {{"--compare", "precision=fast,exact", "--evolution", "smooth"}, "needs --compare step"},
       {{"--compare", "bundle=Crust,Nonsense"}, "unknown bundle \"Nonsense\""},
       {{"--compare", "precision=fast,exact", "--size", "30x30"}, "too small for 2 panes"},
       {{"--differences"}, "requires --compare"},
       {{"--free-cameras"}, "requires --compare"},
-      {{"--compare", "precision=fast,exact", "--free-cameras", "--view", "0,0,1,1"}, "goes without --view"},
+      {{"--compare", "precision=fast,exact", "--free-cameras", "--view", "0,0,1,1"}, "excludes --view"},
   };
   for (const Wrong& each : wrong) {
     std::vector<std::string> arguments = each.arguments;

@@ -62,7 +62,7 @@ TEST_CASE("fonts that are not there and characters without a glyph end in one li
                          {{"a", "--size", "0"}, 2, "the size of a text is a positive number"},
                          {{"a", "--size", "big"}, 2, "--size expects a number, not \"big\""},
                          {{"a", "--line-spacing=-1"}, 2, "the distance of lines is a number from 0 to 1000"},
-                         {{"a", "--samples", "0"}, 2, "there are from 1 to 10000000 samples"},
+                         {{"a", "--samples", "0"}, 2, "the number of samples must be from 1 to 10000000"},
                          {{}, 2, "TEXT is required"}}) {
     std::vector<std::string> arguments = test.arguments;
     arguments.insert(arguments.begin(), "text");
