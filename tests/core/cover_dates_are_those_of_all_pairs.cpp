@@ -219,3 +219,15 @@ TEST_CASE("a search for covers finds the least quotient of all pairs, whatever t
            static_cast<std::uint32_t>(rng.below(balls.size()))};
   check_search(balls, hints);
 }
+
+TEST_CASE("statistics say the limit that is set, also where it removes as much as the one before") {
+  Workbench bench;
+  bench.show({"cover-medial-axis"});
+  bench.replace(ellipse(2.0, 1.0, 200, {0.3, 0.0, 1}).data.positions);
+  for (const double factor : {1.0, 1.2, 0.8, 1.0}) {
+    ComputationSettings settings;
+    settings[Parameter::scale_axis_factor] = factor;
+    bench.choose(settings);
+    CHECK(bench.measure("cover-axis", "limit") == factor);
+  }
+}

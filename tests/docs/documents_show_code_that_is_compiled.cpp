@@ -93,7 +93,8 @@ std::vector<fs::path> files_below(const fs::path& folder, std::string_view exten
 }  // namespace
 
 TEST_CASE("the smallest uses of core's headers are compiled") {
-  const std::string compiled = bare(text_of("tests/docs/examples_of_headers_do_what_they_say.cpp"));
+  const std::string compiled = bare(text_of("tests/docs/examples_of_headers_do_what_they_say.cpp")) +
+                               bare(text_of("tests/docs/examples_of_readers_do_what_they_say.cpp"));
   std::size_t seen = 0;
   for (const fs::path& header : files_below("core", ".h")) {
     INFO(header);

@@ -32,20 +32,7 @@
 #include "core/evolutions/evolution_run.h"
 #include "core/formula/formula.h"
 #include "core/glyphs/text_outlines.h"
-#include "core/io/coordinate_pairs.h"
-#include "core/io/counted_remarks.h"
-#include "core/io/json_text.h"
-#include "core/io/json_view.h"
-#include "core/io/line_layout.h"
-#include "core/io/line_words.h"
-#include "core/io/map_shapes.h"
-#include "core/io/read_job.h"
 #include "core/io/session.h"
-#include "core/io/short_decimal.h"
-#include "core/io/text_numbers.h"
-#include "core/io/vertex_graph.h"
-#include "core/io/xml_long_values.h"
-#include "core/io/xml_source.h"
 #include "core/layers/parts/helpers.h"
 #include "core/raster/trace.h"
 #include "core/resampling/resampling.h"
@@ -89,41 +76,6 @@ PlaneCurve bow() {
   return curve;
 }
 
-Expected<LoadedFile> crete(const std::string& name) {
-  ReadJob job;
-  // core/io/map_shapes.h
-  MapShapes shapes;
-  for (const Vec2 corner : {Vec2{23.9, 35.5}, Vec2{26.0, 35.2}, Vec2{24.8, 34.9}}) shapes.add(corner);
-  shapes.end_ring();
-  return std::move(shapes).load(name, MapShapes::Unit::degrees, MapDegrees::projected, job);
-}
-
-Expected<LoadedFile> file_of_triangle(const std::string& name) {
-  ReadJob job;
-  // core/io/vertex_graph.h
-  VertexGraph graph;
-  for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}}) graph.add_vertex(corner);
-  graph.add_face(std::vector<std::uint32_t>{0, 1, 2});
-  return std::move(graph).load(name, job);
-}
-
-Expected<std::size_t> lines_with_positions(std::string_view bytes, const std::string& name) {
-  // core/io/line_words.h
-  LineWords lines(bytes, name);
-  while (lines.next()) {
-    const auto position = lines.position(0);
-    if (!position) return std::unexpected(position.error());
-  }
-  return lines.line();
-}
-
-void go_through(std::string_view text, JobControl& control) {
-  // core/io/read_job.h
-  ReadJob job(&control);
-  job.begin(text);
-  for (const char& c : text) job.passed(&c);
-}
-
 std::string refused_by_coordinate_range(double x) {
   const auto refuse = [](std::string why) { return why; };
   // core/base/coordinate_range.h
@@ -131,16 +83,6 @@ std::string refused_by_coordinate_range(double x) {
   if (const auto fault = seen.fault_of(x)) return refuse(describe(*fault, x, seen));
   seen.add(x);
   return seen.is_empty() ? "nothing was seen" : "";
-}
-
-Expected<std::size_t> count_timeline(std::string_view text) {
-  const std::string file = "a.json";
-  std::size_t count = 0;
-  const auto use = [&count](const JsonView& entry) { count += entry.is_object() ? 1U : 0U; };
-  // core/io/json_view.h
-  if (auto good = check_json(text, file); !good) return std::unexpected(good.error());
-  for (const JsonView entry : JsonView::whole(text).find("timeline").elements()) use(entry);
-  return count;
 }
 
 Layer curve_layer(const StructureSet& set) {
@@ -355,64 +297,6 @@ TEST_CASE("core/graph/layer.h") {
   CHECK(fresh[PrimitiveKind::segment].count == 16);
 }
 
-TEST_CASE("core/io/text_numbers.h") {
-  const std::string_view bytes = "1 2\n 3";
-  std::vector<std::uint64_t> columns;
-  const auto use = [&columns](std::string_view, std::uint64_t, std::uint64_t column) { columns.push_back(column); };
-  Scanner scanner(bytes);
-  while (scanner.next()) use(scanner.token(), scanner.line(), scanner.column());
-  CHECK(columns == std::vector<std::uint64_t>{1, 3, 2});
-}
-
-TEST_CASE("core/io/read_job.h") {
-  const std::string text(std::size_t{1} << 20U, 'x');
-  JobControl control;
-  go_through(text, control);
-  CHECK(control.progress() > 0.8);
-  CHECK(control.progress() < 0.91);
-  std::stop_source source;
-  source.request_stop();
-  JobControl stopped(source.get_token());
-  CHECK_THROWS_AS(go_through(text, stopped), Cancelled);
-}
-
-TEST_CASE("core/io/line_layout.h") {
-  struct Number {
-    std::uint64_t line, column;
-    std::size_t length;
-  };
-  const std::vector<Number> numbers{{2, 1, 1}, {2, 3, 1}, {2, 5, 1}, {3, 1, 1}, {3, 3, 1}, {3, 5, 1}};
-  const std::uint64_t header_line = 1;
-  const std::uint64_t announced = 2;
-  std::uint64_t refused_line = 0;
-  const auto refuse = [&refused_line](const LineLayout::OddLine& line) { refused_line = line.place.line; };
-  LineLayout layout(2, header_line);
-  for (const auto& number : numbers) layout.add(number.line, number.column, number.length);
-  layout.end();
-  if (const auto line = layout.contradiction(announced)) refuse(*line);
-  CHECK(refused_line == 2);
-}
-
-TEST_CASE("core/io/session.h") {
-  Session given;
-  SampleData data;
-  data.positions = ring();
-  given.data = std::make_shared<const SampleData>(data);
-  const std::string text = write_session(given);
-  auto session = read_session(text, "a.json");
-  DocumentReplay replay;
-  auto done = replay_session(*session, replay, "a.json");
-  REQUIRE(done);
-  CHECK(replay.document().sample_count() == data.positions.size());
-}
-
-TEST_CASE("core/io/json_view.h") {
-  const auto count = count_timeline(R"({"timeline": [{}, {}, {}]})");
-  REQUIRE(count);
-  CHECK(*count == 3);
-  CHECK_FALSE(count_timeline("{"));
-}
-
 TEST_CASE("core/base/radix_sort.h") {
   std::vector<RadixKey> keys{{7, 0}, {3, 1}};
   radix_sort(keys);  // item 1, then item 0
@@ -488,18 +372,13 @@ TEST_CASE("core/structures/crust/internal/link_cut_forest.h") {
   CHECK(forest.are_connected(2, 1));
 }
 
-TEST_CASE("curves are sampled, and maps are read, as their headers show") {
+TEST_CASE("curves are sampled as their header shows") {
   CurveSet curves;
   curves.curves.push_back(bow());
   // core/curves/sampling.h
   auto samples = sample(curves, {.rule = SamplingRule::spacing, .spacing = 0.5});
   REQUIRE(samples);
   CHECK(samples->positions.size() > 6);
-  const auto island = crete("crete.json");
-  REQUIRE(island);
-  REQUIRE(island->data.contours.size() == 1);
-  CHECK(island->data.contours.front().closed);
-  CHECK(island->data.positions.size() == 3);
 }
 
 TEST_CASE("curves lose their corners, are laid through points, and are sampled, as headers show") {
@@ -573,56 +452,7 @@ TEST_CASE("shapes are made as their headers show") {
   CHECK(data->positions.size() == 300);
 }
 
-TEST_CASE("short numbers are read as their header shows") {
-  // core/io/short_decimal.h
-  double value = 0.0;
-  const std::size_t size = short_decimal("12.5,3", value);  // 4
-  CHECK(size == 4);
-  CHECK(value == 12.5);
-}
-
-TEST_CASE("vertices and long values are read as their headers show") {
-  // core/io/coordinate_pairs.h
-  std::array<Vec2, 256> pairs;
-  const PairRun run = read_coordinate_pairs("1,2 3.5-4 L 5 6 ...", 'L', pairs);
-  CHECK((run.count == 3 || run.count == 0));  // where there is no SSE2
-
-  const std::string bytes = "<svg><path d='M0 0" + std::string(3000, ' ') + "L1 1'/></svg>";
-  ReadJob job;
-  job.begin(bytes);
-  {
-    // core/io/xml_long_values.h
-    std::string rest;
-    const auto values = take_long_values(bytes, {"d", "points"}, rest, job);
-    // In `rest`, at values[0].place, one character stands for values[0].value.
-    REQUIRE(values.size() == 1);
-    CHECK(rest[values[0].place - 1] == '\'');
-    CHECK(rest[values[0].place + 1] == '\'');
-  }
-  const std::string name = "a.svg";
-  // core/io/xml_source.h
-  XmlSource source(bytes, name);
-  const auto root = source.parse(job);
-  REQUIRE(root);
-  CHECK(std::string(root->name()) == "svg");
-}
-
-TEST_CASE("files become curves as their headers show") {
-  const auto triangle = file_of_triangle("a");
-  REQUIRE(triangle);
-  CHECK(triangle->data.contours.size() == 1);
-  CHECK(lines_with_positions("1 2\n3 4 5\n", "a") == 2U);
-  CHECK(lines_with_positions("1 2\n3\n", "a").error().line == 2);
-
-  std::string said;
-  const auto warn = [&said](const std::string& text, std::size_t) { said += text; };
-  const std::size_t place = 7;
-  // core/io/counted_remarks.h
-  CountedRemarks remarks;
-  remarks.add("text element is left out", "text elements are left out", place);
-  remarks.for_each([&](const std::string& text, std::size_t at) { warn(text, at); });
-  CHECK(said == "1 text element is left out");
-
+TEST_CASE("splines, pieces and letters become curves as their headers show") {
   // core/curves/b_spline.h
   const auto curve = curve_of_spline(BSpline::clamped(3, {{0, 0}, {1, 2}, {3, 2}, {4, 0}, {6, 0}}));
   REQUIRE(curve);
