@@ -23,7 +23,10 @@ AxisLine axis_line(const Delaunay& delaunay, EdgeSlot edge, double unit) {
   };
   const EdgeRow& row = delaunay.edge(edge);
   const Vec2 ends[2] = {place_of(row.v[0]), place_of(row.v[1])};
-  const int first = lexicographically_less(ends[1], ends[0]) ? 1 : 0;
+  // Neither which end is first nor which corner is the apex follows a pattern: both are found without a branch.
+  const bool is_less = ends[1].x < ends[0].x;
+  const bool is_as_far = ends[1].x <= ends[0].x;
+  const auto first = static_cast<std::size_t>(is_less | (is_as_far & (ends[1].y < ends[0].y)));
   AxisLine out;
   out.edge = edge;
   out.q = ends[first];
@@ -33,7 +36,8 @@ AxisLine axis_line(const Delaunay& delaunay, EdgeSlot edge, double unit) {
   out.along = {d.x / length, d.y / length};
   out.half = 0.5 * length;
   const auto height = [&](FaceSlot face) {
-    const SiteSlot apex = delaunay.apex(face, edge);
+    const FaceRow& corners = delaunay.face(face);
+    const SiteSlot apex = corners.v[(corners.e[1] == edge ? 1U : 0U) | (corners.e[2] == edge ? 2U : 0U)];
     if (apex == kInfiniteSite) return std::numeric_limits<double>::infinity();
     const Vec2 at = place_of(apex);
     const Vec2 u = out.q - at;

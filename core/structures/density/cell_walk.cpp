@@ -26,7 +26,8 @@ bool any(PairMask mask) {
   return (mask[0] | mask[1]) != 0;
 }
 
-/// The group's samples are that near to each other, over the distance of the first to the axis of its own cell.
+/// The group's samples are that near to each other, over the least distance of a sample of their block to the axis of its
+/// own cell.
 constexpr double kSpread = 1.0;
 /// Cells of one block at most.
 constexpr std::uint32_t kBlock = 8;
@@ -47,12 +48,12 @@ constexpr double kCrossed = 1.0 + 4.0 * kHeightError;
 /// Cells at vague edges; where there are more, all samples are left to another way of searching.
 constexpr std::size_t kMostVague = 32;
 
-/// Not above the root, whatever the rounding of heights and that to a float have done to it.
+/// Not above, whatever the rounding of heights and that to a float have done to it.
 float lowered(double squared) {
   constexpr double kMost = std::numeric_limits<float>::max();
-  const double root = std::sqrt(squared) * (1.0 - kHeightError);
+  const double low = squared * ((1.0 - kHeightError) * (1.0 - kHeightError));
   // Below the normal floats there are too few.
-  return root < std::numeric_limits<float>::min() ? 0.0F : static_cast<float>(std::min(kMost, root));
+  return low < std::numeric_limits<float>::min() ? 0.0F : static_cast<float>(std::min(kMost, low));
 }
 
 /// How far apart two intervals are; 0 where they meet.
@@ -69,12 +70,6 @@ inline double squared_distance(const Box2& a, const Box2& b) {
   return x * x + y * y;
 }
 
-inline double squared_distance(const Box2& box, Vec2 p) {
-  const double x = gap(box.low.x, box.high.x, p.x, p.x);
-  const double y = gap(box.low.y, box.high.y, p.y, p.y);
-  return x * x + y * y;
-}
-
 }  // namespace
 
 struct CellWalk::Group {
@@ -84,7 +79,7 @@ struct CellWalk::Group {
   std::array<std::uint32_t, kLanes> line;
   std::size_t pairs = kPairs;  // the others are the same
   Box2 box;
-  double far = kInfinity;  // the largest distance of `crossed`
+  double far = kInfinity;  // the largest of `crossed`
 
   void take(std::size_t lane, double squared, std::uint32_t by) {
     best[lane / 2][lane % 2] = squared;
@@ -92,9 +87,8 @@ struct CellWalk::Group {
     line[lane] = by;
   }
   void find_far() {
-    double most = 0.0;
-    for (std::size_t i = 0; i < pairs; ++i) most = std::max({most, crossed[i][0], crossed[i][1]});
-    far = std::sqrt(most);
+    far = 0.0;
+    for (std::size_t i = 0; i < pairs; ++i) far = std::max({far, crossed[i][0], crossed[i][1]});
   }
 };
 
@@ -138,54 +132,64 @@ struct CellWalk::Trail {
   }
 };
 
+struct CellWalk::Chunk {
+  std::vector<EdgeSlot> axis;
+  std::vector<EdgeSlot> curve;
+  std::uint32_t first = 0;  // of its lines
+  std::vector<std::uint32_t> steep;
+  std::vector<std::uint32_t> place;  // of its next line at each block
+
+  // Which edge is curve follows no pattern: they are told apart without a branch.
+  void take_edges(const Delaunay& delaunay, const OneStepCrust& crust, std::size_t begin, std::size_t end) {
+    axis.resize(end - begin);
+    curve.resize(end - begin);
+    std::size_t axis_count = 0;
+    std::size_t curve_count = 0;
+    for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end)) {
+      if (!delaunay.edge(edge).is_alive()) continue;
+      const bool is_curve = crust.is_crust(edge);
+      axis[axis_count] = curve[curve_count] = edge;
+      axis_count += is_curve ? 0U : 1U;
+      curve_count += is_curve ? 1U : 0U;
+    }
+    axis.resize(axis_count);
+    curve.resize(curve_count);
+  }
+};
+
 CellWalk::CellWalk(const Delaunay& delaunay, const OneStepCrust& crust, double unit) {
   const std::size_t edges = delaunay.edge_rows();
-  struct Chunk {
-    std::uint32_t first = 0;
-    std::uint32_t count = 0;
-    std::vector<std::uint32_t> steep;
-  };
   std::vector<Chunk> chunks(chunk_count(edges));
-  const auto for_each_axis_edge = [&](std::size_t chunk, auto visit) {
-    for (const EdgeSlot edge :
-         slots_between<EdgeSlot>(first_of_chunk(edges, chunk), first_of_chunk(edges, chunk + 1)))
-      if (delaunay.edge(edge).is_alive() && !crust.is_crust(edge)) visit(edge);
-  };
   run_tasks(chunks.size(), [&](std::size_t chunk) {
-    std::uint32_t count = 0;
-    for_each_axis_edge(chunk, [&](EdgeSlot) { ++count; });
-    chunks[chunk].count = count;
+    chunks[chunk].take_edges(delaunay, crust, first_of_chunk(edges, chunk), first_of_chunk(edges, chunk + 1));
   });
   for (Chunk& chunk : chunks) {
     chunk.first = line_count_;
-    line_count_ += chunk.count;
+    line_count_ += static_cast<std::uint32_t>(chunk.axis.size());
   }
   lines_ = std::make_unique_for_overwrite<AxisLine[]>(line_count_);
   run_tasks(1 + chunks.size(), [&](std::size_t task) {
-    if (task == 0) return order_cells(delaunay, crust);
+    if (task == 0) return order_cells(delaunay, chunks);
     Chunk& chunk = chunks[task - 1];
     std::uint32_t at = chunk.first;
-    for_each_axis_edge(task - 1, [&](EdgeSlot edge) {
+    for (const EdgeSlot edge : chunk.axis) {
       lines_[at] = axis_line(delaunay, edge, unit);
       if (lines_[at].is_steep) chunk.steep.push_back(at);
       ++at;
-    });
+    }
   });
+  list_lines(delaunay, chunks);
+  measure_blocks(delaunay, unit);
   Box2 box;
-  for (std::size_t i = 0; i < sites_.size(); ++i) {
-    const Vec2 at = delaunay.site_position(sites_[i]);
-    cells_[i].at = {at.x * unit, at.y * unit};
-    box.add(cells_[i].at);
-  }
+  for (const Block& block : blocks_) box.add(block.box);
   reach_ = 4.0 * (box.width() + box.height());
   for (const Chunk& chunk : chunks) {
     has_steep_ = has_steep_ || !chunk.steep.empty();
     for (const std::uint32_t line : chunk.steep)
       if (kSteep * lines_[line].half < 2.0 * reach_)
-        for (const SiteSlot site : delaunay.edge(lines_[line].edge).v) vague_.push_back({line, cell_of_[site], 0.0F});
+        for (const SiteSlot site : delaunay.edge(lines_[line].edge).v)
+          vague_.push_back({line, block_of_[site], 0.0F});
   }
-  list_lines(delaunay);
-  measure_blocks();
 }
 
 std::size_t CellWalk::part_count() const {
@@ -193,7 +197,7 @@ std::size_t CellWalk::part_count() const {
 }
 
 // Along each chain of crust edges from where it is met first. A block ends where the curve does.
-void CellWalk::order_cells(const Delaunay& delaunay, const OneStepCrust& crust) {
+void CellWalk::order_cells(const Delaunay& delaunay, const std::vector<Chunk>& chunks) {
   // Most samples have two neighbours.
   struct Neighbours {
     SiteSlot two[2]{};
@@ -210,89 +214,122 @@ void CellWalk::order_cells(const Delaunay& delaunay, const OneStepCrust& crust) 
       more.emplace_back(from, to);
     }
   };
-  for (const EdgeSlot edge : delaunay.edge_slots()) {
-    const EdgeRow& row = delaunay.edge(edge);
-    if (!row.is_alive() || !crust.is_crust(edge)) continue;
-    join(row.v[0], row.v[1]);
-    join(row.v[1], row.v[0]);
-  }
-  cell_of_.assign(delaunay.site_rows(), kNone);
+  for (const Chunk& chunk : chunks)
+    for (const EdgeSlot edge : chunk.curve) {
+      const EdgeRow& row = delaunay.edge(edge);
+      join(row.v[0], row.v[1]);
+      join(row.v[1], row.v[0]);
+    }
+  block_of_.assign(delaunay.site_rows(), kNone);
   sites_.reserve(delaunay.site_count());
-  cells_.resize(delaunay.site_count() + 1);
   blocks_.reserve(delaunay.site_count() / kBlock + 16);
   const auto begin_block = [&] { blocks_.emplace_back().first = static_cast<std::uint32_t>(sites_.size()); };
   for (const SiteSlot start : delaunay.site_slots()) {
     if (!delaunay.is_site(start)) continue;
     std::uint32_t count = 0;
-    for (SiteSlot at = start; at != kNoSlot && cell_of_[at] == kNone;) {
+    for (SiteSlot at = start; at != kNoSlot && block_of_[at] == kNone;) {
       if (count++ % kBlock == 0) begin_block();
-      cell_of_[at] = static_cast<std::uint32_t>(sites_.size());
-      cells_[sites_.size()].block = static_cast<std::uint32_t>(blocks_.size() - 1);
+      block_of_[at] = static_cast<std::uint32_t>(blocks_.size() - 1);
       sites_.push_back(at);
       SiteSlot next{};
       for (const SiteSlot other : neighbours[at].two)
-        if (other != kNoSlot && cell_of_[other] == kNone) next = other;
+        if (other != kNoSlot && block_of_[other] == kNone) next = other;
       at = next;
     }
   }
   begin_block();
-  const auto block_of = [&](SiteSlot site) { return cells_[cell_of_[site]].block; };
-  std::ranges::sort(more, {}, [&](const auto& pair) { return block_of(pair.first); });
+  std::ranges::sort(more, {}, [this](const auto& pair) { return block_of_[pair.first]; });
   auto other = more.begin();
   for (std::uint32_t block = 0; block + 1 < blocks_.size(); ++block) {
     blocks_[block].first_link = static_cast<std::uint32_t>(links_.size());
     const auto link = [&](SiteSlot to) {
-      if (block_of(to) != block) links_.push_back(block_of(to));
+      if (block_of_[to] != block) links_.push_back(block_of_[to]);
     };
     for (std::uint32_t cell = blocks_[block].first; cell < blocks_[block + 1].first; ++cell)
       for (const SiteSlot to : neighbours[sites_[cell]].two)
         if (to != kNoSlot) link(to);
-    for (; other != more.end() && block_of(other->first) == block; ++other) link(other->second);
+    for (; other != more.end() && block_of_[other->first] == block; ++other) link(other->second);
   }
   blocks_.back().first_link = static_cast<std::uint32_t>(links_.size());
 }
 
-void CellWalk::list_lines(const Delaunay& delaunay) {
-  const auto for_each_line = [&](auto visit) {
-    for (std::uint32_t i = 0; i < line_count_; ++i) {
-      const EdgeRow& row = delaunay.edge(lines_[i].edge);
-      visit(i, cell_of_[row.v[0]], cell_of_[row.v[1]]);
+// Each chunk first counts, then writes where what it counted begins.
+void CellWalk::list_lines(const Delaunay& delaunay, std::vector<Chunk>& chunks) {
+  const auto for_each_line = [&](const Chunk& chunk, auto visit) {
+    std::uint32_t line = chunk.first;
+    for (const EdgeSlot edge : chunk.axis) {
+      const EdgeRow& row = delaunay.edge(edge);
+      visit(line++, block_of_[row.v[0]], block_of_[row.v[1]]);
     }
   };
-  for_each_line([&](std::uint32_t, std::uint32_t a, std::uint32_t b) {
-    ++cells_[a].first;
-    ++cells_[b].first;
+  run_tasks(chunks.size(), [&](std::size_t number) {
+    Chunk& chunk = chunks[number];
+    chunk.place.assign(blocks_.size(), 0);
+    for_each_line(chunk, [&](std::uint32_t, std::uint32_t a, std::uint32_t b) {
+      ++chunk.place[a];
+      if (a != b) ++chunk.place[b];
+    });
   });
   std::uint32_t count = 0;
-  for (Cell& cell : cells_) cell.first = count += cell.first;
-  axis_.resize(count);
-  for_each_line([&](std::uint32_t line, std::uint32_t a, std::uint32_t b) {
-    const float reach = lowered(lines_[line].squared_reach());
-    axis_[--cells_[a].first] = {line, b, reach};
-    axis_[--cells_[b].first] = {line, a, reach};
+  for (std::size_t block = 0; block < blocks_.size(); ++block) {
+    blocks_[block].first_entry = count;
+    for (Chunk& chunk : chunks) count += std::exchange(chunk.place[block], count);
+  }
+  entries_ = std::make_unique_for_overwrite<AxisEntry[]>(count);
+  run_tasks(chunks.size(), [&](std::size_t number) {
+    Chunk& chunk = chunks[number];
+    for_each_line(chunk, [&](std::uint32_t line, std::uint32_t a, std::uint32_t b) {
+      const float reach = lowered(lines_[line].squared_reach());
+      entries_[chunk.place[a]++] = {line, b, reach};
+      if (a != b) entries_[chunk.place[b]++] = {line, a, reach};
+    });
   });
 }
 
-void CellWalk::measure_blocks() {
+void CellWalk::measure_blocks(const Delaunay& delaunay, double unit) {
   const std::size_t blocks = blocks_.size() - 1;
+  places_.resize(sites_.size());
   run_tasks(part_count(), [&](std::size_t part) {
     for (std::size_t number = part * kPart; number < std::min((part + 1) * kPart, blocks); ++number) {
       Block& block = blocks_[number];
-      for (std::uint32_t k = block.first; k < blocks_[number + 1].first; ++k) {
-        Cell& cell = cells_[k];
-        const auto own = std::span(axis_).subspan(cell.first, cells_[k + 1].first - cell.first);
-        std::ranges::sort(own, {}, &AxisEntry::reach);
-        if (!own.empty()) cell.reach = own[0].reach;
-        block.box.add(cell.at);
-        block.reach = std::min(block.reach, cell.reach);
+      const std::uint32_t end = blocks_[number + 1].first_entry;
+      sort_by_reach(std::span(entries_.get() + block.first_entry, end - block.first_entry));
+      for (std::uint32_t cell = block.first; cell < blocks_[number + 1].first; ++cell) {
+        const Vec2 at = delaunay.site_position(sites_[cell]);
+        places_[cell] = {at.x * unit, at.y * unit};
+        block.box.add(places_[cell]);
       }
     }
   });
 }
 
-bool CellWalk::walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail& trail) const {
+// Most blocks have some twenty entries: each counts how many are less, four at a time.
+void CellWalk::sort_by_reach(std::span<AxisEntry> entries) {
+  constexpr std::size_t kFew = 64;
+  using Quad = float __attribute__((vector_size(4 * sizeof(float))));
+  using QuadCount = decltype(Quad{} < Quad{});
+  if (entries.size() > kFew) {
+    std::ranges::sort(entries, {}, &AxisEntry::reach);
+    return;
+  }
+  std::array<AxisEntry, kFew> before;
+  std::array<Quad, kFew / 4> reach;
+  std::array<std::uint8_t, kFew> taken{};
+  const std::size_t quads = (entries.size() + 3) / 4;
+  for (std::size_t i = 0; i < 4 * quads; ++i)
+    reach[i / 4][i % 4] = i < entries.size() ? entries[i].reach : std::numeric_limits<float>::infinity();
+  std::ranges::copy(entries, before.begin());
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    QuadCount less{};
+    for (std::size_t k = 0; k < quads; ++k) less -= reach[k] < before[i].reach - Quad{};
+    const auto at = static_cast<std::size_t>(less[0] + less[1] + less[2] + less[3]);
+    entries[at + taken[at]++] = before[i];
+  }
+}
+
+bool CellWalk::walk(Group& group, std::uint32_t own, Trail& trail) const {
   trail.begin();
-  trail.add(cells_[begin].block);
+  trail.add(own);
   // Measures these edges, and adds the blocks beyond those that the walk crosses. Returns false if it becomes too long.
   const auto look_at = [&](std::span<const AxisEntry> entries) {
     for (const AxisEntry& entry : entries) {
@@ -322,56 +359,46 @@ bool CellWalk::walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail&
         is_nearer = true;
       }
       if (is_nearer) group.find_far();
-      if (!trail.add(cells_[entry.other].block)) return false;
+      if (!trail.add(entry.other)) return false;
     }
     return true;
   };
   // Most often the one that is nearest to the group before, or not far from it.
   if (trail.guess.line != kNone) look_at(std::span(&trail.guess, 1));
-  const auto look_at_cell = [&](std::uint32_t cell) {
-    return look_at(std::span(axis_).subspan(cells_[cell].first, cells_[cell + 1].first - cells_[cell].first));
-  };
-  for (std::uint32_t own = begin; own < end; ++own)
-    if (!look_at_cell(own)) return false;
+  if (!look_at(entries_of(own))) return false;
   // Where vague edges end, and whether the walk crosses them, is not known: their cells are visited in any case.
   if (!look_at(vague_)) return false;
   for (const AxisEntry& entry : vague_)
-    if (!trail.add(cells_[entry.other].block)) return false;
+    if (!trail.add(entry.other)) return false;
   while (trail.head != trail.tail) {
     const std::uint32_t number = trail.queue[trail.head++];
     const Block& block = blocks_[number];
-    const Block& next = blocks_[number + 1];
-    if (squared_distance(block.box, group.box) > 4.0 * group.far * group.far) continue;
-    if (block.reach <= group.far) {
-      for (std::uint32_t k = block.first; k < next.first; ++k) {
-        const Cell& cell = cells_[k];
-        const bool is_own = begin <= k && k < end;
-        if (!is_own && double{cell.reach} <= group.far &&
-            squared_distance(group.box, cell.at) <= 4.0 * group.far * group.far && !look_at_cell(k))
-          return false;
-      }
-    }
-    for (std::uint32_t i = block.first_link; i < next.first_link; ++i)
+    if (squared_distance(block.box, group.box) > 4.0 * group.far) continue;
+    if (number != own && !look_at(entries_of(number))) return false;
+    for (std::uint32_t i = block.first_link; i < blocks_[number + 1].first_link; ++i)
       if (!trail.add(links_[i])) return false;
   }
   // So far away the ends of steep edges matter.
-  return !has_steep_ || group.far <= reach_;
+  return !has_steep_ || group.far <= reach_ * reach_;
 }
 
-/// Near enough to the first cell of a group to walk with it.
-bool CellWalk::is_in_group(std::uint32_t cell, std::uint32_t first) const {
-  const double room = kSpread * double{cells_[first].reach};
-  const Vec2 d = cells_[cell].at - cells_[first].at;
-  return dot(d, d) <= room * room;
+/// Of the cells of a block that walk with its cell `first`, `kLanes` at most.
+std::uint32_t CellWalk::end_of_group(std::uint32_t first, std::uint32_t block) const {
+  const std::span<const AxisEntry> entries = entries_of(block);
+  const double room = entries.empty() ? kInfinity : kSpread * kSpread * double{entries[0].reach};
+  const std::uint32_t most = std::min<std::uint32_t>(first + kLanes, blocks_[block + 1].first);
+  std::uint32_t end = first + 1;
+  while (end < most && dot(places_[end] - places_[first], places_[end] - places_[first]) <= room) ++end;
+  return end;
 }
 
-/// Of the cells from `begin` to `end`, `kLanes` at most. False if the walk becomes too long.
-bool CellWalk::search_group(std::uint32_t begin, std::uint32_t end, Trail& trail, Table<SiteSlot, double>& squared,
-                            Table<SiteSlot, EdgeSlot>& nearest) const {
+/// Of the cells from `begin` to `end` in one block. False if the walk becomes too long.
+bool CellWalk::search_group(std::uint32_t begin, std::uint32_t end, std::uint32_t block, Trail& trail,
+                            Table<SiteSlot, double>& squared, Table<SiteSlot, EdgeSlot>& nearest) const {
   Group group;
   group.pairs = (end - begin + 1) / 2;
   for (std::uint32_t k = 0; k < 2 * group.pairs; ++k) {
-    const Vec2 p = cells_[std::min(begin + k, end - 1)].at;
+    const Vec2 p = places_[std::min(begin + k, end - 1)];
     group.x[k / 2][k % 2] = p.x;
     group.y[k / 2][k % 2] = p.y;
     group.box.add(p);
@@ -379,13 +406,13 @@ bool CellWalk::search_group(std::uint32_t begin, std::uint32_t end, Trail& trail
   group.best.fill(Pair{kInfinity, kInfinity});
   group.crossed.fill(Pair{kInfinity, kInfinity});
   group.line.fill(kNone);
-  if (!walk(group, begin, end, trail)) return false;
+  if (!walk(group, block, trail)) return false;
   for (std::uint32_t cell = begin; cell < end; ++cell) {
     const SiteSlot site = sites_[cell];
     squared[site] = group.best[(cell - begin) / 2][(cell - begin) % 2];
     if (const std::uint32_t line = group.line[cell - begin]; line != kNone) nearest[site] = lines_[line].edge;
   }
-  trail.guess = {group.line[end - begin - 1], begin, 0.0F};
+  trail.guess = {group.line[end - begin - 1], block, 0.0F};
   return true;
 }
 
@@ -393,18 +420,17 @@ void CellWalk::search(std::size_t part, Table<SiteSlot, double>& squared, Table<
                       std::vector<SiteSlot>& given_up) const {
   Trail trail(kLongest, kMostLines);
   std::size_t longest_pause = kPause;
-  std::size_t pause = vague_.size() > kMostVague ? cells_.size() : 0;
+  std::size_t pause = vague_.size() > kMostVague ? sites_.size() : 0;
   const std::size_t last_block = std::min<std::size_t>((part + 1) * kPart, blocks_.size() - 1);
   for (auto block = static_cast<std::uint32_t>(part * kPart); block < last_block; ++block) {
     const std::uint32_t end = blocks_[block + 1].first;
     for (std::uint32_t first = blocks_[block].first; first < end;) {
-      std::uint32_t last = first + 1;
-      while (last < end && last < first + kLanes && is_in_group(last, first)) ++last;
+      const std::uint32_t last = end_of_group(first, block);
       bool is_found = false;
       if (pause != 0) {
         --pause;
       } else {
-        is_found = search_group(first, last, trail, squared, nearest);
+        is_found = search_group(first, last, block, trail, squared, nearest);
         longest_pause = is_found ? kPause : std::min(2 * longest_pause, kLongestPause);
         if (!is_found) pause = longest_pause;
       }
@@ -422,20 +448,16 @@ void CellWalk::search_longer(std::vector<SiteSlot>& given_up, Table<SiteSlot, do
   std::vector<SiteSlot> left;
   for (std::size_t i = 0; i < given_up.size();) {
     job.checkpoint();
-    const std::uint32_t first = cell_of_[given_up[i]];
-    const std::uint32_t end = blocks_[cells_[first].block + 1].first;
-    std::uint32_t last = first + 1;
-    std::size_t next = i + 1;
-    while (next < given_up.size() && cell_of_[given_up[next]] == last && last < end && last < first + kLanes &&
-           is_in_group(last, first)) {
-      ++last;
-      ++next;
-    }
-    if (failures == kMostFailures || !search_group(first, last, trail, squared, nearest)) {
+    const std::uint32_t block = block_of_[given_up[i]];
+    std::uint32_t first = blocks_[block].first;
+    while (sites_[first] != given_up[i]) ++first;
+    // They were given up in these groups.
+    const std::uint32_t last = end_of_group(first, block);
+    if (failures == kMostFailures || !search_group(first, last, block, trail, squared, nearest)) {
       failures = std::min(failures + 1, kMostFailures);
       left.insert(left.end(), sites_.begin() + first, sites_.begin() + last);
     }
-    i = next;
+    i += last - first;
   }
   given_up = std::move(left);
 }

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "core/base/box2.h"
@@ -19,11 +20,12 @@ namespace mes {
 /// goes from cell to cell across the duals of crust edges only; and where it leaves the cell of a sample s, at y, s is no
 /// farther from y than p is, so s is within twice |px| of p. A walk from the cell of p over crust edges, as far as twice
 /// the least distance seen so far, therefore comes to a cell with x on its boundary. The sample s of that cell is no
-/// farther from x than p is. So a cell can be skipped if the distance of its sample from its nearest axis edge is
-/// larger than the least distance seen so far.
+/// farther from x than p is. So an axis edge can be skipped if it is farther from the samples of its cells than the least
+/// distance seen so far.
 ///
-/// Cells lie in memory along the curve, in blocks of a few, and the walk goes from block to block: what is too far away,
-/// or has no axis edge that near, is passed over at once.
+/// Cells are taken along the curve, in blocks of a few, and the walk goes from block to block: what is too far away is
+/// passed over at once. A block lists the axis edges of its cells, each once, those that are nearest to their samples
+/// first; so it is left at the first that can be skipped.
 ///
 /// Distances are rounded, and of several edges at nearly the same distance the one that rounding makes nearest counts.
 /// So the walk also crosses axis edges that are nearly as near as the best, and what it finds is the least of *all*
@@ -54,33 +56,33 @@ class CellWalk {
  private:
   struct Group;
   struct Trail;
-  /// An edge of the axis, as seen from one of its two cells.
+  /// A run of edges, and what `list_lines` counts for each block in it.
+  struct Chunk;
+  /// An edge of the axis, as seen from a block with one of its two cells, or both.
   struct AxisEntry {
     std::uint32_t line = 0;
-    std::uint32_t other = 0;  ///< the cell on its other side
-    float reach = 0.0F;       ///< no sample is nearer to the edge
-  };
-  struct Cell {
-    Vec2 at{};                ///< of the sample, in scaled units
-    std::uint32_t first = 0;  ///< of its entries, the nearest first
-    std::uint32_t block = 0;
-    float reach = std::numeric_limits<float>::infinity();  ///< least of its entries
+    std::uint32_t other = 0;  ///< the block of the other cell
+    float reach = 0.0F;       ///< squared; no sample is nearer to the edge
   };
   /// Cells that follow each other along the curve.
   struct Block {
     Box2 box;
-    std::uint32_t first = 0;
+    std::uint32_t first = 0;        ///< of its cells
+    std::uint32_t first_entry = 0;  ///< of its edges of the axis, the nearest first
     std::uint32_t first_link = 0;
-    float reach = std::numeric_limits<float>::infinity();  ///< least of its cells
   };
 
-  void order_cells(const Delaunay& delaunay, const OneStepCrust& crust);
-  void list_lines(const Delaunay& delaunay);
-  void measure_blocks();
-  bool is_in_group(std::uint32_t cell, std::uint32_t first) const;
-  bool search_group(std::uint32_t begin, std::uint32_t end, Trail& trail, Table<SiteSlot, double>& squared,
-                    Table<SiteSlot, EdgeSlot>& nearest) const;
-  bool walk(Group& group, std::uint32_t begin, std::uint32_t end, Trail& trail) const;
+  void order_cells(const Delaunay& delaunay, const std::vector<Chunk>& chunks);
+  void list_lines(const Delaunay& delaunay, std::vector<Chunk>& chunks);
+  void measure_blocks(const Delaunay& delaunay, double unit);
+  static void sort_by_reach(std::span<AxisEntry> entries);
+  std::span<const AxisEntry> entries_of(std::uint32_t block) const {
+    return {entries_.get() + blocks_[block].first_entry, blocks_[block + 1].first_entry - blocks_[block].first_entry};
+  }
+  std::uint32_t end_of_group(std::uint32_t first, std::uint32_t block) const;
+  bool search_group(std::uint32_t begin, std::uint32_t end, std::uint32_t block, Trail& trail,
+                    Table<SiteSlot, double>& squared, Table<SiteSlot, EdgeSlot>& nearest) const;
+  bool walk(Group& group, std::uint32_t own, Trail& trail) const;
 
   std::unique_ptr<AxisLine[]> lines_;  ///< in the order of the edges
   std::uint32_t line_count_ = 0;
@@ -88,10 +90,10 @@ class CellWalk {
   bool has_steep_ = false;
   double reach_ = 0.0;           ///< four times the size of the box of all samples
   std::vector<SiteSlot> sites_;  ///< of the cells, in the order of the curve
-  Table<SiteSlot, std::uint32_t> cell_of_;
-  std::vector<Cell> cells_;  ///< and one behind them
-  std::vector<AxisEntry> axis_;
-  std::vector<Block> blocks_;         ///< and one behind them
+  std::vector<Vec2> places_;     ///< of these samples, in scaled units
+  Table<SiteSlot, std::uint32_t> block_of_;
+  std::vector<Block> blocks_;  ///< and one behind them
+  std::unique_ptr<AxisEntry[]> entries_;
   std::vector<std::uint32_t> links_;  ///< from block to block
 };
 
