@@ -88,7 +88,8 @@ std::uint8_t AxisFilter::flags_of(FaceSlot node) const {
     for (const EdgeSlot edge : delaunay_.face(face).e) {
       if (edge == kNoSlot || !is_kept(edge)) continue;
       has_kept = true;
-      is_end = is_end || !is_cut(edge, delaunay_.edge(edge).f[0] == face ? 0 : 1);
+      // Most edges are whole, and which of its ends this is is asked of a row that is often far away.
+      is_end = is_end || !is_cut(edge) || !is_cut(edge, delaunay_.edge(edge).f[0] == face ? 0 : 1);
     }
   });
   if (is_end) return kKept;

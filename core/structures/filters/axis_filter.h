@@ -114,6 +114,7 @@ class AxisFilter : public Structure {
   static constexpr std::uint8_t kCut[2] = {2, 4};
   static constexpr std::uint8_t kIsolated = 2;  // of a node: kept, and no kept edge ends there
 
+  bool is_cut(EdgeSlot edge) const { return (edge_flags_[edge] & (kCut[0] | kCut[1])) != 0; }
   Wish wanted() const;
   void prune(JobControl& job);
   std::uint8_t flags_of(EdgeSlot edge) const;
