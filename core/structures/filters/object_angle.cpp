@@ -16,10 +16,9 @@ bool AngleLimit::is_reached_at(Vec2 p, Vec2 q, Vec2 r) const {
   const Vec2 v = r - p;
   // The tangent of the folded angle is |det| / |dot|. Where rounding may decide, or products leave the range of
   // doubles, the angle itself does.
-  const double opposite = std::abs(cross(u, v)) * cosine_;
-  const double adjacent = std::abs(dot(u, v)) * sine_;
-  const double size = std::sqrt(dot(u, u) * dot(v, v));
-  if (size > 0x1p-450 && size < 0x1p450 && std::abs(opposite - adjacent) > 1e-12 * size) return opposite > adjacent;
+  const double more = std::abs(cross(u, v)) * cosine_ - std::abs(dot(u, v)) * sine_;
+  const double size = dot(u, u) * dot(v, v);  // squared
+  if (size > 0x1p-900 && size < 0x1p900 && more * more > 1e-24 * size) return more > 0.0;
   return folded(angle_at(p, q, r)) >= degrees_;
 }
 
