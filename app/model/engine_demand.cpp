@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/engine_demand.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace mes {
 
 bool EngineDemand::waits_for_room(Engine& engine, const State& now) {
@@ -30,7 +33,7 @@ EngineDemand::Asked EngineDemand::asked_of(const Wanted& wanted) {
   const bool has_panes = !wanted.panes.is_empty();
   return {wanted.layers.demand_revision(), wanted.panes.revision(),
           has_panes ? std::optional(wanted.settings) : std::nullopt,
-          has_panes ? std::optional(wanted.evolution) : std::nullopt};
+          has_panes ? std::optional(wanted.evolution) : std::nullopt, wanted.with_density};
 }
 
 bool EngineDemand::follow(Engine& engine, const Wanted& wanted, bool picture_is_lost, PaneDocuments* documents) {
@@ -47,8 +50,14 @@ bool EngineDemand::follow(Engine& engine, const Wanted& wanted, bool picture_is_
     beside.deltas = documents->take_deltas();
   }
   if (is_news) beside.variants = shown_.variants;
-  if (is_news || !beside.deltas.empty())
-    engine.post({.deltas = {}, .settings = wanted.settings, .demand = shown_.demand, .beside = std::move(beside)});
+  if (is_news || !beside.deltas.empty()) {
+    std::vector<LayerIndex> layers = shown_.demand;
+    const LayerIndex density = find_layer("sampling-epsilon");
+    const auto at = std::ranges::lower_bound(layers, density);
+    if (wanted.with_density && (at == layers.end() || *at != density)) layers.insert(at, density);
+    engine.post(
+        {.deltas = {}, .settings = wanted.settings, .demand = std::move(layers), .beside = std::move(beside)});
+  }
   if (!is_news) return false;
   asks_for_nothing_ = false;
   seen_ = asked_of(wanted);

@@ -13,7 +13,8 @@
 
 namespace mes {
 
-/// What it guarantees: the engine is asked for the visible layers of all panes, anew when they change. After a picture was
+/// What it guarantees: the engine is asked for the visible layers of all panes, and for what panels look at, anew when
+/// they change. After a picture was
 /// lost for lack of memory it is asked for none, and for all of them again once the document or the demand has changed.
 /// Where all layers are needed once more as a whole, it is asked for none, and for all of them as soon as it has nothing to
 /// do. Threads: the window's.
@@ -27,6 +28,7 @@ class EngineDemand {
     std::uint64_t document_revision = 0;
     PaneEvolution evolution{};
     bool is_held = false;  ///< the engine does not know the present document yet; panes show no later version either
+    bool with_density = false;  ///< how dense the samples are is looked at, though no layer may show it
   };
   /// Once a frame. True when the engine was asked for other layers. What is new in the documents of panes goes to it too.
   bool follow(Engine& engine, const Wanted& wanted, bool picture_is_lost, PaneDocuments* documents = nullptr);
@@ -44,6 +46,7 @@ class EngineDemand {
     std::uint64_t panes = 0;
     std::optional<ComputationSettings> settings;
     std::optional<PaneEvolution> evolution;
+    bool with_density = false;
     friend bool operator==(const Asked&, const Asked&) = default;
   };
   using State = std::pair<std::uint64_t, std::uint64_t>;

@@ -43,6 +43,15 @@ VerdictWord word_of(const Verdict& verdict) {
 
 constexpr float kChoiceWidth = 118;
 constexpr float kLightWidth = 134;
+// Of what a note puts beside the word, such as "epsilon 0.0123"; one width, so that nothing moves while it changes.
+constexpr float kSummaryWidth = 104;
+
+std::string_view summary_of(const Verdict& verdict) {
+  for (const NodeReport& node : verdict.picture.nodes())
+    for (const Finding& finding : node.findings)
+      if (!finding.summary.empty()) return finding.summary;
+  return {};
+}
 
 void draw_choice(const Verdict& verdict) {
   const float unit = verdict.gui.unit();
@@ -116,7 +125,7 @@ void draw_reasons(const Verdict& verdict) {
 }  // namespace
 
 float Verdict::width() const {
-  return (kChoiceWidth + kLightWidth + 12) * gui.unit();
+  return (kChoiceWidth + kLightWidth + (summary_of(*this).empty() ? 0.0F : kSummaryWidth) + 12) * gui.unit();
 }
 
 void Verdict::draw() const {
@@ -126,16 +135,23 @@ void Verdict::draw() const {
   const VerdictWord look = word_of(*this);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
-  if (hit_area("##light", {kLightWidth * unit, height})) ImGui::OpenPopup("##reasons");
+  const std::string_view summary = summary_of(*this);
+  const float light_width = (kLightWidth + (summary.empty() ? 0.0F : kSummaryWidth)) * unit;
+  if (hit_area("##light", {light_width, height})) ImGui::OpenPopup("##reasons");
   if (ImGui::IsItemHovered()) {
-    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + kLightWidth * unit, at.y + height},
-                                              gui.colors().accent_soft, 4 * unit);
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + light_width, at.y + height}, gui.colors().accent_soft,
+                                              4 * unit);
   }
   tooltip(gui, std::string(look.meaning));
   ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 9 * unit, at.y + 0.5F * height}, 5 * unit,
                                               color_of(gui.colors(), look.mood));
   ImGui::GetWindowDrawList()->AddText({at.x + 20 * unit, at.y + 0.5F * (height - ImGui::GetTextLineHeight())},
                                       gui.colors().text, look.word.data(), look.word.data() + look.word.size());
+  if (!summary.empty()) {
+    const ImVec2 summary_at{at.x + kLightWidth * unit, at.y + 0.5F * (height - ImGui::GetTextLineHeight())};
+    ImGui::GetWindowDrawList()->AddText(summary_at, gui.colors().text, summary.data(),
+                                        summary.data() + summary.size());
+  }
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 8 * unit});
   if (begin_popup(gui, "##reasons")) {
     draw_reasons(*this);

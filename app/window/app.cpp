@@ -220,6 +220,7 @@ void App::take_steps() {
   if (demo_.advance(now, may_step())) screen_.clock.settle();
   if (lesson_.advance(now, may_step())) screen_.clock.settle();
   work_.engine().set_want_findings(panels_.are_shown());
+  work_.look_at_density(panels_.are_shown() && settings_.settings().details == DetailsPage::sampling);
   work_.engine().set_want_statistics(panels_.are_shown() && settings_.settings().details == DetailsPage::statistics);
 }
 

@@ -81,6 +81,8 @@ class Workspace {
   PaneList& panes() { return panes_; }
   const PaneList& panes() const { return panes_; }
   const ShownPanes& shown_panes() const { return demand_.shown(); }
+  /// How dense the samples are is kept up to date, though no layer may show it.
+  void look_at_density(bool looks) { looks_at_density_ = looks; }
   /// All layers are to come from the engine once more.
   void ask_again_for_layers() { demand_.ask_again(); }
   /// What each pane is about, the main one first.
@@ -146,7 +148,8 @@ class Workspace {
             computation_.settings(),
             document().revision(),
             {evolution_.choice(), evolution_.first_value()},
-            !hold_.waiting().empty()};
+            !hold_.waiting().empty(),
+            looks_at_density_};
   }
   void report(const Expected<void>& done);
   void report(const Expected<std::string>& done);
@@ -177,6 +180,7 @@ class Workspace {
   PaneList panes_;
   PaneDocuments pane_documents_;
   EngineDemand demand_;
+  bool looks_at_density_ = false;
   FirstBall first_ball_;
   FamilyChoice family_;
 };

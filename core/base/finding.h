@@ -22,6 +22,7 @@ struct Finding {
   std::string text;          ///< one line, no full stop, without the count
   std::int64_t count = 0;    ///< how many places there are
   std::vector<Vec2> places;  ///< some of them, at most `kMostPlaces`
+  std::string summary;       ///< of a note that is to be seen at all times: what stands beside the light
   friend bool operator==(const Finding&, const Finding&) = default;
 };
 inline constexpr std::size_t kMostPlaces = 64;

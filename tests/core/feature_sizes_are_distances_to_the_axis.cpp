@@ -60,7 +60,29 @@ void check_sizes(const Workbench& bench, double tolerance) {
   }
 }
 
+/// The epsilon of the samples, followed under edits, is the largest of all edges; the note says it, and where.
+void check_sparsest_edge(const Workbench& bench) {
+  const auto& sizes = bench.get<FeatureSize>();
+  const auto& delaunay = bench.get<Delaunay>();
+  double most = -1.0;
+  for (const EdgeSlot edge : delaunay.edge_slots())
+    if (sizes.has_epsilon(edge)) most = std::max(most, sizes.epsilon(edge));
+  const EdgeSlot sparsest = sizes.sparsest_edge();
+  REQUIRE((sparsest == kNoSlot) == (most < 0.0));
+  std::vector<Finding> findings;
+  sizes.find(findings);
+  REQUIRE(findings.size() == (most < 0.0 ? 0U : 1U));
+  if (findings.empty()) return;
+  REQUIRE(sizes.epsilon(sparsest) == most);
+  REQUIRE(findings[0].level == FindingLevel::note);
+  REQUIRE_FALSE(findings[0].summary.empty());
+  const EdgeRow& row = delaunay.edge(sparsest);
+  const Vec2 middle = 0.5 * delaunay.site_position(row.v[0]) + 0.5 * delaunay.site_position(row.v[1]);
+  REQUIRE(findings[0].places == std::vector{middle});
+}
+
 void check_against_fresh(const Workbench& bench) {
+  check_sparsest_edge(bench);
   std::vector<Vec2> reversed = bench.positions();
   std::ranges::reverse(reversed);
   Workbench fresh;

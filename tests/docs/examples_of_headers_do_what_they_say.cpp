@@ -10,6 +10,7 @@
 #include "core/base/box_tree.h"
 #include "core/base/coordinate_range.h"
 #include "core/base/disjoint_sets.h"
+#include "core/base/max_tree.h"
 #include "core/base/radix_sort.h"
 #include "core/base/rng.h"
 #include "core/base/task_queue.h"
@@ -302,6 +303,15 @@ TEST_CASE("core/base/radix_sort.h") {
   radix_sort(keys);  // item 1, then item 0
   CHECK(keys.front().item == 1);
   CHECK(keys.back().item == 0);
+}
+
+TEST_CASE("core/base/max_tree.h") {
+  MaxTree<EdgeSlot> lengths;
+  lengths.build(2, [](EdgeSlot edge) { return edge.index() == 0 ? 3.0 : 1.0; });
+  CHECK(lengths.row_of_largest() == EdgeSlot(0));
+  lengths.set(EdgeSlot(1), 5.0);  // largest() is 5, and row_of_largest() row 1
+  CHECK(lengths.largest() == 5.0);
+  CHECK(lengths.row_of_largest() == EdgeSlot(1));
 }
 
 TEST_CASE("core/base/box_tree.h") {

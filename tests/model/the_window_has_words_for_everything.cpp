@@ -34,22 +34,24 @@ TEST_CASE("a note about sampling or drawing is listed and leaves the light as it
   NodeReport sampled = judge;
   sampled.structure = "axis-sampling";
   sampled.is_judging = false;
-  sampled.findings.push_back({FindingLevel::note, "axis-sampling: sampled balls are farther apart", 7, {}});
+  sampled.findings.push_back({FindingLevel::note, "axis-sampling: sampled balls are farther apart", 7, {}, {}});
   CHECK(light_of(std::vector{judge, sampled}) == TheoremLight::green);
   CHECK(light_of(std::vector{sampled}) == TheoremLight::none);
   CHECK(text_of(sampled.findings.front(), "axis-sampling") == "7 sampled balls are farther apart");
   CHECK(mood_of(FindingLevel::note) == VerdictWord::Mood::quiet);
   CHECK(mood_of(FindingLevel::doubt) == VerdictWord::Mood::doubtful);
   CHECK(mood_of(FindingLevel::wrong) == VerdictWord::Mood::wrong);
-  judge.findings.push_back({FindingLevel::doubt, "samples with an odd number of curve edges", 1, {}});
+  judge.findings.push_back({FindingLevel::doubt, "samples with an odd number of curve edges", 1, {}, {}});
   CHECK(light_of(std::vector{judge, sampled}) == TheoremLight::yellow);
   judge.findings.front().level = FindingLevel::wrong;
   CHECK(light_of(std::vector{sampled, judge}) == TheoremLight::red);
 }
 
 TEST_CASE("a finding is said with its count, one as one, and whose balls it is about") {
-  Finding finding{
-      .text = "samples with an odd number of curve edges: corners, noise, ends of strokes", .count = 1, .places = {}};
+  Finding finding{.text = "samples with an odd number of curve edges: corners, noise, ends of strokes",
+                  .count = 1,
+                  .places = {},
+                  .summary = {}};
   CHECK(text_of(finding, "one-step-crust") ==
         "1 sample with an odd number of curve edges: a corner, noise, the end of a stroke");
   finding.count = 12;

@@ -386,7 +386,7 @@ void BallUnion::find(std::vector<Finding>& out) const {
   if (rung_ == UnionRung::shortcut) return;
   const UnionTables& t = tables_;
   const auto say = [&](FindingLevel level, std::int64_t count, const char* text) -> std::vector<Vec2>& {
-    return out.emplace_back(Finding{level, std::string(id()) + ": " + text, count, {}}).places;
+    return out.emplace_back(Finding{level, std::string(id()) + ": " + text, count, {}, {}}).places;
   };
   const bool rounded = !is_exact();
   if (t.counts.sign_flips != 0) {

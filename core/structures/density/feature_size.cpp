@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/density/feature_size.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -46,6 +47,18 @@ double FeatureSize::epsilon(EdgeSlot edge) const {
   const EdgeRow& row = delaunay_.edge(edge);
   return 0.5 * distance(delaunay_.site_position(row.v[0]), delaunay_.site_position(row.v[1])) /
          std::min(size(row.v[0]), size(row.v[1]));
+}
+
+EdgeSlot FeatureSize::sparsest_edge() const {
+  if (!epsilons_.is_empty()) return epsilons_.largest() >= 0.0 ? epsilons_.row_of_largest() : EdgeSlot();
+  EdgeSlot out{};
+  double most = -1.0;
+  for (const EdgeSlot edge : delaunay_.edge_slots()) {
+    if (!has_epsilon(edge) || !(epsilon(edge) > most)) continue;
+    most = epsilon(edge);
+    out = edge;
+  }
+  return out;
 }
 
 // Coordinates have exponents of 500 in either direction, and squares of distances must not leave the range of doubles.
@@ -202,6 +215,7 @@ void FeatureSize::search_in_groups(std::span<const SiteSlot> sites) {
 void FeatureSize::rebuild(JobControl& job) {
   clear_changes();
   is_ready_ = false;
+  epsilons_.clear();
   squared_.assign(delaunay_.site_rows(), kInfinity);
   nearest_.assign(delaunay_.site_rows(), kNoSlot);
   lines_.clear();
@@ -247,6 +261,8 @@ void FeatureSize::get_ready_to_update(JobControl& job) {
     if (nearest_[site] != kNoSlot) attach(site, {squared_[site], nearest_[site]});
   job.checkpoint();
   make_ball_tree();
+  job.checkpoint();
+  epsilons_.build(delaunay_.edge_rows(), [this](EdgeSlot edge) { return epsilon_or_none(edge); });
   is_ready_ = true;
 }
 
@@ -367,6 +383,12 @@ void FeatureSize::finish_changes() {
       if (crust_.is_crust(edge)) edge_recorder_.note(edge, true);
     });
   edge_recorder_.finish(edge_changes_, [this](EdgeSlot edge) { return delaunay_.edge(edge).is_alive(); });
+  for (const auto* edges : {&edge_changes_.removed, &edge_changes_.touched})
+    for (const EdgeSlot edge : *edges) epsilons_.set(edge, epsilon_or_none(edge));
+}
+
+double FeatureSize::epsilon_or_none(EdgeSlot edge) const {
+  return has_epsilon(edge) ? epsilon(edge) : -kInfinity;
 }
 
 void FeatureSize::clear_changes() {
@@ -400,6 +422,24 @@ StatList FeatureSize::statistics() const {
   out.push_back({"estimate", std::string("distance to the axis and between neighbours as the samples show them")});
   if (!has_axis()) out.push_back({"nothing_because", std::string(reason())});
   return out;
+}
+
+void FeatureSize::find(std::vector<Finding>& out) const {
+  const EdgeSlot edge = sparsest_edge();
+  if (edge == kNoSlot) return;
+  const EdgeRow& row = delaunay_.edge(edge);
+  const Vec2 a = delaunay_.site_position(row.v[0]);
+  const Vec2 b = delaunay_.site_position(row.v[1]);
+  Finding& finding = out.emplace_back();
+  finding.level = FindingLevel::note;
+  finding.text = fmt::format(
+      "curve edge with the largest epsilon, {:.3g}: half its length over the distance of its ends to the axis, as "
+      "far as "
+      "the samples show curve and axis; at {} smooth curves have the axis that the theorem promises",
+      epsilon(edge), kDenseEpsilon);
+  finding.summary = fmt::format("epsilon {:.3g}", epsilon(edge));
+  finding.count = 1;
+  finding.places.push_back({0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y});
 }
 
 }  // namespace mes

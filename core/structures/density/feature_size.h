@@ -10,6 +10,7 @@
 
 #include "core/base/box_tree.h"
 #include "core/base/change_set.h"
+#include "core/base/max_tree.h"
 #include "core/graph/structure.h"
 #include "core/structures/crust/one_step_crust.h"
 #include "core/structures/density/axis_line.h"
@@ -47,6 +48,8 @@ class FeatureSize final : public Structure {
   /// The crust edge has an epsilon: both its ends have a size.
   bool has_epsilon(EdgeSlot edge) const;
   double epsilon(EdgeSlot edge) const;
+  /// An edge with the largest epsilon; kNoSlot if none has one. O(1) once updates have begun, before O(edges).
+  EdgeSlot sparsest_edge() const;
 
   /// Sites that came, moved or went, or whose size differs from before.
   const ChangeSet<SiteSlot>& site_changes() const { return site_changes_; }
@@ -59,6 +62,7 @@ class FeatureSize final : public Structure {
   void clear_changes() override;
   std::size_t touched() const override { return site_changes_.size() + edge_changes_.size(); }
   StatList statistics() const override;
+  void find(std::vector<Finding>& out) const override;
 
  private:
   struct Found {
@@ -66,6 +70,7 @@ class FeatureSize final : public Structure {
     EdgeSlot edge{};
   };
 
+  double epsilon_or_none(EdgeSlot edge) const;
   bool is_axis(EdgeSlot edge) const { return delaunay_.edge(edge).is_alive() && !crust_.is_crust(edge); }
   Vec2 place_of(SiteSlot site) const {
     const Vec2 at = delaunay_.site_position(site);
@@ -119,6 +124,7 @@ class FeatureSize final : public Structure {
   BoxTree<Ball> balls_;
   Table<SiteSlot, std::uint32_t> ball_at_;
   Table<SiteSlot, double> reach_;  ///< in the tree, squared
+  MaxTree<EdgeSlot> epsilons_;
 
   ChangeRecorder<SiteSlot> site_recorder_;
   ChangeRecorder<EdgeSlot> edge_recorder_;

@@ -29,6 +29,7 @@ void find_tolerance(std::string_view structure, double tolerance, std::size_t ba
                              "take more than {}; dents between them are at most {:.2g} deep",
                              structure, kMostBallsBetween, tolerance),
                  static_cast<std::int64_t>(balls),
+                 {},
                  {}});
 }
 
