@@ -9,6 +9,7 @@ namespace {
 
 constexpr double kMovingMs = 60.0;        // of a frame while the picture moves; longer frames look jerky
 constexpr double kRestingMs = 300.0;      // of a frame at rest; longer frames delay the next input too much
+constexpr int kLongFrames = 3;            // one after the other at rest, after which the picture stays as it is
 constexpr std::uint32_t kAlways = 256;    // disks that are always painted: they show the shape of the union
 constexpr std::uint32_t kUntried = 4096;  // the most disks in a first frame, before their cost has been measured
 
@@ -25,11 +26,12 @@ std::uint32_t Detail::begin_changed(std::uint32_t disks) {
   every_moving_ = std::min(every_moving_, largest_step(disks));
   every_ = every_moving_;
   is_refinement_ = false;
+  long_frames_ = 0;
   return every_;
 }
 
 std::uint32_t Detail::begin_refinement() {
-  every_ = std::max(1U, every_ / 2);
+  if (long_frames_ == 0) every_ = std::max(1U, every_ / 2);
   is_refinement_ = true;
   return every_;
 }
@@ -44,7 +46,9 @@ void Detail::painted(double milliseconds) {
     }
   }
   // Twice as many disks take at most twice the time.
-  is_refining_ = every_ > 1 && 2.0 * milliseconds < kRestingMs;
+  const bool is_long = 2.0 * milliseconds >= kRestingMs;
+  long_frames_ = is_long ? long_frames_ + 1 : 0;
+  is_refining_ = every_ > 1 && long_frames_ < kLongFrames;
 }
 
 }  // namespace mes

@@ -8,7 +8,7 @@ namespace mes {
 
 /// Disks that are painted can make a picture slow: of a million large ones, a thousand may cover each pixel. While the
 /// picture moves, one of `every()` disks is painted; when it rests, more and more of them, as long as a frame stays
-/// short.
+/// short. A frame may be long because other programs are busy, so the same is painted again before refinement gives up.
 ///
 /// What it guarantees:
 ///  1. `every()` is a power of two, and a frame that took too long is followed by a shorter one.
@@ -37,6 +37,7 @@ class Detail {
   std::uint32_t disks_ = 0;
   bool is_refinement_ = false;
   bool is_refining_ = false;
+  int long_frames_ = 0;  ///< at rest, one after the other
 };
 
 }  // namespace mes
