@@ -91,6 +91,7 @@ struct NodeReport {
   NodeState state = NodeState::inactive;
   std::string reason;               ///< one line, when failed or blocked
   std::vector<SampleId> witnesses;  ///< culprits of a failure
+  bool is_refused = false;          ///< it failed because it would be too large
   double update_ms = 0.0;           ///< own time of the last rebuild or update, inputs not counted
   std::uint64_t touched = 0;        ///< rows touched by the last update
   bool rebuilt = false;             ///< the last one was a rebuild

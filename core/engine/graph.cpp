@@ -10,6 +10,7 @@
 
 #include "core/base/isolated.h"
 #include "core/engine/memory_lack.h"
+#include "core/graph/size_refusal.h"
 
 namespace mes {
 
@@ -205,6 +206,7 @@ void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
   node.state = NodeState::computing;
   node.reason.clear();
   node.witnesses.clear();
+  node.is_refused = false;
   const auto fail = [&node](std::string reason) {
     node.state = NodeState::failed;
     node.reason = std::move(reason);
@@ -228,6 +230,7 @@ void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
   } catch (const GeometryError& error) {
     fail(error.what());
     node.witnesses = error.witnesses;
+    node.is_refused = dynamic_cast<const SizeRefusal*>(&error) != nullptr;
   } catch (const std::bad_alloc&) {
     fail(std::string(kOutOfMemory));
   } catch (const std::exception& error) {
@@ -424,6 +427,7 @@ void Graph::report_node(StructureNode& node, NodeReport& report) {
   report.state = node.state;
   if (report.reason != node.reason) report.reason = node.reason;
   if (report.witnesses != node.witnesses) report.witnesses = node.witnesses;
+  report.is_refused = node.is_refused;
   report.update_ms = node.ms;
   report.touched = node.changed == run_ ? node.touched : 0;
   report.rebuilt = node.last_was_rebuild;

@@ -112,6 +112,7 @@ class Graph {
     std::uint64_t touched = 0;
     std::string reason;
     std::vector<SampleId> witnesses;
+    bool is_refused = false;  ///< failed, for its size
     StatList stats;
     std::uint64_t stats_run = 0;
     std::vector<Finding> findings;

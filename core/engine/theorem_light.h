@@ -38,11 +38,11 @@ constexpr TheoremLight light_of(FindingLevel level) {
   return TheoremLight::none;
 }
 
-/// From the reports of a run in which findings were wanted. Lack of memory says nothing about the result.
+/// From the reports of a run in which findings were wanted. Lack of memory and refused sizes say nothing about the result.
 inline TheoremLight light_of(std::span<const NodeReport> nodes) {
   TheoremLight light = TheoremLight::none;
   for (const NodeReport& node : nodes) {
-    if (node.state == NodeState::failed && node.reason != kOutOfMemory) light = TheoremLight::red;
+    if (node.state == NodeState::failed && node.reason != kOutOfMemory && !node.is_refused) light = TheoremLight::red;
     if (node.state == NodeState::up_to_date && node.is_judging) light = std::max(light, TheoremLight::green);
   }
   for (const NodeReport& node : nodes)

@@ -11,6 +11,7 @@
 #include "core/engine/memory_lack.h"
 #include "core/engine/theorem_light.h"
 #include "core/graph/explain.h"
+#include "core/graph/size_refusal.h"
 #include "tests/support/layer_contents.h"
 
 using namespace mes;
@@ -43,6 +44,7 @@ class Shaky final : public Structure {
       if (y == -1.0) throw GeometryError("a sample lies at -1", {samples_.id(slot)});
       if (y == -2.0) throw std::bad_alloc();
       if (y == -3.0) MES_ASSERT(y > 0.0);
+      if (y == -4.0) throw SizeRefusal("it takes too many");
     }
   }
   Samples& samples_;
@@ -313,6 +315,15 @@ TEST_CASE("lack of memory does not call the result wrong") {
   bench.insert({0, 0});
   bench.insert({1, -2});
   CHECK(light_of(bench.patch.nodes) == TheoremLight::none);
+  bench.remove_last();
+  bench.insert({1, -1});
+  CHECK(light_of(bench.patch.nodes) == TheoremLight::red);
+  bench.remove_last();
+  bench.insert({1, -4});
+  CHECK(bench.report("shaky").state == NodeState::failed);
+  CHECK(bench.report("shaky").reason == "it takes too many");
+  CHECK(light_of(bench.patch.nodes) == TheoremLight::none);
+  // A refusal before does not excuse another failure.
   bench.remove_last();
   bench.insert({1, -1});
   CHECK(light_of(bench.patch.nodes) == TheoremLight::red);

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/graph/size_refusal.h"
 #include "core/structures/balls/axis_ball_union.h"
 #include "core/structures/balls/internal/ball_halving.h"
 #include "core/structures/balls/scale_axis.h"
@@ -304,7 +305,7 @@ TEST_CASE("balls that no tolerance makes few enough are refused in one line") {
     try {
       next_tolerance(diameter == 1.0 ? 0x1p-11 : 0.0, diameter);
       FAIL("not refused");
-    } catch (const GeometryError& error) {
+    } catch (const SizeRefusal& error) {
       const std::string text = error.what();
       CHECK(text.starts_with("it takes more than 500000 balls along the axis"));
       CHECK(text.find('\n') == std::string::npos);

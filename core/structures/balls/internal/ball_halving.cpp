@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "core/base/error.h"
+#include "core/graph/size_refusal.h"
 
 namespace mes {
 
@@ -16,7 +16,7 @@ std::optional<double> wider_tolerance(double tolerance, double diameter) {
 
 double next_tolerance(double tolerance, double diameter) {
   if (const auto next = wider_tolerance(tolerance, diameter)) return *next;
-  throw GeometryError(fmt::format(
+  throw SizeRefusal(fmt::format(
       "it takes more than {} balls along the axis; a smaller medial-sampling-angle takes fewer, and below 1 "
       "a larger scale-axis-factor",
       kMostBallsBetween));

@@ -89,7 +89,7 @@ inline constexpr std::size_t kMostBallsBetween = 500'000;
 /// The tolerance after one with which there are more: none, 2^-29 of the diameter of the samples, or of own balls, four times
 /// that, and so on up to 2^-11, half a pixel of a picture with a thousand. Nothing after that.
 std::optional<double> wider_tolerance(double tolerance, double diameter);
-/// The same; throws `GeometryError` where there is none.
+/// The same; throws `SizeRefusal` where there is none.
 double next_tolerance(double tolerance, double diameter);
 /// Says that balls were made with a tolerance, if it is not 0.
 void find_tolerance(std::string_view structure, double tolerance, std::size_t balls, std::vector<Finding>& out);
