@@ -14,10 +14,9 @@
 namespace mes {
 
 /// What it guarantees: the engine is asked for the visible layers of all panes, and for what panels look at, anew when
-/// they change. After a picture was
-/// lost for lack of memory it is asked for none, and for all of them again once the document or the demand has changed.
-/// Where all layers are needed once more as a whole, it is asked for none, and for all of them as soon as it has nothing to
-/// do. Threads: the window's.
+/// they change. After a picture was lost for lack of memory it is asked for none, and for all of them again once the
+/// document or the demand has changed. Where all layers are needed once more as a whole, it is asked for none, and for all
+/// of them as soon as it has nothing to do. Threads: the window's.
 class EngineDemand {
  public:
   /// What is wanted, with the revisions that say when it changes.

@@ -43,7 +43,7 @@ VerdictWord word_of(const Verdict& verdict) {
 
 constexpr float kChoiceWidth = 118;
 constexpr float kLightWidth = 134;
-// Of what a note puts beside the word, such as "epsilon 0.0123"; one width, so that nothing moves while it changes.
+// Of what a note puts beside the word, such as "epsilon 0.0123"; one width, so that nothing moves while the number changes.
 constexpr float kSummaryWidth = 104;
 
 std::string_view summary_of(const Verdict& verdict) {

@@ -11,8 +11,8 @@ namespace mes {
 /// click elsewhere leave it; Esc restores the old number. Threads: the window's.
 bool number_field(const char* label, double& value, const char* format);
 bool number_field(const char* label, std::uint64_t& value);
-/// The same, and an expression such as 2/3 or sqrt(2) can be typed for the number. `refusal` is why what was typed is
-/// refused, until it is corrected or given up; the field has the keyboard again if Enter left it (`stay_in_field`).
+/// The same, and an expression such as 2/3 or sqrt(2) can be typed for the number. `refusal` is why what was typed last
+/// is refused, until such a field is left again; the field has the keyboard again if Enter left it (`stay_in_field`).
 bool number_field(const char* label, double& value, const char* format, std::string& refusal);
 /// The same for a formula, which is text here.
 bool formula_field(const char* label, const char* hint, std::string& text);

@@ -20,7 +20,7 @@ struct SliderLook {
     double high;
   };
   std::optional<Range> typed{};    ///< what the number may be, where that is more than the slider has
-  std::string* refusal = nullptr;  ///< where it is, expressions can be typed, and this says why one is refused
+  std::string* refusal = nullptr;  ///< if given, expressions can be typed, and this says why one is refused
 };
 
 /// How wide the slider itself is, of a slider that is `width` wide with its number.

@@ -37,7 +37,7 @@ Error error_of(const mu::Parser::exception_type& problem, std::string_view text)
     case mu::ecUNASSIGNABLE_TOKEN:
       if (!token.empty() && token.front() >= '0' && token.front() <= '9')
         return {ErrorCode::bad_input,
-                fmt::format("\"{}\" is no number that a double can be (column {})", token, column)};
+                fmt::format("\"{}\" is not a number that a double can hold (column {})", token, column)};
       return {ErrorCode::bad_input, fmt::format("\"{}\" is not known here (column {})", token, column)};
     case mu::ecUNEXPECTED_EOF:
     case mu::ecEMPTY_EXPRESSION: return {ErrorCode::bad_input, "the expression is not complete"};

@@ -14,7 +14,7 @@
 
 namespace mes {
 
-/// Said in one remark, with the line of the first such contour. A sample that a contour has twice in a row counts, too.
+/// Said in one remark, with the line of the first such contour. Readers have made one of a corner twice in a row before.
 ///
 /// Smallest use:
 ///     RepeatedCorners repeated;

@@ -236,7 +236,7 @@ TEST_CASE("balls along the axis of a union that are only shown are bounded, too,
     findings.clear();
     fewer.find(findings);
     REQUIRE(findings.size() == 1);
-    CHECK(findings.front().text.starts_with("a-ball-sampling: sampled balls are farther apart"));
+    CHECK(findings.front().text.starts_with("a-ball-sampling: sampled balls, some of them farther apart"));
     CHECK(findings.front().count == static_cast<std::int64_t>(fewer.medial().count() + fewer.convex().count()));
   }
   // No tolerance suffices: as many as the widest takes.

@@ -63,7 +63,7 @@ TEST_CASE("a number beyond what a double holds is said to be that") {
     const auto number = number_of(text);
     INFO(text);
     REQUIRE_FALSE(number);
-    CHECK_THAT(number.error().message(), Catch::Contains("\"1e400\" is no number that a double can be"));
+    CHECK_THAT(number.error().message(), Catch::Contains("\"1e400\" is not a number that a double can hold"));
   }
 }
 

@@ -80,8 +80,8 @@ TEST_CASE("a frame that was long for other reasons does not end refinement") {
   int frames = 0;
   while (detail.is_refining()) {
     const double own = cost(disks, detail.begin_refinement(), ms_per_disk);
-    // Two of three frames wait for other programs.
-    detail.painted(++frames % 3 == 0 ? own : own + 400.0);
+    // Every other frame waits for other programs.
+    detail.painted(++frames % 2 == 0 ? own : own + 400.0);
     REQUIRE(frames < 60);
   }
   CHECK(detail.every() == 1);

@@ -88,14 +88,14 @@ TEST_CASE("an epsilon that stays infinite is said once, with its reason") {
   repair.epsilon_before = repair.epsilon_after = kInfinity;
   CHECK_THAT(
       repair.words().front(),
-      Catch::Contains("0 samples inserted; epsilon as before infinite (curve edges are missing); the theorem"));
+      Catch::Contains("0 samples inserted; epsilon infinite as before (curve edges are missing); the theorem"));
   repair.epsilon_after = 0.25;
   CHECK_THAT(repair.words().front(),
              Catch::Contains("epsilon infinite (curve edges are missing) before, 0.25 now; the theorem"));
   Decimation decimation;
   decimation.epsilon_before = decimation.epsilon_after = kInfinity;
   CHECK_THAT(decimation.words(),
-             Catch::Contains("removed; epsilon as before infinite (curve edges are missing); the"));
+             Catch::Contains("removed; epsilon infinite as before (curve edges are missing); the"));
   decimation.epsilon_before = 0.125;
   decimation.epsilon_after = 0.25;
   CHECK_THAT(decimation.words(), Catch::Contains("epsilon 0.125 before, 0.25 now; the axis"));

@@ -13,7 +13,7 @@ namespace mes {
 inline std::string epsilon_words(double before, double now) {
   constexpr const char* kInfinite = "infinite (curve edges are missing)";
   const auto text = [](double epsilon) { return std::isfinite(epsilon) ? number_text(epsilon) : kInfinite; };
-  if (!std::isfinite(before) && !std::isfinite(now)) return std::string("epsilon as before ") + kInfinite;
+  if (!std::isfinite(before) && !std::isfinite(now)) return "epsilon infinite as before (curve edges are missing)";
   return "epsilon " + text(before) + " before, " + text(now) + " now";
 }
 

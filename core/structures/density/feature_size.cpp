@@ -434,8 +434,8 @@ void FeatureSize::find(std::vector<Finding>& out) const {
   finding.level = FindingLevel::note;
   finding.text = fmt::format(
       "curve edge with the largest epsilon, {:.3g}: half its length over the distance of its ends to the axis, as "
-      "far as "
-      "the samples show curve and axis; at {} smooth curves have the axis that the theorem promises",
+      "far "
+      "as the samples show curve and axis; up to {} smooth curves have the axis that the theorem promises",
       epsilon(edge), kDenseEpsilon);
   finding.summary = fmt::format("epsilon {:.3g}", epsilon(edge));
   finding.count = 1;

@@ -24,13 +24,14 @@ double next_tolerance(double tolerance, double diameter) {
 
 void find_tolerance(std::string_view structure, double tolerance, std::size_t balls, std::vector<Finding>& out) {
   if (tolerance == 0.0) return;
-  out.push_back({FindingLevel::note,
-                 fmt::format("{}: sampled balls are farther apart than medial-sampling-angle asks for, which would "
-                             "take more than {}; dents between them are at most {:.2g} deep",
-                             structure, kMostBallsBetween, tolerance),
-                 static_cast<std::int64_t>(balls),
-                 {},
-                 {}});
+  out.push_back(
+      {FindingLevel::note,
+       fmt::format("{}: sampled balls, some of them farther apart than medial-sampling-angle asks for, which "
+                   "would take more than {}; dents between those are at most {:.2g} deep",
+                   structure, kMostBallsBetween, tolerance),
+       static_cast<std::int64_t>(balls),
+       {},
+       {}});
 }
 
 }  // namespace mes
