@@ -107,7 +107,7 @@ bool VoronoiVertices::update(JobControl&) {
       group_of_[member] = kNoSlot;
       work_.push_back(member);
     }
-    groups_[group].clear();
+    groups_[group] = {};
     free_groups_.push_back(group);
   }
   for (const FaceSlot face : work_) {

@@ -17,7 +17,8 @@ namespace mes {
 ///     sites); the decision is exact.
 ///  2. `vertex(face)` is one face of the group; the first by centre and radius in doubles, then by corners.
 ///
-/// Rows are those of the Delaunay faces. Cost: O(faces); updates O(changed faces + sizes of changed groups).
+/// Rows are those of the Delaunay faces. Cost: O(faces); updates O(changed faces + sizes of changed groups), the
+/// first with a group O(faces).
 class VoronoiVertices final : public Structure {
  public:
   VoronoiVertices(Delaunay& delaunay, OneStepCrust& crust);

@@ -137,7 +137,6 @@ struct CellWalk::Chunk {
   std::vector<EdgeSlot> curve;
   std::uint32_t first = 0;  // of its lines
   std::vector<std::uint32_t> steep;
-  std::vector<std::uint32_t> place;  // of its next line at each block
 
   // Which edge is curve follows no pattern: they are told apart without a branch.
   void take_edges(const Delaunay& delaunay, const OneStepCrust& crust, std::size_t begin, std::size_t end) {
@@ -253,35 +252,41 @@ void CellWalk::order_cells(const Delaunay& delaunay, const std::vector<Chunk>& c
   blocks_.back().first_link = static_cast<std::uint32_t>(links_.size());
 }
 
-// Each chunk first counts, then writes where what it counted begins.
-void CellWalk::list_lines(const Delaunay& delaunay, std::vector<Chunk>& chunks) {
-  const auto for_each_line = [&](const Chunk& chunk, auto visit) {
-    std::uint32_t line = chunk.first;
-    for (const EdgeSlot edge : chunk.axis) {
-      const EdgeRow& row = delaunay.edge(edge);
-      visit(line++, block_of_[row.v[0]], block_of_[row.v[1]]);
+// Runs of chunks first count, then write where what they counted begins. There are few, whatever the number of edges, for
+// each counts for all blocks.
+void CellWalk::list_lines(const Delaunay& delaunay, const std::vector<Chunk>& chunks) {
+  constexpr std::size_t kMostRuns = 8;
+  std::vector<std::vector<std::uint32_t>> places(std::min(kMostRuns, chunks.size()));
+  const auto for_each_line = [&](std::size_t run, auto visit) {
+    const std::size_t end = (run + 1) * chunks.size() / places.size();
+    for (std::size_t i = run * chunks.size() / places.size(); i < end; ++i) {
+      std::uint32_t line = chunks[i].first;
+      for (const EdgeSlot edge : chunks[i].axis) {
+        const EdgeRow& row = delaunay.edge(edge);
+        visit(line++, block_of_[row.v[0]], block_of_[row.v[1]]);
+      }
     }
   };
-  run_tasks(chunks.size(), [&](std::size_t number) {
-    Chunk& chunk = chunks[number];
-    chunk.place.assign(blocks_.size(), 0);
-    for_each_line(chunk, [&](std::uint32_t, std::uint32_t a, std::uint32_t b) {
-      ++chunk.place[a];
-      if (a != b) ++chunk.place[b];
+  run_tasks(places.size(), [&](std::size_t run) {
+    std::vector<std::uint32_t>& counted = places[run];
+    counted.assign(blocks_.size(), 0);
+    for_each_line(run, [&](std::uint32_t, std::uint32_t a, std::uint32_t b) {
+      ++counted[a];
+      if (a != b) ++counted[b];
     });
   });
   std::uint32_t count = 0;
   for (std::size_t block = 0; block < blocks_.size(); ++block) {
     blocks_[block].first_entry = count;
-    for (Chunk& chunk : chunks) count += std::exchange(chunk.place[block], count);
+    for (std::vector<std::uint32_t>& place : places) count += std::exchange(place[block], count);
   }
   entries_ = std::make_unique_for_overwrite<AxisEntry[]>(count);
-  run_tasks(chunks.size(), [&](std::size_t number) {
-    Chunk& chunk = chunks[number];
-    for_each_line(chunk, [&](std::uint32_t line, std::uint32_t a, std::uint32_t b) {
+  run_tasks(places.size(), [&](std::size_t run) {
+    std::vector<std::uint32_t>& place = places[run];
+    for_each_line(run, [&](std::uint32_t line, std::uint32_t a, std::uint32_t b) {
       const float reach = lowered(lines_[line].squared_reach());
-      entries_[chunk.place[a]++] = {line, b, reach};
-      if (a != b) entries_[chunk.place[b]++] = {line, a, reach};
+      entries_[place[a]++] = {line, b, reach};
+      if (a != b) entries_[place[b]++] = {line, a, reach};
     });
   });
 }

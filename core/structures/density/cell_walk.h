@@ -56,7 +56,7 @@ class CellWalk {
  private:
   struct Group;
   struct Trail;
-  /// A run of edges, and what `list_lines` counts for each block in it.
+  /// Edges that are told apart by one task.
   struct Chunk;
   /// An edge of the axis, as seen from a block with one of its two cells, or both.
   struct AxisEntry {
@@ -73,7 +73,7 @@ class CellWalk {
   };
 
   void order_cells(const Delaunay& delaunay, const std::vector<Chunk>& chunks);
-  void list_lines(const Delaunay& delaunay, std::vector<Chunk>& chunks);
+  void list_lines(const Delaunay& delaunay, const std::vector<Chunk>& chunks);
   void measure_blocks(const Delaunay& delaunay, double unit);
   static void sort_by_reach(std::span<AxisEntry> entries);
   std::span<const AxisEntry> entries_of(std::uint32_t block) const {

@@ -48,7 +48,8 @@ class FeatureSize final : public Structure {
   /// The crust edge has an epsilon: both its ends have a size.
   bool has_epsilon(EdgeSlot edge) const;
   double epsilon(EdgeSlot edge) const;
-  /// An edge with the largest epsilon; kNoSlot if none has one. O(1) once updates have begun, before O(edges).
+  /// An edge with the largest epsilon, of several any; kNoSlot if none has one. O(log edges) once updates have begun,
+  /// before O(edges).
   EdgeSlot sparsest_edge() const;
 
   /// Sites that came, moved or went, or whose size differs from before.
