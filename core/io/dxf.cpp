@@ -267,6 +267,7 @@ class DxfReader {
     constexpr double kRounding = 1e-9;
     if (sweep < 0.0) sweep += kTurn;
     if (sweep <= kRounding || sweep >= kTurn - kRounding) sweep = kTurn;
+    if (std::abs(from) > kTurn) from = std::fmod(from, kTurn);
     const EllipticArc arc{center, u, v, from, sweep};
     const auto at = [&](double angle) { return center + std::cos(angle) * u + std::sin(angle) * v; };
     PlaneCurve curve(at(from));

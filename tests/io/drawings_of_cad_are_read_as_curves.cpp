@@ -76,6 +76,13 @@ TEST_CASE("each entity of DXF is the curve that it says") {
   CHECK(box_of(arc.data).low.x == Approx(std::cos(80 * kPi / 180)));
   CHECK(box_of(arc.data).low.y == Approx(-std::sin(10 * kPi / 180)));
 
+  // Whole turns before its start change nothing, and so many that a turn is below their last bit are no end of work.
+  const LoadedFile turned = read_good(entities("0 ARC 10 0 20 0 40 1 50 3950 51 80"));
+  CHECK(length_of(turned.data) == Approx(kPi / 2).epsilon(1e-3));
+  CHECK(box_of(turned.data).low.x == Approx(std::cos(80 * kPi / 180)));
+  const LoadedFile wound = read_good(entities("0 ARC 10 0 20 0 40 1 50 3518446744073709551615 51 -11"));
+  for (const Vec2 p : wound.data.positions) CHECK(distance(p, {0, 0}) == Approx(1.0).epsilon(1e-12));
+
   const LoadedFile ellipse = read_good(entities("0 ELLIPSE 10 1 20 1 11 0 21 4 40 0.5 41 0 42 3.14159265358979"));
   const Box2 half = box_of(ellipse.data);
   CHECK(half.low.x == Approx(-1.0).epsilon(1e-4));

@@ -157,9 +157,12 @@ std::vector<double> PieceLength::slowest_places_of_arc() const {
   const double slowest = 0.5 * (std::atan2(sine, cosine) + std::numbers::pi);
   const double low = std::min(arc.start, arc.start + arc.sweep);
   const double high = std::max(arc.start, arc.start + arc.sweep);
-  for (double turn = std::ceil((low - slowest) / std::numbers::pi); slowest + turn * std::numbers::pi < high;
-       ++turn) {
-    const double t = (slowest + turn * std::numbers::pi - arc.start) / arc.sweep;
+  // Counted, for adding one to a large number of turns may leave it as it is.
+  const double first = std::ceil((low - slowest) / std::numbers::pi);
+  for (double turn = 0.0; turn <= std::abs(arc.sweep) / std::numbers::pi + 1.0; ++turn) {
+    const double place = slowest + (first + turn) * std::numbers::pi;
+    if (!(place < high)) break;
+    const double t = (place - arc.start) / arc.sweep;
     if (t > 0.0 && t < 1.0) out.push_back(t);
   }
   std::ranges::sort(out);
