@@ -170,7 +170,7 @@ TEST_CASE("links of contours follow random edits as if they were made anew") {
   }
 }
 
-TEST_CASE("a contour is told by its corners and its samples, not by how often it names them") {
+TEST_CASE("a contour is described by its corners and its samples, not by how often it names them") {
   const auto links = [](bool closed, std::vector<std::uint32_t> points) {
     Desk desk(with_contours_of(4, {{closed, std::move(points)}}));
     desk.check();
