@@ -60,8 +60,7 @@ void describe_branches(CLI::App& app, BranchesRequest& to) {
   add_output(*branches, to.output, to.force);
   branches->footer(
       "One line for each branch, the longest first: its ends (leaf, junction, cut by the filter, or none of a loop "
-      "or a "
-      "point),\n"
+      "or a point),\n"
       "length, radius of its balls, and the largest lambda and object angle in degrees. Lengths add up to the "
       "layer's.");
 }

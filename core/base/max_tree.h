@@ -12,7 +12,8 @@ namespace mes {
 
 /// A tree of maxima over the rows of a table; rows without a value have minus infinity.
 ///
-/// Cost: `build` O(rows), a change O(log rows) at most and O(1) where it is no maximum, 16 to 32 bytes a row.
+/// Cost: `build` O(rows); a change O(log rows) at most, and O(1) for a row that is not the largest nearby, before or
+/// after. 16 to 32 bytes a row.
 ///
 /// Smallest use:
 ///     MaxTree<EdgeSlot> lengths;

@@ -127,37 +127,6 @@ TEST_CASE("the list has three panes at most, and each number type once") {
   CHECK(list.is_empty());
 }
 
-TEST_CASE("the engine keeps the density of samples up to date while it is looked at") {
-  Engine engine({});
-  LayerStack layers = stack_of({"points"});
-  PaneList list;
-  const ComputationSettings settings;
-  EngineDemand demand;
-  Editor editor([&](std::shared_ptr<const DocumentDelta> delta) { engine.post(std::move(delta)); });
-  SampleData data;
-  for (int i = 0; i < 40; ++i) data.positions.push_back({std::cos(0.157 * i), 0.7 * std::sin(0.157 * i)});
-  REQUIRE(editor.load(data));
-  engine.set_want_findings(true);
-  const auto summary_where = [&](bool with_density) {
-    EngineDemand::Wanted wanted{layers, list, settings, editor.document().revision()};
-    wanted.with_density = with_density;
-    CHECK(demand.follow(engine, wanted, false));
-    CHECK_FALSE(demand.follow(engine, wanted, false));
-    std::string out;
-    while (auto patch = engine.sync()) {
-      for (const NodeReport& node : patch->nodes)
-        for (const Finding& finding : node.findings) out += finding.summary;
-      engine.recycle(std::move(patch));
-    }
-    return out;
-  };
-  CHECK(summary_where(false).empty());
-  CHECK(summary_where(true).starts_with("epsilon "));
-  CHECK(summary_where(false).empty());
-  layers.set_visible(find_layer("sampling-epsilon"), true);
-  CHECK(summary_where(true).starts_with("epsilon "));
-}
-
 TEST_CASE("the engine follows panes as they come, change and go") {
   Engine engine({});
   LayerStack layers = stack_of({"points", "a-union-boundary"});

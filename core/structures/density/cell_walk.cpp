@@ -138,7 +138,7 @@ struct CellWalk::Chunk {
   std::uint32_t first = 0;  // of its lines
   std::vector<std::uint32_t> steep;
 
-  // Which edge is curve follows no pattern: they are told apart without a branch.
+  // Curve edges and axis edges alternate without a pattern that a processor could predict, so no branch depends on them.
   void take_edges(const Delaunay& delaunay, const OneStepCrust& crust, std::size_t begin, std::size_t end) {
     axis.resize(end - begin);
     curve.resize(end - begin);

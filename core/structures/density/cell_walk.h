@@ -56,7 +56,7 @@ class CellWalk {
  private:
   struct Group;
   struct Trail;
-  /// Edges that are told apart by one task.
+  /// The axis edges and curve edges among a run of rows, which one task lists.
   struct Chunk;
   /// An edge of the axis, as seen from a block with one of its two cells, or both.
   struct AxisEntry {

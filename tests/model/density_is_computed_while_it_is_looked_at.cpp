@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How dense the samples are is computed for a page that shows it, also while no layer does.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+
+#include "app/model/editor.h"
+#include "app/model/engine_demand.h"
+
+using namespace mes;
+
+TEST_CASE("the engine keeps the density of samples up to date while it is looked at") {
+  Engine engine({});
+  LayerStack layers(layer_descriptors());
+  layers.set_visible(find_layer("sampling-epsilon"), false);
+  layers.set_visible(find_layer("feature-size"), false);
+  PaneList list;
+  const ComputationSettings settings;
+  EngineDemand demand;
+  Editor editor([&](std::shared_ptr<const DocumentDelta> delta) { engine.post(std::move(delta)); });
+  SampleData data;
+  for (int i = 0; i < 40; ++i) data.positions.push_back({std::cos(0.157 * i), 0.7 * std::sin(0.157 * i)});
+  REQUIRE(editor.load(data));
+  engine.set_want_findings(true);
+  const auto summary_where = [&](bool with_density) {
+    EngineDemand::Wanted wanted{layers, list, settings, editor.document().revision()};
+    wanted.with_density = with_density;
+    CHECK(demand.follow(engine, wanted, false));
+    CHECK_FALSE(demand.follow(engine, wanted, false));
+    std::string out;
+    while (auto patch = engine.sync()) {
+      for (const NodeReport& node : patch->nodes)
+        for (const Finding& finding : node.findings) out += finding.summary;
+      engine.recycle(std::move(patch));
+    }
+    return out;
+  };
+  CHECK(summary_where(false).empty());
+  CHECK(summary_where(true).starts_with("epsilon "));
+  CHECK(summary_where(false).empty());
+  layers.set_visible(find_layer("sampling-epsilon"), true);
+  CHECK(summary_where(true).starts_with("epsilon "));
+}
