@@ -26,13 +26,6 @@ int order(const Rational& a, const Rational& b) {
   return a < b ? -1 : (b < a ? 1 : 0);
 }
 
-/// Both sides of a comparison are of one sign and within 2^-47 of their true values, unless they come near the ends of
-/// the range of doubles.
-bool is_decided(double left, double right) {
-  const double size = std::max(left, right);
-  return size > 1e-250 && size < 1e300 && std::abs(left - right) > 0x1p-46 * size;
-}
-
 /// The corner at p has 90 degrees or more.
 bool is_wide(Vec2 p, Vec2 q, Vec2 r) {
   return sign_of_corner(p, q, r) <= 0;
@@ -60,17 +53,19 @@ double half_longest_side(Vec2 a, Vec2 b, Vec2 c) {
   return 0.5 * std::max({distance(a, b), distance(b, c), distance(c, a)});
 }
 
-int compare_half_distance(Vec2 a, Vec2 b, double r) {
+int compare_half_distance_exactly(Vec2 a, Vec2 b, double r) {
   if (r < 0.0) return 1;
-  const Vec2 u = b - a;
-  const double left = dot(u, u);
-  const double right = 4.0 * r * r;
-  if (is_decided(left, right)) return left < right ? -1 : 1;
   return order(squared(between(a, b)), Rational(4) * Rational(r) * Rational(r));
 }
 
 int compare_enclosing_radius(Vec2 a, Vec2 b, Vec2 c, double r) {
   if (r < 0.0) return 1;
+  // The radius is half the longest side at least, and at most as in an equilateral triangle, whose sides are sqrt(3) of
+  // them: where all angles are below 90 degrees, the longest side is opposite one of 60 or more.
+  const double longest = std::max({dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)});
+  const double right = 4.0 * r * r;
+  if (longest > right && is_order_decided(longest, right)) return 1;
+  if (longest < 0.75 * right && is_order_decided(longest, 0.75 * right)) return -1;
   if (is_wide(a, b, c)) return compare_half_distance(b, c, r);
   if (is_wide(b, c, a)) return compare_half_distance(c, a, r);
   if (is_wide(c, a, b)) return compare_half_distance(a, b, r);
@@ -90,8 +85,7 @@ int compare_enclosing_radius(Vec2 a, Vec2 b, Vec2 c, double r) {
   const double area = cross(u, v);
   // R^2 is |u|^2 |v|^2 |w|^2 / 4 area^2; each factor is taken relative to the others, lest products leave the range.
   const double left = (uu / area) * (vv / area) * opposite(top);
-  const double right = 4.0 * r * r;
-  if (std::min(uu, vv) > 1e-250 && is_decided(left, right)) return left < right ? -1 : 1;
+  if (std::min(uu, vv) > 1e-250 && is_order_decided(left, right)) return left < right ? -1 : 1;
   const RationalVector p = between(a, b);
   const RationalVector q = between(a, c);
   const Rational det = p.x * q.y - p.y * q.x;

@@ -8,6 +8,8 @@
 // It is evaluated in doubles with a bound of the error, and in rationals where that does not decide.
 #pragma once
 
+#include <cmath>
+
 #include "core/base/vec2.h"
 
 namespace mes {
@@ -21,8 +23,21 @@ bool is_right_or_obtuse(Vec2 a, Vec2 b, Vec2 c);
 /// Half the longest side of a triangle.
 double half_longest_side(Vec2 a, Vec2 b, Vec2 c);
 
+/// The order of two doubles above 0 is that of the numbers that they stand for: each is within 2^-47 of its number,
+/// unless they come near the ends of the range of doubles.
+inline bool is_order_decided(double left, double right) {
+  const double size = left > right ? left : right;
+  return size > 1e-250 && size < 1e300 && std::abs(left - right) > 0x1p-46 * size;
+}
+
 /// Exact order of half the distance from a to b and `r`: -1, 0 or 1. `r` is finite.
-int compare_half_distance(Vec2 a, Vec2 b, double r);
+int compare_half_distance_exactly(Vec2 a, Vec2 b, double r);
+inline int compare_half_distance(Vec2 a, Vec2 b, double r) {
+  const double left = dot(b - a, b - a);
+  const double right = 4.0 * r * r;
+  if (r >= 0.0 && is_order_decided(left, right)) return left < right ? -1 : 1;
+  return compare_half_distance_exactly(a, b, r);
+}
 
 /// Exact order of the radius of the smallest circle that encloses three points, not collinear, and `r`: -1, 0 or 1.
 int compare_enclosing_radius(Vec2 a, Vec2 b, Vec2 c, double r);

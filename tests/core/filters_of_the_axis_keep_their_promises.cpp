@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/kernel/enclosing_circle.h"
 #include "core/structures/balls/kept_union.h"
 #include "core/structures/filters/angle_axis.h"
 #include "core/structures/filters/lambda_axis.h"
@@ -203,7 +204,7 @@ TEST_CASE("values are those of the definitions, in plain loops over the samples"
   }
 }
 
-TEST_CASE("a limit of angles is reached exactly where the angle as a double is") {
+TEST_CASE("a limit of angles is reached exactly where the angle as a double is, for one corner and for three") {
   Rng rng(9);
   for (int round = 0; round < 100'000; ++round) {
     const bool is_lattice = round % 2 == 0;
@@ -219,7 +220,12 @@ TEST_CASE("a limit of angles is reached exactly where the angle as a double is")
     const double angle = folded(angle_at(p, q, r));
     for (const double degrees : {45.0, 30.0, 90.0, angle, std::nextafter(angle, 0.0), std::nextafter(angle, 99.0)}) {
       if (degrees < 0.0 || degrees > 90.0) continue;
-      REQUIRE(AngleLimit(degrees).is_reached_at(p, q, r) == (angle >= degrees));
+      const AngleLimit limit(degrees);
+      const CornerBits expected = static_cast<CornerBits>((angle >= degrees ? kAngleReaches : 0U) |
+                                                          (sign_of_corner(p, q, r) >= 0 ? kNotObtuse : 0U));
+      REQUIRE(limit.corner(p, q, r) == expected);
+      if (q == r) continue;
+      REQUIRE(limit.corners(p, q, r) == std::array{expected, limit.corner(q, r, p), limit.corner(r, p, q)});
     }
   }
 }

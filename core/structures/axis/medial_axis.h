@@ -25,7 +25,7 @@ class MedialAxis final : public Structure {
   /// The dual of the Delaunay edge joins two inside faces (its length may be zero).
   bool is_axis_edge(EdgeSlot edge) const {
     const EdgeRow& row = delaunay_.edge(edge);
-    return row.f[0] != kNoSlot && labels_.is_inside(row.f[0]) && labels_.is_inside(row.f[1]);
+    return row.f[0] != kNoSlot && (labels_.is_inside(row.f[0]) & labels_.is_inside(row.f[1]));
   }
   bool is_zero_length(EdgeSlot edge) const { return crust_.is_cocircular(edge); }
   /// The face stands for a node of the axis.

@@ -2,25 +2,15 @@
 #include "core/structures/filters/angle_axis.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 #include <vector>
 
+#include "core/base/parallel.h"
+
 namespace mes {
-namespace {
-
-/// The Voronoi edge crosses the edge of its two samples: no angle opposite is obtuse.
-bool crosses(const EdgeCorners& at) {
-  const double at_p = dot(at.q - at.p, at.r - at.p);
-  const double at_s = dot(at.r - *at.s, at.q - *at.s);
-  constexpr double kLeast = 1e-280;  // below, products may have lost their sign
-  if (std::min(std::abs(at_p), std::abs(at_s)) > kLeast) return at_p > 0.0 && at_s > 0.0;
-  const EdgeAngles angles = edge_angles(at);
-  return angles.at_p <= 90.0 && angles.at_s <= 90.0;
-}
-
-}  // namespace
 
 AngleAxis::AngleAxis(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels,
                      InnerBalls& balls, MedialAxis& axis)
@@ -91,21 +81,59 @@ void AngleAxis::take(const Wish& wish) {
 
 // The largest angle on an edge is 90 degrees where it crosses the edge of its two samples, so that both corners opposite
 // are not obtuse; else it is at one of the ends.
-bool AngleAxis::reaches(EdgeSlot edge) const {
-  if (wish().limit <= 0.0) return true;
-  if (angle_mode() == AngleMode::mean) return value(edge) >= wish().limit;
-  const EdgeCorners at = crust_.corners(edge);
-  return limit_.is_reached_at(at.p, at.q, at.r) || limit_.is_reached_at(*at.s, at.r, at.q) || crosses(at);
+AngleAxis::Reached AngleAxis::reached(CornerBits at_p, CornerBits at_s) const {
+  const CornerBits not_cut = angle_mode() == AngleMode::clip ? CornerBits{0} : kAngleReaches;
+  return {(((at_p | at_s) & kAngleReaches) | (at_p & at_s & kNotObtuse)) != 0,
+          {((at_p | not_cut) & kAngleReaches) != 0, ((at_s | not_cut) & kAngleReaches) != 0}};
 }
 
 AngleAxis::Reached AngleAxis::reached(EdgeSlot edge) const {
   if (wish().limit <= 0.0) return {true, {true, true}};
-  if (angle_mode() != AngleMode::clip) return {reaches(edge), {true, true}};
+  if (angle_mode() == AngleMode::mean) return {value(edge) >= wish().limit, {true, true}};
   // The left face of the row is that of p.
   const EdgeCorners at = crust_.corners(edge);
-  const bool at_p = limit_.is_reached_at(at.p, at.q, at.r);
-  const bool at_s = limit_.is_reached_at(*at.s, at.r, at.q);
-  return {at_p || at_s || crosses(at), {at_p, at_s}};
+  return reached(limit_.corner(at.p, at.q, at.r), limit_.corner(*at.s, at.r, at.q));
+}
+
+bool AngleAxis::reaches(EdgeSlot edge) const {
+  return reached(edge).anywhere;
+}
+
+// The two corners opposite an edge lie in rows of faces anywhere; so each face is read once and hands its corners to its
+// edges.
+void AngleAxis::begin_all() {
+  if (wish().limit <= 0.0 || angle_mode() == AngleMode::mean) return;
+  corners_ = std::make_unique_for_overwrite<CornerBits[]>(2 * delaunay_.edge_rows());
+  nodes_ = std::make_unique_for_overwrite<CornerBits[]>(delaunay_.face_rows());
+  parallel_for(delaunay_.face_rows(), [this](std::size_t begin, std::size_t end, std::size_t) {
+    for (const FaceSlot face : slots_between<FaceSlot>(begin, end)) {
+      if (!balls_.is_ball(face)) continue;
+      const FaceRow& row = delaunay_.face(face);
+      const std::array<CornerBits, 3> bits = limit_.corners(
+          delaunay_.site_position(row.v[0]), delaunay_.site_position(row.v[1]), delaunay_.site_position(row.v[2]));
+      for (int i = 0; i < 3; ++i) {
+        // The row of the edge, far away, would say which of its faces this is.
+        const std::size_t side = face < row.n[i] ? 0 : 1;
+        corners_[2 * std::size_t{row.e[i].index()} + side] = bits[static_cast<std::size_t>(i)];
+      }
+      nodes_[face.index()] = static_cast<CornerBits>(bits[0] | bits[1] | bits[2]);
+    }
+  });
+}
+
+void AngleAxis::end_all() {
+  corners_.reset();
+  nodes_.reset();
+}
+
+void AngleAxis::reached_each(std::span<const EdgeSlot> edges, std::span<Reached> out) const {
+  if (!corners_) return AxisFilter::reached_each(edges, out);
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const CornerBits* const at = &corners_[2 * std::size_t{edges[i].index()}];
+    const FaceSlot* const face = delaunay_.edge(edges[i]).f;
+    const std::size_t left = face[0] < face[1] ? 0 : 1;
+    out[i] = reached(at[left], at[1 - left]);
+  }
 }
 
 Vec2 AngleAxis::cut_place(EdgeSlot edge, int end) const {
@@ -121,11 +149,11 @@ Vec2 AngleAxis::cut_place(EdgeSlot edge, int end) const {
 bool AngleAxis::node_reaches(FaceSlot node) const {
   if (wish().limit <= 0.0) return true;
   if (balls_.group(node) != nullptr) return value(node) >= wish().limit;
+  if (nodes_) return (nodes_[node.index()] & kAngleReaches) != 0;
   const FaceRow& row = delaunay_.face(node);
-  const Vec2 a = delaunay_.site_position(row.v[0]);
-  const Vec2 b = delaunay_.site_position(row.v[1]);
-  const Vec2 c = delaunay_.site_position(row.v[2]);
-  return limit_.is_reached_at(a, b, c) || limit_.is_reached_at(b, c, a) || limit_.is_reached_at(c, a, b);
+  const std::array<CornerBits, 3> bits = limit_.corners(
+      delaunay_.site_position(row.v[0]), delaunay_.site_position(row.v[1]), delaunay_.site_position(row.v[2]));
+  return ((bits[0] | bits[1] | bits[2]) & kAngleReaches) != 0;
 }
 
 int AngleAxis::compare(EdgeSlot a, EdgeSlot b) const {

@@ -2,6 +2,11 @@
 // Object angle: half the angle between the two nearest samples, seen from an axis point.
 #pragma once
 
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+
 #include "core/structures/filters/axis_filter.h"
 #include "core/structures/filters/object_angle.h"
 
@@ -36,6 +41,9 @@ class AngleAxis final : public AxisFilter {
   void take(const Wish& wish) override;
   bool reaches(EdgeSlot edge) const override;
   Reached reached(EdgeSlot edge) const override;
+  void reached_each(std::span<const EdgeSlot> edges, std::span<Reached> out) const override;
+  void begin_all() override;
+  void end_all() override;
   Vec2 cut_place(EdgeSlot edge, int end) const override;
   bool node_reaches(FaceSlot node) const override;
   int compare(EdgeSlot a, EdgeSlot b) const override;
@@ -43,8 +51,13 @@ class AngleAxis final : public AxisFilter {
 
  private:
   double group_value(FaceSlot node) const;
+  Reached reached(CornerBits at_p, CornerBits at_s) const;
 
   AngleLimit limit_{0.0};
+  // While everything is decided: what is known of the corners of inside faces. Two for each edge, first that of its face
+  // with the smaller row; and of each face, all together.
+  std::unique_ptr<CornerBits[]> corners_;
+  std::unique_ptr<CornerBits[]> nodes_;
 };
 
 }  // namespace mes

@@ -2,6 +2,9 @@
 #include "core/structures/filters/axis_filter.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
+#include <span>
 
 #include "core/base/disjoint_sets.h"
 #include "core/base/parallel.h"
@@ -55,12 +58,12 @@ std::uint8_t AxisFilter::flags_of(EdgeSlot edge) const {
     const EdgeSlot level = pruning_.level_of(edge);
     return level == kNoSlot || reaches(level) ? kKept : 0;
   }
-  const Reached at = reached(edge);
+  return flags_where(reached(edge));
+}
+
+std::uint8_t AxisFilter::flags_where(const Reached& at) {
   if (!at.anywhere) return 0;
-  std::uint8_t out = kKept;
-  for (int end = 0; end < 2; ++end)
-    if (!at.at_end[end]) out = static_cast<std::uint8_t>(out | kCut[end]);
-  return out;
+  return static_cast<std::uint8_t>(kKept | (at.at_end[0] ? 0U : kCut[0]) | (at.at_end[1] ? 0U : kCut[1]));
 }
 
 int AxisFilter::kept_edges_at(FaceSlot node) const {
@@ -147,18 +150,76 @@ void AxisFilter::prune(JobControl& job) {
   });
 }
 
+void AxisFilter::reached_each(std::span<const EdgeSlot> edges, std::span<Reached> out) const {
+  for (std::size_t i = 0; i < edges.size(); ++i) out[i] = reached(edges[i]);
+}
+
+// Of a run of rows, where the filter is raw. Nodes at which a kept edge ends are kept; several edges, also of other
+// threads, may say so of one node.
+void AxisFilter::decide_edges(std::size_t begin, std::size_t end) {
+  constexpr std::size_t kBatch = 512;
+  std::array<EdgeSlot, kBatch> edges;
+  std::array<Reached, kBatch> at;
+  for (; begin < end; begin += kBatch) {
+    std::size_t count = 0;
+    for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, std::min(begin + kBatch, end))) {
+      edges[count] = edge;
+      count += is_edge(edge) ? 1U : 0U;
+    }
+    reached_each(std::span(edges).first(count), std::span(at).first(count));
+    for (std::size_t i = 0; i < count; ++i) {
+      if (!at[i].anywhere) continue;
+      edge_flags_[edges[i]] = flags_where(at[i]);
+      for (int side = 0; side < 2; ++side)
+        if (at[i].at_end[side])
+          std::atomic_ref(node_flags_[balls_.ball(delaunay_.edge(edges[i]).f[side])])
+              .store(kKept, std::memory_order_relaxed);
+    }
+  }
+}
+
+// Those at which no kept edge ends, after all edges.
+void AxisFilter::decide_nodes(std::size_t begin, std::size_t end) {
+  constexpr std::size_t kBatch = 512;
+  std::array<FaceSlot, kBatch> nodes;
+  for (; begin < end; begin += kBatch) {
+    std::size_t count = 0;
+    for (const FaceSlot node : slots_between<FaceSlot>(begin, std::min(begin + kBatch, end))) {
+      nodes[count] = node;
+      count += (node_flags_[node] == 0) & labels_.is_inside(node) ? 1U : 0U;
+    }
+    constexpr std::size_t kAhead = 8;
+    for (std::size_t i = 0; i < count; ++i) {
+      if (i + kAhead < count) prefetch(delaunay_.faces().address(nodes[i + kAhead]));
+      if (axis_.is_node(nodes[i]) && node_reaches(nodes[i])) node_flags_[nodes[i]] = kKept | kIsolated;
+    }
+  }
+}
+
 void AxisFilter::refresh_everything() {
   edge_flags_.assign(delaunay_.edge_rows(), 0);
   node_flags_.assign(delaunay_.face_rows(), 0);
-  parallel_for(edge_flags_.size(), [this](std::size_t begin, std::size_t end, std::size_t) {
-    for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end)) edge_flags_[edge] = flags_of(edge);
-  });
-  // No mark of a cut decides about another one.
-  if (wish_.keeps_topology)
+  const auto for_all_edges = [this](auto decide) {
+    parallel_for(edge_flags_.size(), [&](std::size_t begin, std::size_t end, std::size_t) { decide(begin, end); });
+  };
+  const auto for_all_nodes = [this](auto decide) {
+    parallel_for(node_flags_.size(), [&](std::size_t begin, std::size_t end, std::size_t) { decide(begin, end); });
+  };
+  if (wish_.keeps_topology) {
+    for_all_edges([this](std::size_t begin, std::size_t end) {
+      for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end)) edge_flags_[edge] = flags_of(edge);
+    });
+    // No mark of a cut decides about another one.
     for (const EdgeSlot edge : edge_flags_.rows()) cut_free_ends(edge);
-  parallel_for(node_flags_.size(), [this](std::size_t begin, std::size_t end, std::size_t) {
-    for (const FaceSlot node : slots_between<FaceSlot>(begin, end)) node_flags_[node] = flags_of(node);
-  });
+    for_all_nodes([this](std::size_t begin, std::size_t end) {
+      for (const FaceSlot node : slots_between<FaceSlot>(begin, end)) node_flags_[node] = flags_of(node);
+    });
+    return;
+  }
+  begin_all();
+  for_all_edges([this](std::size_t begin, std::size_t end) { decide_edges(begin, end); });
+  for_all_nodes([this](std::size_t begin, std::size_t end) { decide_nodes(begin, end); });
+  end_all();
 }
 
 void AxisFilter::rebuild(JobControl& job) {

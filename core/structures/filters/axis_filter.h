@@ -2,7 +2,9 @@
 // The part of the one-step axis on which a measure reaches a limit: what lambda and object angle have in common.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -88,6 +90,11 @@ class AxisFilter : public Structure {
     bool at_end[2] = {true, true};  ///< of an edge that reaches it anywhere
   };
   virtual Reached reached(EdgeSlot edge) const { return {reaches(edge), {true, true}}; }
+  /// The same for many edges of the axis, in `out`. Where all edges and nodes are decided, `begin_all` is called before
+  /// and `end_all` after: what several of them have in common can then be found once.
+  virtual void reached_each(std::span<const EdgeSlot> edges, std::span<Reached> out) const;
+  virtual void begin_all() {}
+  virtual void end_all() {}
   /// Where along the edge it begins to.
   virtual Vec2 cut_place(EdgeSlot, int /*end*/) const { return {}; }
   /// The node's own value reaches the limit, whatever the edges do.
@@ -98,7 +105,8 @@ class AxisFilter : public Structure {
   virtual void add_statistics(StatList& out) const = 0;
 
   bool is_edge(EdgeSlot edge) const {
-    return delaunay_.edge(edge).is_alive() && axis_.is_axis_edge(edge) && !axis_.is_zero_length(edge);
+    // Which edges are follows no pattern, so no branch depends on it.
+    return delaunay_.edge(edge).is_alive() && (axis_.is_axis_edge(edge) & !axis_.is_zero_length(edge));
   }
   template <class Visit>
   void for_each_face_of(FaceSlot node, Visit visit) const;
@@ -117,6 +125,7 @@ class AxisFilter : public Structure {
   bool is_cut(EdgeSlot edge) const { return (edge_flags_[edge] & (kCut[0] | kCut[1])) != 0; }
   Wish wanted() const;
   void prune(JobControl& job);
+  static std::uint8_t flags_where(const Reached& at);
   std::uint8_t flags_of(EdgeSlot edge) const;
   void cut_free_ends(EdgeSlot edge);
   std::uint8_t flags_of(FaceSlot face) const;
@@ -124,6 +133,8 @@ class AxisFilter : public Structure {
   void note(EdgeSlot edge, bool was_alive);
   void note_inputs();
   void refresh_everything();
+  void decide_edges(std::size_t begin, std::size_t end);
+  void decide_nodes(std::size_t begin, std::size_t end);
   void finish_changes();
 
   SettingsSource& settings_;

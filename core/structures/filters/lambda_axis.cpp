@@ -45,6 +45,10 @@ bool LambdaAxis::reaches(EdgeSlot edge) const {
          0;
 }
 
+void LambdaAxis::reached_each(std::span<const EdgeSlot> edges, std::span<Reached> out) const {
+  for (std::size_t i = 0; i < edges.size(); ++i) out[i] = {LambdaAxis::reaches(edges[i]), {true, true}};
+}
+
 bool LambdaAxis::node_reaches(FaceSlot node) const {
   if (wish().limit <= 0.0) return true;
   bool out = false;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -38,6 +39,7 @@ class LambdaAxis final : public AxisFilter {
 
  protected:
   bool reaches(EdgeSlot edge) const override;
+  void reached_each(std::span<const EdgeSlot> edges, std::span<Reached> out) const override;
   bool node_reaches(FaceSlot node) const override;
   int compare(EdgeSlot a, EdgeSlot b) const override;
   void add_statistics(StatList& out) const override;

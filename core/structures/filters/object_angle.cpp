@@ -11,15 +11,13 @@ AngleLimit::AngleLimit(double degrees)
       cosine_(std::cos(degrees * (std::numbers::pi / 180.0))),
       sine_(std::sin(degrees * (std::numbers::pi / 180.0))) {}
 
-bool AngleLimit::is_reached_at(Vec2 p, Vec2 q, Vec2 r) const {
-  const Vec2 u = q - p;
-  const Vec2 v = r - p;
-  // The tangent of the folded angle is |det| / |dot|. Where rounding may decide, or products leave the range of
-  // doubles, the angle itself does.
-  const double more = std::abs(cross(u, v)) * cosine_ - std::abs(dot(u, v)) * sine_;
-  const double size = dot(u, u) * dot(v, v);  // squared
-  if (size > 0x1p-900 && size < 0x1p900 && more * more > 1e-24 * size) return more > 0.0;
-  return folded(angle_at(p, q, r)) >= degrees_;
+CornerBits AngleLimit::corner_by_angle(Vec2 p, Vec2 q, Vec2 r) const {
+  const double angle = angle_at(p, q, r);
+  const double product = dot(q - p, r - p);
+  constexpr double kLeast = 1e-280;  // below, products may have lost their sign
+  const bool is_not_obtuse = std::abs(product) > kLeast ? product > 0.0 : angle <= 90.0;
+  return static_cast<CornerBits>((folded(angle) >= degrees_ ? kAngleReaches : 0U) |
+                                 (is_not_obtuse ? kNotObtuse : 0U));
 }
 
 EdgeAngles edge_angles(const EdgeCorners& corners) {

@@ -7,6 +7,10 @@
 // nothing is computed from centres.
 #pragma once
 
+#include <array>
+#include <cmath>
+#include <cstdint>
+
 #include "core/base/vec2.h"
 #include "core/kernel/corner_angle.h"
 #include "core/kernel/edge_predicates.h"
@@ -18,14 +22,52 @@ constexpr double folded(double degrees) {
   return degrees > 90.0 ? 180.0 - degrees : degrees;
 }
 
-/// A limit of folded angles, as one decides by. `is_reached_at(p, q, r)` is `folded(angle_at(p, q, r)) >= degrees`,
-/// mostly without the arc tangent.
+/// What is known of the corner of a triangle, as bits.
+using CornerBits = std::uint8_t;
+inline constexpr CornerBits kAngleReaches = 1;  ///< its folded angle reaches the limit
+inline constexpr CornerBits kNotObtuse = 2;     ///< it has 90 degrees at most
+
+/// A limit of folded angles, as one decides by: a corner reaches it where `folded(angle_at(p, q, r)) >= degrees`. Mostly
+/// the arc tangent is not computed for that.
 class AngleLimit {
  public:
   explicit AngleLimit(double degrees);
-  bool is_reached_at(Vec2 p, Vec2 q, Vec2 r) const;
+
+  /// Of the corner at p.
+  CornerBits corner(Vec2 p, Vec2 q, Vec2 r) const {
+    const Vec2 u = q - p;
+    const Vec2 v = r - p;
+    CornerBits out{};
+    return decide(dot(u, v), cross(u, v), dot(u, u) * dot(v, v), out) ? out : corner_by_angle(p, q, r);
+  }
+  /// Of all three corners, in a third of the time.
+  std::array<CornerBits, 3> corners(Vec2 a, Vec2 b, Vec2 c) const {
+    const Vec2 ab = b - a;
+    const Vec2 bc = c - b;
+    const Vec2 ca = a - c;
+    const double ab2 = dot(ab, ab);
+    const double bc2 = dot(bc, bc);
+    const double ca2 = dot(ca, ca);
+    std::array<CornerBits, 3> out{};
+    if (!decide(-dot(ab, ca), cross(ab, ca), ab2 * ca2, out[0])) out[0] = corner_by_angle(a, b, c);
+    if (!decide(-dot(bc, ab), cross(bc, ab), bc2 * ab2, out[1])) out[1] = corner_by_angle(b, c, a);
+    if (!decide(-dot(ca, bc), cross(ca, bc), ca2 * bc2, out[2])) out[2] = corner_by_angle(c, a, b);
+    return out;
+  }
 
  private:
+  /// By the scalar product of the two sides, their determinant and the product of their squared lengths. Returns false
+  /// where rounding may decide, or products leave the range of doubles.
+  bool decide(double product, double det, double size, CornerBits& out) const {
+    // The tangent of the folded angle is |det| / |product|.
+    const double more = std::abs(det) * cosine_ - std::abs(product) * sine_;
+    // Nearer to 0 than this, the angle is that of a right corner in doubles.
+    constexpr double kLeast = 1e-280;
+    out = static_cast<CornerBits>((more > 0.0 ? kAngleReaches : 0U) | (product >= -kLeast ? kNotObtuse : 0U));
+    return size > 0x1p-900 && size < 0x1p900 && more * more > 1e-24 * size;
+  }
+  CornerBits corner_by_angle(Vec2 p, Vec2 q, Vec2 r) const;
+
   double degrees_;
   double cosine_;
   double sine_;
