@@ -32,7 +32,7 @@ constexpr double kSpread = 1.0;
 /// Cells of one block at most.
 constexpr std::uint32_t kBlock = 8;
 /// Blocks of one part of the searches.
-constexpr std::uint32_t kPart = 1024;
+constexpr std::uint32_t kPart = 256;
 /// Blocks of one walk at most, and axis edges.
 constexpr std::uint32_t kLongest = 160;
 constexpr std::uint32_t kMostLines = 800;
@@ -171,8 +171,11 @@ CellWalk::CellWalk(const Delaunay& delaunay, const OneStepCrust& crust, double u
     if (task == 0) return order_cells(delaunay, chunks);
     Chunk& chunk = chunks[task - 1];
     std::uint32_t at = chunk.first;
-    for (const EdgeSlot edge : chunk.axis) {
-      lines_[at] = axis_line(delaunay, edge, unit);
+    constexpr std::size_t kAhead = 16;
+    for (std::size_t i = 0; i < chunk.axis.size(); ++i) {
+      if (i + kAhead < chunk.axis.size())
+        for (const FaceSlot face : delaunay.edge(chunk.axis[i + kAhead]).f) prefetch(delaunay.faces().address(face));
+      lines_[at] = axis_line(delaunay, chunk.axis[i], unit);
       if (lines_[at].is_steep) chunk.steep.push_back(at);
       ++at;
     }
