@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/kernel/enclosing_circle.h"
 #include "core/structures/balls/kept_union.h"
 #include "core/structures/filters/angle_axis.h"
 #include "core/structures/filters/lambda_axis.h"
@@ -200,32 +199,6 @@ TEST_CASE("values are those of the definitions, in plain loops over the samples"
       bench.choose(limits(0.0, 0.0, false, mode));
       bench.replace(input.positions);
       check_finite(bench);
-    }
-  }
-}
-
-TEST_CASE("a limit of angles is reached exactly where the angle as a double is, for one corner and for three") {
-  Rng rng(9);
-  for (int round = 0; round < 100'000; ++round) {
-    const bool is_lattice = round % 2 == 0;
-    const auto place = [&] {
-      return is_lattice ? Vec2{static_cast<double>(rng.below(5)), static_cast<double>(rng.below(5))}
-                        : Vec2{rng.uniform(), rng.uniform()};
-    };
-    const double unit = std::ldexp(1.0, static_cast<int>(rng.below(3)) * 490 - 490);
-    const Vec2 p = unit * place();
-    const Vec2 q = unit * place();
-    const Vec2 r = unit * place();
-    if (p == q || p == r) continue;
-    const double angle = folded(angle_at(p, q, r));
-    for (const double degrees : {45.0, 30.0, 90.0, angle, std::nextafter(angle, 0.0), std::nextafter(angle, 99.0)}) {
-      if (degrees < 0.0 || degrees > 90.0) continue;
-      const AngleLimit limit(degrees);
-      const CornerBits expected = static_cast<CornerBits>((angle >= degrees ? kAngleReaches : 0U) |
-                                                          (sign_of_corner(p, q, r) >= 0 ? kNotObtuse : 0U));
-      REQUIRE(limit.corner(p, q, r) == expected);
-      if (q == r) continue;
-      REQUIRE(limit.corners(p, q, r) == std::array{expected, limit.corner(q, r, p), limit.corner(r, p, q)});
     }
   }
 }
