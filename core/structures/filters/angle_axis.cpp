@@ -102,6 +102,7 @@ bool AngleAxis::reaches(EdgeSlot edge) const {
 // The two corners opposite an edge lie in rows of faces anywhere; so each face is read once and hands its corners to its
 // edges.
 void AngleAxis::begin_all() {
+  end_all();  // a run that failed may have left them
   if (wish().limit <= 0.0 || angle_mode() == AngleMode::mean) return;
   corners_ = std::make_unique_for_overwrite<CornerBits[]>(2 * delaunay_.edge_rows());
   nodes_ = std::make_unique_for_overwrite<CornerBits[]>(delaunay_.face_rows());
