@@ -14,6 +14,7 @@
 #include "app/export/pane_figure.h"
 #include "app/export/session_panes.h"
 #include "app/model/player.h"
+#include "app/model/sample_spacing.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/pane_sheet.h"
 #include "app/picture/picture_overlay.h"
@@ -218,10 +219,14 @@ class Studio {
     render::Image image;
     PictureOverlay overlay;
   };
+  /// The views have the styles that layers have.
   Expected<Shot> shoot(std::vector<render::LayerView> views, const render::Camera& camera, const Document& document,
                        OverlayContent content) {
-    add_texts(views, {document}, {camera.visible(), camera.units_per_pixel() * scale_},
-              fonts_ ? &fonts_->plain : nullptr);
+    const double units_per_px = camera.units_per_pixel() * scale_;
+    const double spacing_px = typical_spacing(document) / units_per_px;
+    for (render::LayerView& view : views)
+      view.style = thinned(view.style, layer_descriptors()[plain_layer(view.layer)], spacing_px);
+    add_texts(views, {document}, {camera.visible(), units_per_px}, fonts_ ? &fonts_->plain : nullptr);
     auto image =
         render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale_});
     if (!image) return std::unexpected(image.error());

@@ -130,10 +130,7 @@ void describe_render(CLI::App& app, RenderRequest& to) {
                      "fit, or X0,Y0,X1,Y1: two corners of what must be seen. fit shows the\n"
                      "samples and the layers that count for it, with a margin of 5 %;\n"
                      "default: what the session shows, and else fit");
-  render
-      ->add_option("--scale", to.scale,
-                   "Factor for line widths and point sizes, as for a denser screen;\n"
-                   "dots of samples shrink where they would run together")
+  render->add_option("--scale", to.scale, "Factor for line widths and point sizes, as for a denser screen")
       ->capture_default_str();
   render->add_option("--background", to.background, "RRGGBB, or transparent (none)")->capture_default_str();
   render
@@ -144,7 +141,9 @@ void describe_render(CLI::App& app, RenderRequest& to) {
                        ".\n"
                        "point-size and line-width are in pixels, or on paper with a unit, as in\n"
                        "0.5pt; color-map is the name of a map (mesecina list color-maps) or none,\n"
-                       "range is LOW:HIGH or fit; dashed, flat and thin-when-dense are on or off")
+                       "range is LOW:HIGH or fit; dashed, flat and thin-when-dense are on or off.\n"
+                       "Where samples are dense, dots and lines are finer than their style says, as in\n"
+                       "the window, but not where a size or a width is given, or thin-when-dense=off")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   CLI::Option* const compare =

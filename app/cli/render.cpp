@@ -116,7 +116,6 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   const Box2 bounds = result->document.bounding_box();
   std::string session = session_of(request, *picture, *input, *settings, *compared, comparison);
   const FigureSource source{.mirror = mirror,
-                            .samples = input->data.positions,
                             .bounds = bounds,
                             .maps = maps.maps,
                             .traced = *traced ? &**traced : nullptr,

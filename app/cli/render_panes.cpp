@@ -68,7 +68,6 @@ Expected<std::string> draw_panes(const PictureRequest& picture, const RenderRequ
     const Document& document = comparison.document_of(pane, result);
     bounds[i] = document.bounding_box();
     sources.push_back({.mirror = mirror,
-                       .samples = pane.data->positions,
                        .bounds = bounds[i],
                        .maps = common.maps,
                        .traced = common.traced,

@@ -9,6 +9,7 @@
 
 #include "app/cli/messages.h"
 #include "app/cli/progress.h"
+#include "app/model/sample_spacing.h"
 #include "app/picture/lacking_letters.h"
 #include "app/picture/legend.h"
 #include "app/picture/sample_texts.h"
@@ -109,17 +110,16 @@ TitleBand title_of(const RenderRequest& request, const PictureSize& size, const 
 Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const render::LayerView> marks,
                                     Canvas& canvas, const render::Camera& camera, const FigureSource& source,
                                     const FigureRequest& request, const PaperDrawing& title) {
-  std::vector<render::LayerView> views = views_of(shown, camera.units_per_pixel(), source.samples);
+  const double units_per_px = camera.units_per_pixel() * shown.scale;
+  std::vector<render::LayerView> all = views_of(shown, typical_spacing(source.document) / units_per_px);
+  all.insert(all.end(), marks.begin(), marks.end());
   const auto fonts = PaperFonts::read(find_assets({}));
   if (!fonts) say("annotations, numbers, legend, scale bar and axes are left out: " + fonts.error().message());
-  add_texts(views, {source.document}, {camera.visible(), camera.units_per_pixel() * shown.scale},
-            fonts ? &fonts->plain : nullptr);
-  std::vector<render::LayerView> all = views;
-  all.insert(all.end(), marks.begin(), marks.end());
+  add_texts(all, {source.document}, {camera.visible(), units_per_px}, fonts ? &fonts->plain : nullptr);
   auto image = draw_in_bands(canvas.device, canvas.scene, camera, all,
                              {.background = shown.background, .content_scale = shown.scale});
   if (image)
-    add_paper(*image, canvas.scene, views, camera, shown, request, source.annotations, title,
+    add_paper(*image, canvas.scene, views_of(shown, 0.0), camera, shown, request, source.annotations, title,
               fonts ? &*fonts : nullptr);
   return image;
 }

@@ -124,6 +124,8 @@ Expected<std::vector<LayerStyle>> changed_styles(std::vector<LayerStyle> styles,
                                                  std::span<const std::string> requests,
                                                  std::span<const LayerIndex> drawn,
                                                  std::span<const std::string> color_maps) {
+  std::vector<LayerIndex> sized;  // whose size is asked for: it is kept where samples are dense
+  std::vector<LayerIndex> told;   // whether to keep it
   for (const std::string& request : requests) {
     const std::size_t colon = request.find(':');
     if (colon == std::string::npos)
@@ -139,13 +141,17 @@ Expected<std::vector<LayerStyle>> changed_styles(std::vector<LayerStyle> styles,
       const std::size_t equals = setting.find('=');
       if (equals == std::string_view::npos)
         return usage_error("--set-style expects KEY=VALUE, not " + in_quotes(setting));
-      const auto good = Setting(setting.substr(0, equals), setting.substr(equals + 1), color_maps)
-                            .apply(descriptor, styles[*layer]);
+      const std::string_view key = setting.substr(0, equals);
+      const auto good = Setting(key, setting.substr(equals + 1), color_maps).apply(descriptor, styles[*layer]);
       if (!good) return std::unexpected(good.error());
+      if (key == "point-size" || key == "line-width") sized.push_back(*layer);
+      if (key == "thin-when-dense") told.push_back(*layer);
       if (setting.size() == rest.size()) break;
       rest.remove_prefix(setting.size() + 1);
     }
   }
+  for (const LayerIndex layer : sized)
+    if (std::ranges::find(told, layer) == told.end()) styles[layer].thin_when_dense = false;
   return styles;
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <span>
 
+#include "app/model/sample_spacing.h"
 #include "app/picture/figure_legend.h"
 #include "app/picture/lacking_letters.h"
 #include "app/picture/sample_texts.h"
@@ -151,21 +152,16 @@ const figure::FigureLayer* largest_layer(const figure::Figure& figure) {
 
 Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSource& source) {
   figure::Page page = page_for(request, source);
-  const std::vector<render::LayerView> views =
-      views_of(request.shown, page.units_per_point * figure::kPointsPerPixel, source.samples);
-  std::vector<render::LayerView> all = views;
-  all.insert(all.end(), request.marks_above.begin(), request.marks_above.end());
-  const figure::Drawing drawing{
+  const std::vector<render::LayerView> views = views_of(request.shown, 0.0);
+  const figure::Drawing explained{
       .mirror = source.mirror,
       .layers = layer_descriptors(),
-      .views = all,
+      .views = views,
       .maps = source.maps,
       .background = request.shown.background,
       .scale = request.shown.scale,
       .traced = {find_layer("image"), source.traced, {request.image.center, request.image.width}}};
   const bool is_annotated = request.with_annotations && !source.annotations.is_empty();
-  figure::Drawing explained = drawing;
-  explained.views = views;
   const bool is_explained = has_legend(explained, request.legend);
   const bool is_numbered = has_texts(request.shown.layers);
   std::optional<PaperFonts> fonts;
@@ -183,9 +179,14 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   if (const double band = band_of(title, request); band > 0.0 && !request.is_tight)
     page = with_band(page_for(below(request, band), source), band);
   std::vector<std::string> complaints;
+  const double spacing = typical_spacing(source.document);
   const auto drawn_on_page = [&] {
     const double units_per_px = page.units_per_point * figure::kPointsPerPixel * request.shown.scale;
+    std::vector<render::LayerView> all = views_of(request.shown, spacing / units_per_px);
+    all.insert(all.end(), request.marks_above.begin(), request.marks_above.end());
     add_texts(all, {source.document}, {plane_on(page), units_per_px}, fonts ? &fonts->plain : nullptr);
+    figure::Drawing drawing = explained;
+    drawing.views = all;
     figure::Figure figure = figure::figure_of(drawing, page);
     for (figure::FigureLayer& mark : std::span(figure.layers).subspan(views.size())) {
       mark.id += "-only-here";

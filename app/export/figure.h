@@ -51,12 +51,11 @@ struct FigureRequest {
 /// What a figure is made of.
 struct FigureSource {
   const LayerMirror& mirror;
-  const std::vector<Vec2>& samples;
   const Box2& bounds;  ///< of the document
   std::span<const render::ColorMap> maps;
   const render::Image* traced = nullptr;  ///< null: none
   PlacedAnnotations annotations{};
-  const Document& document;  ///< that layers of texts tell of
+  const Document& document;  ///< that layers of texts tell of, and whose samples stand close or not
 };
 
 /// Files of figures above this are worth a warning: mail refuses them, viewers are slow.

@@ -120,7 +120,6 @@ struct FigureDesk::Contents {
   FigureSource source_of(std::size_t pane) const {
     const Document& document = comparison.document_of(comparison.panes[pane], result);
     return {.mirror = mirror,
-            .samples = comparison.panes[pane].data->positions,
             .bounds = bounds[pane],
             .maps = subject.maps,
             .traced = traced ? &*traced : nullptr,

@@ -139,7 +139,6 @@ Expected<void> LessonPrinter::draw(const LessonScene& scene, const Box2& place, 
   const Box2 bounds = result->document.bounding_box();
   auto drawn = draw_figure(
       request, {.mirror = mirror,
-                .samples = scene.data.positions,
                 .bounds = bounds,
                 .maps = maps_,
                 .traced = traced(scene.layers.image(), page.remarks),

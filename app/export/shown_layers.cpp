@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/model/sample_spacing.h"
 #include "app/picture/canvas_look.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/primitive_values.h"
@@ -39,20 +40,11 @@ Box2 box_of(const LayerMirror& mirror, LayerIndex layer) {
 
 }  // namespace
 
-std::vector<render::LayerView> views_of(const ShownLayers& shown, double units_per_pixel,
-                                        const std::vector<Vec2>& samples) {
-  constexpr double kShareOfSpacing = 0.7;
-  constexpr double kSmallestDot = 1.5;
+std::vector<render::LayerView> views_of(const ShownLayers& shown, double spacing_px) {
   std::vector<render::LayerView> views;
   for (const LayerIndex layer : shown.layers) {
-    const LayerDescriptor& descriptor = layer_descriptors()[plain_layer(layer)];
-    LayerStyle style = shown.styles[plain_layer(layer)];
-    const bool is_chosen = style.point_size_px != descriptor.style.point_size_px;
-    if (!is_chosen && style.thin_when_dense && descriptor.id == "points" && samples.size() > 1) {
-      const double spacing_px = typical_spacing(samples) / units_per_pixel / shown.scale;
-      const double limit = std::max(kSmallestDot, kShareOfSpacing * spacing_px);
-      style.point_size_px = std::min(style.point_size_px, limit);
-    }
+    const std::size_t plain = plain_layer(layer);
+    const LayerStyle style = thinned(shown.styles[plain], layer_descriptors()[plain], spacing_px);
     views.push_back({layer, drawn_on(style, shown.background)});
   }
   return views;
@@ -72,27 +64,6 @@ Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const Lay
   box.low = {within(box.low.x, samples.low.x, samples.high.x), within(box.low.y, samples.low.y, samples.high.y)};
   box.high = {within(box.high.x, samples.low.x, samples.high.x), within(box.high.y, samples.low.y, samples.high.y)};
   return box;
-}
-
-double typical_spacing(std::vector<Vec2> samples) {
-  constexpr std::size_t kProbes = 500;
-  std::ranges::sort(samples, lexicographically_less);
-  samples.erase(std::unique(samples.begin(), samples.end()), samples.end());
-  if (samples.size() < 2) return 0.0;
-  std::vector<double> nearest;
-  const std::size_t step = std::max<std::size_t>(1, samples.size() / kProbes);
-  for (std::size_t i = 0; i < samples.size(); i += step) {
-    // Outwards in x on both sides until x alone is farther than the best.
-    double best = std::numeric_limits<double>::infinity();
-    for (std::size_t k = i; k-- > 0 && samples[i].x - samples[k].x < best;)
-      best = std::min(best, distance(samples[i], samples[k]));
-    for (std::size_t k = i + 1; k < samples.size() && samples[k].x - samples[i].x < best; ++k)
-      best = std::min(best, distance(samples[i], samples[k]));
-    nearest.push_back(best);
-  }
-  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
-  std::ranges::nth_element(nearest, middle);
-  return *middle;
 }
 
 LayerConfiguration configuration_of(const ShownLayers& shown) {

@@ -28,19 +28,13 @@ struct ShownLayers {
 /// The layers of one variant with their styles, as sessions have them.
 LayerConfiguration configuration_of(const ShownLayers& shown);
 
-/// The layers with their styles; but samples that stand closer than their dots are wide get smaller dots, so that they
-/// are seen one by one where the size allows, and the curve under them. `units_per_pixel` is in units of the document
-/// per pixel of the picture.
-std::vector<render::LayerView> views_of(const ShownLayers& shown, double units_per_pixel,
-                                        const std::vector<Vec2>& samples);
+/// The layers with their styles on its background, as the window draws them: finer where samples stand close (`thinned`).
+/// `spacing_px`: of the samples, in logical pixels of the picture; 0: with the styles that they have, as legends show.
+std::vector<render::LayerView> views_of(const ShownLayers& shown, double spacing_px);
 
 /// What "fit" shows: the samples, and the shown layers that count for it. Those may carry the box beyond the samples
 /// by a tenth of their extent at most: the balls of a good sample stay within that, and one huge ball at a hole of
 /// the curve must not shrink everything else to a dot.
 Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const LayerIndex> layers);
-
-/// Median distance from a sample to the nearest other one, 0 when there are fewer than two; from a few hundred samples when
-/// there are many. O(n log n).
-double typical_spacing(std::vector<Vec2> samples);
 
 }  // namespace mes

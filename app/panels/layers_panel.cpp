@@ -228,7 +228,7 @@ void LayersPanel::draw_style_popup(LayerIndex layer) {
     ImGui::Checkbox("Thinner where dense", &style.thin_when_dense);
     tooltip(gui_,
             "Where samples stand closer than two pixels, dots and lines are drawn finer than these numbers, so that "
-            "they do not run together");
+            "they do not run together; dots of samples, as large as they are at first, are kept apart before");
   }
   // Letters do not overlap.
   const bool may_overlap = !is_picture && descriptor.points_as == PointsAs::dots;

@@ -7,7 +7,6 @@
 #include <new>
 #include <span>
 
-#include "app/model/sample_spacing.h"
 #include "app/picture/sample_texts.h"
 #include "core/base/assert.h"
 #include "core/draw/variant.h"
@@ -227,14 +226,10 @@ void Picture::set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle&
     scene_.set_overlay(slot, {kind, mark_data_, style, false});
 }
 
-// Anew for another document, or for many more or fewer samples; a sample that is moved changes little.
-void Picture::measure_spacing(const Editor& editor) {
-  const std::size_t count = editor.document().sample_count();
-  const std::size_t change = std::max(count, measured_count_) - std::min(count, measured_count_);
-  if (measured_at_ == expected_ && 10 * change <= measured_count_) return;
-  measured_at_ = expected_;
-  measured_count_ = count;
-  spacing_ = typical_spacing(editor.document(), editor.index());
+double Picture::spacing_in(const Pane& pane, const Editor& editor) {
+  const std::size_t number = pane.version != nullptr ? pane.number : 0;
+  if (spacings_.size() <= number) spacings_.resize(number + 1);
+  return spacings_[number].of(pane.version != nullptr ? *pane.version : editor.document(), expected_);
 }
 
 std::uint32_t Picture::largest_painted_layer(const render::Camera& camera, const LayerStack& layers) const {
@@ -245,11 +240,11 @@ std::uint32_t Picture::largest_painted_layer(const render::Camera& camera, const
 }
 
 ShownPanes::Layers Picture::as_drawn(ShownPanes::Layers layers, const std::optional<Rgb>& background,
-                                     double units_per_px) const {
+                                     double spacing_px) const {
   for (auto& [layer, style] : layers) {
     const NodeState is = state(layer);
     const bool failed = is == NodeState::failed || is == NodeState::blocked;
-    style = thinned(style, layer_descriptors()[plain_layer(layer)], spacing_ / units_per_px);
+    style = thinned(style, layer_descriptors()[plain_layer(layer)], spacing_px);
     style = drawn_on(failed ? greyed(style) : style, background);
   }
   return layers;
@@ -312,7 +307,8 @@ void Picture::add_texts(std::vector<render::LayerView>& views, const Editor& edi
 Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera, const Pane& pane,
                                 const Editor& editor, render::CaptureOptions options, bool is_beside) {
   const double units = camera.units_per_pixel() * options.content_scale;
-  std::vector<render::LayerView> views = views_of(as_drawn(pane.layers, options.background, units), 1);
+  std::vector<render::LayerView> views =
+      views_of(as_drawn(pane.layers, options.background, spacing_in(pane, editor) / units), 1);
   add_texts(views, editor, pane.version, camera, options.content_scale);
   if (is_beside) add_marks(views, pane.number);
   options.overlays = options.overlays && pane.version == nullptr;
@@ -327,18 +323,20 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
                    bool is_kept, const PanePlaces& places, std::span<const Pane> panes) {
   draw_moved(editor);
   mark_selection(editor);
-  measure_spacing(editor);
-  const double units_per_px = camera.units_per_pixel() * content_scale;
+  const ShownPanes::Layers main_layers = visible_layers(layers);
+  const auto spacing_px = [&](const Pane& pane, const render::Camera& its) {
+    return spacing_in(pane, editor) / (its.units_per_pixel() * content_scale);
+  };
   ShownState now{camera,   content_scale,
                  patches_, background_revision_,
-                 marked_,  as_drawn(visible_layers(layers), canvas_, units_per_px),
+                 marked_,  as_drawn(main_layers, canvas_, spacing_px({main_layers}, camera)),
                  is_kept,  places,
                  {},       {},
                  {}};
   if (!places.is_empty()) {
     for (const Pane& pane : panes) {
       now.cameras.push_back(pane.camera != nullptr ? *pane.camera : camera);
-      now.panes.push_back(as_drawn(pane.layers, canvas_, now.cameras.back().units_per_pixel() * content_scale));
+      now.panes.push_back(as_drawn(pane.layers, canvas_, spacing_px(pane, now.cameras.back())));
       now.versions.push_back(pane.version != nullptr ? std::optional(pane.version->revision()) : std::nullopt);
     }
   }

@@ -12,6 +12,7 @@
 #include "app/model/layer_stack.h"
 #include "app/model/pane_list.h"
 #include "app/model/pane_places.h"
+#include "app/model/sample_spacing.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/detail.h"
 #include "app/picture/legend.h"
@@ -142,9 +143,11 @@ class Picture {
   };
   void check(const FramePatch& patch);
   void keep(const FramePatch& patch);
-  /// A logical pixel is so many units of the document wide.
+  /// `spacing_px`: of the samples, in logical pixels.
   ShownPanes::Layers as_drawn(ShownPanes::Layers layers, const std::optional<Rgb>& background,
-                              double units_per_px) const;
+                              double spacing_px) const;
+  /// Of the samples that a pane shows, in units of the document.
+  double spacing_in(const Pane& pane, const Editor& editor);
   void add_marks(std::vector<render::LayerView>& views, std::size_t pane) const;
   void choose_views(const ShownState& shown, const Editor& editor, std::span<const Pane> panes);
   /// Of a pane, in its part of the window.
@@ -153,7 +156,6 @@ class Picture {
   static std::vector<render::LayerView> views_of(const ShownPanes::Layers& layers, std::uint32_t every);
   void add_texts(std::vector<render::LayerView>& views, const Editor& editor, const Document* version,
                  const render::Camera& camera, double content_scale) const;
-  void measure_spacing(const Editor& editor);
   bool apply(const FramePatch& patch);
   static bool brings_all(const FramePatch& patch);
   void mark_selection(const Editor& editor);
@@ -173,10 +175,8 @@ class Picture {
   std::uint64_t document_revision_ = 0;
   std::uint64_t expected_ = 0;
   bool is_outdated_ = false;  // undo goes back to revisions before the one that was expected, which was seen once
-  double spacing_ = 0.0;      // of the samples, in units of the document
-  std::size_t measured_count_ = 0;  // samples when it was measured
-  std::uint64_t measured_at_ = 0;   // `expected_` then
-  std::uint64_t patches_ = 0;       // those that bring something to draw
+  std::vector<FollowedSpacing> spacings_;  // of the samples of each pane, the main one first
+  std::uint64_t patches_ = 0;              // those that bring something to draw
   DrawingFrame last_frame_;
   Rgb canvas_ = kWhiteCanvas;
   std::uint64_t background_revision_ = 0;  // grows with the picture and its place

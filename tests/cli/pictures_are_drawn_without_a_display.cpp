@@ -89,13 +89,25 @@ TEST_CASE("a layer that is named twice is drawn once") {
   CHECK(with("interior-voronoi-disks,points,interior-voronoi-disks") == with("interior-voronoi-disks,points"));
 }
 
-TEST_CASE("samples that stand close get smaller dots, unless their size was asked for") {
-  const auto with = [](const char* size, const char* style) {
-    return picture({kDude, "--size", size, "--layers", "points", "--set-style", style});
+TEST_CASE("samples that stand close get smaller dots and finer lines, unless their size was asked for") {
+  // What a picture carries says how it was asked for.
+  const auto with = [](const char* layers, const char* size, const char* style) {
+    return picture({kDude, "--no-source", "--size", size, "--layers", layers, "--set-style", style});
+  };
+  const auto is_same = [&](const char* layers, const char* size, const char* a, const char* b) {
+    return with(layers, size, a) == with(layers, size, b);
   };
   // Where there is room the size of the dots counts; where there is none, one that was asked for.
-  CHECK(with("1600x1200", "points:opacity=1") != with("1600x1200", "points:point-size=9"));
-  CHECK(with("80x60", "points:opacity=1") != with("80x60", "points:point-size=9"));
+  CHECK(is_same("points", "1600x1200", "points:opacity=1", "points:thin-when-dense=off"));
+  CHECK_FALSE(is_same("points", "80x60", "points:opacity=1", "points:thin-when-dense=off"));
+  CHECK(is_same("points", "80x60", "points:opacity=1", "points:thin-when-dense=on"));
+  CHECK(is_same("points", "80x60", "points:point-size=9", "points:thin-when-dense=off,point-size=9"));
+  CHECK_FALSE(is_same("points", "80x60", "points:point-size=9", "points:point-size=9,thin-when-dense=on"));
+  CHECK(is_same("curve", "1600x1200", "curve:opacity=1", "curve:thin-when-dense=off"));
+  CHECK_FALSE(is_same("curve", "40x30", "curve:opacity=1", "curve:thin-when-dense=off"));
+  CHECK(is_same("curve", "40x30", "curve:opacity=1", "curve:thin-when-dense=on"));
+  CHECK(is_same("curve", "40x30", "curve:line-width=3", "curve:line-width=3,thin-when-dense=off"));
+  CHECK_FALSE(is_same("curve", "40x30", "curve:line-width=3", "curve:thin-when-dense=on,line-width=3"));
 }
 
 TEST_CASE("two corners of a view may be given in any order") {

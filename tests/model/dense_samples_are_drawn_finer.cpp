@@ -1,9 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <utility>
+#include <vector>
 
 #include "app/model/editor.h"
 #include "app/model/layer_stack.h"
 #include "app/model/sample_spacing.h"
+#include "core/base/rng.h"
+#include "core/document/commands.h"
 
 using namespace mes;
 
@@ -52,17 +59,120 @@ TEST_CASE("the refusal is a step of undo as every change of a style") {
   CHECK_FALSE(layers.style(curve).thin_when_dense);
 }
 
-TEST_CASE("the spacing is that of neighbours elsewhere, wherever and however many") {
-  for (const double scale : {1e-9, 1.0, 1e12}) {
-    Editor editor({});
-    SampleData data;
-    for (int i = 0; i < 900; ++i) data.positions.push_back({scale * (i % 30 + 1000.0), scale * (i / 30)});
-    REQUIRE(editor.load(data));
-    CHECK(typical_spacing(editor.document(), editor.index()) == Approx(scale));
+TEST_CASE("dots of samples that have their default size are kept apart") {
+  const LayerDescriptor& points = descriptor_of("points");
+  LayerStyle style = points.style;
+  const auto drawn = [&](double spacing_px) { return thinned(style, points, spacing_px).point_size_px; };
+  CHECK(drawn(style.point_size_px / 0.7) == Approx(style.point_size_px));
+  CHECK(drawn(4.0) == Approx(2.8));
+  CHECK(drawn(2.1) == 1.5);
+  CHECK(drawn(1e-9) == 1.0);
+  double before = 0.0;
+  for (double spacing = 0.01; spacing < 20.0; spacing *= 1.1) {
+    CHECK(drawn(spacing) >= before);
+    CHECK(drawn(spacing) <= style.point_size_px);
+    before = drawn(spacing);
   }
-  Editor one({});
-  SampleData data;
-  data.positions = {{1, 1}};
-  REQUIRE(one.load(data));
-  CHECK(typical_spacing(one.document(), one.index()) == 0.0);
+  style.point_size_px += 0.5;
+  CHECK(drawn(4.0) == style.point_size_px);
+  const LayerDescriptor& others = descriptor_of("interior-voronoi-vertices");
+  CHECK(thinned(others.style, others, 4.0) == others.style);
+}
+
+namespace {
+
+Document document_of(std::vector<Vec2> places) {
+  Document out;
+  out.apply(*replace_all(out, {.positions = std::move(places)}));
+  return out;
+}
+
+/// The distance of each place to the nearest other one, increasing, by its definition.
+std::vector<double> nearest_of_all(const std::vector<Vec2>& places) {
+  std::vector<double> out;
+  for (const Vec2 p : places) {
+    double nearest = std::numeric_limits<double>::infinity();
+    for (const Vec2 q : places)
+      if (p != q) nearest = std::min(nearest, distance(p, q));
+    out.push_back(nearest);
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("the spacing is the median of distances to the nearest other place, wherever and however many") {
+  for (const double scale : {1e-9, 1.0, 1e12}) {
+    std::vector<Vec2> grid;
+    for (int i = 0; i < 900; ++i) grid.push_back({scale * (i % 30 + 1000.0), scale * (i / 30)});
+    CHECK(typical_spacing(document_of(grid)) == Approx(scale));
+  }
+  CHECK(typical_spacing(Document()) == 0.0);
+  CHECK(typical_spacing(document_of({{1, 1}})) == 0.0);
+  CHECK(typical_spacing(document_of({{1, 1}, {1, 1}})) == 0.0);
+  CHECK(typical_spacing(document_of({{-0.0, 1}, {0.0, 1}, {3, 5}})) == 5.0);
+  Rng rng(5);
+  for (const std::size_t count : {2U, 3U, 50U, 200U, 201U, 3000U}) {
+    // Noise, a curve, and a cluster with one place far away.
+    for (int kind = 0; kind < 3; ++kind) {
+      std::vector<Vec2> places;
+      while (places.size() < count) {
+        const double t = rng.uniform(0.0, 6.28);
+        if (kind == 0) places.push_back({rng.uniform(5.0, 6.0), rng.uniform()});
+        if (kind == 1) places.push_back({std::cos(t), 0.1 * std::sin(3.0 * t)});
+        if (kind == 2) places.push_back({1e-6 * rng.uniform(), places.empty() ? 1e6 : 1e-6 * rng.uniform()});
+      }
+      INFO(count << " places of kind " << kind);
+      const std::vector<double> nearest = nearest_of_all(places);
+      const double spacing = typical_spacing(document_of(places));
+      if (count <= 200) {
+        CHECK(spacing == nearest[count / 2]);
+      } else {
+        CHECK(std::ranges::binary_search(nearest, spacing));
+        CHECK(spacing > nearest[count / 3]);
+        CHECK(spacing < nearest[2 * count / 3]);
+      }
+    }
+  }
+}
+
+TEST_CASE("the spacing depends on the places alone, not on their numbers, their order, or how often they are there") {
+  Rng rng(6);
+  std::vector<Vec2> places;
+  for (int i = 0; i < 1500; ++i) places.push_back({rng.uniform(), rng.uniform()});
+  const double spacing = typical_spacing(document_of(places));
+  Document edited = document_of(places);
+  std::vector<SampleId> taken;
+  std::vector<Vec2> again;
+  for (const SampleSlot slot : slots_below<SampleSlot>(1200)) {
+    if (slot.index() % 3 != 0) continue;
+    taken.push_back(edited.id(slot));
+    again.push_back(edited.position(slot));
+  }
+  edited.apply(*remove_samples(edited, taken));
+  CHECK(typical_spacing(edited) != spacing);
+  std::ranges::reverse(again);
+  edited.apply(*insert_samples(edited, again));
+  CHECK(typical_spacing(edited) == spacing);
+  std::vector<Vec2> twice = places;
+  twice.insert(twice.end(), places.begin(), places.begin() + 700);
+  CHECK(typical_spacing(document_of(twice)) == spacing);
+}
+
+TEST_CASE("the spacing of a document follows each edit of few samples, and those of many that change much") {
+  FollowedSpacing followed;
+  Document document = document_of({{0, 0}, {1, 0}, {5, 0}});
+  CHECK(followed.of(document) == 1.0);
+  document.apply(*move_samples(document, std::vector{std::pair(document.id(SampleSlot(1U)), Vec2{0.25, 0.0})}));
+  CHECK(followed.of(document) == typical_spacing(document));
+  std::vector<Vec2> many;
+  for (int i = 0; i <= static_cast<int>(FollowedSpacing::kAlwaysMeasured); ++i) many.push_back({0.0 + i, 0.0});
+  CHECK(followed.of(document_of(many)) == 1.0);
+  for (Vec2& p : many) p.x *= 2.0;
+  CHECK(followed.of(document_of(many)) == 2.0);
+  // Neither their number nor their magnitude tells, but that they are another document's.
+  for (std::size_t i = 1; i < many.size() - 1; ++i) many[i].x = 1e-3 * static_cast<double>(i);
+  CHECK(followed.of(document_of(many), 0) == 2.0);
+  CHECK(followed.of(document_of(many), 1) == Approx(1e-3));
 }

@@ -49,12 +49,10 @@ struct Drawn {
 Drawn drawn(FigureRequest request, PlacedAnnotations annotations = {}) {
   const Document document = square();
   const LayerMirror mirror;
-  const std::vector<Vec2> samples{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const Box2 bounds = document.bounding_box();
   request.shown.layers = {find_layer("indices")};
   for (const LayerDescriptor& layer : layer_descriptors()) request.shown.styles.push_back(layer.style);
   auto out = draw_figure(request, {.mirror = mirror,
-                                   .samples = samples,
                                    .bounds = bounds,
                                    .maps = {},
                                    .traced = nullptr,
