@@ -23,6 +23,11 @@ void place(const RawImage& tile, const PixelRect& at, RawImage& picture) {
   }
 }
 
+std::unexpected<Error> no_memory_for(int width, int height) {
+  return std::unexpected(Error{.code = ErrorCode::out_of_memory,
+                               .text = fmt::format("not enough memory for a frame of {}x{} pixels", width, height)});
+}
+
 }  // namespace
 
 FrameCapture::~FrameCapture() {
@@ -80,42 +85,61 @@ Expected<void> FrameCapture::draw(Scene& scene, const Camera& camera, std::span<
           device_.shrink(chain[level], half, chain[level - 1], drawn);
           drawn = half;
         }
-        wanted_.back().tiles.push_back({left, height - top - part_height, part_width, part_height});
-        readback_.ask(chain[levels - 1], drawn);
+        ask_for_tile(chain[levels - 1], drawn, {left, height - top - part_height, part_width, part_height});
       }
     }
     return {};
   } catch (const std::bad_alloc&) {
     if (wanted_.size() != before) wanted_.back().is_given_up = true;
-    return std::unexpected(
-        Error{.code = ErrorCode::out_of_memory,
-              .text = fmt::format("not enough memory for a frame of {}x{} pixels", width, height)});
+    return no_memory_for(width, height);
   }
 }
 
-void FrameCapture::take(FramebufferId source, const PixelRect& area) {
-  wanted_.push_back({area.width, area.height, {{0, 0, area.width, area.height}}, {}});
-  readback_.ask(source, area);
+// There are as many tiles as pictures that the readback will return.
+void FrameCapture::ask_for_tile(FramebufferId source, const PixelRect& area, const PixelRect& tile) {
+  std::deque<PixelRect>& tiles = wanted_.back().tiles;
+  tiles.push_back(tile);
+  try {
+    readback_.ask(source, area);
+  } catch (...) {
+    tiles.pop_back();
+    throw;
+  }
+}
+
+Expected<void> FrameCapture::take(FramebufferId source, const PixelRect& area) {
+  const std::size_t before = wanted_.size();
+  try {
+    wanted_.push_back({area.width, area.height, {}, {}});
+    ask_for_tile(source, area, {0, 0, area.width, area.height});
+    return {};
+  } catch (const std::bad_alloc&) {
+    if (wanted_.size() != before) wanted_.pop_back();
+    return no_memory_for(area.width, area.height);
+  }
 }
 
 std::optional<RawImage> FrameCapture::next(bool wait) {
-  if (wanted_.empty()) return std::nullopt;
-  Wanted& wanted = wanted_.front();
-  while (!wanted.tiles.empty()) {
-    auto tile = wait ? readback_.wait() : readback_.poll();
-    if (!tile) return std::nullopt;
-    const PixelRect at = wanted.tiles.front();
-    wanted.tiles.pop_front();
-    if (wanted.picture.rgba.empty())
-      wanted.picture = std::move(*tile);
-    else
-      place(*tile, at, wanted.picture);
+  while (!wanted_.empty()) {
+    Wanted& wanted = wanted_.front();
+    while (!wanted.tiles.empty()) {
+      auto tile = wait ? readback_.wait() : readback_.poll();
+      if (!tile) return std::nullopt;
+      const PixelRect at = wanted.tiles.front();
+      wanted.tiles.pop_front();
+      wanted.is_lost = wanted.is_lost || tile->rgba.empty();
+      if (wanted.is_lost) continue;
+      if (wanted.picture.rgba.empty())
+        wanted.picture = std::move(*tile);
+      else
+        place(*tile, at, wanted.picture);
+    }
+    RawImage out = wanted.is_lost ? RawImage{wanted.width, wanted.height, {}} : std::move(wanted.picture);
+    const bool is_given_up = wanted.is_given_up;
+    wanted_.pop_front();
+    if (!is_given_up) return out;
   }
-  RawImage out = std::move(wanted.picture);
-  const bool is_given_up = wanted.is_given_up;
-  wanted_.pop_front();
-  if (is_given_up) return next(wait);
-  return out;
+  return std::nullopt;
 }
 
 }  // namespace mes::render

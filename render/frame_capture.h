@@ -8,7 +8,8 @@
 //     window blends its edges in the same way, so a supersampled frame is as light as the window; averages of linear
 //     light would make thin dark lines paler. The factors are 1, 2 and 4: halving is exact on every card, a third is
 //     not.
-//  3. Pictures are returned in the order in which they were requested, each once and complete.
+//  3. Pictures are returned in the order in which they were requested, each once and complete. One for which memory was
+//     exhausted after it was requested comes in its turn, without pixels.
 //
 // Smallest use:
 //     FrameCapture capture(device);
@@ -48,8 +49,8 @@ class FrameCapture {
   /// Draws the camera's whole viewport. Error `out_of_memory`: no picture was requested.
   Expected<void> draw(Scene& scene, const Camera& camera, std::span<const LayerView> views,
                       const CaptureOptions& options);
-  /// Requests the present contents of a target.
-  void take(FramebufferId source, const PixelRect& area);
+  /// Requests the present contents of a target. Error as above.
+  Expected<void> take(FramebufferId source, const PixelRect& area);
 
   /// The oldest picture if it has arrived.
   std::optional<RawImage> poll() { return next(false); }
@@ -63,7 +64,8 @@ class FrameCapture {
     int height = 0;
     std::deque<PixelRect> tiles;  // that have not arrived, in order
     RawImage picture;             // of several tiles
-    bool is_given_up = false;     // memory was exhausted after some tiles
+    bool is_given_up = false;     // memory was exhausted after some tiles were requested: it is not returned
+    bool is_lost = false;         // memory was exhausted for a tile: it is returned without pixels
   };
   struct Target {
     FramebufferId id{};
@@ -71,6 +73,7 @@ class FrameCapture {
     int height = 0;
   };
   std::optional<RawImage> next(bool wait);
+  void ask_for_tile(FramebufferId source, const PixelRect& area, const PixelRect& tile);
   FramebufferId target(std::size_t level, int width, int height);
 
   GlDevice& device_;

@@ -13,7 +13,10 @@ Readback::~Readback() {
 }
 
 void Readback::ask(FramebufferId source, const PixelRect& area) {
-  if (used_ == kPlaces) come_.push_back(take_oldest());
+  if (used_ == kPlaces) {
+    come_.emplace_back();
+    come_.back() = take_oldest();
+  }
   Place& place = ring_[(first_ + used_) % kPlaces];
   const std::size_t bytes =
       std::size_t{4} * static_cast<std::size_t>(area.width) * static_cast<std::size_t>(area.height);
@@ -41,29 +44,35 @@ void Readback::ask(FramebufferId source, const PixelRect& area) {
   ++used_;
 }
 
-RawImage Readback::take_oldest() {
+// Whatever fails, the place is free afterwards.
+RawImage Readback::take_oldest() noexcept {
   Place& place = oldest();
   glClientWaitSync(place.fence, GL_SYNC_FLUSH_COMMANDS_BIT, std::numeric_limits<GLuint64>::max());
-  glDeleteSync(std::exchange(place.fence, nullptr));
+  if (place.fence != nullptr) glDeleteSync(std::exchange(place.fence, nullptr));
   RawImage out{place.width, place.height, {}};
   glBindBuffer(GL_PIXEL_PACK_BUFFER, place.buffer.get());
   const auto* pixels = static_cast<const std::uint8_t*>(
       glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(place.bytes), GL_MAP_READ_BIT));
   if (pixels != nullptr) {
-    out.rgba.assign(pixels, pixels + place.bytes);
+    try {
+      out.rgba.assign(pixels, pixels + place.bytes);
+    } catch (const std::bad_alloc&) {
+      out.rgba.clear();
+    }
     glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
+  } else {
+    place.bytes = 0;  // the card may have had no memory for the buffer
   }
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   first_ = (first_ + 1) % kPlaces;
   --used_;
-  if (pixels == nullptr) throw std::bad_alloc();
   return out;
 }
 
 std::optional<RawImage> Readback::poll() {
   if (come_.empty() && used_ != 0) {
     const GLenum state = glClientWaitSync(oldest().fence, 0, 0);
-    if (state != GL_ALREADY_SIGNALED && state != GL_CONDITION_SATISFIED) return std::nullopt;
+    if (state == GL_TIMEOUT_EXPIRED) return std::nullopt;
   }
   return wait();
 }

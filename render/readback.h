@@ -4,7 +4,9 @@
 // What it guarantees:
 //  1. `ask` copies the contents of the target at that moment; later drawing does not change the picture.
 //  2. Pictures are returned in the order in which they were requested, each once.
-//  3. `ask` waits only if kPlaces pictures are under way already; no picture is dropped.
+//  3. `ask` waits only if kPlaces pictures are under way already; no picture is dropped. When it throws for lack of
+//     memory, nothing was requested.
+//  4. A picture for which memory was exhausted comes in its turn, without pixels.
 //
 // Smallest use:
 //     Readback readback(device);
@@ -51,7 +53,7 @@ class Readback {
     GLsync fence = nullptr;
   };
   Place& oldest() { return ring_[first_]; }
-  RawImage take_oldest();
+  RawImage take_oldest() noexcept;
 
   GlDevice& device_;
   std::array<Place, kPlaces> ring_{};

@@ -119,6 +119,7 @@ void RecordDesk::start(const RecordSettings& settings, const Window& window, con
   if (!take) return refuse(take.error());
   messages_.remark("Recording into " + take->folder.string());
   writer_ = std::make_unique<FrameWriter>(std::move(*take), FrameWriterOptions{.wake = wake_});
+  has_lost_frame_ = false;
   recorder_.emplace(now, settings.each_motion);
   recorder_->note_complete(complete_);
   frames_ = 0;
@@ -286,7 +287,8 @@ bool RecordDesk::ask_one(const Drawn& drawn, const RecordSettings& settings, con
                             !settings.transparent && background == picture_.canvas() && picture_.every() == 1 &&
                             drawn.panes.places.is_empty();
   if (is_on_screen) {
-    capture_.take({}, {part.left, drawn.camera.height() - part.top - part.height, part.width, part.height});
+    const render::PixelRect area{part.left, drawn.camera.height() - part.top - part.height, part.width, part.height};
+    if (const auto done = capture_.take({}, area); !done) return refuse(purpose, done.error().message());
   } else {
     const render::CaptureOptions options{
         .background = behind, .content_scale = view.content_scale, .supersampling = settings.supersampling};
@@ -299,9 +301,10 @@ bool RecordDesk::ask_one(const Drawn& drawn, const RecordSettings& settings, con
   return true;
 }
 
-void RecordDesk::ask_window(const render::PixelRect& all, Purpose purpose) {
-  capture_.take({}, all);
+bool RecordDesk::ask_window(const render::PixelRect& all, Purpose purpose) {
+  if (const auto done = capture_.take({}, all); !done) return refuse(purpose, done.error().message());
   asked_.push_back({{}, std::make_shared<CapturedPicture>(), std::make_shared<const Purpose>(std::move(purpose))});
+  return true;
 }
 
 void RecordDesk::picture_drawn(const Drawn& drawn) {
@@ -321,7 +324,7 @@ void RecordDesk::panels_drawn(const Drawn& drawn) {
   // More disks may be on their way to the window.
   if (picture_.is_refining()) return;
   if (is_snapshot_due(drawn)) {
-    ask_window(all, snapshot_purpose());
+    static_cast<void>(ask_window(all, snapshot_purpose()));
     snapshot_.reset();
   }
   if (!settings_.with_panels || !is_frame_due(drawn)) return;
@@ -330,22 +333,33 @@ void RecordDesk::panels_drawn(const Drawn& drawn) {
     messages_.problem("Recording ended: the window has another size now, and its panels cannot be scaled");
     return;
   }
-  ask_window(all, frame_purpose(drawn));
-  note_frame(drawn);
+  if (ask_window(all, frame_purpose(drawn)))
+    note_frame(drawn);
+  else
+    stop();
 }
 
 void RecordDesk::hand_on(render::RawImage raw) {
   Asked asked = std::move(asked_.front());
   asked_.pop_front();
+  if (raw.rgba.empty()) return tell_lost(asked, raw);
   asked.picture->add(std::move(raw), std::move(asked.overlay));
   if (!asked.picture->is_whole()) return;
   switch (asked.purpose->use) {
     case Use::frame:
-      if (writer_) writer_->push({std::move(*asked.picture), asked.purpose->info});
+      if (writer_ && !has_lost_frame_) writer_->push({std::move(*asked.picture), asked.purpose->info});
       break;
     case Use::snapshot: write_snapshot(std::move(asked.picture), asked.purpose); break;
     case Use::copy: write_copy(std::move(asked.picture)); break;
   }
+}
+
+// Of a picture of several panes once.
+void RecordDesk::tell_lost(const Asked& asked, const render::RawImage& raw) {
+  if (lost_ == asked.picture || (asked.purpose->use == Use::frame && has_lost_frame_)) return;
+  lost_ = asked.picture;
+  has_lost_frame_ = has_lost_frame_ || asked.purpose->use == Use::frame;
+  refuse(*asked.purpose, fmt::format("not enough memory for a picture of {}x{} pixels", raw.width, raw.height));
 }
 
 void RecordDesk::write_snapshot(std::shared_ptr<CapturedPicture> picture,
@@ -377,7 +391,7 @@ void RecordDesk::tell_copy(const Expected<void>& done) {
 
 bool RecordDesk::follow() {
   while (auto raw = capture_.poll()) hand_on(std::move(*raw));
-  if (writer_ && writer_->problem()) stop();
+  if (writer_ && (writer_->problem() || has_lost_frame_)) stop();
   return take_results();
 }
 

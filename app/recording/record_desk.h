@@ -144,9 +144,10 @@ class RecordDesk {
   bool ask_one(const Drawn& drawn, const RecordSettings& settings, const Insets& panels, Purpose purpose);
   /// All panes.
   bool ask_sheet(const Drawn& drawn, const RecordSettings& settings, Purpose purpose);
-  void ask_window(const render::PixelRect& all, Purpose purpose);
+  bool ask_window(const render::PixelRect& all, Purpose purpose);
   bool refuse(const Purpose& purpose, const std::string& reason);
   void hand_on(render::RawImage raw);
+  void tell_lost(const Asked& asked, const render::RawImage& raw);
   void write_snapshot(std::shared_ptr<CapturedPicture> picture, const std::shared_ptr<const Purpose>& purpose);
   void write_copy(std::shared_ptr<CapturedPicture> picture);
   Use use_of_snapshot() const { return is_copy_ ? Use::copy : Use::snapshot; }
@@ -163,6 +164,8 @@ class RecordDesk {
   std::function<Session()> take_source_;
   render::FrameCapture capture_;
   std::deque<Asked> asked_;
+  std::shared_ptr<CapturedPicture> lost_{};  // the last of which a part was lost for lack of memory
+  bool has_lost_frame_ = false;              // of the take, which ends before it
   std::optional<ShownState> complete_{};
 
   RecordSettings settings_{};  // of the take
