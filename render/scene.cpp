@@ -26,6 +26,8 @@ constexpr double kCountedReach = 0x1p33;
 // At these scales the drawing is far smaller than a pixel, or a pixel far smaller than the spacing of doubles.
 constexpr double kMinScale = 0x1p-70;
 constexpr double kMaxScale = 0x1p80;
+// In pixels: beyond any picture, and what is there is kept out of view by single precision.
+constexpr double kFarCenter = 0x1p24;
 
 // The number of colours of a map in its texture.
 constexpr std::size_t kMapWidth = 256;
@@ -53,12 +55,12 @@ struct FrameCenter {
   double low;  ///< the bits that `value` cannot hold
 };
 
-FrameCenter center_in(double center, double center_low, double origin, double scale) {
+FrameCenter center_in(double center, double center_low, double origin, double scale, double limit) {
   const double high = center - origin;
   const double part = high - center;
   const double error = (center - (high - part)) + (-origin - part);
   const double scaled = high * scale;
-  if (!(std::abs(scaled) < kDrawingLimit)) return {std::copysign(kDrawingLimit, high), 0.0};
+  if (!(std::abs(scaled) < limit)) return {std::copysign(limit, high), 0.0};
   // Renormalised, so that the low part does not reach into the pieces of the high one.
   const double rest = (error + center_low) * scale;
   const double sum = scaled + rest;
@@ -73,9 +75,14 @@ struct Placement {
 
 Placement placement_of(const InstanceBuffer& buffer, const Camera& camera) {
   const DrawingFrame& frame = buffer.frame();
-  const FrameCenter x = center_in(camera.center().x, camera.center_low().x, frame.origin.x, frame.scale);
-  const FrameCenter y = center_in(camera.center().y, camera.center_low().y, frame.origin.y, frame.scale);
-  const double scale = std::clamp(1.0 / camera.units_per_pixel() / frame.scale, kMinScale, kMaxScale);
+  const double wanted = 1.0 / camera.units_per_pixel() / frame.scale;
+  const double scale = std::clamp(wanted, kMinScale, kMaxScale);
+  // Where all of the drawing is smaller than a pixel, it still lies as many pixels from the centre as it should: parts of
+  // a picture and panned views are far from it in units of the drawing, and few pixels.
+  const double unit = frame.scale * std::min(1.0, wanted / kMinScale);
+  const double limit = std::max(kDrawingLimit, kFarCenter / scale);
+  const FrameCenter x = center_in(camera.center().x, camera.center_low().x, frame.origin.x, unit, limit);
+  const FrameCenter y = center_in(camera.center().y, camera.center_low().y, frame.origin.y, unit, limit);
   const double center_size = std::max(std::abs(x.value), std::abs(y.value));
   return {.frame = {.center_x = x.value,
                     .center_low_x = x.low,

@@ -2,6 +2,8 @@
 // Voronoi vertices at 10^30, points of no extent, views of any depth: nothing that is finite makes garbage.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdlib>
+#include <vector>
 
 #include "core/base/rng.h"
 #include "tests/render/drawing.h"
@@ -133,6 +135,48 @@ TEST_CASE("huge disks fill what lies inside, and nothing else") {
     drawing.set(4, arc, {0.0, -r, r, 0.0, 0.0, r, -r});
     CHECK(covered_area(drawing.draw(unit_camera(), {{4, black(2.0)}})) ==
           Approx(200.0 + 0.5 * 3.14159265).epsilon(r < 100.0 ? 0.1 : 0.02));
+  }
+}
+
+TEST_CASE("a drawing that is a dot lies where it is, however far a view is zoomed out and panned") {
+  Drawing drawing;
+  std::vector<render::LayerView> views;
+  const auto add = [&](PrimitiveKind kind, const std::vector<double>& data) {
+    const auto layer = static_cast<LayerIndex>(views.size());
+    drawing.set(layer, kind, data);
+    views.push_back({layer, black(3.0)});
+    views.back().style.point_size_px = 7.0;
+  };
+  add(point, {0.5, -0.25, 0.0, 0.0});
+  add(ray, {0.1, 0.2, 1.0, 3.0});
+  add(line, {0.1, 0.2, -2.0, 1.0});
+  add(segment, {-1.0, 0.0, 1.0, 0.0});
+  add(disk, {0.0, 0.0, 1.0});
+  add(circle, {0.0, 0.0, 1.0});
+  std::vector<Image> all;
+  for (const double units : {1e9, 1e14, 1e16, 1e18, 1e21, 1e24, 1e40, 1e150, 1e280}) {
+    Camera camera = unit_camera();
+    camera.look_at({0.0, 0.0}, units);
+    camera.pan({61.0, 33.0});
+    CAPTURE(units);
+    const Image whole = drawing.draw(camera, views);
+    const Image dot = drawing.draw(camera, {views.front()});
+    CHECK(covered_center(dot).x == Approx(161.0).margin(0.01));
+    CHECK(covered_center(dot).y == Approx(133.0).margin(0.01));
+    // In tiles, and as whatever larger view.
+    const Image tiled = drawing.draw(camera, views, {.background = kWhite, .tile_px = 64});
+    int worst = 0;
+    for (std::size_t i = 0; i < whole.rgba.size(); ++i) {
+      worst = std::max(worst, std::abs(whole.rgba[i] - tiled.rgba[i]));
+      if (!all.empty()) worst = std::max(worst, std::abs(whole.rgba[i] - all.front().rgba[i]));
+    }
+    CHECK(worst <= 3);
+    all.push_back(whole);
+    // Out of view it is not seen.
+    camera.pan({2000.0, 0.0});
+    CHECK(covered_area(drawing.draw(camera, {views.front()})) == 0.0);
+    camera.pan({1e8, -1e8});
+    CHECK(covered_area(drawing.draw(camera, {views.front()})) == 0.0);
   }
 }
 
