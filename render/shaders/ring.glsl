@@ -29,11 +29,15 @@ vec2 ring_corner(Rim rim, float r, float h, float low, float high) {
 #if DASHED
 // The rim point nearest to the view's centre in pixels along the circle, and the period of dashes. Dashes count from
 // the rightmost point of the circle and are a whole number, so they neither break where the circle closes nor move
-// with the view.
+// with the view; without doubles, those of circles beyond 10^5 pixels do move.
 vec2 ring_dash(Rim rim, float r) {
   float count = max(1.0, floor(kTurn * r / u_dash_period + 0.5));
   float period = kTurn * r / count;
+#if REACH == 2
+  return vec2(float(fract(rim.turn * double(count))) * period, period);
+#else
   float from_right = atan(rim.outward.y, rim.outward.x) / kTurn;
   return vec2(fract(from_right * count) * period, period);
+#endif
 }
 #endif

@@ -42,12 +42,11 @@ void main() {
   vec2 corner = strip_corner();
   v_place = vec2(corner.x < 0.0 ? low : high, corner.y * h);
 #if DASHED
-  // Dashes always count from the first end, whichever end the line is measured from.
-  v_phase = -line.start;
+  v_phase = line.phase;
 #if KIND_SEGMENT
-  if (swapped) v_phase -= line.size;
+  // Dashes always count from the first end, whichever end the line is measured from.
+  if (swapped) v_phase = carrier(first, wide_sub(first, second)).phase;
 #endif
-  v_phase = mod(v_phase, u_dash_period);
 #endif
   vec2 px = (line.offset + v_place.y) * turned(line.direction) + v_place.x * line.direction;
   gl_Position = low > high || abs(line.offset) > view ? kHidden : place(px);

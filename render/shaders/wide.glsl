@@ -98,12 +98,23 @@ float wide_cross(WideVec2 a, WideVec2 b) {
 }
 vec2 narrow(WideVec2 a) { return vec2(narrow(a.x), narrow(a.y)); }
 
+#if DASHED && REACH == 2
+// What is left of a length in pixels when whole periods of dashes are taken away.
+float wide_phase(double s) {
+  double period = double(u_dash_period);
+  return float(s - period * floor(s / period));
+}
+#endif
+
 // A straight line in the view, in pixels: the points `offset` * turned(direction) + s * direction.
 struct Carrier {
   vec2 direction;  // of unit length
   float offset;    // signed distance of the line from the centre of the view
   float start;     // s of the anchor
   float size;      // length of `along`
+#if DASHED
+  float phase;     // of dashes that count from the anchor, at s = 0: in [0, u_dash_period)
+#endif
 };
 
 // The line through an anchor. `along` may have any length. The result is the more exact, the nearer the anchor is and
@@ -120,5 +131,17 @@ Carrier carrier(WideVec2 anchor, WideVec2 along) {
   vec2 a = narrow(anchor) * u_pixels_per_unit;
   line.start = dot(a, line.direction);
   line.offset = unit > 0.0 ? wide_cross(along, anchor) / unit / norm * u_pixels_per_unit : a.y;
+#if DASHED
+#if REACH == 2
+  // A float would not hold a fraction of the period of an anchor that is far away.
+  double exact_unit = unit > 0.0 ? double(unit) : 1.0lf;
+  double x = unit > 0.0 ? along.x / exact_unit : 1.0lf;
+  double y = unit > 0.0 ? along.y / exact_unit : 0.0lf;
+  double start = (anchor.x * x + anchor.y * y) / sqrt(x * x + y * y) * double(u_pixels_per_unit);
+  line.phase = wide_phase(-start);
+#else
+  line.phase = mod(-line.start, u_dash_period);
+#endif
+#endif
   return line;
 }

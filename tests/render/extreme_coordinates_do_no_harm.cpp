@@ -180,6 +180,52 @@ TEST_CASE("a drawing that is a dot lies where it is, however far a view is zoome
   }
 }
 
+TEST_CASE("dashes of huge circles and of strokes from far away are the same in each part of a view") {
+  Drawing drawing;
+  REQUIRE(drawing.device().uses_double());
+  std::vector<render::LayerView> views{{0, black(3.0)}};
+  views[0].style.dashed = true;
+  Camera camera = unit_camera();
+  for (const double radius : {1e2, 1e3, 1e5, 1e7, 1e8}) {  // a hundred times as many pixels
+    for (const double angle : {0.1, 0.8, 1.5, 2.0, 2.8, 3.5, 4.4, 5.0, 6.1}) {
+      const Vec2 d{std::cos(angle), std::sin(angle)};
+      const Vec2 center{0.1 - radius * d.x, 0.2 - radius * d.y};
+      for (const PrimitiveKind kind : {circle, arc, segment, ray}) {
+        CAPTURE(radius, angle, kind);
+        std::vector<double> data{center.x, center.y, radius};
+        if (kind == arc)
+          data = {center.x,
+                  center.y,
+                  radius,
+                  center.x + radius * d.y,
+                  center.y - radius * d.x,
+                  center.x - radius * d.y,
+                  center.y + radius * d.x};
+        if (kind == segment) data = {center.x, center.y, 0.1 + radius * d.x, 0.2 + radius * d.y};
+        if (kind == ray) data = {center.x, center.y, d.x, d.y};
+        drawing.set(0, kind, data);
+        const Image whole = drawing.draw(camera, views);
+        CHECK(covered_area(whole) > 200.0);
+        const Image tiled = drawing.draw(camera, views, {.background = kWhite, .tile_px = 50});
+        int worst = 0;
+        for (std::size_t i = 0; i < whole.rgba.size(); ++i)
+          worst = std::max(worst, std::abs(whole.rgba[i] - tiled.rgba[i]));
+        CHECK(worst <= 25);
+        drawing.set(0, kind, {});
+      }
+    }
+  }
+  // Without doubles they are where they happen to be.
+  Drawing plain({.allow_double = false});
+  for (const PrimitiveKind kind : {circle, segment}) {
+    plain.set(0, kind, kind == circle ? std::vector{0.0, -1e6, 1e6} : std::vector{-1e6, 0.0, 1e6, 0.0});
+    const double covered = covered_area(plain.draw(camera, views));
+    CHECK(covered > 200.0);
+    CHECK(covered < 550.0);
+    plain.set(0, kind, {});
+  }
+}
+
 TEST_CASE("random numbers of every size and views of every depth draw finite pictures") {
   // With NaN on the way pixels turn black or keep what was there; here they must stay on the grey axis of black over
   // white, and a marker drawn last must come out whole.
