@@ -399,7 +399,7 @@ const ActionDescriptor& descriptor_of(ActionId id) {
 }
 
 std::span<const GestureDescriptor> gesture_descriptors() {
-  static constexpr std::array<GestureDescriptor, 22> table{{
+  static constexpr std::array<GestureDescriptor, 23> table{{
       {"Wheel", "zoom at the cursor"},
       {"Middle drag, right drag", "pan"},
       {"Space + drag", "pan"},
@@ -422,6 +422,7 @@ std::span<const GestureDescriptor> gesture_descriptors() {
       {"Drag with the annotation tool", "draw an arrow; from a sample or a vertex, a line to words"},
       {"Drag an annotation", "move it, or one of its ends (annotation tool)"},
       {"Wheel on a selected ball", "change its radius; take it at its centre or its circle"},
+      {"Click a number", "type another one, or an expression such as 2/3 or sqrt(2)"},
       {"Drop files on the window", "open them; samples and balls together, bundles besides"},
   }};
   return table;

@@ -14,12 +14,14 @@ namespace {
 
 constexpr float kFieldWidth = 150.0F;
 
-/// True when a number was typed that a document can hold.
-bool place_field(const Gui& gui, const char* label, double& value, const char* explanation) {
+/// True when a number was typed that a document can hold; `is_length` ones are above 0.
+bool place_field(const Gui& gui, const char* label, double& value, bool is_length, const char* explanation) {
   ImGui::SetNextItemWidth(kFieldWidth * gui.unit());
-  double typed = value;
-  const bool is_new = number_field(label, typed, "%.6g") && !range_fault_of(typed);
-  if (is_new) value = typed;
+  const bool is_new = number_field(label, value, "%.6g", [&](double typed) -> std::optional<std::string> {
+    if (const auto fault = range_fault_of(typed)) return describe(*fault, typed);
+    if (is_length && !(typed > 0.0)) return "a width must be above zero";
+    return std::nullopt;
+  });
   tooltip(gui, explanation);
   return is_new;
 }
@@ -46,10 +48,11 @@ void ImageControls::draw() const {
   tooltip(gui, image.file);
   const double aspect = picture.background_aspect();
   if (aspect == 0.0) ImGui::TextDisabled("Not shown: it is still being read, or cannot be read");
-  bool is_new = place_field(gui, "Width", image.width, "From its left to its right edge, in units of the samples");
-  is_new = place_field(gui, "Middle, x", image.center.x, "Where its middle lies") || is_new;
-  is_new = place_field(gui, "Middle, y", image.center.y, "Where its middle lies") || is_new;
-  if (is_new && image.width > 0.0) layers.set_image(image);
+  bool is_new =
+      place_field(gui, "Width", image.width, true, "From its left to its right edge, in units of the samples");
+  is_new = place_field(gui, "Middle, x", image.center.x, false, "Where its middle lies") || is_new;
+  is_new = place_field(gui, "Middle, y", image.center.y, false, "Where its middle lies") || is_new;
+  if (is_new) layers.set_image(image);
   ImGui::BeginDisabled(aspect == 0.0);
   if (ImGui::Button("Fit to view")) layers.set_image(placed_in(canvas.view().free_box(), image.file, aspect));
   ImGui::EndDisabled();

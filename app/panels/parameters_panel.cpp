@@ -60,7 +60,7 @@ void ParametersPanel::draw_animation(Parameter parameter) {
     bound("From", animation.from, "Value of the first picture");
     bound("To", animation.to, "Value of the last picture");
     ImGui::SetNextItemWidth(130 * unit);
-    if (ImGui::InputInt("Steps", &animation.steps))
+    if (number_field("Steps", animation.steps))
       animation.steps = std::clamp(animation.steps, 1, ParameterAnimation::kMostSteps);
     tooltip(gui_, "From the first picture to the last");
     ImGui::EndDisabled();

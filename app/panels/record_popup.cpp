@@ -9,6 +9,7 @@
 
 #include "app/model/record_settings.h"
 #include "app/ui/icons.h"
+#include "app/ui/number_field.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -41,13 +42,13 @@ void draw_size(const Gui& gui, RecordSettings& record, float column) {
   ImGui::Dummy({1, 1});
   ImGui::SameLine(column);
   ImGui::SetNextItemWidth(70 * gui.unit());
-  ImGui::InputInt("##width", &record.width, 0);
+  number_field("##width", record.width);
   tooltip(gui, "Width in pixels");
   ImGui::SameLine();
   ImGui::TextUnformatted("x");
   ImGui::SameLine();
   ImGui::SetNextItemWidth(70 * gui.unit());
-  ImGui::InputInt("##height", &record.height, 0);
+  number_field("##height", record.height);
   tooltip(gui, "Height in pixels");
 }
 

@@ -21,7 +21,7 @@ void SampleMaker::set_uses(Make make, std::function<void()> wake) {
   wake_ = std::move(wake);
 }
 
-void SampleMaker::draw_facts(const Gui& gui, const std::string& refusal) const {
+void SampleMaker::draw_facts(const Gui& gui) const {
   const SampleMaking::Made* made = making_.made();
   ImGui::PushTextWrapPos(0.0F);
   if (made != nullptr && made->data) {
@@ -30,7 +30,6 @@ void SampleMaker::draw_facts(const Gui& gui, const std::string& refusal) const {
     ImGui::TextDisabled("%s", counted(samples, balls).c_str());
   }
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-  if (!refusal.empty()) ImGui::TextUnformatted(refusal.c_str());
   if (made != nullptr) {
     if (!made->data) ImGui::TextUnformatted(made->data.error().text.c_str());
     for (const std::string& remark : made->remarks) ImGui::TextUnformatted(remark.c_str());

@@ -13,7 +13,7 @@ namespace mes {
 /// Smallest use, in each frame, after `follow` in each turn:
 ///     if (wish != wished)
 ///       maker.want([wish](JobControl& job) { return SampleMaking::Made{sample_curves(curves, wish, &job)}; });
-///     maker.draw_facts(gui, refusal);
+///     maker.draw_facts(gui);
 ///     if (maker.draw_buttons(gui, "Circle", "The shape ...")) is_open = false;
 ///     maker.draw_preview(gui);
 ///
@@ -34,8 +34,7 @@ class SampleMaker {
   void accept() { making_.accept(); }
   void stop() { making_.stop(); }
 
-  /// `refusal`: why a number that was typed is not taken, or empty.
-  void draw_facts(const Gui& gui, const std::string& refusal) const;
+  void draw_facts(const Gui& gui) const;
   /// True when the dialog is to be closed: samples were made, or it was cancelled.
   bool draw_buttons(const Gui& gui, const std::string& name, const char* explanation);
   void draw_preview(const Gui& gui) const;

@@ -25,20 +25,19 @@ Box2 extent_of(const SampleData& data) {
 
 }  // namespace
 
-void SamplingControls::draw(const Gui& gui, std::string& refusal) {
+void SamplingControls::draw(const Gui& gui) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::Checkbox("Number of samples", &has_samples_);
   tooltip(gui, "Evenly along curves; otherwise some 400, more where parts are near to each other");
   ImGui::BeginDisabled(!has_samples_);
   slider(gui, "##samples", samples_, 3.0, kMostSamples,
-         {.format = "%.0f", .is_logarithmic = true, .is_whole = true, .width = width, .refusal = &refusal});
+         {.format = "%.0f", .is_logarithmic = true, .is_whole = true, .width = width});
   ImGui::EndDisabled();
   ImGui::TextUnformatted("Jitter");
-  slider(gui, "##jitter", jitter_, 0.0, 1.0, {.format = "%.2f", .width = width, .refusal = &refusal});
+  slider(gui, "##jitter", jitter_, 0.0, 1.0, {.format = "%.2f", .width = width});
   tooltip(gui, "Each sample is moved by up to so many mean spacings, in any direction");
   ImGui::TextUnformatted("Seed");
-  slider(gui, "##seed", seed_, 0.0, kMostSeed,
-         {.format = "%.0f", .is_whole = true, .width = width, .refusal = &refusal});
+  slider(gui, "##seed", seed_, 0.0, kMostSeed, {.format = "%.0f", .is_whole = true, .width = width});
   tooltip(gui, "Of random points and of the jitter");
 }
 

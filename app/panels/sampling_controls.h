@@ -2,8 +2,6 @@
 // What the dialogs that make samples of curves have in common: how they are sampled, and how they look.
 #pragma once
 
-#include <string>
-
 #include "app/ui/gui.h"
 #include "core/shapes/shape.h"
 
@@ -12,8 +10,7 @@ namespace mes {
 /// Number, jitter and seed of samples.
 class SamplingControls {
  public:
-  /// `refusal`: as for `number_field`.
-  void draw(const Gui& gui, std::string& refusal);
+  void draw(const Gui& gui);
   ShapeSampling sampling() const;
 
  private:

@@ -52,10 +52,7 @@ void ShapeDialog::press(const KeyChord& chord) {
 void ShapeDialog::draw_list(const Gui& gui) {
   for (std::size_t i = 0; i < shapes().size(); ++i) {
     const ShapeDescriptor& one = shapes()[i];
-    if (ImGui::Selectable(std::string(one.name).c_str(), i == chosen_)) {
-      chosen_ = i;
-      refusal_.clear();
-    }
+    if (ImGui::Selectable(std::string(one.name).c_str(), i == chosen_)) chosen_ = i;
     tooltip(gui, std::string(one.explanation));
   }
 }
@@ -80,9 +77,8 @@ void ShapeDialog::draw_parameters(const Gui& gui) {
             .is_logarithmic = range.is_logarithmic,
             .is_whole = parameter.is_whole,
             .width = width,
-            .typed = SliderLook::Range{parameter.low, parameter.high},
-            .refusal = &refusal_});
-    tooltip(gui, fmt::format("{}\nAn expression such as 2/3 or sqrt(2) can be typed", parameter.explanation));
+            .typed = SliderLook::Range{parameter.low, parameter.high}});
+    tooltip(gui, std::string(parameter.explanation));
   }
   ImGui::PopID();
 }
@@ -111,9 +107,9 @@ void ShapeDialog::draw(const Gui& gui) {
     ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
     draw_parameters(gui);
     ImGui::Dummy({1, 2 * unit});
-    sampling_.draw(gui, refusal_);
+    sampling_.draw(gui);
     follow_wish();
-    maker_.draw_facts(gui, refusal_);
+    maker_.draw_facts(gui);
     ImGui::EndChild();
     if (maker_.draw_buttons(gui, std::string(shape().name),
                             "The shape takes the place of the samples and balls that are there: one step of undo"))

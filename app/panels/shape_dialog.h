@@ -29,7 +29,6 @@ class ShapeDialog final : public Dialog {
   bool is_busy() const { return maker_.is_busy(); }
   void cancel() override {
     is_open_ = false;
-    refusal_.clear();
     maker_.stop();
     wished_for_.reset();
   }
@@ -50,7 +49,6 @@ class ShapeDialog final : public Dialog {
   std::vector<ShapeValues> values_;  // of each shape
   SamplingControls sampling_;
   SampleMaker maker_;
-  std::string refusal_;  // of what was typed for a number
   std::optional<ShapeRequest> wished_for_;
   std::size_t wished_of_ = 0;  // place in `shapes()`
 };

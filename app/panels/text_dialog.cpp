@@ -67,14 +67,14 @@ void TextDialog::draw_settings(const Gui& gui) {
   tooltip(gui, "Letters move together where the font says so, as A and V do");
   ImGui::TextUnformatted("Size");
   slider(gui, "##size", wish_.request.size, kLeastSize, kMostSize,
-         {.format = "%.4g", .is_logarithmic = true, .width = width, .refusal = &refusal_});
+         {.format = "%.4g", .is_logarithmic = true, .width = width});
   tooltip(gui, "Height of an em, in units of the samples");
   ImGui::TextUnformatted("Line spacing");
   slider(gui, "##line-spacing", wish_.request.line_spacing, 0.0, kMostLineSpacing,
-         {.format = "%.2f", .width = width, .refusal = &refusal_});
+         {.format = "%.2f", .width = width});
   tooltip(gui, "From line to line, as a multiple of what the font says");
   ImGui::Dummy({1, 2 * gui.unit()});
-  sampling_.draw(gui, refusal_);
+  sampling_.draw(gui);
 }
 
 void TextDialog::follow_wish() {
@@ -105,7 +105,7 @@ void TextDialog::draw(const Gui& gui) {
     ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
     draw_settings(gui);
     follow_wish();
-    maker_.draw_facts(gui, refusal_);
+    maker_.draw_facts(gui);
     ImGui::EndChild();
     if (maker_.draw_buttons(gui, "Text",
                             "The text takes the place of the samples and balls that are there: one step of undo"))

@@ -32,7 +32,6 @@ class TextDialog final : public Dialog {
   bool is_busy() const { return maker_.is_busy(); }
   void cancel() override {
     is_open_ = false;
-    refusal_.clear();
     maker_.stop();
     wished_for_.reset();
   }
@@ -62,7 +61,6 @@ class TextDialog final : public Dialog {
   Wish wish_{.family = {}, .request = {.text = "Mesecina"}};
   SamplingControls sampling_;
   SampleMaker maker_;
-  std::string refusal_;  // of what was typed for a number
   bool is_open_ = false;
   std::optional<Wish> wished_for_;
 };

@@ -3,11 +3,15 @@
 
 #include <fmt/core.h>
 
+#include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstdio>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <utility>
 
-#include "core/formula/formula.h"
+#include "app/model/typed_number.h"
 #include "core/io/text_numbers.h"
 #include "imgui.h"
 #include "imgui_internal.h"
@@ -18,15 +22,13 @@ namespace {
 
 /// What was typed into the field that has the keyboard. When Tab takes the keyboard on to a later field the library does
 /// not report that this one was left.
-template <class T>
 struct Typed {
   ImGuiID field = 0;
   int frame = 0;  // in which the field was last drawn
-  T value{};
+  std::string value{};
 };
-template <class T>
-Typed<T>& typed_last() {
-  static Typed<T> one;
+Typed& typed_last() {
+  static Typed one;
   return one;
 }
 
@@ -41,26 +43,22 @@ Refused& refused() {
   return one;
 }
 
-bool is_usable(double value) {
-  return std::isfinite(value);
-}
-bool is_usable(std::uint64_t) {
-  return true;
-}
-bool is_usable(const std::string&) {
-  return true;
+/// Whether a field that is drawn now, and was last drawn in that frame, was not drawn in between.
+bool was_gone(int last_frame) {
+  const int frame = ImGui::GetFrameCount();
+  return frame < last_frame || frame > last_frame + 1;
 }
 
-/// `draw` returns true while the text of the field is another number than the one it was given, which it changes.
-template <class T, class Draw>
-bool left_with_another(const char* label, T& value, Draw draw) {
-  Typed<T>& typed = typed_last<T>();
+/// `draw` returns true while the field has another text than the one it was given, which it changes.
+template <class Draw>
+bool left_with_another(const char* label, std::string& value, Draw draw) {
+  Typed& typed = typed_last();
   const ImGuiID id = ImGui::GetID(label);
   const int frame = ImGui::GetFrameCount();
   // A field that was gone in between was not left, but lost.
-  if (typed.field == id && frame > typed.frame + 1) typed = {};
+  if (typed.field == id && was_gone(typed.frame)) typed = {};
   const bool had_keyboard = ImGui::GetActiveID() == id;
-  T now = value;
+  std::string now = value;
   if (draw(now))
     typed = {id, frame, now};
   else if (had_keyboard && typed.field == id)
@@ -68,26 +66,11 @@ bool left_with_another(const char* label, T& value, Draw draw) {
   if (typed.field != id) return false;
   typed.frame = frame;
   if (ImGui::GetActiveID() == id) return false;
-  const T last = typed.value;
-  typed = {};
-  if (!is_usable(last) || last == value) return false;
-  value = last;
+  std::string last = std::exchange(typed, {}).value;
+  if (last == value) return false;
+  value = std::move(last);
   return true;
 }
-
-}  // namespace
-
-bool number_field(const char* label, double& value, const char* format) {
-  return left_with_another(label, value,
-                           [&](double& now) { return ImGui::InputDouble(label, &now, 0.0, 0.0, format); });
-}
-
-bool number_field(const char* label, std::uint64_t& value) {
-  return left_with_another(label, value,
-                           [&](std::uint64_t& now) { return ImGui::InputScalar(label, ImGuiDataType_U64, &now); });
-}
-
-namespace {
 
 /// With as many digits as the next field has room for, so that no exponent is cut off.
 std::string fitted(double value, const std::string& exact) {
@@ -104,8 +87,111 @@ bool is_edited(const char* label) {
   const ImGuiID id = ImGui::GetID(label);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const ImVec2 end(at.x + ImGui::CalcItemWidth(), at.y + ImGui::GetFrameHeight());
-  return typed_last<std::string>().field == id || refused().field == id || context.ActiveId == id ||
-         context.NavActivateId == id || context.NavActivateInputId == id || ImGui::IsMouseHoveringRect(at, end);
+  return typed_last().field == id || refused().field == id || context.ActiveId == id || context.NavActivateId == id ||
+         context.NavActivateInputId == id || ImGui::IsMouseHoveringRect(at, end);
+}
+
+/// What is said about a number at its field.
+struct Complaint {
+  ImGuiID field = 0;
+  int frame = 0;  // in which the field was last drawn
+  std::string reason{};
+  std::optional<int> left_at{};  // the frame in which the field was left for something else: its old number is back
+};
+Complaint& complaint() {
+  static Complaint one;
+  return one;
+}
+
+bool is_something_pressed() {
+  const ImGuiIO& io = ImGui::GetIO();
+  return std::ranges::any_of(io.KeysDownDuration, [](float seconds) { return seconds == 0.0F; }) ||
+         std::ranges::any_of(io.MouseClicked, std::identity{});
+}
+
+/// At the last field: a border, and the words below it or, where these have no room, above.
+void show(const std::string& reason) {
+  if (!ImGui::IsItemVisible()) return;
+  const ImGuiStyle& style = ImGui::GetStyle();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 field = ImGui::GetItemRectMin();
+  const ImVec2 field_end = ImGui::GetItemRectMax();
+  const ImVec2 padding = style.FramePadding;
+  const float wrap = std::min(22.0F * ImGui::GetFontSize(), screen.x - 2 * padding.x);
+  const ImVec2 text = ImGui::CalcTextSize(reason.c_str(), nullptr, false, wrap);
+  const ImVec2 size(text.x + 2 * padding.x, text.y + 2 * padding.y);
+  const bool is_below = field_end.y + size.y <= screen.y;
+  const ImVec2 at(std::max(0.0F, std::min(field.x, screen.x - size.x)), is_below ? field_end.y : field.y - size.y);
+  const ImVec2 end(at.x + size.x, at.y + size.y);
+  const ImU32 color = ImGui::GetColorU32(ImGuiCol_PlotLinesHovered);
+  ImDrawList& list = *ImGui::GetForegroundDrawList();
+  list.AddRect(field, field_end, color, style.FrameRounding);
+  list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_PopupBg), style.FrameRounding);
+  list.AddRect(at, end, color, style.FrameRounding);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + padding.x, at.y + padding.y}, color, reason.c_str(),
+               nullptr, wrap);
+}
+
+bool text_field(const char* label, const char* hint, std::string& text, ImGuiInputTextFlags flags) {
+  const ImGuiID id = ImGui::GetID(label);
+  const int frame = ImGui::GetFrameCount();
+  Refused& last = refused();
+  if (last.field == id && was_gone(last.frame)) last = {};
+  if (last.field == id && ImGui::GetActiveID() != id) {
+    // The keyboard comes with this frame or the next one.
+    last.frame = frame;
+    std::string now = last.typed;
+    ImGui::InputTextWithHint(label, hint, &now, flags);
+    return false;
+  }
+  std::string left = text;
+  const bool is_left = left_with_another(label, left, [&](std::string& now) {
+    ImGui::InputTextWithHint(label, hint, &now, flags);
+    return now != text;
+  });
+  // Esc would leave what was refused, from which the editing began.
+  if (!is_left || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) return false;
+  text = std::move(left);
+  return true;
+}
+
+/// A field that shows `shown`; `read` gives the number that a text stands for.
+template <class T, class Read>
+bool value_field(const char* label, T& value, const std::string& shown, Read read) {
+  const ImGuiID id = ImGui::GetID(label);
+  const int frame = ImGui::GetFrameCount();
+  Complaint& said = complaint();
+  if (said.field == id && was_gone(said.frame)) said = {};
+  std::string text = shown;
+  const bool is_left = text_field(label, "", text, ImGuiInputTextFlags_AutoSelectAll);
+  bool is_new = false;
+  if (is_left) {
+    if (const Expected<T> number = read(text)) {
+      if (said.field == id) said = {};
+      is_new = value != *number;
+      value = *number;
+    } else {
+      said = {id, frame, number.error().message()};
+      stay_in_field(text);
+      if (refused().field != id) said.left_at = frame;
+    }
+  } else if (said.field == id) {
+    const bool has_keyboard = ImGui::GetActiveID() == id || refused().field == id;
+    if (said.left_at) {
+      if (has_keyboard || (frame > *said.left_at && is_something_pressed())) said = {};
+    } else if (!has_keyboard) {
+      said = {};  // given up
+    } else if (ImGui::GetActiveID() == id) {
+      // While it is corrected, what is said is about the text as it is.
+      const Expected<T> number = read(typed_last().field == id ? typed_last().value : text);
+      said.reason = number ? std::string() : number.error().message();
+    }
+  }
+  if (said.field == id) {
+    said.frame = frame;
+    if (!said.reason.empty()) show(said.reason);
+  }
+  return is_new;
 }
 
 }  // namespace
@@ -121,46 +207,42 @@ bool exact_field(const char* label, double value, std::string& text) {
 }
 
 bool formula_field(const char* label, const char* hint, std::string& text) {
-  const ImGuiID id = ImGui::GetID(label);
-  const int frame = ImGui::GetFrameCount();
-  Refused& last = refused();
-  if (last.field == id && frame > last.frame + 1) last = {};
-  if (last.field == id && ImGui::GetActiveID() != id) {
-    // The keyboard comes with this frame or the next one.
-    last.frame = frame;
-    std::string now = last.typed;
-    ImGui::InputTextWithHint(label, hint, &now);
-    return false;
-  }
-  std::string left = text;
-  const bool is_left = left_with_another(label, left, [&](std::string& now) {
-    ImGui::InputTextWithHint(label, hint, &now);
-    return now != text;
-  });
-  // Esc would leave what was refused, from which the editing began.
-  if (!is_left || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) return false;
-  text = std::move(left);
-  return true;
+  return text_field(label, hint, text, ImGuiInputTextFlags_None);
 }
 
-bool number_field(const char* label, double& value, const char* format, std::string& refusal) {
+bool number_field(const char* label, double& value, const char* format) {
+  return number_field(label, value, format, [](double) { return std::nullopt; });
+}
+
+bool number_field(const char* label, double& value, const char* format,
+                  const std::function<std::optional<std::string>(double)>& fault) {
   constexpr std::size_t kLongest = 64;
   std::array<char, kLongest> shown{};
   std::snprintf(shown.data(), shown.size(), format, value);
-  std::string text = shown.data();
-  if (!formula_field(label, "", text)) {
-    if (ImGui::IsItemDeactivated()) refusal.clear();
-    return false;
-  }
-  const auto number = number_of(text);
-  if (!number) {
-    refusal = number.error().message();
-    stay_in_field(text);
-    return false;
-  }
-  refusal.clear();
-  value = *number;
+  const std::string unit = unit_in(format);
+  return value_field(label, value, shown.data(), [&](const std::string& text) -> Expected<double> {
+    const auto number = typed_number(text, unit);
+    if (!number) return number;
+    if (const auto words = fault(*number)) return std::unexpected(Error{ErrorCode::bad_input, *words});
+    return number;
+  });
+}
+
+bool number_field(const char* label, std::uint64_t& value) {
+  return value_field(label, value, std::to_string(value), typed_count);
+}
+
+bool number_field(const char* label, int& value) {
+  std::uint64_t count = value < 0 ? 0U : static_cast<std::uint64_t>(value);
+  if (!value_field(label, count, std::to_string(value), typed_count)) return false;
+  value = static_cast<int>(std::min<std::uint64_t>(count, std::numeric_limits<int>::max()));
   return true;
+}
+
+const std::string& refused_number() {
+  static const std::string none;
+  const int frame = ImGui::GetFrameCount();
+  return complaint().field != 0 && complaint().frame >= frame - 1 ? complaint().reason : none;
 }
 
 void stay_in_field(const std::string& typed) {

@@ -3,18 +3,28 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <optional>
 #include <string>
 
 namespace mes {
 
-/// Returns true, once, when the field was left with another finite number, which `value` then is. Enter, Tab and a
-/// click elsewhere leave it; Esc restores the old number. Threads: the window's.
+/// An expression such as 2/3 or sqrt(2) can be typed for the number, with the unit of the format or without.
+///
+/// Returns true, once, when the field was left with another number, which `value` then is. Enter, Tab and a click
+/// elsewhere leave it; Esc restores the old number. What has no value is refused, and why is said at the field: if Enter
+/// left it, it has the keyboard again (`stay_in_field`), and what is said is about the text as it is being corrected;
+/// otherwise the old number is back, and it is said until something is pressed. Threads: the window's.
 bool number_field(const char* label, double& value, const char* format);
+/// The same, and refused is also what `fault` has words for.
+bool number_field(const char* label, double& value, const char* format,
+                  const std::function<std::optional<std::string>(double)>& fault);
+/// For whole numbers from 0 on.
 bool number_field(const char* label, std::uint64_t& value);
-/// The same, and an expression such as 2/3 or sqrt(2) can be typed for the number. `refusal` is why what was typed last
-/// is refused, until such a field is left again; the field has the keyboard again if Enter left it (`stay_in_field`).
-bool number_field(const char* label, double& value, const char* format, std::string& refusal);
-/// The same for a formula, which is text here.
+bool number_field(const char* label, int& value);
+/// What is said at a number field now; empty if nothing is.
+const std::string& refused_number();
+/// For a formula, which is text here; it is left as a number is.
 bool formula_field(const char* label, const char* hint, std::string& text);
 /// The same for a number that a formula can be typed for; `text` is what it shows, with all digits. Where these have no
 /// room, a field that is neither edited nor pointed at shows as many as have, and the exponent.

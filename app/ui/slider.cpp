@@ -55,9 +55,7 @@ bool slider(const Gui& gui, const char* label, double& value, double low, double
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(kField * gui.unit());
   double typed = value;
-  if (look.refusal == nullptr ? number_field("##number", typed, look.format)
-                              : number_field("##number", typed, look.format, *look.refusal))
-    value = typed;
+  if (number_field("##number", typed, look.format)) value = typed;
   const std::string_view text(label);
   if (const std::string_view words = text.substr(0, text.find("##")); !words.empty()) {
     ImGui::SameLine(0, gap);

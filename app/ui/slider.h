@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 
 #include "app/ui/gui.h"
 
@@ -19,8 +18,7 @@ struct SliderLook {
     double low;
     double high;
   };
-  std::optional<Range> typed{};    ///< what the number may be, where that is more than the slider has
-  std::string* refusal = nullptr;  ///< if given, expressions can be typed, and this says why one is refused
+  std::optional<Range> typed{};  ///< what the number may be, where that is more than the slider has
 };
 
 /// How wide the slider itself is, of a slider that is `width` wide with its number.

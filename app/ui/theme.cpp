@@ -139,6 +139,7 @@ void apply_theme(ImGuiStyle& style, const ThemeColors& theme, float scale) {
   colors[ImGuiCol_CheckMark] = color(theme.accent);
   colors[ImGuiCol_SliderGrab] = color(theme.grab);
   colors[ImGuiCol_SliderGrabActive] = color(theme.grab_active);
+  colors[ImGuiCol_PlotLinesHovered] = color(theme.warning);  // of refused numbers; no lines are plotted
   colors[ImGuiCol_PlotHistogram] = color(theme.accent);
   colors[ImGuiCol_TextSelectedBg] = color(theme.accent_soft);
   colors[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
