@@ -287,7 +287,7 @@ constexpr auto kHelpRows = std::to_array<Row>({
     {Id::toggle_lesson, "toggle-lesson", "Steps of the lesson",
      "Show or hide the panel in which a lesson is made: its steps, their order and their captions"},
     {Id::mark_step, "mark-step", "Mark a step",
-     "Make what is shown now a step of the lesson, after the one that was marked or chosen last"},
+     "Make a step of the lesson of what is shown now, after the chosen one, or the last one if none is chosen"},
     {Id::present_lesson, "present-lesson", "Present the lesson",
      "Show the steps of the lesson that the session holds, one after the other by the Page keys, with the samples to "
      "be "

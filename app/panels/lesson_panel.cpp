@@ -59,10 +59,10 @@ void LessonPanel::draw() {
 
 void LessonPanel::draw_head() {
   const float unit = gui_.unit();
-  ImGui::BeginDisabled(!desk_.can_mark());
-  if (ImGui::Button("Mark a step")) desk_.mark();
+  ImGui::BeginDisabled(!actions_.is_enabled(ActionId::mark_step));
+  if (ImGui::Button("Mark a step")) actions_.run(ActionId::mark_step);
   ImGui::EndDisabled();
-  tooltip(gui_, "Make a step of what is shown now, after the chosen one");
+  tooltip(gui_, actions_.tooltip_of(ActionId::mark_step));
   ImGui::SameLine(0, 4 * unit);
   ImGui::BeginDisabled(!actions_.is_enabled(ActionId::present_lesson));
   if (ImGui::Button("Present")) actions_.run(ActionId::present_lesson);
