@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <numeric>
 
@@ -129,9 +128,16 @@ Expected<std::pair<std::size_t, double>> parse_setting(const std::string& settin
   const auto index = static_cast<std::size_t>(found - names.begin());
   const ParameterDescriptor& parameter = parameters[index];
   const auto value = parse_number(text);
+  const auto expected = [&] {
+    std::string out = fmt::format("{} {} expects a {} from ", option, printable(name),
+                                  parameter.is_whole ? "whole number" : "number");
+    append_number(out, parameter.low);
+    out += " to ";
+    append_number(out, parameter.high);
+    return usage_error(out + ", not " + in_quotes(text));
+  };
+  if (parameter.is_whole && (!value || *value != std::floor(*value))) return expected();
   if (!value) return usage_error(fmt::format("{} {}: {}", option, printable(name), describe(value.error(), text)));
-  if (parameter.is_whole && *value != std::floor(*value))
-    return usage_error(fmt::format("{} {}: {} is not a whole number", option, printable(name), in_quotes(text)));
   const bool is_outside = *value < parameter.low || *value > parameter.high;
   if (is_outside && parameter.is_limit) {
     const double end = *value < parameter.low ? parameter.low : parameter.high;
@@ -142,13 +148,7 @@ Expected<std::pair<std::size_t, double>> parse_setting(const std::string& settin
                       *value < parameter.low ? "below" : "above", text_of_end));
     return std::pair{index, end};
   }
-  if (is_outside) {
-    std::string range = fmt::format("{} {}: {} is not between ", option, printable(name), in_quotes(text));
-    append_number(range, parameter.low);
-    range += " and ";
-    append_number(range, parameter.high);
-    return usage_error(std::move(range));
-  }
+  if (is_outside) return expected();
   return std::pair{index, *value};
 }
 
@@ -159,11 +159,13 @@ Expected<EvolutionIndex> select_evolution(const std::string& id) {
   return usage_error(fmt::format("unknown evolution {}; it is one of {}", in_quotes(id), one_of(ids)));
 }
 
-Expected<std::uint64_t> whole_number(std::string_view what, const std::string& text) {
-  std::uint64_t value = 0;
-  const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (fault == std::errc() && end == text.data() + text.size()) return value;
-  return usage_error(fmt::format("{}: {} is not a whole number from 0 to 2^64 - 1", what, in_quotes(text)));
+Expected<std::uint64_t> whole_number(std::string_view what, const std::string& text, std::uint64_t least,
+                                     std::uint64_t most) {
+  const auto value = parse_count(text);
+  if (value && *value >= least && *value <= most) return *value;
+  const bool is_any = most == std::numeric_limits<std::uint64_t>::max();
+  return usage_error(fmt::format("{} expects a whole number from {} to {}, not {}", what, least,
+                                 is_any ? "2^64 - 1" : std::to_string(most), in_quotes(text)));
 }
 
 Expected<ComputationSettings> settings_of(const Source& source, bool is_quiet) {

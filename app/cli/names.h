@@ -2,6 +2,8 @@
 // Public names as users type them: lists of layers, number types, parameters.
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <span>
 #include <string>
 #include <string_view>
@@ -43,8 +45,9 @@ Expected<std::pair<std::size_t, double>> parse_setting(const std::string& settin
 Expected<EvolutionIndex> select_evolution(const std::string& id);
 Expected<Precision> select_precision(const std::string& id);
 
-/// From 0 to 2^64 - 1. Error: `usage`, with what was to be given.
-Expected<std::uint64_t> whole_number(std::string_view what, const std::string& text);
+/// Error: `usage`, "WHAT expects a whole number from LEAST to MOST, not ...".
+Expected<std::uint64_t> whole_number(std::string_view what, const std::string& text, std::uint64_t least = 0,
+                                     std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
 /// Number type and parameters as asked for. Error: `usage`, naming what there is. Remarks are made unless `is_quiet`.
 Expected<ComputationSettings> settings_of(const Source& source, bool is_quiet = false);

@@ -19,7 +19,7 @@ Expected<double> epsilon_of(const ResampleRequest& request) {
   const auto number = parse_number(request.epsilon);
   if (!number || !(*number > 0.0) || !(*number <= 1.0))
     return usage_error(
-        fmt::format("--epsilon: {} is not a number above 0 and at most 1", in_quotes(request.epsilon)));
+        fmt::format("--epsilon expects a number above 0 and at most 1, not {}", in_quotes(request.epsilon)));
   return *number;
 }
 

@@ -63,7 +63,7 @@ Expected<SamplingRequest> sampling_of(const SampleRequest& request) {
   SamplingRequest out{.rule = *rule, .count = kUsualSamples};
   if (*rule == SamplingRule::adaptive) out.least_each = 8;
   if (!request.samples.empty()) {
-    const auto samples = whole_number("--samples", request.samples);
+    const auto samples = whole_number("--samples", request.samples, 1, out.most);
     if (!samples) return std::unexpected(samples.error());
     out.count = static_cast<std::size_t>(*samples);
   }

@@ -18,7 +18,7 @@ Expected<ShapeSampling> parse_sampling(const std::string& samples, const std::st
                                        const std::string& jitter, const std::string& seed) {
   ShapeSampling out;
   if (!samples.empty()) {
-    const auto count = whole_number("--samples", samples);
+    const auto count = whole_number("--samples", samples, 1, kMostShapeSamples);
     if (!count) return std::unexpected(count.error());
     out.samples = static_cast<std::size_t>(*count);
   }

@@ -25,11 +25,8 @@ Expected<ParameterAnimation> range_of(const SweepRequest& request) {
   if (!from) return std::unexpected(from.error());
   const auto to = parse_setting(name + request.parameter.substr(dots + 2), parameter_descriptors(), "--parameter");
   if (!to) return std::unexpected(to.error());
-  const auto steps = whole_number("--steps", request.steps);
+  const auto steps = whole_number("--steps", request.steps, 1, ParameterAnimation::kMostSteps);
   if (!steps) return std::unexpected(steps.error());
-  if (*steps < 1 || *steps > ParameterAnimation::kMostSteps)
-    return usage_error(fmt::format("--steps: {} is not between 1 and {}", in_quotes(request.steps),
-                                   int{ParameterAnimation::kMostSteps}));
   ParameterAnimation out;
   out.parameter = static_cast<Parameter>(from->first);
   out.from = from->second;

@@ -136,3 +136,32 @@ TEST_CASE("a style that makes no sense is refused with what there is") {
   refused("curv:flat=on", {"unknown layer", "curve"});
   refused("voronoi:flat=on", {"voronoi, which is not drawn"});
 }
+
+TEST_CASE("a count that is refused is refused in the same words, whatever is wrong with it") {
+  const std::vector<std::string> never{"-3", "2.5", "1e3", "x", "+4", " 5", "18446744073709551616", "nan"};
+  std::vector<std::string> from_one = never;
+  from_one.emplace_back("0");
+  const auto sweep = [](const std::string& steps) {
+    return std::vector<std::string>{"sweep", kDude, "--parameter", "a-scale=1..2", "--steps", steps};
+  };
+  const auto refused = [](const std::vector<std::string>& arguments, const std::string& what,
+                          const std::string& value) {
+    require_usage_error(arguments, {"mesecina: " + what + ", not \"" + value + "\"\n"});
+  };
+  for (const std::string& bad : from_one) {
+    refused(sweep(bad), "--steps expects a whole number from 1 to 100000", bad);
+    refused({"shape", "circle", "--samples", bad}, "--samples expects a whole number from 1 to 10000000", bad);
+    refused({"text", "a", "--samples", bad}, "--samples expects a whole number from 1 to 10000000", bad);
+    refused({"sample", "tests/data/does-not-matter.svg", "--samples", bad},
+            "--samples expects a whole number from 1 to 10000000", bad);
+  }
+  refused(sweep("100001"), "--steps expects a whole number from 1 to 100000", "100001");
+  for (const std::string& bad : never) {
+    refused({"evolve", kDude, "--evolution", "smooth", "--steps", bad},
+            "--steps expects a whole number from 0 to 2^64 - 1", bad);
+    refused({"shape", "circle", "--seed", bad}, "--seed expects a whole number from 0 to 2^64 - 1", bad);
+  }
+  for (const char* bad : {"-3", "1", "2.5", "x", "10001", "nan"})
+    refused({"shape", "gear", "--set", std::string("teeth=") + bad},
+            "--set teeth expects a whole number from 2 to 10000", bad);
+}

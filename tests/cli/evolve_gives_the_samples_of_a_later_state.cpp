@@ -54,9 +54,10 @@ TEST_CASE("an evolution that makes no sense is refused in one line that names wh
     return result.err;
   };
   CHECK_THAT(fault({"--evolution", "smoth", "--steps", "1"}), Catch::Contains("smooth, subdivide, noise,"));
-  CHECK_THAT(fault({"--evolution", "smooth", "--steps", "-1"}), Catch::Contains("not a whole number"));
+  CHECK_THAT(fault({"--evolution", "smooth", "--steps", "-1"}),
+             Catch::Contains("--steps expects a whole number from 0 to 2^64 - 1, not \"-1\""));
   CHECK_THAT(fault({"--evolution", "smooth", "--steps", "1", "--set", "smooth-mu=2"}),
-             Catch::Contains("not between 0.001 and 1"));
+             Catch::Contains("--set smooth-mu expects a number from 0.001 to 1, not \"2\""));
   CHECK_THAT(fault({"--evolution", "smooth", "--steps", "1", "--set", "noise-factor=2"}),
              Catch::Contains("unknown parameter"));
   CHECK_THAT(fault({"--evolution", "a-growing", "--steps", "1"}), Catch::Contains("the parameter a-scale"));

@@ -54,15 +54,15 @@ TEST_CASE("wishes that make no sense end the command in one line") {
            {{"stra"}, 2, "there is no shape \"stra\"; did you mean star"},
            {{"star", "--set", "foo=1"}, 2, "--set: star has no parameter \"foo\" (mesecina list shapes)"},
            {{"cocircular", "--set", "r=1"}, 2, "--set: cocircular has no parameter \"r\""},
-           {{"star", "--set", "points=1"}, 2, "--set points: \"1\" is not between 2 and 10000"},
+           {{"star", "--set", "points=1"}, 2, "--set points expects a whole number from 2 to 10000, not \"1\""},
            {{"star", "--set", "inner=3"}, 2, "inner must be less than outer"},
            {{"polar", "--set", "r=1 +"}, 2, "the formula of r: "},
            {{"polar", "--set", "r=1/(t - t)"}, 3, "the formula gives no finite number at t = 0"},
-           {{"circle", "--samples", "0"}, 2, "the number of samples must be from 1 to 10000000"},
+           {{"circle", "--samples", "0"}, 2, "--samples expects a whole number from 1 to 10000000, not \"0\""},
            {{"circle", "--spacing", "x"}, 2, "--spacing expects a number"},
            {{"circle", "--spacing", "1e-9"}, 3, "the curves would have"},
            {{"uniform", "--spacing", "1"}, 2, "uniform has no curve"},
-           {{"circle", "--seed", "-1"}, 2, "--seed: \"-1\" is not a whole number"}}) {
+           {{"circle", "--seed", "-1"}, 2, "--seed expects a whole number from 0 to 2^64 - 1, not \"-1\""}}) {
     std::vector<std::string> arguments{"shape"};
     arguments.insert(arguments.end(), test.arguments.begin(), test.arguments.end());
     const RunResult result = run(arguments);

@@ -51,19 +51,19 @@ TEST_CASE("fonts that are not there and characters without a glyph end in one li
     int exit_code;
     std::string says;
   };
-  for (const Case& test :
-       std::vector<Case>{{{"a", "--font", "No Such Font"}, 2, "there is no font \"No Such Font\""},
-                         {{"a", "--font", "./nowhere.otf"}, 2, "the font file \"./nowhere.otf\" does not exist"},
-                         {{"a", "--font", "tests/data/balls.wpoff"},
-                          3,
-                          "tests/data/balls.wpoff: this is not a TrueType or OpenType font"},
-                         {{"\xE5\xAD\x97"}, 3, "Inter has no glyph for \"\xE5\xAD\x97\" (U+5B57)"},
-                         {{" "}, 3, "nothing of this text is drawn"},
-                         {{"a", "--size", "0"}, 2, "the size of a text is a positive number"},
-                         {{"a", "--size", "big"}, 2, "--size expects a number, not \"big\""},
-                         {{"a", "--line-spacing=-1"}, 2, "the distance of lines is a number from 0 to 1000"},
-                         {{"a", "--samples", "0"}, 2, "the number of samples must be from 1 to 10000000"},
-                         {{}, 2, "TEXT is required"}}) {
+  for (const Case& test : std::vector<Case>{
+           {{"a", "--font", "No Such Font"}, 2, "there is no font \"No Such Font\""},
+           {{"a", "--font", "./nowhere.otf"}, 2, "the font file \"./nowhere.otf\" does not exist"},
+           {{"a", "--font", "tests/data/balls.wpoff"},
+            3,
+            "tests/data/balls.wpoff: this is not a TrueType or OpenType font"},
+           {{"\xE5\xAD\x97"}, 3, "Inter has no glyph for \"\xE5\xAD\x97\" (U+5B57)"},
+           {{" "}, 3, "nothing of this text is drawn"},
+           {{"a", "--size", "0"}, 2, "the size of a text is a positive number"},
+           {{"a", "--size", "big"}, 2, "--size expects a number, not \"big\""},
+           {{"a", "--line-spacing=-1"}, 2, "the distance of lines is a number from 0 to 1000"},
+           {{"a", "--samples", "0"}, 2, "--samples expects a whole number from 1 to 10000000, not \"0\""},
+           {{}, 2, "TEXT is required"}}) {
     std::vector<std::string> arguments = test.arguments;
     arguments.insert(arguments.begin(), "text");
     const RunResult result = run(arguments);
