@@ -243,9 +243,44 @@ TEST_CASE("balls along the axis of a union that are only shown are bounded, too,
   ABallSampling widest(own.settings, set.get<AUnion>(), 10);
   widest.rebuild(own.job);
   CHECK(tolerance_of(widest) > last);
-  CHECK_FALSE(wider_tolerance(tolerance_of(widest), 150.0).has_value());
+  CHECK_FALSE(wider_tolerance(BallHalving(179.9, 0.0, false, tolerance_of(widest)), 150.0).has_value());
   CHECK(widest.medial().count() > t.node_count() / 4);
   CHECK(widest.medial().count() < medial / 4);
+}
+
+TEST_CASE("where circles may cross at 120 degrees anyhow no tolerance is tried, and nothing is said") {
+  Workbench bench;
+  bench.show({"a-ball-medial-axis"});
+  bench.replace(noise(600, 100.0, 3));
+  const StructureSet& set = bench.graph().structures();
+  for (const double angle : {90.0, 120.0}) {
+    INFO(angle);
+    OwnSettings own(dense(1.0, angle));
+    ABallSampling whole(own.settings, set.get<AUnion>());
+    whole.rebuild(own.job);
+    ABallSampling most(own.settings, set.get<AUnion>(), 10);
+    most.rebuild(own.job);
+    REQUIRE(whole.medial().count() > 10 + set.get<AUnion>().tables().node_count() / 4);
+    CHECK(most.medial().count() == whole.medial().count());
+    CHECK(most.convex().count() == whole.convex().count());
+    CHECK(tolerance_of(most) == 0.0);
+    std::vector<Finding> findings;
+    most.find(findings);
+    CHECK(findings.empty());
+    // One look at the work after the other: what was made is thrown away once, not with each tolerance.
+    const auto looks_of = [&](ABallSampling& sampling) {
+      for (std::int64_t look = 1;; ++look) {
+        JobControl job;
+        job.stop_at_look(look);
+        try {
+          sampling.rebuild(job);
+          return look;
+        } catch (const Cancelled&) {
+        }
+      }
+    };
+    CHECK(looks_of(most) <= 2 * looks_of(whole));
+  }
 }
 
 TEST_CASE("sampled balls are followed up to the bound, and made anew with a tolerance beyond it") {
@@ -297,13 +332,19 @@ TEST_CASE("sampled balls are followed up to the bound, and made anew with a tole
 }
 
 TEST_CASE("balls that no tolerance makes few enough are refused in one line") {
-  CHECK(next_tolerance(0.0, 1.0) == 0x1p-29);
-  CHECK(next_tolerance(0x1p-29, 1.0) == 0x1p-27);
-  CHECK(next_tolerance(0x1p-13, 1.0) == 0x1p-11);
+  const auto with = [](double tolerance, double angle = 179.9) { return BallHalving(angle, 0.0, false, tolerance); };
+  CHECK(next_tolerance(with(0.0), 1.0) == 0x1p-29);
+  CHECK(next_tolerance(with(0.0, 120.1), 1.0) == 0x1p-29);
+  CHECK(next_tolerance(with(0x1p-29), 1.0) == 0x1p-27);
+  CHECK(next_tolerance(with(0x1p-13), 1.0) == 0x1p-11);
+  for (const double angle : {90.0, 119.9, 120.0}) {
+    CHECK_FALSE(wider_tolerance(with(0.0, angle), 1.0).has_value());
+    CHECK_THROWS_AS(next_tolerance(with(0.0, angle), 1.0), SizeRefusal);
+  }
   for (const double diameter : {0.0, 1.0, std::numeric_limits<double>::infinity(), std::nan("")}) {
     INFO(diameter);
     try {
-      next_tolerance(diameter == 1.0 ? 0x1p-11 : 0.0, diameter);
+      next_tolerance(with(diameter == 1.0 ? 0x1p-11 : 0.0), diameter);
       FAIL("not refused");
     } catch (const SizeRefusal& error) {
       const std::string text = error.what();

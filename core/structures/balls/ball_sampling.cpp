@@ -205,10 +205,9 @@ void BallSampling::rebuild(JobControl& job) {
   is_bounded_ = true;
   halving_ = BallHalving(made_with_, shortest_, is_for_growing());
   while (!fill(job)) {
-    const double before = halving_.tolerance();
     const double size = diameter_of_shape();
-    is_bounded_ = is_for_growing() || wider_tolerance(before, size);
-    const double tolerance = is_bounded_ ? next_tolerance(before, size) : before;
+    is_bounded_ = is_for_growing() || wider_tolerance(halving_, size);
+    const double tolerance = is_bounded_ ? next_tolerance(halving_, size) : halving_.tolerance();
     halving_ = BallHalving(made_with_, shortest_, is_for_growing(), tolerance);
   }
 }

@@ -21,7 +21,7 @@ namespace mes {
 ///     diameter, or twenty times.
 ///  4. There are at most `kMostBallsBetween` inside pieces, and as many inside edges. If these were more, neighbours may
 ///     cross at 120 degrees where the dents between them are no deeper than a *tolerance*, the least that suffices, or the
-///     largest of `wider_tolerance` if none does. `findings` says so.
+///     largest of `wider_tolerance` if none does. `findings` says so. At 120 degrees or less there are as many as it takes.
 ///
 /// For display and for growing: radii and decisions are those of doubles. The samples of a piece depend on that piece
 /// only, so updates of the union are followed locally; a diameter that doubles asks for a rebuild, and so does every change
@@ -98,7 +98,7 @@ class BallSampling : public Structure {
   const SettingsSource& settings_;
   const BallUnion& union_;
   std::size_t most_between_;
-  bool is_bounded_ = true;  ///< false: no tolerance suffices
+  bool is_bounded_ = true;  ///< false: no tolerance suffices, or none is of use
   double made_with_ = 0.0;
   double shortest_ = 0.0;
   BallHalving halving_;

@@ -132,8 +132,7 @@ void AxisSampling::rebuild(JobControl& job) {
   between_.reset();
   if (made_with_.angle == kNone) return;
   halving_ = BallHalving(made_with_.angle);
-  while (!fill(job))
-    halving_ = BallHalving(made_with_.angle, 0.0, false, next_tolerance(halving_.tolerance(), diameter()));
+  while (!fill(job)) halving_ = BallHalving(made_with_.angle, 0.0, false, next_tolerance(halving_, diameter()));
 }
 
 bool AxisSampling::update(JobControl&) {

@@ -7,15 +7,17 @@
 
 namespace mes {
 
-std::optional<double> wider_tolerance(double tolerance, double diameter) {
+std::optional<double> wider_tolerance(const BallHalving& halving, double diameter) {
+  if (!halving.has_use_for_tolerance()) return std::nullopt;
+  const double tolerance = halving.tolerance();
   const double largest = std::ldexp(diameter, -11);
   const double next = tolerance == 0.0 ? std::ldexp(diameter, -29) : 4.0 * tolerance;
   if (std::isnormal(next) && next <= largest) return next;
   return std::nullopt;
 }
 
-double next_tolerance(double tolerance, double diameter) {
-  if (const auto next = wider_tolerance(tolerance, diameter)) return *next;
+double next_tolerance(const BallHalving& halving, double diameter) {
+  if (const auto next = wider_tolerance(halving, diameter)) return *next;
   throw SizeRefusal(fmt::format(
       "it takes more than {} balls along the axis; a smaller medial-sampling-angle takes fewer, and below 1 "
       "a larger scale-axis-factor",

@@ -29,6 +29,8 @@ class BallHalving {
         tolerance_(tolerance) {}
 
   double tolerance() const { return tolerance_; }
+  /// At 120 degrees or less it changes nothing.
+  bool has_use_for_tolerance() const { return least_cosine_ > kLeastCosine + kRounding; }
   /// The largest distance at which balls of that radius are near.
   double widest(double radius) const {
     const double of_short_parts = has_to_meet_ ? std::min(shortest_, 2.0 * radius) : shortest_;
@@ -56,6 +58,7 @@ class BallHalving {
  private:
   static constexpr int kMostHalvings = 20;
   static constexpr double kLeastCosine = 0.5;  // of 60 degrees
+  static constexpr double kRounding = 1e-15;
 
   /// Of the angle that radii enclose at the crossing; `radius` is the larger one.
   double least_cosine(double radius) const {
@@ -87,10 +90,10 @@ class BallHalving {
 inline constexpr std::size_t kMostBallsBetween = 500'000;
 
 /// The tolerance after one with which there are more: none, 2^-29 of the diameter of the samples, or of own balls, four times
-/// that, and so on up to 2^-11, half a pixel of a picture with a thousand. Nothing after that.
-std::optional<double> wider_tolerance(double tolerance, double diameter);
+/// that, and so on up to 2^-11, half a pixel of a picture with a thousand. Nothing after that, nor where none is of use.
+std::optional<double> wider_tolerance(const BallHalving& halving, double diameter);
 /// The same; throws `SizeRefusal` where there is none.
-double next_tolerance(double tolerance, double diameter);
+double next_tolerance(const BallHalving& halving, double diameter);
 /// Says that balls were made with a tolerance, if it is not 0.
 void find_tolerance(std::string_view structure, double tolerance, std::size_t balls, std::vector<Finding>& out);
 
