@@ -88,6 +88,16 @@ void check_against_fresh(const Workbench& bench) {
   Workbench fresh;
   show_density(fresh);
   fresh.replace(reversed);
+  // Also where several edges have the largest epsilon.
+  std::vector<Finding> findings;
+  std::vector<Finding> expected;
+  bench.get<FeatureSize>().find(findings);
+  fresh.get<FeatureSize>().find(expected);
+  REQUIRE(findings.size() == expected.size());
+  for (std::size_t i = 0; i < findings.size(); ++i) {
+    REQUIRE(findings[i].summary == expected[i].summary);
+    REQUIRE(findings[i].places == expected[i].places);
+  }
   for (const std::string_view layer : {"feature-size", "sampling-epsilon"}) {
     INFO(layer);
     REQUIRE(bench.mirror().digest(find_layer(layer)) == fresh.mirror().digest(find_layer(layer)));

@@ -54,11 +54,25 @@ EdgeSlot FeatureSize::sparsest_edge() const {
   EdgeSlot out{};
   double most = -1.0;
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
-    if (!has_epsilon(edge) || !(epsilon(edge) > most)) continue;
-    most = epsilon(edge);
+    if (!has_epsilon(edge)) continue;
+    const double now = epsilon(edge);
+    if (!(now > most) && !(now == most && is_first(edge, out))) continue;
+    most = now;
     out = edge;
   }
   return out;
+}
+
+// By the lesser ends, and then by the greater ones.
+bool FeatureSize::is_first(EdgeSlot a, EdgeSlot b) const {
+  const auto key = [this](EdgeSlot edge) {
+    const EdgeRow& row = delaunay_.edge(edge);
+    const Vec2 p = delaunay_.site_position(row.v[0]);
+    const Vec2 q = delaunay_.site_position(row.v[1]);
+    const std::pair ends(std::array{p.x, p.y}, std::array{q.x, q.y});
+    return ends.first < ends.second ? ends : std::pair(ends.second, ends.first);
+  };
+  return key(a) < key(b);
 }
 
 // Coordinates have exponents of 500 in either direction, and squares of distances must not leave the range of doubles.
@@ -262,7 +276,9 @@ void FeatureSize::get_ready_to_update(JobControl& job) {
   job.checkpoint();
   make_ball_tree();
   job.checkpoint();
-  epsilons_.build(delaunay_.edge_rows(), [this](EdgeSlot edge) { return epsilon_or_none(edge); });
+  epsilons_.build(
+      delaunay_.edge_rows(), [this](EdgeSlot edge) { return epsilon_or_none(edge); },
+      [this](EdgeSlot a, EdgeSlot b) { return is_first(a, b); });
   is_ready_ = true;
 }
 
@@ -383,8 +399,11 @@ void FeatureSize::finish_changes() {
       if (crust_.is_crust(edge)) edge_recorder_.note(edge, true);
     });
   edge_recorder_.finish(edge_changes_, [this](EdgeSlot edge) { return delaunay_.edge(edge).is_alive(); });
-  for (const auto* edges : {&edge_changes_.removed, &edge_changes_.touched})
-    for (const EdgeSlot edge : *edges) epsilons_.set(edge, epsilon_or_none(edge));
+  std::vector<EdgeSlot> changed = edge_changes_.removed;
+  changed.insert(changed.end(), edge_changes_.touched.begin(), edge_changes_.touched.end());
+  epsilons_.set_all(
+      changed, [this](EdgeSlot edge) { return epsilon_or_none(edge); },
+      [this](EdgeSlot a, EdgeSlot b) { return is_first(a, b); });
 }
 
 double FeatureSize::epsilon_or_none(EdgeSlot edge) const {

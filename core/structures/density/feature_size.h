@@ -48,8 +48,8 @@ class FeatureSize final : public Structure {
   /// The crust edge has an epsilon: both its ends have a size.
   bool has_epsilon(EdgeSlot edge) const;
   double epsilon(EdgeSlot edge) const;
-  /// An edge with the largest epsilon, of several any; kNoSlot if none has one. O(log edges) once updates have begun,
-  /// before O(edges).
+  /// The edge with the largest epsilon, of several the first by the places of its ends; kNoSlot if none has one. O(1) once
+  /// updates have begun, before O(edges).
   EdgeSlot sparsest_edge() const;
 
   /// Sites that came, moved or went, or whose size differs from before.
@@ -72,6 +72,7 @@ class FeatureSize final : public Structure {
   };
 
   double epsilon_or_none(EdgeSlot edge) const;
+  bool is_first(EdgeSlot a, EdgeSlot b) const;
   bool is_axis(EdgeSlot edge) const { return delaunay_.edge(edge).is_alive() && !crust_.is_crust(edge); }
   Vec2 place_of(SiteSlot site) const {
     const Vec2 at = delaunay_.site_position(site);
