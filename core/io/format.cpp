@@ -117,7 +117,9 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
     if (looks_like_manifest(bytes))
       return bad_input("this is a manifest of frames that carries no session, not a text of samples", name, 1, 1);
     if (looks_like_bundles(bytes)) return bad_input("these are bundles of layers, not samples", name, 1, 1);
-    if (const std::string_view kind = foreign_kind(bytes); !kind.empty() && !is_known_all_the_same(bytes))
+    const std::string_view kind = foreign_kind(bytes);
+    if (kind == kUtf16Text) return bad_input("this is UTF-16 text, which must be saved as UTF-8", name, 1, 1);
+    if (!kind.empty() && !is_known_all_the_same(bytes))
       return bad_input("this is " + std::string(kind) + (may_carry_session(bytes) ? " that carries no session" : "") +
                            ", not a text of samples",
                        name, 1, 1);

@@ -132,6 +132,7 @@ class Values {
   void set_place(std::string_view element, std::uint64_t index) {
     element_ = element;
     index_ = index;
+    fault_.reset();
     begin_ = size_ - bytes_.size();
     if (encoding_ != Encoding::text) job_.passed(bytes_.data());
   }
@@ -157,11 +158,21 @@ class Values {
     return 0.0;
   }
 
+  /// Of a text, a remark if there is more of it; after all elements.
+  std::optional<std::string> remark_on_rest() {
+    if (encoding_ != Encoding::text || (word_ >= lines_.count() && !next_line())) return std::nullopt;
+    return lines_.remark(word_, "everything after the announced elements is ignored");
+  }
+
   /// In text at the value that was read last, in bytes at the next one.
   std::unexpected<Error> refuse(std::string text) const { return refuse_at(size_ - bytes_.size(), std::move(text)); }
   /// In bytes where the element begins.
   std::unexpected<Error> refuse_value(const std::string& text) const {
     return refuse_at(begin_, fmt::format("{} {}: {}", printable(element_), index_, text));
+  }
+  /// The same; of a text, a value that is not finite is refused at its place and as it stands there.
+  std::unexpected<Error> refuse_value(double value, const std::string& text) const {
+    return !std::isfinite(value) && fault_ ? std::unexpected(*fault_) : refuse_value(text);
   }
 
  private:
@@ -170,10 +181,14 @@ class Values {
     return bad_input(fmt::format("at byte {}: {}", place, text), name_, 0, 0);
   }
 
+  bool next_line() {
+    word_ = 0;
+    return lines_.next();
+  }
+
   Expected<double> next_word() {
     while (word_ >= lines_.count()) {
-      word_ = 0;
-      if (!lines_.next())
+      if (!next_line())
         return lines_.refuse(0, fmt::format("the file ends within {} {}", printable(element_), index_));
     }
     // Numbers that are not finite are judged where their meaning is known.
@@ -181,6 +196,7 @@ class Values {
     const auto value = parse_number(word);
     if (value) return *value;
     if (value.error() == NumberFault::not_a_number) return refuse(describe(value.error(), word));
+    if (!fault_) fault_ = refuse_value(describe(value.error(), word)).error();
     return std::nan("");
   }
 
@@ -201,7 +217,8 @@ class Values {
   std::size_t word_ = 0;
   std::string_view element_;
   std::uint64_t index_ = 0;
-  std::size_t begin_ = 0;  // of the element, in bytes
+  std::size_t begin_ = 0;         // of the element, in bytes
+  std::optional<Error> fault_{};  // of the first value of the element that is not finite, as it stands in the text
 };
 
 class PlyReader {
@@ -221,6 +238,7 @@ class PlyReader {
                                            : skip(element, values);
       if (!done) return std::unexpected(done.error());
     }
+    if (const auto rest = values.remark_on_rest()) remarks_.push_back(*rest);
     if (heights_.differ()) remark(std::string(Heights::kRemark));
     auto file = std::move(graph_).load(name_, job_);
     if (file) file->warnings.insert(file->warnings.end(), remarks_.begin(), remarks_.end());
@@ -272,7 +290,8 @@ class PlyReader {
       });
       if (!done) return done;
       for (const double value : {position.x, position.y}) {
-        if (const auto fault = seen_.fault_of(value)) return values.refuse_value(describe(*fault, value, seen_));
+        if (const auto fault = seen_.fault_of(value))
+          return values.refuse_value(value, describe(*fault, value, seen_));
         seen_.add(value);
       }
       graph_.add_vertex(position);
@@ -283,7 +302,7 @@ class PlyReader {
   Expected<std::uint32_t> vertex(double value, const Values& values) const {
     if (value >= 0.0 && value < static_cast<double>(graph_.vertex_count()) && value == std::floor(value))
       return static_cast<std::uint32_t>(value);
-    return values.refuse_value(fmt::format("there is no vertex {} before it", value));
+    return values.refuse_value(value, fmt::format("there is no vertex {} before it", value));
   }
 
   Expected<void> read_faces(const Element& element, Values& values) {

@@ -203,9 +203,25 @@ std::string_view without_bom(std::string_view bytes) {
   return bytes;
 }
 
+namespace {
+
+/// The letters that samples are written with have a zero byte each.
+bool is_utf16_without_mark(std::string_view bytes) {
+  constexpr std::size_t kLookedAt = 64;
+  const std::string_view beginning = bytes.substr(0, std::min(kLookedAt, bytes.size() & ~std::size_t{1}));
+  const auto is_in_halves = [&](std::size_t low) {
+    for (std::size_t i = 0; i < beginning.size(); ++i)
+      if ((beginning[i] == '\0') != (i % 2 != low)) return false;
+    return true;
+  };
+  return beginning.size() >= 4 && (is_in_halves(0) || is_in_halves(1));
+}
+
+}  // namespace
+
 std::string_view foreign_kind(std::string_view bytes) {
   using Entry = std::pair<std::string_view, std::string_view>;
-  constexpr std::array<Entry, 11> kBeginnings{{{"\x89PNG", "a PNG picture"},
+  constexpr std::array<Entry, 10> kBeginnings{{{"\x89PNG", "a PNG picture"},
                                                {"\xFF\xD8\xFF", "a JPEG picture"},
                                                {"GIF8", "a GIF picture"},
                                                {"%PDF", "a PDF document"},
@@ -215,11 +231,12 @@ std::string_view foreign_kind(std::string_view bytes) {
                                                {"\x7F"
                                                 "ELF",
                                                 "a program"},
-                                               {"\xFF\xFE", "UTF-16 text, which must be saved as UTF-8"},
-                                               {"\xFE\xFF", "UTF-16 text, which must be saved as UTF-8"},
-                                               {"<", "XML"}}};
+                                               {"\xFF\xFE", kUtf16Text},
+                                               {"\xFE\xFF", kUtf16Text}}};
   for (const auto& [beginning, kind] : kBeginnings)
     if (without_bom(bytes).starts_with(beginning)) return kind;
+  if (is_utf16_without_mark(bytes)) return kUtf16Text;
+  if (without_bom(bytes).starts_with('<')) return "XML";
   constexpr std::size_t kLookedAt = 8192;
   if (bytes.substr(0, kLookedAt).contains('\0')) return "binary data";
   return {};

@@ -83,6 +83,8 @@ class Scanner {
 /// The bytes without a UTF-8 byte order mark.
 std::string_view without_bom(std::string_view bytes);
 
+inline constexpr std::string_view kUtf16Text = "UTF-16 text";
+
 /// What the bytes are when they are clearly no text of samples ("a PNG picture", "binary data"); empty otherwise.
 /// Looks at the first few kilobytes only.
 std::string_view foreign_kind(std::string_view bytes);

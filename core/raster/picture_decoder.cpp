@@ -130,7 +130,8 @@ Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::stri
   if (out.height < 0 && out.height > std::numeric_limits<int>::min())
     out.height = -out.height;  // BMP, rows from the top
   const std::string extent = fmt::format("{}x{}", out.width, out.height);
-  if (out.width < 1 || out.height < 1 || out.width > kLongestPictureSide || out.height > kLongestPictureSide ||
+  if (out.width < 1 || out.height < 1) return fail("the picture is broken: it has " + extent + " pixels", name);
+  if (out.width > kLongestPictureSide || out.height > kLongestPictureSide ||
       static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height) > most_pixels)
     return fail("a picture of " + extent + " pixels is too large to trace", name);
   try {

@@ -81,7 +81,11 @@ TEST_CASE("POFF files that are wrong are refused where they are wrong") {
       {"a.poff", "POFF 1 0 0\n1 \xc2\x9b\n", 2, 3, "\\xc2\\x9b"},
       {"a.poff", with_nul("POFF 1 0 0\n1 ", " 2\n"), 1, 1, "binary data"},
       {"a.poff", "GIF89a", 1, 1, "GIF picture"},
-      {"a.poff", "\xff\xfeP\x01O\x01", 1, 1, "UTF-16"},
+      {"a.poff", "\xff\xfeP\x01O\x01", 1, 1, "UTF-16 text, which must be saved as UTF-8"},
+      {"a.poff", std::string("P\0O\0F\0F\0", 8), 1, 1, "UTF-16 text, which must be saved as UTF-8"},
+      {"a.svg", std::string("\0<\0s\0v\0g", 8), 1, 1, "UTF-16 text, which must be saved as UTF-8"},
+      {"a.poff", std::string("\0\0O\0F\0F\0", 8), 1, 1, "binary data"},
+      {"a.poff", std::string(64, '\0'), 1, 1, "binary data"},
   };
   for (const Case& test : cases) require_refusal(test);
 }

@@ -251,7 +251,14 @@ TEST_CASE("PLY files that are wrong are refused where they are wrong") {
   check_refused(head, "5:17: the header has no end");
   check_refused(head + "property quaternion q\n", "6:10: expected a type such as float, found \"quaternion\"");
   check_refused(head + "end_header\n0 0\n1\n", "8:2: the file ends within vertex 1");
-  check_refused(head + "end_header\n0 0\n1 nan\n", "8:3: vertex 1: nan is not a finite number");
+  check_refused(head + "end_header\n0 0\n1 nan\n", "8:3: vertex 1: \"nan\" is not a finite number");
+  check_refused(head + "end_header\n0 0\n1e400 2\n", "8:1: vertex 1: \"1e400\" is too large");
+  check_refused(head + faces + "3 0 1 1e400\n", "11:7: face 0: \"1e400\" is too large");
+  // A line that lacks a number takes one from the next, and then there is more than was announced.
+  CHECK(read_good(head + "end_header\n0 0\n1 1\n7\n").warnings ==
+        std::vector<std::string>{"a:9:1: everything after the announced elements is ignored"});
+  CHECK(read_good(head + "end_header\n0 0\n1 1 7\n").warnings.size() == 1);
+  CHECK(read_good(head + "end_header\n0 0\n1 1\n\n").warnings.empty());
   check_refused(head + faces + "3 0 1 2\n", "11:7: face 0: there is no vertex 2 before it");
   check_refused(head + faces + "4000000000 0 1 2\n", "11:17: the file ends within face 0");
   check_refused(head + faces + "-3 0 1 2\n", "11:1: face 0: a list has no such length");

@@ -182,6 +182,7 @@ TEST_CASE("BMP with less than it announces is refused") {
   CHECK(refusal(bmp(1, 1, 24, 0).substr(0, 30)).starts_with("a: "));
   CHECK(refusal(bmp(30000, 30000, 24, 0)) == kBroken + "the file ends in row 1 of 30000");
   CHECK(refusal(bmp(1, 0x80000000U, 24, 0) + std::string(8, '\0')).starts_with("a: "));
+  CHECK(refusal(bmp(8, 0, 24, 0)) == kBroken + "it has 8x0 pixels");
 }
 
 TEST_CASE("a picture becomes grey by its alpha where that is a silhouette, and by its lightness on white elsewhere") {
