@@ -31,9 +31,10 @@ Expected<void> run_branches(const BranchesRequest& request, Interruption& interr
   JobControl job;
   const auto table = branch_table_of(input->data, *settings, *axis, job);
   if (!table) return std::unexpected(table.error());
-  say(table->branches.empty() ? "no branch: " + table->reason : kept_in_words(*table));
-  return write_output(request.output, branches_as_csv(table->branches), interruption,
-                      {input->sources, request.force});
+  auto done =
+      write_output(request.output, branches_as_csv(table->branches), interruption, {input->sources, request.force});
+  if (done) say(table->branches.empty() ? "no branch: " + table->reason : kept_in_words(*table));
+  return done;
 }
 
 }  // namespace mes::cli

@@ -31,11 +31,14 @@ Expected<void> run_persistence(const PersistenceRequest& request, Interruption& 
   const auto table = persistence_table_of({input->data, *of, *settings}, job);
   if (!table) return std::unexpected(table.error());
   const auto longest = std::ranges::find(table->rows, true, &PersistenceRow::is_hole);
-  say(fmt::format("{} {}, {} {}{}", table->rows.size() - table->closes.size(),
+  const std::string words =
+      fmt::format("{} {}, {} {}{}", table->rows.size() - table->closes.size(),
                   table->rows.size() - table->closes.size() == 1 ? "component" : "components", table->closes.size(),
                   table->closes.size() == 1 ? "hole" : "holes",
-                  longest == table->rows.end() ? std::string() : "; the longest " + in_words(*longest)));
-  return write_output(request.output, persistence_as_csv(*table), interruption, {input->sources, request.force});
+                  longest == table->rows.end() ? std::string() : "; the longest " + in_words(*longest));
+  auto done = write_output(request.output, persistence_as_csv(*table), interruption, {input->sources, request.force});
+  if (done) say(words);
+  return done;
 }
 
 }  // namespace mes::cli

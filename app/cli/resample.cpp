@@ -45,8 +45,9 @@ Expected<void> run_repair(const ResampleRequest& request, Interruption& interrup
   JobControl job;
   const auto repaired = repair(input->data, *epsilon, job);
   if (!repaired) return std::unexpected(repaired.error());
+  if (auto done = write(request, repaired->data, *input, interruption); !done) return done;
   for (const std::string& sentence : repaired->words()) say(sentence);
-  return write(request, repaired->data, *input, interruption);
+  return {};
 }
 
 Expected<void> run_decimate(const ResampleRequest& request, Interruption& interruption) {
@@ -58,8 +59,9 @@ Expected<void> run_decimate(const ResampleRequest& request, Interruption& interr
   JobControl job;
   const auto decimated = decimate(input->data, *epsilon, job);
   if (!decimated) return std::unexpected(decimated.error());
+  if (auto done = write(request, decimated->data, *input, interruption); !done) return done;
   say(decimated->words());
-  return write(request, decimated->data, *input, interruption);
+  return {};
 }
 
 }  // namespace mes::cli

@@ -42,6 +42,18 @@ TEST_CASE("a standard output that takes nothing is exit code 4") {
   }
 }
 
+TEST_CASE("what was found is not said where it cannot be written") {
+  for (const char* command : {"branches", "persistence", "repair", "decimate"}) {
+    INFO(command);
+    const RunResult result = run({command, "assets/shapes/bean.poff", "-o", "/dev/full"});
+    CHECK(result.exit_code == 4);
+    CHECK_THAT(result.err, Catch::StartsWith("mesecina: /dev/full: cannot be written: No space left"));
+    const RunResult good = run({command, "assets/shapes/bean.poff", "-o", "/dev/null"});
+    CHECK(good.exit_code == 0);
+    CHECK_FALSE(good.err.empty());
+  }
+}
+
 TEST_CASE("a reader that has had enough is no failure") {
   const TemporaryFolder folder;
   const std::string errors = (folder / "errors").string();
