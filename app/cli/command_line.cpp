@@ -166,7 +166,43 @@ Expected<void> run_command(const CLI::App& command, const Arguments& arguments) 
   return run_list(arguments.list, interruption);
 }
 
-/// What CLI11 says, in one line and with the way to more.
+/// What is not expected: options that there are not, and words that are too many.
+std::string words_of_extra(const CLI::App& command, std::string_view word) {
+  if (!word.starts_with('-') || word == "-") return "unexpected " + in_quotes(word);
+  word = word.substr(0, word.find('='));
+  std::vector<std::string> options;
+  for (const CLI::Option* const option : command.get_options())
+    for (const std::string& name : option->get_lnames()) options.push_back("--" + name);
+  const std::vector<std::string_view> names(options.begin(), options.end());
+  const std::vector<std::string_view> nearest = nearest_names(word, names);
+  const bool is_near = !nearest.empty() && 3 * edit_distance(word, nearest.front()) <= word.size();
+  return "there is no option " + in_quotes(word) +
+         (is_near ? "; did you mean " + std::string(nearest.front()) + '?' : "");
+}
+
+/// CLI11 has words for programmers.
+std::string words_of(const CLI::App& app, const CLI::ParseError& error) {
+  const std::string text = error.what();
+  const auto chosen = app.get_subcommands();
+  if (dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr)
+    if (const auto extra = app.remaining(true); !extra.empty())
+      return words_of_extra(chosen.empty() ? app : *chosen.front(), extra.front());
+  constexpr std::string_view kMissing = " missing";
+  constexpr std::string_view kRequired = ": 1 required ";
+  constexpr std::string_view kNoFlag = "Could not convert: ";
+  if (const std::size_t at = text.find(kRequired); at != std::string::npos && text.ends_with(kMissing)) {
+    const std::size_t type = at + kRequired.size();
+    return text.substr(0, at) + " expects " + text.substr(type, text.size() - kMissing.size() - type);
+  }
+  if (const std::size_t at = text.find(": At Most 1 required but"); at != std::string::npos)
+    return text.substr(0, at) + " is given more than once";
+  if (const std::size_t at = text.find(" = "); at != std::string::npos && text.starts_with(kNoFlag))
+    return text.substr(kNoFlag.size(), at - kNoFlag.size()) + " expects no value, or true or false, not " +
+           in_quotes(text.substr(at + 3));
+  return text;
+}
+
+/// What is wrong with the words of the command, in one line and with the way to more.
 int refuse(const CLI::App& app, const std::string& text) {
   std::string line = text;
   std::ranges::replace(line, '\n', ' ');
@@ -209,7 +245,7 @@ int run(int argc, const char* const* argv, const OpenWindow& open_window) {
     if (app.get_subcommands().empty())
       if (const auto mistake = mistaken_command(app, app["FILE"]->as<std::vector<std::string>>()))
         return report(*mistake);
-    return refuse(app, error.what());
+    return refuse(app, words_of(app, error));
   }
   if (const auto chosen = app.get_subcommands(); !chosen.empty()) {
     if (!arguments.files.empty()) return refuse(app, "unexpected " + in_quotes(arguments.files.front()));

@@ -233,9 +233,9 @@ void add_stretches(const MeasuredCurve& curve, const PlaneCurve& source,
 
 Expected<void> check_count(double count, const SamplingRequest& request) {
   if (count <= static_cast<double>(request.most)) return {};
-  return refused(
-      ErrorCode::bad_input,
-      fmt::format("the curves would have {:.6g} samples; {} are as many as there may be", count, request.most));
+  const std::string many = std::isfinite(count) ? fmt::format("{:.6g}", count) : "far too many";
+  return refused(ErrorCode::bad_input,
+                 fmt::format("the curves would have {} samples; {} are as many as there may be", many, request.most));
 }
 
 /// Of many polylines, on several threads: all at once, or nothing where a vertex comes again or is not finite.
@@ -433,10 +433,10 @@ Expected<void> check(const SamplingRequest& request) {
   if ((request.rule == Rule::count || request.rule >= Rule::adaptive) && request.count == 0)
     return usage("the number of samples must be positive");
   if (request.rule == Rule::curvature && !in(request.turn, kLeastTurn, kMostTurn))
-    return usage("the turn between samples must be from 0.001 to 3.2 radians");
+    return usage("the turn between samples must be from 0.06 to 183 degrees");
   if (request.rule == Rule::feature_size && !in(request.epsilon, kLeastEpsilon, kMostEpsilon))
     return usage("epsilon must be from 0.01 to 1");
-  if (!in(request.corner_angle, 0.0, kMostTurn)) return usage("the angle of corners must be from 0 to 3.2 radians");
+  if (!in(request.corner_angle, 0.0, kMostTurn)) return usage("the angle of corners must be from 0 to 183 degrees");
   if (!(request.corner_radius >= 0.0 && std::isfinite(request.corner_radius)))
     return usage("the radius of corners must not be negative");
   if (!in(request.jitter, 0.0, kMostJitter)) return usage("the jitter must be from 0 to 100");

@@ -95,6 +95,26 @@ TEST_CASE("missing and surplus arguments point to the help") {
   require_usage_error({"compute", kDude, "--from", "docx"}, {"\"docx\"", "poff"});
 }
 
+TEST_CASE("what is wrong with options is said in plain words, and long or unprintable ones are cut") {
+  require_usage_error({"compute", kDude, "--colour", "red"},
+                      {"there is no option \"--colour\"; see mesecina compute"});
+  require_usage_error({"compute", kDude, "--layer", "points"},
+                      {"there is no option \"--layer\"; did you mean --layers?; see mesecina compute --help"});
+  require_usage_error({"compute", kDude, "--layer=points"},
+                      {"there is no option \"--layer\"; did you mean --layers?"});
+  require_usage_error({"compute", kDude, "-x"}, {"there is no option \"-x\"; see"});
+  require_usage_error({"compute", kDude, "second", "third"}, {"unexpected \"second\"; see"});
+  require_usage_error({"compute", kDude, "--layers"}, {"--layers expects IDS; see"});
+  require_usage_error({"render", kDude, "--size"}, {"--size expects WxH; see"});
+  require_usage_error({"compute", kDude, "--layers", "points", "--layers", "curve"},
+                      {"--layers is given more than once; see"});
+  require_usage_error({"compute", kDude, "--no-timing=x"},
+                      {"--no-timing expects no value, or true or false, not \"x\"; see"});
+  for (const std::string& word : {std::string(100'000, 'x'), "--" + std::string(100'000, 'x')})
+    require_usage_error({"compute", kDude, word}, {"characters)"});
+  require_usage_error({"compute", kDude, "--a\x1b[31mb"}, {"there is no option \"--a\\x1b[31mb\""});
+}
+
 TEST_CASE("a mistyped command names the one that is meant") {
   require_usage_error({"rendr", kDude, "-o", "a.png"}, {"\"rendr\"", "did you mean render?"});
   require_usage_error({"lists"}, {"did you mean list?"});

@@ -80,7 +80,10 @@ TEST_CASE("samplings that make no sense end the command in one line") {
                          {{"--epsilon", "x"}, 2, "--epsilon expects a number, not \"x\""},
                          {{"--jitter", "-1"}, 2, "the jitter must be from 0 to 100"},
                          {{"--corner-radius", "-1"}, 2, "the radius of corners must not be negative"},
-                         {{"--spacing", "1e-9"}, 3, "as many as there may be"}}) {
+                         {{"--spacing", "1e-9"}, 3, "as many as there may be"},
+                         {{"--spacing", "5e-324"}, 3, "the curves would have far too many samples;"},
+                         {{"--turn", "0.001"}, 2, "the turn between samples must be from 0.06 to 183 degrees"},
+                         {{"--corner-angle", "190"}, 2, "the angle of corners must be from 0 to 183 degrees"}}) {
     std::vector<std::string> arguments{"sample", "-"};
     arguments.insert(arguments.end(), test.options.begin(), test.options.end());
     const RunResult result = run(arguments, {.input = kDrawing});
