@@ -5,6 +5,7 @@
 #include <cmath>
 #include <new>
 #include <span>
+#include <string_view>
 #include <utility>
 #include <variant>
 
@@ -54,14 +55,39 @@ Expected<Cells> cells_of(const FramePatch& patch, const LayerMirror& mirror, con
   return out;
 }
 
-void add_line(std::string& text, const std::vector<std::string>& columns, const Cells& cells) {
-  for (const std::string& column : std::span(columns).subspan(1)) {
-    const auto found = std::ranges::find(cells, column, &Cells::value_type::first);
-    text += ',';
-    if (found != cells.end()) text += found->second;
+/// A table whose columns become more while lines come.
+class Lines {
+ public:
+  explicit Lines(std::string_view first_column) : columns_{std::string(first_column)} {}
+
+  void add(double value, const Cells& cells) {
+    for (const auto& [column, cell] : cells)
+      if (std::ranges::find(columns_, column) == columns_.end()) columns_.push_back(column);
+    std::string line = cell_of(value);
+    for (const std::string& column : std::span(columns_).subspan(1)) {
+      const auto found = std::ranges::find(cells, column, &Cells::value_type::first);
+      line += ',';
+      if (found != cells.end()) line += found->second;
+    }
+    lines_.emplace_back(std::move(line), columns_.size());
   }
-  text += '\n';
-}
+
+  std::string text() const {
+    std::string out;
+    for (const std::string& column : columns_) out += (column == columns_.front() ? "" : ",") + column;
+    out += '\n';
+    for (const auto& [line, columns] : lines_) {
+      out += line;
+      out.append(columns_.size() - columns, ',');
+      out += '\n';
+    }
+    return out;
+  }
+
+ private:
+  std::vector<std::string> columns_;
+  std::vector<std::pair<std::string, std::size_t>> lines_;  // with how many columns there were
+};
 
 }  // namespace
 
@@ -79,8 +105,7 @@ Expected<std::string> sweep_as_csv(const ParameterSweep& sweep, const std::funct
   ComputationSettings settings = sweep.settings;
   FramePatch patch;
   LayerMirror mirror;
-  std::vector<std::string> columns;
-  std::string text;
+  Lines lines(descriptor_of(range.parameter).id);
   do {
     settings[range.parameter] = range.value();
     graph.post_settings(settings);
@@ -88,17 +113,10 @@ Expected<std::string> sweep_as_csv(const ParameterSweep& sweep, const std::funct
     mirror.apply(patch);
     const auto cells = cells_of(patch, mirror, sweep.layers);
     if (!cells) return std::unexpected(cells.error());
-    if (columns.empty()) {
-      columns.emplace_back(descriptor_of(range.parameter).id);
-      for (const auto& [column, cell] : *cells) columns.push_back(column);
-      for (const std::string& column : columns) text += (column == columns.front() ? "" : ",") + column;
-      text += '\n';
-    }
-    text += cell_of(range.value());
-    add_line(text, columns, *cells);
+    lines.add(range.value(), *cells);
     if (progress) progress(static_cast<double>(range.position()) / range.steps);
   } while (range.advance());
-  return text;
+  return lines.text();
 }
 
 void SweepDesk::begin(ParameterSweep sweep) {

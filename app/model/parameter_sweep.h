@@ -26,8 +26,8 @@ struct ParameterSweep {
   std::vector<LayerIndex> layers{};  ///< measured with the structures that they need
 };
 
-/// One line for each value; the columns are the numbers that `mesecina compute` gives. The first line says which there are:
-/// a later one may lack some, which are empty cells. `progress` is called with the share that is done. Throws `Cancelled`. Error:
+/// One line for each value; the columns are the numbers that `mesecina compute` gives for any of the values, in the order in
+/// which they come. A line that lacks some has empty cells there. `progress` is called with the share that is done. Throws `Cancelled`. Error:
 /// the data cannot be a document, or a layer failed. Cost: of a run from scratch, and of a change of the parameter for each
 /// further value.
 Expected<std::string> sweep_as_csv(const ParameterSweep& sweep, const std::function<void(double)>& progress,

@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
 #include <optional>
+#include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -19,6 +23,32 @@ ParameterSweep sweep_of_square(int steps) {
   out.range.to = 1.5;
   out.range.steps = steps;
   out.layers = {find_layer("alpha-edges")};
+  return out;
+}
+
+/// By the value of the parameter, cells that are not empty by the name of their column.
+using CellsByValue = std::map<std::string, std::map<std::string, std::string>>;
+
+std::vector<std::string> cells_of(const std::string& line) {
+  std::vector<std::string> out;
+  std::istringstream in(line + ',');
+  for (std::string cell; std::getline(in, cell, ',');) out.push_back(cell);
+  return out;
+}
+
+CellsByValue table_of(const std::string& csv) {
+  std::istringstream in(csv);
+  std::string line;
+  REQUIRE(std::getline(in, line));
+  const std::vector<std::string> columns = cells_of(line);
+  CHECK(std::set<std::string>(columns.begin(), columns.end()).size() == columns.size());
+  CellsByValue out;
+  while (std::getline(in, line)) {
+    const std::vector<std::string> cells = cells_of(line);
+    REQUIRE(cells.size() == columns.size());
+    for (std::size_t i = 1; i < cells.size(); ++i)
+      if (!cells[i].empty()) out[cells[0]][columns[i]] = cells[i];
+  }
   return out;
 }
 
@@ -49,6 +79,31 @@ TEST_CASE("a table has a line for each value, the same aside as at once") {
   REQUIRE(aside->has_value());
   CHECK(**aside == *text);
   CHECK(desk.progress() == 1.0);
+}
+
+TEST_CASE("a table holds what only some of its values have, whichever comes first") {
+  // At 1 the balls along the axis are those of samples, and counted with them; grown ones are not.
+  ParameterSweep sweep;
+  for (int i = 0; i < 40; ++i) {
+    const double t = 6.283185307179586 * (i + 0.3) / 40.0;
+    sweep.data.positions.push_back({2.0 * std::cos(t), std::sin(t)});
+  }
+  sweep.range.parameter = Parameter::scale_axis_factor;
+  sweep.range.steps = 2;
+  sweep.layers = {find_layer("scale-axis")};
+  const auto between = [&](double from, double to) {
+    sweep.range.from = from;
+    sweep.range.to = to;
+    JobControl job;
+    const auto text = sweep_as_csv(sweep, {}, job);
+    REQUIRE(text.has_value());
+    return table_of(*text);
+  };
+  CellsByValue up = between(1.0, 1.5);
+  CellsByValue down = between(1.5, 1.0);
+  REQUIRE(up.size() == 3);
+  CHECK(up["1"].size() != up["1.5"].size());
+  CHECK(up == down);
 }
 
 TEST_CASE("a sweep that is given up brings nothing, and the next one brings its own") {
