@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/ui/note.h"
 #include "imgui_internal.h"
 
 namespace mes {
@@ -41,13 +42,11 @@ constexpr float kTooltipWidth = 340.0F;  // logical pixels, of the text
 void place_tooltip(const Gui& gui, const std::string& text) {
   const float unit = gui.unit();
   const float gap = 6 * unit;
-  const ImGuiStyle& style = ImGui::GetStyle();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const ImVec2 item_low = ImGui::GetItemRectMin();
   const ImVec2 item_high = ImGui::GetItemRectMax();
   const ImRect panel = ImGui::GetCurrentContext()->CurrentWindow->RootWindow->OuterRectClipped;
-  const ImVec2 words = ImGui::CalcTextSize(text.c_str(), nullptr, false, kTooltipWidth * unit);
-  const ImVec2 size(std::ceil(words.x) + 2 * style.WindowPadding.x, std::ceil(words.y) + 2 * style.WindowPadding.y);
+  const ImVec2 size = note_size(text, kTooltipWidth * unit);
   // The library would draw this text in the size of the last one until a frame later.
   ImGui::SetNextWindowSize(size);
   ImVec2 at;
@@ -196,9 +195,7 @@ void tooltip(const Gui& gui, const std::string& text) {
   if (text.empty() || !gui.is_resting() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   place_tooltip(gui, text);
   ImGui::BeginTooltip();
-  ImGui::PushTextWrapPos(kTooltipWidth * gui.unit());
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  note(text, kTooltipWidth * gui.unit());
   ImGui::EndTooltip();
 }
 
