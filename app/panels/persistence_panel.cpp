@@ -17,6 +17,7 @@ namespace {
 
 constexpr float kLeastSize = 120.0F;  // logical pixels
 constexpr float kReach = 6.0F;
+constexpr int kLinesOfWords = 2;
 constexpr std::size_t kMostSegments = 20'000;
 
 Rgb color_of(const PersistenceRow& row) {
@@ -46,6 +47,7 @@ void PersistencePanel::draw() {
   pointed_at_.reset();
   draw_words();
   draw_diagram();
+  draw_chosen();
   if (!uses_.desk.is_current()) return;
   if (const auto chosen = uses_.desk.chosen()) draw_places(*chosen, true);
   if (pointed_at_ && pointed_at_ != uses_.desk.chosen()) draw_places(*pointed_at_, false);
@@ -103,8 +105,28 @@ void PersistencePanel::draw_words() {
                                         components == 1 ? "component" : "components", holes,
                                         holes == 1 ? "hole" : "holes", uses_.desk.is_current() ? "" : "; computing")
                                 .c_str());
+  ImGui::PopTextWrapPos();
+}
+
+// Below the diagram, which would move under the pointer where they take another line.
+void PersistencePanel::draw_chosen() {
   const auto chosen = uses_.desk.chosen();
-  ImGui::TextUnformatted(chosen ? in_words(table.rows[*chosen]).c_str() : "Click on a point, or on its place");
+  const std::string words =
+      chosen ? in_words(uses_.desk.table()->rows[*chosen]) : std::string("Click on a point, or on its place");
+  ImGui::PushTextWrapPos(0.0F);
+  // The library would break a line within a number, after its point.
+  for (std::size_t from = 0; from < words.size();) {
+    const std::size_t comma = words.find(", ", from);
+    const bool is_last = comma == std::string::npos;
+    const std::string part = words.substr(from, is_last ? comma : comma + 1 - from);
+    if (from != 0) {
+      const float space = ImGui::CalcTextSize(" ").x;
+      const float end = ImGui::GetItemRectMax().x + space + ImGui::CalcTextSize(part.c_str()).x;
+      if (end <= ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x) ImGui::SameLine(0, space);
+    }
+    ImGui::TextUnformatted(part.c_str());
+    from = is_last ? words.size() : comma + 2;
+  }
   ImGui::PopTextWrapPos();
 }
 
@@ -131,7 +153,9 @@ void PersistencePanel::draw_diagram() {
   const float unit = uses_.gui.unit();
   const PersistenceTable& table = *uses_.desk.table();
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const float size = std::max(kLeastSize * unit, std::min(room.x, room.y - ImGui::GetTextLineHeightWithSpacing()));
+  // Below it are its ends and the words about what is chosen.
+  const float below = (1 + kLinesOfWords) * ImGui::GetTextLineHeightWithSpacing();
+  const float size = std::max(kLeastSize * unit, std::min(room.x, room.y - below));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   hit_area("diagram", {size, size});
   const bool is_hovered = ImGui::IsItemHovered();

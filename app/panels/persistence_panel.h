@@ -41,6 +41,7 @@ class PersistencePanel {
   void draw_choices();
   void draw_words();
   void draw_diagram();
+  void draw_chosen();
   /// What is drawn of one or more rows in one pixel; the longest of them is meant.
   struct Dot {
     float x = 0.0F;  ///< to the right of the point for 0, in pixels

@@ -14,6 +14,12 @@
 #include "app/ui/theme.h"
 
 namespace mes {
+namespace {
+
+// From the pointer to a place of a table, in logical pixels.
+constexpr double kListedReach = 7.0;
+
+}  // namespace
 
 DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& messages, Screen& screen,
                            const std::filesystem::path& assets, std::function<void()> wake)
@@ -35,11 +41,9 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
                     [this](const Pointer& pointer) {
                       if (!may_ask()) return;
                       provenance_.ask(work_.engine(), work_.layers(), pointer, work_.editor());
-                      constexpr double kReach = 7.0;
                       if (settings_.details == DetailsPage::branches)
-                        work_.branches().pick(pointer.world, kReach * pointer.units_per_px);
-                      if (settings_.details == DetailsPage::persistence)
-                        work_.persistence().pick(pointer.world, kReach * pointer.units_per_px);
+                        work_.branches().pick(pointer.world, kListedReach * pointer.units_per_px);
+                      choose_class(pointer, pointer.world);
                     },
                     [this](Vec2 px) {
                       constexpr double kReach = 6.0;
@@ -48,7 +52,8 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
                     &snapper_,
                     &settings.brush,
                     &frame_,
-                    &settings.show_handles},
+                    &settings.show_handles,
+                    [this](const Pointer& pointer, Vec2 place) { choose_class(pointer, place); }},
       canvas_(tool_context_),
       fitter_(canvas_.view()),
       traced_(work.editor(), work.layers(), picture_, messages, wake),
@@ -165,6 +170,12 @@ bool DrawingBoard::may_ask() {
   if (work_.hold().waiting().empty()) return true;
   messages_.problem("Release the held update first: the structures are not those of the samples");
   return false;
+}
+
+// A component is born at a sample or ball: a click there chooses it, as one beside them chooses a hole.
+void DrawingBoard::choose_class(const Pointer& pointer, Vec2 place) {
+  if (settings_.details == DetailsPage::persistence)
+    work_.persistence().pick(place, kListedReach * pointer.units_per_px);
 }
 
 void DrawingBoard::select_values(LayerIndex layer, double low, double high) {

@@ -98,6 +98,7 @@ class DrawingBoard {
   void fit_pane(std::size_t pane, const Box2& box, double margin_px, bool at_once = false);
   void keep_measurement();
   bool may_ask();
+  void choose_class(const Pointer& pointer, Vec2 place);
   void select_sources();
   void take_answer(Provenance answer);
   bool keep(Annotation annotation);

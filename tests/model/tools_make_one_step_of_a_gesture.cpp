@@ -219,6 +219,24 @@ TEST_CASE("a click beside all samples asks what is there; on a sample only with 
   CHECK_FALSE(bench.editor.can_undo());
 }
 
+TEST_CASE("a click that selects one sample says so; one that asks, a box and a drag do not") {
+  Bench bench;
+  std::vector<Vec2> chosen;
+  bench.context.ask_about = [](const Pointer&) {};
+  bench.context.note_chosen = [&](const Pointer&, Vec2 place) { chosen.push_back(place); };
+  SelectTool tool(bench.context);
+  click(tool, at(101, 100));
+  CHECK(chosen == std::vector<Vec2>{at(100, 100).world});
+  click(tool, at(101, 100));  // selected already
+  CHECK(chosen.size() == 2);
+  click(tool, at(100, 300));
+  click(tool, at(140, 100, kShift));
+  click(tool, at(140, 100, Modifiers{.ctrl = true}));
+  drag(tool, at(50, 300), at(90, 340));
+  drag(tool, at(140, 100), at(200, 150));
+  CHECK(chosen.size() == 2);
+}
+
 TEST_CASE("the select tool says when a click would ask: beside samples, in no gesture, without Shift") {
   Bench bench;
   SelectTool tool(bench.context);

@@ -63,6 +63,11 @@ void SelectTool::select(const Hit& hit, Mode mode) {
   if (hit.ball != kNoSlot && !removes) selection.add_ball(hit.ball);
 }
 
+Vec2 SelectTool::place_of(const Hit& hit) const {
+  const Document& document = context_.editor.document();
+  return hit.ball != kNoSlot ? document.disk(hit.ball).center : document.position(hit.sample);
+}
+
 void SelectTool::select_one(const Hit& hit, Mode mode) {
   if (mode == Mode::replace) context_.editor.selection().clear();
   select(hit, mode);
@@ -248,6 +253,8 @@ void SelectTool::release(const Pointer& pointer) {
       break;
     case State::pressed_thing:
       if (mode == Mode::replace && was_selected_) select_one(pressed_, mode);
+      if (mode == Mode::replace && !asks_about(pointer.modifiers) && context_.note_chosen)
+        context_.note_chosen(pointer, place_of(pressed_));
       if (mode == Mode::replace && asks_about(pointer.modifiers) && context_.ask_about) context_.ask_about(pointer);
       break;
     case State::boxing: select_box(pointer); break;

@@ -66,6 +66,7 @@ class SelectTool final : public Tool {
   void select_box(const Pointer& pointer);
   void select_lasso(const Pointer& pointer);
   Hit pick(const Pointer& pointer) const;
+  Vec2 place_of(const Hit& hit) const;
 
   State state_ = State::idle;
   Pointer start_;

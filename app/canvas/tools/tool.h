@@ -43,6 +43,8 @@ struct ToolContext {
   const BrushSettings* brush = &kUsualBrush;
   const SelectionFrame* frame = nullptr;  ///< none: the selection has no handles
   const bool* shows_frame = nullptr;      ///< with `frame`
+  /// A click there selected one sample, or one ball by its circle or centre; this is its place, or its centre.
+  std::function<void(const Pointer&, Vec2)> note_chosen{};
 };
 
 /// The frame around what is selected.

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pages of numbers, by hand: what they ask, say and keep.
+#include <array>
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <string>
+
+#include "tests/window/window_driver.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+constexpr PixelBox kPanel{981, 25, 1280, 770};
+constexpr PixelBox kRemark{0, 773, 500, 800};
+// On a page that has the panel for itself.
+constexpr std::array<int, 2> kSearch{1090, 118};
+constexpr std::array<int, 2> kRun{1234, 147};     // of the one parameter that is found
+constexpr std::array<int, 2> kNumber{1230, 175};  // the field beside its slider
+constexpr std::array<int, 2> kSteps{1040, 249};   // in the popup of the button
+constexpr std::array<int, 2> kMakeTable{1075, 336};
+constexpr std::array<int, 2> kPlay{405, 745};  // of the strip of evolutions, in one row
+
+/// Samples, and a page in a panel of its own.
+struct Page {
+  DrivenProgram window;
+
+  explicit Page(const std::string& key, const std::string& samples = "POFF 3 0 0\n0 0\n4 0\n0 3\n") {
+    window.folder.write("samples.poff", samples);
+    window.start("samples.poff");
+    static_cast<void>(window.drawn());
+    window.press("l");
+    window.press(key);
+    static_cast<void>(window.screen.settled());
+  }
+  const VirtualScreen& screen() const { return window.screen; }
+  Screenshot at_rest() const {
+    screen().xdotool("mousemove 1200 6");
+    return screen().settled();
+  }
+  void find_parameter(const std::string& words) const {
+    screen().click(kSearch);
+    static_cast<void>(screen().settled());
+    screen().type_over(words);
+    static_cast<void>(screen().settled());
+  }
+  void open_table(const std::string& steps) const {
+    screen().click(kRun);
+    static_cast<void>(screen().settled());
+    screen().click(kSteps);
+    static_cast<void>(screen().settled());
+    screen().type_over(steps);
+    window.press("Return");
+    static_cast<void>(screen().settled());
+  }
+  /// What lies behind a dialog is dimmed, as the empty end of the page.
+  bool is_asking() const { return screen().shoot().at(1200, 700).g < 220; }
+  void answer(const std::string& file) const {
+    screen().type_over(file);
+    window.press("Return");
+    static_cast<void>(screen().settled());
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a click on a sample chooses its component, and the diagram stays where it is") {
+  const Page page("shift+g");
+  const Screenshot before = page.at_rest();
+  const auto is_dark = [](Color c) { return c.r < 40 && c.g < 40 && c.b < 40; };
+  const PixelBox corner = before.box_of({80, 650, 200, 760}, is_dark);  // the sample at the lower left
+  REQUIRE_FALSE(corner.is_empty());
+  page.screen().click(corner.middle());
+  const Screenshot after = page.at_rest();
+  // A ring around its point, and words below; not the diagonal.
+  CHECK(after.changes({985, 180, 1012, 480}, before) > 20);
+  CHECK(after.changes({985, 500, 1280, 560}, before) > 100);
+  CHECK(after.changes({1060, 250, 1250, 440}, before) == 0);
+}
