@@ -118,12 +118,12 @@ void BranchesPanel::draw_choices() {
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(to_imgui(palette::vermilion)), "%s", filter_problem_.c_str());
     ImGui::PopTextWrapPos();
-    ImGui::Checkbox("Share of the shape", &measures_area_);
-    tooltip(
-        uses_.gui,
-        "How much of the shape, which is the triangles inside, the balls along what is kept hold. Their union takes "
-        "much longer than the table");
   }
+  ImGui::Checkbox("Share of the shape", &measures_area_);
+  tooltip(
+      uses_.gui,
+      "How much of the shape, which is the triangles inside, the balls along what is kept hold. Their union takes "
+      "much longer than the table");
 }
 
 // Bars are lengths of the axis. The limit of lambda is a line that can be dragged.
@@ -259,8 +259,12 @@ void BranchesPanel::draw_row(std::size_t row) {
       continue;
     }
     const bool is_chosen = uses_.desk.chosen() == row;
-    if (ImGui::Selectable(text.c_str(), is_chosen,
-                          ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick)) {
+    // Below the pointer, too, it is the chosen one.
+    if (is_chosen) ImGui::PushStyleColor(ImGuiCol_HeaderHovered, uses_.gui.colors().accent_soft);
+    const bool is_clicked = ImGui::Selectable(
+        text.c_str(), is_chosen, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick);
+    if (is_chosen) ImGui::PopStyleColor();
+    if (is_clicked) {
       const bool is_double = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
       uses_.desk.choose(is_chosen && !is_double ? std::nullopt : std::optional(row));
       shown_chosen_ = uses_.desk.chosen();

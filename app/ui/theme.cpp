@@ -148,7 +148,9 @@ void apply_theme(ImGuiStyle& style, const ThemeColors& theme, float scale) {
   colors[ImGuiCol_ScrollbarGrabActive] = color(theme.scrollbar_active);
   colors[ImGuiCol_TableHeaderBg] = color(theme.field);
   colors[ImGuiCol_TableBorderLight] = colors[ImGuiCol_TableBorderStrong] = color(theme.border);
-  colors[ImGuiCol_TableRowBgAlt] = color(theme.accent_faint);
+  // Unlike the row that the pointer is on, or that is chosen.
+  colors[ImGuiCol_TableRowBgAlt] = color(theme.text);
+  colors[ImGuiCol_TableRowBgAlt].w = 0.035F;
   colors[ImGuiCol_DragDropTarget] = color(theme.accent);
   colors[ImGuiCol_NavHighlight] = color(theme.accent);
   colors[ImGuiCol_ModalWindowDimBg] = color(theme.dim);

@@ -65,6 +65,38 @@ struct Page {
 
 }  // namespace
 
+TEST_CASE("how much of the shape is kept can be measured") {
+  const Page page("shift+b");
+  const Screenshot before = page.at_rest();
+  page.screen().click({1001, 147});
+  const Screenshot after = page.at_rest();
+  // The box, and the words about what is kept.
+  CHECK(after.changes({985, 138, 1015, 156}, before) > 20);
+  CHECK(after.changes({985, 160, 1280, 770}, before) > 20);
+}
+
+TEST_CASE("the chosen row of the table of branches looks like no other, with the pointer on it or away") {
+  const Page page("shift+b", output_of(std::string(MESECINA_BINARY) + " shape gear --samples 300"));
+  constexpr int kRow = 19;
+  constexpr int kBesideText = 1085;
+  const auto expect_unlike_others = [&](int y) {
+    const Screenshot now = page.screen().settled();
+    const Color here = now.at(kBesideText, y);
+    for (const int rows : {-2, -1, 1, 2}) {
+      const Color there = now.at(kBesideText, y + rows * kRow);
+      INFO(rows << " rows further down");
+      CHECK(std::abs(here.r - there.r) + std::abs(here.g - there.g) + std::abs(here.b - there.b) > 15);
+    }
+  };
+  // Every other row has a ground of its own.
+  for (const int y : {440, 440 + kRow}) {
+    page.screen().click({kBesideText, y});
+    expect_unlike_others(y);
+    page.screen().xdotool("mousemove 1200 6");
+    expect_unlike_others(y);
+  }
+}
+
 TEST_CASE("a click on a sample chooses its component, and the diagram stays where it is") {
   const Page page("shift+g");
   const Screenshot before = page.at_rest();
