@@ -151,6 +151,7 @@ void FileBrowser::ask(const fs::path& folder, Then then, FilePurpose purpose) {
   list_wanted();
   std::error_code error;
   enter(!folder.empty() && fs::is_directory(folder, error) ? folder : fs::current_path(error));
+  if (trouble_.empty()) trouble_ = purpose_.trouble;
   followed_name_ = name_;
   ask_desktop_first();
 }

@@ -21,6 +21,7 @@ namespace mes {
 struct FilePurpose {
   std::string heading{};
   std::vector<std::string> extensions{};  ///< lower case, with the dot; empty: of what can be opened as a document
+  std::string trouble{};                  ///< why it is asked for again
 };
 
 /// What it guarantees:

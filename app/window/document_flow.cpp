@@ -6,7 +6,6 @@
 #include <utility>
 
 #include "app/store/own_font.h"
-#include "core/io/atomic_file.h"
 #include "core/io/carried_session.h"
 #include "core/io/format.h"
 #include "core/raster/picture_decoder.h"
@@ -145,19 +144,6 @@ void DocumentFlow::ask_export(std::optional<std::size_t> bundle) {
                                  {.heading = bundle ? "Export the bundle" : "Export all bundles"});
 }
 
-void DocumentFlow::ask_table(const std::string& of, std::string csv) {
-  std::string name = fs::path(files_.title()).stem().string() + '-' + of;
-  std::ranges::replace(name, '/', '-');
-  uses_.dialogs.browser.ask_save(browse_folder(), name + ".csv",
-                                 remembering([this, csv = std::move(csv)](const fs::path& file) {
-                                   if (auto written = write_file_atomically(file, csv); !written)
-                                     uses_.messages.problem(written.error().message());
-                                   else
-                                     uses_.messages.remark("Exported " + file.string());
-                                 }),
-                                 {.heading = "Export the table as CSV", .extensions = {".csv"}});
-}
-
 fs::path DocumentFlow::browse_folder() const {
   std::error_code error;
   if (!files_.file().empty()) return files_.file().parent_path();
@@ -242,6 +228,10 @@ void DocumentFlow::take_results() {
 void DocumentFlow::follow_dialogs() {
   const bool is_asking = uses_.dialogs.browser.is_open() || uses_.dialogs.conflict.is_open();
   if (!is_asking && !files_.is_saving()) after_save_ = {};
+  if (tables_.empty() || !uses_.dialogs.open().empty() || uses_.board.canvas().has_pointer()) return;
+  Table table = std::move(tables_.front());
+  tables_.pop_front();
+  ask_for(std::move(table), browse_folder());
 }
 
 // While a lesson is presented, what there is to keep is put aside.

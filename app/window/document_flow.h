@@ -2,14 +2,17 @@
 // How documents come into the window and leave it: opening and saving, and the questions that go with it.
 #pragma once
 
+#include <deque>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/actions/action_bindings.h"
+#include "app/model/refusal.h"
 #include "app/model/settings.h"
 #include "app/panels/dialogs.h"
 #include "app/store/file_desk.h"
@@ -68,7 +71,8 @@ class DocumentFlow {
   void open_lesson(const ShippedLesson& lesson);
   /// Asks for a file for one bundle, or all.
   void ask_export(std::optional<std::size_t> bundle);
-  /// Asks for a file for a table, whose name says what it is of.
+  /// Asks for a file for a table, whose name says what it is of, once nothing else is being asked or dragged; and again
+  /// where the file cannot be written. A table may come while one does something else.
   void ask_table(const std::string& of, std::string csv);
 
   /// Once a turn, before the frame: what was read or saved meanwhile.
@@ -123,6 +127,12 @@ class DocumentFlow {
   void remove_recovered();
 
   // document_saving.cpp
+  struct Table {
+    std::string name;
+    std::shared_ptr<const std::string> csv;
+  };
+  /// `trouble`: why it is asked for again.
+  void ask_for(Table table, const std::filesystem::path& folder, std::string trouble = {});
   void save();
   void ask_save_as();
   void take_saved();
@@ -136,6 +146,8 @@ class DocumentFlow {
   FileBrowser::Then remembering(FileBrowser::Then then);
 
   Uses uses_;
+  Refusal table_refusal_{uses_.messages};
+  std::deque<Table> tables_;  // for which no file was asked yet
   std::vector<SampleShape> shapes_;
   std::vector<ShippedLesson> lessons_;
   FileDesk files_;

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "app/window/document_flow.h"
+#include "core/io/atomic_file.h"
 
 namespace mes {
 
@@ -31,6 +32,30 @@ void DocumentFlow::ask_save_as() {
   const char* const extension = !has_format ? ".json" : wants_balls || balls_only ? ".wpoff" : ".poff";
   uses_.dialogs.browser.ask_save(browse_folder(), name + extension,
                                  remembering([this](const fs::path& file) { files_.save_as(file); }));
+}
+
+void DocumentFlow::ask_table(const std::string& of, std::string csv) {
+  std::string name = fs::path(files_.title()).stem().string() + '-' + of + ".csv";
+  std::ranges::replace(name, '/', '-');
+  tables_.push_back({std::move(name), std::make_shared<const std::string>(std::move(csv))});
+  uses_.screen.clock.want(1);
+}
+
+// It may have taken hours to compute, so that it is not given up for a disk that is full.
+void DocumentFlow::ask_for(Table table, const fs::path& folder, std::string trouble) {
+  const std::string name = table.name;
+  const auto write = [this, table = std::move(table)](const fs::path& file) {
+    if (const auto written = write_file_atomically(file, *table.csv); !written) {
+      table_refusal_.say(written.error());
+      ask_for({file.filename().string(), table.csv}, file.parent_path(), written.error().message());
+      return;
+    }
+    table_refusal_.forget();
+    uses_.messages.remark("Exported " + file.string());
+  };
+  uses_.dialogs.browser.ask_save(
+      folder, name, remembering(write),
+      {.heading = "Export the table as CSV", .extensions = {".csv"}, .trouble = std::move(trouble)});
 }
 
 void DocumentFlow::take_saved() {

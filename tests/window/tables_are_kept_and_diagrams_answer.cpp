@@ -65,6 +65,48 @@ struct Page {
 
 }  // namespace
 
+TEST_CASE("a table that cannot be written is not lost: another file is asked for") {
+  const Page page("p");
+  page.find_parameter("alpha complex: radius");
+  page.open_table("4");
+  REQUIRE_FALSE(page.is_asking());
+  page.screen().click(kMakeTable);
+  REQUIRE(eventually([&] { return page.is_asking(); }));
+  static_cast<void>(page.screen().settled());
+  page.answer("/proc/table.csv");
+  REQUIRE(page.is_asking());
+  const auto file = page.window.folder / "table.csv";
+  page.answer(file.string());
+  CHECK(eventually([&] { return !page.is_asking(); }));
+  const std::string text = bytes_of(file);
+  CHECK(text.starts_with("alpha-radius,"));
+  std::size_t lines = 0;
+  for (const char c : text) lines += c == '\n' ? 1U : 0U;
+  CHECK(lines == 6);
+  static_cast<void>(page.screen().settled());
+  CHECK_FALSE(page.is_asking());
+}
+
+TEST_CASE("a table that is made while something else is asked waits for its turn") {
+  const Page page("p");
+  page.find_parameter("alpha complex: radius");
+  page.open_table("20000");
+  page.screen().xdotool("mousemove 1075 336 click 1 key Escape key ctrl+shift+s");
+  REQUIRE(eventually([&] { return page.is_asking(); }));
+  // At rest the table is there.
+  static_cast<void>(page.screen().settled());
+  const auto session = page.window.folder / "kept.json";
+  page.screen().type_over(session.string());
+  page.window.press("Return");
+  REQUIRE(eventually([&] { return page.window.title().starts_with("kept.json"); }));
+  CHECK(bytes_of(session).starts_with("{"));
+  REQUIRE(eventually([&] { return page.is_asking(); }));
+  static_cast<void>(page.screen().settled());
+  const auto file = page.window.folder / "table.csv";
+  page.answer(file.string());
+  CHECK(bytes_of(file).starts_with("alpha-radius,"));
+}
+
 TEST_CASE("how much of the shape is kept can be measured") {
   const Page page("shift+b");
   const Screenshot before = page.at_rest();
