@@ -57,12 +57,16 @@ class Messages {
   const std::string& remark() const { return remark_; }
   const std::string& problem() const { return problem_; }
 
+  /// How many were said so far.
+  std::uint64_t said() const { return said_; }
+
   const std::deque<Entry>& entries() const { return entries_; }
   void clear_log() { entries_.clear(); }
 
  private:
   void log(const std::string& text, bool is_problem) {
     constexpr std::size_t kMost = 1000;
+    ++said_;
     const auto now = std::chrono::system_clock::now();
     if (!entries_.empty() && entries_.back().text == text && entries_.back().is_problem == is_problem) {
       entries_.back().when = now;
@@ -75,6 +79,7 @@ class Messages {
 
   std::string remark_;
   std::string problem_;
+  std::uint64_t said_ = 0;
   std::deque<Entry> entries_;
 };
 

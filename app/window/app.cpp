@@ -185,6 +185,11 @@ void App::turn() {
   screen_.clock.frame_done();
   // A tooltip that comes up now is measured in its first frame and seen in its second.
   if (was_about_to_rest && !screen_.gui.is_about_to_rest()) screen_.clock.settle();
+  // What was said of itself, by no event, is laid out in one frame and seen in the next.
+  if (const std::uint64_t said = messages_.said(); said != said_) {
+    said_ = said;
+    screen_.clock.settle();
+  }
   const auto fade = panels_.presenter().next_due(ImGui::GetTime());
   if (screen_.gui.is_fading() || (fade && *fade <= 0.0)) screen_.clock.want(1);
 }

@@ -2,6 +2,7 @@
 // The window program: what it is made of, and the loop that draws a frame when something changed and sleeps otherwise.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 
@@ -68,7 +69,8 @@ class App {
   KeyDesk keys_;
   Panels panels_;
   WindowInput input_;
-  int turns_at_rest_ = 0;  // in a row
+  int turns_at_rest_ = 0;   // in a row
+  std::uint64_t said_ = 0;  // messages that have had their frames
   bool is_held_by_key_ = false;
 };
 

@@ -27,6 +27,18 @@ TEST_CASE("problems that come together are all in the log, and the first ones ab
   }
 }
 
+TEST_CASE("each remark and problem counts as said, also one that is said again") {
+  Messages messages;
+  CHECK(messages.said() == 0);
+  messages.remark("done");
+  messages.remark("done");
+  messages.problem("not done");
+  CHECK(messages.said() == 3);
+  CHECK(messages.entries().size() == 2);
+  messages.clear();
+  CHECK(messages.said() == 3);
+}
+
 TEST_CASE("a refusal goes when the same part does something, and problems of others stay") {
   Messages messages;
   Refusal fields(messages);

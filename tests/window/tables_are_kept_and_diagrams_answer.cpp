@@ -107,6 +107,23 @@ TEST_CASE("a table that is made while something else is asked waits for its turn
   CHECK(bytes_of(file).starts_with("alpha-radius,"));
 }
 
+TEST_CASE("where an evolution can go no further, that is said at once") {
+  const Page page("e");
+  page.screen().xdotool("key ctrl+k");
+  static_cast<void>(page.screen().settled());
+  page.screen().type_over("balls along the axis: grow");
+  static_cast<void>(page.screen().settled());
+  page.window.press("Return");
+  const Screenshot before = page.at_rest();
+  // With a step of 3 % the factor is 3 after 66 of them.
+  page.screen().xdotool("key --repeat 60 --delay 15 bracketright");
+  static_cast<void>(page.screen().settled());
+  page.screen().click(kPlay);
+  // No event comes meanwhile, not even the question whether all is at rest.
+  constexpr PixelBox kNote{300, 30, 750, 70};
+  CHECK(eventually([&] { return page.screen().shoot().changes(kNote, before) > 500; }));
+}
+
 TEST_CASE("how much of the shape is kept can be measured") {
   const Page page("shift+b");
   const Screenshot before = page.at_rest();
