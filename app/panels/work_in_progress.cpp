@@ -95,7 +95,14 @@ bool WorkInProgress::draw() const {
     tooltip(gui, actions.tooltip_of(ActionId::resume_computation));
     return true;
   }
-  if (!status.busy || status.busy_ms < kShownAfterMs) return false;
+  if (!status.busy || status.busy_ms < kShownAfterMs) {
+    // What it begins with may lie behind other panels by now.
+    if (!sweep.is_under_way()) return false;
+    progress(gui, "Making a table", sweep.progress());
+    if (ImGui::SmallButton("Cancel")) sweep.give_up();
+    tooltip(gui, "Make no table of the values of the parameter");
+    return true;
+  }
   progress(gui, task_text(status.task), status.progress);
   if (ImGui::SmallButton("Cancel")) actions.run(ActionId::cancel_computation);
   tooltip(gui, actions.tooltip_of(ActionId::cancel_computation));

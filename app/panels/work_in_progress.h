@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/actions/action_bindings.h"
+#include "app/model/parameter_sweep.h"
 #include "app/model/update_hold.h"
 #include "app/recording/record_desk.h"
 #include "app/store/file_desk.h"
@@ -18,6 +19,7 @@ struct WorkInProgress {
   FileDesk& files;
   RecordDesk& record;
   const UpdateHold& hold;
+  SweepDesk& sweep;
 
   /// A red dot and how many frames there are, while recording.
   void draw_recording() const;

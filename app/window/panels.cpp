@@ -48,7 +48,7 @@ Panels::Panels(const Uses& uses)
                   uses.work.computation(),
                   uses.messages,
                   {uses.screen.gui, uses.actions, uses.work.engine(), uses.documents.files(), uses.recording.desk(),
-                   uses.work.hold()},
+                   uses.work.hold(), uses.work.sweep()},
                   {uses.screen.gui, uses.actions, uses.work.engine(), uses.work.document(),
                    uses.work.computation().settings(), uses.board.picture(), uses.board.canvas()}},
       toolbar_{uses.screen.gui,

@@ -106,9 +106,21 @@ void Workspace::bind_evolution(ActionBindings& actions, Settings& settings) {
 }
 
 void Workspace::bind_computation(ActionBindings& actions) {
-  actions.bind(
-      ActionId::cancel_computation,
-      {[this] { engine_.cancel(); }, {[this] { return engine_.status().busy; }, "nothing is being computed"}});
+  // What plays would begin the next computation; between two of its pictures there may be none.
+  const auto plays = [this] {
+    return evolution_.is_waiting() || evolution_.direction() != EvolutionPlayer::Direction::none ||
+           computation_.animation().is_running();
+  };
+  actions.bind(ActionId::cancel_computation,
+               {[this, plays] {
+                  const bool is_computing = engine_.status().busy || plays();
+                  evolution_.cancel();
+                  computation_.animation().stop();
+                  engine_.cancel();
+                  if (!is_computing) sweep_.give_up();
+                },
+                {[this, plays] { return engine_.status().busy || plays() || sweep_.is_under_way(); },
+                 "nothing is being computed"}});
   actions.bind(ActionId::resume_computation,
                {[this] { engine_.resume(); },
                 {[this] { return engine_.status().cancelled; }, "no computation was cancelled"}});

@@ -107,6 +107,19 @@ TEST_CASE("a table that is made while something else is asked waits for its turn
   CHECK(bytes_of(file).starts_with("alpha-radius,"));
 }
 
+TEST_CASE("what plays is stopped where the computation is cancelled, also between two pictures") {
+  const Page page("e");
+  page.screen().xdotool("mousemove 1200 6");
+  const Screenshot before = page.screen().settled();
+  page.window.press("bracketright");
+  static_cast<void>(page.window.other_than(before));
+  page.screen().click(kPlay);
+  page.window.press("ctrl+period");
+  // What plays does not rest.
+  const Screenshot stopped = page.at_rest();
+  CHECK(page.screen().settled().changes(kCanvas, stopped) == 0);
+}
+
 TEST_CASE("where an evolution can go no further, that is said at once") {
   const Page page("e");
   page.screen().xdotool("key ctrl+k");
