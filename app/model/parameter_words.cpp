@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/parameter_words.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -90,6 +91,11 @@ std::span<const std::string_view> choices_of(const ParameterDescriptor& descript
   if (descriptor.id == "noise-isotropic") return kNoise;
   if (descriptor.id == "angle-mode") return kAngleModes;
   return {};
+}
+
+std::string beyond_words(const std::string& title, double number, double low, double high) {
+  return number < low ? fmt::format("{}: {:.6g} is below {:.6g}, which is taken instead", title, number, low)
+                      : fmt::format("{}: {:.6g} is above {:.6g}, which is taken instead", title, number, high);
 }
 
 std::string spoken_explanation(const ParameterDescriptor& descriptor) {

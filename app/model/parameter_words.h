@@ -16,6 +16,9 @@ std::string title_of(const ParameterDescriptor& descriptor);
 /// The choices of a parameter whose whole numbers stand for words, from its low end; empty: it is a number.
 std::span<const std::string_view> choices_of(const ParameterDescriptor& descriptor);
 
+/// "Scale axis: factor: 99 is above 3, which is taken instead", of a number outside [low, high].
+std::string beyond_words(const std::string& title, double number, double low, double high);
+
 /// The explanation as the window gives it: "On: ..., off: ..." of a switch, nothing of numbers that are not seen.
 std::string spoken_explanation(const ParameterDescriptor& descriptor);
 

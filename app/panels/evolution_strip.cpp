@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "app/model/evolution_layers.h"
@@ -181,6 +182,7 @@ void parameter_field(const EvolutionStrip& strip, const ParameterDescriptor& par
   const std::string title = title_of(parameter);
   const auto choices = choices_of(parameter);
   double value = player.choice().values[parameter.id];
+  std::optional<double> beyond;
   ImGui::PushID(parameter.id.data());
   if (!choices.empty()) {
     const auto chosen = static_cast<std::size_t>(value);
@@ -195,7 +197,10 @@ void parameter_field(const EvolutionStrip& strip, const ParameterDescriptor& par
   } else if (parameter.is_length) {
     ImGui::TextUnformatted(title.c_str());
     ImGui::SetNextItemWidth(250 * unit);
-    if (number_field("##value", value, "%.6g")) value = std::clamp(value, parameter.low, parameter.high);
+    if (number_field("##value", value, "%.6g") && (value < parameter.low || value > parameter.high)) {
+      beyond = value;
+      value = std::clamp(value, parameter.low, parameter.high);
+    }
   } else if (is_switch(parameter)) {
     bool is_on = value != 0.0;
     if (ImGui::Checkbox(title.c_str(), &is_on)) value = is_on ? 1.0 : 0.0;
@@ -203,10 +208,15 @@ void parameter_field(const EvolutionStrip& strip, const ParameterDescriptor& par
     ImGui::TextUnformatted(title.c_str());
     const std::string number = parameter.unit == "%" ? "%.4g %%" : "%.4g " + std::string(parameter.unit);
     slider(gui, "##value", value, parameter.low, parameter.high,
-           {.format = number.c_str(), .is_logarithmic = true, .is_whole = parameter.is_whole, .width = 250 * unit});
+           {.format = number.c_str(),
+            .is_logarithmic = true,
+            .is_whole = parameter.is_whole,
+            .width = 250 * unit,
+            .beyond = &beyond});
   }
   ImGui::PopID();
   if (value != player.choice().values[parameter.id]) player.set_value(parameter.id, value);
+  if (beyond) strip.messages.remark(beyond_words(title, *beyond, parameter.low, parameter.high));
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
   ImGui::PushTextWrapPos(330 * unit);
   ImGui::TextUnformatted(spoken_explanation(parameter).c_str());

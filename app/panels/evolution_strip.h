@@ -4,6 +4,7 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/model/evolution_player.h"
+#include "app/model/messages.h"
 #include "app/model/step_events.h"
 #include "app/ui/gui.h"
 
@@ -16,6 +17,7 @@ struct EvolutionStrip {
   Editor& editor;
   LayerStack& layers;
   const StepEvents& events;
+  Messages& messages;
 
   /// Its lower left corner stands at `at`. Gives the height it takes.
   float draw(ImVec2 at, float width) const;

@@ -54,7 +54,7 @@ void ParametersPanel::draw_animation(Parameter parameter) {
     ImGui::BeginDisabled(animation.is_running());
     const auto bound = [&](const char* label, double& value, const char* meaning) {
       ImGui::SetNextItemWidth(130 * unit);
-      if (number_field(label, value, "%.6g")) value = std::clamp(value, descriptor.low, descriptor.high);
+      if (number_field(label, value, "%.6g")) take_within(descriptor, value);
       tooltip(gui_, meaning);
     };
     bound("From", animation.from, "Value of the first picture");
@@ -107,6 +107,13 @@ void ParametersPanel::draw_sweep(Parameter parameter) {
           "sweep does");
 }
 
+void ParametersPanel::take_within(const ParameterDescriptor& descriptor, double& value) const {
+  const double within = std::clamp(value, descriptor.low, descriptor.high);
+  if (within == value) return;
+  messages_.remark(beyond_words(title_of(descriptor), value, descriptor.low, descriptor.high));
+  value = within;
+}
+
 double ParametersPanel::longest() const {
   return 2.0 / picture_.scene().frame().scale;
 }
@@ -127,11 +134,14 @@ void ParametersPanel::draw_value(const ParameterDescriptor& descriptor, double& 
                                   : descriptor.is_length         ? std::string()
                                                                  : ' ' + std::string(descriptor.unit);
     const std::string format = (descriptor.is_whole ? "%.0f" : "%.5g") + unit_text;
+    std::optional<double> beyond;
     slider(gui_, "##value", value, descriptor.low, descriptor.high,
            {.format = format.c_str(),
             .is_logarithmic = is_wide(descriptor),
             .is_whole = descriptor.is_whole,
-            .end = descriptor.is_length ? longest() : 0.0});
+            .end = descriptor.is_length ? longest() : 0.0,
+            .beyond = &beyond});
+    if (beyond) take_within(descriptor, *beyond);
   }
   tooltip(gui_, explanation(descriptor));
 }

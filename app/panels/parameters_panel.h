@@ -8,6 +8,7 @@
 #include "app/model/critical_values.h"
 #include "app/model/editor.h"
 #include "app/model/layer_stack.h"
+#include "app/model/messages.h"
 #include "app/model/parameter_sweep.h"
 #include "app/model/persistence_desk.h"
 #include "app/model/scale_events.h"
@@ -21,7 +22,7 @@ class ParametersPanel {
  public:
   ParametersPanel(const Gui& gui, ComputationControl& computation, const Picture& picture, const Editor& editor,
                   const LayerStack& layers, ScaleEvents& events, CriticalValues& critical,
-                  PersistenceDesk& persistence, SweepDesk& sweep)
+                  PersistenceDesk& persistence, SweepDesk& sweep, Messages& messages)
       : gui_(gui),
         computation_(computation),
         picture_(picture),
@@ -30,13 +31,16 @@ class ParametersPanel {
         scale_events_(events),
         critical_values_(critical),
         persistence_(persistence),
-        sweep_(sweep) {}
+        sweep_(sweep),
+        messages_(messages) {}
 
   void draw();
   void search(const std::string& text) { search_ = text; }
 
  private:
   void draw_parameter(Parameter parameter);
+  /// A number that was typed: one out of range becomes the nearest within, and that is said.
+  void take_within(const ParameterDescriptor& descriptor, double& value) const;
   void draw_value(const ParameterDescriptor& descriptor, double& value) const;
   void draw_animation(Parameter parameter);
   /// Begins or gives up the table of what is shown for the values of the animation.
@@ -61,6 +65,7 @@ class ParametersPanel {
   CriticalValues& critical_values_;
   PersistenceDesk& persistence_;
   SweepDesk& sweep_;
+  Messages& messages_;
   std::string search_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/model/neighborhood.h"
+#include "app/model/parameter_words.h"
 #include "app/model/verdict_word.h"
 #include "app/ui/number_field.h"
 #include "app/ui/theme.h"
@@ -36,8 +37,12 @@ void SamplingPanel::draw_wishes() {
   ImGui::TextUnformatted("epsilon");
   ImGui::SameLine(0, 4 * unit);
   ImGui::SetNextItemWidth(64 * unit);
-  if (double epsilon = uses_.desk.epsilon; number_field("##epsilon", epsilon, "%.4g"))
-    uses_.desk.epsilon = std::clamp(epsilon, 0.01, 1.0);
+  if (double epsilon = uses_.desk.epsilon; number_field("##epsilon", epsilon, "%.4g")) {
+    constexpr double kLeast = 0.01;
+    constexpr double kMost = 1.0;
+    uses_.desk.epsilon = std::clamp(epsilon, kLeast, kMost);
+    if (uses_.desk.epsilon != epsilon) uses_.messages.remark(beyond_words("epsilon", epsilon, kLeast, kMost));
+  }
   tooltip(
       uses_.gui,
       "Half the distance of neighbours on the curve is to be at most this part of their distance to the axis, 0.01 "

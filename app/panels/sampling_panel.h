@@ -4,6 +4,7 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/canvas/canvas.h"
+#include "app/model/messages.h"
 #include "app/model/resample_desk.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"
@@ -20,6 +21,7 @@ class SamplingPanel {
     Canvas& canvas;
     const Document& document;
     const Picture& picture;
+    Messages& messages;
   };
   explicit SamplingPanel(const Uses& uses) : uses_(uses) {}
 

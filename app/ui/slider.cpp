@@ -55,7 +55,8 @@ bool slider(const Gui& gui, const char* label, double& value, double low, double
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(kField * gui.unit());
   double typed = value;
-  if (number_field("##number", typed, look.format)) value = typed;
+  const bool is_typed = number_field("##number", typed, look.format);
+  if (is_typed) value = typed;
   const std::string_view text(label);
   if (const std::string_view words = text.substr(0, text.find("##")); !words.empty()) {
     ImGui::SameLine(0, gap);
@@ -66,6 +67,7 @@ bool slider(const Gui& gui, const char* label, double& value, double low, double
   if (value == before) return false;
   if (look.is_whole) value = std::round(value);
   const SliderLook::Range range = look.typed.value_or(SliderLook::Range{low, high});
+  if (is_typed && look.beyond != nullptr && (value < range.low || value > range.high)) *look.beyond = typed;
   value = std::clamp(value, range.low, range.high);
   return value != before;
 }

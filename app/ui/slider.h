@@ -18,7 +18,8 @@ struct SliderLook {
     double low;
     double high;
   };
-  std::optional<Range> typed{};  ///< what the number may be, where that is more than the slider has
+  std::optional<Range> typed{};             ///< what the number may be, where that is more than the slider has
+  std::optional<double>* beyond = nullptr;  ///< if given, gets a number that was typed and is not what it may be
 };
 
 /// How wide the slider itself is, of a slider that is `width` wide with its number.

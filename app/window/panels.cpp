@@ -65,7 +65,8 @@ Panels::Panels(const Uses& uses)
           uses.screen.gui, uses.actions, uses.settings.details,
           {uses.screen.gui, uses.board.picture(), uses.screen.times},
           {uses.screen.gui, uses.work.computation(), uses.board.picture(), uses.work.editor(), uses.work.layers(),
-           uses.work.scale_events(), uses.work.critical_values(), uses.work.persistence(), uses.work.sweep()},
+           uses.work.scale_events(), uses.work.critical_values(), uses.work.persistence(), uses.work.sweep(),
+           uses.messages},
           {uses.screen.gui, uses.messages}, {uses.screen.gui, uses.actions, uses.lesson.desk()},
           {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.board.canvas(), uses.messages},
           {uses.screen.gui, uses.actions, uses.work.curve_sampler()},
@@ -77,7 +78,7 @@ Panels::Panels(const Uses& uses)
                uses.work.computation(),
                [&flow = uses.documents](std::string csv) { flow.ask_table("persistence", std::move(csv)); }}),
           SamplingPanel({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
-                         uses.work.document(), uses.board.picture()})),
+                         uses.work.document(), uses.board.picture(), uses.messages})),
       step_events_({uses.work.evolution(), uses.work.editor(), uses.work.layers(), uses.work.computation(),
                     uses.work.persistence(), uses.work.scale_events()}) {
   layers_panel_.set_select(
@@ -359,8 +360,8 @@ void Panels::draw_over(Sides& sides) {
     step_events_.follow();
     sides.bottom +=
         margin +
-        EvolutionStrip{gui,         uses_.actions, uses_.work.evolution(), uses_.work.editor(), uses_.work.layers(),
-                       step_events_}
+        EvolutionStrip{gui,          uses_.actions, uses_.work.evolution(), uses_.work.editor(), uses_.work.layers(),
+                       step_events_, uses_.messages}
             .draw(corner(), width);
   }
   // Its marks belong to the main pane.

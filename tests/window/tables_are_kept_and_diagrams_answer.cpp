@@ -107,6 +107,23 @@ TEST_CASE("a table that is made while something else is asked waits for its turn
   CHECK(bytes_of(file).starts_with("alpha-radius,"));
 }
 
+TEST_CASE("a number that is typed out of range is brought within it, and that is said") {
+  const Page page("p");
+  page.find_parameter("scale axis: factor");
+  const auto type = [&](const std::string& number) {
+    page.screen().click(kNumber);
+    static_cast<void>(page.screen().settled());
+    page.screen().type_over(number);
+    page.window.press("Return");
+    return page.at_rest();
+  };
+  const Screenshot largest = type("3");
+  const Screenshot beyond = type("99");
+  CHECK(beyond.changes(kPanel, largest) == 0);
+  CHECK(beyond.changes(kRemark, largest) > 100);
+  CHECK(type("98").changes(kRemark, beyond) > 5);
+}
+
 TEST_CASE("what plays is stopped where the computation is cancelled, also between two pictures") {
   const Page page("e");
   page.screen().xdotool("mousemove 1200 6");
