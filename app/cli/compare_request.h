@@ -11,7 +11,7 @@
 #include "app/cli/picture_request.h"
 #include "app/cli/requests.h"
 #include "app/export/comparison.h"
-#include "app/model/ball_families.h"
+#include "app/layers/ball_families.h"
 #include "core/base/error.h"
 #include "core/document/pane_choice.h"
 #include "core/evolutions/evolution.h"

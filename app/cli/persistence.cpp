@@ -10,7 +10,7 @@
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
-#include "app/model/persistence_table.h"
+#include "app/insight/persistence_table.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {

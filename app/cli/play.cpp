@@ -7,7 +7,7 @@
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
-#include "app/model/player.h"
+#include "app/playing/player.h"
 #include "core/draw/layer_mirror.h"
 
 namespace mes::cli {

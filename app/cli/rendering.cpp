@@ -9,7 +9,7 @@
 
 #include "app/cli/messages.h"
 #include "app/cli/progress.h"
-#include "app/model/sample_spacing.h"
+#include "app/editing/sample_spacing.h"
 #include "app/picture/lacking_letters.h"
 #include "app/picture/legend.h"
 #include "app/picture/sample_texts.h"

@@ -9,7 +9,7 @@
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
-#include "app/model/parameter_sweep.h"
+#include "app/insight/parameter_sweep.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/model/ball_families.h"
+#include "app/layers/ball_families.h"
 #include "app/picture/pane_sheet.h"
 #include "core/base/assert.h"
 #include "core/draw/instance_difference.h"

@@ -23,7 +23,7 @@
 
 #include "app/export/computation.h"
 #include "app/export/shown_layers.h"
-#include "app/model/layer_stack.h"
+#include "app/layers/layer_stack.h"
 #include "app/model/pane_list.h"
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include "app/model/sample_spacing.h"
+#include "app/editing/sample_spacing.h"
 #include "app/picture/figure_legend.h"
 #include "app/picture/lacking_letters.h"
 #include "app/picture/sample_texts.h"

@@ -11,7 +11,7 @@
 
 #include "app/export/page_size.h"
 #include "app/export/shown_layers.h"
-#include "app/model/legend_scope.h"
+#include "app/layers/legend_scope.h"
 #include "app/model/scale_marks.h"
 #include "app/picture/annotation_drawing.h"
 #include "core/base/box2.h"

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <cstdint>
 
-#include "app/model/lesson_walk.h"
 #include "app/picture/caption_text.h"
+#include "app/playing/lesson_walk.h"
 
 namespace mes {
 namespace {

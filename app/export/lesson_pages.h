@@ -21,11 +21,11 @@
 #include <vector>
 
 #include "app/export/figure.h"
-#include "app/model/legend_scope.h"
-#include "app/model/lesson_walk.h"
+#include "app/layers/legend_scope.h"
 #include "app/model/scale_marks.h"
 #include "app/picture/caption_text.h"
 #include "app/picture/paper_drawing.h"
+#include "app/playing/lesson_walk.h"
 #include "core/base/color.h"
 #include "core/base/error.h"
 #include "core/io/session.h"

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "app/model/session_evolution.h"
+#include "app/playing/session_evolution.h"
 #include "core/base/job_control.h"
 #include "core/evolutions/evolution_states.h"
 

@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "app/export/comparison.h"
-#include "app/model/layer_stack.h"
+#include "app/layers/layer_stack.h"
 #include "app/model/pane_list.h"
 #include "core/document/history.h"
 #include "core/evolutions/evolution.h"

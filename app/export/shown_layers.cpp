@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/model/sample_spacing.h"
+#include "app/editing/sample_spacing.h"
 #include "app/picture/canvas_look.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/primitive_values.h"

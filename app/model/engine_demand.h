@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/model/layer_stack.h"
+#include "app/layers/layer_stack.h"
 #include "app/model/pane_documents.h"
 #include "app/model/pane_list.h"
 #include "core/engine/engine.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "app/model/selection.h"
+#include "app/editing/selection.h"
 
 namespace mes {
 

@@ -24,9 +24,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/model/editor.h"
-#include "app/model/evolution_player.h"
+#include "app/editing/editor.h"
 #include "app/model/pane_list.h"
+#include "app/playing/evolution_player.h"
 #include "app/system/background_job.h"
 #include "core/document/commands.h"
 #include "core/engine/engine.h"

@@ -23,8 +23,8 @@
 #include <variant>
 #include <vector>
 
-#include "app/model/ball_families.h"
-#include "app/model/layer_stack.h"
+#include "app/layers/ball_families.h"
+#include "app/layers/layer_stack.h"
 #include "core/document/computation_settings.h"
 #include "core/document/pane_choice.h"
 #include "core/draw/variant.h"

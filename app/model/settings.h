@@ -8,11 +8,11 @@
 #include <string>
 #include <vector>
 
-#include "app/model/brush_settings.h"
+#include "app/editing/brush_settings.h"
+#include "app/editing/snap_settings.h"
 #include "app/model/figure_settings.h"
 #include "app/model/record_settings.h"
 #include "app/model/scale_marks.h"
-#include "app/model/snap_settings.h"
 #include "core/base/color.h"
 #include "core/base/error.h"
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <string>
 
-#include "app/model/annotation_desk.h"
+#include "app/editing/annotation_desk.h"
 #include "app/ui/gui.h"
 
 namespace mes {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "app/canvas/canvas.h"
-#include "app/model/branch_desk.h"
-#include "app/model/computation_control.h"
-#include "app/model/editor.h"
+#include "app/editing/editor.h"
+#include "app/insight/branch_desk.h"
+#include "app/insight/computation_control.h"
 #include "app/ui/gui.h"
 
 namespace mes {

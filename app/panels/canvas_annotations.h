@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "app/model/annotation_desk.h"
+#include "app/editing/annotation_desk.h"
 #include "app/panels/pane_part.h"
 #include "app/picture/annotation_drawing.h"
 #include "app/ui/gui.h"

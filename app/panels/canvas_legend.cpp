@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "app/model/scalar_words.h"
+#include "app/layers/scalar_words.h"
 #include "app/panels/paper_on_canvas.h"
 #include "app/picture/legend.h"
 

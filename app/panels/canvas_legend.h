@@ -4,7 +4,7 @@
 
 #include <optional>
 
-#include "app/model/layer_stack.h"
+#include "app/layers/layer_stack.h"
 #include "app/model/paper_place.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"

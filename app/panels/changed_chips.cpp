@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "app/model/parameter_words.h"
+#include "app/layers/parameter_words.h"
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"

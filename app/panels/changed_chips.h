@@ -2,8 +2,8 @@
 // Chips in the status bar: each a parameter that is not at its default, which a click gives back to it.
 #pragma once
 
-#include "app/model/changed_parameters.h"
-#include "app/model/computation_control.h"
+#include "app/insight/computation_control.h"
+#include "app/layers/changed_parameters.h"
 #include "app/model/messages.h"
 #include "app/ui/gui.h"
 

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "app/model/scalar_words.h"
+#include "app/layers/scalar_words.h"
 #include "app/ui/number_field.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <utility>
 
-#include "app/model/layer_stack.h"
+#include "app/layers/layer_stack.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"
 #include "render/colormap.h"

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/curve_sampler.h"
+#include "app/editing/curve_sampler.h"
 #include "app/ui/gui.h"
 
 namespace mes {

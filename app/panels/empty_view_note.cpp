@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "app/model/empty_view.h"
+#include "app/layers/empty_view.h"
 
 namespace mes {
 

@@ -2,8 +2,8 @@
 // Says on the canvas why nothing is seen, and offers what would show something.
 #pragma once
 
-#include "app/model/editor.h"
-#include "app/model/layer_stack.h"
+#include "app/editing/editor.h"
+#include "app/layers/layer_stack.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"
 #include "core/engine/engine.h"

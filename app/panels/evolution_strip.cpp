@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "app/model/evolution_layers.h"
-#include "app/model/parameter_words.h"
+#include "app/layers/parameter_words.h"
+#include "app/playing/evolution_layers.h"
 #include "app/ui/icons.h"
 #include "app/ui/mark_band.h"
 #include "app/ui/number_field.h"

@@ -3,9 +3,9 @@
 #pragma once
 
 #include "app/actions/action_bindings.h"
-#include "app/model/evolution_player.h"
 #include "app/model/messages.h"
-#include "app/model/step_events.h"
+#include "app/playing/evolution_player.h"
+#include "app/playing/step_events.h"
 #include "app/ui/gui.h"
 
 namespace mes {

@@ -8,7 +8,7 @@
 #include <span>
 #include <string_view>
 
-#include "app/model/statistics_text.h"
+#include "app/layers/statistics_text.h"
 #include "app/ui/icons.h"
 #include "app/ui/large_dialog.h"
 #include "app/ui/number_field.h"

@@ -4,7 +4,7 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/canvas/canvas.h"
-#include "app/model/layer_stack.h"
+#include "app/layers/layer_stack.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/canvas/canvas.h"
-#include "app/model/editor.h"
+#include "app/editing/editor.h"
 #include "app/panels/pane_part.h"
 #include "app/ui/gui.h"
 #include "core/engine/engine.h"

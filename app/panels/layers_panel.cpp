@@ -8,7 +8,7 @@
 #include <glm/gtc/type_ptr.hpp>
 #include <utility>
 
-#include "app/model/sample_spacing.h"
+#include "app/editing/sample_spacing.h"
 #include "app/ui/icons.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"

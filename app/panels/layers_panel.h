@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/layer_list.h"
+#include "app/layers/layer_list.h"
 #include "app/panels/color_map_controls.h"
 #include "app/panels/image_controls.h"
 #include "app/store/layer_text.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/lesson_presenter.h"
+#include "app/playing/lesson_presenter.h"
 #include "app/ui/gui.h"
 #include "app/ui/widgets.h"
 #include "core/base/color.h"

@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 #include <algorithm>
 
-#include "app/model/lesson_walk.h"
 #include "app/picture/caption_text.h"
+#include "app/playing/lesson_walk.h"
 #include "app/ui/icons.h"
 #include "app/ui/number_field.h"
 #include "app/ui/widgets.h"

@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/lesson_desk.h"
+#include "app/playing/lesson_desk.h"
 #include "app/ui/gui.h"
 
 namespace mes {

@@ -7,10 +7,10 @@
 #include <string>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/editor.h"
-#include "app/model/evolution_player.h"
-#include "app/model/layer_stack.h"
+#include "app/editing/editor.h"
+#include "app/layers/layer_stack.h"
 #include "app/model/settings.h"
+#include "app/playing/evolution_player.h"
 #include "app/store/layer_text.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"

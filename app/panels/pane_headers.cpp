@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "app/model/parameter_words.h"
+#include "app/layers/parameter_words.h"
 #include "app/picture/pane_sheet.h"
 #include "app/ui/number_field.h"
 #include "app/ui/slider.h"

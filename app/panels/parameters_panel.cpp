@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/model/changed_parameters.h"
-#include "app/model/evolution_layers.h"
-#include "app/model/parameter_words.h"
+#include "app/layers/changed_parameters.h"
+#include "app/layers/parameter_words.h"
+#include "app/playing/evolution_layers.h"
 #include "app/ui/icons.h"
 #include "app/ui/number_field.h"
 #include "app/ui/slider.h"

@@ -4,14 +4,14 @@
 
 #include <string>
 
-#include "app/model/computation_control.h"
-#include "app/model/critical_values.h"
-#include "app/model/editor.h"
-#include "app/model/layer_stack.h"
+#include "app/editing/editor.h"
+#include "app/insight/computation_control.h"
+#include "app/insight/critical_values.h"
+#include "app/insight/parameter_sweep.h"
+#include "app/insight/persistence_desk.h"
+#include "app/insight/scale_events.h"
+#include "app/layers/layer_stack.h"
 #include "app/model/messages.h"
-#include "app/model/parameter_sweep.h"
-#include "app/model/persistence_desk.h"
-#include "app/model/scale_events.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"
 #include "app/ui/mark_band.h"

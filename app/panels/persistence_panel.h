@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "app/canvas/canvas.h"
-#include "app/model/computation_control.h"
-#include "app/model/editor.h"
-#include "app/model/persistence_desk.h"
+#include "app/editing/editor.h"
+#include "app/insight/computation_control.h"
+#include "app/insight/persistence_desk.h"
 #include "app/ui/gui.h"
 
 namespace mes {

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "app/canvas/canvas.h"
-#include "app/model/editor.h"
-#include "app/model/layer_stack.h"
+#include "app/editing/editor.h"
+#include "app/layers/layer_stack.h"
 #include "app/panels/pane_part.h"
 #include "app/ui/gui.h"
 #include "core/engine/engine.h"

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "app/model/measurement.h"
+#include "app/editing/measurement.h"
 #include "app/panels/paper_on_canvas.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"

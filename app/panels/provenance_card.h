@@ -8,8 +8,8 @@
 
 #include "app/canvas/canvas.h"
 #include "app/canvas/tools/tool.h"
-#include "app/model/editor.h"
-#include "app/model/layer_stack.h"
+#include "app/editing/editor.h"
+#include "app/layers/layer_stack.h"
 #include "app/ui/gui.h"
 #include "core/draw/provenance.h"
 #include "core/engine/engine.h"

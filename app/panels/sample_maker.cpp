@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <utility>
 
-#include "app/model/selection.h"
+#include "app/editing/selection.h"
 #include "app/panels/sampling_controls.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"

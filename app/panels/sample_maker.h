@@ -5,7 +5,7 @@
 #include <functional>
 #include <string>
 
-#include "app/model/sample_making.h"
+#include "app/editing/sample_making.h"
 #include "app/ui/gui.h"
 
 namespace mes {

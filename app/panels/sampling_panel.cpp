@@ -4,9 +4,9 @@
 #include <fmt/core.h>
 #include <algorithm>
 
-#include "app/model/neighborhood.h"
-#include "app/model/parameter_words.h"
-#include "app/model/verdict_word.h"
+#include "app/editing/neighborhood.h"
+#include "app/layers/parameter_words.h"
+#include "app/layers/verdict_word.h"
 #include "app/ui/number_field.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"

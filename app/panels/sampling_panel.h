@@ -4,8 +4,8 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/canvas/canvas.h"
+#include "app/editing/resample_desk.h"
 #include "app/model/messages.h"
-#include "app/model/resample_desk.h"
 #include "app/picture/picture.h"
 #include "app/ui/gui.h"
 

@@ -7,9 +7,9 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/canvas/canvas.h"
+#include "app/editing/selection_desk.h"
 #include "app/model/messages.h"
 #include "app/model/refusal.h"
-#include "app/model/selection_desk.h"
 #include "app/ui/gui.h"
 
 namespace mes {

@@ -3,7 +3,7 @@
 
 #include <fmt/core.h>
 
-#include "app/model/statistics_text.h"
+#include "app/layers/statistics_text.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "core/draw/variant.h"

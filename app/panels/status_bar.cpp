@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/model/statistics_text.h"
+#include "app/layers/statistics_text.h"
 #include "app/panels/changed_chips.h"
 #include "app/ui/theme.h"
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "app/canvas/canvas.h"
-#include "app/model/computation_control.h"
-#include "app/model/editor.h"
+#include "app/editing/editor.h"
+#include "app/insight/computation_control.h"
 #include "app/model/messages.h"
 #include "app/panels/verdict.h"
 #include "app/panels/work_in_progress.h"

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <string>
 
-#include "app/model/neighborhood.h"
-#include "app/model/verdict_word.h"
+#include "app/editing/neighborhood.h"
+#include "app/layers/verdict_word.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <string>
 
-#include "app/model/statistics_text.h"
-#include "app/model/verdict_word.h"
+#include "app/layers/statistics_text.h"
+#include "app/layers/verdict_word.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/actions/action_bindings.h"
-#include "app/model/parameter_sweep.h"
+#include "app/insight/parameter_sweep.h"
 #include "app/model/update_hold.h"
 #include "app/recording/record_desk.h"
 #include "app/store/file_desk.h"

@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "app/model/measurement.h"
+#include "app/editing/measurement.h"
 #include "app/picture/plane_drawing.h"
 #include "app/picture/rich_text.h"
 

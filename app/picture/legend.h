@@ -16,7 +16,7 @@
 #include <string>
 #include <vector>
 
-#include "app/model/legend_scope.h"
+#include "app/layers/legend_scope.h"
 #include "app/model/paper_place.h"
 #include "app/picture/paper_drawing.h"
 #include "core/draw/layer_style.h"

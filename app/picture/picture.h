@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "app/model/editor.h"
-#include "app/model/layer_stack.h"
+#include "app/editing/editor.h"
+#include "app/editing/sample_spacing.h"
+#include "app/layers/layer_stack.h"
 #include "app/model/pane_list.h"
 #include "app/model/pane_places.h"
-#include "app/model/sample_spacing.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/detail.h"
 #include "app/picture/legend.h"

@@ -23,7 +23,7 @@
 #include <span>
 #include <vector>
 
-#include "app/model/place_index.h"
+#include "app/editing/place_index.h"
 #include "core/base/box2.h"
 #include "core/document/document.h"
 #include "render/layer_texts.h"

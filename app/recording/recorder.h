@@ -22,7 +22,7 @@
 #include <string>
 #include <vector>
 
-#include "app/model/legend_scope.h"
+#include "app/layers/legend_scope.h"
 #include "app/model/pane_list.h"
 #include "app/model/scale_marks.h"
 #include "core/document/computation_settings.h"

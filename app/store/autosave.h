@@ -13,7 +13,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/model/editor.h"
+#include "app/editing/editor.h"
 #include "core/io/session.h"
 
 namespace mes {

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "app/model/layer_stack.h"
+#include "app/layers/layer_stack.h"
 #include "core/base/error.h"
 #include "core/document/bundle.h"
 #include "core/io/bundle_file.h"

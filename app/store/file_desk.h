@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "app/model/editor.h"
-#include "app/model/prepared_document.h"
+#include "app/editing/editor.h"
+#include "app/editing/prepared_document.h"
 #include "app/store/file_conflict.h"
 #include "app/system/background_job.h"
 #include "core/base/job_control.h"

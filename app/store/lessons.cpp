@@ -4,7 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "app/model/demo.h"
+#include "app/playing/demo.h"
 #include "core/io/format.h"
 
 namespace mes {

@@ -23,7 +23,7 @@ struct ShippedLesson {
 /// As `lessons/index.json` lists them, and the demo after them; those whose file is missing are left out.
 std::vector<ShippedLesson> read_shipped_lessons(const std::filesystem::path& assets);
 
-/// The demo, of the first of these shapes, with its scenes as steps of a lesson (app/model/demo.h). Error: `bad_input`
+/// The demo, of the first of these shapes, with its scenes as steps of a lesson (app/playing/demo.h). Error: `bad_input`
 /// without a shape; what reading it and `demo_session` say.
 Expected<Session> demo_of(std::span<const SampleShape> shapes);
 

@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/model/messages.h"
-#include "app/model/playback.h"
 #include "app/model/view_fitter.h"
+#include "app/playing/playback.h"
 #include "app/ui/gui.h"
 #include "app/window/workspace.h"
 #include "core/io/session.h"

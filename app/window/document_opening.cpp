@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "app/model/session_evolution.h"
+#include "app/playing/session_evolution.h"
 #include "app/window/document_flow.h"
 #include "core/io/bundle_file.h"
 #include "imgui.h"

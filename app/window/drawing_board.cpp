@@ -6,7 +6,7 @@
 #include <array>
 #include <utility>
 
-#include "app/model/kept_highlight.h"
+#include "app/editing/kept_highlight.h"
 #include "app/panels/pointer_marks.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/scale_drawing.h"

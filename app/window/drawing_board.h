@@ -6,9 +6,9 @@
 #include <functional>
 
 #include "app/canvas/canvas.h"
+#include "app/editing/source_selection.h"
 #include "app/model/memory_watch.h"
 #include "app/model/settings.h"
-#include "app/model/source_selection.h"
 #include "app/model/view_fitter.h"
 #include "app/panels/canvas_annotations.h"
 #include "app/panels/insertion_preview.h"

@@ -7,9 +7,9 @@
 #include <string>
 
 #include "app/actions/action_bindings.h"
-#include "app/model/lesson_desk.h"
-#include "app/model/lesson_presenter.h"
 #include "app/panels/lesson_card.h"
+#include "app/playing/lesson_desk.h"
+#include "app/playing/lesson_presenter.h"
 #include "app/window/drawing_board.h"
 #include "app/window/workspace.h"
 

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <filesystem>
 
-#include "app/model/parameter_words.h"
+#include "app/layers/parameter_words.h"
 #include "core/evolutions/evolution.h"
 
 namespace mes {

@@ -4,7 +4,6 @@
 
 #include "app/actions/action_bindings.h"
 #include "app/model/palette.h"
-#include "app/model/step_events.h"
 #include "app/panels/annotation_card.h"
 #include "app/panels/bundles_panel.h"
 #include "app/panels/details_panel.h"
@@ -14,6 +13,7 @@
 #include "app/panels/presenter.h"
 #include "app/panels/status_bar.h"
 #include "app/panels/toolbar.h"
+#include "app/playing/step_events.h"
 #include "app/window/document_flow.h"
 #include "app/window/live_recording.h"
 

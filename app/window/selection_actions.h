@@ -6,8 +6,8 @@
 #include <string>
 
 #include "app/actions/action_bindings.h"
+#include "app/editing/selection_desk.h"
 #include "app/model/messages.h"
-#include "app/model/selection_desk.h"
 #include "app/model/settings.h"
 
 namespace mes {

@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <functional>
 
-#include "app/model/editor.h"
-#include "app/model/layer_stack.h"
+#include "app/editing/editor.h"
+#include "app/layers/layer_stack.h"
 #include "app/model/messages.h"
 #include "app/picture/picture.h"
 #include "app/store/background_loader.h"

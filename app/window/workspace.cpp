@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "app/export/carried.h"
-#include "app/model/session_evolution.h"
+#include "app/playing/session_evolution.h"
 #include "core/draw/variant.h"
 #include "core/io/text_numbers.h"
 

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "app/model/editor.h"
+#include "app/editing/editor.h"
 #include "app/picture/moved_points.h"
 #include "core/base/rng.h"
 #include "core/engine/engine.h"

@@ -4,8 +4,8 @@
 #include <functional>
 #include <stdexcept>
 
-#include "app/model/editor.h"
-#include "app/model/prepared_document.h"
+#include "app/editing/editor.h"
+#include "app/editing/prepared_document.h"
 #include "core/base/rng.h"
 #include "tests/faults/faulty_memory.h"
 

@@ -2,8 +2,8 @@
 #include <array>
 #include <catch2/catch.hpp>
 
+#include "app/editing/place_index.h"
 #include "app/model/memory_problem.h"
-#include "app/model/place_index.h"
 #include "core/base/rng.h"
 #include "core/document/commands.h"
 #include "core/document/timeline.h"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/model/lesson_desk.h"
-#include "app/model/lesson_presenter.h"
+#include "app/playing/lesson_desk.h"
+#include "app/playing/lesson_presenter.h"
 #include "core/base/rng.h"
 #include "tests/model/random_editing.h"
 

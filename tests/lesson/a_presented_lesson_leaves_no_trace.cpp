@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "app/model/lesson_presenter.h"
+#include "app/playing/lesson_presenter.h"
 #include "core/base/rng.h"
 #include "tests/model/random_editing.h"
 

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "app/model/lesson_walk.h"
+#include "app/playing/lesson_walk.h"
 
 using namespace mes;
 

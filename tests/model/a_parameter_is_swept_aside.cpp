@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/model/parameter_sweep.h"
+#include "app/insight/parameter_sweep.h"
 
 using namespace mes;
 

@@ -2,9 +2,9 @@
 #include <catch2/catch.hpp>
 #include <vector>
 
-#include "app/model/computation_control.h"
+#include "app/insight/computation_control.h"
+#include "app/insight/parameter_animation.h"
 #include "app/model/messages.h"
-#include "app/model/parameter_animation.h"
 
 using namespace mes;
 

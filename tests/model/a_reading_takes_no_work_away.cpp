@@ -8,7 +8,7 @@
 #include <thread>
 #include <vector>
 
-#include "app/model/prepared_document.h"
+#include "app/editing/prepared_document.h"
 #include "tests/model/desk_bench.h"
 
 using namespace mes;

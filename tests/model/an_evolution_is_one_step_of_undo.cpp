@@ -5,7 +5,7 @@
 #include <cmath>
 #include <thread>
 
-#include "app/model/evolution_player.h"
+#include "app/playing/evolution_player.h"
 
 using namespace mes;
 

@@ -5,7 +5,7 @@
 #include "app/canvas/canvas.h"
 #include "app/canvas/tools/ball_tool.h"
 #include "app/canvas/tools/select_tool.h"
-#include "app/model/ball_pick.h"
+#include "app/editing/ball_pick.h"
 
 using namespace mes;
 

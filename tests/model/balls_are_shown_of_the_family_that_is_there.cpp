@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "app/model/ball_families.h"
-#include "app/model/editor.h"
-#include "app/model/empty_view.h"
-#include "app/model/evolution_layers.h"
+#include "app/editing/editor.h"
+#include "app/layers/ball_families.h"
+#include "app/layers/empty_view.h"
+#include "app/playing/evolution_layers.h"
 
 using namespace mes;
 

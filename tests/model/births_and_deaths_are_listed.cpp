@@ -6,8 +6,8 @@
 #include <numbers>
 #include <string>
 
-#include "app/model/persistence_desk.h"
-#include "app/model/persistence_table.h"
+#include "app/insight/persistence_desk.h"
+#include "app/insight/persistence_table.h"
 #include "core/base/rng.h"
 
 using namespace mes;

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <numbers>
 
-#include "app/model/branch_desk.h"
-#include "app/model/branch_table.h"
-#include "app/model/critical_values.h"
-#include "app/model/editor.h"
-#include "app/model/resample_desk.h"
-#include "app/model/scale_events.h"
+#include "app/editing/editor.h"
+#include "app/editing/resample_desk.h"
+#include "app/insight/branch_desk.h"
+#include "app/insight/branch_table.h"
+#include "app/insight/critical_values.h"
+#include "app/insight/scale_events.h"
 #include "core/base/rng.h"
 #include "tests/support/shapes.h"
 #include "tests/support/workbench.h"

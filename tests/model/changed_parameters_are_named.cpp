@@ -2,7 +2,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 
-#include "app/model/changed_parameters.h"
+#include "app/layers/changed_parameters.h"
 
 using namespace mes;
 

@@ -2,8 +2,8 @@
 #include <array>
 #include <catch2/catch.hpp>
 
-#include "app/model/editor.h"
-#include "app/model/layer_stack.h"
+#include "app/editing/editor.h"
+#include "app/layers/layer_stack.h"
 #include "core/base/rng.h"
 #include "core/io/session.h"
 #include "tests/model/random_editing.h"

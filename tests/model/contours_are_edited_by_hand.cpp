@@ -6,8 +6,8 @@
 #include <thread>
 
 #include "app/canvas/tools/select_tool.h"
-#include "app/model/contour_desk.h"
-#include "app/model/source_selection.h"
+#include "app/editing/contour_desk.h"
+#include "app/editing/source_selection.h"
 #include "app/model/update_hold.h"
 #include "core/draw/layer_descriptor.h"
 

@@ -6,7 +6,7 @@
 #include <numbers>
 #include <thread>
 
-#include "app/model/curve_sampler.h"
+#include "app/editing/curve_sampler.h"
 #include "core/document/taken_samples.h"
 #include "core/io/session.h"
 

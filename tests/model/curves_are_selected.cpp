@@ -3,7 +3,7 @@
 #include <cmath>
 #include <thread>
 
-#include "app/model/curve_selector.h"
+#include "app/editing/curve_selector.h"
 
 using namespace mes;
 

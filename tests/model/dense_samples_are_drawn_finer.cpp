@@ -6,9 +6,9 @@
 #include <utility>
 #include <vector>
 
-#include "app/model/editor.h"
-#include "app/model/layer_stack.h"
-#include "app/model/sample_spacing.h"
+#include "app/editing/editor.h"
+#include "app/editing/sample_spacing.h"
+#include "app/layers/layer_stack.h"
 #include "core/base/rng.h"
 #include "core/document/commands.h"
 

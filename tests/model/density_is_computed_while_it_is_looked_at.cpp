@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-#include "app/model/editor.h"
+#include "app/editing/editor.h"
 #include "app/model/engine_demand.h"
 
 using namespace mes;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <limits>
 
-#include "app/model/editor.h"
+#include "app/editing/editor.h"
 
 using namespace mes;
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 
-#include "app/model/layer_stack.h"
+#include "app/layers/layer_stack.h"
 #include "core/base/rng.h"
 
 using namespace mes;

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <map>
 
-#include "app/model/layer_list.h"
+#include "app/layers/layer_list.h"
 
 using namespace mes;
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "app/model/editor.h"
+#include "app/editing/editor.h"
 #include "app/picture/sample_texts.h"
 #include "app/store/sample_shapes.h"
 #include "core/base/rng.h"

@@ -5,7 +5,7 @@
 
 #include "app/canvas/canvas.h"
 #include "app/canvas/tools/measure_tool.h"
-#include "app/model/measurement.h"
+#include "app/editing/measurement.h"
 
 using namespace mes;
 

@@ -4,7 +4,7 @@
 
 #include <array>
 
-#include "app/model/editor.h"
+#include "app/editing/editor.h"
 #include "core/base/rng.h"
 #include "core/document/taken_samples.h"
 

@@ -3,7 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "app/model/editor.h"
+#include "app/editing/editor.h"
 #include "core/base/rng.h"
 
 using namespace mes;

@@ -4,7 +4,7 @@
 #include <new>
 #include <semaphore>
 
-#include "app/model/sample_making.h"
+#include "app/editing/sample_making.h"
 
 using namespace mes;
 

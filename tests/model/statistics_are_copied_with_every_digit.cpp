@@ -3,7 +3,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "app/model/statistics_text.h"
+#include "app/layers/statistics_text.h"
 
 using namespace mes;
 

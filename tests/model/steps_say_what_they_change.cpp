@@ -5,8 +5,8 @@
 #include <string_view>
 #include <vector>
 
-#include "app/model/persistence_table.h"
-#include "app/model/step_events.h"
+#include "app/insight/persistence_table.h"
+#include "app/playing/step_events.h"
 
 using namespace mes;
 

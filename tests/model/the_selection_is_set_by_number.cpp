@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/model/selection_desk.h"
+#include "app/editing/selection_desk.h"
 #include "core/base/rng.h"
 #include "core/io/format.h"
 

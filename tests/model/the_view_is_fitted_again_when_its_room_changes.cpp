@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 
-#include "app/model/editor.h"
+#include "app/editing/editor.h"
 #include "app/model/view_fitter.h"
 
 using namespace mes;

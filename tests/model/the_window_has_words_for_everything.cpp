@@ -3,10 +3,10 @@
 #include <set>
 #include <vector>
 
-#include "app/model/editor.h"
-#include "app/model/neighborhood.h"
-#include "app/model/parameter_words.h"
-#include "app/model/verdict_word.h"
+#include "app/editing/editor.h"
+#include "app/editing/neighborhood.h"
+#include "app/layers/parameter_words.h"
+#include "app/layers/verdict_word.h"
 #include "core/evolutions/evolution.h"
 #include "core/graph/structure.h"
 

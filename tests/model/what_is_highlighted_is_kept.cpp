@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "app/model/kept_highlight.h"
+#include "app/editing/kept_highlight.h"
 #include "app/picture/annotation_drawing.h"
 #include "core/base/rng.h"
 #include "core/draw/layer_descriptor.h"

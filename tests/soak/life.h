@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/model/editor.h"
+#include "app/editing/editor.h"
 #include "core/base/rng.h"
 #include "core/io/session.h"
 #include "tests/soak/picture_check.h"

@@ -5,7 +5,7 @@
 #include <exception>
 #include <iterator>
 
-#include "app/model/layer_stack.h"
+#include "app/layers/layer_stack.h"
 #include "tests/soak/picture_check.h"
 
 namespace mes::test {

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/model/editor.h"
+#include "app/editing/editor.h"
 #include "core/io/session.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/window/window_driver.h"

@@ -4,7 +4,7 @@
 #pragma once
 
 #include "app/canvas/tools/tool.h"
-#include "app/model/annotation_desk.h"
+#include "app/editing/annotation_desk.h"
 
 namespace mes {
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/canvas/tools/tool.h"
-#include "app/model/brush.h"
+#include "app/editing/brush.h"
 
 namespace mes {
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/model/ball_pick.h"
+#include "app/editing/ball_pick.h"
 #include "core/edit/enclosed.h"
 
 namespace mes {

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "app/actions/key_chord.h"
-#include "app/model/annotation_desk.h"
-#include "app/model/brush_settings.h"
-#include "app/model/editor.h"
-#include "app/model/selection_frame.h"
-#include "app/model/snapper.h"
+#include "app/editing/annotation_desk.h"
+#include "app/editing/brush_settings.h"
+#include "app/editing/editor.h"
+#include "app/editing/selection_frame.h"
+#include "app/editing/snapper.h"
 #include "core/base/box2.h"
 #include "core/edit/frame_handles.h"
 

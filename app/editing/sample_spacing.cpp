@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/editing/sample_spacing.h"
+
+#include <algorithm>
+#include <bit>
+#include <bitset>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "core/base/rng.h"
+
+namespace mes {
+namespace {
+
+constexpr std::size_t kProbes = 200;
+
+struct Probe {
+  std::uint64_t key = 0;
+  Vec2 at;
+  double nearest = std::numeric_limits<double>::infinity();
+};
+
+template <class Visit>
+void visit_places(const Document& document, const Visit& visit) {
+  for (const SampleSlot slot : slots_below<SampleSlot>(document.slot_count()))
+    if (document.is_alive(slot)) visit(document.position(slot));
+}
+
+/// A random number of the place; 0 and -0 are one.
+std::uint64_t key_of(Vec2 p) {
+  return Rng(std::bit_cast<std::uint64_t>(p.x + 0.0)).at(std::bit_cast<std::uint64_t>(p.y + 0.0));
+}
+
+/// The places with the least keys, each once, by increasing key: a random choice that does not depend on their order.
+std::vector<Probe> choose_probes(const Document& document) {
+  std::vector<Probe> out;
+  visit_places(document, [&out](Vec2 p) {
+    const std::uint64_t key = key_of(p);
+    if (out.size() == kProbes && key >= out.back().key) return;
+    const auto place = std::ranges::lower_bound(out, key, {}, &Probe::key);
+    if (place != out.end() && place->key == key) return;
+    out.insert(place, {key, p});
+    if (out.size() > kProbes) out.pop_back();
+  });
+  return out;
+}
+
+/// Probes by the cells of a grid, each in its own and the eight around it.
+class ProbeGrid {
+ public:
+  ProbeGrid(std::vector<Probe>& probes, double reach) : probes_(probes), size_((1.0 + 1e-9) * reach) {
+    for (std::size_t i = 0; i < probes.size(); ++i) {
+      const Cell cell = cell_of(probes[i].at);
+      for (std::int64_t x = cell.x - 1; x <= cell.x + 1; ++x)
+        for (std::int64_t y = cell.y - 1; y <= cell.y + 1; ++y) entries_.push_back({key_of({x, y}), i});
+    }
+    std::ranges::sort(entries_, {}, &Entry::key);
+    for (const Entry& entry : entries_) is_used_.set(entry.key % kBits);
+  }
+
+  /// Tells the probes near it how far it is.
+  void meet(Vec2 p) {
+    const std::uint64_t key = key_of(cell_of(p));
+    if (!is_used_.test(key % kBits)) return;
+    for (auto at = std::ranges::lower_bound(entries_, key, {}, &Entry::key); at != entries_.end() && at->key == key;
+         ++at) {
+      Probe& probe = probes_[at->probe];
+      if (const double d = distance(probe.at, p); d > 0.0) probe.nearest = std::min(probe.nearest, d);
+    }
+  }
+
+ private:
+  static constexpr std::size_t kBits = std::size_t{1} << 16U;
+  struct Cell {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+  };
+  struct Entry {
+    std::uint64_t key = 0;
+    std::size_t probe = 0;
+  };
+
+  // About a probe, so that a place far from the origin has cells, too.
+  Cell cell_of(Vec2 p) const {
+    const auto number = [this](double value) {
+      constexpr double kFarthest = 4e15;
+      return static_cast<std::int64_t>(std::floor(std::clamp(value / size_, -kFarthest, kFarthest)));
+    };
+    const Vec2 from = p - probes_.front().at;
+    return {number(from.x), number(from.y)};
+  }
+  static std::uint64_t key_of(Cell cell) {
+    std::uint64_t h = static_cast<std::uint64_t>(cell.x) * 0x9e3779b97f4a7c15U;
+    h = (h ^ (h >> 32U) ^ static_cast<std::uint64_t>(cell.y)) * 0xff51afd7ed558ccdU;
+    return h ^ (h >> 32U);
+  }
+
+  std::vector<Probe>& probes_;
+  double size_;
+  std::vector<Entry> entries_;
+  std::bitset<kBits> is_used_;
+};
+
+/// More than half of them have one.
+double median_of_nearest(const std::vector<Probe>& probes) {
+  std::vector<double> nearest;
+  for (const Probe& probe : probes) nearest.push_back(probe.nearest);
+  const auto middle = nearest.begin() + static_cast<std::ptrdiff_t>(nearest.size() / 2);
+  std::ranges::nth_element(nearest, middle);
+  return *middle;
+}
+
+}  // namespace
+
+// Half of the probes have another probe within the median of their distances. Among more places the nearest are about
+// as much nearer as there are more; where half of the probes meet nothing there, the search is wider.
+double typical_spacing(const Document& document) {
+  std::vector<Probe> probes = choose_probes(document);
+  if (probes.size() < 2) return 0.0;
+  for (Probe& probe : probes)
+    for (const Probe& other : probes)
+      if (&other != &probe) probe.nearest = std::min(probe.nearest, distance(probe.at, other.at));
+  const double among_probes = median_of_nearest(probes);
+  if (probes.size() < kProbes) return among_probes;
+  const double share = static_cast<double>(kProbes) / static_cast<double>(document.sample_count());
+  for (double reach = 2.0 * std::sqrt(share) * among_probes;; reach *= 4.0) {
+    reach = std::min(reach, among_probes);
+    if (!(reach > 0.0)) return among_probes;
+    ProbeGrid grid(probes, reach);
+    visit_places(document, [&grid](Vec2 p) { grid.meet(p); });
+    if (const double found = median_of_nearest(probes); found <= reach) return found;
+  }
+}
+
+double FollowedSpacing::of(const Document& document, std::uint64_t origin) {
+  const std::uint64_t digest = document.sample_digest();
+  const std::size_t count = document.sample_count();
+  const int magnitude = document.magnitudes().most;
+  const std::size_t change = std::max(count, count_) - std::min(count, count_);
+  const bool is_same = digest == digest_ && count == count_;
+  const bool may_wait = count > kAlwaysMeasured && 10 * change <= count_ && magnitude == magnitude_;
+  if (origin == origin_ && (is_same || may_wait)) return spacing_;
+  digest_ = digest;
+  origin_ = origin;
+  count_ = count;
+  magnitude_ = magnitude;
+  spacing_ = typical_spacing(document);
+  return spacing_;
+}
+
+bool is_made_of_samples(const LayerDescriptor& descriptor) {
+  return descriptor.group != LayerGroup::union_b && !descriptor.kinds.empty() &&
+         descriptor.points_as == PointsAs::dots;
+}
+
+LayerStyle thinned(LayerStyle style, const LayerDescriptor& descriptor, double spacing_px) {
+  constexpr double kShareOfSpacing = 0.7;
+  constexpr double kSmallestApart = 1.5;  // logical pixels, as all of these
+  constexpr double kDense = 2.0;
+  constexpr double kThinnest = 0.2;  // of the width in the style
+  constexpr double kSmallestDot = 1.0;
+  constexpr double kThinnestLine = 0.3;
+  if (!style.thin_when_dense || !is_made_of_samples(descriptor) || !(spacing_px > 0.0)) return style;
+  const double point = style.point_size_px;
+  if (descriptor.id == "points" && point == descriptor.style.point_size_px)
+    style.point_size_px = std::min(point, std::max(kSmallestApart, kShareOfSpacing * spacing_px));
+  if (spacing_px >= kDense) return style;
+  const double factor = std::max(kThinnest, spacing_px / kDense);
+  style.point_size_px = std::min(style.point_size_px, std::max(kSmallestDot, factor * point));
+  style.line_width_px = std::min(style.line_width_px, std::max(kThinnestLine, factor * style.line_width_px));
+  return style;
+}
+
+}  // namespace mes

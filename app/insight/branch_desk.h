@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of branches of what is shown, and the one that is chosen.
+//
+// What it guarantees:
+//  1. Nothing waits: the table is computed afresh on a thread of its own. It is of one state of the document and of the
+//     settings; `is_current` says whether that is the state asked for last.
+//  2. While it is not asked for, nothing is computed.
+//  3. A branch stays chosen in the next table if one there has the same two ends.
+//
+// Smallest use, once a frame:
+//     if (desk.follow(BranchDesk::State{document.revision(), settings, BranchAxis::lambda}, data)) draw(*desk.table());
+//
+// Cost: of the axis from scratch, beside the window. Threads: the window's; `wake` is called from the other.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/insight/branch_table.h"
+#include "app/system/background_job.h"
+
+namespace mes {
+
+class BranchDesk {
+ public:
+  explicit BranchDesk(std::function<void()> wake) : job_(std::move(wake)) {}
+
+  struct State {
+    std::uint64_t document = 0;  ///< revision
+    ComputationSettings settings{};
+    BranchAxis axis = BranchAxis::whole;
+    bool measures_area = false;  ///< takes many times longer
+    friend bool operator==(const State&, const State&) = default;
+  };
+  /// Takes what is ready, and begins what is missing. `data` is called when a computation begins. True when there is
+  /// another table now.
+  bool follow(const State& wanted, const std::function<SampleData()>& data);
+  /// It is not looked at any more.
+  void rest();
+
+  /// The last one; null before the first.
+  const BranchTable* table() const { return table_.get(); }
+  /// The state of the table.
+  const State& state() const { return state_; }
+  bool is_current() const { return table_ != nullptr && state_ == wanted_; }
+  bool is_under_way() const { return job_.is_under_way(); }
+  /// Why the computation of the table failed; empty if it did not.
+  const std::string& problem() const { return problem_; }
+
+  /// Row of the table.
+  std::optional<std::size_t> chosen() const { return chosen_; }
+  void choose(std::optional<std::size_t> row) { chosen_ = row; }
+  /// Chooses the branch within `reach` of a place, or no branch if there is none. False while the table is not that of
+  /// what is shown.
+  bool pick(Vec2 place, double reach);
+
+ private:
+  struct Done {
+    State state;
+    std::shared_ptr<const BranchTable> table;
+    std::string problem;
+  };
+  void take(Done done);
+
+  BackgroundJob<Done> job_;
+  State wanted_;
+  State state_;
+  std::optional<State> failed_;
+  std::shared_ptr<const BranchTable> table_;
+  std::string problem_;
+  std::optional<std::size_t> chosen_;
+};
+
+}  // namespace mes

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/insight/parameter_sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+#include <span>
+#include <string_view>
+#include <utility>
+#include <variant>
+
+#include "app/layers/layer_summary.h"
+#include "core/draw/layer_mirror.h"
+#include "core/engine/graph.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+namespace {
+
+/// The cells of one line under their names, which are the paths of these numbers in what `compute` writes; a number that
+/// is not there is an empty cell.
+using Cells = std::vector<std::pair<std::string, std::string>>;
+
+std::string cell_of(double value) {
+  std::string out;
+  if (std::isfinite(value)) append_number(out, value);
+  return out;
+}
+
+Expected<Cells> cells_of(const FramePatch& patch, const LayerMirror& mirror, const std::vector<LayerIndex>& layers) {
+  Cells out;
+  for (const LayerIndex layer : layers) {
+    const LayerReport& report = patch.reports[layer];
+    const std::string id(layer_descriptors()[layer].id);
+    const std::string prefix = "layers." + id + '.';
+    if (report.state == NodeState::failed || report.state == NodeState::blocked)
+      return std::unexpected(Error{ErrorCode::cannot_compute, "layer " + id + " failed: " + report.reason, {}, 0, 0});
+    const LayerSummary summary = summarise(mirror, layer);
+    for (const PrimitiveKind kind : layer_descriptors()[layer].kinds) {
+      out.emplace_back(prefix + std::string(plural_of(kind)),
+                       std::to_string(summary.count[static_cast<std::size_t>(kind)]));
+      if (kind == PrimitiveKind::segment || kind == PrimitiveKind::arc)
+        out.emplace_back(prefix + "length", cell_of(summary.length));
+      if (kind == PrimitiveKind::triangle) out.emplace_back(prefix + "area", cell_of(summary.area));
+    }
+  }
+  for (const NodeReport& node : patch.nodes) {
+    if (node.state == NodeState::inactive) continue;
+    for (const Stat& stat : node.stats) {
+      const std::string name = "structures." + node.structure + '.' + stat.key;
+      if (const auto* count = std::get_if<std::int64_t>(&stat.value)) out.emplace_back(name, std::to_string(*count));
+      if (const auto* measure = std::get_if<double>(&stat.value)) out.emplace_back(name, cell_of(*measure));
+    }
+  }
+  return out;
+}
+
+/// A table whose columns become more while lines come.
+class Lines {
+ public:
+  explicit Lines(std::string_view first_column) : columns_{std::string(first_column)} {}
+
+  void add(double value, const Cells& cells) {
+    for (const auto& [column, cell] : cells)
+      if (std::ranges::find(columns_, column) == columns_.end()) columns_.push_back(column);
+    std::string line = cell_of(value);
+    for (const std::string& column : std::span(columns_).subspan(1)) {
+      const auto found = std::ranges::find(cells, column, &Cells::value_type::first);
+      line += ',';
+      if (found != cells.end()) line += found->second;
+    }
+    lines_.emplace_back(std::move(line), columns_.size());
+  }
+
+  std::string text() const {
+    std::string out;
+    for (const std::string& column : columns_) out += (column == columns_.front() ? "" : ",") + column;
+    out += '\n';
+    for (const auto& [line, columns] : lines_) {
+      out += line;
+      out.append(columns_.size() - columns, ',');
+      out += '\n';
+    }
+    return out;
+  }
+
+ private:
+  std::vector<std::string> columns_;
+  std::vector<std::pair<std::string, std::size_t>> lines_;  // with how many columns there were
+};
+
+}  // namespace
+
+Expected<std::string> sweep_as_csv(const ParameterSweep& sweep, const std::function<void(double)>& progress,
+                                   JobControl& job) {
+  const Document document;
+  auto delta = replace_all(document, sweep.data);
+  if (!delta) return std::unexpected(delta.error());
+  Graph graph;
+  graph.set_demand(sweep.layers);
+  graph.set_want_statistics(true);
+  graph.post(std::make_shared<const DocumentDelta>(*std::move(delta)));
+  ParameterAnimation range = sweep.range;
+  range.start();
+  ComputationSettings settings = sweep.settings;
+  FramePatch patch;
+  LayerMirror mirror;
+  Lines lines(descriptor_of(range.parameter).id);
+  do {
+    settings[range.parameter] = range.value();
+    graph.post_settings(settings);
+    if (!graph.run(patch, job)) throw Cancelled{};
+    mirror.apply(patch);
+    const auto cells = cells_of(patch, mirror, sweep.layers);
+    if (!cells) return std::unexpected(cells.error());
+    lines.add(range.value(), *cells);
+    if (progress) progress(static_cast<double>(range.position()) / range.steps);
+  } while (range.advance());
+  return lines.text();
+}
+
+void SweepDesk::begin(ParameterSweep sweep) {
+  // A sweep that was given up may write to the old one still.
+  done_ = std::make_shared<std::atomic<double>>(0.0);
+  job_.begin([sweep = std::move(sweep), done = done_](const std::stop_token& stop) -> Expected<std::string> {
+    JobControl job(stop);
+    const auto failed = [](const char* why) {
+      return std::unexpected(Error{ErrorCode::cannot_compute, why, {}, 0, 0});
+    };
+    try {
+      return sweep_as_csv(
+          sweep, [&done](double share) { done->store(share, std::memory_order_relaxed); }, job);
+    } catch (const Cancelled&) {
+      return failed("the computation was stopped");
+    } catch (const std::bad_alloc&) {
+      return failed("there is not enough memory");
+    }
+  });
+}
+
+}  // namespace mes

@@ -1,0 +1,204 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/insight/scale_events.h"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <new>
+#include <utility>
+
+#include "core/draw/layer_descriptor.h"
+#include "core/engine/graph.h"
+
+namespace mes {
+namespace {
+
+constexpr int kIntervalsBelow = 6;
+constexpr int kIntervals = 32;
+constexpr double kNear = 1e-3;
+constexpr double kLargestAngle = 175.0;
+constexpr int kMostUnions = 400;
+constexpr std::int64_t kMostBalls = 40'000'000;
+
+double angle_for_events(const ComputationSettings& settings) {
+  return std::min(kLargestAngle, settings[Parameter::medial_sampling_angle]);
+}
+
+class ScaleSweep {
+ public:
+  ScaleSweep(Graph& graph, ComputationSettings settings, JobControl& job)
+      : graph_(graph), settings_(std::move(settings)), job_(job) {}
+
+  std::vector<ScaleEvent> events() {
+    const ParameterDescriptor& range = descriptor_of(Parameter::scale_axis_factor);
+    const Topology whole = at(1.0);
+    look_on(whole, 1.0, range.high, kIntervals);
+    if (!is_certified_) {
+      try {
+        look_on(whole, 1.0, range.low, kIntervalsBelow);
+      } catch (const GeometryError&) {
+        // What is known of larger factors counts.
+      }
+    }
+    halve();
+    std::ranges::sort(events_, {}, &ScaleEvent::factor);
+    return std::move(events_);
+  }
+
+ private:
+  struct Topology {
+    std::int64_t components = 0;
+    std::int64_t holes = 0;
+    friend bool operator==(const Topology&, const Topology&) = default;
+  };
+  struct Interval {
+    double low = 0.0, high = 0.0;
+    Topology below, above;
+    double width() const { return high - low; }
+    /// Wide ones come first in a heap, of these the lowest.
+    friend bool operator<(const Interval& a, const Interval& b) {
+      return a.width() != b.width() ? a.width() < b.width() : a.low > b.low;
+    }
+  };
+
+  /// Of the scaled union: its axis has as many components, and a cycle for each hole.
+  Topology at(double factor) {
+    settings_[Parameter::scale_axis_factor] = factor;
+    graph_.post_settings(settings_);
+    if (!graph_.run(patch_, job_)) throw Cancelled{};
+    ++unions_;
+    Topology out;
+    for (const NodeReport& node : patch_.nodes) {
+      if (node.state == NodeState::failed)
+        throw GeometryError("structure " + node.structure + " failed: " + node.reason);
+      if (node.structure != "scale-union") continue;
+      for (const Stat& stat : node.stats) {
+        if (stat.key == "components") out.components = std::get<std::int64_t>(stat.value);
+        if (stat.key == "cycles") out.holes = std::get<std::int64_t>(stat.value);
+        if (stat.key == "balls") balls_ += std::get<std::int64_t>(stat.value);
+        if (stat.key == "rung" && factor == 1.0) is_certified_ = std::get<std::string>(stat.value) == "shortcut";
+      }
+    }
+    return out;
+  }
+  bool may_go_on() const { return unions_ < kMostUnions && balls_ < kMostBalls; }
+
+  /// Equal intervals from one factor to another.
+  void look_on(const Topology& there, double from, double to, int count) {
+    double last = from;
+    Topology before = there;
+    for (int i = 1; i <= count; ++i) {
+      if (!may_go_on()) throw GeometryError("it takes too many balls");
+      const double next = from + (to - from) * i / count;
+      const Topology after = at(next);
+      add(last < next ? Interval{last, next, before, after} : Interval{next, last, after, before});
+      last = next;
+      before = after;
+    }
+  }
+
+  void add(const Interval& interval) {
+    if (interval.below == interval.above) return;
+    intervals_.push_back(interval);
+    std::ranges::push_heap(intervals_, std::less{});
+  }
+
+  void halve() {
+    while (!intervals_.empty()) {
+      std::ranges::pop_heap(intervals_, std::less{});
+      const Interval at_hand = intervals_.back();
+      intervals_.pop_back();
+      const double middle = 0.5 * (at_hand.low + at_hand.high);
+      if (at_hand.width() <= kNear || !may_go_on()) {
+        events_.push_back({middle, 0.5 * at_hand.width(), at_hand.below.components, at_hand.above.components,
+                           at_hand.below.holes, at_hand.above.holes});
+        continue;
+      }
+      Topology there;
+      try {
+        there = at(middle);
+      } catch (const GeometryError&) {
+        unions_ = kMostUnions;  // what is known so far counts
+        intervals_.push_back(at_hand);
+        continue;
+      }
+      add({at_hand.low, middle, at_hand.below, there});
+      add({middle, at_hand.high, there, at_hand.above});
+    }
+  }
+
+  Graph& graph_;
+  ComputationSettings settings_;
+  JobControl& job_;
+  FramePatch patch_;
+  bool is_certified_ = false;
+  int unions_ = 0;
+  std::int64_t balls_ = 0;
+  std::vector<Interval> intervals_;  // a heap
+  std::vector<ScaleEvent> events_;
+};
+
+}  // namespace
+
+std::string ScaleEvent::words() const {
+  const auto change = [](const char* what, std::int64_t before, std::int64_t after) {
+    return std::string(what) + ' ' + std::to_string(before) + " to " + std::to_string(after);
+  };
+  std::string out;
+  if (components_before != components_after) out = change("components", components_before, components_after);
+  if (holes_before != holes_after) out += (out.empty() ? "" : ", ") + change("holes", holes_before, holes_after);
+  return out;
+}
+
+Expected<std::vector<ScaleEvent>> scale_events_of(const SampleData& data, const ComputationSettings& settings,
+                                                  JobControl& job) {
+  const Document document;
+  auto delta = replace_all(document, {.positions = data.positions});
+  if (!delta) return std::unexpected(delta.error());
+  Graph graph;
+  graph.set_demand(std::array{find_layer("scale-axis")});
+  graph.set_want_statistics(true);
+  graph.post(std::make_shared<const DocumentDelta>(std::move(*delta)));
+  // Other number types would take minutes for as many unions.
+  ComputationSettings fast = settings;
+  fast.precision = Precision::fast;
+  fast[Parameter::medial_sampling_angle] = angle_for_events(settings);
+  try {
+    return ScaleSweep(graph, fast, job).events();
+  } catch (const GeometryError& error) {
+    return std::unexpected(Error{ErrorCode::cannot_compute, error.what(), {}, 0, 0});
+  }
+}
+
+void ScaleEvents::follow(std::uint64_t document, const ComputationSettings& settings,
+                         const std::function<SampleData()>& data) {
+  // Nothing else makes a difference: all factors are looked at, with one number type.
+  is_followed_ = true;
+  wanted_ = {document, {}};
+  wanted_.settings[Parameter::medial_sampling_angle] = angle_for_events(settings);
+  if (auto found = job_.poll()) found_ = *std::move(found);
+  if (job_.is_under_way() && begun_ == wanted_) return;
+  if (found_ && found_->state == wanted_) return;
+  // Given up where the document has changed meanwhile: it takes long. The next one begins when this one has ended.
+  job_.give_up();
+  if (job_.is_ending()) return;
+  begun_ = wanted_;
+  job_.begin([state = wanted_, samples = data()](const std::stop_token& stop) -> Found {
+    Found out{state, {}, {}};
+    JobControl job(stop);
+    try {
+      if (auto events = scale_events_of(samples, state.settings, job))
+        out.events = *std::move(events);
+      else
+        out.problem = events.error().text;
+    } catch (const Cancelled&) {
+      // The result is dropped.
+    } catch (const std::bad_alloc&) {
+      out.events.clear();
+      out.problem = "there is not enough memory";
+    }
+    return out;
+  });
+}
+
+}  // namespace mes

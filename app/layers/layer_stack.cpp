@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/layers/layer_stack.h"
+
+#include <algorithm>
+#include <string>
+
+#include "core/base/assert.h"
+#include "core/base/lower_case.h"
+
+namespace mes {
+LayerStack::LayerStack(std::span<const LayerDescriptor> descriptors) : descriptors_(descriptors) {
+  reset();
+}
+
+void LayerStack::reset() {
+  order_.clear();
+  visible_.clear();
+  styles_.clear();
+  for (LayerIndex layer = 0; layer < descriptors_.size(); ++layer) {
+    order_.push_back(layer);
+    visible_.push_back(descriptors_[layer].visible_at_start);
+    styles_.push_back(descriptors_[layer].style);
+  }
+  solo_ = kNoLayer;
+  image_ = {};
+  ++revision_;
+  ++demand_revision_;
+}
+
+LayerConfiguration LayerStack::configuration() const {
+  LayerConfiguration out;
+  for (const LayerIndex layer : order_)
+    out.layers.push_back({std::string(descriptors_[layer].id), visible_[layer], styles_[layer]});
+  out.image = image_;
+  return out;
+}
+
+void LayerStack::set_configuration(const LayerConfiguration& configuration) {
+  std::vector<bool> is_named(descriptors_.size(), false);
+  std::vector<LayerIndex> named;
+  const std::vector<LayerIndex> before = visible_layers();
+  for (const LayerConfiguration::Entry& entry : configuration.layers) {
+    const auto found = std::ranges::find(descriptors_, std::string_view(entry.layer), &LayerDescriptor::id);
+    if (found == descriptors_.end()) continue;
+    const auto layer = static_cast<LayerIndex>(found - descriptors_.begin());
+    if (is_named[layer]) continue;
+    is_named[layer] = true;
+    named.push_back(layer);
+    visible_[layer] = entry.visible;
+    styles_[layer] = entry.style;
+  }
+  std::vector<LayerIndex> order;
+  for (const LayerIndex layer : order_) {
+    if (is_named[layer]) continue;
+    order.push_back(layer);
+    visible_[layer] = false;
+  }
+  order.insert(order.end(), named.begin(), named.end());
+  order_ = std::move(order);
+  solo_ = kNoLayer;
+  image_ = configuration.image;
+  ++revision_;
+  if (visible_layers() != before) ++demand_revision_;
+}
+
+LayerIndex LayerStack::find(std::string_view id) const {
+  const auto found = std::ranges::find(descriptors_, id, &LayerDescriptor::id);
+  return found == descriptors_.end() ? kNoLayer : static_cast<LayerIndex>(found - descriptors_.begin());
+}
+
+void LayerStack::apply(const LayersChanged& change) {
+  for (const LayerConfiguration::Entry& entry : change.changed) {
+    const LayerIndex layer = find(entry.layer);
+    if (layer == kNoLayer) continue;
+    if (visible_[layer] != entry.visible) set_visible(layer, entry.visible);
+    set_style(layer, entry.style);
+  }
+  if (!change.order.empty()) restack(change.order);
+  if (change.image) set_image(*change.image);
+}
+
+// Those that are not named stay below, in the order they had.
+void LayerStack::restack(std::span<const std::string> order) {
+  std::vector<LayerIndex> rest = order_;
+  std::vector<LayerIndex> named;
+  for (const std::string& id : order)
+    if (const LayerIndex layer = find(id); layer != kNoLayer && std::erase(rest, layer) == 1) named.push_back(layer);
+  rest.insert(rest.end(), named.begin(), named.end());
+  if (rest == order_) return;
+  order_ = std::move(rest);
+  ++revision_;
+}
+
+std::vector<LayerIndex> LayerStack::visible_layers() const {
+  std::vector<LayerIndex> out;
+  for (const LayerIndex layer : order_)
+    if (is_visible(layer)) out.push_back(layer);
+  return out;
+}
+
+void LayerStack::set_visible(LayerIndex layer, bool visible) {
+  if (solo_ == kNoLayer && visible_[layer] == visible) return;
+  solo_ = kNoLayer;
+  visible_[layer] = visible;
+  ++revision_;
+  ++demand_revision_;
+}
+
+void LayerStack::solo(LayerIndex layer) {
+  if (solo_ == layer) return;
+  solo_ = layer;
+  ++demand_revision_;
+}
+
+void LayerStack::end_solo() {
+  if (solo_ == kNoLayer) return;
+  solo_ = kNoLayer;
+  ++demand_revision_;
+}
+
+void LayerStack::move(LayerIndex layer, LayerIndex target, bool above) {
+  if (layer == target) return;
+  const auto from = std::ranges::find(order_, layer);
+  MES_ASSERT(from != order_.end());
+  order_.erase(from);
+  auto to = std::ranges::find(order_, target);
+  MES_ASSERT(to != order_.end());
+  order_.insert(above ? to + 1 : to, layer);
+  ++revision_;
+}
+
+void LayerStack::set_style(LayerIndex layer, const LayerStyle& style) {
+  if (styles_[layer] == style) return;
+  styles_[layer] = style;
+  ++revision_;
+}
+
+void LayerStack::set_image(const BackgroundImage& image) {
+  if (image_ == image) return;
+  image_ = image;
+  ++revision_;
+}
+
+LayerStyle style_for(const LayerDescriptor& to, const LayerDescriptor& from, LayerStyle style) {
+  if (to.scalar.empty()) style.color_map.clear();
+  if (to.scalar != from.scalar) {
+    const LayerStyle unlocked;
+    style.range_locked = unlocked.range_locked;
+    style.range_low = unlocked.range_low;
+    style.range_high = unlocked.range_high;
+  }
+  return style;
+}
+
+bool matches_search(const LayerDescriptor& descriptor, std::string_view text) {
+  const std::string haystack =
+      lower_case(descriptor.name) + ' ' + lower_case(descriptor.id) + ' ' + lower_case(title_of(descriptor.group));
+  const std::string needle = lower_case(text);
+  std::size_t begin = 0;
+  while (begin < needle.size()) {
+    const std::size_t end = std::min(needle.find(' ', begin), needle.size());
+    if (end > begin && haystack.find(needle.substr(begin, end - begin)) == std::string::npos) return false;
+    begin = end + 1;
+  }
+  return true;
+}
+
+}  // namespace mes

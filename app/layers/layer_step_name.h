@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a change of the layers is called in the Edit menu.
+#pragma once
+
+#include <string>
+
+#include "app/layers/layer_stack.h"
+
+namespace mes {
+
+/// "Hide Voronoi", "Style of Curve", "Show 3 layers"; `before` and `after` differ as `difference` says, either way.
+std::string name_of_change(const LayerStack& layers, const LayersChanged& before, const LayersChanged& after);
+
+}  // namespace mes

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/layers/verdict_word.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/layers/statistics_text.h"
+
+namespace mes {
+namespace {
+
+using Mood = VerdictWord::Mood;
+
+constexpr std::string_view kCertificate = "axis-certificate";
+
+struct Name {
+  std::string_view id;
+  std::string_view name;
+};
+constexpr auto kNames = std::to_array<Name>({
+    {"samples", "the samples"},
+    {"contours", "the contours"},
+    {"balls", "your own balls"},
+    {"scaled-balls", "your own balls"},
+    {"settings", "the parameters"},
+    {"delaunay", "the Delaunay triangulation"},
+    {"last-change", "the last change"},
+    {"one-step-crust", "the crust"},
+    {"curve", "the curve"},
+    {"voronoi-vertices", "the Voronoi vertices"},
+    {"labels", "inside and outside"},
+    {"inner-balls", "the inner balls"},
+    {"medial-axis", "the medial axis"},
+    {"axis-nodes", "the nodes of the axis"},
+    {kCertificate, "the theorem"},
+    {"axis-difference", "the difference of the two axes"},
+    {"poles", "the poles"},
+    {"pole-labels", "inside and outside of the poles"},
+    {"polar-diagram", "the power diagram of the poles"},
+    {"power-crust", "the power crust"},
+    {"voronoi-ball-diagram", "the power diagram of the Voronoi balls"},
+    {"axis-sampling", "the balls along the medial axis"},
+    {"scale-union", "the union of the grown balls"},
+    {"scale-ball-sampling", "the balls along the scale axis"},
+    {"cover-dates", "the cover dates"},
+    {"layers", "the drawing"},
+});
+
+// The families of balls and what is made of each, for ids like "a-power-diagram".
+constexpr std::array<Name, 3> kFamilies{
+    {{"a-", "the inner balls"}, {"p-", "the polar balls"}, {"b-", "your own balls"}}};
+constexpr std::array<Name, 8> kOfBalls{{{"union", "the union of "},
+                                        {"power-diagram", "the power diagram of "},
+                                        {"v-diagram", "the Voronoi diagram of the v-points of "},
+                                        {"ball-sampling", "the sampled balls of "},
+                                        {"scale-union", "the union of the grown balls along the axis of "},
+                                        {"scale-sampling", "the balls along the scale axis of "},
+                                        {"skeleton-union", "the scale skeleton of "},
+                                        {"precision-difference", "the difference of the number types for "}}};
+
+// What findings are called here, of several and of one.
+struct Spoken {
+  std::string_view text;
+  std::string_view several;
+  std::string_view one;
+};
+constexpr auto kSpoken = std::to_array<Spoken>({
+    {"curve edges beyond which another inner ball shows: the sample is not dense enough there",
+     "curve edges beyond which another inner ball shows: too few samples there",
+     "curve edge beyond which another inner ball shows: too few samples there"},
+    {"samples inside the shape or where its border meets itself",
+     "samples inside the shape or where its border meets itself",
+     "sample inside the shape or where its border meets itself"},
+    {"edges labelled against their crust test", "edges labelled against their crust test",
+     "edge labelled against its crust test"},
+    {"samples with an odd number of curve edges: corners, noise, ends of strokes",
+     "samples with an odd number of curve edges: corners, noise, ends of strokes",
+     "sample with an odd number of curve edges: a corner, noise, the end of a stroke"},
+    {"triangles of balls with a common sample have orthogonal radius zero, and were judged otherwise",
+     "triangles misjudged by rounding: their balls have a common sample, so their orthogonal radius is zero",
+     "triangle misjudged by rounding: its balls have a common sample, so its orthogonal radius is zero"},
+    {"v-points that are not samples, by rounding or in truth",
+     "v-points that are not samples, by rounding or in truth",
+     "v-point that is not a sample, by rounding or in truth"},
+    {"v-points that are not samples", "v-points that are not samples", "v-point that is not a sample"},
+    {"contradictions between dual complex and Voronoi diagram of the v-points",
+     "contradictions between dual complex and Voronoi diagram of the v-points",
+     "contradiction between dual complex and Voronoi diagram of the v-points"},
+    {"points that are not finite, left out of sums and drawing",
+     "points that are not finite, left out of sums and drawing",
+     "point that is not finite, left out of sums and drawing"},
+    {"the axis and the dual complex differ in Euler characteristic",
+     "differences of the axis from the dual complex in Euler characteristic",
+     "difference of the axis from the dual complex in Euler characteristic"},
+});
+
+const Name* family_of(std::string_view structure) {
+  const auto found =
+      std::ranges::find_if(kFamilies, [&](const Name& family) { return structure.starts_with(family.id); });
+  return found == kFamilies.end() ? nullptr : found;
+}
+
+}  // namespace
+
+Mood mood_of(FindingLevel level) {
+  switch (level) {
+    case FindingLevel::doubt: return Mood::doubtful;
+    case FindingLevel::wrong: return Mood::wrong;
+    case FindingLevel::note: break;
+  }
+  return Mood::quiet;
+}
+
+VerdictWord verdict_word(TheoremLight light, bool lacks_memory, Checking checking) {
+  if (checking == Checking::under_way)
+    return {Mood::quiet, "Checking", "What the light says about these samples is being computed"};
+  if (checking == Checking::cancelled)
+    return {Mood::warning, "Not checked", "The computation was cancelled; resume it for an answer"};
+  switch (light) {
+    case TheoremLight::green:
+      return {
+          Mood::good, "Proved",
+          "The one-step axis is the medial axis of the union of the inner balls: proved exactly for these samples"};
+    case TheoremLight::yellow:
+      return {Mood::doubtful, "Not proved",
+              "Computed exactly, but the samples are not dense enough everywhere. Click for the places"};
+    case TheoremLight::red:
+      return {Mood::wrong, "Wrong", "The chosen number type gave a wrong or inconsistent result. Click to see what"};
+    case TheoremLight::none: break;
+  }
+  if (lacks_memory)
+    return {Mood::warning, "No memory", "Not enough memory for an answer. Undo, hide layers or open a smaller file"};
+  return {Mood::quiet, "Nothing to prove", "The theorem is about inner balls of samples, and these have none"};
+}
+
+std::string text_of(const Finding& finding, std::string_view structure) {
+  std::string_view text = finding.text;
+  const std::string prefix = std::string(structure) + ": ";
+  const Name* const family = family_of(structure);
+  if (text.starts_with(prefix)) text.remove_prefix(prefix.size());
+  if (const auto found = std::ranges::find(kSpoken, text, &Spoken::text); found != kSpoken.end())
+    text = finding.count == 1 ? found->one : found->several;
+  const std::string out = grouped(static_cast<std::size_t>(finding.count)) + ' ' + std::string(text);
+  return family == nullptr ? out : out + " (union of " + std::string(family->name) + ')';
+}
+
+std::string structure_name(std::string_view id) {
+  if (const auto found = std::ranges::find(kNames, id, &Name::id); found != kNames.end())
+    return std::string(found->name);
+  if (const Name* const family = family_of(id)) {
+    const auto made = std::ranges::find(kOfBalls, id.substr(family->id.size()), &Name::id);
+    if (made != kOfBalls.end()) return std::string(made->name) + std::string(family->name);
+  }
+  std::string out(id);
+  std::ranges::replace(out, '-', ' ');
+  return out;
+}
+
+std::string task_text(std::string_view task) {
+  if (task.empty()) return "Computing";
+  return (task == kCertificate ? "Checking " : "Computing ") + structure_name(task);
+}
+
+}  // namespace mes

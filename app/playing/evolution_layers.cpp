@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/playing/evolution_layers.h"
+
+#include <algorithm>
+#include <optional>
+#include <string_view>
+
+#include "app/layers/ball_families.h"
+
+namespace mes {
+namespace {
+
+/// The family whose balls it scales; nothing: it moves samples.
+std::optional<FamilyKind> family_of(EvolutionIndex evolution) {
+  const ParameterMove* const move = evolutions()[evolution].moved_parameter();
+  if (move == nullptr) return std::nullopt;
+  switch (move->parameter) {
+    case Parameter::a_scale: return FamilyKind::inner;
+    case Parameter::p_scale: return FamilyKind::polar;
+    case Parameter::scale_axis_factor:
+    case Parameter::alpha_radius: return std::nullopt;
+    default: return FamilyKind::own;
+  }
+}
+
+/// It scales the balls along the axis, of which the scale axis is made.
+bool is_of_scale_axis(EvolutionIndex evolution) {
+  const ParameterMove* const move = evolutions()[evolution].moved_parameter();
+  return move != nullptr && move->parameter == Parameter::scale_axis_factor;
+}
+
+bool is_skeleton(EvolutionIndex evolution) {
+  return evolutions()[evolution].descriptor.id == "scale-skeleton";
+}
+/// It shows what such an evolution changes.
+bool is_of_scale_axis(const LayerDescriptor& layer) {
+  return std::ranges::any_of(layer.structures, [](std::string_view structure) {
+    return structure.ends_with("scale-union") || structure.ends_with("skeleton-union");
+  });
+}
+bool is_of_skeleton(const LayerDescriptor& layer) {
+  return std::ranges::any_of(layer.structures,
+                             [](std::string_view structure) { return structure.ends_with("skeleton-union"); });
+}
+
+/// It grows disks about the samples, and the balls of all families, additively.
+bool is_additive(EvolutionIndex evolution) {
+  const ParameterMove* const move = evolutions()[evolution].moved_parameter();
+  return move != nullptr && move->parameter == Parameter::alpha_radius;
+}
+
+}  // namespace
+
+std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStack& layers, const Document& document) {
+  const auto family = family_of(evolution);
+  const auto follows = [&](LayerIndex layer) {
+    const LayerDescriptor& descriptor = layers.descriptor(layer);
+    const auto of = mes::family_of(descriptor);
+    if (descriptor.kinds.empty()) return false;
+    if (is_skeleton(evolution)) return is_of_skeleton(descriptor);
+    if (is_of_scale_axis(evolution)) return is_of_scale_axis(descriptor);
+    if (is_additive(evolution)) return growth_of(descriptor).has_value();
+    return family ? of == family : of != FamilyKind::own;
+  };
+  if (std::ranges::any_of(layers.visible_layers(), follows)) return {};
+  std::vector<std::string> ids{"points", "curve"};
+  auto shown = mes::family_of(layers.configuration());
+  if (!shown && document.sample_count() == 0 && document.ball_count() != 0) shown = FamilyKind::own;
+  const std::string prefix = shown ? std::string(letter_of(*shown)) + "-" : "";
+  if (is_skeleton(evolution)) {
+    ids = {std::string(letter_of(shown.value_or(FamilyKind::inner))) + "-scale-skeleton"};
+  } else if (is_of_scale_axis(evolution)) {
+    // Of the inner balls those of the one-step axis, which cost less.
+    const std::string letter = shown == FamilyKind::inner ? "" : prefix;
+    ids = {letter + "scale-axis-grown-disks", letter + "scale-axis-boundary", letter + "scale-axis"};
+  }
+  if (is_additive(evolution)) {
+    ids = {prefix + "alpha-disks", prefix + "alpha-triangles", prefix + "alpha-edges", prefix + "alpha-boundary"};
+  }
+  if (family) {
+    const std::string letter = *family == FamilyKind::inner ? "a-" : *family == FamilyKind::polar ? "p-" : "b-";
+    ids = {letter + "inner-disks", letter + "union-boundary", letter + "ball-medial-axis"};
+  }
+  std::vector<LayerIndex> out;
+  for (const std::string& id : ids)
+    if (const LayerIndex layer = layers.find(id); layer != kNoLayer) out.push_back(layer);
+  return out;
+}
+
+std::optional<GrowthOf> shown_growth(const LayerStack& layers, GrowthOf preferred) {
+  std::optional<GrowthOf> out;
+  for (const LayerIndex layer : layers.visible_layers()) {
+    const auto of = growth_of(layers.descriptor(layer));
+    if (of == preferred) return of;
+    if (of && (!out || *of < *out)) out = of;
+  }
+  return out;
+}
+
+std::string what_moves(EvolutionIndex evolution) {
+  if (is_of_scale_axis(evolution)) return "the balls along the axis";
+  if (is_additive(evolution)) return "disks grown additively";
+  const auto family = family_of(evolution);
+  if (!family) return "the samples";
+  switch (*family) {
+    case FamilyKind::inner: return "the inner balls";
+    case FamilyKind::polar: return "the polar balls";
+    case FamilyKind::own: break;
+  }
+  return "your own balls";
+}
+
+}  // namespace mes

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The evolution of the window: a slider over the states of the document, and playing them.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "app/editing/editor.h"
+#include "core/evolutions/evolution_run.h"
+
+namespace mes {
+
+/// What it guarantees:
+///  1. State 0 is the document as it was when the first step was taken after an edit; `step_to(0)` gives it back
+///     exactly. Another evolution begins at the same state 0.
+///  2. All states shown are one step of undo (`Editor::evolve`). An edit at state k makes that the state 0 of what
+///     follows; undo takes the edit back first and then the evolution.
+///     Where a parameter moves instead of samples, state 0 gives its value back, and setting it at state k makes that
+///     the state 0 of what follows.
+///  3. A step that is a length is a round part of the size of the document, and follows it in state 0, unless it was set
+///     to something else. Its default stands for that part.
+///  4. A step is asked for and shown later, when it is computed; nothing waits. Playing takes a step when the picture
+///     of the one before is complete and the speed allows it.
+///
+/// Smallest use:
+///     EvolutionPlayer player(editor, settings, wake);
+///     player.step_to(12);
+///     ... each frame: player.follow(picture_is_complete, seconds_since_start);
+///
+/// Threads: the window's; `wake` is called from the thread of the run.
+class EvolutionPlayer {
+ public:
+  static constexpr std::uint64_t kFirstEnd = 100;
+  static constexpr double kFastest = 60.0;  ///< steps a second; as fast as pictures come
+
+  /// The settings of the computation, which some evolutions move.
+  struct Settings {
+    std::function<double(Parameter)> value;
+    std::function<void(Parameter, double)> set;
+  };
+  EvolutionPlayer(Editor& editor, Settings settings, std::function<void()> wake);
+
+  const EvolutionChoice& choice() const { return choice_; }
+  const EvolutionDescriptor& descriptor() const { return evolution().descriptor; }
+  /// Goes back to state 0.
+  void choose(EvolutionIndex evolution);
+  /// Chooses the evolution `places` places after the present one, cyclically.
+  void choose_next(int places);
+  /// Shows the present state anew.
+  void set_seed(std::uint64_t seed);
+  void set_value(std::string_view parameter, double value);
+
+  /// As a session left it: the document is in state `k`, and its last step of undo leads there from state 0; or the
+  /// parameter moved has the value that `k` steps from its default make, else it is in state 0.
+  void resume(const EvolutionChoice& choice, std::uint64_t k);
+
+  /// State that the document, or the parameter, is in.
+  std::uint64_t position() const;
+  /// State 0: of the document, and the revision that the document had in it. O(n).
+  EvolutionState beginning() const;
+  std::uint64_t beginning_revision() const {
+    return position() == 0 ? editor_.document().revision() : beginning_revision_;
+  }
+  /// State 0 of the parameter moved; 0 where samples move.
+  double first_value() const;
+  /// Of the parameter moved; nothing where samples move.
+  std::optional<double> parameter_value() const;
+  /// State that is being computed, or else `position`.
+  std::uint64_t target() const { return wanted_.value_or(position()); }
+  /// Far end of the slider; it grows with the position.
+  std::uint64_t end() const { return end_; }
+  void set_end(std::uint64_t end);
+  void step_to(std::uint64_t k);
+  void step_forward() { step_to(target() + 1); }
+  void step_back() { step_to(target() == 0 ? 0 : target() - 1); }
+
+  enum class Direction : std::int8_t { backward = -1, none = 0, forward = 1 };
+  void play(Direction direction);
+  Direction direction() const { return direction_; }
+  double speed() const { return speed_; }  ///< steps a second
+  void set_speed(double speed) { speed_ = speed; }
+
+  /// A state was asked for and is not in the document yet.
+  bool is_waiting() const { return wanted_.has_value(); }
+  /// Of the steps that are being computed, in [0, 1].
+  double progress() const;
+  /// Gives up what is being computed, and stops.
+  void cancel();
+
+  /// Once a frame: shows what is ready, and plays on.
+  void follow(bool picture_is_complete, double now);
+  /// When the next step is due, while one waits for its time only; seconds from `now`.
+  std::optional<double> next_due(double now) const;
+  /// True, once, when an edit in the middle of an evolution has made state 0 of what there is now.
+  bool take_restart() { return std::exchange(has_restarted_, false); }
+  /// Why a state could not be had, once.
+  std::optional<Error> take_problem() { return std::exchange(problem_, std::nullopt); }
+
+ private:
+  /// A value that the player gave to a parameter.
+  struct MovedParameter {
+    std::uint64_t k = 0;
+    double before = 0.0;
+    double value = 0.0;
+  };
+  const Evolution& evolution() const { return evolutions()[choice_.evolution]; }
+  bool has_beginning() const;
+  void begin();
+  void restart_from_beginning();
+  void show(std::uint64_t k, const EvolutionState& state);
+  /// O(n), if there are lengths that were not set to something else.
+  void fit_lengths();
+  /// A round part of the size of the document. O(n).
+  std::optional<double> proposed_length() const;
+  void move_parameter(const ParameterMove& move, std::uint64_t k);
+
+  Editor& editor_;
+  Settings settings_;
+  EvolutionRun run_;
+  EvolutionChoice choice_;
+  EvolutionState beginning_;
+  std::uint64_t beginning_revision_ = ~std::uint64_t{0};
+  std::uint64_t shown_revision_ = ~std::uint64_t{0};
+  std::uint64_t shown_ = 0;
+  MovedParameter moved_;
+  std::optional<double> fitted_;  // the length that `fit_lengths` gave last
+  std::uint64_t fitted_revision_ = ~std::uint64_t{0};
+  std::uint64_t end_ = kFirstEnd;
+  std::optional<std::uint64_t> wanted_;
+  std::uint64_t wanted_from_ = 0;
+  Direction direction_ = Direction::none;
+  double speed_ = 10.0;
+  double last_step_ = 0.0;
+  std::optional<Error> problem_;
+  bool has_restarted_ = false;
+};
+
+}  // namespace mes

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/playing/session_evolution.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <string>
+
+#include "core/io/text_numbers.h"
+
+namespace mes {
+
+EvolutionChoice choice_of(const SessionEvolution& evolution) {
+  EvolutionChoice out{.evolution = find_evolution(evolution.id).value_or(0), .seed = evolution.seed};
+  for (const ParameterDescriptor& parameter : evolution_parameters())
+    for (const auto& [id, value] : evolution.parameters)
+      if (id == parameter.id) out.values.set(id, std::clamp(value, parameter.low, parameter.high));
+  return out;
+}
+
+SessionEvolution session_evolution(const EvolutionChoice& choice, std::uint64_t step) {
+  SessionEvolution out{std::string(evolutions()[choice.evolution].descriptor.id), choice.seed, step, {}};
+  for (const ParameterDescriptor& parameter : evolution_parameters())
+    out.parameters.emplace_back(parameter.id, choice.values[parameter.id]);
+  return out;
+}
+
+std::string name_of_state(const EvolutionDescriptor& evolution, std::uint64_t step) {
+  return fmt::format("{}, {} {}", evolution.name, step, step == 1 ? "step" : "steps");
+}
+
+bool names_a_state(std::string_view name) {
+  return std::ranges::any_of(evolutions(), [name](const auto& evolution) {
+    const std::string_view own = evolution.descriptor.name;
+    if (!name.starts_with(own) || !name.substr(own.size()).starts_with(", ")) return false;
+    const std::string_view count = name.substr(own.size() + 2);
+    const auto step = parse_count(count.substr(0, count.find(' ')));
+    return step && name == name_of_state(evolution.descriptor, *step);
+  });
+}
+
+}  // namespace mes
