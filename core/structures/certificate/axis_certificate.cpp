@@ -40,10 +40,7 @@ std::uint8_t AxisCertificate::verdict_on_arc(EdgeSlot edge) {
     const FaceSlot face = queue_[next];
     const FaceRow& at = delaunay_.face(face);
     const auto touches = [&at](SiteSlot site) { return at.v[0] == site || at.v[1] == site || at.v[2] == site; };
-    if (!forgoes_updates() && !touches(p) && !touches(q)) {
-      far_faces_[edge].push_back(face);
-      watchers_[face].push_back(edge);
-    }
+    if (!forgoes_updates() && !touches(p) && !touches(q)) watch(edge, face);
     for (int side = 0; side < 3; ++side) {
       const FaceSlot other = at.n[side];
       if (!seen_.insert(other)) continue;
@@ -80,8 +77,10 @@ void AxisCertificate::search(EdgeSlot edge) {
 
 void AxisCertificate::forget_searches() {
   is_searched_ = false;
-  far_faces_.clear();
-  watchers_.clear();
+  watches_.clear();
+  free_watches_.clear();
+  watches_of_edge_.clear();
+  first_watch_.clear();
   if (too_long_edges_ == 0 && bad_edges_ == 0) return;
   for (std::uint8_t& edge : edge_) edge &= static_cast<std::uint8_t>(~(kBad | kTooLong));
   bad_edges_ = too_long_edges_ = 0;
@@ -103,15 +102,35 @@ void AxisCertificate::forget_edge(EdgeSlot edge) {
   bad_edges_ -= (known & kBad) != 0 ? 1 : 0;
   too_long_edges_ -= (known & kTooLong) != 0 ? 1 : 0;
   edge_[edge] = 0;
-  const auto far = far_faces_.find(edge);
-  if (far == far_faces_.end()) return;
-  for (const FaceSlot face : far->second) {
-    const auto watch = watchers_.find(face);
-    if (watch == watchers_.end()) continue;
-    std::erase(watch->second, edge);
-    if (watch->second.empty()) watchers_.erase(watch);
+  const auto found = watches_of_edge_.find(edge);
+  if (found == watches_of_edge_.end()) return;
+  for (const WatchSlot slot : found->second) {
+    const Watch& left = watches_[slot];
+    if (left.after != kNoSlot) watches_[left.after].before = left.before;
+    if (left.before != kNoSlot)
+      watches_[left.before].after = left.after;
+    else if (left.after != kNoSlot)
+      first_watch_[left.face] = left.after;
+    else
+      first_watch_.erase(left.face);
+    free_watches_.push_back(slot);
   }
-  far_faces_.erase(far);
+  watches_of_edge_.erase(found);
+}
+
+void AxisCertificate::watch(EdgeSlot edge, FaceSlot face) {
+  WatchSlot slot = watches_.next();
+  if (free_watches_.empty()) {
+    watches_.emplace_back();
+  } else {
+    slot = free_watches_.back();
+    free_watches_.pop_back();
+  }
+  WatchSlot& first = first_watch_[face];
+  watches_[slot] = {edge, face, kNoSlot, first};
+  if (first != kNoSlot) watches_[first].before = slot;
+  first = slot;
+  watches_of_edge_[edge].push_back(slot);
 }
 
 void AxisCertificate::judge_edge(EdgeSlot edge) {
@@ -197,10 +216,10 @@ bool AxisCertificate::update(JobControl& job) {
     if (judged_edges_.insert(edge)) edges.push_back(edge);
   };
   const auto note_watchers = [&](FaceSlot face) {
-    if (watchers_.empty()) return;
-    const auto found = watchers_.find(face);
-    if (found == watchers_.end()) return;
-    for (const EdgeSlot edge : found->second) note_edge(edge);
+    if (first_watch_.empty()) return;
+    const auto found = first_watch_.find(face);
+    if (found == first_watch_.end()) return;
+    for (WatchSlot at = found->second; at != kNoSlot; at = watches_[at].after) note_edge(watches_[at].edge);
   };
   const auto note_site = [&](SiteSlot site) {
     if (site == kInfiniteSite || !judged_sites_.insert(site)) return;

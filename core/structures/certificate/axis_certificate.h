@@ -100,9 +100,20 @@ class AxisCertificate final : public Structure {
   std::size_t too_long_edges_ = 0;
   bool is_searched_ = false;  ///< every arc
   std::size_t bad_sites_ = 0;
-  // Searches that went beyond the faces at the ends of their edge, and the far faces they saw.
-  std::unordered_map<EdgeSlot, std::vector<FaceSlot>> far_faces_;
-  std::unordered_map<FaceSlot, std::vector<EdgeSlot>> watchers_;
+  // Searches that went beyond the faces at the ends of their edge watch the far faces they saw. A far face may be watched
+  // by thousands of edges, so its watches are a list that each can leave at once.
+  using WatchSlot = Slot<struct WatchTag>;
+  struct Watch {
+    EdgeSlot edge{};
+    FaceSlot face{};
+    WatchSlot before{};  ///< of the same face
+    WatchSlot after{};
+  };
+  void watch(EdgeSlot edge, FaceSlot face);
+  Table<WatchSlot, Watch> watches_;
+  std::vector<WatchSlot> free_watches_;
+  std::unordered_map<EdgeSlot, std::vector<WatchSlot>> watches_of_edge_;
+  std::unordered_map<FaceSlot, WatchSlot> first_watch_;
   ChangeRecorder<EdgeSlot> edge_recorder_;
   ChangeRecorder<SiteSlot> site_recorder_;
   ChangeSet<EdgeSlot> edge_changes_;
