@@ -94,8 +94,8 @@ std::span<const std::string_view> choices_of(const ParameterDescriptor& descript
 }
 
 std::string beyond_words(const std::string& title, double number, double low, double high) {
-  return number < low ? fmt::format("{}: {:.6g} is below {:.6g}, which is taken instead", title, number, low)
-                      : fmt::format("{}: {:.6g} is above {:.6g}, which is taken instead", title, number, high);
+  return number < low ? fmt::format("{}: {} is below {}, which is taken instead", title, number, low)
+                      : fmt::format("{}: {} is above {}, which is taken instead", title, number, high);
 }
 
 std::string spoken_explanation(const ParameterDescriptor& descriptor) {

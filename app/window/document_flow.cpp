@@ -101,7 +101,7 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
                }});
   actions.bind(ActionId::save, {[this] { save(); }});
   actions.bind(ActionId::save_as, {[this] { ask_save_as(); }});
-  actions.bind(ActionId::quit, {[this] { with_saved_work([this] { is_left_ = true; }); }});
+  actions.bind(ActionId::quit, {[this] { with_saved_work([this] { quit(); }); }});
   actions.bind(ActionId::present_lesson, {[this] {
                                             uses_.demo.end(true);
                                             uses_.lesson.start(session_now());
@@ -176,6 +176,14 @@ void DocumentFlow::with_saved_work(std::function<void()> then, std::string reaso
   uses_.dialogs.unsaved.ask(files_.title(), {.save = save_first, .discard = then}, std::move(reason));
 }
 
+// A table that waits for its file is asked for next.
+void DocumentFlow::quit() {
+  if (tables_.empty())
+    is_left_ = true;
+  else
+    uses_.messages.remark("Not quit: a table waits for its file");
+}
+
 void DocumentFlow::start_empty() {
   uses_.demo.end(true);
   files_.start_empty();
@@ -228,7 +236,9 @@ void DocumentFlow::take_results() {
 void DocumentFlow::follow_dialogs() {
   const bool is_asking = uses_.dialogs.browser.is_open() || uses_.dialogs.conflict.is_open();
   if (!is_asking && !files_.is_saving()) after_save_ = {};
-  if (tables_.empty() || !uses_.dialogs.open().empty() || uses_.board.canvas().has_pointer()) return;
+  // What is being saved may have to ask for another file, or for the name of what belongs to it.
+  if (tables_.empty() || files_.is_saving() || after_save_) return;
+  if (!uses_.dialogs.open().empty() || uses_.board.canvas().has_pointer()) return;
   Table table = std::move(tables_.front());
   tables_.pop_front();
   ask_for(std::move(table), browse_folder());

@@ -95,6 +95,7 @@ class DocumentFlow {
   /// Saves what is unsaved or gives it up, as the answer is, and goes on with `then`; or does not. The question says why
   /// it is asked, if there is a reason.
   void with_saved_work(std::function<void()> then, std::string reason = {});
+  void quit();
   void start_empty();
   /// What belongs to the document before alone goes.
   void leave_document();
