@@ -32,17 +32,32 @@ std::uint64_t key_of(Vec2 p) {
   return Rng(std::bit_cast<std::uint64_t>(p.x + 0.0)).at(std::bit_cast<std::uint64_t>(p.y + 0.0));
 }
 
-/// The places with the least keys, each once, by increasing key: a random choice that does not depend on their order.
+/// Keeps the probes with the least keys, each key once, by increasing key.
+void keep_least(std::vector<Probe>& probes, std::uint64_t key, Vec2 at) {
+  if (probes.size() == kProbes && key >= probes.back().key) return;
+  const auto place = std::ranges::lower_bound(probes, key, {}, &Probe::key);
+  if (place != probes.end() && place->key == key) return;
+  probes.insert(place, {key, at});
+  if (probes.size() > kProbes) probes.pop_back();
+}
+
+/// Of many samples, a random choice by their numbers in the order of input, which files keep: samples that move, as in an
+/// evolution, stay chosen, or the median would jump from step to step. Where some of those lie at one place, or there are
+/// few, a random choice of places.
 std::vector<Probe> choose_probes(const Document& document) {
   std::vector<Probe> out;
-  visit_places(document, [&out](Vec2 p) {
-    const std::uint64_t key = key_of(p);
-    if (out.size() == kProbes && key >= out.back().key) return;
-    const auto place = std::ranges::lower_bound(out, key, {}, &Probe::key);
-    if (place != out.end() && place->key == key) return;
-    out.insert(place, {key, p});
-    if (out.size() > kProbes) out.pop_back();
-  });
+  if (document.sample_count() > kProbes) {
+    const Rng random(1);
+    std::uint64_t number = 0;
+    for (const SampleSlot slot : document.slots_in_input_order())
+      keep_least(out, random.at(number++), document.position(slot));
+    std::vector<Vec2> places;
+    for (const Probe& probe : out) places.push_back(probe.at);
+    std::ranges::sort(places, lexicographically_less);
+    if (std::ranges::adjacent_find(places) == places.end()) return out;
+    out.clear();
+  }
+  visit_places(document, [&out](Vec2 p) { keep_least(out, key_of(p), p); });
   return out;
 }
 
@@ -140,7 +155,11 @@ double FollowedSpacing::of(const Document& document, std::uint64_t origin) {
   const std::size_t change = std::max(count, count_) - std::min(count, count_);
   const bool is_same = digest == digest_ && count == count_;
   const bool may_wait = count > kAlwaysMeasured && 10 * change <= count_ && magnitude == magnitude_;
-  if (origin == origin_ && (is_same || may_wait)) return spacing_;
+  if (origin == origin_ && is_same) return spacing_;
+  if (origin == origin_ && may_wait && digest != changed_to_) {
+    changed_to_ = digest;
+    return spacing_;
+  }
   digest_ = digest;
   origin_ = origin;
   count_ = count;

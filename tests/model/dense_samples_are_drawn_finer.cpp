@@ -137,30 +137,42 @@ TEST_CASE("the spacing is the median of distances to the nearest other place, wh
   }
 }
 
-TEST_CASE("the spacing depends on the places alone, not on their numbers, their order, or how often they are there") {
+TEST_CASE("the spacing depends on the places in the order of input, however the document came to them") {
   Rng rng(6);
   std::vector<Vec2> places;
   for (int i = 0; i < 1500; ++i) places.push_back({rng.uniform(), rng.uniform()});
   const double spacing = typical_spacing(document_of(places));
-  Document edited = document_of(places);
+  Document edited = document_of({places.begin(), places.begin() + 1000});
   std::vector<SampleId> taken;
-  std::vector<Vec2> again;
-  for (const SampleSlot slot : slots_below<SampleSlot>(1200)) {
-    if (slot.index() % 3 != 0) continue;
-    taken.push_back(edited.id(slot));
-    again.push_back(edited.position(slot));
-  }
+  for (std::size_t i = 600; i < 1000; ++i) taken.push_back(edited.id(SampleSlot(i)));
   edited.apply(*remove_samples(edited, taken));
   CHECK(typical_spacing(edited) != spacing);
-  std::ranges::reverse(again);
-  edited.apply(*insert_samples(edited, again));
+  // Rows of samples that went are given to those that come, in another order.
+  edited.apply(*insert_samples(edited, std::span(places).subspan(600)));
   CHECK(typical_spacing(edited) == spacing);
-  std::vector<Vec2> twice = places;
-  twice.insert(twice.end(), places.begin(), places.begin() + 700);
-  CHECK(typical_spacing(document_of(twice)) == spacing);
 }
 
-TEST_CASE("the spacing of a document follows each edit of few samples, and those of many that change much") {
+TEST_CASE("the spacing changes as little as the samples move, and where places are there often, too") {
+  Rng rng(8);
+  std::vector<Vec2> places;
+  for (int i = 0; i < 3000; ++i) places.push_back({rng.uniform(), rng.uniform()});
+  const double spacing = typical_spacing(document_of(places));
+  std::vector<Vec2> moved = places;
+  for (Vec2& p : moved) p = p + Vec2{1e-9, 1e-9};
+  CHECK(typical_spacing(document_of(moved)) == Approx(spacing).epsilon(1e-5));
+  for (Vec2& p : moved) p = p + 0.02 * spacing * Vec2{rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)};
+  CHECK(typical_spacing(document_of(moved)) == Approx(spacing).epsilon(0.06));
+  std::vector<Vec2> often = places;
+  for (int i = 0; i < 100; ++i) often.insert(often.end(), places.begin(), places.begin() + 300);
+  const std::vector<double> nearest = nearest_of_all(places);
+  const double of_often = typical_spacing(document_of(often));
+  CHECK(of_often > nearest[places.size() / 3]);
+  CHECK(of_often < nearest[2 * places.size() / 3]);
+}
+
+TEST_CASE(
+    "the spacing of a document follows each edit of few samples, and of many those that change much or come to "
+    "rest") {
   FollowedSpacing followed;
   Document document = document_of({{0, 0}, {1, 0}, {5, 0}});
   CHECK(followed.of(document) == 1.0);
@@ -173,6 +185,10 @@ TEST_CASE("the spacing of a document follows each edit of few samples, and those
   CHECK(followed.of(document_of(many)) == 2.0);
   // Neither their number nor their magnitude tells, but that they are another document's.
   for (std::size_t i = 1; i < many.size() - 1; ++i) many[i].x = 1e-3 * static_cast<double>(i);
-  CHECK(followed.of(document_of(many), 0) == 2.0);
-  CHECK(followed.of(document_of(many), 1) == Approx(1e-3));
+  const Document changed = document_of(many);
+  CHECK(followed.of(changed, 0) == 2.0);
+  CHECK(followed.of(changed, 0) == Approx(1e-3));  // it has come to rest
+  FollowedSpacing other;
+  CHECK(other.of(document_of(std::vector<Vec2>(many.size(), Vec2{1.0, 1.0})), 0) == 0.0);
+  CHECK(other.of(changed, 1) == Approx(1e-3));
 }
