@@ -6,6 +6,7 @@
 
 #include "app/editing/selection.h"
 #include "app/panels/sampling_controls.h"
+#include "app/ui/number_field.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 
@@ -42,7 +43,8 @@ bool SampleMaker::draw_buttons(const Gui& gui, const std::string& name, const ch
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const ImVec2 size(0.5F * (ImGui::GetContentRegionAvail().x - spacing), 0);
   ImGui::BeginDisabled(!making_.is_possible() || making_.is_accepted());
-  if (default_button(gui, "Make", size, true)) making_.accept();
+  // Not with the number before one that is refused, which stays said.
+  if (default_button(gui, "Make", size, true) && refused_number().empty()) making_.accept();
   ImGui::EndDisabled();
   tooltip(gui, explanation);
   ImGui::SameLine();

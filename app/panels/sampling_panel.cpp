@@ -51,7 +51,8 @@ void SamplingPanel::draw_wishes() {
        {std::pair{ActionId::repair_sampling, "Repair"}, {ActionId::decimate_sampling, "Decimate"}}) {
     ImGui::SameLine(0, 4 * unit);
     ImGui::BeginDisabled(!uses_.actions.is_enabled(id));
-    if (ImGui::Button(label)) uses_.actions.run(id);
+    // Not with the epsilon before one that is refused, which stays said.
+    if (ImGui::Button(label) && refused_number().empty()) uses_.actions.run(id);
     ImGui::EndDisabled();
     tooltip(uses_.gui, uses_.actions.tooltip_of(id));
   }
