@@ -74,7 +74,7 @@ class ProbeGrid {
     for (const Entry& entry : entries_) is_used_.set(entry.key % kBits);
   }
 
-  /// Tells the probes near it how far it is.
+  /// Measures how far the place is from the probes near it.
   void meet(Vec2 p) {
     const std::uint64_t key = key_of(cell_of(p));
     if (!is_used_.test(key % kBits)) return;

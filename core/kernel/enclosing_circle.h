@@ -23,8 +23,8 @@ bool is_right_or_obtuse(Vec2 a, Vec2 b, Vec2 c);
 /// Half the longest side of a triangle.
 double half_longest_side(Vec2 a, Vec2 b, Vec2 c);
 
-/// The order of two doubles above 0 is that of the numbers that they stand for: each is within 2^-47 of its number,
-/// unless they come near the ends of the range of doubles.
+/// True if two doubles above 0 are surely in the order of the numbers that they approximate, each to within 2^-47 of
+/// itself. False near the ends of the range of doubles, where they may be worse.
 inline bool is_order_decided(double left, double right) {
   const double size = left > right ? left : right;
   return size > 1e-250 && size < 1e300 && std::abs(left - right) > 0x1p-46 * size;

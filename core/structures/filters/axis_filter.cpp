@@ -154,7 +154,7 @@ void AxisFilter::reached_each(std::span<const EdgeSlot> edges, std::span<Reached
   for (std::size_t i = 0; i < edges.size(); ++i) out[i] = reached(edges[i]);
 }
 
-// Of a run of rows, where the filter is raw. Nodes at which a kept edge ends are kept; several edges, also of other
+// Decides a run of rows, where the filter is raw. Nodes at which a kept edge ends are kept; several edges, also of other
 // threads, may say so of one node.
 void AxisFilter::decide_edges(std::size_t begin, std::size_t end) {
   constexpr std::size_t kBatch = 512;
@@ -178,7 +178,7 @@ void AxisFilter::decide_edges(std::size_t begin, std::size_t end) {
   }
 }
 
-// Those at which no kept edge ends, after all edges.
+// Decides the nodes at which no kept edge ends; all edges are decided before.
 void AxisFilter::decide_nodes(std::size_t begin, std::size_t end) {
   constexpr std::size_t kBatch = 512;
   std::array<FaceSlot, kBatch> nodes;

@@ -105,7 +105,7 @@ class AxisFilter : public Structure {
   virtual void add_statistics(StatList& out) const = 0;
 
   bool is_edge(EdgeSlot edge) const {
-    // Which edges are follows no pattern, so no branch depends on it.
+    // Whether a row is one follows no pattern, so no branch depends on it.
     return delaunay_.edge(edge).is_alive() && (axis_.is_axis_edge(edge) & !axis_.is_zero_length(edge));
   }
   template <class Visit>

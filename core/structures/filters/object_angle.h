@@ -27,8 +27,8 @@ using CornerBits = std::uint8_t;
 inline constexpr CornerBits kAngleReaches = 1;  ///< its folded angle reaches the limit
 inline constexpr CornerBits kNotObtuse = 2;     ///< it has 90 degrees at most
 
-/// A limit of folded angles, as one decides by: a corner reaches it where `folded(angle_at(p, q, r)) >= degrees`. Mostly
-/// the arc tangent is not computed for that.
+/// A limit of folded angles, as one decides by: a corner reaches it where `folded(angle_at(p, q, r)) >= degrees`. The arc
+/// tangent is computed only where rounding may decide.
 class AngleLimit {
  public:
   explicit AngleLimit(double degrees);
@@ -40,7 +40,7 @@ class AngleLimit {
     CornerBits out{};
     return decide(dot(u, v), cross(u, v), dot(u, u) * dot(v, v), out) ? out : corner_by_angle(p, q, r);
   }
-  /// Of all three corners, in a third of the time.
+  /// Of all three corners, with their differences and lengths computed once.
   std::array<CornerBits, 3> corners(Vec2 a, Vec2 b, Vec2 c) const {
     const Vec2 ab = b - a;
     const Vec2 bc = c - b;
@@ -61,7 +61,7 @@ class AngleLimit {
   bool decide(double product, double det, double size, CornerBits& out) const {
     // The tangent of the folded angle is |det| / |product|.
     const double more = std::abs(det) * cosine_ - std::abs(product) * sine_;
-    // Nearer to 0 than this, the angle is that of a right corner in doubles.
+    // Products nearer to 0 than this give an angle that rounds to 90 degrees.
     constexpr double kLeast = 1e-280;
     out = static_cast<CornerBits>((more > 0.0 ? kAngleReaches : 0U) | (product >= -kLeast ? kNotObtuse : 0U));
     return size > 0x1p-900 && size < 0x1p900 && more * more > 1e-24 * size;
