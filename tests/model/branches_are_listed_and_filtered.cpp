@@ -72,6 +72,44 @@ TEST_CASE("lines of branches are as long as the branches, and end where they do"
   CHECK(!table_of({.positions = {{0, 0}, {1, 1}}}).reason.empty());
 }
 
+TEST_CASE("the table of branches is the same whatever a filter makes of its angles") {
+  // Two triangles, obtuse at one end: the axis crosses their common edge, from which it sees both samples under 90 degrees.
+  const SampleData kite{.positions = {{0, -1}, {3, 0}, {0, 1}, {-3, 0}}};
+  for (const SampleData& data : {kite, rectangle()}) {
+    for (const BranchAxis axis : {BranchAxis::whole, BranchAxis::lambda, BranchAxis::cover}) {
+      std::string first;
+      for (const double mode : {0.0, 1.0, 2.0}) {
+        ComputationSettings settings;
+        settings[Parameter::angle_mode] = mode;
+        JobControl job;
+        const auto table = branch_table_of(data, settings, axis, job);
+        REQUIRE(table.has_value());
+        if (first.empty()) first = branches_as_csv(table->branches);
+        CHECK(branches_as_csv(table->branches) == first);
+      }
+    }
+  }
+  const BranchTable table = table_of(kite);
+  REQUIRE(table.branches.size() == 1);
+  CHECK(table.branches.front().angle == 90.0);
+  CHECK(table.branches.front().length == Approx(8.0 / 3.0));
+}
+
+TEST_CASE("the angle of a branch is the largest along it, also where the filter keeps edges by their mean") {
+  for (const double mode : {1.0, 2.0}) {
+    ComputationSettings settings;
+    settings[Parameter::angle_mode] = mode;
+    settings[Parameter::angle_limit] = 20.0;
+    JobControl job;
+    const auto table = branch_table_of(rectangle(), settings, BranchAxis::angle, job);
+    REQUIRE(table.has_value());
+    REQUIRE_FALSE(table->branches.empty());
+    for (const AxisBranch& branch : table->branches) CHECK(branch.angle >= 20.0);
+    // Somewhere the axis crosses the middle of two samples.
+    CHECK(table->branches.front().angle == 90.0);
+  }
+}
+
 TEST_CASE("rows are sorted by any column, and filtered by conditions") {
   const BranchTable table = table_of(rectangle());
   for (std::size_t i = 0; i < kBranchColumns; ++i) {

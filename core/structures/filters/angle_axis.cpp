@@ -21,8 +21,11 @@ int AngleAxis::mode(const ComputationSettings& settings) const {
 }
 
 double AngleAxis::value(EdgeSlot edge) const {
-  const EdgeAngles angles = edge_angles(crust_.corners(edge));
-  return angle_mode() == AngleMode::mean ? angles.mean() : angles.largest();
+  return angle_mode() == AngleMode::mean ? edge_angles(crust_.corners(edge)).mean() : largest(edge);
+}
+
+double AngleAxis::largest(EdgeSlot edge) const {
+  return edge_angles(crust_.corners(edge)).largest();
 }
 
 double AngleAxis::end_value(EdgeSlot edge, int end) const {
@@ -164,12 +167,12 @@ int AngleAxis::compare(EdgeSlot a, EdgeSlot b) const {
 }
 
 void AngleAxis::add_statistics(StatList& out) const {
-  double largest = -std::numeric_limits<double>::infinity();
+  double most = -std::numeric_limits<double>::infinity();
   for (const FaceSlot node : delaunay_.face_slots())
-    if (delaunay_.face(node).is_alive() && axis_.is_node(node)) largest = std::max(largest, value(node));
+    if (delaunay_.face(node).is_alive() && axis_.is_node(node)) most = std::max(most, value(node));
   for (const EdgeSlot edge : delaunay_.edge_slots())
-    if (is_edge(edge)) largest = std::max(largest, value(edge));
-  out.push_back({"largest", largest});
+    if (is_edge(edge)) most = std::max(most, largest(edge));
+  out.push_back({"largest", most});
 }
 
 }  // namespace mes

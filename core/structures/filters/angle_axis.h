@@ -33,6 +33,8 @@ class AngleAxis final : public AxisFilter {
   double value(FaceSlot node) const override;
   std::string spoken(double value) const override;
   AngleMode angle_mode() const { return static_cast<AngleMode>(wish().mode); }
+  /// The largest angle on an edge of the axis, whatever the mode of the filter.
+  double largest(EdgeSlot edge) const;
   /// At the end `EdgeRow::f[end]` of an edge.
   double end_value(EdgeSlot edge, int end) const;
 

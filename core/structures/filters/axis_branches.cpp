@@ -190,7 +190,7 @@ class Tracer {
       const auto integral = [h](double at) { return 0.5 * (at * std::hypot(h, at) + h * h * std::asinh(at / h)); };
       area.add(integral(t[1]) - integral(t[0]));
       branch.lambda = std::max(branch.lambda, lambda_.value(edge));
-      branch.angle = std::max(branch.angle, angle_.value(edge));
+      branch.angle = std::max(branch.angle, angle_.largest(edge));
       for (const int end : {0, 1}) {
         if (filter_.is_cut(edge, end)) continue;
         const FaceSlot node = balls_.ball(row.f[end]);

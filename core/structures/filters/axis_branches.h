@@ -30,7 +30,7 @@ struct AxisBranch {
   double radius_mean = 0.0;   ///< over its length
   double radius_largest = 0.0;
   double lambda = 0.0;  ///< the largest along it
-  double angle = 0.0;   ///< the largest object angle along it, in degrees
+  double angle = 0.0;   ///< the largest object angle along it, in degrees, whatever the mode of the filter
 };
 
 /// What it guarantees: each kept edge is in exactly one branch, and inner nodes of a branch have two kept edges. The list
