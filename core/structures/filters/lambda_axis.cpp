@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "core/kernel/edge_predicates.h"
 #include "core/kernel/enclosing_circle.h"
@@ -66,16 +67,28 @@ int LambdaAxis::compare(EdgeSlot a, EdgeSlot b) const {
                          delaunay_.site_position(row_b.v[0]), delaunay_.site_position(row_b.v[1]));
 }
 
+// The centre of a circle lies in the closed polygon of its samples where it lies in one of the closed triangles: inside
+// one, or on a side of one, which then is a diameter.
+std::optional<double> LambdaAxis::critical_value(FaceSlot node) const {
+  std::optional<double> out;
+  for_each_face_of(node, [&](FaceSlot face) {
+    const std::array<Vec2, 3> corner = corners(face);
+    std::array<int, 3> sign{};
+    for (std::size_t i = 0; i < 3; ++i) sign[i] = sign_of_corner(corner[i], corner[(i + 1) % 3], corner[(i + 2) % 3]);
+    if (std::ranges::min(sign) > 0) out = delaunay_.circumradius(node);
+    if (std::ranges::min(sign) != 0) return;
+    const auto right = static_cast<std::size_t>(std::ranges::find(sign, 0) - sign.begin());
+    // As a crossed edge has it, so that both are one value.
+    out = 0.5 * distance(corner[(right + 1) % 3], corner[(right + 2) % 3]);
+  });
+  return out;
+}
+
 std::vector<double> LambdaAxis::critical_values() const {
   std::vector<double> out;
   for (const FaceSlot node : delaunay_.face_slots()) {
     if (!delaunay_.face(node).is_alive() || !axis_.is_node(node)) continue;
-    bool is_maximum = false;
-    for_each_face_of(node, [&](FaceSlot face) {
-      const auto [a, b, c] = corners(face);
-      is_maximum = is_maximum || !is_right_or_obtuse(a, b, c);
-    });
-    if (is_maximum) out.push_back(delaunay_.circumradius(node));
+    if (const auto value = critical_value(node)) out.push_back(*value);
   }
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
     // Edges of length zero, too: the diagonals of samples on one circle are crossed where the centre lies on them.

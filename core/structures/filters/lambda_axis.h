@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,7 +22,8 @@ namespace mes {
 /// Below the weak feature size of the shape, the smallest positive critical value of the distance to the curve, the
 /// lambda axis has the homotopy of the shape. `weak_feature_size` is the smallest critical value of the distance to the
 /// *samples* on the axis: half the length of a Delaunay edge that its dual crosses (a saddle), or the radius of a ball
-/// whose centre lies in its triangle (a maximum). It is an estimate from the samples.
+/// whose centre lies among its samples, in their closed convex hull. It is an estimate from the samples. Without such
+/// a place, as in an obtuse triangle alone, it is infinite.
 ///
 /// Source: Chazal and Lieutier, "The lambda-medial axis", Graphical Models 67, 2005.
 class LambdaAxis final : public AxisFilter {
@@ -46,6 +48,8 @@ class LambdaAxis final : public AxisFilter {
 
  private:
   std::array<Vec2, 3> corners(FaceSlot face) const;
+  /// The radius of a node whose centre lies among its samples.
+  std::optional<double> critical_value(FaceSlot node) const;
 };
 
 }  // namespace mes
