@@ -20,6 +20,7 @@
 #include "core/document/parameter.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/evolutions/evolution.h"
+#include "core/formula/formula.h"
 #include "core/graph/structure.h"
 #include "core/io/bundle_file.h"
 #include "core/io/format.h"
@@ -174,8 +175,9 @@ void write_shapes(Markdown& page) {
       "What `mesecina shape NAME` makes, with its parameters and their defaults, set by `--set KEY=VALUE`. Curves "
       "are\n"
       "sampled by `--samples`, `--spacing`, or some 400 times; sets of points and balls have as many as `--samples`\n"
-      "says. Equal seeds give equal samples. Formulas know t, pi, e, + - * / ^, ?:, comparisons, and sin, cos, tan,\n"
-      "asin, acos, atan, sinh, cosh, tanh, exp, ln, log2, log10, sqrt, cbrt, abs, sign, rint, min, max, sum, avg.");
+      "says. Equal seeds give equal samples. Formulas know t, pi, e, deg (pi / 180), + - * / ^, ?:, comparisons, "
+      "and\n" +
+      formula_functions_in_words() + '.');
   Rows rows;
   for (const ShapeDescriptor& shape : shapes()) {
     std::string parameters;

@@ -5,6 +5,7 @@
 #include <muParser.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -21,6 +22,12 @@ struct Formula::Parsed {
 namespace {
 
 constexpr std::size_t kMostBytes = 1000;
+
+// Those of muParser, and the cube root.
+constexpr std::array<FormulaFunction, 27> kFunctions{
+    {{"sin"},  {"cos"},   {"tan"},   {"asin"},  {"acos"}, {"atan"},   {"atan2", 2}, {"sinh"},   {"cosh"},
+     {"tanh"}, {"asinh"}, {"acosh"}, {"atanh"}, {"exp"},  {"ln"},     {"log"},      {"log2"},   {"log10"},
+     {"sqrt"}, {"cbrt"},  {"abs"},   {"sign"},  {"rint"}, {"min", 0}, {"max", 0},   {"sum", 0}, {"avg", 0}}};
 
 std::string printable(std::string text) {
   std::ranges::replace_if(
@@ -53,6 +60,19 @@ Error error_of(const mu::Parser::exception_type& problem, std::string_view text)
 
 }  // namespace
 
+std::span<const FormulaFunction> formula_functions() {
+  return kFunctions;
+}
+
+std::string formula_functions_in_words() {
+  std::string out;
+  for (const FormulaFunction& function : kFunctions) {
+    if (!out.empty()) out += ", ";
+    out += function.name;
+  }
+  return out;
+}
+
 Formula::Formula(std::unique_ptr<Parsed> parsed) : parsed_(std::move(parsed)) {}
 Formula::~Formula() = default;
 Formula::Formula(Formula&& other) noexcept = default;
@@ -71,6 +91,7 @@ Expected<Formula> Formula::parse(std::string_view text, std::vector<std::string>
     parser.DefineConst("pi", std::numbers::pi);
     parser.DefineConst("e", std::numbers::e);
     parser.DefineConst("deg", std::numbers::pi / 180.0);
+    parser.DefineFun("cbrt", static_cast<mu::fun_type1>([](double x) { return std::cbrt(x); }));
     parser.EnableOptimizer(false);  // what is written is what is computed
     for (std::size_t i = 0; i < parsed->names.size(); ++i) parser.DefineVar(parsed->names[i], &parsed->values[i]);
     parser.SetExpr(std::string(text));

@@ -12,8 +12,17 @@
 
 namespace mes {
 
-/// An expression in named variables: + - * / ^, comparisons, `a ? b : c`, parentheses, the functions of muParser (sin,
-/// cos, tan, asin, acos, atan, atan2, sqrt, exp, ln, log10, abs, sign, rint, min, max, sum, avg and others), pi, e, and
+/// A function that expressions know.
+struct FormulaFunction {
+  std::string_view name;
+  int arguments = 1;  ///< 0: any number from 1 on
+};
+/// All of them. `log` and `ln` are the natural logarithm.
+std::span<const FormulaFunction> formula_functions();
+/// "sin, cos, ...", as a sentence lists them.
+std::string formula_functions_in_words();
+
+/// An expression in named variables: + - * / ^, comparisons, `a ? b : c`, parentheses, `formula_functions()`, pi, e, and
 /// deg for pi / 180. Nothing else: no assignment, no text, no file.
 ///
 /// What it guarantees: the same numbers on every machine and in every locale, as far as its mathematical functions are.

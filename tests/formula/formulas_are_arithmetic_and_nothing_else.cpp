@@ -1,4 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <muParser.h>
+
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <string>
@@ -38,6 +41,35 @@ TEST_CASE("variables are given by their place, and it is known which ones count"
   CHECK(formula->uses(0));
   CHECK_FALSE(formula->uses(1));
   CHECK(formula->uses(2));
+}
+
+TEST_CASE("each function that is listed is known, and each that is known is listed") {
+  for (const FormulaFunction& function : formula_functions()) {
+    CAPTURE(function.name);
+    const std::string name(function.name);
+    // Each is defined at 1.
+    const auto value = number_of(name + (function.arguments == 2 ? "(1, 1)" : "(1)"));
+    if (function.name == "atanh")
+      CHECK_FALSE(value);  // infinite there
+    else
+      CHECK(value);
+    CHECK(number_of(name + (function.arguments == 2 ? "(0.5, 0.5)" : "(0.5)")).has_value() ==
+          (function.name != "acosh"));
+    if (function.arguments != 0) CHECK_FALSE(number_of(name + "(1, 1, 1)"));
+    CHECK(formula_functions_in_words().find(name) != std::string::npos);
+  }
+  const mu::Parser library;
+  for (const auto& [name, callback] : library.GetFunDef()) {
+    CAPTURE(name);
+    CHECK(std::ranges::find(formula_functions(), name, &FormulaFunction::name) != formula_functions().end());
+  }
+}
+
+TEST_CASE("the cube root is that of negative numbers, too, and log is the natural logarithm") {
+  CHECK(*number_of("cbrt(27)") == 3.0);
+  CHECK(*number_of("cbrt(-8)") == -2.0);
+  CHECK(*number_of("log(e)") == Approx(1.0));
+  CHECK(*number_of("ln(e)") == Approx(1.0));
 }
 
 TEST_CASE("what is not an expression is refused with a reason in one line") {
