@@ -30,9 +30,6 @@ bool is_spline(const BSpline& spline) {
   if (spline.degree == 0 || spline.degree > kHighestDegree || count <= spline.degree) return false;
   if (spline.knots.size() != count + spline.degree + 1) return false;
   if (!spline.weights.empty() && spline.weights.size() != count) return false;
-  // Where so many knots are one the spline jumps.
-  for (std::size_t i = 1; i + spline.degree + 1 < spline.knots.size(); ++i)
-    if (spline.knots[i] == spline.knots[i + spline.degree]) return false;
   return std::ranges::all_of(spline.knots, [](double knot) { return std::isfinite(knot); }) &&
          std::ranges::is_sorted(spline.knots) &&
          std::ranges::all_of(spline.weights, [](double w) { return w > 0.0 && std::isfinite(w); }) &&
@@ -41,6 +38,34 @@ bool is_spline(const BSpline& spline) {
 
 bool is_rational(const BSpline& spline) {
   return std::ranges::any_of(spline.weights, [&](double w) { return w != spline.weights.front(); });
+}
+
+/// Knots that rounding keeps apart become one.
+void settle_knots(std::vector<double>& knots) {
+  constexpr double kEqual = 1e-10;
+  constexpr double kRounding = 1e-6;
+  const double range = knots.back() - knots.front();
+  if (!(range > 0.0)) return;
+  for (std::size_t i = 1; i < knots.size(); ++i) {
+    const double step = knots[i] - knots[i - 1];
+    if (step < kEqual * range && step > -kRounding * range) knots[i] = knots[i - 1];
+  }
+}
+
+/// Takes controls away that no place of the spline depends on, with a knot each: more than `degree` + 1 knots are one
+/// there.
+void drop_idle_controls(BSpline& spline) {
+  BSpline kept{.degree = spline.degree};
+  const std::size_t count = spline.controls.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (spline.knots[i] == spline.knots[i + spline.degree + 1]) continue;
+    kept.knots.push_back(spline.knots[i]);
+    kept.controls.push_back(spline.controls[i]);
+    if (!spline.weights.empty()) kept.weights.push_back(spline.weights[i]);
+  }
+  if (kept.controls.size() == count) return;
+  for (std::size_t i = count; i < spline.knots.size(); ++i) kept.knots.push_back(spline.knots[i]);
+  spline = std::move(kept);
 }
 
 /// De Boor's scheme in the span from knot `span` on, also at its two ends.
@@ -89,37 +114,46 @@ BSpline BSpline::closed(std::size_t degree, const std::vector<Vec2>& controls) {
   return out;
 }
 
-std::optional<PlaneCurve> curve_of_spline(const BSpline& spline) {
-  if (!is_spline(spline)) return std::nullopt;
+std::vector<PlaneCurve> curves_of_spline(BSpline spline) {
+  if (!spline.knots.empty()) settle_knots(spline.knots);
+  if (!is_spline(spline)) return {};
+  drop_idle_controls(spline);
   constexpr std::size_t kCubic = 3;
   constexpr int kPieces = 32;
   const int pieces = is_rational(spline) || spline.degree > kCubic ? kPieces : 1;
-  // An end that is the start but for rounding is the start.
+  // Places that are one but for rounding are one: the end and the start, and both sides of a knot.
   constexpr double kRounding = 1e-12;
   double size = 0.0;
   for (const Vec2 p : spline.controls) size = std::max({size, std::abs(p.x), std::abs(p.y)});
-  std::optional<PlaneCurve> out;
+  std::vector<PlaneCurve> out;
   for (std::size_t span = spline.degree; span < spline.controls.size(); ++span) {
     const double low = spline.knots[span];
     const double high = spline.knots[span + 1];
     if (!(low < high)) continue;
     Jet from = jet_at(spline, span, low);
-    if (!out) out.emplace(from.place);
+    if (out.empty() || distance(from.place, out.back().end()) > kRounding * size) out.emplace_back(from.place);
+    from.place = out.back().end();
     for (int i = 1; i <= pieces; ++i) {
       Jet to = jet_at(spline, span, i == pieces ? high : low + (high - low) * i / pieces);
       const bool is_end = i == pieces && high == spline.knots[spline.controls.size()];
-      if (is_end && distance(to.place, out->start()) <= kRounding * size) to.place = out->start();
+      if (is_end && distance(to.place, out.back().start()) <= kRounding * size) to.place = out.back().start();
       const double third = (high - low) / (3.0 * pieces);
-      if (!is_finite(to.place) || !is_finite(to.derivative) || !is_finite(from.derivative)) return std::nullopt;
+      if (!is_finite(to.place) || !is_finite(to.derivative) || !is_finite(from.derivative)) return {};
       if (spline.degree == 1 && pieces == 1) {
-        out->line_to(to.place);
+        out.back().line_to(to.place);
       } else {
-        out->cubic_to(from.place + third * from.derivative, to.place - third * to.derivative, to.place);
+        out.back().cubic_to(from.place + third * from.derivative, to.place - third * to.derivative, to.place);
       }
       from = to;
     }
   }
   return out;
+}
+
+std::optional<PlaneCurve> curve_of_spline(BSpline spline) {
+  std::vector<PlaneCurve> curves = curves_of_spline(std::move(spline));
+  if (curves.size() != 1) return std::nullopt;
+  return std::move(curves.front());
 }
 
 }  // namespace mes

@@ -24,12 +24,16 @@ struct BSpline {
 
 /// Up to rounding the spline itself where its degree is at most 3 and its weights are equal; else cubic pieces that have
 /// its places and tangents at 32 places of each span, off by less than 1e-6 of its size where weights are
-/// of one magnitude. Nothing for an invalid spline:
-/// knots that are too few or decrease, a degree of 0 or above 15, weights that are not positive, numbers that are not
-/// finite.
+/// of one magnitude. A spline jumps where `degree` + 1 knots are equal and the controls on both sides are not: it is several curves then, in order.
+/// Knots that differ by less than 1e-10 of their range are equal; so are those that decrease by less than 1e-6 of it, as rounding may make them.
+/// Nothing for an invalid spline: knots that are too few or decrease, a degree of 0 or above 15, weights that are not
+/// positive, numbers that are not finite.
+std::vector<PlaneCurve> curves_of_spline(BSpline spline);
+
+/// The same of a spline that is one curve; nothing for one that jumps.
 ///
 /// Smallest use:
 ///     const auto curve = curve_of_spline(BSpline::clamped(3, {{0, 0}, {1, 2}, {3, 2}, {4, 0}, {6, 0}}));
-std::optional<PlaneCurve> curve_of_spline(const BSpline& spline);
+std::optional<PlaneCurve> curve_of_spline(BSpline spline);
 
 }  // namespace mes

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
 #include <unordered_map>
 #include <utility>
 
@@ -26,21 +27,23 @@ class Ends {
     }
   }
 
-  /// The one other end that is near; nothing for none and for several.
+  /// The one other end at the same place, or else the one other end that is near; nothing for none and for several.
   std::size_t partner_of(std::size_t end) const {
     const Cell cell = cell_of(place_of(end));
-    std::size_t out = kNone;
+    Only here;
+    Only near;
     for (std::int64_t x = cell.x - 1; x <= cell.x + 1; ++x)
       for (std::int64_t y = cell.y - 1; y <= cell.y + 1; ++y) {
         const auto found = cells_.find(key_of(x, y));
         if (found == cells_.end()) continue;
         for (const std::size_t other : found->second) {
-          if (other == end || distance(place_of(other), place_of(end)) > tolerance_) continue;
-          if (out != kNone) return kNone;
-          out = other;
+          if (other == end || (other == (end ^ 1U) && !may_close(end / 2))) continue;
+          const double gap = distance(place_of(other), place_of(end));
+          if (gap <= tolerance_) near.add(other);
+          if (gap == 0.0) here.add(other);
         }
       }
-    return out;
+    return here.count != 0 ? here.get() : near.get();
   }
 
  private:
@@ -48,6 +51,22 @@ class Ends {
     std::int64_t x;
     std::int64_t y;
   };
+  struct Only {
+    std::size_t end = kNone;
+    std::size_t count = 0;
+    void add(std::size_t other) {
+      end = other;
+      ++count;
+    }
+    std::size_t get() const { return count == 1 ? end : kNone; }
+  };
+  /// A line, or less than half a turn, is no closed curve, however short it is.
+  bool may_close(std::size_t curve) const {
+    const PlaneCurve& c = curves_[curve];
+    if (c.piece_count() != 1) return c.piece_count() > 1;
+    if (c.kinds().front() == PieceKind::line) return false;
+    return c.kinds().front() != PieceKind::arc || std::abs(c.arcs().front().sweep) > std::numbers::pi;
+  }
   Vec2 place_of(std::size_t end) const { return end % 2 == 0 ? curves_[end / 2].start() : curves_[end / 2].end(); }
   Cell cell_of(Vec2 p) const {
     constexpr double kFar = 1e15;

@@ -12,7 +12,7 @@ namespace mes {
 PlaneCurve reversed(const PlaneCurve& curve);
 
 /// Open curves whose ends are at most `tolerance` apart become one, turned around where they must be, and closed where
-/// both ends meet. An end is joined where it has exactly one other end near: where three curves meet, none are joined.
+/// both ends meet, unless it is a single line or less than half a turn. An end is joined where it has exactly one other end at its place, or else exactly one near: where three curves meet, none are joined.
 /// In the order of their first parts; closed curves stay as they are. Cost: O(n log n) for n curves, for ends that are
 /// near to few others.
 ///

@@ -103,3 +103,14 @@ TEST_CASE("a curve turned around has the same points") {
   REQUIRE(forth.size() == back.size());
   for (std::size_t i = 0; i < forth.size(); ++i) CHECK(distance(forth[i], back[i]) < 1e-14);
 }
+
+TEST_CASE("equal ends are joined before near ones, and short lines stay lines") {
+  // A line shorter than the tolerance, between two that it joins exactly.
+  const auto chain = joined_ends({line({0, 0}, {1, 0}), line({1, 0}, {1.01, 0}), line({1.01, 0}, {2, 0})}, 0.05);
+  REQUIRE(chain.size() == 1);
+  CHECK(corners_of(chain[0]) == std::vector<Vec2>{{0, 0}, {1, 0}, {1.01, 0}, {2, 0}});
+  CHECK_FALSE(chain[0].is_closed());
+  const auto alone = joined_ends({line({0, 0}, {0.01, 0}), line({5, 5}, {6, 6})}, 0.05);
+  REQUIRE(alone.size() == 2);
+  CHECK_FALSE(alone[0].is_closed());
+}

@@ -109,3 +109,38 @@ TEST_CASE("what is no spline gives nothing") {
   CHECK_FALSE(curve_of_spline({.degree = 3, .knots = {0, 0, 0, 0, NAN, 1, 1, 1}, .controls = four}).has_value());
   CHECK_FALSE(curve_of_spline(BSpline::clamped(3, {{0, 0}, {1, 1}})).has_value());
 }
+
+TEST_CASE("inner knots of full multiplicity end a piece, and a spline that jumps there is two curves") {
+  BSpline spline{.degree = 3,
+                 .knots = {0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2},
+                 .controls = {{0, 0}, {0, 3}, {3, 6}, {6, 6}, {6, 6}, {9, 6}, {9, 0}, {0, 0}}};
+  const auto curve = curve_of_spline(spline);
+  REQUIRE(curve.has_value());
+  const std::vector<Piece> pieces = pieces_of(*curve);
+  REQUIRE(pieces.size() == 2);
+  for (std::size_t i = 0; i < 8; ++i) CHECK(distance(pieces[i / 4].points[i % 4], spline.controls[i]) < 1e-13);
+  CHECK(curve->start() == curve->end());
+
+  BSpline jumping = spline;
+  for (std::size_t i = 4; i < 8; ++i) jumping.controls[i] = jumping.controls[i] + Vec2{100, 0};
+  CHECK_FALSE(curve_of_spline(jumping).has_value());
+  const std::vector<PlaneCurve> two = curves_of_spline(jumping);
+  REQUIRE(two.size() == 2);
+  CHECK(distance(two[0].end(), {6, 6}) < 1e-13);
+  CHECK(distance(two[1].start(), {106, 6}) < 1e-13);
+
+  // More knots at one place than that leave a control without effect, and rounded knots are one.
+  BSpline idle = spline;
+  idle.knots.insert(idle.knots.begin() + 4, 1.0);
+  idle.controls.insert(idle.controls.begin() + 4, {500, 500});
+  REQUIRE(curve_of_spline(idle).has_value());
+  CHECK(*curve_of_spline(idle) == *curve);
+  BSpline rounded = spline;
+  rounded.knots[5] = 1.0 - 1e-9;
+  rounded.knots[6] = 1.0 + 1e-12;
+  REQUIRE(curve_of_spline(rounded).has_value());
+  CHECK(curve_of_spline(rounded)->piece_count() == 2);
+  BSpline decreasing = spline;
+  decreasing.knots[5] = 0.9;
+  CHECK(curves_of_spline(decreasing).empty());
+}

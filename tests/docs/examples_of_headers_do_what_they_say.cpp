@@ -16,6 +16,7 @@
 #include "core/base/task_queue.h"
 #include "core/curves/b_spline.h"
 #include "core/curves/corners.h"
+#include "core/curves/cubic_interpolation.h"
 #include "core/curves/joined_ends.h"
 #include "core/curves/nearest_place.h"
 #include "core/curves/sampling.h"
@@ -466,6 +467,11 @@ TEST_CASE("splines, pieces and letters become curves as their headers show") {
   const auto curve = curve_of_spline(BSpline::clamped(3, {{0, 0}, {1, 2}, {3, 2}, {4, 0}, {6, 0}}));
   REQUIRE(curve);
   CHECK(curve->piece_count() == 2);
+
+  // core/curves/cubic_interpolation.h
+  const auto arch = cubic_through(std::vector<Vec2>{{0, 0}, {1, 1}, {2, 0}}, false);
+  REQUIRE(arch);
+  CHECK(arch->piece_count() == 2);
 
   PlaneCurve left_half({0, 1});
   left_half.line_to({-1, 0});
