@@ -13,12 +13,14 @@
 
 #include "core/base/box2.h"
 #include "core/curves/b_spline.h"
+#include "core/curves/cubic_interpolation.h"
 #include "core/curves/joined_ends.h"
 #include "core/io/counted_remarks.h"
 #include "core/io/curve_samples.h"
 #include "core/io/dxf_pairs.h"
 #include "core/io/format_registry.h"
 #include "core/io/text_numbers.h"
+#include "core/io/written_decimals.h"
 
 namespace mes {
 namespace {
@@ -135,12 +137,31 @@ class DxfReader {
     const auto found = std::ranges::find(entity, code, &DxfPair::code);
     return found == entity.end() ? Expected<double>(otherwise) : number(*found);
   }
-  Expected<Vec2> point(DxfEntity entity, int code) const {
-    const auto x = number(entity, code, 0.0);
+  /// A coordinate or another length.
+  Expected<double> coordinate(DxfEntity entity, int code) {
+    if (const auto text = dxf_text(entity, code)) decimals_.add(*text);
+    return number(entity, code, 0.0);
+  }
+  Expected<Vec2> point(DxfEntity entity, int code) {
+    const auto x = coordinate(entity, code);
     if (!x) return std::unexpected(x.error());
-    const auto y = number(entity, code + 10, 0.0);
+    const auto y = coordinate(entity, code + 10);
     if (!y) return std::unexpected(y.error());
     return Vec2{*x, *y};
+  }
+  /// All pairs of a code and the one ten above it.
+  Expected<std::vector<Vec2>> points(DxfEntity entity, int code) const {
+    const auto x = numbers(entity, code);
+    if (!x) return std::unexpected(x.error());
+    const auto y = numbers(entity, code + 10);
+    if (!y) return std::unexpected(y.error());
+    std::vector<Vec2> out(std::min(x->size(), y->size()));
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] = {(*x)[i], (*y)[i]};
+    return out;
+  }
+  /// What rounding may have taken from an angle, as it is written.
+  static double rounding_of(DxfEntity entity, int code) {
+    return half_last_digit(dxf_text(entity, code).value_or(""));
   }
   /// All values of a code.
   Expected<std::vector<double>> numbers(DxfEntity entity, int code) const {
@@ -261,25 +282,33 @@ class DxfReader {
     return {};
   }
 
-  /// From one angle to another, in radians, counter-clockwise; all around where they are equal.
-  void add_arc(Vec2 center, Vec2 u, Vec2 v, double from, double to, const Affine& map) {
+  /// From one angle to another, in radians, counter-clockwise; all around where they are equal, or a turn apart, up to
+  /// their last digits, which are `rounding` radians together.
+  void add_arc(const EllipticArc& ellipse, double from, double to, double rounding, const Affine& map) {
+    constexpr double kLeastRounding = 1e-9;
+    const double turns = std::round((to - from) / kTurn);
+    const double rest = std::abs((to - from) - turns * kTurn);
     double sweep = std::fmod(to - from, kTurn);
-    constexpr double kRounding = 1e-9;
     if (sweep < 0.0) sweep += kTurn;
-    if (sweep <= kRounding || sweep >= kTurn - kRounding) sweep = kTurn;
+    if (rest <= kLeastRounding || (turns != 0.0 && rest < 0.999 * rounding)) sweep = kTurn;
     if (std::abs(from) > kTurn) from = std::fmod(from, kTurn);
-    const EllipticArc arc{center, u, v, from, sweep};
-    const auto at = [&](double angle) { return center + std::cos(angle) * u + std::sin(angle) * v; };
+    EllipticArc arc = ellipse;
+    arc.start = from;
+    arc.sweep = sweep;
+    const auto at = [&](double angle) { return arc.center + std::cos(angle) * arc.u + std::sin(angle) * arc.v; };
     PlaneCurve curve(at(from));
     curve.arc_to(arc, sweep == kTurn ? curve.start() : at(from + sweep));
     if (sweep == kTurn) curve.close();
+    const double reach =
+        std::max(length(arc.u), length(arc.v)) * std::max(std::hypot(map.a, map.b), std::hypot(map.c, map.d));
+    end_rounding_ = std::max(end_rounding_, reach * rounding);
     add(std::move(curve), map);
   }
 
   Expected<void> draw_arc(DxfEntity entity, const Affine& map, bool is_circle) {
     const auto center = point(entity, 10);
     if (!center) return std::unexpected(center.error());
-    const auto radius = number(entity, 40, 0.0);
+    const auto radius = coordinate(entity, 40);
     if (!radius) return std::unexpected(radius.error());
     const auto from = number(entity, 50, 0.0);
     if (!from) return std::unexpected(from.error());
@@ -289,8 +318,12 @@ class DxfReader {
       leave_out(entity, "circle without a radius", "circles without a radius");
       return {};
     }
-    add_arc(*center, {*radius, 0.0}, {0.0, *radius}, is_circle ? 0.0 : kDegree * *from,
-            is_circle ? 0.0 : kDegree * *to, map);
+    const EllipticArc circle{*center, {*radius, 0.0}, {0.0, *radius}, 0.0, kTurn};
+    if (is_circle)
+      add_arc(circle, 0.0, kTurn, 0.0, map);
+    else
+      add_arc(circle, kDegree * *from, kDegree * *to, kDegree * (rounding_of(entity, 50) + rounding_of(entity, 51)),
+              map);
     return {};
   }
 
@@ -309,7 +342,8 @@ class DxfReader {
       leave_out(entity, "ellipse without a major axis", "ellipses without a major axis");
       return {};
     }
-    add_arc(*center, *major, (is_from_below ? -*ratio : *ratio) * perpendicular(*major), *from, *to, map);
+    const Vec2 minor = (is_from_below ? -*ratio : *ratio) * perpendicular(*major);
+    add_arc({*center, *major, minor, 0.0, kTurn}, *from, *to, rounding_of(entity, 41) + rounding_of(entity, 42), map);
     return {};
   }
 
@@ -322,7 +356,9 @@ class DxfReader {
   static void add_side(PlaneCurve& curve, double bulge, Vec2 to) {
     const Vec2 from = curve.end();
     if (from == to) return;
-    if (bulge == 0.0) return curve.line_to(to);
+    // The centre of a flatter arc is so far that rounding moves it by more than the arc is high.
+    constexpr double kFlat = 1e-8;
+    if (std::abs(bulge) <= kFlat) return curve.line_to(to);
     const double shift = (1.0 - bulge * bulge) / (4.0 * bulge);
     const Vec2 center = 0.5 * (from + to) + shift * perpendicular(to - from);
     if (!is_finite(center)) return curve.line_to(to);
@@ -350,6 +386,7 @@ class DxfReader {
       if (pair.code != kX && pair.code != kY && pair.code != kBulge) continue;
       const auto value = number(pair);
       if (!value) return std::unexpected(value.error());
+      if (pair.code != kBulge) decimals_.add(pair.value);
       if (pair.code == kX) {
         corners.push_back({{*value, 0.0}, 0.0});
       } else if (!corners.empty()) {
@@ -387,30 +424,44 @@ class DxfReader {
     if (!knots) return std::unexpected(knots.error());
     auto weights = numbers(entity, 41);
     if (!weights) return std::unexpected(weights.error());
-    const auto x = numbers(entity, 10);
-    if (!x) return std::unexpected(x.error());
-    const auto y = numbers(entity, 20);
-    if (!y) return std::unexpected(y.error());
+    auto controls = points(entity, 10);
+    if (!controls) return std::unexpected(controls.error());
+    if (controls->empty()) return draw_fit_points(entity, map);
     constexpr double kMostDegree = 15.0;
     BSpline spline{.degree = *degree >= 1.0 && *degree <= kMostDegree ? static_cast<std::size_t>(*degree) : 0,
                    .knots = *std::move(knots),
+                   .controls = *std::move(controls),
                    .weights = *std::move(weights)};
-    for (std::size_t i = 0; i < std::min(x->size(), y->size()); ++i) spline.controls.push_back({(*x)[i], (*y)[i]});
     // Of a high degree a span may become as many pieces.
     constexpr std::size_t kPiecesOfASpan = 32;
     if (spline.controls.size() * kPiecesOfASpan > kMostPieces)
       return refuse(entity.front(),
                     fmt::format("a spline has more than {} control points", kMostPieces / kPiecesOfASpan));
-    auto curve = curve_of_spline(spline);
-    if (!curve) {
-      if (spline.controls.empty())
-        leave_out(entity, "spline without control points", "splines without control points");
-      else
-        leave_out(entity, "spline whose knots do not fit", "splines whose knots do not fit");
+    std::vector<PlaneCurve> curves = curves_of_spline(std::move(spline));
+    if (curves.empty()) leave_out(entity, "spline whose knots do not fit", "splines whose knots do not fit");
+    for (PlaneCurve& curve : curves) {
+      if (curve.piece_count() > 1 && curve.start() == curve.end()) curve.close();
+      add(std::move(curve), map);
+    }
+    return {};
+  }
+
+  /// Of a spline that leaves the rest to the program, as those that draw the reference do it: a cubic spline.
+  Expected<void> draw_fit_points(DxfEntity entity, const Affine& map) {
+    const auto fit = points(entity, 11);
+    if (!fit) return std::unexpected(fit.error());
+    if (fit->size() < 2) {
+      leave_out(entity, "spline without control points", "splines without control points");
       return {};
     }
-    if (curve->piece_count() > 1 && curve->start() == curve->end()) curve->close();
-    add(*std::move(curve), map);
+    EndTangents tangents;
+    for (const auto& [code, tangent] : {std::pair(12, &tangents.at_start), std::pair(13, &tangents.at_end)}) {
+      const auto direction = points(entity, code);
+      if (!direction) return std::unexpected(direction.error());
+      if (!direction->empty() && direction->front() != Vec2{}) *tangent = direction->front();
+    }
+    const bool is_closed = (flags_of(entity) & 1U) != 0;
+    if (auto curve = cubic_through(*fit, is_closed, tangents)) add(*std::move(curve), map);
     return {};
   }
 
@@ -448,16 +499,23 @@ class DxfReader {
   }
 
   /// Ends that differ by what is lost when coordinates of a drawing of a hundred units are written with four digits
-  /// after the point.
+  /// after the point, or as many as this file has.
   void join_curves() {
     Box2 box;
     for (const PlaneCurve& curve : set_.curves) {
-      box.add(curve.start());
-      box.add(curve.end());
+      for (const Vec2 p : curve.points()) box.add(p);
+      for (const EllipticArc& arc : curve.arcs())
+        for (const double side : {-1.0, 1.0}) box.add(arc.center + side * (arc.u + arc.v));
     }
+    if (set_.curves.empty()) return;
     constexpr double kShare = 1e-6;
-    const double size = set_.curves.empty() ? 0.0 : std::max(box.width(), box.height());
-    if (std::isfinite(size)) set_.curves = joined_ends(std::move(set_.curves), kShare * size);
+    constexpr double kMostShare = 1e-3;
+    const double size = std::max(box.width(), box.height());
+    const double far =
+        std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x), std::abs(box.high.y)});
+    const double rounding = 2.0 * (2.0 * decimals_.error_of(far) + end_rounding_);
+    const double tolerance = std::clamp(rounding, kShare * size, kMostShare * size);
+    if (std::isfinite(size)) set_.curves = joined_ends(std::move(set_.curves), tolerance);
   }
 
   std::string_view bytes_;
@@ -470,6 +528,8 @@ class DxfReader {
   std::size_t drawn_ = 0;
   std::size_t pieces_ = 0;
   std::size_t looked_at_ = 0;  // pairs of a code and a value
+  WrittenDecimals decimals_;   // of lengths
+  double end_rounding_ = 0.0;  // of ends of arcs, by that of their angles
   CountedRemarks remarks_;
   CurveSet set_;
 };

@@ -171,8 +171,18 @@ class IpeReader {
     return source_.refuse(source_.place_of(path.node, path.text, path.place), std::move(text));
   }
 
+  /// What misses its start by no more than coordinates are rounded to is meant to be closed.
+  static void close_what_looks_closed(PlaneCurve& curve) {
+    if (curve.is_closed() || curve.piece_count() < 2) return;
+    double around = 0.0;
+    curve.for_each_piece([&](const Piece& piece) { around += distance(piece.from(), piece.to()); });
+    constexpr double kRounding = 1e-5;
+    if (distance(curve.start(), curve.end()) <= kRounding * around) curve.close();
+  }
+
   void finish(Path& path) {
     if (path.curve && path.curve->piece_count() != 0) {
+      close_what_looks_closed(*path.curve);
       path.curve->transform(path.map);
       set_.curves.push_back(*std::move(path.curve));
     }

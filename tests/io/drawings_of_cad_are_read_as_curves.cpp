@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // DXF and Ipe. Lengths and areas of samples are compared with those of the shapes.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "core/base/box2.h"
+#include "core/document/curve_source.h"
 #include "core/io/format.h"
 
 using namespace mes;
@@ -244,4 +247,98 @@ TEST_CASE("Ipe files that are wrong are refused where they are wrong") {
   const auto read = read_sample_bytes(ipe(deep), "a");
   REQUIRE_FALSE(read.has_value());
   CHECK_THAT(read.error().text, Catch::Contains("nested too deeply"));
+}
+
+TEST_CASE("a spline of DXF may have inner knots of full multiplicity, or fit points alone") {
+  const LoadedFile full = read_good(
+      entities("0 SPLINE 70 8 71 3 72 12 73 8 74 0 40 0 40 0 40 0 40 0 40 1 40 1 40 1 40 1 40 2 40 2 40 2 40 2 "
+               "10 0 20 0 10 0 20 3 10 3 20 6 10 6 20 6 10 6 20 6 10 9 20 6 10 9 20 0 10 0 20 0"));
+  CHECK(full.warnings.empty());
+  REQUIRE(full.data.contours.size() == 1);
+  CHECK(full.data.contours[0].closed);
+  CHECK(full.data.source->curves->curves[0].piece_count() == 2);
+
+  // Twelve points of a circle, closed: no more than 2e-4 off.
+  std::string words = "0 SPLINE 70 11 71 3 72 0 73 0 74 12";
+  for (int i = 0; i < 12; ++i)
+    words += " 11 " + std::to_string(5 * std::cos(i * kPi / 6)) + " 21 " + std::to_string(5 * std::sin(i * kPi / 6));
+  const LoadedFile circle = read_good(entities(words));
+  REQUIRE(circle.data.contours.size() == 1);
+  CHECK(circle.data.contours[0].closed);
+  for (const Vec2 p : circle.data.positions) CHECK(length(p) == Approx(5.0).epsilon(3e-4));
+
+  // Open, and with the directions of its ends.
+  const LoadedFile arch =
+      read_good(entities("0 SPLINE 70 8 71 3 74 3 12 0 22 1 13 0 23 -1 11 0 21 0 11 2 21 1 11 4 21 0"));
+  CHECK_FALSE(arch.data.contours[0].closed);
+  const std::vector<Vec2>& controls = arch.data.source->curves->curves[0].points();
+  CHECK(controls[1].x == Approx(0.0).margin(1e-12));
+  CHECK(controls[1].y > 0.5);
+  CHECK(controls[5].x == Approx(4.0));
+  CHECK(read_good(entities("0 SPLINE 70 8 71 3 74 2 11 0 21 0 11 3 21 4"))
+            .data.source->curves->curves[0]
+            .is_polyline());
+}
+
+TEST_CASE("an ellipse that ends at a turn in few decimals is closed, and one that does not is not") {
+  for (const char* turn : {"6.28", "6.283", "6.2832", "6.28319", "6.283185", "6.2831853", "6.28318531", "6.283185307",
+                           "6.28318530718", "6.283185307179586", "6.28318530717959D0"}) {
+    INFO(turn);
+    const LoadedFile file =
+        read_good(entities(std::string("0 ELLIPSE 10 0 20 0 11 10 21 0 40 0.5 41 0.0 42 ") + turn));
+    REQUIRE(file.data.contours.size() == 1);
+    CHECK(file.data.contours[0].closed);
+    const Box2 box = box_of(file.data);
+    CHECK(box.width() == Approx(20.0).epsilon(1e-3));
+    CHECK(box.height() == Approx(10.0).epsilon(1e-3));
+  }
+  for (const char* ends : {"41 1.5708 42 7.8540", "41 -3.14159 42 3.14159", "41 3.1416 42 9.4248"}) {
+    INFO(ends);
+    const LoadedFile file = read_good(entities(std::string("0 ELLIPSE 10 0 20 0 11 10 21 0 40 0.5 ") + ends));
+    CHECK(file.data.contours[0].closed);
+    CHECK(box_of(file.data).width() == Approx(20.0).epsilon(1e-3));
+  }
+  for (const char* ends : {"41 0.0 42 6.27", "41 0.0 42 6.2", "41 0 42 6", "41 0.02 42 6.28"}) {
+    INFO(ends);
+    const LoadedFile file = read_good(entities(std::string("0 ELLIPSE 10 0 20 0 11 10 21 0 40 0.5 ") + ends));
+    CHECK_FALSE(file.data.contours[0].closed);
+  }
+  // A sliver that is meant.
+  CHECK(length_of(read_good(entities("0 ARC 10 0 20 0 40 1 50 10.25 51 10.26")).data) ==
+        Approx(0.01 * kPi / 180).epsilon(1e-3));
+}
+
+TEST_CASE("ends meet within the decimals that a drawing is written with") {
+  // A slot of length 3 and radius 1, turned by 30 degrees, in so many decimals.
+  for (const int decimals : {3, 4, 6, 8}) {
+    INFO(decimals);
+    const auto number = [&](double x) {
+      char text[40];
+      std::snprintf(text, sizeof text, "%.*f", decimals, x);
+      return std::string(text);
+    };
+    const double c = std::cos(kPi / 6);
+    const double s = std::sin(kPi / 6);
+    const auto at = [&](int code, double x, double y) {
+      return " " + std::to_string(code) + " " + number(7.0 + c * x - s * y) + " " + std::to_string(code + 10) + " " +
+             number(3.0 + s * x + c * y);
+    };
+    const LoadedFile slot = read_good(entities("0 LINE" + at(10, 0, -1) + at(11, 3, -1) + " 0 ARC" + at(10, 3, 0) +
+                                               " 40 " + number(1) + " 50 " + number(300) + " 51 " + number(120) +
+                                               " 0 LINE" + at(10, 3, 1) + at(11, 0, 1) + " 0 ARC" + at(10, 0, 0) +
+                                               " 40 " + number(1) + " 50 " + number(120) + " 51 " + number(300)));
+    REQUIRE(slot.data.contours.size() == 1);
+    CHECK(slot.data.contours[0].closed);
+    CHECK(length_of(slot.data) == Approx(6 + 2 * kPi).epsilon(2e-3));
+  }
+  // What lies apart by more stays apart.
+  CHECK(read_good(entities("0 LINE 10 0.0000 20 0 11 5.0000 21 0 0 LINE 10 5.0030 20 0 11 9.1234 21 2"))
+            .data.contours.size() == 2);
+}
+
+TEST_CASE("a bulge of rounding is a straight side") {
+  const LoadedFile square = read_good(
+      entities("0 LWPOLYLINE 70 1 10 0 20 0 42 1e-16 10 4 20 0 42 -1e-12 10 4 20 4 42 0.0 10 0 20 4 42 2e-9"));
+  CHECK(square.data.source->curves->curves[0].is_polyline());
+  CHECK(length_of(square.data) == Approx(16.0));
 }
