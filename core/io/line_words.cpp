@@ -14,8 +14,7 @@ constexpr bool is_blank(char c) {
   return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
-void split_at_blanks(std::string_view text, std::vector<std::string_view>& out) {
-  out.clear();
+void append_words(std::string_view text, std::vector<std::string_view>& out) {
   const char* at = text.data();
   const char* const end = at + text.size();
   for (;;) {
@@ -29,29 +28,43 @@ void split_at_blanks(std::string_view text, std::vector<std::string_view>& out) 
 
 }  // namespace
 
-LineWords::LineWords(std::string_view bytes, const std::string& name, ReadJob* job)
-    : rest_(without_bom(bytes)), name_(name), job_(job) {}
+LineWords::LineWords(std::string_view bytes, const std::string& name, ReadJob* job, Lines lines)
+    : rest_(without_bom(bytes)), name_(name), job_(job), lines_(lines) {}
 
 bool LineWords::next() {
+  words_.clear();
+  const char* begin = nullptr;  // of a line that goes on
   while (!rest_.empty()) {
     if (job_ != nullptr) job_->passed(rest_.data());
     const std::size_t end = end_of_line(rest_);
-    text_ = rest_.substr(0, end);
+    std::string_view own = rest_.substr(0, end);
+    if (begin == nullptr) begin = own.data();
+    text_ = {begin, own.data() + own.size()};
     ++line_;
     const std::size_t ending = rest_.substr(end).starts_with("\r\n") ? 2 : 1;
     rest_.remove_prefix(std::min(end + ending, rest_.size()));
-    split_at_blanks(text_.substr(0, text_.find('#')), words_);
+    own = own.substr(0, own.find('#'));
+    const bool goes_on = lines_ == Lines::continued && own.ends_with('\\');
+    if (goes_on) own.remove_suffix(1);
+    append_words(own, words_);
+    if (goes_on) continue;
     if (!words_.empty()) return true;
+    begin = nullptr;
   }
-  words_.clear();
   line_ = std::max<std::uint64_t>(line_, 1);
-  return false;
+  return !words_.empty();
 }
 
 std::unexpected<Error> LineWords::refuse(std::size_t i, std::string text) const {
-  const std::size_t offset =
-      i < words_.size() ? static_cast<std::size_t>(words_[i].data() - text_.data()) : text_.size();
-  return bad_input(std::move(text), name_, line_, offset + 1);
+  std::string_view before = text_;
+  if (i < words_.size()) before = {text_.data(), words_[i].data()};
+  // A line that goes on has others within.
+  std::uint64_t line = line_;
+  for (std::string_view after = text_.substr(before.size()); end_of_line(after) < after.size(); --line)
+    after.remove_prefix(end_of_line(after) + (after.substr(end_of_line(after)).starts_with("\r\n") ? 2 : 1));
+  const std::size_t last_end = before.find_last_of("\r\n");
+  const std::size_t start = last_end == std::string_view::npos ? 0 : last_end + 1;
+  return bad_input(std::move(text), name_, line, before.size() - start + 1);
 }
 
 Expected<std::uint64_t> LineWords::whole(std::size_t i, std::string_view what) const {

@@ -17,7 +17,7 @@
 namespace mes {
 
 /// Goes through the lines that hold words. Words stand between blanks; `#` begins a comment up to the end of its line.
-/// Lines end at LF, CR LF or a lone CR.
+/// Lines end at LF, CR LF or a lone CR. With `Lines::continued` a line that ends with a backslash goes on in the next.
 ///
 /// Smallest use:
 ///     LineWords lines(bytes, name);
@@ -29,8 +29,10 @@ namespace mes {
 /// Cost: linear; memory for the words of one line.
 class LineWords {
  public:
+  enum class Lines : std::uint8_t { as_they_are, continued };
   /// `job`, which may be null, goes through the bytes.
-  LineWords(std::string_view bytes, const std::string& name, ReadJob* job = nullptr);
+  LineWords(std::string_view bytes, const std::string& name, ReadJob* job = nullptr,
+            Lines lines = Lines::as_they_are);
 
   /// Goes to the next line with a word; false at the end, where the place is that of the end. Throws `Cancelled`.
   bool next();
@@ -38,6 +40,7 @@ class LineWords {
   std::size_t count() const { return words_.size(); }
   /// A word of the line, or nothing.
   std::string_view word(std::size_t i) const { return i < words_.size() ? words_[i] : std::string_view{}; }
+  /// The last one that it goes on in.
   std::uint64_t line() const { return line_; }
   /// The bytes after this line.
   std::string_view rest() const { return rest_; }
@@ -59,6 +62,7 @@ class LineWords {
   std::string_view text_;
   const std::string& name_;
   ReadJob* job_;
+  Lines lines_;
   std::vector<std::string_view> words_;
   std::uint64_t line_ = 0;
   CoordinateReader coordinates_;

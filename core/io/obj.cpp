@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OBJ of Wavefront, seen from above: vertices (v), lines (l), outlines of faces (f), points (p).
+// OBJ of Wavefront, seen from above or in the plane of all vertices: vertices (v), lines (l), outlines of faces (f), points (p).
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <optional>
 
 #include "core/io/format_registry.h"
-#include "core/io/heights.h"
 #include "core/io/line_words.h"
 #include "core/io/vertex_graph.h"
+#include "core/io/written_decimals.h"
 
 namespace mes {
 namespace {
@@ -19,8 +19,9 @@ bool is_one_of(std::string_view word, const std::array<std::string_view, N>& wor
 }
 
 // What says nothing about places, so that nothing is lost without it.
-constexpr std::array<std::string_view, 13> kSilent{"vt",     "vn",     "g",      "o",   "s",     "mg",      "usemtl",
-                                                   "mtllib", "usemap", "maplib", "lod", "bevel", "c_interp"};
+constexpr std::array<std::string_view, 18> kSilent{
+    "vt",     "vn",  "g",     "o",        "s",        "mg",         "usemtl",    "mtllib", "usemap",
+    "maplib", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech",  "stech"};
 // Curves and surfaces by their control points.
 constexpr std::array<std::string_view, 15> kFreeForm{"vp",   "cstype", "deg",  "bmat", "step",
                                                      "curv", "curv2",  "surf", "parm", "trim",
@@ -29,14 +30,15 @@ constexpr std::array<std::string_view, 15> kFreeForm{"vp",   "cstype", "deg",  "
 class ObjReader {
  public:
   ObjReader(std::string_view bytes, const std::string& name, ReadJob& job)
-      : lines_(bytes, name, &job), name_(name), job_(job) {}
+      : lines_(bytes, name, &job, LineWords::Lines::continued), name_(name), job_(job) {}
 
   Expected<LoadedFile> read() {
     while (lines_.next())
       if (auto done = read_line(); !done) return std::unexpected(done.error());
+    first_vertex_.text = graph_.leave_heights_out(decimals_.rounding());
     auto file = std::move(graph_).load(name_, job_);
     if (!file) return file;
-    if (heights_.differ()) file->warnings.push_back(first_vertex_);
+    if (!first_vertex_.text.empty()) file->warnings.push_back(first_vertex_.message());
     file->warnings.insert(file->warnings.end(), remarks_.begin(), remarks_.end());
     return file;
   }
@@ -59,13 +61,12 @@ class ObjReader {
     if (graph_.vertex_count() >= kMostVertices) return lines_.refuse(0, "these are too many vertices");
     const auto position = lines_.position(1);
     if (!position) return std::unexpected(position.error());
-    if (graph_.vertex_count() == 0) first_vertex_ = lines_.remark(0, std::string(Heights::kRemark));
-    if (lines_.count() > 3) {
-      const auto height = lines_.number(3, "a coordinate");
-      if (!height) return std::unexpected(height.error());
-      heights_.add(*height);
-    }
-    graph_.add_vertex(*position);
+    if (graph_.vertex_count() == 0) first_vertex_ = lines_.refuse(0, {}).error();
+    // Without a height it lies at 0.
+    const auto height = lines_.count() > 3 ? lines_.number(3, "a coordinate") : Expected<double>(0.0);
+    if (!height) return std::unexpected(height.error());
+    decimals_.add(lines_.words().subspan(1, std::min<std::size_t>(lines_.count() - 1, 3)));
+    graph_.add_vertex(*position, *height);
     return {};
   }
 
@@ -109,8 +110,8 @@ class ObjReader {
   const std::string& name_;
   ReadJob& job_;
   VertexGraph graph_;
-  Heights heights_;
-  std::string first_vertex_;
+  VertexDecimals decimals_;
+  Error first_vertex_{};
   std::vector<std::uint32_t> corners_;
   std::vector<std::string> remarks_;
   bool has_free_form_ = false;
@@ -120,7 +121,7 @@ class ObjReader {
 Match match(std::string_view bytes) {
   static const std::string kNoName;
   constexpr std::size_t kLookedAt = std::size_t{1} << 16U;
-  LineWords lines(bytes.substr(0, kLookedAt), kNoName);
+  LineWords lines(bytes.substr(0, kLookedAt), kNoName, nullptr, LineWords::Lines::continued);
   while (lines.next()) {
     if (lines.word(0) == "v") return lines.count() > 2 && parse_number(lines.word(1)) ? Match::surely : Match::no;
     if (!is_one_of(lines.word(0), kSilent) && !is_one_of(lines.word(0), kFreeForm)) return Match::no;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OFF of Geomview, seen from above: "OFF", "vertices faces edges", then a line for each vertex and each face. Normals,
+// OFF of Geomview, seen from above or in the plane of all vertices: "OFF", "vertices faces edges", then a line for each vertex and each face. Normals,
 // colours and positions in textures (NOFF, COFF, STOFF) are left out; two corners are a segment.
 #include <fmt/core.h>
 
 #include "core/io/format_registry.h"
-#include "core/io/heights.h"
 #include "core/io/line_words.h"
 #include "core/io/vertex_graph.h"
+#include "core/io/written_decimals.h"
 
 namespace mes {
 namespace {
@@ -38,7 +38,8 @@ class OffMeshReader {
     for (std::uint64_t i = 0; i < faces_; ++i)
       if (auto done = read_face(i); !done) return std::unexpected(done.error());
     std::vector<std::string> remarks;
-    if (heights_.differ()) remarks.push_back(first_vertex_);
+    first_vertex_.text = graph_.leave_heights_out(decimals_.rounding());
+    if (!first_vertex_.text.empty()) remarks.push_back(first_vertex_.message());
     if (lines_.next())
       remarks.push_back(lines_.remark(0, fmt::format("everything after the {} announced faces is ignored", faces_)));
     auto file = std::move(graph_).load(name_, job_);
@@ -49,10 +50,12 @@ class OffMeshReader {
  private:
   Expected<void> read_header() {
     lines_.next();
-    if (!is_magic(lines_.word(0)))
+    // The word is optional.
+    const bool has_magic = !parse_count(lines_.word(0));
+    if (has_magic && !is_magic(lines_.word(0)))
       return lines_.refuse(0, fmt::format("expected OFF, found {}", in_quotes(lines_.word(0))));
-    std::size_t at = 1;
-    if (lines_.count() == 1) {
+    std::size_t at = has_magic ? 1 : 0;
+    if (has_magic && lines_.count() == 1) {
       lines_.next();
       at = 0;
     }
@@ -73,9 +76,9 @@ class OffMeshReader {
     if (!position) return std::unexpected(position.error());
     const auto height = lines_.number(2, "a coordinate");
     if (!height) return std::unexpected(height.error());
-    if (i == 0) first_vertex_ = lines_.remark(2, std::string(Heights::kRemark));
-    heights_.add(*height);
-    graph_.add_vertex(*position);
+    if (i == 0) first_vertex_ = lines_.refuse(2, {}).error();
+    decimals_.add(lines_.words().first(3));
+    graph_.add_vertex(*position, *height);
     return {};
   }
 
@@ -103,8 +106,8 @@ class OffMeshReader {
   const std::string& name_;
   ReadJob& job_;
   VertexGraph graph_;
-  Heights heights_;
-  std::string first_vertex_;
+  VertexDecimals decimals_;
+  Error first_vertex_{};
   std::vector<std::uint32_t> corners_;
   std::uint64_t vertices_ = 0;
   std::uint64_t faces_ = 0;

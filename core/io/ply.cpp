@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PLY of Stanford, seen from above, as text and in both binary orders: the elements vertex (x, y, z), face
+// PLY of Stanford, seen from above or in the plane of all vertices, as text and in both binary orders: the elements vertex (x, y, z), face
 // (vertex_indices) and edge (vertex1, vertex2).
 #include <fmt/core.h>
 #include <algorithm>
@@ -10,9 +10,9 @@
 #include <optional>
 
 #include "core/io/format_registry.h"
-#include "core/io/heights.h"
 #include "core/io/line_words.h"
 #include "core/io/vertex_graph.h"
+#include "core/io/written_decimals.h"
 
 namespace mes {
 namespace {
@@ -92,7 +92,10 @@ Expected<Property> read_property(const LineWords& lines) {
 Expected<Header> read_header(LineWords& lines) {
   Header out;
   if (!lines.next() || lines.word(0) != "ply") return expected_word(lines, 0, "ply");
-  if (!lines.next() || lines.word(0) != "format") return expected_word(lines, 0, "the format");
+  const auto is_remark = [&] { return lines.word(0) == "comment" || lines.word(0) == "obj_info"; };
+  bool has_more = lines.next();
+  while (has_more && is_remark()) has_more = lines.next();
+  if (!has_more || lines.word(0) != "format") return expected_word(lines, 0, "the format");
   if (lines.word(1) == "binary_little_endian") {
     out.encoding = Encoding::little;
   } else if (lines.word(1) == "binary_big_endian") {
@@ -103,7 +106,7 @@ Expected<Header> read_header(LineWords& lines) {
   while (lines.next()) {
     const std::string_view word = lines.word(0);
     if (word == "end_header") return out;
-    if (word == "comment" || word == "obj_info") continue;
+    if (is_remark()) continue;
     if (word == "element") {
       if (lines.count() < 2) return expected_word(lines, 1, "the name of an element");
       const auto count = lines.whole(2, "the number of elements");
@@ -158,6 +161,8 @@ class Values {
     return 0.0;
   }
 
+  /// How much a number of the text may be off.
+  double rounding() const { return decimals_.rounding(); }
   /// Of a text, a remark if there is more of it; after all elements.
   std::optional<std::string> remark_on_rest() {
     if (encoding_ != Encoding::text || (word_ >= lines_.count() && !next_line())) return std::nullopt;
@@ -194,6 +199,7 @@ class Values {
     // Numbers that are not finite are judged where their meaning is known.
     const std::string_view word = lines_.word(word_++);
     const auto value = parse_number(word);
+    decimals_.add({&word, 1});
     if (value) return *value;
     if (value.error() == NumberFault::not_a_number) return refuse(describe(value.error(), word));
     if (!fault_) fault_ = refuse_value(describe(value.error(), word)).error();
@@ -217,6 +223,7 @@ class Values {
   std::size_t word_ = 0;
   std::string_view element_;
   std::uint64_t index_ = 0;
+  VertexDecimals decimals_;
   std::size_t begin_ = 0;         // of the element, in bytes
   std::optional<Error> fault_{};  // of the first value of the element that is not finite, as it stands in the text
 };
@@ -239,7 +246,7 @@ class PlyReader {
       if (!done) return std::unexpected(done.error());
     }
     if (const auto rest = values.remark_on_rest()) remarks_.push_back(*rest);
-    if (heights_.differ()) remark(std::string(Heights::kRemark));
+    if (std::string text = graph_.leave_heights_out(values.rounding()); !text.empty()) remark(std::move(text));
     auto file = std::move(graph_).load(name_, job_);
     if (file) file->warnings.insert(file->warnings.end(), remarks_.begin(), remarks_.end());
     return file;
@@ -283,10 +290,11 @@ class PlyReader {
     for (std::uint64_t i = 0; i < element.count; ++i) {
       values.set_place(element.name, i);
       Vec2 position;
+      double height = 0.0;
       auto done = read_row(element, values, [&](std::size_t property, double value) {
         if (property == *x) position.x = value;
         if (property == *y) position.y = value;
-        if (property == z) heights_.add(value);
+        if (property == z) height = value;
       });
       if (!done) return done;
       for (const double value : {position.x, position.y}) {
@@ -294,7 +302,10 @@ class PlyReader {
           return values.refuse_value(value, describe(*fault, value, seen_));
         seen_.add(value);
       }
-      graph_.add_vertex(position);
+      if (z)
+        graph_.add_vertex(position, height);
+      else
+        graph_.add_vertex(position);
     }
     return {};
   }
@@ -369,7 +380,6 @@ class PlyReader {
   ReadJob& job_;
   VertexGraph graph_;
   Magnitudes seen_;
-  Heights heights_;
   std::vector<std::string> remarks_;
 };
 

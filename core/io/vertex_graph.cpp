@@ -9,6 +9,7 @@
 
 #include "core/base/disjoint_sets.h"
 #include "core/io/curve_samples.h"
+#include "core/io/flat_vertices.h"
 
 namespace mes {
 namespace {
@@ -32,6 +33,12 @@ std::uint32_t VertexGraph::vertex_at(Vec2 position) {
   const auto [found, is_new] = vertex_at_.try_emplace(key, static_cast<std::uint32_t>(positions_.size()));
   if (is_new) positions_.push_back(position);
   return found->second;
+}
+
+std::string VertexGraph::leave_heights_out(double rounding) {
+  std::string out = bring_into_plane(positions_, heights_, rounding);
+  heights_ = {};
+  return out;
 }
 
 void VertexGraph::add_face(std::span<const std::uint32_t> corners) {

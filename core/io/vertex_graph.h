@@ -39,6 +39,15 @@ class VertexGraph {
  public:
   std::size_t vertex_count() const { return positions_.size(); }
   void add_vertex(Vec2 position) { positions_.push_back(position); }
+  /// The same in space. All vertices have a height, or none has.
+  void add_vertex(Vec2 position, double height) {
+    positions_.push_back(position);
+    heights_.push_back(height);
+  }
+  /// Leaves the heights out: vertices are seen from above. If all lie in one plane that is not level, they are taken in that
+  /// plane instead, upright, without a change of lengths. `rounding` is how much their coordinates may be off; what is
+  /// less than a millionth of the extent is no height. One line that says what was done; empty where heights are equal.
+  std::string leave_heights_out(double rounding);
   /// The vertex that was found at this place before, or a new one. Not to be mixed with `add_vertex`.
   std::uint32_t vertex_at(Vec2 position);
   /// Of vertices that there are.
@@ -62,6 +71,7 @@ class VertexGraph {
     bool operator()(Vec2 a, Vec2 b) const { return a.x != b.x ? a.x < b.x : a.y < b.y; }
   };
   std::vector<Vec2> positions_;
+  std::vector<double> heights_;
   std::map<Vec2, std::uint32_t, Before> vertex_at_;
   std::vector<Segment> segments_;
   std::vector<Segment> face_edges_;

@@ -2,6 +2,8 @@
 // Triangle's .node and .poly, CGAL's .edg, OBJ, OFF and PLY.
 #include <bit>
 #include <catch2/catch.hpp>
+#include <cmath>
+#include <cstdio>
 
 #include "core/io/format.h"
 #include "temporary_folder.h"
@@ -282,4 +284,102 @@ TEST_CASE("PLY files that are wrong are refused where they are wrong") {
   CHECK(read_good("ply\nformat ascii 1.0\nelement nothing 9999999999999999999\nelement vertex 1\nproperty int x\n"
                   "property int y\nend_header\n1 2\n")
             .data.positions == Positions{{1, 2}});
+}
+
+TEST_CASE("a line of OBJ that ends with a backslash goes on in the next") {
+  for (const std::string end : {"\n", "\r\n", "\r"}) {
+    const LoadedFile file = read_good("v 0 0 0" + end + "v 2 \\" + end + "0 0" + end + "v 2 1 0 # all of it \\" +
+                                      end + "v 0 1 0" + end + "f 1 2 \\" + end + "\\" + end + "  3 4" + end);
+    CHECK(file.format == "obj");
+    CHECK(file.data.positions == Positions{{0, 0}, {2, 0}, {2, 1}, {0, 1}});
+    CHECK(file.data.contours == Contours{{true, {0, 1, 2, 3}}});
+    CHECK(file.warnings.empty());
+    check_refused("v 0 0 0" + end + "f 1 \\" + end + " 1 \\" + end + "x" + end,
+                  "4:1: expected the number of a vertex, found \"x\"");
+    check_refused("v 0 0 0" + end + "f 1 \\" + end + " 1 2 \\" + end + "1 1" + end, "3:4: there is no vertex \"2\"");
+  }
+  // The last line has none to go on in.
+  CHECK(read_good("v 0 0 0\nv 1 0 0\nl 1 2 \\", "a.obj").data.contours == Contours{{false, {0, 1}}});
+}
+
+TEST_CASE("vertices that all lie in one plane are read in that plane") {
+  const std::string face = "f 1 2 3 4\n";
+  const LoadedFile upright = read_good("v 0 0 0\nv 2 0 0\nv 2 0 1\nv 0 0 1\n" + face);
+  CHECK(upright.data.positions == Positions{{0, 0}, {2, 0}, {2, 1}, {0, 1}});
+  CHECK(upright.data.contours.size() == 1);
+  CHECK(upright.warnings ==
+        std::vector<std::string>{"a:1:1: all vertices lie in one plane, of which x and z are read"});
+  const LoadedFile sideways = read_good("v 5 0 0\nv 5 2 0\nv 5 2 1\nv 5 0 1\n" + face);
+  CHECK(sideways.data.positions == Positions{{0, 0}, {2, 0}, {2, 1}, {0, 1}});
+  CHECK(sideways.warnings ==
+        std::vector<std::string>{"a:1:1: all vertices lie in one plane, of which y and z are read"});
+
+  // Turned about two axes and moved, in as many decimals as programs write: a rectangle of 2 by 1 all the same.
+  for (const int decimals : {3, 4, 6, 9, 15})
+    for (const double tilt : {0.2, 0.7, 1.1, 1.5707963267948966, 2.5}) {
+      INFO(decimals << " decimals, tilt " << tilt);
+      std::string obj;
+      std::string off = "OFF\n4 1 0\n";
+      std::string ply =
+          "ply\nformat ascii 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+          "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+      for (const Vec2 p : Positions{{0, 0}, {2, 0}, {2, 1}, {0, 1}}) {
+        const double y = p.y * std::cos(tilt);
+        char line[200];
+        std::snprintf(line, sizeof line, "%.*f %.*f %.*f\n", decimals, 7 + p.x * std::cos(0.4) - y * std::sin(0.4),
+                      decimals, -3 + p.x * std::sin(0.4) + y * std::cos(0.4), decimals, 1 + p.y * std::sin(tilt));
+        obj += std::string("v ") + line;
+        off += line;
+        ply += line;
+      }
+      for (const std::string& mesh : {obj + face, off + "4 0 1 2 3\n", ply + "4 0 1 2 3\n"}) {
+        const LoadedFile file = read_good(mesh);
+        REQUIRE(file.data.contours.size() == 1);
+        REQUIRE(file.data.positions.size() == 4);
+        REQUIRE(file.warnings.size() == 1);
+        CHECK_THAT(file.warnings[0], Catch::Contains("all vertices lie in one plane"));
+        const double rounding = 2.0 * std::pow(10.0, -decimals) + 1e-12;
+        for (std::size_t i = 0; i < 4; ++i) {
+          const Vec2 side = file.data.positions[(i + 1) % 4] - file.data.positions[i];
+          CHECK(std::abs(length(side) - (i % 2 == 0 ? 2.0 : 1.0)) < rounding);
+        }
+      }
+    }
+}
+
+TEST_CASE("vertices that lie in no common plane are seen from above, and a few places in a row are no plane") {
+  const LoadedFile relief = read_good("v 0 0 0\nv 2 0 0\nv 2 2 1\nv 0 2 0\nf 1 2 3\nf 1 3 4\n");
+  CHECK(relief.data.positions == Positions{{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  CHECK(relief.warnings == std::vector<std::string>{"a:1:1: heights are left out"});
+  // A line has its length; one that goes straight up, too.
+  const LoadedFile slope = read_good("v 0 0 0\nv 3 0 4\nl 1 2\n");
+  CHECK(distance(slope.data.positions[0], slope.data.positions[1]) == Approx(5.0));
+  CHECK(read_good("v 1 1 0\nv 1 1 4\nl 1 2\n").data.positions == Positions{{1, 0}, {1, 4}});
+  const LoadedFile oblique = read_good("v 0 0 0\nv 1 2 2\nv 2 4 4\nl 1 2 3\n");
+  CHECK(distance(oblique.data.positions[0], oblique.data.positions[2]) == Approx(6.0));
+  // Rounding is no height.
+  CHECK(read_good("v 0 0 1e-9\nv 2 0 0\nv 2 2 0\nv 0 2 -1e-9\nf 1 2 3 4\n").data.positions ==
+        Positions{{0, 0}, {2, 0}, {2, 2}, {0, 2}});
+  // Of single precision, far from the origin.
+  std::string ply =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
+      "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
+  for (const Vec2 p : Positions{{0, 0}, {2, 0}, {2, 1}, {0, 1}})
+    for (const double value : {1000.0 + p.x * 0.6, 1000.0 + p.x * 0.8, 50.0 + p.y})
+      append_bytes(ply, static_cast<float>(value), false);
+  append_bytes(ply, std::uint8_t{4}, false);
+  for (std::int32_t i = 0; i < 4; ++i) append_bytes(ply, i, false);
+  const LoadedFile single = read_good(ply);
+  CHECK(distance(single.data.positions[0], single.data.positions[1]) == Approx(2.0).epsilon(1e-4));
+  CHECK(distance(single.data.positions[1], single.data.positions[2]) == Approx(1.0).epsilon(1e-4));
+}
+
+TEST_CASE("legal forms of meshes that are rare are read") {
+  // OFF without its word; PLY with a comment before its format; OBJ with a Fortran exponent and words of renderers.
+  CHECK(read_good("4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "a.off").data.contours.size() == 1);
+  CHECK(read_good("ply\ncomment first\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+                  "y\nend_header\n1 2\n")
+            .data.positions == Positions{{1, 2}});
+  CHECK(read_good("shadow_obj a.obj\nd_interp on\nv 1.5D+1 2d0 0\nv 1 0 0\nl 1 2\n").data.positions ==
+        Positions{{15, 2}, {1, 0}});
 }
