@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PNG, JPEG, BMP, PGM and PPM: samples of the outlines of what a picture shows. A picture of this program that carries a
+// PNG, JPEG, BMP, PBM, PGM, PPM and PAM: samples of the outlines of what a picture shows. A picture of this program that carries a
 // session is that session instead (core/io/carried_session.h).
 #include <span>
 #include <string>

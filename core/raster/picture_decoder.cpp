@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/raster/internal/netpbm.h"
 #include "core/raster/picture_guard.h"
 
 #define STB_IMAGE_STATIC
@@ -18,7 +19,6 @@
 #define STBI_ONLY_PNG
 #define STBI_ONLY_JPEG
 #define STBI_ONLY_BMP
-#define STBI_ONLY_PNM
 #define STBI_NO_STDIO
 #define STBI_FAILURE_USERMSG
 #define STBI_MAX_DIMENSIONS 32768
@@ -29,8 +29,7 @@
 namespace {
 
 /// stb_image 2.27 decodes with the Huffman tables of a JPEG whether or not the file has defined them. Zeros are a table
-/// in which each code is the symbol 0; uninitialized memory is one whose symbols lie outside it. Nor does it look
-/// whether a PGM has all its pixels.
+/// in which each code is the symbol 0; uninitialized memory is one whose symbols lie outside it.
 void* allocate_zeros(std::size_t bytes) {
   return std::calloc(1, bytes);
 }
@@ -71,6 +70,29 @@ bool is_silhouette_in_alpha(const Pixels& pixels) {
   return 100 * clear >= pixels.values.size() / each;
 }
 
+/// Grey is the same in red, green and blue; what has no alpha is opaque.
+Pixels with_channels(Pixels pixels, int channels) {
+  if (pixels.channels == channels) return pixels;
+  const auto from = static_cast<std::size_t>(pixels.channels);
+  const auto to = static_cast<std::size_t>(channels);
+  const bool had_color = pixels.channels >= 3;
+  const bool has_color = channels >= 3;
+  const std::size_t count = pixels.values.size() / from;
+  std::vector<std::uint8_t> values(count * to);
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::uint8_t* const in = &pixels.values[from * i];
+    std::uint8_t* const out = &values[to * i];
+    if (has_color)
+      for (std::size_t k = 0; k < 3; ++k) out[k] = in[had_color ? k : 0];
+    else
+      out[0] = had_color ? static_cast<std::uint8_t>(luma(in)) : in[0];
+    if (channels % 2 == 0) out[to - 1] = pixels.channels % 2 == 0 ? in[from - 1] : std::uint8_t{255};
+  }
+  pixels.channels = channels;
+  pixels.values = std::move(values);
+  return pixels;
+}
+
 /// A decoder that lacks data takes what follows for it. So a picture that comes out the same whatever follows is complete.
 Expected<Pixels> decode_without_end(std::span<const std::byte> bytes, const std::string& name, int channels,
                                     std::size_t most_pixels) {
@@ -108,8 +130,7 @@ bool looks_like_picture(std::string_view bytes) {
   constexpr std::array kBeginnings{"\x89PNG\r\n\x1a\n"sv, "\xFF\xD8\xFF"sv};
   for (const std::string_view beginning : kBeginnings)
     if (bytes.starts_with(beginning)) return true;
-  const auto is_blank = [](char c) { return c == ' ' || c == '\n' || c == '\r' || c == '\t'; };
-  if ((bytes.starts_with("P5") || bytes.starts_with("P6")) && bytes.size() > 2) return is_blank(bytes[2]);
+  if (looks_like_netpbm(bytes)) return true;
   // "BM", a size of four bytes, four that are zero, and the place of the pixels, which is below 65536.
   return bytes.size() >= 14 && bytes.starts_with("BM") && bytes.substr(6, 4) == "\0\0\0\0"sv &&
          bytes.substr(12, 2) == "\0\0"sv;
@@ -118,6 +139,16 @@ bool looks_like_picture(std::string_view bytes) {
 Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::string& name, int channels,
                                std::size_t most_pixels) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return fail("far too large", name);
+  const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  if (looks_like_netpbm(text) || text.starts_with("P5") || text.starts_with("P6")) {
+    try {
+      auto pixels = decode_netpbm(text, name, most_pixels);
+      if (pixels && channels != 0) *pixels = with_channels(*std::move(pixels), channels);
+      return pixels;
+    } catch (const std::bad_alloc&) {
+      return fail("there is not enough memory for the picture", name, ErrorCode::out_of_memory);
+    }
+  }
   if (const std::string hazard = decoding_hazard(bytes); !hazard.empty())
     return fail("the picture is broken: " + hazard, name);
   if (may_lack_only_end(bytes)) return decode_without_end(bytes, name, channels, most_pixels);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pixels of PNG, JPEG, BMP and binary PGM and PPM files, as other programs write them.
+// The pixels of PNG, JPEG and BMP files and of those of Netpbm (PBM, PGM, PPM, PAM), as other programs write them.
 //
 // What it guarantees: for any bytes, a picture or an error of one line. It takes no more memory than the file and what
 // its pixels need. Threads: any.
@@ -21,7 +21,8 @@ inline constexpr int kLongestPictureSide = 32768;
 inline constexpr std::size_t kMostPicturePixels = std::size_t{1} << 27U;  ///< half a gibibyte of four channels
 
 /// What names of such files end in.
-inline constexpr std::string_view kPictureExtensions[] = {".png", ".jpg", ".jpeg", ".bmp", ".pgm", ".ppm"};
+inline constexpr std::string_view kPictureExtensions[] = {".png", ".jpg", ".jpeg", ".bmp", ".pbm",
+                                                          ".pgm", ".ppm", ".pnm",  ".pam"};
 
 /// Channels one after the other, 8 bits each, rows from the top, no padding; of more bits a channel the upper 8.
 struct Pixels {

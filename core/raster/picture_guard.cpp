@@ -232,40 +232,6 @@ std::string bmp_hazard(Bytes bytes) {
                 : std::string();
 }
 
-// --- PGM and PPM ---
-
-/// A number after white space and comments; nothing for none, or for one of many digits.
-std::optional<std::size_t> next_number(Bytes& rest) {
-  constexpr std::size_t kMostDigits = 6;
-  const auto first = [&] { return rest.empty() ? 0 : std::to_integer<int>(rest[0]); };
-  while (first() == ' ' || (first() >= '\t' && first() <= '\r') || first() == '#') {
-    if (first() == '#')
-      while (!rest.empty() && first() != '\n' && first() != '\r') rest = rest.subspan(1);
-    else
-      rest = rest.subspan(1);
-  }
-  std::size_t digits = 0;
-  std::size_t out = 0;
-  for (; first() >= '0' && first() <= '9'; rest = rest.subspan(1), ++digits)
-    if (digits < kMostDigits) out = 10 * out + static_cast<std::size_t>(first() - '0');
-  if (digits == 0 || digits > kMostDigits) return std::nullopt;
-  return out;
-}
-
-/// The decoder adds up digits without end, takes 16 bits for 8, and does not look whether all pixels are there.
-std::string pnm_hazard(Bytes bytes) {
-  Bytes rest = bytes.subspan(2);
-  const auto width = next_number(rest);
-  const auto height = next_number(rest);
-  const auto most = next_number(rest);
-  if (!width || !height || !most || *most == 0) return "its header is not that of a PGM or PPM";
-  if (*most > 255) return "values of 16 bits in PGM and PPM are not read";
-  const std::size_t channels = bytes[1] == std::byte{'6'} ? 3 : 1;
-  const std::size_t pixels = rest.empty() ? 0 : rest.size() - 1;
-  const std::size_t row = channels * *width;
-  return pixels < row * *height ? ends_in_row(pixels / row, *height) : std::string();
-}
-
 constexpr std::byte kPng{0x89};
 
 }  // namespace
@@ -278,7 +244,6 @@ std::string decoding_hazard(Bytes bytes) {
   if (bytes.front() == kMarker) return jpeg_markers(bytes).hazard;
   if (bytes.front() == kPng) return png_hazard(bytes);
   if (is_at(0, 'B') && is_at(1, 'M')) return bmp_hazard(bytes);
-  if (is_at(0, 'P') && (is_at(1, '5') || is_at(1, '6'))) return pnm_hazard(bytes);
   return {};
 }
 

@@ -3,8 +3,7 @@
 //
 // stb_image 2.27 does not check some numbers of a file: a Huffman table of JPEG may announce up to 4080 symbols, which
 // it writes into a table of 256; it allocates the announced length of a PNG chunk, up to a gibibyte, before it notices
-// that the file is shorter; and it takes values of 16 bits in PGM for values of 8, and a JPEG, PGM or BMP that is
-// cut for one whose rest is gray or black.
+// that the file is shorter; and it takes a JPEG or BMP that is cut for one whose rest is gray or black.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BMP, PGM and PPM, written here byte by byte; PNG and JPEG are in tests/render. What a decoder would take at its word
+// BMP, PBM, PGM, PPM and PAM, written here byte by byte; PNG and JPEG are in tests/render. What a decoder would take at its word
 // is refused before.
 #include <catch2/catch.hpp>
 #include <string>
@@ -146,7 +146,6 @@ TEST_CASE("PGM and PPM that lack what they announce are refused") {
   CHECK(refusal("P5 2 2 255") == kBroken + "the file ends in row 1 of 2");
   CHECK(refusal("P6 1 1 255 ab") == kBroken + "the file ends in row 1 of 1");
   CHECK(refusal("P5 30000 30000 255 a") == kBroken + "the file ends in row 1 of 30000");
-  CHECK(refusal("P5 1 1 65535 ab") == "a: the picture is broken: values of 16 bits in PGM and PPM are not read");
   for (const char* header : {"P5", "P5 ", "P5 a", "P5 1 1", "P5 1 1 0 a", "P5 99999999999 1 255 a", "P5 -1 1 255 a"})
     CHECK(refusal(header) == "a: the picture is broken: its header is not that of a PGM or PPM");
   CHECK(refusal("P5 0 0 255 ").starts_with("a: "));
@@ -198,4 +197,67 @@ TEST_CASE("a picture becomes grey by its alpha where that is a silhouette, and b
 TEST_CASE("a picture is halved by the means of four pixels") {
   const GrayImage image{3, 3, {0, 4, 8, 4, 8, 12, 100, 102, 7}};
   CHECK(halved(image) == GrayImage{2, 2, {4, 10, 101, 7}});
+}
+
+TEST_CASE("plain pictures of Netpbm are the binary ones") {
+  using namespace std::string_literals;
+  using Values = std::vector<std::uint8_t>;
+  const Values gray{0, 100, 255, 255, 100, 0};
+  for (const std::string& bytes :
+       {"P5\n3 2\n255\n\0\x64\xff\xff\x64\0"s, "P2\n# one\n3 2 # two\n255\n0 100 255\n255\t100\n\n0"s,
+        "P2 3 2 255 0 100 255 # three\n 255 100 0 and more"s, "P5 3 2 65535 \0\xff\x64\0\xff\xff\xff\0\x64\xff\0\0"s,
+        "P7\nWIDTH 3\nHEIGHT 2\n# PAM\nDEPTH 1\nMAXVAL 255\nTUPLTYPE GRAYSCALE\nENDHDR\n\0\x64\xff\xff\x64\0"s}) {
+    INFO(bytes);
+    CHECK(looks_like_picture(bytes));
+    const auto pixels = decoded(bytes);
+    REQUIRE(pixels.has_value());
+    CHECK(pixels->width == 3);
+    CHECK(pixels->height == 2);
+    CHECK(pixels->channels == 1);
+    CHECK(pixels->values == gray);
+  }
+  // One is black; bits need no blanks between them, and rows of bytes are filled up.
+  const Values bits{255, 0, 255, 255, 0, 255, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 255, 0, 0, 0};
+  for (const std::string& bytes : {"P1\n10 2\n0 1 0 0 1 0 0 1 0 1\n0 1 0 1 0 1 0 1 1 1\n"s,
+                                   "P1 #c\n10 2\n01001001010101\n010111"s, "P4\n10 2\n\x49\x40\x55\xc0"s}) {
+    INFO(bytes);
+    CHECK(looks_like_picture(bytes));
+    const auto pixels = decoded(bytes);
+    REQUIRE(pixels.has_value());
+    CHECK(pixels->values == bits);
+  }
+  const Values color{255, 0, 128, 1, 2, 3};
+  for (const std::string& bytes : {"P3 2 1 255 255 0 128 1 2 3"s, "P6 2 1 255 \xff\0\x80\1\2\3"s}) {
+    const auto pixels = decoded(bytes);
+    REQUIRE(pixels.has_value());
+    CHECK(pixels->channels == 3);
+    CHECK(pixels->values == color);
+    CHECK(decoded(bytes, 4)->values == Values{255, 0, 128, 255, 1, 2, 3, 255});
+  }
+  // Values are scaled to the largest that there can be.
+  CHECK(decoded("P2 4 1 15 0 5 15 20")->values == Values{0, 85, 255, 255});
+  CHECK(decoded("P2 2 1 65535 65535 256")->values == Values{255, 1});
+  CHECK(decoded("P5 2 1 1 \0\1"s)->values == Values{0, 255});
+  CHECK(decoded("P7\nWIDTH 1\nHEIGHT 1\nDEPTH 4\nMAXVAL 255\nTUPLTYPE RGB_ALPHA\nENDHDR\nabcd")->values ==
+        Values{'a', 'b', 'c', 'd'});
+}
+
+TEST_CASE("pictures of Netpbm that are broken are refused where they are") {
+  CHECK(refusal("P1 3 2 01001") == kBroken + "the file ends in row 2 of 2");
+  CHECK(refusal("P1 3 2 010021") == kBroken + "there is no 0 or 1 in row 2 of 2");
+  CHECK(refusal("P2 2 2 255 1 2 3") == kBroken + "the file ends in row 2 of 2");
+  CHECK(refusal("P2 2 2 255 1 x 3") == kBroken + "there is no grey value or colour in row 1 of 2");
+  CHECK(refusal("P3 1 1 255 1 2") == kBroken + "the file ends in row 1 of 1");
+  CHECK(refusal("P4 9 2 abc") == kBroken + "the file ends in row 2 of 2");
+  CHECK(refusal("P5 2 1 65535 abc") == kBroken + "the file ends in row 1 of 1");
+  CHECK(refusal("P2 30000 30000 255 1") == kBroken + "the file ends in row 1 of 30000");
+  CHECK(refusal("P1 40000 1 " + std::string(40000, '1')) == "a: a picture of 40000x1 pixels is too large to trace");
+  CHECK(refusal("P2 9000 9000 255 1") == kBroken + "the file ends in row 1 of 9000");
+  CHECK(refusal("P7\nWIDTH 1\nENDHDR\na") == kBroken + "its header is not that of a PAM");
+  CHECK(refusal("P7\nWIDTH 1\nHEIGHT 1\nDEPTH 7\nMAXVAL 255\nENDHDR\na") ==
+        kBroken + "its header is not that of a PAM");
+  CHECK(refusal("P4 x") == kBroken + "its header is not that of a PBM");
+  // Text that begins like them is none.
+  for (const char* text : {"P1 P2\n1 2\n", "P1", "P2,P3\n1,2\n", "P1 1\n", "P3 \n", "P8 1 1 1", "P77"})
+    CHECK_FALSE(looks_like_picture(text));
 }
