@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/format.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <new>
 #include <system_error>
@@ -12,6 +13,7 @@
 #include "core/io/format_registry.h"
 #include "core/io/read_file.h"
 #include "core/io/text_numbers.h"
+#include "core/io/xml_source.h"
 
 namespace mes {
 namespace {
@@ -58,6 +60,17 @@ const Format* find_format(std::string_view bytes, const std::string& name) {
   return by_name != nullptr ? by_name : possible;
 }
 
+/// What people try, for the beginning of a message.
+std::string_view known_text(std::string_view bytes) {
+  constexpr std::size_t kLookedAt = 8192;
+  std::string_view text = without_bom(bytes).substr(0, kLookedAt);
+  text.remove_prefix(std::min(text.find_first_not_of(" \t\r\n"), text.size()));
+  if (text.starts_with("solid") && text.contains("facet normal")) return "an STL mesh, ";
+  if (text.starts_with('{') && text.contains("\"Topology\"")) return "TopoJSON, ";
+  if (text.starts_with('{') && text.contains("\"esriGeometry")) return "JSON of Esri, ";
+  return {};
+}
+
 Expected<const Format*> choose_format(std::string_view bytes, const std::string& name, std::string_view wanted) {
   if (!wanted.empty()) {
     const Format* format = format_named(wanted);
@@ -69,7 +82,9 @@ Expected<const Format*> choose_format(std::string_view bytes, const std::string&
                                  0});
   }
   if (const Format* format = find_format(bytes, name); format != nullptr) return format;
-  return bad_input("this is none of the formats that can be read (" + readable_ids() + ")", name, 1, 1);
+  return bad_input(
+      fmt::format("this is {}none of the formats that can be read ({})", known_text(bytes), readable_ids()), name, 1,
+      1);
 }
 
 Expected<LoadedFile> read_carried(std::string_view text, const std::string& name, ReadJob& job) {
@@ -96,6 +111,13 @@ bool is_known_all_the_same(std::string_view bytes) {
   });
 }
 
+/// " (gml:FeatureCollection)" of XML; nothing of anything else.
+std::string root_of(std::string_view bytes) {
+  constexpr std::size_t kLongest = 40;
+  const std::string_view name = xml_root_name(bytes).substr(0, kLongest);
+  return name.empty() ? std::string() : fmt::format(" ({})", printable(name));
+}
+
 Expected<LoadedFile> read_as(const Format& format, std::string_view bytes, const std::string& name,
                              const ReadRequest& request, const fs::path* path, ReadJob& job) {
   job.begin(bytes);
@@ -120,8 +142,8 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
     const std::string_view kind = foreign_kind(bytes);
     if (kind == kUtf16Text) return bad_input("this is UTF-16 text, which must be saved as UTF-8", name, 1, 1);
     if (!kind.empty() && !is_known_all_the_same(bytes))
-      return bad_input("this is " + std::string(kind) + (may_carry_session(bytes) ? " that carries no session" : "") +
-                           ", not a text of samples",
+      return bad_input("this is " + std::string(kind) + root_of(bytes) +
+                           (may_carry_session(bytes) ? " that carries no session" : "") + ", not a text of samples",
                        name, 1, 1);
     if (without_bom(bytes).find_first_not_of(" \t\r\n\v\f") == std::string_view::npos)
       return bad_input("the file is empty", name, 1, 1);

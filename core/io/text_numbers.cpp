@@ -64,6 +64,15 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   return length;
 }
 
+/// "1.5D+3": a number, then D, perhaps a sign, and digits.
+bool is_fortran_exponent(std::string_view token, const char* end) {
+  std::string_view rest(end, token.data() + token.size());
+  if (!rest.starts_with('D') && !rest.starts_with('d')) return false;
+  rest.remove_prefix(1);
+  if (rest.starts_with('+') || rest.starts_with('-')) rest.remove_prefix(1);
+  return !rest.empty() && std::ranges::all_of(rest, is_digit) && is_digit(token[token.size() - 1]);
+}
+
 void append_escaped(std::string& out, char c) {
   constexpr std::string_view kDigits = "0123456789abcdef";
   const auto byte = static_cast<unsigned char>(c);
@@ -88,6 +97,11 @@ std::expected<double, NumberFault> parse_number(std::string_view token, bool dec
   constexpr std::size_t kMostShort = 18;
   if (!token.empty() && token.size() <= kMostShort && short_decimal(token, value) == token.size()) return value;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
+  if (error != std::errc::invalid_argument && is_fortran_exponent(token, end)) {
+    std::string with_e(token);
+    with_e[static_cast<std::size_t>(end - token.data())] = 'e';
+    return parse_number(with_e, false);
+  }
   if (error == std::errc::invalid_argument || end != token.data() + token.size())
     return std::unexpected(NumberFault::not_a_number);
   if (error == std::errc::result_out_of_range) {
@@ -219,6 +233,26 @@ bool is_utf16_without_mark(std::string_view bytes) {
 
 }  // namespace
 
+namespace {
+
+/// Maps, drawings and pictures that people try.
+std::string_view binary_kind(std::string_view bytes) {
+  using namespace std::string_view_literals;
+  using Entry = std::pair<std::string_view, std::string_view>;
+  constexpr std::array<Entry, 7> kBeginnings{{{"SQLite format 3"sv, "an SQLite database, such as a GeoPackage"},
+                                              {"II*\0"sv, "a TIFF picture"},
+                                              {"MM\0*"sv, "a TIFF picture"},
+                                              {"AC10"sv, "a DWG drawing"},
+                                              {"fgb"sv, "a FlatGeobuf map"},
+                                              {"glTF"sv, "a glTF mesh"},
+                                              {"RIFF"sv, "a WebP picture or a sound"}}};
+  for (const auto& [beginning, kind] : kBeginnings)
+    if (bytes.starts_with(beginning)) return kind;
+  return "binary data";
+}
+
+}  // namespace
+
 std::string_view foreign_kind(std::string_view bytes) {
   using Entry = std::pair<std::string_view, std::string_view>;
   constexpr std::array<Entry, 10> kBeginnings{{{"\x89PNG", "a PNG picture"},
@@ -238,8 +272,8 @@ std::string_view foreign_kind(std::string_view bytes) {
   if (is_utf16_without_mark(bytes)) return kUtf16Text;
   if (without_bom(bytes).starts_with('<')) return "XML";
   constexpr std::size_t kLookedAt = 8192;
-  if (bytes.substr(0, kLookedAt).contains('\0')) return "binary data";
-  return {};
+  const std::string_view beginning = bytes.substr(0, kLookedAt);
+  return beginning.contains('\0') ? binary_kind(beginning) : std::string_view{};
 }
 
 }  // namespace mes

@@ -14,7 +14,7 @@ namespace mes {
 
 enum class NumberFault : std::uint8_t { not_a_number, not_finite, too_large };
 
-/// A finite double that takes up the whole token. A leading plus is allowed, hexadecimal and infinity are not;
+/// A finite double that takes up the whole token. A leading plus and the D of Fortran for an exponent are allowed, hexadecimal and infinity are not;
 /// numbers too small for a double become zero. Cost: about 50 ns, no allocation unless a decimal comma is replaced.
 std::expected<double, NumberFault> parse_number(std::string_view token, bool decimal_comma = false);
 

@@ -189,9 +189,11 @@ struct Plan {
   bool is_sure = false;  ///< the lines looked at fit
 };
 
-constexpr std::array<TableKind, 5> kKinds{{{TableSeparator::semicolon, true},
+// A comma that separates is a decimal sign only within quotes.
+constexpr std::array<TableKind, 6> kKinds{{{TableSeparator::semicolon, true},
                                            {TableSeparator::tabulator, true},
                                            {TableSeparator::comma, false},
+                                           {TableSeparator::comma, true},
                                            {TableSeparator::blanks, false},
                                            {TableSeparator::blanks, true}}};
 

@@ -4,6 +4,7 @@
 #include "core/io/format.h"
 
 using namespace mes;
+using namespace std::string_literals;
 
 namespace {
 
@@ -74,4 +75,22 @@ TEST_CASE("a line of a million columns costs no more than its first two") {
   const auto read = read_sample_bytes(bytes + '\n' + bytes, "a.csv");
   REQUIRE(read.has_value());
   CHECK(read->data.positions == std::vector<Vec2>{{1, 2}, {1, 2}});
+}
+
+TEST_CASE("decimals in quotes are decimals, whichever sign separates the columns") {
+  const std::vector<Vec2> points{{1.5, 2.5}, {-3.25, 4}, {5, 6.125}};
+  for (const std::string& text :
+       {"\"1,5\";\"2,5\"\n\"-3,25\";\"4\"\n\"5,0\";\"6,125\"\n"s,
+        "\"1.5\",\"2.5\"\n\"-3.25\",\"4\"\n\"5\",\"6.125\"\n"s,
+        "\"1,5\",\"2,5\"\n\"-3,25\",\"4\"\n\"5\",\"6,125\"\n"s, "x;y\n\"1,5\";\"2,5\"\n-3,25;4\n\"5\" ; \"6,125\"\n"s,
+        "\"x\",\"y\"\r\n\"1,5\",\"2,5\"\r\n\"-3,25\",4\r\n5,\"6,125\"\r\n"s,
+        "\"1,5\"\t\"2,5\"\n\"-3,25\"\t4\n5\t\"6,125\"\n"s, "1.5D0,2.5d+0\n-325D-2,4\n5,6.125\n"s,
+        "\"1.5\";\"2.5\"\n\"-3.25\";\"4\"\n5;6.125\n"s}) {
+    INFO(text);
+    for (const char* name : {"a.csv", "a"}) {
+      const auto read = read_sample_bytes(text, name);
+      REQUIRE(read.has_value());
+      CHECK(read->data.positions == points);
+    }
+  }
 }
