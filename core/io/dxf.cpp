@@ -159,7 +159,7 @@ class DxfReader {
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = {(*x)[i], (*y)[i]};
     return out;
   }
-  /// What rounding may have taken from an angle, as it is written.
+  /// The rounding error that a written angle may have.
   static double rounding_of(DxfEntity entity, int code) {
     return half_last_digit(dxf_text(entity, code).value_or(""));
   }
@@ -446,7 +446,7 @@ class DxfReader {
     return {};
   }
 
-  /// Of a spline that leaves the rest to the program, as those that draw the reference do it: a cubic spline.
+  /// A spline given by fit points alone is a cubic spline through them.
   Expected<void> draw_fit_points(DxfEntity entity, const Affine& map) {
     const auto fit = points(entity, 11);
     if (!fit) return std::unexpected(fit.error());

@@ -60,7 +60,7 @@ const Format* find_format(std::string_view bytes, const std::string& name) {
   return by_name != nullptr ? by_name : possible;
 }
 
-/// What people try, for the beginning of a message.
+/// Names a format that people try, at the beginning of a message.
 std::string_view known_text(std::string_view bytes) {
   constexpr std::size_t kLookedAt = 8192;
   std::string_view text = without_bom(bytes).substr(0, kLookedAt);

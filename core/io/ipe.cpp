@@ -171,7 +171,7 @@ class IpeReader {
     return source_.refuse(source_.place_of(path.node, path.text, path.place), std::move(text));
   }
 
-  /// What misses its start by no more than coordinates are rounded to is meant to be closed.
+  /// A curve that misses its start by the rounding of coordinates is meant to be closed.
   static void close_what_looks_closed(PlaneCurve& curve) {
     if (curve.is_closed() || curve.piece_count() < 2) return;
     double around = 0.0;

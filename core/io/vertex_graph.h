@@ -46,7 +46,7 @@ class VertexGraph {
   }
   /// Leaves the heights out: vertices are seen from above. If all lie in one plane that is not level, they are taken in that
   /// plane instead, upright, without a change of lengths. `rounding` is how much their coordinates may be off; what is
-  /// less than a millionth of the extent is no height. One line that says what was done; empty where heights are equal.
+  /// less than a millionth of the extent counts as flat. One line that says what was done; empty where heights are equal.
   std::string leave_heights_out(double rounding);
   /// The vertex that was found at this place before, or a new one. Not to be mixed with `add_vertex`.
   std::uint32_t vertex_at(Vec2 position);

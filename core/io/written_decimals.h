@@ -18,7 +18,7 @@ struct WrittenNumber {
   int significant = 0;  ///< digits from the first that is not zero
 };
 
-/// Of a token that is a number.
+/// The digits of a number as it is written.
 inline WrittenNumber written_number(std::string_view token) {
   WrittenNumber out;
   bool is_after_point = false;
@@ -76,7 +76,7 @@ class WrittenDecimals {
  private:
   static constexpr int kLow = -20;
   static constexpr int kHigh = 20;
-  /// By the number of digits before the point, less the zeros that follow it.
+  /// The index is the number of digits before the point, less the zeros that follow it.
   static std::size_t index_of(int leading) {
     return static_cast<std::size_t>(std::clamp(leading, kLow, kHigh) - kLow);
   }
@@ -84,7 +84,7 @@ class WrittenDecimals {
   std::array<int, kHigh - kLow + 1> most_{};
 };
 
-/// Of the coordinates of vertices: those of the first few thousand stand for all.
+/// The decimals of vertex coordinates; the first few thousand stand for all.
 class VertexDecimals {
  public:
   void add(std::span<const std::string_view> coordinates) {

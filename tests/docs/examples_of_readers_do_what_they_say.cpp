@@ -2,9 +2,12 @@
 // The smallest uses in the comments of the headers of core/io, word for word, each with what it needs around it.
 #include <array>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <memory>
 #include <stop_token>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/io/coordinate_pairs.h"
@@ -21,6 +24,7 @@
 #include "core/io/short_decimal.h"
 #include "core/io/text_numbers.h"
 #include "core/io/vertex_graph.h"
+#include "core/io/written_decimals.h"
 #include "core/io/xml_long_values.h"
 #include "core/io/xml_source.h"
 
@@ -74,6 +78,16 @@ Expected<std::size_t> count_timeline(std::string_view text) {
 }
 
 }  // namespace
+
+TEST_CASE("core/io/written_decimals.h") {
+  const double a = 0.12346;
+  for (const auto& [b, expected] : {std::pair(0.123465, true), std::pair(0.1236, false)}) {
+    WrittenDecimals decimals;
+    for (const std::string_view word : {"0.12346", "2", "1.12346"}) decimals.add(word);
+    const bool are_equal = std::abs(a - b) <= 2.0 * decimals.error_of(2.0);
+    CHECK(are_equal == expected);
+  }
+}
 
 TEST_CASE("core/io/text_numbers.h") {
   const std::string_view bytes = "1 2\n 3";

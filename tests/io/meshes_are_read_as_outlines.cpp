@@ -357,7 +357,7 @@ TEST_CASE("vertices that lie in no common plane are seen from above, and a few p
   CHECK(read_good("v 1 1 0\nv 1 1 4\nl 1 2\n").data.positions == Positions{{1, 0}, {1, 4}});
   const LoadedFile oblique = read_good("v 0 0 0\nv 1 2 2\nv 2 4 4\nl 1 2 3\n");
   CHECK(distance(oblique.data.positions[0], oblique.data.positions[2]) == Approx(6.0));
-  // Rounding is no height.
+  // Rounding errors do not count as heights.
   CHECK(read_good("v 0 0 1e-9\nv 2 0 0\nv 2 2 0\nv 0 2 -1e-9\nf 1 2 3 4\n").data.positions ==
         Positions{{0, 0}, {2, 0}, {2, 2}, {0, 2}});
   // Of single precision, far from the origin.

@@ -177,7 +177,7 @@ Expected<Pixels> decode_netpbm(std::string_view bytes, const std::string& name, 
   constexpr auto kLongest = static_cast<std::size_t>(kLongestPictureSide);
   const bool is_large =
       layout->width > kLongest || layout->height > kLongest || layout->width * layout->height > most_pixels;
-  // Of pixels that are not there, that is what is wrong.
+  // Missing pixels are reported as such.
   if (is_large && rest.size() >= least) return fail("a picture of " + extent + " pixels is too large to trace");
   const auto ends_in_row = [&](std::size_t row) {
     return fail(fmt::format("the picture is broken: the file ends in row {} of {}", row + 1, layout->height));
