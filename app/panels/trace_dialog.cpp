@@ -53,10 +53,15 @@ void draw_outlines(const CurveSet& curves, const Placed& place, int height, ImU3
   std::vector<ImVec2> points;
   for (const PlaneCurve& curve : curves.curves) {
     points.clear();
-    curve.for_each_piece([&](const Piece& piece) {
-      const Vec2 p = piece.to();
+    const auto add = [&](Vec2 p) {
       points.emplace_back(place.at.x + place.scale * static_cast<float>(p.x),
                           place.at.y + place.scale * static_cast<float>(height - p.y));
+    };
+    curve.for_each_piece([&](const Piece& piece) {
+      // Arcs are half an ellipse, cubics turn little.
+      const int parts = piece.kind == PieceKind::arc ? 64 : piece.kind == PieceKind::line ? 1 : 2;
+      for (int i = 1; i < parts; ++i) add(piece.at(static_cast<double>(i) / parts));
+      add(piece.to());
     });
     polyline(*ImGui::GetWindowDrawList(), points, color, true, thickness);
   }
@@ -119,10 +124,14 @@ void TraceDialog::draw_facts(const Gui& gui) {
   const Expected<Tracing>& outlines = uses_->desk.outlines(request());
   ImGui::PushTextWrapPos(0.0F);
   if (outlines) {
-    ImGui::TextUnformatted(counted(outlines->curves.curves.size(), "outline").c_str());
-    if (outlines->specks + outlines->pinholes != 0)
-      ImGui::TextDisabled("Left out: %s, %s", counted(outlines->specks, "speck").c_str(),
-                          counted(outlines->pinholes, "hole").c_str());
+    if (const auto counts = uses_->desk.counts(request())) {
+      ImGui::TextUnformatted(counted(counts->outlines, "outline").c_str());
+      if (counts->specks + counts->pinholes != 0)
+        ImGui::TextDisabled("Left out: %s, %s", counted(counts->specks, "speck").c_str(),
+                            counted(counts->pinholes, "hole").c_str());
+    } else {
+      ImGui::TextDisabled("Counting outlines...");
+    }
   } else {
     ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
     ImGui::TextUnformatted(outlines.error().text.c_str());

@@ -86,7 +86,7 @@ void TraceDesk::decide(const TraceRequest& request) {
     const JobControl job(stop);
     Decision out{request};
     try {
-      out.blur = blur_of_tracing(*whole, request, &job).value_or(0.0);
+      if (const auto counts = counts_of_tracing(*whole, request, &job)) out.counts = *counts;
     } catch (const std::bad_alloc&) {
       // It is shown as it is.
     }
@@ -100,12 +100,20 @@ const Expected<Tracing>& TraceDesk::outlines(const TraceRequest& request) {
   TraceRequest reduced = request;
   reduced.pixel_area = preview_->reduction * preview_->reduction;
   if (reduced.specks) *reduced.specks /= reduced.pixel_area;
-  const Traced wanted{reduced, decision_ ? std::optional(decision_->blur / preview_->reduction) : std::nullopt};
+  const Traced wanted{reduced,
+                      decision_ ? std::optional(decision_->counts.blur / preview_->reduction) : std::nullopt};
   if (traced_ == wanted) return outlines_;
   outlines_ =
       wanted.blur ? trace_blurred(preview_->image, reduced, *wanted.blur) : mes::trace(preview_->image, reduced);
   traced_ = wanted;
   return outlines_;
+}
+
+std::optional<TraceCounts> TraceDesk::counts(const TraceRequest& request) {
+  const Expected<Tracing>& shown = outlines(request);
+  if (!preview_ || !shown) return std::nullopt;
+  if (!preview_->whole) return shown->counts;
+  return decision_ && decision_->request == request ? std::optional(decision_->counts) : std::nullopt;
 }
 
 void TraceDesk::trace(const TraceRequest& request) {

@@ -27,7 +27,8 @@ struct TracePreview {
 
 /// What it guarantees: it never waits for a file; outlines of the preview are computed at once, in milliseconds. Whether
 /// they are of a blurred picture, and how much, is what the whole picture needs: this is found out on another thread, and
-/// until then it is as for the request before.
+/// until then it is as for the request before. Outlines and specks are counted there, too, as the tracing will count them:
+/// a reduced picture has fewer specks.
 ///
 /// Smallest use:
 ///     desk.begin("leaf.png");
@@ -58,6 +59,10 @@ class TraceDesk {
   /// differs from the last one.
   const Expected<Tracing>& outlines(const TraceRequest& request);
 
+  /// What the picture of the file has to trace and to leave out; nothing while that is being counted, or where there are no
+  /// outlines. Asked after `outlines`, it costs nothing.
+  std::optional<TraceCounts> counts(const TraceRequest& request);
+
   void trace(const TraceRequest& request);
   struct Samples {
     SampleData data{};
@@ -73,7 +78,7 @@ class TraceDesk {
   /// What the whole picture needs.
   struct Decision {
     TraceRequest request{};
-    double blur = 0.0;  // pixels of the file
+    TraceCounts counts{};  // of the file, in its pixels
   };
   void decide(const TraceRequest& request);
   std::optional<Decision> decision_;

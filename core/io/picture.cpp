@@ -27,7 +27,8 @@ Expected<LoadedFile> read_traced(std::string_view bytes, const std::string& name
   auto tracing = trace(gray_of(*std::move(pixels)), request, job.control());
   if (!tracing) return std::unexpected(Error{tracing.error().code, tracing.error().text, name});
   std::string remark = name + ": " + remark_of(*tracing);
-  auto file = load_samples(std::move(tracing->curves), sampling_of_tracing(), name, job);
+  const SamplingRequest sampling = sampling_of_tracing(tracing->curves);
+  auto file = load_samples(std::move(tracing->curves), sampling, name, job);
   if (file) file->warnings.push_back(std::move(remark));
   if (file && lacks_end)
     file->warnings.push_back(name + ": the marker that ends a JPEG is missing; its pixels are all there");

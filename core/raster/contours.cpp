@@ -90,7 +90,9 @@ class Tracer {
         figure_(figure_of(image, request)),
         passed_(image.width, image.height),
         dark_below_(request.dark + kClear * (request.light - request.dark)),
-        light_above_(request.light - kClear * (request.light - request.dark)) {}
+        light_above_(request.light - kClear * (request.light - request.dark)),
+        dark_enough_(request.dark + kFaint * (request.light - request.dark)),
+        light_enough_(request.light - kFaint * (request.light - request.dark)) {}
 
   /// Calls `use` for the contour through each step from outside to inside, rows from below, but once a contour. Every
   /// contour has such a step: a row of pixels that it encloses passes into the figure on one side of it.
@@ -116,6 +118,8 @@ class Tracer {
 
  private:
   static constexpr std::size_t kOften = std::size_t{1} << 16U;  // points
+  static constexpr int kLongestTransition = 4;                  // pixels on each side of the threshold
+  static constexpr double kFaint = 0.25;                        // of the contrast
   static constexpr double kClear =
       0.15;  // of the contrast: values so near to the mean of a side are those of the side
 
@@ -129,12 +133,60 @@ class Tracer {
   /// Twice the distance of a value from the threshold: never zero.
   int excess(Cell cell) const { return std::abs(2 * value(cell) - level_twice_); }
 
-  /// Between a pixel inside and its neighbour outside.
-  Vec2 crossing(Cell inside, Cell step) const {
+  /// Where the values stop changing, on the line from the threshold on; and what they add up to.
+  struct Side {
+    int value = 0;  // the last
+    int pixels = 1;
+  };
+  Side side_from(Cell cell, Cell step) const {
+    Side out{value(cell), 1};
+    const bool is_figure = figure_.at(cell);
+    while (out.pixels < kLongestTransition && is_in_picture(cell + step) && figure_.at(cell + step) == is_figure &&
+           excess(cell + step) > excess(cell)) {
+      cell = cell + step;
+      out.value = value(cell);
+      ++out.pixels;
+    }
+    return out;
+  }
+  /// A side of a transition is no fainter than its side of the picture, but for a part of the contrast.
+  bool is_plateau(int value) const { return value <= dark_enough_ || value >= light_enough_; }
+
+  /// Between a pixel inside and its neighbour outside. Where the values change from one side of the picture to the other,
+  /// their sum says where the edge is: exactly, for a straight edge and pixels that are means of what they cover.
+  Vec2 crossing(Cell inside, Cell step) {
     double share = 0.5;
-    if (is_in_picture(inside + step)) {
-      const int in = excess(inside);
-      share = in / static_cast<double>(in + excess(inside + step));
+    if (!is_in_picture(inside + step)) {
+      contour_.variance.push_back(-1.0F);
+    } else {
+      const Cell outside = inside + step;
+      const Side in = side_from(inside, -step);
+      const Side out = side_from(outside, step);
+      if (is_plateau(in.value) && is_plateau(out.value)) {
+        // Both sums change their sign with light and dark, so the quotient is the same.
+        const int contrast = in.value - out.value;
+        int sum = 0;
+        int moment = 0;  // of the steps of the values, about the border of the two pixels
+        int second = 0;
+        Cell at = inside;
+        for (int i = 1; i < in.pixels; ++i) at = at + -step;
+        int before = in.value;
+        for (int i = 1 - in.pixels; i <= out.pixels; ++i, at = at + step) {
+          const int here = value(at);
+          sum += here - out.value;
+          const int fall = before - here;
+          moment += fall * (i - 1);
+          second += fall * (i - 1) * (i - 1);
+          before = here;
+        }
+        share = sum / static_cast<double>(contrast) - in.pixels + 0.5;
+        const double mean = moment / static_cast<double>(contrast);
+        contour_.variance.push_back(static_cast<float>(second / static_cast<double>(contrast) - mean * mean));
+      } else {
+        contour_.variance.push_back(-1.0F);
+        const int near = excess(inside);
+        share = near / static_cast<double>(near + excess(outside));
+      }
     }
     return {inside.x + 0.5 + step.x * share, inside.y + 0.5 + step.y * share};
   }
@@ -153,6 +205,8 @@ class Tracer {
 
   void follow(Cell first) {
     contour_.points.clear();
+    contour_.is_along_y.clear();
+    contour_.variance.clear();
     contour_.sharp = 0;
     const Cell first_step{-1, 0};
     Cell inside = first;
@@ -163,6 +217,7 @@ class Tracer {
       if (!contour_.points.empty())
         area += cross(contour_.points.back() - contour_.points.front(), point - contour_.points.front());
       contour_.points.push_back(point);
+      contour_.is_along_y.push_back(step.y != 0 ? 1 : 0);
       if (contour_.points.size() % kOften == 0) look();
       contour_.sharp += is_sharp(inside, step) ? 1U : 0U;
       if (step == first_step) passed_.set(inside);
@@ -190,6 +245,8 @@ class Tracer {
   BitPlane passed_;  // pixels inside whose neighbour to the left is outside
   double dark_below_;
   double light_above_;
+  double dark_enough_;
+  double light_enough_;
   PixelContour contour_;
 };
 

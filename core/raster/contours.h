@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -33,9 +34,13 @@ struct Level {
 
 struct PixelContour {
   std::vector<Vec2>
-      points{};           ///< the figure lies to the left: counter-clockwise around it, clockwise around its holes
-  double area = 0.0;      ///< within, in square pixels; negative for holes
-  std::size_t sharp = 0;  ///< points between pixels of which neither has a value in between
+      points{};  ///< the figure lies to the left: counter-clockwise around it, clockwise around its holes
+  std::vector<std::uint8_t> is_along_y{};  ///< of each point: it lies between pixels of one column
+  double area = 0.0;                       ///< within, in square pixels; negative for holes
+  std::size_t sharp = 0;                   ///< points between pixels of which neither has a value in between
+  /// Of each point: the variance of the transition that it was placed by, from value to value along its line, in square
+  /// pixels; negative where it was placed between two values.
+  std::vector<float> variance{};
 };
 
 struct ContourRequest {

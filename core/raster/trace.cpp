@@ -8,14 +8,13 @@
 #include <cstring>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/raster/internal/noise.h"
-#include "core/raster/internal/smoothing.h"
+#include "core/raster/internal/outline.h"
 
 namespace mes {
 namespace {
 
-// In pixels. A gentle slope shows as steps that are tens of pixels long.
-constexpr double kWidestScale = 32.0;
 // Of the points of all contours, so many between values of the two sides make a picture of two values.
 constexpr double kShareOfSharp = 0.6;
 
@@ -23,7 +22,7 @@ std::unexpected<Error> refused(ErrorCode code, std::string text) {
   return std::unexpected(Error{code, std::move(text)});
 }
 
-std::string counted(std::size_t count, std::string_view one) {
+std::string number_of(std::size_t count, std::string_view one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
@@ -62,13 +61,6 @@ Expected<Level> chosen_level(const Histogram& histogram, const TraceRequest& req
                  fmt::format("no figure stands out: every pixel has the grey value {}", only - histogram.begin()));
 }
 
-PlaneCurve closed_curve(const std::vector<Vec2>& points) {
-  PlaneCurve out(points.front());
-  for (std::size_t i = 1; i < points.size(); ++i) out.line_to(points[i]);
-  out.close();
-  return out;
-}
-
 /// By how many pixels a noisy picture is blurred; 0: it is not noisy, or the grains are the picture.
 double blur_for(const GrayImage& picture, const Sides& sides) {
   constexpr double kLeastBlur = 0.8;
@@ -102,11 +94,26 @@ bool is_two_valued(const PixelContours& contours) {
   return static_cast<double>(sharp) > kShareOfSharp * static_cast<double>(all);
 }
 
+EdgeNoise noise_of_edges(const PixelContour& contour, double blur) {
+  const bool is_sharp =
+      static_cast<double>(contour.sharp) > kShareOfSharp * static_cast<double>(contour.points.size());
+  if (is_sharp || blur > 0.0) return {.one = kSharpNoise};
+  return {.one = kSoftNoise, .is_blurred = true, .least_stiffness = 1.0};
+}
+
 /// Contours at the level, and the tracing but for its curves.
 struct Outlined {
   Tracing tracing{};
   PixelContours contours{};
 };
+Outlined counted(Outlined found) {
+  TraceCounts& counts = found.tracing.counts;
+  counts.outlines = found.contours.kept.size();
+  counts.specks = found.contours.specks;
+  counts.pinholes = found.contours.pinholes;
+  return found;
+}
+
 Expected<Outlined> outlined(const GrayImage& image, const TraceRequest& request, std::optional<double> blur,
                             const JobControl* job) {
   const Histogram histogram = histogram_of(image);
@@ -123,18 +130,37 @@ Expected<Outlined> outlined(const GrayImage& image, const TraceRequest& request,
                              .light = sides.light_mean};
   if (blur && *blur > 0.0) {
     out.contours = contours_of(blurred(image, *blur, job), asked, job);
-    out.tracing.blur = *blur;
-    return out;
+    out.tracing.counts.blur = *blur;
+    return counted(std::move(out));
   }
   out.contours = contours_of(image, asked, job);
-  if (blur || out.contours.specks + out.contours.pinholes <= kManyGrains) return out;
+  if (blur || out.contours.specks + out.contours.pinholes <= kManyGrains) return counted(std::move(out));
   if (const double found = blur_for(image, sides); found > 0.0) {
     const GrayImage smooth = blurred(image, found, job);
     if (keeps_area(image, smooth, *level)) {
       out.contours = contours_of(smooth, asked, job);
-      out.tracing.blur = found;
+      out.tracing.counts.blur = found;
     }
   }
+  return counted(std::move(out));
+}
+
+/// Several threads, each with some contours of many points together.
+std::vector<PlaneCurve> outlines_of(const std::vector<PixelContour>& contours, double blur, const JobControl* job) {
+  constexpr std::size_t kPointsEach = std::size_t{1} << 14U;
+  std::vector<std::size_t> ends;
+  std::size_t points = 0;
+  for (std::size_t i = 0; i < contours.size(); ++i) {
+    points += contours[i].points.size();
+    if (points < kPointsEach && i + 1 < contours.size()) continue;
+    ends.push_back(i + 1);
+    points = 0;
+  }
+  std::vector<PlaneCurve> out(contours.size(), PlaneCurve({}));
+  run_tasks(ends.size(), [&](std::size_t task) {
+    for (std::size_t i = task == 0 ? 0 : ends[task - 1]; i < ends[task]; ++i)
+      out[i] = outline_of(contours[i], noise_of_edges(contours[i], blur), job);
+  });
   return out;
 }
 
@@ -143,8 +169,6 @@ Expected<Tracing> traced(Expected<Outlined> found, const TraceRequest& request, 
   if (!found) return std::unexpected(std::move(found.error()));
   Tracing out = std::move(found->tracing);
   const PixelContours& contours = found->contours;
-  out.specks = contours.specks;
-  out.pinholes = contours.pinholes;
   const std::string side =
       fmt::format("{} than {:.1f} of 255", out.is_figure_light ? "lighter" : "darker", out.level.value());
   if (contours.kept.empty() && contours.specks == 0)
@@ -154,10 +178,7 @@ Expected<Tracing> traced(Expected<Outlined> found, const TraceRequest& request, 
                    fmt::format("no figure stands out: there are only specks {}, the largest of {:.4g} square pixels",
                                side, contours.largest_speck * request.pixel_area));
   out.is_two_valued = is_two_valued(contours);
-  const SmoothingLimits limits{out.is_two_valued || out.blur > 0.0 ? kMostSmoothing : kMostSoftSmoothing,
-                               kWidestScale};
-  for (const PixelContour& contour : contours.kept)
-    out.curves.curves.push_back(closed_curve(smoothed(contour.points, limits, job)));
+  out.curves.curves = outlines_of(contours.kept, out.counts.blur, job);
   return out;
 }
 
@@ -249,27 +270,36 @@ Expected<Tracing> trace_blurred(const GrayImage& image, const TraceRequest& requ
   return traced(outlined(image, request, blur, job), request, job);
 }
 
-Expected<double> blur_of_tracing(const GrayImage& image, const TraceRequest& request, const JobControl* job) {
+Expected<TraceCounts> counts_of_tracing(const GrayImage& image, const TraceRequest& request, const JobControl* job) {
   const auto found = outlined(image, request, std::nullopt, job);
   if (!found) return std::unexpected(found.error());
-  return found->tracing.blur;
+  return found->tracing.counts;
 }
 
-SamplingRequest sampling_of_tracing() {
-  constexpr std::size_t kSamples = 400;
+SamplingRequest sampling_of_tracing(const CurveSet& curves) {
+  constexpr double kSamples = 400.0;
   constexpr std::size_t kLeastEach = 8;
-  return {.rule = SamplingRule::adaptive, .count = kSamples, .least_each = kLeastEach};
+  double length = 0.0;
+  for (const PlaneCurve& curve : curves.curves)
+    curve.for_each_piece([&](const Piece& piece) {
+      if (length >= kSamples) return;
+      const Vec2 middle = piece.at(0.5);
+      length += distance(piece.from(), middle) + distance(middle, piece.to());
+    });
+  const double count = std::clamp(length, static_cast<double>(kLeastEach), kSamples);
+  return {.rule = SamplingRule::adaptive, .count = static_cast<std::size_t>(count), .least_each = kLeastEach};
 }
 
 std::string remark_of(const Tracing& tracing) {
   std::string out = fmt::format("traced what is {} than {:.1f} of 255",
                                 tracing.is_figure_light ? "lighter" : "darker", tracing.level.value());
-  if (tracing.blur > 0.0) out += fmt::format(", blurred by {:.2g} pixels, for it is noisy", tracing.blur);
-  if (tracing.specks + tracing.pinholes == 0) return out;
+  if (tracing.counts.blur > 0.0)
+    out += fmt::format(", blurred by {:.2g} pixels, for it is noisy", tracing.counts.blur);
+  if (tracing.counts.specks + tracing.counts.pinholes == 0) return out;
   out += "; left out: ";
-  if (tracing.specks != 0) out += counted(tracing.specks, "speck");
-  if (tracing.specks != 0 && tracing.pinholes != 0) out += " and ";
-  if (tracing.pinholes != 0) out += counted(tracing.pinholes, "hole");
+  if (tracing.counts.specks != 0) out += number_of(tracing.counts.specks, "speck");
+  if (tracing.counts.specks != 0 && tracing.counts.pinholes != 0) out += " and ";
+  if (tracing.counts.pinholes != 0) out += number_of(tracing.counts.pinholes, "hole");
   return out + fmt::format(" of less than {:.4g} square pixels", tracing.speck_size);
 }
 

@@ -20,15 +20,22 @@
 
 namespace mes {
 
-/// One outline or hole a curve, polygons of sides of about a pixel.
+/// What there is to trace.
+struct TraceCounts {
+  std::size_t outlines = 0;  ///< and holes
+  std::size_t specks = 0;    ///< figures left out
+  std::size_t pinholes = 0;  ///< holes left out
+  double blur = 0.0;         ///< pixels: the deviation of the blur of a noisy picture
+  friend bool operator==(const TraceCounts&, const TraceCounts&) = default;
+};
+
+/// One outline or hole a curve: an ellipse, or lines between corners and cubic pieces that go on smoothly.
 struct Tracing {
   CurveSet curves{};
   Level level{};
   bool is_figure_light = false;
-  double speck_size = 0.0;     ///< square pixels
-  std::size_t specks = 0;      ///< figures left out
-  std::size_t pinholes = 0;    ///< holes left out
-  double blur = 0.0;           ///< pixels: the deviation of the blur of a noisy picture
+  double speck_size = 0.0;  ///< square pixels
+  TraceCounts counts{};
   bool is_two_valued = false;  ///< hardly any value along the outlines is in between
 };
 
@@ -54,27 +61,31 @@ bool is_figure_light(const GrayImage& image, Level level, FigureSide side);
 /// area of a side by more than a twentieth, as it does where figures are thin. Silhouettes have no noise, nor do pictures
 /// of which half has none.
 ///
-/// Outlines are smoothed: each point moves by at most `kMostSmoothing` pixels, and by at most `kMostSoftSmoothing` where
-/// edges have values in between, which say where within a pixel the outline is, unless there was noise.
+/// An outline is the stiffest curve that the edges of the pixels allow (core/raster/internal/run_fit.h). A single edge may
+/// be off by `kSharpNoise` where there are no values in between, or the picture was blurred, and by `kSoftNoise` elsewhere,
+/// or more as it turns out; the mean of many edges by a third of that. Where values lie in between, their sums say where an
+/// edge is, so that areas are kept. What ellipses explain is an ellipse. Corners stay corners. Single pixels that stand out
+/// are passed over. No edge is farther from its outline than `kMostAway`.
 /// Cost: O(pixels); any thread. Error: `bad_input` if nothing stands out, or nothing larger than a speck; `usage` for a
 /// threshold out of range. Throws `Cancelled` if there is a job.
 Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request, const JobControl* job = nullptr);
 /// The same of a picture that is blurred by so many pixels first, whatever its noise; 0: not at all.
 Expected<Tracing> trace_blurred(const GrayImage& image, const TraceRequest& request, double blur,
                                 const JobControl* job = nullptr);
-/// The blur of `trace`, without its curves: what a reduced picture has to be blurred by, in proportion, to show the same.
-/// Cost, errors and threads as of `trace`.
-Expected<double> blur_of_tracing(const GrayImage& image, const TraceRequest& request,
-                                 const JobControl* job = nullptr);
-inline constexpr double kMostSmoothing = 0.95;
-inline constexpr double kMostSoftSmoothing = 0.2;
+/// The counts of `trace`, without its curves. A reduced picture has to be blurred by as much, in proportion, to show the
+/// same, and has fewer specks. O(pixels); otherwise as `trace`, but it is no error that only specks stand out.
+Expected<TraceCounts> counts_of_tracing(const GrayImage& image, const TraceRequest& request,
+                                        const JobControl* job = nullptr);
+inline constexpr double kSharpNoise = 0.45;
+inline constexpr double kSoftNoise = 0.08;
+inline constexpr double kMostAway = 2.0;  ///< pixels: an edge from its outline
 inline constexpr std::size_t kManyGrains = 100;
 inline constexpr double kLeastNoise = 1.4;
 inline constexpr double kMostNoise = 0.2;
 
 /// What a tracing is sampled by when it is opened: about 400 samples, at least eight on each curve, more where parts of it
-/// are near to each other.
-SamplingRequest sampling_of_tracing();
+/// are near to each other; but no more than one a pixel of its length, elsewhere.
+SamplingRequest sampling_of_tracing(const CurveSet& curves);
 
 /// "traced what is darker than 127.5 of 255; left out: 12 specks and 3 holes of less than 26 square pixels".
 std::string remark_of(const Tracing& tracing);

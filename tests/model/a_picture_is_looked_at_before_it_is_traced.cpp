@@ -67,7 +67,7 @@ TEST_CASE("outlines are those of a reduced picture, and samples those of the fil
   request.specks = 45000.0;
   REQUIRE(desk.outlines(request).has_value());
   CHECK(desk.outlines(request)->curves.curves.size() == 1);
-  CHECK(desk.outlines(request)->pinholes == 1);
+  CHECK(desk.outlines(request)->counts.pinholes == 1);
   request.threshold = 220;
   CHECK_FALSE(desk.outlines(request).has_value());
   request.threshold = 124;
@@ -84,7 +84,7 @@ TEST_CASE("outlines are those of a reduced picture, and samples those of the fil
   CHECK_FALSE(desk.is_tracing());
   // The whole picture is asked for the last request, too.
   for (desk.follow(); desk.is_busy(); desk.follow()) waited.woken.acquire();
-  CHECK(desk.outlines(request)->blur == 0.0);
+  CHECK(desk.outlines(request)->counts.blur == 0.0);
 }
 
 TEST_CASE("a reduced picture is blurred as the whole one, though it has less noise") {
@@ -116,24 +116,60 @@ TEST_CASE("a reduced picture is blurred as the whole one, though it has less noi
       static_cast<void>(desk.outlines(request));
     }
     REQUIRE(desk.outlines(request).has_value());
-    return desk.outlines(request)->blur * desk.preview()->reduction;
+    return desk.outlines(request)->counts.blur * desk.preview()->reduction;
   };
   for (const int threshold : {125, 120, 125}) {
     const TraceRequest request{.threshold = threshold, .specks = preview->specks};
     const auto whole = trace(*preview->whole, request);
     REQUIRE(whole.has_value());
-    REQUIRE(whole->blur > 2.0);
+    REQUIRE(whole->counts.blur > 2.0);
     TraceRequest alone = request;
     *alone.specks /= 16.0;
     REQUIRE(trace(preview->image, alone).has_value());
-    CHECK(trace(preview->image, alone)->blur == 0.0);
-    CHECK(blur_shown(request) == Approx(whole->blur));
-    CHECK(blur_of_tracing(*preview->whole, request).value() == whole->blur);
+    CHECK(trace(preview->image, alone)->counts.blur == 0.0);
+    CHECK(blur_shown(request) == Approx(whole->counts.blur));
+    CHECK(counts_of_tracing(*preview->whole, request).value().blur == whole->counts.blur);
   }
   // A decision is not of the picture before.
   desk.begin(folder.write("disk.pgm", disk(1100, true)));
   REQUIRE(waited.picture().has_value());
   CHECK(blur_shown({.threshold = 124, .specks = 121.0}) == 0.0);
+}
+
+// Specks of four and nine pixels, of which a reduced picture shows some fainter or not at all.
+TEST_CASE("specks of a large picture are counted as its tracing counts them") {
+  constexpr int kSide = 2100;
+  std::string picture = disk(kSide, false);
+  const std::size_t start = picture.size() - static_cast<std::size_t>(kSide) * kSide;
+  Rng random(9);
+  for (int i = 0; i < 40; ++i) {
+    const std::size_t size = 2 + random.below(2);
+    const std::size_t column = 10 + 50 * static_cast<std::size_t>(i) + random.below(7);
+    const std::size_t row = 20 + random.below(100);
+    for (std::size_t y = 0; y < size; ++y)
+      for (std::size_t x = 0; x < size; ++x) picture[start + (row + y) * kSide + column + x] = 50;
+  }
+  const test::TemporaryFolder folder;
+  Waited waited;
+  TraceDesk& desk = waited.desk;
+  desk.begin(folder.write("specks.pgm", picture));
+  REQUIRE(waited.picture().has_value());
+  REQUIRE(desk.preview()->reduction == 4.0);
+  const TraceRequest request{.threshold = 124, .specks = 30.0};
+  std::optional<TraceCounts> counts = desk.counts(request);
+  while (!counts) {
+    waited.woken.acquire();
+    desk.follow();
+    counts = desk.counts(request);
+  }
+  CHECK(counts->specks == 40);
+  CHECK(counts->outlines == 1);
+  REQUIRE(desk.outlines(request).has_value());
+  CHECK(desk.outlines(request)->counts.specks < 40);
+  desk.trace(request);
+  const auto samples = waited.samples();
+  REQUIRE(samples.has_value());
+  CHECK_THAT(samples->remark, Catch::Contains("left out: 40 specks"));
 }
 
 TEST_CASE("a picture that cannot be read is an error, and the next one is read all the same") {

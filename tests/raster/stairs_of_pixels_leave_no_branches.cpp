@@ -27,7 +27,7 @@ double grain(Rng& random) {
 Workbench traced_bench(const GrayImage& image) {
   const auto tracing = trace(image, {});
   REQUIRE(tracing.has_value());
-  const auto samples = sample(tracing->curves, sampling_of_tracing());
+  const auto samples = sample(tracing->curves, sampling_of_tracing(tracing->curves));
   REQUIRE(samples.has_value());
   return Workbench(samples->positions);
 }
@@ -95,10 +95,10 @@ TEST_CASE("the axis of an ellipse in a noisy photograph under uneven light is on
     }
   const auto tracing = trace(image, {});
   REQUIRE(tracing);
-  CHECK(tracing->blur > 2.0);
+  CHECK(tracing->counts.blur > 2.0);
   CHECK(tracing->curves.curves.size() == 1);
-  CHECK(tracing->specks + tracing->pinholes == 0);
-  const auto samples = sample(tracing->curves, sampling_of_tracing());
+  CHECK(tracing->counts.specks + tracing->counts.pinholes == 0);
+  const auto samples = sample(tracing->curves, sampling_of_tracing(tracing->curves));
   REQUIRE(samples);
   for (const Vec2 p : samples->positions)
     CHECK(std::abs(std::hypot((p.x - center.x) / kLong, (p.y - center.y) / kShort) - 1.0) < 1.5 / kShort);
@@ -127,7 +127,7 @@ TEST_CASE("thin strokes in a noisy picture keep their width") {
         }
       const auto tracing = trace(image, {});
       REQUIRE(tracing.has_value());
-      CHECK(tracing->blur == 0.0);
+      CHECK(tracing->counts.blur == 0.0);
       CHECK(tracing->curves.curves.size() == static_cast<std::size_t>(180 / period));
       double area = 0.0;
       for (const PlaneCurve& curve : tracing->curves.curves) {

@@ -1,0 +1,431 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/raster/internal/outline.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "core/raster/internal/ellipse_fit.h"
+#include "core/raster/internal/smoothing.h"
+#include "core/raster/trace.h"
+
+namespace mes {
+namespace {
+
+// In pixels.
+constexpr double kTurnReach = 2.5;     // on both sides of a corner, for its turn
+constexpr double kCornerReach = 3.0;   // what a corner has rounded before it is known
+constexpr double kBesideCorner = 1.2;  // edges nearer to a corner see both of its sides
+constexpr double kJudged = 7.0;        // from a corner, edges that tell whether it is one
+constexpr double kFarthestCorner = 4.0;
+constexpr double kStraight = 0.03;  // a run that leaves its chord by less is a line
+constexpr std::size_t kLeastNodes = 16;
+constexpr std::size_t kLeastRunNodes = 6;
+
+Vec2 unit(Vec2 v) {
+  const double size = length(v);
+  return size > 0.0 ? (1.0 / size) * v : Vec2{};
+}
+
+double turn_between(Vec2 a, Vec2 b) {
+  return std::atan2(cross(a, b), dot(a, b));
+}
+
+/// Of a closed row of nodes: how the curve turns at each, to the left.
+std::vector<double> turns_of(std::span<const Vec2> nodes) {
+  const std::size_t count = nodes.size();
+  std::vector<double> out(count);
+  for (std::size_t k = 0; k < count; ++k)
+    out[k] = turn_between(nodes[k] - nodes[(k + count - 1) % count], nodes[(k + 1) % count] - nodes[k]);
+  return out;
+}
+
+double spacing_of(std::span<const Vec2> nodes) {
+  double out = 0.0;
+  for (std::size_t k = 0; k < nodes.size(); ++k) out += distance(nodes[k], nodes[(k + 1) % nodes.size()]);
+  return out / static_cast<double>(nodes.size());
+}
+
+/// Nodes where corners may be: where the largest turn within reach is.
+std::vector<std::size_t> sharp_bends(const Run& run, double least_stiffness) {
+  std::vector<std::size_t> out;
+  const std::size_t count = run.nodes.size();
+  // Where twice the least stiffness was too much, or four times.
+  constexpr double kTight = 2.02;
+  const double spacing = spacing_of(run.nodes);
+  const auto reach = static_cast<std::size_t>(std::max(1L, std::lround(kTurnReach / spacing)));
+  if (2 * reach + 1 >= count) return out;
+  // For each node, how many nodes that are held so are among it and those before.
+  std::vector<std::size_t> tight(count + 1, 0);
+  for (std::size_t k = 0; k < count; ++k) {
+    const bool is_tight = run.is_held[k] && run.stiffness[k] <= kTight * least_stiffness;
+    tight[k + 1] = tight[k] + (is_tight ? 1U : 0U);
+  }
+  if (tight.back() == 0) return out;
+  const auto is_tight_near = [&](std::size_t k) {
+    const std::size_t from = k > reach ? k - reach : 0;
+    return tight[std::min(k + reach + 1, count)] != tight[from];
+  };
+  const std::vector<double> turns = turns_of(run.nodes);
+  std::vector<double> near(count);
+  for (std::size_t k = 0; k < count; ++k)
+    for (std::size_t i = 0; i <= 2 * reach; ++i) near[k] += turns[(k + count + i - reach) % count];
+  for (std::size_t k = 0; k < count; ++k) {
+    if (!is_tight_near(k) || std::abs(near[k]) < kLeastCorner) continue;
+    // The first of equal ones; among those, where the turn itself is largest.
+    bool is_largest = true;
+    for (std::size_t i = 1; i <= reach + 1 && is_largest; ++i) {
+      const std::size_t before = (k + count - i) % count;
+      const std::size_t after = (k + i) % count;
+      is_largest = std::abs(near[k]) > std::abs(near[before]) && std::abs(near[k]) >= std::abs(near[after]);
+    }
+    if (is_largest) out.push_back(k);
+  }
+  return out;
+}
+
+/// Straight on from both ends of what lies clear of the corners, to where the corners were and a little farther.
+std::vector<Vec2> stretched(std::span<const Vec2> nodes, std::size_t from, std::size_t count) {
+  const std::size_t all = nodes.size();
+  const auto at = [&](std::size_t i) { return nodes[(from + i) % all]; };
+  const double spacing = spacing_of(nodes);
+  auto cut = static_cast<std::size_t>(std::lround(kCornerReach / spacing));
+  cut = std::min(cut, count / 3);
+  std::vector<Vec2> out;
+  for (std::size_t i = cut; i + cut <= count; ++i) out.push_back(at(i));
+  if (out.size() < 2) return {at(0), at(count)};
+  const std::size_t look = std::min<std::size_t>(out.size() - 1, 4);
+  constexpr double kFarther = 1.0;
+  const double extra = static_cast<double>(cut) * spacing + kFarther;
+  const Vec2 back = unit(out[0] - out[look]);
+  const Vec2 on = unit(out[out.size() - 1] - out[out.size() - 1 - look]);
+  out.insert(out.begin(), out[0] + extra * back);
+  out.push_back(out.back() + extra * on);
+  double length = 0.0;
+  for (std::size_t i = 1; i < out.size(); ++i) length += distance(out[i - 1], out[i]);
+  return respaced(out, false, std::max(kLeastRunNodes, static_cast<std::size_t>(std::lround(length / spacing)) + 1));
+}
+
+/// Where the lines through the last two nodes of a run and the first two of the next meet.
+std::optional<Vec2> meeting(const std::vector<Vec2>& before, const std::vector<Vec2>& after) {
+  const Vec2 p = before[before.size() - 2];
+  const Vec2 on = unit(before.back() - p);
+  const Vec2 q = after[1];
+  const Vec2 back = unit(after[0] - q);
+  const double sine = cross(on, back);
+  constexpr double kLeastSine = 0.2;
+  if (std::abs(sine) < kLeastSine) return std::nullopt;
+  return p + (cross(q - p, back) / sine) * on;
+}
+
+struct Corner {
+  std::size_t node = 0;  // of the closed run
+  Vec2 at{};
+};
+
+/// A contour in runs from corner to corner.
+struct Cut {
+  std::vector<Corner> corners;
+  std::vector<Run> runs;  // from each corner to the next
+};
+
+void end_at(std::vector<Vec2>& nodes, std::vector<double>& stiffness, Vec2 corner) {
+  // A node beside the corner would be a piece of no length, and one beyond it a loop.
+  constexpr double kLeastPiece = 0.4;
+  while (nodes.size() > 1) {
+    const Vec2 on = unit(nodes.back() - nodes[nodes.size() - 2]);
+    if (dot(corner - nodes.back(), on) > kLeastPiece) break;
+    nodes.pop_back();
+    stiffness.pop_back();
+  }
+  nodes.push_back(corner);
+  stiffness.push_back(stiffness.back());
+}
+
+/// Where the corner of each two runs is; nothing where they do not meet near the node.
+bool join(Cut& cut, std::span<const Vec2> nodes, std::vector<bool>& is_good) {
+  const std::size_t count = cut.corners.size();
+  bool are_all = true;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto& before = cut.runs[(i + count - 1) % count].nodes;
+    const auto found = meeting(before, cut.runs[i].nodes);
+    is_good[i] = found && distance(*found, nodes[cut.corners[i].node]) < kFarthestCorner;
+    if (is_good[i]) cut.corners[i].at = *found;
+    are_all = are_all && is_good[i];
+  }
+  if (!are_all) return false;
+  for (std::size_t i = 0; i < count; ++i) {
+    Run& run = cut.runs[i];
+    end_at(run.nodes, run.stiffness, cut.corners[(i + 1) % count].at);
+    std::ranges::reverse(run.nodes);
+    std::ranges::reverse(run.stiffness);
+    end_at(run.nodes, run.stiffness, cut.corners[i].at);
+    std::ranges::reverse(run.nodes);
+    std::ranges::reverse(run.stiffness);
+  }
+  return true;
+}
+
+double square_to(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 side = b - a;
+  const double t = std::clamp(dot(p - a, side) / std::max(dot(side, side), 1e-30), 0.0, 1.0);
+  const Vec2 away = p - a - t * side;
+  return dot(away, away);
+}
+
+double square_to(Vec2 p, std::span<const Vec2> nodes) {
+  double out = 1e30;
+  for (std::size_t i = 1; i < nodes.size(); ++i) out = std::min(out, square_to(p, nodes[i - 1], nodes[i]));
+  return out;
+}
+
+class Outliner {
+ public:
+  Outliner(const PixelContour& contour, const EdgeNoise& noise, const JobControl* job)
+      : noise_(noise), job_(job), is_hole_(contour.area < 0.0) {
+    edges_.reserve(contour.points.size());
+    for (std::size_t i = 0; i < contour.points.size(); ++i)
+      edges_.push_back({contour.points[i], contour.is_along_y[i] != 0, contour.variance[i]});
+    ellipse_ = ellipse_of(edges_, noise_);
+    if (ellipse_) return;
+    // Half the least stiffness apart.
+    Run start{.nodes = softened(contour.points, noise.least_stiffness), .is_closed = true};
+    const double apart = 0.5 * noise.least_stiffness;
+    const auto wanted = static_cast<std::size_t>(std::lround(static_cast<double>(start.nodes.size()) / apart));
+    start.nodes = respaced(start.nodes, true, std::max(kLeastNodes, wanted));
+    const Run plain = start;
+    whole_ = fitted(std::move(start), edges_, noise_, job_);
+    // What is thinner than a pixel, or winds within a few, may have no smooth curve near it.
+    if (whole_.farthest <= kMostAway) return;
+    whole_ = plain;
+    whole_.stiffness.assign(whole_.nodes.size(), noise_.least_stiffness);
+    whole_.is_held.assign(whole_.nodes.size(), false);
+    is_plain_ = true;
+  }
+
+  PlaneCurve curve() {
+    if (ellipse_) return in_arcs(*ellipse_);
+    std::vector<std::size_t> bends = sharp_bends(whole_, noise_.least_stiffness);
+    // Each round takes out what is no corner.
+    while (!bends.empty()) {
+      Cut cut;
+      std::vector<bool> is_good(bends.size(), true);
+      if (cut_at(bends, cut, is_good) && judge(cut, is_good)) return joined(cut);
+      std::size_t kept = 0;
+      for (std::size_t i = 0; i < bends.size(); ++i)
+        if (is_good[i]) bends[kept++] = bends[i];
+      if (kept == bends.size()) break;
+      bends.resize(kept);
+    }
+    if (!is_plain_)
+      if (Run finer = refined(whole_, edges_, noise_, job_); finer.farthest <= kMostAway) whole_ = std::move(finer);
+    PlaneCurve out(whole_.nodes.front());
+    std::vector<Vec2> nodes = whole_.nodes;
+    std::vector<double> stiffness = whole_.stiffness;
+    nodes.push_back(nodes.front());
+    stiffness.push_back(stiffness.front());
+    add_pieces(nodes, stiffness, true, out);
+    out.close();
+    return out;
+  }
+
+ private:
+  bool cut_at(const std::vector<std::size_t>& bends, Cut& cut, std::vector<bool>& is_good) {
+    if (along_.empty()) along_ = places_along(whole_, edges_);
+    const std::size_t count = whole_.nodes.size();
+    const double all = static_cast<double>(count);
+    const double beside = kBesideCorner / spacing_of(whole_.nodes);
+    for (const std::size_t node : bends) cut.corners.push_back({node, {}});
+    // Edges are in the order of the nodes: from the first corner on.
+    const auto from_first = [&](std::size_t i) {
+      const double away = along_[i] - static_cast<double>(bends.front());
+      return away >= 0.0 ? away : away + all;
+    };
+    std::size_t first = 0;
+    for (std::size_t i = 1; i < edges_.size(); ++i)
+      if (from_first(i) < from_first(first)) first = i;
+    std::vector<std::vector<Edge>> of_run(bends.size());
+    for (std::size_t k = 0; k < edges_.size(); ++k) {
+      const std::size_t i = first + k < edges_.size() ? first + k : first + k - edges_.size();
+      const std::size_t run = run_at(bends, along_[i]);
+      const auto begin = static_cast<double>(bends[run]);
+      const auto end = static_cast<double>(bends[(run + 1) % bends.size()]);
+      const double from_begin = along_[i] >= begin ? along_[i] - begin : along_[i] + all - begin;
+      const double to_end = end > along_[i] ? end - along_[i] : end + all - along_[i];
+      if (from_begin > beside && to_end > beside) of_run[run].push_back(edges_[i]);
+    }
+    for (std::size_t i = 0; i < bends.size(); ++i) {
+      const std::size_t next = bends[(i + 1) % bends.size()];
+      const std::size_t nodes = next > bends[i] ? next - bends[i] : next + count - bends[i];
+      constexpr std::size_t kLeastEdges = 2;
+      Run start{.nodes = stretched(whole_.nodes, bends[i], nodes), .is_closed = false};
+      if (of_run[i].size() < kLeastEdges || start.nodes.size() < kLeastRunNodes) {
+        is_good[i] = false;
+        return false;
+      }
+      Run found = fitted(std::move(start), of_run[i], noise_, job_);
+      if (Run finer = refined(found, of_run[i], noise_, job_); finer.farthest <= kMostAway) found = std::move(finer);
+      if (!(found.farthest <= kMostAway)) {
+        is_good[i] = is_good[(i + 1) % bends.size()] = false;
+        return false;
+      }
+      cut.runs.push_back(std::move(found));
+    }
+    return join(cut, whole_.nodes, is_good);
+  }
+
+  /// The run between the corners around a place on the closed run.
+  static std::size_t run_at(const std::vector<std::size_t>& bends, double along) {
+    const auto after =
+        std::ranges::upper_bound(bends, along, {}, [](std::size_t node) { return static_cast<double>(node); });
+    return after == bends.begin() ? bends.size() - 1 : static_cast<std::size_t>(after - bends.begin()) - 1;
+  }
+
+  struct Verdict {
+    double with = 0.0;  // squares of distances
+    double without = 0.0;
+    double edges = 0.0;
+  };
+
+  /// Whether the edges beside each corner lie no farther from the runs than from the curve without corners, or as near as
+  /// their noise.
+  bool judge(const Cut& cut, std::vector<bool>& is_good) const {
+    const std::size_t count = whole_.nodes.size();
+    const std::size_t corners = cut.corners.size();
+    const double spacing = spacing_of(whole_.nodes);
+    const double reach = kJudged / spacing;
+    std::vector<std::size_t> bends;
+    for (const Corner& corner : cut.corners) bends.push_back(corner.node);
+    std::vector<Verdict> verdicts(corners);
+    const auto look = [&](std::size_t c, std::size_t i) {
+      const Corner& corner = cut.corners[c];
+      double away = std::abs(along_[i] - static_cast<double>(corner.node));
+      away = std::min(away, static_cast<double>(count) - away);
+      const Vec2 p = edges_[i].at;
+      if (away > reach || distance(p, corner.at) <= kBesideCorner) return;
+      const auto nodes = static_cast<std::size_t>(std::ceil(reach)) + 2;
+      const std::vector<Vec2>& after = cut.runs[c].nodes;
+      const std::vector<Vec2>& before = cut.runs[(c + corners - 1) % corners].nodes;
+      const std::span first = std::span(after).first(std::min(nodes, after.size()));
+      const std::span last = std::span(before).last(std::min(nodes, before.size()));
+      verdicts[c].with += std::min(square_to(p, first), square_to(p, last));
+      const auto here = static_cast<std::size_t>(along_[i]);
+      double without = square_to(p, whole_.nodes[here % count], whole_.nodes[(here + 1) % count]);
+      without = std::min(without, square_to(p, whole_.nodes[(here + count - 1) % count], whole_.nodes[here % count]));
+      verdicts[c].without += without;
+      verdicts[c].edges += 1.0;
+    };
+    for (std::size_t i = 0; i < edges_.size(); ++i) {
+      const std::size_t c = run_at(bends, along_[i]);
+      look(c, i);
+      if (corners > 1) look((c + 1) % corners, i);
+    }
+    bool are_all = true;
+    for (std::size_t c = 0; c < corners; ++c) {
+      constexpr double kMostWorse = 2.0;
+      constexpr double kShareOfNoise = 0.6;
+      const double allowed = kShareOfNoise * noise_.one;
+      const Verdict& found = verdicts[c];
+      is_good[c] =
+          found.edges > 0.0 && found.with <= std::max(kMostWorse * found.without, found.edges * allowed * allowed);
+      are_all = are_all && is_good[c];
+    }
+    return are_all;
+  }
+
+  /// In two halves.
+  PlaneCurve in_arcs(const Ellipse& ellipse) const {
+    constexpr double kHalf = std::numbers::pi;
+    EllipticArc arc{ellipse.center, ellipse.u, is_hole_ ? -ellipse.v : ellipse.v, 0.0, kHalf};
+    PlaneCurve out(ellipse.center + ellipse.u);
+    out.arc_to(arc, ellipse.center - ellipse.u);
+    arc.start = kHalf;
+    out.arc_to(arc, ellipse.center + ellipse.u);
+    out.close();
+    return out;
+  }
+
+  static PlaneCurve joined(const Cut& cut) {
+    PlaneCurve out(cut.corners.front().at);
+    for (const Run& run : cut.runs) add_pieces(run.nodes, run.stiffness, false, out);
+    out.close();
+    return out;
+  }
+
+  /// From the first node, where the curve ends, to the last.
+  static void add_pieces(const std::vector<Vec2>& nodes, const std::vector<double>& stiffness, bool is_closed,
+                         PlaneCurve& out) {
+    const std::size_t last = nodes.size() - 1;
+    if (!is_closed && is_straight(nodes)) return out.line_to(nodes.back());
+    std::vector<Vec2> tangents(nodes.size());
+    const auto through = [](Vec2 in, Vec2 on) {
+      return unit(mes::length(on) * unit(in) + mes::length(in) * unit(on));
+    };
+    for (std::size_t k = 1; k < last; ++k) tangents[k] = through(nodes[k] - nodes[k - 1], nodes[k + 1] - nodes[k]);
+    if (is_closed) {
+      tangents.front() = tangents.back() = through(nodes[last] - nodes[last - 1], nodes[1] - nodes[0]);
+    } else {
+      // As on a circle.
+      const auto mirrored = [](Vec2 tangent, Vec2 chord) {
+        const Vec2 on = unit(chord);
+        return 2.0 * dot(on, tangent) * on - tangent;
+      };
+      tangents.front() = mirrored(tangents[1], nodes[1] - nodes[0]);
+      tangents.back() = mirrored(tangents[last - 1], nodes[last] - nodes[last - 1]);
+    }
+    double length = 0.0;
+    for (std::size_t k = 1; k <= last; ++k) length += distance(nodes[k - 1], nodes[k]);
+    const double most_turned = most_turn(length);
+    constexpr double kShare = 0.5;  // of the stiffness
+    std::size_t from = 0;
+    while (from < last) {
+      std::size_t to = from + 1;
+      double passed = distance(nodes[from], nodes[to]);
+      double turned = std::abs(turn_between(tangents[from], tangents[to]));
+      while (to < last) {
+        const double next = passed + distance(nodes[to], nodes[to + 1]);
+        const double turn = turned + std::abs(turn_between(tangents[to], tangents[to + 1]));
+        if (next > kShare * std::min(stiffness[from], stiffness[to + 1]) || turn > most_turned) break;
+        passed = next;
+        turned = turn;
+        ++to;
+      }
+      const Vec2 chord = nodes[to] - nodes[from];
+      const double quarter = std::cos(0.25 * turn_between(tangents[from], tangents[to]));
+      const double handle = std::sqrt(dot(chord, chord)) / (3.0 * quarter * quarter);
+      out.cubic_to(nodes[from] + handle * tangents[from], nodes[to] - handle * tangents[to], nodes[to]);
+      from = to;
+    }
+  }
+
+  static bool is_straight(const std::vector<Vec2>& nodes) {
+    const Vec2 chord = nodes.back() - nodes.front();
+    double length = 0.0;
+    for (std::size_t k = 1; k < nodes.size(); ++k) length += distance(nodes[k - 1], nodes[k]);
+    constexpr double kDetour = 1.01;
+    if (length > kDetour * std::sqrt(dot(chord, chord))) return false;
+    const Vec2 along = unit(chord);
+    return std::ranges::all_of(nodes, [&](Vec2 p) { return std::abs(cross(along, p - nodes.front())) <= kStraight; });
+  }
+
+  EdgeNoise noise_;
+  const JobControl* job_;
+  bool is_hole_;
+  std::vector<Edge> edges_;
+  std::optional<Ellipse> ellipse_;
+  bool is_plain_ = false;
+  Run whole_;
+  std::vector<double> along_;
+};
+
+}  // namespace
+
+PlaneCurve outline_of(const PixelContour& contour, const EdgeNoise& noise, const JobControl* job) {
+  return Outliner(contour, noise, job).curve();
+}
+
+}  // namespace mes

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a contour of pixels to a curve. Private to core/raster.
+#pragma once
+
+#include "core/base/job_control.h"
+#include "core/curves/curve.h"
+#include "core/raster/contours.h"
+#include "core/raster/internal/run_fit.h"
+
+namespace mes {
+
+/// The stiffest curve that the edges allow (core/raster/internal/run_fit.h), in cubic pieces that go on with the same
+/// tangent, each as long as its stiffness and its turn allow.
+///
+/// A corner is where even two pixels of stiffness do not fit, or four would not, the direction turns by more than
+/// `kLeastCorner` within five pixels, and two runs that end there, fitted each by itself, say where the edges are no worse
+/// than the curve without a corner. It lies where the two runs meet, so that sides stay straight up to it. Cost and exception as of `fitted`.
+PlaneCurve outline_of(const PixelContour& contour, const EdgeNoise& noise, const JobControl* job = nullptr);
+
+inline constexpr double kLeastCorner = 0.55;  // radians
+
+}  // namespace mes

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a curve leaves of the edges it was fitted to: whether it could be noise. Private to core/raster.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace mes {
+
+/// Of one edge.
+struct Residual {
+  double left = 0.0;    ///< beside the curve, pixels
+  double weight = 0.0;  ///< length of the curve that it stands for, pixels
+  double jumps = 0.0;   ///< pixel borders or diagonals that a pixel of the curve passes
+};
+
+/// Calls `use(first, count)` for windows of 4, 8, 16 ... edges, around if they are closed, whose mean is more than noise
+/// where single edges are off by `one` at most: what independent ones leave of that, or what the grid does to a straight
+/// line that passes so many borders, whichever is more, and 0.3 of it that is the same all along. O(n log n).
+template <class Use>
+void for_each_misfit(std::span<const Residual> residuals, bool is_closed, double one, Use use) {
+  constexpr std::size_t kFirstWindow = 4;
+  constexpr double kSystematic = 0.3;
+  constexpr double kIndependent = 0.8;
+  const std::size_t count = residuals.size();
+  std::vector<Residual> sums(1);
+  sums.reserve(2 * count + 1);
+  const std::size_t around = is_closed ? 2 * count : count;
+  for (std::size_t k = 0; k < around; ++k) {
+    const Residual& here = residuals[k < count ? k : k - count];
+    const Residual& sum = sums.back();
+    sums.push_back(
+        {sum.left + here.weight * here.left, sum.weight + here.weight, sum.jumps + here.weight * here.jumps});
+  }
+  for (std::size_t window = kFirstWindow; window <= count; window *= 2) {
+    const std::size_t step = window / kFirstWindow;
+    for (std::size_t i = 0; i < count && i + window <= around; i += step) {
+      const Residual& a = sums[i];
+      const Residual& b = sums[i + window];
+      const double weight = b.weight - a.weight;
+      const double share = std::max(1.0 / (1.0 + b.jumps - a.jumps), kIndependent / std::sqrt(std::max(weight, 1.0)));
+      if (std::abs(b.left - a.left) > one * (kSystematic + share) * weight) use(i, window);
+    }
+  }
+}
+
+}  // namespace mes
