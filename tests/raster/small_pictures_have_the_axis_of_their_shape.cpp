@@ -20,6 +20,11 @@ namespace {
 
 constexpr int kFine = 16;
 
+/// Places along a side of a pixel: fewer in large pictures.
+int places(int fine, double size) {
+  return fine > 1 && size > 60.0 ? 8 : fine;
+}
+
 struct Shape {
   Vec2 center{};
   double angle = 0.0;
@@ -31,7 +36,8 @@ struct Shape {
   }
   bool ellipse_has(Vec2 p) const {
     const Vec2 q = in_frame(p);
-    return std::hypot(q.x / along, q.y / across) <= 1.0;
+    const Vec2 u{q.x / along, q.y / across};
+    return dot(u, u) <= 1.0;
   }
   bool rectangle_has(Vec2 p) const {
     const Vec2 q = in_frame(p);
@@ -82,8 +88,8 @@ TEST_CASE("the axis of a traced disk has two ends at most, and the disk its area
     for (const int fine : {1, kFine})
       for (const int turn : {0, 1, 2}) {
         const Shape shape = shape_of(turn, radius, radius);
-        const Found disk =
-            found_in(rendered(shape.side(), shape.side(), fine, [&](Vec2 p) { return shape.ellipse_has(p); }));
+        const Found disk = found_in(rendered(shape.side(), shape.side(), places(fine, shape.along),
+                                             [&](Vec2 p) { return shape.ellipse_has(p); }));
         INFO("radius " << radius << ", fine " << fine << ", turn " << turn);
         CHECK(disk.leaves <= 2);
         // Pixels of two values say where a boundary is within half a pixel, and together within a fraction of that.
@@ -101,8 +107,8 @@ TEST_CASE("the axis of a traced ellipse has two ends, and is as long as it shoul
       for (const int fine : {1, kFine})
         for (const int turn : {0, 1, 2}) {
           const Shape shape = shape_of(turn, half, ratio * half);
-          const Found ellipse =
-              found_in(rendered(shape.side(), shape.side(), fine, [&](Vec2 p) { return shape.ellipse_has(p); }));
+          const Found ellipse = found_in(rendered(shape.side(), shape.side(), places(fine, shape.along),
+                                                  [&](Vec2 p) { return shape.ellipse_has(p); }));
           INFO("half " << half << ", ratio " << ratio << ", fine " << fine << ", turn " << turn);
           CHECK(ellipse.leaves == 2);
           if (fine != 1) CHECK(ellipse.area == Approx(std::numbers::pi * half * half * ratio).epsilon(0.003));
@@ -115,8 +121,8 @@ TEST_CASE("the axis of a traced square ends in its four corners") {
       for (const int turn : {0, 1, 2, 3}) {
         if (fine == 1 && side < 16.0) continue;
         const Shape shape = shape_of(turn, 0.5 * side, 0.5 * side);
-        const Found square =
-            found_in(rendered(shape.side(), shape.side(), fine, [&](Vec2 p) { return shape.rectangle_has(p); }));
+        const Found square = found_in(rendered(shape.side(), shape.side(), places(fine, shape.along),
+                                               [&](Vec2 p) { return shape.rectangle_has(p); }));
         INFO("side " << side << ", fine " << fine << ", turn " << turn);
         CHECK(square.leaves == 4);
         if (fine != 1) CHECK(square.area == Approx(side * side).epsilon(0.003));

@@ -186,7 +186,7 @@ double square_to(Vec2 p, std::span<const Vec2> nodes) {
 class Outliner {
  public:
   Outliner(const PixelContour& contour, const EdgeNoise& noise, const JobControl* job)
-      : noise_(noise), job_(job), is_hole_(contour.area < 0.0) {
+      : noise_(noise), job_(job), is_hole_(contour.area < 0.0), area_(contour.area) {
     edges_.reserve(contour.points.size());
     for (std::size_t i = 0; i < contour.points.size(); ++i)
       edges_.push_back({contour.points[i], contour.is_along_y[i] != 0, contour.variance[i]});
@@ -197,14 +197,11 @@ class Outliner {
     const double apart = 0.5 * noise.least_stiffness;
     const auto wanted = static_cast<std::size_t>(std::lround(static_cast<double>(start.nodes.size()) / apart));
     start.nodes = respaced(start.nodes, true, std::max(kLeastNodes, wanted));
-    const Run plain = start;
+    plain_ = start.nodes;
     whole_ = fitted(std::move(start), edges_, noise_, job_);
     // What is thinner than a pixel, or winds within a few, may have no smooth curve near it.
     if (whole_.farthest <= kMostAway) return;
-    whole_ = plain;
-    whole_.stiffness.assign(whole_.nodes.size(), noise_.least_stiffness);
-    whole_.is_held.assign(whole_.nodes.size(), false);
-    is_plain_ = true;
+    use_plain();
   }
 
   PlaneCurve curve() {
@@ -214,7 +211,10 @@ class Outliner {
     while (!bends.empty()) {
       Cut cut;
       std::vector<bool> is_good(bends.size(), true);
-      if (cut_at(bends, cut, is_good) && judge(cut, is_good)) return joined(cut);
+      if (cut_at(bends, cut, is_good) && judge(cut, is_good)) {
+        if (!encloses_as_much(cut)) break;
+        return joined(cut);
+      }
       std::size_t kept = 0;
       for (std::size_t i = 0; i < bends.size(); ++i)
         if (is_good[i]) bends[kept++] = bends[i];
@@ -223,6 +223,7 @@ class Outliner {
     }
     if (!is_plain_)
       if (Run finer = refined(whole_, edges_, noise_, job_); finer.farthest <= kMostAway) whole_ = std::move(finer);
+    if (!is_plain_ && !is_as_much(twice_area(whole_.nodes))) use_plain();
     PlaneCurve out(whole_.nodes.front());
     std::vector<Vec2> nodes = whole_.nodes;
     std::vector<double> stiffness = whole_.stiffness;
@@ -234,6 +235,30 @@ class Outliner {
   }
 
  private:
+  void use_plain() {
+    whole_.nodes = plain_;
+    whole_.stiffness.assign(whole_.nodes.size(), noise_.least_stiffness);
+    whole_.is_held.assign(whole_.nodes.size(), false);
+    is_plain_ = true;
+  }
+
+  /// From the first node to the last, and back to the origin of the plane.
+  static double twice_area(std::span<const Vec2> nodes, bool is_closed = true) {
+    double out = is_closed ? cross(nodes.back(), nodes.front()) : 0.0;
+    for (std::size_t k = 1; k < nodes.size(); ++k) out += cross(nodes[k - 1], nodes[k]);
+    return out;
+  }
+  /// A curve that winds around itself encloses something else than the contour.
+  bool is_as_much(double twice_area) const {
+    constexpr double kMostBeside = 0.4;  // pixels, in the mean along the contour
+    return std::abs(0.5 * twice_area - area_) <= kMostBeside * static_cast<double>(edges_.size());
+  }
+  bool encloses_as_much(const Cut& cut) const {
+    double out = 0.0;
+    for (const Run& run : cut.runs) out += twice_area(run.nodes, false);
+    return is_as_much(out);
+  }
+
   bool cut_at(const std::vector<std::size_t>& bends, Cut& cut, std::vector<bool>& is_good) {
     if (along_.empty()) along_ = places_along(whole_, edges_);
     const std::size_t count = whole_.nodes.size();
@@ -415,6 +440,8 @@ class Outliner {
   EdgeNoise noise_;
   const JobControl* job_;
   bool is_hole_;
+  double area_;
+  std::vector<Vec2> plain_;
   std::vector<Edge> edges_;
   std::optional<Ellipse> ellipse_;
   bool is_plain_ = false;

@@ -21,59 +21,71 @@ constexpr std::size_t kMostAlone = 3;
 constexpr double kMostAloneArea = 1.6;
 constexpr double kAlone = 0.35;  // pixels beyond the noise
 
+double size_of(Vec2 v) {
+  return std::sqrt(dot(v, v));  // pixels neither overflow nor vanish
+}
+
 /// A curve of nodes: between two of them the parabola that is nearest to the circle with their tangents.
 class Frame {
  public:
-  Frame(std::span<const Vec2> nodes, bool is_closed) : nodes_(nodes), is_closed_(is_closed), turns_(nodes.size()) {
+  Frame(std::span<const Vec2> nodes, bool is_closed)
+      : nodes_(nodes),
+        is_closed_(is_closed),
+        turns_(nodes.size()),
+        lengths_(nodes.size()),
+        curvatures_(nodes.size()) {
     const std::size_t count = nodes.size();
+    for (std::size_t k = 0; k < chords(); ++k) lengths_[k] = size_of(chord(k));
     const std::size_t first = is_closed ? 0 : 1;
     for (std::size_t k = first; k + first < count; ++k) {
       const Vec2 in = nodes[k] - nodes[k == 0 ? count - 1 : k - 1];
       const Vec2 on = chord(k);
-      turns_[k] = std::atan2(cross(in, on), dot(in, on));
+      const double sine = cross(in, on);
+      turns_[k] = std::atan2(sine, dot(in, on));
+      const double sizes = lengths_[k == 0 ? count - 1 : k - 1] * lengths_[k] * size_of(in + on);
+      curvatures_[k] = sizes > 0.0 ? 2.0 * sine / sizes : 0.0;
     }
     if (!is_closed) {
       turns_.front() = turns_[1];
       turns_.back() = turns_[count - 2];
+      curvatures_.front() = curvatures_[1];
+      curvatures_.back() = curvatures_[count - 2];
     }
   }
 
   std::size_t chords() const { return is_closed_ ? nodes_.size() : nodes_.size() - 1; }
-  bool is_closed() const { return is_closed_; }
   std::size_t next(std::size_t k) const { return k + 1 < nodes_.size() ? k + 1 : 0; }
   Vec2 chord(std::size_t k) const { return nodes_[next(k)] - nodes_[k]; }
+  double length_of(std::size_t k) const { return lengths_[k]; }
   double turn(std::size_t k) const { return turns_[k]; }
-  /// How far the curve lies to the left of the chord.
-  double beside(std::size_t k, double t, double size) const {
-    const double turned = 0.5 * (turns_[k] + turns_[next(k)]);
-    return -2.0 * t * (1.0 - t) * size * std::tan(0.25 * std::clamp(turned, -1.5, 1.5));
-  }
   /// Of the circle through the node and its neighbours; the first and last of an open one as at those.
-  double curvature(std::size_t k) const {
-    const std::size_t count = nodes_.size();
-    if (!is_closed_) k = std::clamp<std::size_t>(k, 1, count - 2);
-    const std::size_t before = k > 0 ? k - 1 : count - 1;
-    const double across = distance(nodes_[before], nodes_[next(k)]);
-    return across > 0.0 ? 2.0 * std::sin(turns_[k]) / across : 0.0;
+  double curvature(std::size_t k) const { return curvatures_[k]; }
+  /// How far the curve lies to the left of the chord.
+  double beside(std::size_t k, double t) const {
+    // The tangent of a quarter of the turn.
+    const double quarter = 0.125 * (turns_[k] + turns_[next(k)]);
+    const double tangent = quarter * (1.0 + quarter * quarter / 3.0);
+    return -2.0 * t * (1.0 - t) * lengths_[k] * std::clamp(tangent, -0.4, 0.4);
   }
   Vec2 normal(std::size_t k) const {
     const std::size_t count = nodes_.size();
     const std::size_t before = k > 0 ? k - 1 : is_closed_ ? count - 1 : 0;
     const std::size_t after = k + 1 < count ? k + 1 : is_closed_ ? 0 : k;
     const Vec2 along = nodes_[after] - nodes_[before];
-    return (1.0 / std::max(length(along), 1e-12)) * perpendicular(along);
+    return (1.0 / std::max(size_of(along), 1e-12)) * perpendicular(along);
   }
   Vec2 at(std::size_t k, double t) const {
     const Vec2 along = chord(k);
-    const double size = length(along);
-    if (size == 0.0) return nodes_[k];
-    return nodes_[k] + t * along + (beside(k, t, size) / size) * perpendicular(along);
+    if (lengths_[k] == 0.0) return nodes_[k];
+    return nodes_[k] + t * along + (beside(k, t) / lengths_[k]) * perpendicular(along);
   }
 
  private:
   std::span<const Vec2> nodes_;
   bool is_closed_;
-  std::vector<double> turns_;  // at the nodes, to the left
+  std::vector<double> turns_;       // at the nodes, to the left
+  std::vector<double> lengths_;     // of the chords that begin there
+  std::vector<double> curvatures_;  // at the nodes
 };
 
 /// An edge beside a frame.
@@ -136,7 +148,7 @@ class Fit {
   double stiffest() const { return run_.is_closed ? length_ / 7.0 : 2.0 * length_; }
 
   /// Where the edges are beside the nodes.
-  void place(const Run& run) {
+  Frame place(const Run& run) {
     const Frame frame(run.nodes, run.is_closed);
     placed_.resize(edges_.size());
     const std::size_t chords = frame.chords();
@@ -157,6 +169,7 @@ class Fit {
       weights += weight;
     }
     if (noise_.is_blurred) blur_ = std::max(kVarianceOfPixel, weights > 0.0 ? blurs / weights : 0.0);
+    return frame;
   }
 
   static std::size_t nearest_chord(const Run& run, Vec2 p) {
@@ -173,7 +186,7 @@ class Fit {
     bool was_forward = false;
     for (;; --steps) {
       along = frame.chord(chord);
-      size = length(along);
+      size = frame.length_of(chord);
       out.t = size > 0.0 ? dot(edge.at - run.nodes[chord], along) / (size * size) : 0.5;
       if (steps <= 0) break;
       if (out.t > 1.0 && (run.is_closed || chord + 1 < chords)) {
@@ -197,7 +210,7 @@ class Fit {
     out.jumps = std::min(least, most - least);
     const double curvature =
         frame.curvature(chord) + t * (frame.curvature(frame.next(chord)) - frame.curvature(chord));
-    out.offset = cross(unit, edge.at - run.nodes[chord]) - frame.beside(chord, t, size);
+    out.offset = cross(unit, edge.at - run.nodes[chord]) - frame.beside(chord, t);
     if (blur_ > 0.0) {
       const double across = std::max(share, kLeastAcross);
       out.offset -= 0.5 * curvature * blur_ / (across * across);
@@ -223,9 +236,8 @@ class Fit {
   /// One step of Gauss and Newton. Leaves what remains of each edge in `left_`.
   void solve(Run& run, bool is_first) {
     look();
-    place(run);
+    const Frame frame = place(run);
     const std::size_t count = run.nodes.size();
-    const Frame frame(run.nodes, run.is_closed);
     StiffSystem system(count, run.is_closed);
     for (std::size_t i = 0; i < placed_.size(); ++i) {
       const Placed& edge = placed_[i];
@@ -238,12 +250,13 @@ class Fit {
       const std::size_t before = run.is_closed ? (k == 0 ? count - 1 : k - 1) : k;
       const std::size_t here = before + 1 < count ? before + 1 : 0;
       const std::size_t after = here + 1 < count ? here + 1 : 0;
-      const double size = std::max(length(frame.chord(here)), 1e-3);
+      const double size = std::max(frame.length_of(here), 1e-3);
       const double bend = frame.curvature(here);
       const double next_bend = frame.curvature(after);
       const double per_square = 1.0 / (size * size);
       const double stiffness = std::min(run.stiffness[here], run.stiffness[after]);
-      const double weight = std::pow(stiffness, 6.0) / size;
+      const double square = stiffness * stiffness;
+      const double weight = square * square * square / size;
       system.add(before,
                  std::array{-per_square, 3.0 * per_square - bend * bend, next_bend * next_bend - 3.0 * per_square,
                             per_square},
@@ -393,36 +406,29 @@ class Fit {
     return out;
   }
 
+  /// As many nodes, twice as stiff where that fits, until it fits nowhere.
   void stiffen() {
-    constexpr int kRounds = 12;
+    constexpr int kRounds = 16;
     std::vector<bool> misfits;
+    Run wider = run_;
     for (int round = 0; round < kRounds; ++round) {
-      std::vector<double> next = doubled();
+      const std::vector<double> next = doubled();
       bool is_more = false;
       for (std::size_t k = 0; k < next.size(); ++k) is_more = is_more || next[k] > 1.01 * run_.stiffness[k];
       if (!is_more) return;
-      Run wider = run_;
+      wider.nodes = run_.nodes;
       wider.stiffness = next;
       solve_without_specks(wider);
-      if (!find_misfits(wider, misfits)) {
-        run_ = std::move(wider);
-        continue;
-      }
       bool is_new = false;
-      for (std::size_t k = 0; k < misfits.size(); ++k)
-        if (misfits[k] && !run_.is_held[k]) {
-          run_.is_held[k] = true;
-          is_new = true;
+      if (find_misfits(wider, misfits))
+        for (std::size_t k = 0; k < misfits.size(); ++k) {
+          is_new = is_new || (misfits[k] && !run_.is_held[k]);
+          run_.is_held[k] = run_.is_held[k] || misfits[k];
         }
-      run_.stiffness = [&] {
-        std::vector<double> old = run_.stiffness;
-        std::vector<double> now = doubled();
-        if (!is_new)
-          for (std::size_t k = 0; k < now.size(); ++k) now[k] = std::min(now[k], old[k]);
-        return now;
-      }();
-      solve_without_specks(run_);
-      if (!is_new) return;
+      if (is_new) continue;
+      // What is left over is beside places that are held already.
+      run_.nodes = wider.nodes;
+      run_.stiffness = wider.stiffness;
     }
   }
 
@@ -492,7 +498,7 @@ std::vector<Vec2> respaced(std::span<const Vec2> nodes, bool is_closed, std::siz
   const std::size_t chords = frame.chords();
   std::vector<double> lengths(chords);
   double all = 0.0;
-  for (std::size_t k = 0; k < chords; ++k) all += lengths[k] = length(frame.chord(k));
+  for (std::size_t k = 0; k < chords; ++k) all += lengths[k] = frame.length_of(k);
   std::vector<Vec2> out;
   out.reserve(count);
   std::size_t k = 0;
