@@ -46,13 +46,14 @@ Image halved(const Image& image) {
 
 }  // namespace
 
-Expected<Image> decode_picture(std::span<const std::byte> bytes, const std::string& name, std::size_t most_pixels) {
-  auto pixels = decode_pixels(bytes, name, 4, most_pixels);
+Expected<Image> decode_picture(std::span<const std::byte> bytes, const std::string& name, std::size_t most_pixels,
+                               PictureTurn turn) {
+  auto pixels = decode_pixels(bytes, name, 4, most_pixels, turn);
   if (!pixels) return std::unexpected(std::move(pixels.error()));
   return Image{.width = pixels->width, .height = pixels->height, .rgba = std::move(pixels->values)};
 }
 
-Expected<Image> read_picture(const std::filesystem::path& file) {
+Expected<Image> read_picture(const std::filesystem::path& file, PictureTurn turn) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return fail("there is no such file", file.string());
   // Also keeps pipes and devices from being waited for.
@@ -65,7 +66,7 @@ Expected<Image> read_picture(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     stream.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
     if (!stream) return fail("cannot be read", file.string());
-    return decode_picture(bytes, file.string());
+    return decode_picture(bytes, file.string(), kMostPicturePixels, turn);
   } catch (const std::bad_alloc&) {
     return fail("there is not enough memory for it", file.string(), ErrorCode::out_of_memory);
   }

@@ -15,10 +15,10 @@
 
 namespace mes::render {
 
-/// Decodes a picture; `name` is that of the file in messages. Error: `bad_input`, also for more than `most_pixels`.
+/// Decodes a picture, turned as asked; `name` is that of the file in messages. Error: `bad_input`, also for more than `most_pixels`.
 Expected<Image> decode_picture(std::span<const std::byte> bytes, const std::string& name,
-                               std::size_t most_pixels = kMostPicturePixels);
-Expected<Image> read_picture(const std::filesystem::path& file);
+                               std::size_t most_pixels = kMostPicturePixels, PictureTurn turn = PictureTurn::upright);
+Expected<Image> read_picture(const std::filesystem::path& file, PictureTurn turn = PictureTurn::upright);
 
 /// True if the extension of the name is that of a picture.
 bool is_picture_file(const std::filesystem::path& file);

@@ -237,11 +237,11 @@ class Studio {
   // A picture that no longer exists is reported once; the film goes on without it.
   void follow_picture(const BackgroundImage& image) {
     const LayerIndex layer = find_layer("image");
-    if (image.file != picture_file_) {
-      picture_file_ = image.file;
+    if (image.file != shown_.file || image.is_upright != shown_.is_upright) {
+      shown_ = image;
       scene_.clear_picture();
       if (!image.file.empty()) {
-        if (const auto read = read_background(image.file))
+        if (const auto read = read_background(image))
           scene_.set_picture(layer, *read);
         else
           say("the picture underneath is left out: " + read.error().message());
@@ -260,7 +260,7 @@ class Studio {
   std::vector<LayerIndex> held_;  // by the scene, of the panes
   double scale_;                  // pixels per logical pixel
   PictureTitle title_;            // the same in all pictures
-  std::string picture_file_;      // in the scene, or not readable
+  BackgroundImage shown_;         // in the scene, or not readable
   std::shared_ptr<const PaperFonts> fonts_;
 };
 

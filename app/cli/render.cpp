@@ -32,10 +32,10 @@ Expected<std::optional<render::Image>> read_traced(PictureRequest& picture, cons
   if (picture.image.file.empty()) return std::nullopt;
   if (const auto fingerprint = fingerprint_of_file(picture.image.file))
     picture.sources.push_back({picture.image.file, *fingerprint});
-  auto image = read_background(picture.image.file);
+  auto image = read_background(picture.image);
   if (!image) return std::unexpected(image.error());
   if (!(picture.image.width > 0.0))
-    picture.image = placed_in(samples, picture.image.file, static_cast<double>(image->height) / image->width);
+    picture.image = placed_in(samples, picture.image, static_cast<double>(image->height) / image->width);
   return std::move(*image);
 }
 

@@ -181,7 +181,7 @@ Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(const 
   }
   const bool is_traced = std::ranges::find(subject.shown.layers, find_layer("image")) != subject.shown.layers.end();
   if (is_traced && !subject.image.file.empty()) {
-    if (auto image = read_background(subject.image.file))
+    if (auto image = read_background(subject.image))
       out->traced = std::move(*image);
     else
       out->remarks.push_back("the picture underneath is left out: " + image.error().message());

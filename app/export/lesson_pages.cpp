@@ -106,9 +106,9 @@ figure::BookInfo LessonPrinter::info() const {
 
 const render::Image* LessonPrinter::traced(const BackgroundImage& image, std::vector<std::string>& remarks) {
   if (image.file.empty()) return nullptr;
-  const auto [found, is_new] = traced_.try_emplace(image.file);
+  const auto [found, is_new] = traced_.try_emplace(std::pair(image.file, image.is_upright));
   if (is_new) {
-    if (auto read = read_background(image.file))
+    if (auto read = read_background(image))
       found->second = std::move(*read);
     else
       remarks.push_back("the picture underneath is left out: " + read.error().message());

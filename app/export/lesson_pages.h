@@ -18,6 +18,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/export/figure.h"
@@ -96,7 +97,8 @@ class LessonPrinter {
   std::shared_ptr<const PaperFonts> fonts_;
   std::vector<render::ColorMap> maps_;
   std::unique_ptr<LessonWalk> walk_;
-  std::map<std::string, std::optional<render::Image>> traced_;  // by file; none: it cannot be read
+  /// By file and whether it is upright; none: it cannot be read.
+  std::map<std::pair<std::string, bool>, std::optional<render::Image>> traced_;
 };
 
 }  // namespace mes

@@ -54,7 +54,7 @@ void ImageControls::draw() const {
   is_new = place_field(gui, "Middle, y", image.center.y, false, "Where its middle lies") || is_new;
   if (is_new) layers.set_image(image);
   ImGui::BeginDisabled(aspect == 0.0);
-  if (ImGui::Button("Fit to view")) layers.set_image(placed_in(canvas.view().free_box(), image.file, aspect));
+  if (ImGui::Button("Fit to view")) layers.set_image(placed_in(canvas.view().free_box(), image, aspect));
   ImGui::EndDisabled();
   tooltip(gui, "As large as it can be in what is seen now");
   ImGui::SameLine(0, 4 * unit);

@@ -12,13 +12,14 @@ namespace mes {
 
 BackgroundLoader::BackgroundLoader(std::function<void()> wake) : reading_(std::move(wake)) {}
 
-bool BackgroundLoader::follow(const std::string& file) {
-  if (file == file_) return false;
-  file_ = file;
-  if (file.empty())
+bool BackgroundLoader::follow(const BackgroundImage& image) {
+  if (image.file == file_ && (image.is_upright == is_upright_ || file_.empty())) return false;
+  file_ = image.file;
+  is_upright_ = image.is_upright;
+  if (file_.empty())
     reading_.give_up();
   else  // A reader cannot be stopped, only not waited for.
-    reading_.begin([file](const std::stop_token&) { return read_background(file); });
+    reading_.begin([image](const std::stop_token&) { return read_background(image); });
   return true;
 }
 
@@ -28,17 +29,17 @@ std::optional<BackgroundLoader::Outcome> BackgroundLoader::poll() {
   return Outcome{file_, std::move(*image)};
 }
 
-Expected<render::Image> read_background(const std::string& file) try {
+Expected<render::Image> read_background(const BackgroundImage& picture) try {
   // More is not seen, and would keep the window from its frames while it goes to the graphics card.
   constexpr int kLongestSide = 8192;
-  auto image = render::read_picture(file);
+  auto image = render::read_picture(picture.file, picture.is_upright ? PictureTurn::upright : PictureTurn::as_stored);
   if (!image) return image;
   return render::reduced(std::move(*image), kLongestSide);
 } catch (const std::bad_alloc&) {
-  return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file});
+  return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", picture.file});
 }
 
-BackgroundImage placed_in(const Box2& box, const std::string& file, double height_by_width) {
+BackgroundImage placed_in(const Box2& box, BackgroundImage image, double height_by_width) {
   Box2 room = box;
   if (room.is_empty()) room = {{0.0, 0.0}, {1.0, 1.0}};
   const double width = std::min(room.width(), room.height() / height_by_width);
@@ -48,7 +49,9 @@ BackgroundImage placed_in(const Box2& box, const std::string& file, double heigh
   static_assert(exponent_of(kLeast) == kLeastExponent && exponent_of(kMost) == kMostExponent);
   const auto kept = [](double x) { return without_traces(std::clamp(x, -kMost, kMost), kLeastExponent); };
   const Vec2 center = room.center();
-  return {file, {kept(center.x), kept(center.y)}, width > 0.0 ? std::clamp(width, kLeast, kMost) : 1.0};
+  image.center = {kept(center.x), kept(center.y)};
+  image.width = width > 0.0 ? std::clamp(width, kLeast, kMost) : 1.0;
+  return image;
 }
 
 }  // namespace mes

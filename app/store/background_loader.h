@@ -24,13 +24,14 @@ class BackgroundLoader {
  public:
   explicit BackgroundLoader(std::function<void()> wake);
 
-  /// Begins to read if this is another file than before, which is returned; an empty name gives up what is being
-  /// read.
-  bool follow(const std::string& file);
-  /// The file was read elsewhere: following it begins nothing.
+  /// Begins to read if this is another file than before, or the same turned in another way, which is returned; an empty
+  /// name gives up what is being read.
+  bool follow(const BackgroundImage& image);
+  /// The file was read elsewhere, upright: following it begins nothing.
   void take_as_read(const std::string& file) {
     follow({});
     file_ = file;
+    is_upright_ = true;
   }
   bool is_reading() const { return reading_.is_under_way(); }
 
@@ -42,13 +43,14 @@ class BackgroundLoader {
 
  private:
   std::string file_;
+  bool is_upright_ = true;
   BackgroundJob<Expected<render::Image>> reading_;
 };
 
 /// The picture of a file, reduced to what the eye and a graphics card need for tracing. Any thread.
-Expected<render::Image> read_background(const std::string& file);
+Expected<render::Image> read_background(const BackgroundImage& image);
 
 /// The picture as large as it can be within the box, in its middle; an empty box is the unit square.
-BackgroundImage placed_in(const Box2& box, const std::string& file, double height_by_width);
+BackgroundImage placed_in(const Box2& box, BackgroundImage image, double height_by_width);
 
 }  // namespace mes

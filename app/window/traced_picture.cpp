@@ -8,13 +8,13 @@ void TracedPicture::trace(const std::filesystem::path& file) {
   std::filesystem::path absolute = std::filesystem::weakly_canonical(file, error);
   if (error) absolute = file;
   new_.follow({});  // the same file again may hold another picture
-  new_.follow(absolute.string());
+  new_.follow({.file = absolute.string()});
 }
 
 bool TracedPicture::follow(const Box2& free) {
   auto traced = new_.poll();
   if (traced) take_new(*traced, free);
-  if (loader_.follow(layers_.image().file)) picture_.clear_background();
+  if (loader_.follow(layers_.image())) picture_.clear_background();
   const auto outcome = loader_.poll();
   if (outcome) show(*outcome, free);
   picture_.place_background({layers_.image().center, layers_.image().width});
@@ -27,7 +27,7 @@ void TracedPicture::take_new(const BackgroundLoader::Outcome& outcome, const Box
   messages_.clear_problem();  // another picture was asked for before
   loader_.take_as_read(outcome.file);
   editor_.change_layers("Picture underneath", [&] {
-    layers_.set_image(placed_in(free, outcome.file, picture_.background_aspect()));
+    layers_.set_image(placed_in(free, {.file = outcome.file}, picture_.background_aspect()));
     layers_.set_visible(find_layer("image"), true);
   });
 }
@@ -46,7 +46,7 @@ bool TracedPicture::show_image(const BackgroundLoader::Outcome& outcome) {
 void TracedPicture::show(const BackgroundLoader::Outcome& outcome, const Box2& free) {
   if (!show_image(outcome) || layers_.image().width > 0.0) return;
   editor_.note_layers();
-  layers_.set_image(placed_in(free, outcome.file, picture_.background_aspect()));
+  layers_.set_image(placed_in(free, layers_.image(), picture_.background_aspect()));
   editor_.join_layers();
 }
 

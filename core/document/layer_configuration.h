@@ -15,6 +15,9 @@ struct BackgroundImage {
   std::string file{};  ///< empty: none
   Vec2 center{};       ///< document units
   double width = 0.0;  ///< document units from its left to its right edge, > 0; the height follows from the file
+  /// Turned as its Exif data say. Earlier versions laid pixels as they are stored, and their sessions keep that, so that what
+  /// was drawn on a picture stays on it.
+  bool is_upright = true;
   friend bool operator==(const BackgroundImage&, const BackgroundImage&) = default;
 };
 

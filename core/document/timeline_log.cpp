@@ -145,7 +145,7 @@ void each(auto& archive, Some<LayerConfiguration::Entry> auto& entry) {
   fields(archive, entry.layer, entry.visible, entry.style);
 }
 void each(auto& archive, Some<BackgroundImage> auto& image) {
-  fields(archive, image.file, image.center, image.width);
+  fields(archive, image.file, image.center, image.width, image.is_upright);
 }
 void each(auto& archive, Some<Rgb> auto& color) {
   fields(archive, color.r, color.g, color.b);

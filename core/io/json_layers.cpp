@@ -127,7 +127,10 @@ json to_json(const LayerConfiguration& configuration) {
     layers.push_back({{"layer", entry.layer}, {"visible", entry.visible}, {"style", to_json(entry.style)}});
   json out = {{"layers", std::move(layers)}};
   if (const BackgroundImage& image = configuration.image; image != BackgroundImage{})
-    out["image"] = {{"file", image.file}, {"center", {image.center.x, image.center.y}}, {"width", image.width}};
+    out["image"] = {{"file", image.file},
+                    {"center", {image.center.x, image.center.y}},
+                    {"width", image.width},
+                    {"upright", image.is_upright}};
   return out;
 }
 
@@ -155,6 +158,8 @@ Expected<LayerConfiguration> layer_configuration_from(JsonView value, const Laye
     part.text("file", kLongestPath, out.image.file);
     part.numbers("center", out.image.center.x, out.image.center.y);
     part.number("width", 0.0, kAny, out.image.width);
+    out.image.is_upright = false;  // as earlier versions had it
+    part.flag("upright", out.image.is_upright);
     part.coordinates({out.image.center.x, out.image.center.y, out.image.width});
   }
   if (!fault.empty()) return std::unexpected(Error{ErrorCode::bad_input, fault});

@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/raster/internal/netpbm.h"
+#include "core/raster/internal/orientation.h"
 #include "core/raster/picture_guard.h"
 
 #define STB_IMAGE_STATIC
@@ -95,14 +95,14 @@ Pixels with_channels(Pixels pixels, int channels) {
 
 /// A decoder that lacks data takes what follows for it. So a picture that comes out the same whatever follows is complete.
 Expected<Pixels> decode_without_end(std::span<const std::byte> bytes, const std::string& name, int channels,
-                                    std::size_t most_pixels) {
+                                    std::size_t most_pixels, PictureTurn turn) {
   const auto followed_by = [&](std::byte what) {
     constexpr std::size_t kLookedAhead = 64;  // more than a decoder reads before it is to use it
     std::vector<std::byte> all(bytes.begin(), bytes.end());
     while (all.back() == std::byte{0xFF}) all.pop_back();  // half a marker
     all.insert(all.end(), kLookedAhead, what);
     all.insert(all.end(), {std::byte{0xFF}, std::byte{0xD9}});
-    return decode_pixels(all, name, channels, most_pixels);
+    return decode_pixels(all, name, channels, most_pixels, turn);
   };
   try {
     // Runs of zeros and ones of several lengths, and one that hardly any table of codes has.
@@ -137,7 +137,7 @@ bool looks_like_picture(std::string_view bytes) {
 }
 
 Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::string& name, int channels,
-                               std::size_t most_pixels) {
+                               std::size_t most_pixels, PictureTurn turn) {
   if (bytes.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) return fail("far too large", name);
   const std::string_view text(reinterpret_cast<const char*>(bytes.data()), bytes.size());
   if (looks_like_netpbm(text) || text.starts_with("P5") || text.starts_with("P6")) {
@@ -151,7 +151,7 @@ Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::stri
   }
   if (const std::string hazard = decoding_hazard(bytes); !hazard.empty())
     return fail("the picture is broken: " + hazard, name);
-  if (may_lack_only_end(bytes)) return decode_without_end(bytes, name, channels, most_pixels);
+  if (may_lack_only_end(bytes)) return decode_without_end(bytes, name, channels, most_pixels, turn);
   const auto* const data = reinterpret_cast<const stbi_uc*>(bytes.data());
   const auto size = static_cast<int>(bytes.size());
   Pixels out;
@@ -173,9 +173,9 @@ Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::stri
       return fail("the picture is broken: " + (place.empty() ? stbi_failure_reason() : place), name);
     }
     out.channels = channels == 0 ? found : channels;
-    const std::size_t count = static_cast<std::size_t>(out.channels) * static_cast<std::size_t>(out.width) *
-                              static_cast<std::size_t>(out.height);
-    out.values.assign(pixels.get(), pixels.get() + count);
+    const int orientation = turn == PictureTurn::upright ? orientation_of(bytes) : 1;
+    out.values = upright(pixels.get(), out.width, out.height, out.channels, orientation);
+    if (swaps_sides(orientation)) std::swap(out.width, out.height);
     return out;
   } catch (const std::bad_alloc&) {
     return fail("there is not enough memory for a picture of " + extent + " pixels", name, ErrorCode::out_of_memory);

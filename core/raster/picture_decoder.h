@@ -33,15 +33,18 @@ struct Pixels {
   bool lacks_end = false;  ///< a JPEG whose pixels are all there, and the marker that ends it is not
 };
 
+/// How a picture is turned: as its Exif data say, in a JPEG or a PNG, or as its pixels are stored.
+enum class PictureTurn : std::uint8_t { upright, as_stored };
+
 /// Whether the bytes begin as one of these pictures does.
 bool looks_like_picture(std::string_view bytes);
 
 /// Decodes a picture, which its first bytes tell from others, to so many channels; 0: as many as it has. `name` is that
-/// of the file in messages. A JPEG without its last marker is a picture if it has no restart markers, and its pixels do not
+/// of the file in messages. Exif data that are broken are ignored. A JPEG without its last marker is a picture if it has no restart markers, and its pixels do not
 /// depend on what would follow. Error: `bad_input`, also for more than `most_pixels`; `out_of_memory`. It is not stopped
 /// within: a JPEG of 2^27 pixels in three channels took 1.6 s of processor time, a progressive one 3.7 s.
 Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::string& name, int channels = 0,
-                               std::size_t most_pixels = kMostPicturePixels);
+                               std::size_t most_pixels = kMostPicturePixels, PictureTurn turn = PictureTurn::upright);
 
 /// The alpha of the pixels, if at least one of a hundred is more transparent than opaque; otherwise how light they are
 /// on white: luma with the weights of Rec. 709. O(pixels).
