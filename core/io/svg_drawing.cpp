@@ -4,16 +4,19 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <pugixml.hpp>
-#include <unordered_map>
 #include <utility>
 
-#include "core/base/parallel.h"
-#include "core/io/svg_path.h"
-#include "core/io/svg_shapes.h"
+#include "core/base/lower_case.h"
+#include "core/io/css_text.h"
+#include "core/io/svg_clip_paths.h"
+#include "core/io/svg_context.h"
+#include "core/io/svg_geometry.h"
+#include "core/io/svg_shape_queue.h"
+#include "core/io/svg_style.h"
 #include "core/io/svg_values.h"
 #include "core/io/text_numbers.h"
 #include "core/io/xml_source.h"
@@ -26,16 +29,7 @@ constexpr std::size_t kMostPieces = 4'000'000;  // or as many as the file has by
 constexpr std::size_t kDeepest = 200;
 
 using pugi::xml_node;
-
-/// What an element has from those around it.
-struct Context {
-  Affine map;
-  SvgViewport viewport;
-  bool is_visible = true;
-  bool is_filled = true;
-  bool is_stroked = false;
-  bool has_class = false;
-};
+using P = SvgProperty;
 
 template <std::size_t N>
 bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
@@ -47,10 +41,56 @@ std::string_view prefix_of(std::string_view name) {
   return colon == std::string_view::npos ? std::string_view{} : name.substr(0, colon);
 }
 
+bool is_left_out(std::string_view kind) {
+  constexpr std::array<std::string_view, 5> kLeftOut{"text", "image", "foreignObject", "flowRoot", "video"};
+  return is_one_of(kind, kLeftOut);
+}
+
+bool is_drawn(std::string_view kind) {
+  constexpr std::array<std::string_view, 5> kGroups{"svg", "use", "g", "a", "switch"};
+  return is_one_of(kind, kGroups) || is_left_out(kind) || is_svg_shape(kind);
+}
+
+/// Whether the conditions of an element hold: extensions are not known, and of languages English is read.
+bool is_chosen(xml_node node) {
+  if (node.attribute("requiredExtensions")) return false;
+  const pugi::xml_attribute languages = node.attribute("systemLanguage");
+  if (!languages) return true;
+  CssText rest(languages.value());
+  for (; !rest.is_at_end(); rest.take(",")) {
+    const std::string one = lower_case(css_trimmed(rest.up_to(",")));
+    if (one == "en" || one.starts_with("en-")) return true;
+  }
+  return false;
+}
+
+/// Colours that nothing is seen of.
+bool is_clear(std::string_view color) {
+  if (color == "none" || color == "transparent") return true;
+  if (color.starts_with('#'))
+    return (color.size() == 5 && color[4] == '0') || (color.size() == 9 && color.ends_with("00"));
+  const std::string lower = lower_case(color.substr(0, 64));
+  if ((!lower.starts_with("rgb") && !lower.starts_with("hsl")) || !lower.ends_with(')')) return false;
+  const std::size_t slash = lower.rfind('/');
+  const std::size_t comma = std::ranges::count(lower, ',') == 3 ? lower.rfind(',') : std::string::npos;
+  const std::size_t before = slash != std::string::npos ? slash : comma;
+  if (before == std::string::npos) return false;
+  const auto alpha = svg_share(std::string_view(lower).substr(before + 1, lower.size() - before - 2));
+  return alpha && *alpha <= 0.0;
+}
+
+bool is_left_to_others(std::string_view value) {
+  return value.empty() || value == "inherit" || value == "unset";
+}
+
 class DrawingReader {
  public:
   DrawingReader(std::string_view bytes, const std::string& name, ReadJob& job)
-      : source_(bytes, name), job_(job), most_pieces_(std::max(kMostPieces, bytes.size())) {}
+      : source_(bytes, name),
+        job_(job),
+        most_pieces_(std::max(kMostPieces, bytes.size())),
+        elements_(source_),
+        queue_(source_, job, most_pieces_) {}
 
   Expected<SvgDrawing> read() {
     constexpr double kParsed = 0.2;  // of the time that reading takes
@@ -62,10 +102,17 @@ class DrawingReader {
     if (local_name(root.name()) != "svg") return refuse(place_of(root), "the root element is not svg");
     prefix_ = prefix_of(root.name());
     note_names(root);
+    styles_.emplace(root, source_);
+    clip_paths_.emplace(source_, names_, *styles_, elements_, job_.control());
+    clip_paths_->set_most({kMostElements, most_pieces_});
+    note_sheets_outside(root);
     if (auto done = read_root(root); !done) return std::unexpected(done.error());
-    if (auto done = finish_shapes(); !done) return std::unexpected(done.error());
-    out_.warnings = source_.messages();
-    return std::move(out_);
+    if (auto done = queue_.finish(); !done) return std::unexpected(done.error());
+    if (auto good = check_bounds(root); !good) return std::unexpected(good.error());
+    SvgDrawing out;
+    out.curves.curves = queue_.take();
+    out.warnings = source_.messages();
+    return out;
   }
 
  private:
@@ -73,19 +120,15 @@ class DrawingReader {
     return source_.refuse(place, std::move(text));
   }
   std::size_t place_of(xml_node node) const { return source_.place_of(node); }
-  void remark(std::string one, std::string many, std::size_t place) {
-    source_.remarks.add(std::move(one), std::move(many), place);
+  void remark(std::string one, std::string many, xml_node node) {
+    elements_.remark(std::move(one), std::move(many), place_of(node));
   }
-  void remark_ignored(std::string_view attribute, xml_node node, std::string_view value, std::size_t within = 0) {
-    remark(fmt::format("value of {} is ignored, which is none", attribute),
-           fmt::format("values of {} are ignored, which are none", attribute), source_.place_of(node, value, within));
-  }
+  void remark_hidden(xml_node node) { remark("hidden element is left out", "hidden elements are left out", node); }
 
-  /// Elements by their id; the first counts. Without recursion, for it comes before depth is checked.
+  /// Without recursion, for it comes before depth is checked.
   void note_names(xml_node root) {
     for (xml_node node = root; node;) {
-      if (const pugi::xml_attribute id = node.attribute("id")) by_id_.try_emplace(id.value(), node);
-      if (node.type() == pugi::node_element && local_name(node.name()) == "style") has_style_sheet_ = true;
+      if (const pugi::xml_attribute id = node.attribute("id")) names_.try_emplace(id.value(), node);
       if (const xml_node child = node.first_child()) {
         node = child;
         continue;
@@ -95,290 +138,283 @@ class DrawingReader {
     }
   }
 
-  std::optional<double> length(xml_node node, const char* attribute, SvgAxis axis, const Context& context) {
-    const std::string_view text = node.attribute(attribute).value();
-    if (text.empty() || text == "auto") return std::nullopt;
-    const auto value = svg_length(text, axis, context.viewport);
-    if (!value) remark_ignored(attribute, node, text);
-    return value;
-  }
-  double length_or_zero(xml_node node, const char* attribute, SvgAxis axis, const Context& context) {
-    return length(node, attribute, axis, context).value_or(0.0);
+  void note_sheets_outside(xml_node root) {
+    if (source_.bytes().substr(0, place_of(root)).find("<?xml-stylesheet") != std::string_view::npos)
+      remark("style sheet of another file is not read", "style sheets of other files are not read", root);
   }
 
-  /// An attribute, or the declaration in `style` that outweighs it.
-  static std::string_view property(xml_node node, const char* name) {
-    const std::string_view declared = svg_declared(node.attribute("style").value(), name);
-    return declared.empty() ? std::string_view(node.attribute(name).value()) : declared;
+  Expected<void> check_bounds(xml_node node) const {
+    if (elements_read_ + clip_paths_->spent().elements > kMostElements)
+      return refuse(place_of(node), fmt::format("the drawing has more than {} elements, those that are used again "
+                                                "counted each time",
+                                                kMostElements));
+    if (clip_paths_->spent().pieces > most_pieces_)
+      return refuse(place_of(node),
+                    fmt::format("the clip paths have more than {} pieces of curves, those that are used "
+                                "again counted each time",
+                                most_pieces_));
+    if (styles_->has_given_up())
+      return refuse(place_of(node), "the style sheets are too involved for so many elements");
+    return {};
+  }
+
+  std::optional<double> length(xml_node node, const SvgStyle& style, P property, SvgAxis axis,
+                               const SvgContext& context) {
+    return elements_.length(node, style, property, axis, context.viewport);
+  }
+  Affine shift_of(xml_node node, const SvgStyle& style, const SvgContext& context) {
+    return Affine::translation(length(node, style, P::x, SvgAxis::x, context).value_or(0.0),
+                               length(node, style, P::y, SvgAxis::y, context).value_or(0.0));
+  }
+
+  /// Whether a paint leaves something to see.
+  bool is_paint(std::string_view value, bool& has_pattern) {
+    has_pattern = false;
+    const auto link = svg_link(value);
+    if (!link) return !is_clear(value);
+    const auto found = link->id.empty() ? names_.end() : names_.find(link->id);
+    if (found == names_.end()) return !link->rest.empty() && !is_clear(link->rest);
+    has_pattern = local_name(found->second.name()) == "pattern";
+    return true;
+  }
+
+  static double share_of(std::string_view value, double inherited) {
+    if (is_left_to_others(value)) return inherited;
+    return svg_share(value).value_or(1.0);
+  }
+
+  void take_paints(xml_node node, const SvgStyle& style, SvgContext& context) {
+    if (const std::string_view fill = style[P::fill]; !is_left_to_others(fill))
+      context.has_fill = fill == "initial" || is_paint(fill, context.has_pattern);
+    bool has_pattern = false;
+    if (const std::string_view stroke = style[P::stroke]; !is_left_to_others(stroke))
+      context.has_stroke = stroke != "initial" && is_paint(stroke, has_pattern);
+    context.fill_opacity = share_of(style[P::fill_opacity], context.fill_opacity);
+    context.stroke_opacity = share_of(style[P::stroke_opacity], context.stroke_opacity);
+    if (const std::string_view width = style[P::stroke_width]; !is_left_to_others(width))
+      context.stroke_width = length(node, style, P::stroke_width, SvgAxis::both, context).value_or(1.0);
+    if (const std::string_view rule = style[P::fill_rule]; !is_left_to_others(rule))
+      context.fills_even_odd = rule == "evenodd";
+    for (const P marker : {P::marker_start, P::marker_mid, P::marker_end}) {
+      if (is_left_to_others(style[marker])) continue;
+      const auto link = svg_link(style[marker]);
+      context.has_marker = link && names_.contains(link->id);
+    }
   }
 
   /// The context within an element; nothing for one that is not displayed.
-  std::optional<Context> context_of(xml_node node, Context context) {
-    if (property(node, "display") == "none") return std::nullopt;
-    const std::string_view visibility = property(node, "visibility");
-    if (visibility == "visible") context.is_visible = true;
-    if (visibility == "hidden" || visibility == "collapse") context.is_visible = false;
-    const std::string_view fill = property(node, "fill");
-    if (!fill.empty() && fill != "inherit") context.is_filled = fill != "none";
-    const std::string_view stroke = property(node, "stroke");
-    if (!stroke.empty() && stroke != "inherit") context.is_stroked = stroke != "none";
-    context.has_class = context.has_class || node.attribute("class");
-    const std::string_view transform = node.attribute("transform").value();
-    if (!transform.empty()) {
-      if (const auto map = svg_transform(transform)) {
-        context.map = context.map * *map;
-      } else {
-        remark_ignored("transform", node, transform);
-      }
+  std::optional<SvgContext> context_of(xml_node node, std::string_view kind, const SvgStyle& style,
+                                       SvgContext context) {
+    const std::string_view display = style[P::display];
+    // Without its box a shape has nothing left; a group has its children.
+    const bool is_gone = display == "none" || (display == "contents" && (is_svg_shape(kind) || is_left_out(kind)));
+    if (is_gone || svg_share(style[P::opacity]).value_or(1.0) <= 0.0) {
+      remark_hidden(node);
+      return std::nullopt;
     }
+    const std::string_view visibility = style[P::visibility];
+    if (visibility == "visible" || visibility == "initial") context.is_visible = true;
+    if (visibility == "hidden" || visibility == "collapse") context.is_visible = false;
+    take_paints(node, style, context);
+    context.map = context.map * elements_.transform(node, style);
+    if (is_measuring_) return context;
+    const SvgContext around = context;
+    context.clip = ClipRegion::common(
+        context.clip, clip_paths_->of(node, style, context, [&] { return measured(node, kind, style, around); }));
+    const std::string_view mask = style[P::mask];
+    if (const auto link = svg_link(mask); link && (link->id.empty() || names_.contains(link->id)))
+      remark("mask is not applied; what it hides is read", "masks are not applied; what they hide is read", node);
     return context;
   }
 
+  /// The bounding box of what an element draws, in its own coordinates.
+  Box2 measured(xml_node node, std::string_view kind, const SvgStyle& style, SvgContext context) {
+    context.map = {};
+    context.clip = {};
+    const bool was_quiet = std::exchange(elements_.is_quiet, true);
+    is_measuring_ = true;
+    box_ = {};
+    const auto path = path_;
+    // What is refused here is refused again where it is read.
+    static_cast<void>(read_content(node, kind, style, context));
+    path_ = path;
+    is_measuring_ = false;
+    elements_.is_quiet = was_quiet;
+    return box_;
+  }
+
   Expected<void> read_root(xml_node root) {
-    Context context{.map = {}, .viewport = {}};
+    SvgContext context;
+    const SvgStyle style = styles_->of(root);
     const auto box = svg_view_box(root.attribute("viewBox").value());
     if (box) context.viewport = {(*box)[2], (*box)[3]};
-    const SvgViewport size{length(root, "width", SvgAxis::x, context).value_or(context.viewport.width),
-                           length(root, "height", SvgAxis::y, context).value_or(context.viewport.height)};
+    const SvgViewport size{length(root, style, P::width, SvgAxis::x, context).value_or(context.viewport.width),
+                           length(root, style, P::height, SvgAxis::y, context).value_or(context.viewport.height)};
+    clip_paths_->set_extent(std::max(size.width, size.height));
+    const std::string_view overflow = style[P::overflow];
+    if (size.width > 0.0 && size.height > 0.0 && overflow != "visible")
+      queue_.set_page({{0.0, 0.0}, {size.width, size.height}});
     // y points down in SVG.
     context.map = Affine{1.0, 0.0, 0.0, -1.0, 0.0, size.height};
-    return read_viewport(root, context, size);
+    const auto inner = context_of(root, "svg", style, context);
+    return inner ? read_viewport(root, *inner, size) : Expected<void>{};
   }
 
   /// The content of an `svg` or `symbol` that is so large.
-  Expected<void> read_viewport(xml_node node, Context context, const SvgViewport& size) {
+  Expected<void> read_viewport(xml_node node, SvgContext context, const SvgViewport& size) {
     const std::string_view text = node.attribute("viewBox").value();
     const auto box = svg_view_box(text);
-    if (!text.empty() && !box) remark_ignored("viewBox", node, text);
+    if (!text.empty() && !box) elements_.remark_ignored("viewBox", node, text);
     context.viewport = size;
     if (box && size.width > 0.0 && size.height > 0.0) {
       context.map = context.map * svg_fit(*box, size, node.attribute("preserveAspectRatio").value());
       context.viewport = {(*box)[2], (*box)[3]};
     }
-    const auto inner = context_of(node, context);
-    return inner ? read_children(node, *inner) : Expected<void>{};
+    return read_children(node, context);
   }
 
-  Expected<void> read_children(xml_node node, const Context& context) {
+  /// The same of one within the drawing, which cuts what goes beyond it.
+  Expected<void> read_inner_viewport(xml_node node, const SvgStyle& style, SvgContext context,
+                                     const SvgViewport& size) {
+    const std::string_view overflow = style[P::overflow];
+    const bool is_open = overflow.starts_with("visible") || overflow.starts_with("auto");
+    if (!is_open && !is_measuring_ && size.width > 0.0 && size.height > 0.0)
+      context.clip = ClipRegion::common(context.clip, clip_paths_->viewport(size, context.map));
+    return read_viewport(node, context, size);
+  }
+
+  Expected<void> read_children(xml_node node, const SvgContext& context) {
+    const bool is_switch = local_name(node.name()) == "switch";
     path_.push_back(node);
     for (const xml_node child : node.children()) {
       if (child.type() != pugi::node_element) continue;
+      const bool is_taken =
+          is_switch && prefix_of(child.name()) == prefix_ && is_drawn(local_name(child.name())) && is_chosen(child);
+      if (is_switch && !is_taken) continue;
       if (auto done = read_element(child, context); !done) return done;
-      // Of the alternatives of a `switch` the first one is taken.
-      if (local_name(node.name()) == "switch" && !child.attribute("requiredExtensions")) break;
+      if (is_taken) break;  // the first one of the alternatives
     }
     path_.pop_back();
     return {};
   }
 
-  Expected<void> read_element(xml_node node, const Context& outer) {
+  Expected<void> read_element(xml_node node, const SvgContext& outer) {
     if (prefix_of(node.name()) != prefix_) return {};  // of another vocabulary
-    if (++elements_ > kMostElements)
-      return refuse(place_of(node), fmt::format("the drawing has more than {} elements, those that are used again "
-                                                "counted each time",
-                                                kMostElements));
+    ++elements_read_;
+    if (auto good = check_bounds(node); !good) return good;
     if (path_.size() > kDeepest) return refuse(place_of(node), "elements are nested too deeply");
     const std::string_view kind = local_name(node.name());
-    if (kind == "svg") return read_nested_svg(node, outer);
-    if (kind == "use") return read_use(node, outer);
-    if (kind == "g" || kind == "a" || kind == "switch") {
-      const auto context = context_of(node, outer);
-      return context ? read_children(node, *context) : Expected<void>{};
-    }
-    constexpr std::array<std::string_view, 5> kLeftOut{"text", "image", "foreignObject", "flowRoot", "video"};
-    if (is_one_of(kind, kLeftOut)) {
-      const auto context = context_of(node, outer);
-      if (context && context->is_visible)
-        remark(fmt::format("{} element is left out", kind), fmt::format("{} elements are left out", kind),
-               place_of(node));
+    if (!is_drawn(kind)) return {};
+    if (!is_chosen(node)) return {};
+    const SvgStyle style = styles_->of(node);
+    const auto context = context_of(node, kind, style, outer);
+    return context ? read_content(node, kind, style, *context) : Expected<void>{};
+  }
+
+  Expected<void> read_content(xml_node node, std::string_view kind, const SvgStyle& style,
+                              const SvgContext& context) {
+    if (kind == "use") return read_use(node, style, context);
+    if (is_svg_shape(kind)) return read_shape(node, kind, style, context);
+    if (kind == "svg" && node.parent().type() == pugi::node_element) return read_nested_svg(node, style, context);
+    if (is_left_out(kind)) {
+      if (context.is_visible)
+        remark(fmt::format("{} element is left out", kind), fmt::format("{} elements are left out", kind), node);
+      else
+        remark_hidden(node);
       return {};
     }
-    return read_shape(node, kind, outer);
+    return read_children(node, context);
   }
 
-  Expected<void> read_nested_svg(xml_node node, Context context) {
-    context.map = context.map * Affine::translation(length_or_zero(node, "x", SvgAxis::x, context),
-                                                    length_or_zero(node, "y", SvgAxis::y, context));
-    const SvgViewport size{length(node, "width", SvgAxis::x, context).value_or(context.viewport.width),
-                           length(node, "height", SvgAxis::y, context).value_or(context.viewport.height)};
-    return read_viewport(node, context, size);
+  Expected<void> read_nested_svg(xml_node node, const SvgStyle& style, SvgContext context) {
+    context.map = context.map * shift_of(node, style, context);
+    const SvgViewport size{length(node, style, P::width, SvgAxis::x, context).value_or(context.viewport.width),
+                           length(node, style, P::height, SvgAxis::y, context).value_or(context.viewport.height)};
+    return read_inner_viewport(node, style, context, size);
   }
 
-  Expected<void> read_use(xml_node node, const Context& outer) {
-    const auto context = context_of(node, outer);
-    if (!context) return {};
-    const pugi::xml_attribute plain = node.attribute("href");
-    const std::string_view link = plain ? plain.value() : node.attribute("xlink:href").value();
-    const auto found = link.starts_with('#') ? by_id_.find(link.substr(1)) : by_id_.end();
-    if (found == by_id_.end()) {
+  Expected<void> read_use(xml_node node, const SvgStyle& style, const SvgContext& context) {
+    const std::string_view link = svg_link_of_use(node);
+    const auto found = link.empty() ? names_.end() : names_.find(link);
+    if (found == names_.end()) {
       remark("use element is left out, which refers to nothing here",
-             "use elements are left out, which refer to nothing here", place_of(node));
+             "use elements are left out, which refer to nothing here", node);
       return {};
     }
     const xml_node target = found->second;
     if (target == node || std::ranges::find(path_, target) != path_.end()) {
       remark("use element is left out, which is part of what it refers to",
-             "use elements are left out, which are part of what they refer to", place_of(node));
+             "use elements are left out, which are part of what they refer to", node);
       return {};
     }
-    Context inner = *context;
-    inner.map = inner.map * Affine::translation(length_or_zero(node, "x", SvgAxis::x, inner),
-                                                length_or_zero(node, "y", SvgAxis::y, inner));
+    SvgContext inner = context;
+    inner.map = inner.map * shift_of(node, style, inner);
     path_.push_back(node);
-    auto done = read_used(target, inner, node);
+    auto done = read_used(target, inner, node, style);
     path_.pop_back();
     return done;
   }
 
-  Expected<void> read_used(xml_node target, const Context& context, xml_node use) {
+  Expected<void> read_used(xml_node target, const SvgContext& context, xml_node use, const SvgStyle& style_of_use) {
     const std::string_view kind = local_name(target.name());
-    if (kind != "symbol" && kind != "svg") return read_element(target, context);
+    if ((kind != "symbol" && kind != "svg") || target.parent().type() != pugi::node_element)
+      return read_element(target, context);
+    const SvgStyle style = styles_->of(target);
     // A size in the `use` outweighs that of what it refers to.
-    const auto size = [&](const char* side, SvgAxis axis, double otherwise) {
-      if (const auto here = length(use, side, axis, context)) return *here;
-      return length(target, side, axis, context).value_or(otherwise);
+    const auto size = [&](P side, SvgAxis axis, double otherwise) {
+      if (const auto here = length(use, style_of_use, side, axis, context)) return *here;
+      return length(target, style, side, axis, context).value_or(otherwise);
     };
-    const SvgViewport viewport{size("width", SvgAxis::x, context.viewport.width),
-                               size("height", SvgAxis::y, context.viewport.height)};
+    const SvgViewport viewport{size(P::width, SvgAxis::x, context.viewport.width),
+                               size(P::height, SvgAxis::y, context.viewport.height)};
+    ++elements_read_;
+    if (auto good = check_bounds(target); !good) return good;
     if (path_.size() > kDeepest) return refuse(place_of(target), "elements are nested too deeply");
-    Context inner = context;
-    inner.map = inner.map * Affine::translation(length_or_zero(target, "x", SvgAxis::x, context),
-                                                length_or_zero(target, "y", SvgAxis::y, context));
-    return read_viewport(target, inner, viewport);
+    auto inner = context_of(target, kind, style, context);
+    if (!inner) return {};
+    inner->map = inner->map * shift_of(target, style, *inner);
+    return read_inner_viewport(target, style, *inner, viewport);
   }
 
-  Expected<void> read_shape(xml_node node, std::string_view kind, const Context& outer) {
-    constexpr std::array<std::string_view, 7> kShapes{"path", "rect",     "circle", "ellipse",
-                                                      "line", "polyline", "polygon"};
-    if (!is_one_of(kind, kShapes)) return {};
-    const auto context = context_of(node, outer);
-    if (!context || !context->is_visible) return {};
-    Shape shape{.node = node, .context = *context};
-    const bool is_list = kind == "polyline" || kind == "polygon";
-    if (kind == "path" || is_list) {
-      shape.data = source_.value(node, kind == "path" ? "d" : "points");
-      shape.kind = kind == "path"       ? Shape::Kind::path
-                   : kind == "polyline" ? Shape::Kind::polyline
-                                        : Shape::Kind::polygon;
-    } else if (auto curve = simple_shape(node, kind, *context)) {
-      shape.path.curves.push_back(*std::move(curve));
+  Expected<void> read_shape(xml_node node, std::string_view kind, const SvgStyle& style, const SvgContext& context) {
+    SvgShape shape{
+        .node = node, .context = context, .geometry = elements_.shape(node, kind, style, context.viewport)};
+    if (shape.geometry.data.empty() && shape.geometry.path.curves.empty()) return {};
+    if (is_measuring_) return measure(shape);
+    if (!context.is_visible) {
+      remark_hidden(node);
+      return {};
     }
-    return begin_shape(std::move(shape));
+    shape.context.has_fill = context.has_fill && kind != "line";
+    if (!shape.context.is_filled() && !shape.context.is_stroked()) {
+      remark("shape is left out, which is neither filled nor stroked",
+             "shapes are left out, which are neither filled nor stroked", node);
+      return {};
+    }
+    queue_.set_grid(clip_paths_->grid());
+    return queue_.add(std::move(shape));
   }
 
-  std::optional<PlaneCurve> simple_shape(xml_node node, std::string_view kind, const Context& context) {
-    const auto x = [&](const char* attribute) { return length_or_zero(node, attribute, SvgAxis::x, context); };
-    const auto y = [&](const char* attribute) { return length_or_zero(node, attribute, SvgAxis::y, context); };
-    if (kind == "line") {
-      PlaneCurve curve({x("x1"), y("y1")});
-      curve.line_to({x("x2"), y("y2")});
-      return curve;
-    }
-    if (kind == "circle") {
-      const double radius = length_or_zero(node, "r", SvgAxis::both, context);
-      return svg_ellipse({x("cx"), y("cy")}, {radius, radius});
-    }
-    const auto rx = length(node, "rx", SvgAxis::x, context);
-    const auto ry = length(node, "ry", SvgAxis::y, context);
-    const Vec2 radii{rx ? *rx : ry.value_or(0.0), ry ? *ry : rx.value_or(0.0)};
-    if (kind == "ellipse") return svg_ellipse({x("cx"), y("cy")}, radii);
-    return svg_rect({x("x"), y("y")}, {x("width"), y("height")}, radii);
-  }
-
-  void remark_fault(xml_node node, std::string_view value, std::size_t within) {
-    remark("list of coordinates is read up to a fault", "lists of coordinates are read up to a fault",
-           source_.place_of(node, value, within));
-  }
-
-  /// What a path or a basic shape becomes.
-  struct Shape {
-    enum class Kind : std::uint8_t { path, polyline, polygon, other };
-
-    xml_node node;
-    Context context;
-    Kind kind = Kind::other;
-    std::string_view data{};  // of all kinds but `other`, still to be read
-    SvgPath path{};
-  };
-
-  /// Shapes wait until there is work for several threads. With `use`, they may be far more than the file has bytes.
-  Expected<void> begin_shape(Shape shape) {
-    constexpr std::size_t kMostBytes = std::size_t{1} << 22U;
-    constexpr std::size_t kMostShapes = 4096;
-    waiting_bytes_ += shape.data.size();
-    waiting_.push_back(std::move(shape));
-    if (waiting_bytes_ < kMostBytes && waiting_.size() < kMostShapes) return {};
-    return finish_shapes();
-  }
-
-  Expected<void> finish_shapes() {
-    constexpr std::size_t kBytesEach = std::size_t{1} << 16U;
-    std::vector<std::size_t> ends;  // of runs of shapes, each with some work
-    std::size_t bytes = 0;
-    for (std::size_t i = 0; i < waiting_.size(); ++i) {
-      bytes += waiting_[i].data.size();
-      if (bytes < kBytesEach && i + 1 < waiting_.size()) continue;
-      ends.push_back(i + 1);
-      bytes = 0;
-    }
-    run_tasks(ends.size(), [&](std::size_t run) {
-      for (std::size_t i = run == 0 ? 0 : ends[run - 1]; i < ends[run]; ++i) finish(waiting_[i]);
-    });
-    for (Shape& shape : waiting_) {
-      if (shape.path.fault) remark_fault(shape.node, shape.data, *shape.path.fault);
-      for (PlaneCurve& curve : shape.path.curves) {
-        pieces_ += curve.piece_count();
-        if (pieces_ > most_pieces_)
-          return refuse(place_of(shape.node),
-                        fmt::format("the drawing has more than {} pieces of curves", most_pieces_));
-        out_.curves.curves.push_back(std::move(curve));
-      }
-    }
-    if (!waiting_.empty()) {
-      const Shape& last = waiting_.back();
-      job_.passed(source_.bytes().data() + source_.place_of(last.node, last.data, last.data.size()));
-    }
-    waiting_.clear();
-    waiting_bytes_ = 0;
+  Expected<void> measure(SvgShape& shape) {
+    shape.geometry.finish(job_.control());
+    for (PlaneCurve& curve : shape.geometry.path.curves) curve.transform(shape.context.map);
+    box_.add(bounds_of(shape.geometry.path.curves));
     return {};
-  }
-
-  /// Any thread.
-  void finish(Shape& shape) const {
-    if (shape.kind == Shape::Kind::path) shape.path = read_svg_path(shape.data, job_.control());
-    if (shape.kind == Shape::Kind::polyline || shape.kind == Shape::Kind::polygon)
-      shape.path = read_svg_points(shape.data, shape.kind == Shape::Kind::polygon, job_.control());
-    for (PlaneCurve& curve : shape.path.curves) {
-      close_what_looks_closed(curve, shape.context);
-      curve.transform(shape.context.map);
-      curve.name = shape.node.attribute("id").value();
-    }
-  }
-
-  /// Filling closes what is open, and what misses its start by the rounding of coordinates is meant to be closed.
-  void close_what_looks_closed(PlaneCurve& curve, const Context& context) const {
-    if (curve.is_closed() || curve.piece_count() < 2) return;
-    const bool knows_style = !(has_style_sheet_ && context.has_class);
-    const bool is_area = knows_style && context.is_filled && !context.is_stroked;
-    if (is_area) return curve.close();
-    double around = 0.0;
-    curve.for_each_piece([&](const Piece& piece) { around += distance(piece.from(), piece.to()); });
-    constexpr double kRounding = 1e-4;
-    if (distance(curve.start(), curve.end()) <= kRounding * around) curve.close();
   }
 
   XmlSource source_;
   ReadJob& job_;
   std::string_view prefix_;
-  std::unordered_map<std::string_view, xml_node> by_id_;
+  SvgNames names_;
   std::vector<xml_node> path_;  // elements around the present one, through `use` too
-  bool has_style_sheet_ = false;
-  std::size_t elements_ = 0;
-  std::size_t pieces_ = 0;
+  std::size_t elements_read_ = 0;
   std::size_t most_pieces_;
-  std::vector<Shape> waiting_;
-  std::size_t waiting_bytes_ = 0;
-  SvgDrawing out_;
+  SvgElements elements_;
+  std::optional<SvgStyles> styles_;
+  std::optional<SvgClipPaths> clip_paths_;
+  SvgShapeQueue queue_;
+  bool is_measuring_ = false;
+  Box2 box_;  // of what is measured
 };
 
 }  // namespace

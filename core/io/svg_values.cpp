@@ -124,6 +124,10 @@ std::optional<Affine> transform_named(std::string_view name, const std::array<do
   if (name == "matrix" && count == 6) return Affine{n[0], n[1], n[2], n[3], n[4], n[5]};
   if (name == "translate" && (count == 1 || count == 2)) return Affine::translation(n[0], n[1]);
   if (name == "scale" && (count == 1 || count == 2)) return Affine::scaling(n[0], count == 1 ? n[0] : n[1]);
+  if (name == "translateX" && count == 1) return Affine::translation(n[0], 0.0);
+  if (name == "translateY" && count == 1) return Affine::translation(0.0, n[0]);
+  if (name == "scaleX" && count == 1) return Affine::scaling(n[0], 1.0);
+  if (name == "scaleY" && count == 1) return Affine::scaling(1.0, n[0]);
   if (name == "rotate" && count == 1) return Affine::rotation(n[0] * kRadian);
   if (name == "rotate" && count == 3)
     return Affine::translation(n[1], n[2]) * Affine::rotation(n[0] * kRadian) * Affine::translation(-n[1], -n[2]);
@@ -134,9 +138,23 @@ std::optional<Affine> transform_named(std::string_view name, const std::array<do
 
 }  // namespace
 
+namespace {
+
+/// What a unit of lengths or angles is of a pixel or a degree; nothing for what is none.
+std::optional<double> unit_of_transform(std::string_view unit) {
+  if (unit.empty() || unit == "px" || unit == "deg") return 1.0;
+  if (unit == "rad") return 1.0 / kRadian;
+  if (unit == "grad") return 0.9;
+  if (unit == "turn") return 360.0;
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<Affine> svg_transform(std::string_view text) {
   Affine out;
   SvgText rest(text);
+  if (trimmed(text) == "none") return out;
   for (rest.skip_comma(); !rest.is_at_end(); rest.skip_comma()) {
     const std::string_view name = rest.word();
     rest.skip_blanks();
@@ -146,8 +164,9 @@ std::optional<Affine> svg_transform(std::string_view text) {
     rest.skip_blanks();
     while (!rest.take(')')) {
       const auto value = rest.number();
-      if (!value || count == numbers.size()) return std::nullopt;
-      numbers[count++] = *value;
+      const auto unit = unit_of_transform(rest.word());
+      if (!value || !unit || count == numbers.size()) return std::nullopt;
+      numbers[count++] = *value * *unit;
       rest.skip_comma();
     }
     const auto map = transform_named(name, numbers, count);
@@ -185,17 +204,23 @@ Affine svg_fit(const SvgViewBox& box, const SvgViewport& size, std::string_view 
          Affine::translation(-box[0], -box[1]);
 }
 
-std::string_view svg_declared(std::string_view style, std::string_view property) {
-  std::string_view found;
-  while (!style.empty()) {
-    const std::string_view declaration = style.substr(0, style.find(';'));
-    style.remove_prefix(std::min(declaration.size() + 1, style.size()));
-    const std::size_t colon = declaration.find(':');
-    if (colon == std::string_view::npos || trimmed(declaration.substr(0, colon)) != property) continue;
-    const std::string_view value = declaration.substr(colon + 1);
-    found = trimmed(value.substr(0, value.find('!')));
-  }
-  return found;
+std::optional<SvgLink> svg_link(std::string_view text) {
+  text = trimmed(text);
+  const std::size_t end = text.find(')');
+  if (lower_case(text.substr(0, 4)) != "url(" || end == std::string_view::npos) return std::nullopt;
+  SvgLink out{.rest = trimmed(text.substr(end + 1))};
+  std::string_view inside = trimmed(text.substr(4, end - 4));
+  if (inside.size() >= 2 && (inside.front() == '"' || inside.front() == '\'') && inside.back() == inside.front())
+    inside = trimmed(inside.substr(1, inside.size() - 2));
+  if (inside.starts_with('#')) out.id = inside.substr(1);
+  return out;
+}
+
+std::optional<double> svg_share(std::string_view text) {
+  SvgText rest(trimmed(text));
+  auto value = rest.number();
+  if (value && rest.take('%')) *value /= 100.0;
+  return rest.is_at_end() ? value : std::nullopt;
 }
 
 }  // namespace mes

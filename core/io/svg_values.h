@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values of attributes of SVG: numbers, lengths, transforms, viewports, declarations of style. Private to core/io.
+// Values of attributes of SVG: numbers, lengths, transforms, viewports. Private to core/io.
 //
 // Source: SVG 2 (W3C Candidate Recommendation of 2018), and SVG 1.1 where it has more.
 #pragma once
@@ -77,7 +77,7 @@ struct SvgViewport {
 /// In pixels of 1/96 inch; a letter "m" of a font has 16. Nothing for text that is not a length.
 std::optional<double> svg_length(std::string_view text, SvgAxis axis, const SvgViewport& viewport);
 
-/// The product of a list of transforms; nothing for what is none.
+/// The product of a list of transforms, also as style sheets have them, with units; nothing for what is none.
 std::optional<Affine> svg_transform(std::string_view text);
 
 /// Least x and y, width and height.
@@ -88,7 +88,15 @@ std::optional<SvgViewBox> svg_view_box(std::string_view text);
 /// From the coordinates of a view box to those of a viewport of this size, as `preserveAspectRatio` says.
 Affine svg_fit(const SvgViewBox& box, const SvgViewport& size, std::string_view preserve_aspect_ratio);
 
-/// The value of a property in the text of an attribute `style`; empty where it is not declared.
-std::string_view svg_declared(std::string_view style, std::string_view property);
+/// What "url(#id)" refers to.
+struct SvgLink {
+  std::string_view id{};    ///< empty: nothing in this file
+  std::string_view rest{};  ///< what follows
+};
+/// Nothing for text that begins otherwise.
+std::optional<SvgLink> svg_link(std::string_view text);
+
+/// A number, or a percentage of 1; nothing for what is none.
+std::optional<double> svg_share(std::string_view text);
 
 }  // namespace mes
