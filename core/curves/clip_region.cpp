@@ -33,10 +33,6 @@ GridBox box_of(const GridPaths& paths) {
   return out;
 }
 
-Box2 as_box(const GridBox& box) {
-  return {as_vec(box.low), as_vec(box.high)};
-}
-
 double extent_of(const GridBox& box) {
   return static_cast<double>(std::max(box.high.X - box.low.X, box.high.Y - box.low.Y));
 }
@@ -140,7 +136,7 @@ struct ClipRegion::Body {
                      [&](std::uint32_t side) { out = out || meets(box_of_side(side)); });
     return out;
   }
-  /// Of a point in whose row the boundary is not near it.
+  /// Of a point that lies in the box of no side: so each side in its row is to its left or to its right as a whole.
   bool holds(GridPoint p) const {
     const Vec2 at = as_vec(p);
     bool out = false;
@@ -148,13 +144,8 @@ struct ClipRegion::Body {
       return box.low.y <= at.y && at.y <= box.high.y && box.high.x >= at.x;
     };
     tree.visit_where(is_beside, [&](std::uint32_t side) {
-      auto [a, b] = sides[side];
-      if ((a.Y > p.Y) == (b.Y > p.Y)) return;
-      if (a.Y > b.Y) std::swap(a, b);
-      // To the left of the side that goes up.
-      const auto left =
-          static_cast<__int128>(b.X - a.X) * (p.Y - a.Y) - static_cast<__int128>(p.X - a.X) * (b.Y - a.Y);
-      if (left > 0) out = !out;
+      const auto& [a, b] = sides[side];
+      if ((a.Y > p.Y) != (b.Y > p.Y) && std::min(a.X, b.X) > p.X) out = !out;
     });
     return out;
   }

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The curves that an SVG drawing consists of. Private to core/io.
 //
-// What is drawn is read: paths and basic shapes with their transforms, groups, `use`, symbols, nested viewports. Left
-// out are what is hidden (by attributes and `style`, not by style sheets) and what is not drawn by itself: definitions,
-// clip paths, masks, patterns, markers. Text and pictures are left out with a warning. Strokes are their middle lines.
+// What a viewer shows is read: paths and basic shapes with their transforms, groups, `use`, symbols, nested viewports, as
+// far as style sheets, visibility, opacity and paint let them be seen, and within their clip paths. Areas that are cut end at
+// the clip path; strokes are their middle lines, and end there. The page itself cuts nothing.
+//
+// Left out with a warning are what is hidden or has no paint, text and pictures, patterns and markers; masks are not applied,
+// with a warning. Definitions are not drawn by themselves.
 #pragma once
 
 #include <string>

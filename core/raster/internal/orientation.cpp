@@ -64,9 +64,9 @@ std::optional<int> orientation_in_tiff(Bytes bytes) {
     constexpr std::array<std::size_t, 5> kSizes{0, 1, 0, 2, 4};  // of bytes, shorts and longs by their type
     const std::size_t type = tiff->number(entry + 2, 2).value_or(0);
     const std::size_t size = type < kSizes.size() ? kSizes[type] : 0;
-    const auto value = size == 0 ? std::nullopt : tiff->number(entry + kValue, size);
-    if (tiff->number(entry + 4, 4) != std::size_t{1} || !value || *value < 1 || *value > 8) return std::nullopt;
-    return static_cast<int>(*value);
+    const std::size_t value = size == 0 ? 0 : tiff->number(entry + kValue, size).value_or(0);
+    if (tiff->number(entry + 4, 4).value_or(0) != 1 || value < 1 || value > 8) return std::nullopt;
+    return static_cast<int>(value);
   }
   return std::nullopt;
 }
