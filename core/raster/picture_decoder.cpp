@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/raster/internal/netpbm.h"
 #include "core/raster/internal/orientation.h"
 #include "core/raster/picture_guard.h"
 
