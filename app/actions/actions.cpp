@@ -31,7 +31,8 @@ constexpr auto kFileRows = std::to_array<Row>({
     {Id::save_as, "save-as", "Save as...",
      "Write to another file: .json keeps everything, .poff the samples, .wpoff the balls", "Ctrl+Shift+S"},
     {Id::keep_degrees, "keep-degrees", "Keep degrees of maps",
-     "Take longitude and latitude of maps (GeoJSON, WKT, shapefiles) as coordinates in degrees, not projected to "
+     "Take longitude and latitude of maps (GeoJSON, WKT, KML, GPX, shapefiles) as coordinates in degrees, not "
+     "projected to "
      "kilometres; a map that is open is read again"},
     {Id::trace_picture, "trace-picture", "Picture underneath...",
      "Lay a picture below the drawing, to set samples along it"},

@@ -50,7 +50,8 @@ Expected<void> run_evolve(const EvolveRequest& request, Interruption& interrupti
   document.apply(*read);
   const auto state = EvolutionRunner(state_of(document), *choice).at(*steps, *steps);
   if (!state) return std::unexpected(state.error());
-  const auto written = replace_all(document, {.positions = state->positions, .contours = contours_of(*state)});
+  const auto written =
+      replace_all(document, {.positions = state->positions, .contours = contours_of(*state), .map = input->data.map});
   if (!written) return std::unexpected(written.error());
   document.apply(*written);
   return write_output(request.output, write_poff(document), interruption, {input->sources, request.force});

@@ -26,7 +26,8 @@ Expected<double> epsilon_of(const ResampleRequest& request) {
 Expected<void> write(const ResampleRequest& request, const SampleData& data, const LoadedFile& input,
                      Interruption& interruption) {
   Document document;
-  const auto delta = replace_all(document, {.positions = data.positions, .contours = data.contours});
+  const auto delta =
+      replace_all(document, {.positions = data.positions, .contours = data.contours, .map = input.data.map});
   if (!delta) return std::unexpected(delta.error());
   document.apply(*delta);
   if (!input.data.balls.empty())

@@ -100,8 +100,9 @@ Expected<void> run_sample(const SampleRequest& request, Interruption& interrupti
     curves = input->data.source->curves;
   else
     curves = std::make_shared<const CurveSet>(curves_through(input->data.positions, job));
-  const auto taken = take_samples(curves, *sampling, job);
+  auto taken = take_samples(curves, *sampling, job);
   if (!taken) return std::unexpected(taken.error());
+  taken->data.map = input->data.map;
   Document document;
   const auto delta = replace_all(document, taken->data);
   if (!delta) return std::unexpected(delta.error());

@@ -290,6 +290,8 @@ Expected<SelectionDesk::Pasted> SelectionDesk::paste(std::string_view text, Vec2
   if (data.positions.empty() && data.balls.empty())
     return std::unexpected(Error{ErrorCode::bad_input, "there is nothing in it", "clipboard"});
   const Document& document = editor_.document();
+  if (data.map && document.map() && *data.map != *document.map())
+    for (Vec2& p : data.positions) p = document.map()->plane_of(*data.map, p);
   const auto is_taken = [&](Vec2 shift) {
     return std::ranges::any_of(data.positions,
                                [&](Vec2 p) { return editor_.index().nearest(p + shift, 0.0) != kNoSlot; }) ||

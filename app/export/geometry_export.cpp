@@ -28,8 +28,14 @@ Expected<LayerText> compute_layer_text(const SampleData& data, const LayerTextFo
 }
 
 std::string remark_about(const LayerText& text, const LayerTextFormat& format) {
-  if (text.left_out == 0) return {};
-  return fmt::format("{} rays and lines are left out: {} holds finite shapes only", text.left_out, format.name);
+  std::string out;
+  if (text.left_out != 0)
+    out = fmt::format("{} rays and lines are left out: {} holds finite shapes only", text.left_out, format.name);
+  if (text.off_earth != 0)
+    out += fmt::format("{}{} left out that {} beyond the poles or around the Earth", out.empty() ? "" : "; ",
+                       text.off_earth == 1 ? "1 shape is" : fmt::format("{} shapes are", text.off_earth),
+                       text.off_earth == 1 ? "reaches" : "reach");
+  return out;
 }
 
 }  // namespace mes

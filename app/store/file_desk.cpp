@@ -102,6 +102,7 @@ void FileDesk::join(const Asked& asked, std::vector<LoadedFile> files, ReadFiles
       data.positions = std::move(loaded.data.positions);
       data.contours = std::move(loaded.data.contours);
       data.source = std::move(loaded.data.source);
+      data.map = loaded.data.map;
       outcome.degrees = loaded.degrees;
     }
     if (!loaded.data.balls.empty()) data.balls = std::move(loaded.data.balls);

@@ -25,6 +25,8 @@ struct LayerGeometry {
 struct LayerText {
   std::string text;
   std::uint64_t left_out = 0;  ///< rays and lines, which the format cannot hold
+  std::uint64_t off_earth =
+      0;  ///< shapes of a map that reach beyond a pole or around the Earth, and are left out, too
 };
 
 /// A format. Numbers are in shortest round-trip form in all of them; segments of length zero are left out, as they are

@@ -299,6 +299,7 @@ Expected<DocumentDelta> replace_all(const Document& document, const SampleData& 
     return refuse(std::move(fault));
   delta.annotations_after = std::make_shared<const Annotations>(data.annotations);
   after->first = document.next_id();
+  after->map = data.map;
   balls_after->first = document.next_ball_id();
   delta.before = document.snapshot();
   delta.after = std::move(after);
@@ -336,6 +337,7 @@ SampleData data_of(const Document& document) {
     renumbered.count = static_cast<std::uint32_t>(left.size());
     out.source = std::make_shared<const CurveSource>(std::move(renumbered));
   }
+  out.map = document.map();
   out.annotations = *document.annotations();
   for (Annotation& annotation : out.annotations) {
     for (Anchor& anchor : annotation.anchors) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <utility>
@@ -10,6 +11,7 @@
 
 #include "core/base/error.h"
 #include "core/document/document.h"
+#include "core/document/map_plane.h"
 
 namespace mes {
 
@@ -64,6 +66,7 @@ struct SampleData {
   std::vector<Disk> balls{};
   Annotations annotations{};                    ///< samples by their place in `positions`
   std::shared_ptr<const CurveSource> source{};  ///< curves that samples were taken from; null: none
+  std::optional<MapPlane> map{};                ///< where on the Earth they lie; none: they were no map in degrees
 };
 
 /// Makes these the annotations. Error: what `fault_of` says of them.
@@ -83,7 +86,7 @@ Expected<DocumentDelta> arrange_samples(const Document& document, std::span<cons
 /// annotations of `data` are passed over. Error: as when samples are inserted; an index out of range.
 Expected<DocumentDelta> resample(const Document& document, const SampleData& data);
 
-/// Replaces all samples, the curve order, the curves, all balls and all annotations. New ids. Error: as when samples and balls are
+/// Replaces all samples, the curve order, the curves, all balls, all annotations, and where on the Earth they lie. New ids. Error: as when samples and balls are
 /// inserted, an index out of range, what `fault_of` says of annotations.
 Expected<DocumentDelta> replace_all(const Document& document, const SampleData& data);
 

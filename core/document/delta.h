@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "core/base/table.h"
 #include "core/base/vec2.h"
 #include "core/document/annotation.h"
+#include "core/document/map_plane.h"
 
 namespace mes {
 
@@ -44,6 +46,7 @@ struct SampleSnapshot {
   Table<SampleSlot, SampleId> id;    ///< invalid in dead rows
   std::vector<SampleSlot> free_slots;
   SampleId first{0};  ///< that the first of the data had, alive or not
+  std::optional<MapPlane> map{};
 };
 
 /// One change of a user's ball. Kinds as for samples; `change` sets centre and radius.

@@ -215,7 +215,7 @@ std::uint64_t Document::ball_digest() const {
 
 std::shared_ptr<const SampleSnapshot> Document::snapshot() const {
   return std::make_shared<const SampleSnapshot>(
-      SampleSnapshot{samples_.values(), samples_.ids(), samples_.free_slots(), first_id()});
+      SampleSnapshot{samples_.values(), samples_.ids(), samples_.free_slots(), first_id(), map_});
 }
 
 std::shared_ptr<const BallSnapshot> Document::ball_snapshot() const {
@@ -248,6 +248,7 @@ void Document::replace_all(const DocumentDelta& delta) {
                               delta.balls_after->first);
   samples_ = std::move(samples);
   magnitudes_ = magnitudes;
+  map_ = delta.after->map;
   sample_sum_ = ball_sum_ = 0;
   for (const SampleSlot slot : slots_below<SampleSlot>(slot_count()))
     if (is_alive(slot)) sample_sum_ += digest_of_sample(slot);

@@ -62,6 +62,8 @@ class Document {
   const std::shared_ptr<const Annotations>& annotations() const { return annotations_; }
   /// Null where samples were not taken from curves.
   const std::shared_ptr<const CurveSource>& source() const { return source_; }
+  /// Where on the Earth the plane lies, for data that were a map in degrees. Changed only where everything is replaced.
+  const std::optional<MapPlane>& map() const { return map_; }
   /// Those of the samples taken from curves that are left, by increasing id. O(of those that were taken).
   std::vector<SampleId> samples_of_source() const;
   /// Where the anchor is now. What it follows may have no such place, as three samples in line have no circle: it is
@@ -136,6 +138,7 @@ class Document {
   std::shared_ptr<const CurveOrder> curve_;
   std::shared_ptr<const Annotations> annotations_;
   std::shared_ptr<const CurveSource> source_;
+  std::optional<MapPlane> map_;
   std::uint64_t revision_ = 0;
   std::uint64_t highest_revision_ = 0;
   std::uint64_t sample_sum_ = 0;  // of the digests of all samples

@@ -14,18 +14,13 @@
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/document/commands.h"
+#include "core/document/map_plane.h"
 #include "core/io/file_fingerprint.h"
 #include "core/raster/trace_request.h"
 
 namespace mes {
 
 struct Session;
-
-/// What becomes of longitude and latitude.
-enum class MapDegrees : std::uint8_t {
-  projected,  ///< to kilometres about the middle of the map
-  kept,       ///< as coordinates of the plane, in degrees
-};
 
 /// How a file is read, where there is a choice.
 struct ReadRequest {
@@ -72,8 +67,11 @@ Expected<LoadedFile> read_sample_bytes(std::string_view bytes, const std::string
 Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format = {},
                                         const ReadRequest& request = {}, JobControl* job = nullptr);
 
-/// POFF text of the live samples in input order, curve order as `# loop` lines; every double reads back bit for bit.
+/// POFF text of the live samples in input order, curve order as `# loop` lines, where on the Earth they lie as a `# map` line; every double reads back bit for bit.
 std::string write_poff(const Document& document);
+
+/// The line of POFF that says where on the Earth its points lie; nothing for those that were no map in degrees.
+void append_map_line(std::string& out, const std::optional<MapPlane>& map);
 
 /// WPOFF text of balls; every double reads back bit for bit.
 std::string write_wpoff(std::span<const Disk> balls);

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GeoJSON (RFC 7946), and plain lists of rings or points in JSON.
+// GeoJSON (RFC 7946), alone or one text after the other (newline-delimited, or with the record separators of RFC 8142),
+// and plain lists of rings or points in JSON.
 //
 // Positions are longitude and latitude, projected or kept (core/io/map_shapes.h). They are coordinates of the plane in
-// lists, where a member `crs` names another system, and in what this program has exported.
+// lists, where a member `crs` names another system, and in what this program has exported of the plane, which has no
+// `crs`.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -41,12 +43,18 @@ class GeoJsonReader {
       : text_(text), name_(name), degrees_(degrees), job_(job) {}
 
   Expected<LoadedFile> read() {
-    const JsonView whole = JsonView::whole(text_);
-    if (whole.is_list()) {
+    std::string_view ahead = text_;
+    const JsonView first = JsonView::whole(take_json_text(ahead));
+    if (first.is_list()) {
       unit_ = MapShapes::Unit::plane;
-      if (auto done = read_list(whole); !done) return std::unexpected(done.error());
-    } else {
-      if (names_another_system(whole)) unit_ = MapShapes::Unit::plane;
+      if (auto done = read_list(first); !done) return std::unexpected(done.error());
+    }
+    for (std::string_view rest = first.is_list() ? std::string_view{} : text_, record = take_json_text(rest);
+         !record.empty(); record = take_json_text(rest)) {
+      const JsonView whole = JsonView::whole(record);
+      const Crs crs = crs_of(whole);
+      if (crs == Crs::other) unit_ = MapShapes::Unit::plane;
+      says_degrees_ = crs == Crs::degrees;
       if (auto done = read_object(whole); !done) return std::unexpected(done.error());
     }
     auto file = std::move(shapes_).load(name_, unit_, degrees_, job_);
@@ -60,12 +68,17 @@ class GeoJsonReader {
     return bad_json(text_, at ? at.offset_in(text_) : 0, std::move(text), name_);
   }
 
-  static bool names_another_system(JsonView whole) {
+  /// What the member of earlier versions of GeoJSON says.
+  enum class Crs : std::uint8_t { not_said, degrees, other };
+  static Crs crs_of(JsonView whole) {
     const JsonView system = whole.find("crs").find("properties").find("name");
     constexpr std::size_t kLongest = 256;
-    if (!system.is_text() || system.text_length() > kLongest) return false;
+    if (!system.is_text() || system.text_length() > kLongest) return Crs::not_said;
     const std::string text = system.text();
-    return !text.contains("CRS84") && !text.contains("4326");
+    if (text.contains("CRS84") || text.contains("CRS83")) return Crs::degrees;
+    const std::size_t digits = text.find_last_not_of("0123456789") + 1;
+    const auto code = parse_count(std::string_view(text).substr(digits));
+    return code && MapShapes::unit_of_epsg(*code) == MapShapes::Unit::degrees ? Crs::degrees : Crs::other;
   }
 
   Expected<void> read_object(JsonView object) {
@@ -93,7 +106,8 @@ class GeoJsonReader {
 
   Expected<void> read_feature(JsonView geometry, JsonView properties) {
     // This program writes layers of the plane so.
-    if (properties.find("layer").is_text() && properties.find("kind").is_text()) unit_ = MapShapes::Unit::plane;
+    if (!says_degrees_ && properties.find("layer").is_text() && properties.find("kind").is_text())
+      unit_ = MapShapes::Unit::plane;
     const bool is_null = geometry && !geometry.is_object();
     return !geometry || is_null ? Expected<void>{} : read_object(geometry);
   }
@@ -160,6 +174,7 @@ class GeoJsonReader {
   ReadJob& job_;
   MapShapes shapes_;
   MapShapes::Unit unit_ = MapShapes::Unit::degrees;
+  bool says_degrees_ = false;
   Magnitudes seen_;
   JsonView first_height_;
 };
@@ -181,7 +196,7 @@ bool names_a_type(std::string_view bytes) {
 }
 
 Match match(std::string_view bytes) {
-  constexpr std::string_view kBlanks = " \t\r\n";
+  constexpr std::string_view kBlanks = " \t\r\n\x1e";
   bytes = without_bom(bytes);
   const std::size_t begin = bytes.find_first_not_of(kBlanks);
   if (begin == std::string_view::npos) return Match::no;
@@ -191,12 +206,32 @@ Match match(std::string_view bytes) {
   return is_list_of_lists ? Match::surely : Match::no;
 }
 
+/// The whole, or each of several objects that follow each other.
+Expected<void> check_texts(std::string_view text, const std::string& name, ReadJob& job) {
+  std::string_view rest = text;
+  const std::string_view first = take_json_text(rest);
+  std::string_view others = rest;
+  const bool is_separated = text.substr(0, text.find('{')).contains('\x1e');
+  if (!is_separated && !take_json_text(others).starts_with('{')) return check_json(text, name, &job);
+  for (std::string_view record = first; !record.empty(); record = take_json_text(rest)) {
+    if (auto good = check_json(record, name, &job); !good) {
+      Error error = std::move(good.error());
+      const std::string_view before = text.substr(0, static_cast<std::size_t>(record.data() - text.data()));
+      const auto lines = static_cast<std::uint64_t>(std::ranges::count(before, '\n'));
+      if (error.line == 1) error.column += before.size() - (before.rfind('\n') + 1);
+      error.line += lines;
+      return std::unexpected(std::move(error));
+    }
+  }
+  return {};
+}
+
 Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDegrees degrees,
                           const std::filesystem::path*, ReadJob& job) {
   const std::string_view text = without_bom(bytes);
   constexpr double kChecked = 0.4;  // of the time that reading takes
   job.begin(text, kChecked);
-  if (auto good = check_json(text, name, &job); !good) return std::unexpected(good.error());
+  if (auto good = check_texts(text, name, job); !good) return std::unexpected(good.error());
   job.begin(text);
   return GeoJsonReader(text, name, degrees, job).read();
 }

@@ -122,4 +122,25 @@ Expected<void> check_json(std::string_view text, const std::string& file, ReadJo
   return bad_json(text, listener.bytes_read == 0 ? 0 : listener.bytes_read - 1, "this is not JSON", file);
 }
 
+std::string_view take_json_text(std::string_view& rest) {
+  constexpr std::string_view kBetween = " \t\r\n\x1e";
+  rest.remove_prefix(std::min(rest.find_first_not_of(kBetween), rest.size()));
+  std::size_t depth = 0;
+  std::size_t at = 0;
+  while (at < rest.size()) {
+    const char c = rest[at++];
+    if (c == '"') {
+      while (at < rest.size() && rest[at] != '"') at += rest[at] == '\\' ? 2U : 1U;
+      at = std::min(at + 1, rest.size());
+    } else if (c == '{' || c == '[') {
+      ++depth;
+    } else if ((c == '}' || c == ']') && (depth == 0 || --depth == 0)) {
+      break;
+    }
+  }
+  const std::string_view out = rest.substr(0, at);
+  rest.remove_prefix(at);
+  return out;
+}
+
 }  // namespace mes

@@ -20,4 +20,8 @@ std::unexpected<Error> bad_json(std::string_view text, std::size_t offset, std::
 /// no double can hold. `job`, which may be null, goes through the text; throws `Cancelled`.
 Expected<void> check_json(std::string_view text, const std::string& file, ReadJob* job = nullptr);
 
+/// Takes the first value off the front of texts that follow each other with blanks or record separators (RFC 8142)
+/// between them; empty at the end. Whether it is JSON is for `check_json` to say: it ends where its brackets do. One look at each byte.
+std::string_view take_json_text(std::string_view& rest);
+
 }  // namespace mes

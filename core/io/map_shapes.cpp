@@ -3,18 +3,18 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
 
 #include "core/base/box2.h"
+#include "core/curves/affine.h"
 #include "core/io/curve_samples.h"
 
 namespace mes {
 namespace {
 
-// Mean radius of the Earth by the International Union of Geodesy and Geophysics, in kilometres.
-constexpr double kEarthRadius = 6371.0088;
 constexpr std::size_t kTriangleAndRepetition = 4;
 
 Box2 box_of(const std::vector<Vec2>& positions) {
@@ -37,15 +37,57 @@ std::string in_degrees(double value, char positive, char negative) {
   return fmt::format("{:.4g} {}", std::abs(value), value < 0.0 ? negative : positive);
 }
 
+std::string remark_of(const MapPlane& plane) {
+  if (plane.degrees == MapDegrees::kept) return "degrees are kept as coordinates of the plane";
+  const double longitude = plane.longitude > 180.0 ? plane.longitude - 360.0 : plane.longitude;
+  return fmt::format("degrees are projected to kilometres about {}, {}", in_degrees(longitude, 'E', 'W'),
+                     in_degrees(plane.latitude, 'N', 'S'));
+}
+
+/// Along the circle through three places. Nothing where they lie in a line.
+std::optional<EllipticArc> arc_through(Vec2 from, Vec2 through, Vec2 to) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  const auto about = [](Vec2 center, Vec2 start, double sweep) {
+    const Vec2 u = start - center;
+    return EllipticArc{center, u, perpendicular(u), 0.0, sweep};
+  };
+  if (from == to) {
+    if (from == through) return std::nullopt;
+    return about(0.5 * (from + through), from, kTurn);
+  }
+  const Vec2 p = through - from;
+  const Vec2 q = to - from;
+  const double turn = cross(p, q);
+  const double scale = 0.5 / turn;
+  const Vec2 center = from + scale * Vec2{q.y * dot(p, p) - p.y * dot(q, q), p.x * dot(q, q) - q.x * dot(p, p)};
+  if (turn == 0.0 || !is_finite(center)) return std::nullopt;
+  const Vec2 u = from - center;
+  const Vec2 v = to - center;
+  // The centre of a flatter arc is so far that rounding moves it by more than the arc is high.
+  constexpr double kFlat = 1e7;
+  if (length(u) > kFlat * distance(from, to)) return std::nullopt;
+  double sweep = std::atan2(cross(u, v), dot(u, v));
+  if (turn > 0.0 && sweep <= 0.0) sweep += kTurn;
+  if (turn < 0.0 && sweep >= 0.0) sweep -= kTurn;
+  return about(center, from, sweep);
+}
+
 }  // namespace
 
 void MapShapes::end(Kind kind) {
-  const std::size_t begin = parts_.empty() ? 0 : parts_.back().end;
+  const std::size_t begin = this->begin();
   if (begin == positions_.size()) return;
   const bool is_repeated =
       positions_.size() - begin >= kTriangleAndRepetition && positions_[begin] == positions_.back();
-  if (kind == Kind::line && is_repeated) kind = Kind::ring;
+  const bool is_circle = !arcs_.empty() && arcs_.back() > begin && positions_[begin] == positions_.back();
+  if (kind == Kind::line && (is_repeated || is_circle)) kind = Kind::ring;
   parts_.push_back({kind, positions_.size()});
+}
+
+MapShapes::Unit MapShapes::unit_of_epsg(std::uint64_t code) {
+  // WGS 84 in the plane and with heights, ETRS89, NAD83 and its versions, GDA94 and 2020, SIRGAS 2000.
+  constexpr std::array<std::uint64_t, 10> kDegrees{4326, 4979, 4258, 4269, 4617, 6318, 4283, 7844, 4674, 4148};
+  return std::ranges::find(kDegrees, code) != kDegrees.end() ? Unit::degrees : Unit::plane;
 }
 
 bool MapShapes::is_on_earth() const {
@@ -53,42 +95,68 @@ bool MapShapes::is_on_earth() const {
   return !positions_.empty() && std::ranges::all_of(positions_, is_position);
 }
 
-std::string MapShapes::project() {
+/// About the middle of the map.
+MapPlane MapShapes::project() {
   join_across_the_antimeridian(positions_);
   const Box2 box = box_of(positions_);
   const Vec2 middle{0.5 * (box.low.x + box.high.x), 0.5 * (box.low.y + box.high.y)};
-  constexpr double kRadian = std::numbers::pi / 180.0;
-  const double north = kEarthRadius * kRadian;
-  const double east = north * std::cos(middle.y * kRadian);
-  for (Vec2& p : positions_) p = {east * (p.x - middle.x), north * (p.y - middle.y)};
-  const double longitude = middle.x > 180.0 ? middle.x - 360.0 : middle.x;
-  return fmt::format("degrees are projected to kilometres about {}, {}", in_degrees(longitude, 'E', 'W'),
-                     in_degrees(middle.y, 'N', 'S'));
+  return {MapDegrees::projected, middle.x, middle.y};
 }
 
-Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegrees degrees, ReadJob& job) && {
-  const bool has_degrees = unit == Unit::degrees && is_on_earth();
-  std::string remark;
-  if (has_degrees)
-    remark = degrees == MapDegrees::projected ? project() : "degrees are kept as coordinates of the plane";
-  CurveSet curves;
+CurveSet MapShapes::curves(const MapPlane& plane, ReadJob& job) {
+  const Vec2 scale = plane.scale();
+  const Vec2 origin = plane.origin();
+  const auto placed = [&](Vec2 p) { return Vec2{scale.x * (p.x - origin.x), scale.y * (p.y - origin.y)}; };
+  CurveSet out;
   std::size_t begin = 0;
+  auto arc = arcs_.begin();
   for (const Part& part : parts_) {
     job.checkpoint();
     if (part.kind == Kind::points) {
-      for (std::size_t i = begin; i < part.end; ++i) curves.points.push_back(positions_[i]);
-    } else {
-      PlaneCurve& curve = curves.curves.emplace_back(positions_[begin]);
-      for (std::size_t i = begin + 1; i < part.end; ++i) curve.line_to(positions_[i]);
-      if (part.kind == Kind::ring) curve.close();
+      for (std::size_t i = begin; i < part.end; ++i) out.points.push_back(placed(positions_[i]));
+      begin = part.end;
+      continue;
     }
+    PlaneCurve& curve = out.curves.emplace_back(placed(positions_[begin]));
+    for (std::size_t i = begin + 1; i < part.end; ++i) {
+      const bool is_arc = arc != arcs_.end() && *arc == i;
+      if (!is_arc) {
+        curve.line_to(placed(positions_[i]));
+        continue;
+      }
+      ++arc;
+      ++i;
+      // A circle in the coordinates of the file, which becomes an ellipse with them.
+      auto along = arc_through(positions_[i - 2], positions_[i - 1], positions_[i]);
+      if (!along) {
+        if (positions_[i - 1] != positions_[i - 2]) curve.line_to(placed(positions_[i - 1]));
+        curve.line_to(placed(positions_[i]));
+        continue;
+      }
+      along->center = placed(along->center);
+      along->u = {scale.x * along->u.x, scale.y * along->u.y};
+      along->v = {scale.x * along->v.x, scale.y * along->v.y};
+      curve.arc_to(*along, placed(positions_[i]));
+    }
+    if (part.kind == Kind::ring) curve.close();
     begin = part.end;
   }
   positions_ = {};
-  auto file = load_samples(std::move(curves), {.rule = SamplingRule::vertices}, name, job);
-  if (file && has_degrees) {
+  return out;
+}
+
+Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegrees degrees, ReadJob& job) && {
+  std::optional<MapPlane> map;
+  if (unit == Unit::degrees && is_on_earth())
+    map = degrees == MapDegrees::projected ? project() : MapPlane{.degrees = MapDegrees::kept};
+  CurveSet set = curves(map.value_or(MapPlane{.degrees = MapDegrees::kept}), job);
+  const SamplingRequest request =
+      arcs_.empty() ? SamplingRequest{.rule = SamplingRule::vertices} : default_sampling(set);
+  auto file = load_samples(std::move(set), request, name, job);
+  if (file && map) {
+    file->data.map = map;
     file->degrees = degrees;
-    file->warnings.push_back(Error{ErrorCode::bad_input, remark, name}.message());
+    file->warnings.push_back(Error{ErrorCode::bad_input, remark_of(*map), name}.message());
   }
   return file;
 }

@@ -1,21 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What maps consist of, points, lines and rings, on their way to samples: GeoJSON, WKT and shapefiles.
+// What maps consist of, points, lines, arcs and rings, on their way to samples: GeoJSON, WKT, WKB, KML, GPX and
+// shapefiles.
 // Private to core/io.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/vec2.h"
+#include "core/curves/curve.h"
 #include "core/io/format.h"
 #include "core/io/read_job.h"
 
 namespace mes {
 
-/// Positions in the order of the file, and which of them follow each other. Samples are the positions themselves.
+/// Positions in the order of the file, and which of them follow each other. Samples are the positions themselves, and others along arcs.
 ///
 /// Smallest use:
 ///     MapShapes shapes;
@@ -31,15 +34,26 @@ class MapShapes {
   };
 
   void add(Vec2 position) { positions_.push_back(position); }
+  /// From the position before along a circle through the first to the second; a full circle where this is the position
+  /// before, with the first opposite to it. Of three in a line it is that line. Not at the beginning of a line or ring.
+  void add_arc(Vec2 through, Vec2 to) {
+    arcs_.push_back(positions_.size());
+    positions_.insert(positions_.end(), {through, to});
+  }
+  /// How many positions the present line or ring has, and the last of them.
+  std::size_t length() const { return positions_.size() - begin(); }
+  Vec2 last() const { return positions_.back(); }
   /// Positions added since the last end become points by themselves, a line, or a ring. A line of four positions or
   /// more that ends where it begins is a ring; a ring has its closing position or not.
   void end_points() { end(Kind::points); }
   void end_line() { end(Kind::line); }
   void end_ring() { end(Kind::ring); }
 
+  /// Degrees for codes of EPSG that are longitude and latitude on WGS 84 or within about two metres of it.
+  static Unit unit_of_epsg(std::uint64_t code);
   /// Degrees are projected to kilometres about the middle of the map, equirectangularly: true to scale there and along
   /// meridians. A map across the 180th meridian stays in one piece. Degrees that are kept stay bit for bit, so such a
-  /// map has pieces at both ends. A warning says which it was. Error: as `load_samples`, and
+  /// map has pieces at both ends. A warning says which it was, and the data keep it (`SampleData::map`). Error: as `load_samples`, and
   /// `Cancelled` is thrown as there.
   Expected<LoadedFile> load(const std::string& name, Unit unit, MapDegrees degrees, ReadJob& job) &&;
 
@@ -50,11 +64,14 @@ class MapShapes {
     std::size_t end;
   };
   void end(Kind kind);
+  std::size_t begin() const { return parts_.empty() ? 0 : parts_.back().end; }
   bool is_on_earth() const;
-  std::string project();
+  MapPlane project();
+  CurveSet curves(const MapPlane& plane, ReadJob& job);
 
   std::vector<Vec2> positions_;
   std::vector<Part> parts_;
+  std::vector<std::size_t> arcs_;  // of which place among the positions is the one that each goes through, in order
 };
 
 }  // namespace mes

@@ -4,9 +4,13 @@
 // Two ways to say how the points follow each other on curves: lines `# loop closed i0 i1 ...` (or `open`), which old
 // readers skip as comments, and a file `x.contours` beside `x.poff` with the number of points of each closed contour,
 // in file order. The lines in the file win.
+//
+// A line `# map kilometres about LONGITUDE LATITUDE`, or `# map degrees`, says where on the Earth the points lie that
+// were a map in degrees.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <system_error>
@@ -27,7 +31,29 @@ std::string_view what_else(std::size_t columns) {
 constexpr OffKind kPoints{
     .magic = "POFF", .things = "points", .numbers = "coordinates", .numbers_each = 2, .guess = what_else};
 
-/// Notes the comments that speak of loops; they cannot be judged before the points are known.
+/// Takes words off the front of a text.
+std::string_view take_word(std::string_view& text) {
+  constexpr std::string_view kBlanks = " \t\v\f";
+  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
+  const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
+  text.remove_prefix(word.size());
+  return word;
+}
+
+/// Nothing where the comment is just a comment.
+std::optional<MapPlane> read_map(std::string_view rest) {
+  take_word(rest);
+  const std::string_view unit = take_word(rest);
+  if (unit == "degrees" && take_word(rest).empty()) return MapPlane{.degrees = MapDegrees::kept};
+  if (unit != "kilometres" || take_word(rest) != "about") return std::nullopt;
+  const auto longitude = parse_number(take_word(rest));
+  const auto latitude = parse_number(take_word(rest));
+  const bool is_place = longitude && latitude && std::abs(*longitude) <= 360.0 && std::abs(*latitude) <= 90.0;
+  if (!is_place || !take_word(rest).empty()) return std::nullopt;
+  return MapPlane{.longitude = *longitude, .latitude = *latitude};
+}
+
+/// Notes the comments that speak of loops, which cannot be judged before the points are known, and of a map.
 class PoffScanner final : public Scanner {
  public:
   using Scanner::Scanner;
@@ -37,25 +63,19 @@ class PoffScanner final : public Scanner {
     std::uint64_t column;
   };
   const std::vector<Note>& notes() const { return notes_; }
+  const std::optional<MapPlane>& map() const { return map_; }
 
  private:
   void on_comment(std::string_view text) override {
     const std::size_t begin = text.find_first_not_of(" \t");
     if (begin == std::string_view::npos) return;
     text.remove_prefix(begin);
+    if (const auto map = text.starts_with("map ") ? read_map(text) : std::nullopt) map_ = map;
     if (text.starts_with("loop")) notes_.push_back({text, line(), column_of(text.data())});
   }
   std::vector<Note> notes_;
+  std::optional<MapPlane> map_;
 };
-
-/// Takes words off the front of a text.
-std::string_view take_word(std::string_view& text) {
-  constexpr std::string_view kBlanks = " \t\v\f";
-  text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
-  const std::string_view word = text.substr(0, text.find_first_of(kBlanks));
-  text.remove_prefix(word.size());
-  return word;
-}
 
 /// A loop, nothing when the comment is just a comment, or (as an error) what is wrong with it.
 Expected<std::optional<SampleData::Contour>> read_loop(const PoffScanner::Note& note, std::size_t points,
@@ -104,6 +124,7 @@ Expected<LoadedFile> read_poff(std::string_view bytes, const std::string& name, 
   auto remarks = reader.finish();
   if (!remarks) return std::unexpected(remarks.error());
   file.warnings = std::move(*remarks);
+  file.data.map = scanner.map();
   RepeatedCorners repeated;
   std::size_t ignored = 0;
   for (const PoffScanner::Note& note : scanner.notes()) {

@@ -7,6 +7,19 @@
 
 namespace mes {
 
+void append_map_line(std::string& out, const std::optional<MapPlane>& map) {
+  if (!map) return;
+  if (map->degrees == MapDegrees::kept) {
+    out += "# map degrees\n";
+    return;
+  }
+  out += "# map kilometres about ";
+  append_number(out, map->longitude);
+  out += ' ';
+  append_number(out, map->latitude);
+  out += '\n';
+}
+
 std::string write_poff(const Document& document) {
   const SampleData data = data_of(document);
   constexpr std::size_t kTypicalLine = 40;
@@ -18,6 +31,7 @@ std::string write_poff(const Document& document) {
     append_number(out, p.y);
     out += '\n';
   }
+  append_map_line(out, data.map);
   for (const SampleData::Contour& contour : data.contours) {
     out += contour.closed ? "# loop closed" : "# loop open";
     for (const std::uint32_t point : contour.points) out += ' ' + std::to_string(point);

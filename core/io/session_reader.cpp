@@ -66,11 +66,24 @@ SourceEdit source_from(JsonView object) {
   return out;
 }
 
+MapPlane map_from(JsonView object) {
+  const std::string where = "map";
+  if (!object.is_object()) throw Nonsense{"map: not an object", object};
+  const auto [degrees, longitude, latitude] = object.pick<3>({"degrees", "longitude", "latitude"});
+  const std::string kind = text_from(degrees, "degrees", where);
+  if (kind == "kept") return {.degrees = MapDegrees::kept};
+  if (kind != "projected") throw Nonsense{"map: degrees are neither projected nor kept", degrees};
+  MapPlane out{.longitude = number_of(longitude, where), .latitude = number_of(latitude, where)};
+  if (!(std::abs(out.longitude) <= 360.0)) throw Nonsense{"map: there is no such longitude", longitude};
+  if (!(std::abs(out.latitude) <= 90.0)) throw Nonsense{"map: there is no such latitude", latitude};
+  return out;
+}
+
 SampleData data_of(JsonView object) {
   const std::string where = "data";
   if (!object.is_object()) complain(where, "not an object");
-  const auto [samples, contours, balls, annotations, source] =
-      object.pick<5>({"samples", "contours", "balls", "annotations", "source"});
+  const auto [samples, contours, balls, annotations, source, map] =
+      object.pick<6>({"samples", "contours", "balls", "annotations", "source", "map"});
   SampleData out;
   read_flat(samples, "samples", out.positions, where);
   if (contours) out.contours = contours_of(contours, "contours");
@@ -79,6 +92,7 @@ SampleData data_of(JsonView object) {
   require_together(out.positions, samples, "samples", where, seen);
   require_together(out.balls, balls, "balls", where, seen);
   if (annotations) out.annotations = annotations_of(annotations);
+  if (map) out.map = map_from(map);
   if (source) {
     SourceEdit read = source_from(source);
     if (!read.curves) throw Nonsense{"data: a source without curves", source};

@@ -62,8 +62,14 @@ json source_to_json(const CurveSet* curves, const SamplingRequest& sampling, std
   return out;
 }
 
+json to_json(const MapPlane& map) {
+  if (map.degrees == MapDegrees::kept) return {{"degrees", "kept"}};
+  return {{"degrees", "projected"}, {"longitude", map.longitude}, {"latitude", map.latitude}};
+}
+
 json to_json(const SampleData& data) {
   json out = {{"samples", flat(data.positions)}, {"contours", to_json(data.contours)}, {"balls", flat(data.balls)}};
+  if (data.map) out["map"] = to_json(*data.map);
   if (!data.annotations.empty()) out["annotations"] = to_json(data.annotations);
   if (data.source) {
     const CurveSource& source = *data.source;

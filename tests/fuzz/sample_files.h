@@ -16,7 +16,7 @@
 namespace mes::fuzz {
 
 inline bool are_equal(const SampleData& a, const SampleData& b) {
-  return a.positions == b.positions && a.contours == b.contours &&
+  return a.positions == b.positions && a.contours == b.contours && a.map == b.map &&
          std::ranges::equal(a.balls, b.balls, [](const Disk& x, const Disk& y) { return x == y; });
 }
 
@@ -50,7 +50,11 @@ inline void require_round_trip(SampleData data) {
   require(points.warnings.size() == (has_repeated_corner(data.contours) ? 1U : 0U),
           "what is written is read without a warning but that of repeated corners");
   const LoadedFile balls = require_read(read_sample_bytes(write_wpoff(document), "again.wpoff", "wpoff"));
-  require(are_equal({points.data.positions, points.data.contours, balls.data.balls}, data),
+  require(are_equal({.positions = points.data.positions,
+                     .contours = points.data.contours,
+                     .balls = balls.data.balls,
+                     .map = points.data.map},
+                    data),
           "what is written reads back equal");
 }
 

@@ -33,7 +33,8 @@ Session sample_session() {
                  {{{1, 2}, 0.3}},
                  {{.text = "$r_1$ \"is\"\nlong", .anchors = {{{0.1, -1e-100}, {}}}, .letters = 20.5}},
                  std::make_shared<const CurveSource>(
-                     CurveSource{some_curves(), {.rule = SamplingRule::spacing, .spacing = 0.1}, 1, 2})});
+                     CurveSource{some_curves(), {.rule = SamplingRule::spacing, .spacing = 0.1}, 1, 2}),
+                 MapPlane{MapDegrees::projected, 24.9, -1.0 / 3.0}});
   LayerStyle style;
   style.color = {1, 2, 3};
   style.color_map = "viridis";
@@ -115,7 +116,7 @@ Session sample_session() {
 
 bool equal(const Session& a, const Session& b) {
   return a.title == b.title && a.data->positions == b.data->positions && a.data->contours == b.data->contours &&
-         a.data->balls == b.data->balls && a.data->annotations == b.data->annotations &&
+         a.data->balls == b.data->balls && a.data->annotations == b.data->annotations && a.data->map == b.data->map &&
          (a.data->source == b.data->source || *a.data->source == *b.data->source) && a.entries == b.entries &&
          a.layers == b.layers && a.settings == b.settings && a.evolution == b.evolution && a.view == b.view &&
          a.lesson == b.lesson && a.panes == b.panes && a.pane_views == b.pane_views;
@@ -586,4 +587,22 @@ TEST_CASE("depth is bounded, brackets in texts do not count, and long lists take
   REQUIRE(read);
   CHECK(read->title == session.title);
   CHECK(read->entries.size() == 200'000);
+}
+
+TEST_CASE("where a map lies reads back bit for bit, or is refused") {
+  const auto read_with = [](const std::string& map) {
+    return read_session(
+        R"({"mesecina":"session","schema":1,"data":{"samples":[],"contours":[],"balls":[],"map":)" + map + "}}", "a");
+  };
+  CHECK(read_with(R"({"degrees":"kept"})")->data->map == MapPlane{.degrees = MapDegrees::kept});
+  CHECK(read_with(R"({"degrees":"projected","longitude":181.5,"latitude":-17})")->data->map ==
+        MapPlane{MapDegrees::projected, 181.5, -17});
+  for (const char* map : {"1", "{}", R"({"degrees":"lost"})", R"({"degrees":"projected","longitude":1})",
+                          R"({"degrees":"projected","longitude":1,"latitude":90.5})",
+                          R"({"degrees":"projected","longitude":1000,"latitude":9})"}) {
+    INFO(map);
+    const auto read = read_with(map);
+    REQUIRE_FALSE(read);
+    CHECK_THAT(read.error().text, Catch::Contains("map"));
+  }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 #include <map>
+#include <optional>
 #include <span>
 #include <utility>
 
@@ -12,7 +13,8 @@
 namespace mes {
 namespace {
 
-std::string poff_text(std::span<const Vec2> points, std::span<const SegmentChain> chains) {
+std::string poff_text(std::span<const Vec2> points, std::span<const SegmentChain> chains,
+                      const std::optional<MapPlane>& map) {
   std::string out = fmt::format("POFF {} 0 0\n", points.size());
   for (const Vec2 p : points) {
     append_number(out, p.x);
@@ -20,6 +22,7 @@ std::string poff_text(std::span<const Vec2> points, std::span<const SegmentChain
     append_number(out, p.y);
     out += '\n';
   }
+  append_map_line(out, map);
   for (const SegmentChain& chain : chains) {
     out += chain.closed ? "# loop closed" : "# loop open";
     for (const std::uint32_t point : chain.points) {
@@ -68,13 +71,13 @@ LayerText poff_of(const LayerGeometry& geometry) {
   if (layer_descriptors()[layer].id == "points") return {write_poff(geometry.document)};
   if (!emits(layer, PrimitiveKind::point)) {
     const SegmentChains found = chains_of(geometry.mirror.instances(layer, PrimitiveKind::segment));
-    return {poff_text(found.points, found.chains)};
+    return {poff_text(found.points, found.chains, geometry.document.map())};
   }
   std::vector<Vec2> points;
   const std::span<const double> instances = geometry.mirror.instances(layer, PrimitiveKind::point);
   for (std::size_t at = 0; at < instances.size(); at += stride_of(PrimitiveKind::point))
     points.push_back({instances[at], instances[at + 1]});
-  return {poff_text(points, {})};
+  return {poff_text(points, {}, geometry.document.map())};
 }
 
 LayerText npoff_of(const LayerGeometry& geometry) {

@@ -23,10 +23,11 @@ LayerText wpoff_of(const LayerGeometry& geometry);
 /// The samples of the curve in order, each with its unit normal: a block a chain.
 LayerText npoff_of(const LayerGeometry& geometry);
 
-/// RFC 7946 but for its reference system: coordinates are those of the document. Circles, disks and arcs are polygons
-/// and chains of 96 sides a turn, with centre and radius as properties.
+/// RFC 7946. What was a map in degrees is one again, with the name of its reference system; everything else is in coordinates of the
+/// document, which RFC 7946 does not know. Circles, disks and arcs are polygons
+/// and chains of 96 sides a turn, with centre and radius as properties; radii and scalars stay as the document has them.
 LayerText geojson_of(const LayerGeometry& geometry);
-/// Well-known text, a geometry a line, round shapes as in GeoJSON.
+/// Well-known text, a geometry a line, round shapes as in GeoJSON; with `SRID=4326;` before each where it is a map in degrees.
 LayerText wkt_of(const LayerGeometry& geometry);
 
 /// The `d` of one path; y grows downwards there, so it is negated.

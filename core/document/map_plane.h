@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where on the Earth the plane of a document lies that was read from a map in degrees. Plain data.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+
+#include "core/base/vec2.h"
+
+namespace mes {
+
+/// What becomes of longitude and latitude.
+enum class MapDegrees : std::uint8_t {
+  projected,  ///< to kilometres about the middle of the map
+  kept,       ///< as coordinates of the plane, in degrees
+};
+
+/// How degrees became coordinates of the plane: equirectangularly about a place, true to scale there and along
+/// meridians; or not at all.
+///
+/// Guarantees: to the plane and back is the same place up to rounding, less than 1e-12 degrees for places on the Earth.
+struct MapPlane {
+  MapDegrees degrees = MapDegrees::projected;
+  double longitude =
+      0.0;  ///< of the origin of the plane, in degrees, perhaps above 180; of no effect where degrees are kept
+  double latitude = 0.0;  ///< from -90 to 90
+
+  /// Kilometres in a degree of longitude and of latitude.
+  Vec2 scale() const {
+    // Mean radius of the Earth by the International Union of Geodesy and Geophysics, in kilometres.
+    constexpr double kEarthRadius = 6371.0088;
+    constexpr double kRadian = std::numbers::pi / 180.0;
+    if (degrees == MapDegrees::kept) return {1.0, 1.0};
+    const double north = kEarthRadius * kRadian;
+    return {north * std::cos(latitude * kRadian), north};
+  }
+  Vec2 origin() const { return degrees == MapDegrees::kept ? Vec2{} : Vec2{longitude, latitude}; }
+  Vec2 plane_of(Vec2 place) const {
+    const Vec2 from = place - origin();
+    return {scale().x * from.x, scale().y * from.y};
+  }
+  /// Longitude and latitude of a place of the plane; beyond 180 or 90 degrees, it is not one of the Earth.
+  Vec2 degrees_of(Vec2 place) const { return origin() + Vec2{place.x / scale().x, place.y / scale().y}; }
+  /// The place that is `place` in the plane of another map, the shorter way around the Earth.
+  Vec2 plane_of(const MapPlane& other, Vec2 place) const {
+    Vec2 there = other.degrees_of(place);
+    if (degrees == MapDegrees::projected) there.x = longitude + std::remainder(there.x - longitude, 360.0);
+    return plane_of(there);
+  }
+  friend bool operator==(const MapPlane&, const MapPlane&) = default;
+};
+
+}  // namespace mes
