@@ -218,7 +218,11 @@ MapShapes::Unit unit_of(std::string_view system) {
   const std::string text = lower_case(system.substr(0, kLookedAt));
   const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
   const std::string_view kind = std::string_view(text).substr(begin);
-  const bool is_geographic = kind.starts_with("geogcs") || kind.starts_with("geogcrs") || kind.starts_with("geodcrs");
+  // With heights, it is one of two systems.
+  const bool is_compound = kind.starts_with("compd_cs") || kind.starts_with("compoundcrs");
+  const bool is_projected = text.contains("projcs") || text.contains("projcrs") || text.contains("geoccs");
+  const bool is_geographic = kind.starts_with("geogcs") || kind.starts_with("geogcrs") ||
+                             kind.starts_with("geodcrs") || (is_compound && !is_projected);
   return is_geographic && text.contains("degree") ? MapShapes::Unit::degrees : MapShapes::Unit::plane;
 }
 

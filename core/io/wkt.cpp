@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// WKT, well-known text (OGC 06-103r4, section 7): any number of geometries after each other, with line breaks, commas
-// or semicolons between them or not. Heights and measures (Z, M) are left out. `SRID=4326;` before one, as PostGIS
-// writes it, makes degrees of all positions; without it they are coordinates of the plane.
+// WKT, well-known text (OGC 06-103r4, section 7, with the curves of ISO 19125-2 and SQL/MM): any number of geometries
+// after each other, with line breaks, commas or semicolons between them or not. Heights and measures (Z, M) are left
+// out. `SRID=4326;` before one, as PostGIS writes it, or another code of degrees, makes degrees of all positions;
+// without it they are coordinates of the plane.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <utility>
 
 #include "core/base/lower_case.h"
 #include "core/io/format_registry.h"
@@ -18,7 +20,7 @@ namespace {
 
 constexpr int kDeepest = 64;
 
-enum class Shape : std::uint8_t { point, line, ring, any };
+enum class Shape : std::uint8_t { point, line, ring, curve, curved_ring, surface, any };
 
 /// `depth` pairs of parentheses around the list that holds positions.
 struct GeometryType {
@@ -26,7 +28,7 @@ struct GeometryType {
   int depth;
   Shape shape;
 };
-constexpr std::array<GeometryType, 10> kGeometries{{{"point", 0, Shape::point},
+constexpr std::array<GeometryType, 15> kGeometries{{{"point", 0, Shape::point},
                                                     {"multipoint", 0, Shape::point},
                                                     {"linestring", 0, Shape::line},
                                                     {"multilinestring", 1, Shape::line},
@@ -35,6 +37,11 @@ constexpr std::array<GeometryType, 10> kGeometries{{{"point", 0, Shape::point},
                                                     {"triangle", 1, Shape::ring},
                                                     {"tin", 2, Shape::ring},
                                                     {"polyhedralsurface", 2, Shape::ring},
+                                                    {"circularstring", 0, Shape::curve},
+                                                    {"compoundcurve", 0, Shape::curve},
+                                                    {"multicurve", 1, Shape::curve},
+                                                    {"curvepolygon", 1, Shape::curved_ring},
+                                                    {"multisurface", 1, Shape::surface},
                                                     {"geometrycollection", 0, Shape::any}}};
 
 constexpr bool is_blank(char c) {
@@ -140,8 +147,7 @@ class WktReader {
     if (!number) return unexpected_here("the number of a reference system");
     words_.skip_word();
     if (!words_.take(';')) return unexpected_here("\";\" after the reference system");
-    constexpr std::uint64_t kDegrees = 4326;  // WGS 84 in degrees, by EPSG
-    if (*number == kDegrees) unit_ = MapShapes::Unit::degrees;
+    if (MapShapes::unit_of_epsg(*number) == MapShapes::Unit::degrees) unit_ = MapShapes::Unit::degrees;
     return {};
   }
 
@@ -149,12 +155,88 @@ class WktReader {
     const GeometryType* const type = type_named(words_.word());
     if (type == nullptr) return unexpected_here("a geometry such as POLYGON");
     if (depth > kDeepest) return bad("collections are nested too deeply", words_.place());
+    if (type->shape == Shape::curve && type->depth == 0) {
+      if (auto done = read_curve(); !done) return done;
+      shapes_.end_line();
+      return {};
+    }
+    skip_type();
+    switch (type->shape) {
+      case Shape::curve: return read_list([&] { return read_whole_curve(false); });
+      case Shape::curved_ring: return read_list([&] { return read_whole_curve(true); });
+      case Shape::surface: return read_list([&] { return read_surface(depth + 1); });
+      case Shape::any: return read_list([&] { return read_geometry(depth + 1); });
+      default: return read_lists(*type, type->depth);
+    }
+  }
+
+  /// The name, and the letters of its dimensions.
+  void skip_type() {
     words_.skip_word();
     for (std::string word = word_in_lower_case(); word == "z" || word == "m" || word == "zm";
          word = word_in_lower_case())
       words_.skip_word();
-    if (type->shape != Shape::any) return read_lists(*type, type->depth);
-    return read_list([&] { return read_geometry(depth + 1); });
+  }
+
+  Expected<void> read_whole_curve(bool is_ring) {
+    if (auto done = read_curve(); !done) return done;
+    if (is_ring)
+      shapes_.end_ring();
+    else
+      shapes_.end_line();
+    return {};
+  }
+
+  /// A polygon of a set, which may be without a name.
+  Expected<void> read_surface(int depth) {
+    constexpr GeometryType kPolygon{"polygon", 1, Shape::ring};
+    return words_.sign() == '(' ? read_lists(kPolygon, kPolygon.depth) : read_geometry(depth);
+  }
+
+  /// A line, which may be without a name, arcs, or several of these that follow each other.
+  Expected<void> read_curve() {
+    const std::string_view name = words_.word();
+    if (name.empty()) return read_list([&] { return read_position(); });
+    const GeometryType* const type = type_named(name);
+    const std::string_view kind = type == nullptr ? std::string_view{} : type->name;
+    if (kind != "linestring" && kind != "circularstring" && kind != "compoundcurve")
+      return unexpected_here("a curve such as CIRCULARSTRING");
+    skip_type();
+    if (kind == "linestring") return read_list([&] { return read_position(); });
+    if (kind == "circularstring") return read_arcs();
+    joins_ = true;
+    auto done = read_list([&]() -> Expected<void> {
+      const GeometryType* const part = type_named(words_.word());
+      if (part != nullptr && part->name == "compoundcurve")
+        return unexpected_here("a line or CIRCULARSTRING, which are parts of a COMPOUNDCURVE,");
+      return read_curve();
+    });
+    joins_ = false;
+    return done;
+  }
+
+  /// Each through one position to another.
+  Expected<void> read_arcs() {
+    std::optional<Vec2> through;
+    const std::size_t before = shapes_.length();
+    const std::size_t place = words_.place();
+    bool is_first = true;
+    auto done = read_list([&]() -> Expected<void> {
+      if (std::exchange(is_first, false)) return read_position();
+      const auto position = parse_position();
+      if (!position) return std::unexpected(position.error());
+      if (!through) {
+        through = *position;
+      } else {
+        shapes_.add_arc(*std::exchange(through, std::nullopt), *position);
+      }
+      return {};
+    });
+    if (!done) return done;
+    const bool is_single = !is_first && !through && shapes_.length() == before + 1 && before == 0;
+    if (through || is_single)
+      return bad("a CIRCULARSTRING has three positions, or two more for each other arc", place);
+    return {};
   }
 
   std::string word_in_lower_case() const {
@@ -184,8 +266,7 @@ class WktReader {
     switch (type.shape) {
       case Shape::line: shapes_.end_line(); break;
       case Shape::ring: shapes_.end_ring(); break;
-      case Shape::point:
-      case Shape::any: shapes_.end_points(); break;
+      default: shapes_.end_points(); break;
     }
     return {};
   }
@@ -196,7 +277,15 @@ class WktReader {
     return read_position();
   }
 
+  /// The first position of a part of a curve is where the part before ends.
   Expected<void> read_position() {
+    const auto position = parse_position();
+    if (!position) return std::unexpected(position.error());
+    if (shapes_.length() == 0 || shapes_.last() != *position || !joins_) shapes_.add(*position);
+    return {};
+  }
+
+  Expected<Vec2> parse_position() {
     job_.passed(text_.data() + words_.place());
     std::array<double, 2> numbers{};
     for (double& number : numbers) {
@@ -206,7 +295,6 @@ class WktReader {
       number = *value;
       words_.skip_word();
     }
-    shapes_.add({numbers[0], numbers[1]});
     constexpr int kMost = 2;
     for (int i = 0; i < kMost && !words_.word().empty(); ++i) {
       // A measure may be missing ("nan").
@@ -215,7 +303,7 @@ class WktReader {
       if (!first_height_) first_height_ = words_.place();
       words_.skip_word();
     }
-    return {};
+    return Vec2{numbers[0], numbers[1]};
   }
 
   std::string_view text_;
@@ -227,6 +315,7 @@ class WktReader {
   MapShapes::Unit unit_ = MapShapes::Unit::plane;
   CoordinateReader coordinates_;
   std::optional<std::size_t> first_height_;
+  bool joins_ = false;  // parts of a curve, which have an end in common
 };
 
 /// A geometry's name, and what can follow it.

@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+#include "core/document/curve_source.h"
 #include "core/io/format.h"
 
 using namespace mes;
@@ -193,4 +194,121 @@ TEST_CASE("what looks like a map by its name only is read as what it is") {
   CHECK(read_good("point,x,y\n1,2,3\n2,4,5\n", "a.csv").format == "csv");
   CHECK(read_good("POINT (1 2)", "a.csv").format == "wkt");
   CHECK(read_good(R"([[1, 2]])", "a.txt").format == "geojson");
+}
+
+TEST_CASE("GeoJSON texts may follow each other, on lines or after record separators") {
+  const std::string first =
+      R"({"type":"Feature","properties":{"a":"}{\\"},"geometry":{"type":"Point","coordinates":[1000,2]}})";
+  const std::string second = R"({"type":"LineString","coordinates":[[0,0],[3,4]]})";
+  const std::vector<Vec2> positions{{0, 0}, {3, 4}, {1000, 2}};
+  for (const std::string& text :
+       {first + "\n" + second + "\n", first + "\r\n\r\n" + second, "\x1e" + first + "\n\x1e" + second + "\n",
+        first + second, "\xEF\xBB\xBF" + first + "\n" + second}) {
+    INFO(text);
+    const LoadedFile file = read_good(text);
+    CHECK(file.format == "geojson");
+    CHECK(file.data.positions == positions);
+    CHECK(file.data.contours == Contours{{false, {0, 1}}});
+  }
+  CHECK(read_good("\x1e" + second).data.positions.size() == 2);
+  // Errors have the place in the file.
+  const auto refused = [](const std::string& text) {
+    const auto read = read_sample_bytes(text, "a.geojson");
+    REQUIRE_FALSE(read.has_value());
+    return read.error().message();
+  };
+  CHECK(refused(first + "\n" + R"({"type":"Point","coordinates":[1,}])") == "a.geojson:2:34: this is not JSON");
+  CHECK(refused(first + "\n" + R"({"type":"Point","coordinates":[1,"x"]})") == "a.geojson:2:34: expected a number");
+  CHECK(refused(first + "\n\n" + R"({"type":"Point","coordinates":[1,2])").starts_with("a.geojson:3:"));
+  CHECK(refused(second + "\nand more").starts_with("a.geojson:2:"));
+}
+
+TEST_CASE("reference systems in degrees are known by their names and numbers") {
+  const auto with = [](const std::string& name) {
+    return R"({"type":"LineString","coordinates":[[9,50],[11,51]],"crs":{"type":"name","properties":{"name":")" +
+           name + R"("}}})";
+  };
+  for (const char* name : {"urn:ogc:def:crs:OGC:1.3:CRS84", "EPSG:4326", "urn:ogc:def:crs:EPSG::4258", "EPSG:4269"})
+    CHECK(read_good(with(name)).degrees == MapDegrees::projected);
+  for (const char* name : {"EPSG:3857", "urn:ogc:def:crs:EPSG::25832", "local", "EPSG:43260"})
+    CHECK_FALSE(read_good(with(name)).degrees.has_value());
+  CHECK(read_good("SRID=4258;POINT (9 50)").degrees == MapDegrees::projected);
+  CHECK_FALSE(read_good("SRID=25832;POINT (9 50)").degrees.has_value());
+  // What this program exports lies in the plane, unless it says that these are degrees.
+  const std::string feature =
+      R"({"type":"Feature","properties":{"layer":"points","kind":"point"},"geometry":{"type":"Point","coordinates":[9,50]}})";
+  CHECK_FALSE(read_good(R"({"type":"FeatureCollection","features":[)" + feature + "]}").degrees.has_value());
+  CHECK(
+      read_good(
+          R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}},"features":[)" +
+          feature + "]}")
+          .degrees == MapDegrees::projected);
+}
+
+TEST_CASE("curves of WKT are arcs of circles") {
+  const auto curves_of = [](const std::string& text) {
+    const LoadedFile file = read_good(text);
+    CHECK(file.format == "wkt");
+    REQUIRE(file.data.source);
+    return file.data.source->curves->curves;
+  };
+  const auto lies_on = [](const PlaneCurve& curve, Vec2 center, double radius) {
+    curve.for_each_piece([&](const Piece& piece) {
+      for (const double t : {0.0, 0.3, 0.5, 1.0}) CHECK(distance(piece.at(t), center) == Approx(radius));
+    });
+  };
+  const auto half = curves_of("CIRCULARSTRING (1 0, 0 1, -1 0)");
+  REQUIRE(half.size() == 1);
+  CHECK(half[0].arcs().at(0).sweep == Approx(3.14159265358979));
+  lies_on(half[0], {0, 0}, 1);
+  // Clockwise, and more than half of the circle.
+  const auto most = curves_of("circularstring z(0 1 5, 0 -1 5, -1 0 5)");
+  CHECK(most[0].arcs().at(0).sweep == Approx(-1.5 * 3.14159265358979));
+  const auto two = curves_of("CIRCULARSTRING(0 0, 1 1, 2 0, 3 -1, 4 0)");
+  CHECK(two[0].piece_count() == 2);
+  const auto circle = curves_of("CIRCULARSTRING (5 0, 1 0, 5 0)");
+  CHECK(circle[0].is_closed());
+  lies_on(circle[0], {3, 0}, 2);
+  CHECK(std::abs(circle[0].arcs().at(0).sweep) == Approx(2 * 3.14159265358979));
+  CHECK(curves_of("CIRCULARSTRING (0 0, 1 1, 2 2)")[0].is_polyline());
+
+  // A slot: its parts share their ends.
+  const std::string slot =
+      "COMPOUNDCURVE ((0 -1, 3 -1), CIRCULARSTRING (3 -1, 4 0, 3 1), LINESTRING (3 1, 0 1), "
+      "CIRCULARSTRING (0 1, -1 0, 0 -1))";
+  const auto outline = curves_of(slot);
+  REQUIRE(outline.size() == 1);
+  CHECK(outline[0].is_closed());
+  CHECK(outline[0].piece_count() == 4);
+  const auto polygon =
+      curves_of("CURVEPOLYGON (" + slot + ", (1 0, 2 0, 2 0.5, 1 0), CIRCULARSTRING (0.5 0, 0 0, 0.5 0))");
+  REQUIRE(polygon.size() == 3);
+  for (const PlaneCurve& ring : polygon) CHECK(ring.is_closed());
+  CHECK(polygon[0] == outline[0]);
+  const auto several =
+      curves_of("MULTICURVE ((0 0, 5 5), CIRCULARSTRING EMPTY, CIRCULARSTRING (1 0, 0 1, -1 0), " + slot + ")");
+  REQUIRE(several.size() == 3);
+  CHECK(several[1] == half[0]);
+  CHECK(curves_of("MULTISURFACE (((10 0, 14 0, 10 3, 10 0)), CURVEPOLYGON (" + slot +
+                  "), POLYGON ((20 0, 24 0, 20 3, 20 0)))")
+            .size() == 3);
+  CHECK(curves_of("GEOMETRYCOLLECTION (MULTICURVE EMPTY, CURVEPOLYGON (" + slot + "), POINT (9 9))").size() == 1);
+  // In degrees a circle of the file becomes an ellipse of the plane.
+  const LoadedFile degrees = read_good("SRID=4326;CIRCULARSTRING (21 60, 20 61, 19 60)");
+  const PlaneCurve& arc = degrees.data.source->curves->curves.at(0);
+  const Vec2 top = arc.arcs().at(0).center + arc.arcs().at(0).v;
+  CHECK(degrees.data.map->degrees_of(top).x == Approx(20.0));
+  CHECK(degrees.data.map->degrees_of(top).y == Approx(61.0));
+
+  const auto refused = [](const std::string& text) {
+    const auto read = read_sample_bytes(text, "a");
+    REQUIRE_FALSE(read.has_value());
+    return read.error().message();
+  };
+  CHECK(refused("CIRCULARSTRING (0 0, 1 1)") ==
+        "a:1:16: a CIRCULARSTRING has three positions, or two more for each other arc");
+  CHECK(refused("CIRCULARSTRING (0 0)") ==
+        "a:1:16: a CIRCULARSTRING has three positions, or two more for each other arc");
+  CHECK(refused("COMPOUNDCURVE (POINT (0 0))") == "a:1:16: expected a curve such as CIRCULARSTRING, found \"POINT\"");
+  CHECK(refused("CURVEPOLYGON (COMPOUNDCURVE (COMPOUNDCURVE ((0 0, 1 1))))").starts_with("a:1:30: "));
 }
