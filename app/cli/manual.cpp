@@ -258,8 +258,9 @@ void write_formats(Markdown& page) {
     exported.push_back({plain(format.title), code(format.name), plain(format.help), format.is_of_many ? "yes" : ""});
   page.table({"Format", "Id", "What `mesecina export` writes", "Several layers"}, exported);
   page.paragraph(
-      "Coordinates are those of the document, with all their digits. GeoJSON and WKT have no circles: a circle, a "
-      "disk\n"
+      "Coordinates are those of the document, with all their digits; of a map in degrees GeoJSON and WKT are in "
+      "degrees,\n"
+      "radii and other numbers in kilometres. GeoJSON and WKT have no circles: a circle, a disk\n"
       "or an arc has 96 sides a turn there, and GeoJSON names its centre and radius. Chains of GeoJSON have the "
       "scalar\n"
       "of each of their segments. Rays and lines are in `csv` alone; elsewhere they are left out, with a message.");

@@ -241,7 +241,7 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDe
 Format geojson_format() {
   return {.descriptor = {.id = "geojson",
                          .name = "GeoJSON, or lists of positions in JSON",
-                         .extensions = {".geojson"},
+                         .extensions = {".geojson", ".geojsonl"},
                          .can_read = true,
                          .is_map = true},
           .match = match,
