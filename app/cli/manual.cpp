@@ -257,6 +257,16 @@ void write_formats(Markdown& page) {
   for (const LayerTextFormat& format : layer_text_formats())
     exported.push_back({plain(format.title), code(format.name), plain(format.help), format.is_of_many ? "yes" : ""});
   page.table({"Format", "Id", "What `mesecina export` writes", "Several layers"}, exported);
+  Rows columns;
+  for (const PrimitiveKind kind : kAllPrimitiveKinds)
+    columns.push_back({std::string(name_of(kind)), code(csv_columns(kind))});
+  page.paragraph(
+      "CSV has a column `kind` where a layer has several kinds of primitives, and `scalar` where it has one. The\n"
+      "header names the columns of one kind; the others fill the same places. A ray begins at `x,y` and a line goes\n"
+      "through it; `dx,dy` is a direction, of no particular length, where a segment has its other end. Angles of "
+      "arcs\n"
+      "are radians, counter-clockwise.");
+  page.table({"Kind", "What the columns of a line are"}, columns);
   page.paragraph(
       "Coordinates are those of the document, with all their digits; of a map in degrees GeoJSON and WKT are in "
       "degrees,\n"

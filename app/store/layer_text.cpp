@@ -26,8 +26,11 @@ bool holds_curve(LayerIndex layer) {
 
 // One line a format.
 constexpr std::array<LayerTextFormat, 7> kFormats{{
-    {"csv", "csv", "CSV table", "one primitive a line, segments without length left out", false, false, "", holds_all,
-     csv_of},
+    {"csv", "csv", "CSV table",
+     "one primitive a line, segments without length left out; the second pair of numbers is the other end of a "
+     "segment, "
+     "but the direction of a ray or a line",
+     false, false, "", holds_all, csv_of},
     {"poff", "poff", "POFF points", "points, or the ends of segments with the chains they form", false, false,
      "points", holds_points, poff_of},
     {"wpoff", "wpoff", "WPOFF balls", "disks, or circles", false, false, "disks", holds_balls, wpoff_of},

@@ -12,6 +12,7 @@
 #include "core/document/document.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/layer_mirror.h"
+#include "core/draw/primitives.h"
 
 namespace mes {
 
@@ -47,6 +48,10 @@ struct LayerTextFormat {
 std::span<const LayerTextFormat> layer_text_formats();
 /// Null for any other name.
 const LayerTextFormat* find_layer_text_format(std::string_view name);
+
+/// The columns that a primitive of this kind fills in CSV, with what they mean for it. Where a layer has several kinds, the
+/// header names the columns of one of them, and the others fill the same places.
+std::string_view csv_columns(PrimitiveKind kind);
 
 /// Checks that the format holds these layers. Error: `usage`, with the layer and a format that holds it.
 Expected<void> check_layers(const LayerTextFormat& format, std::span<const LayerIndex> layers);

@@ -51,6 +51,42 @@ TEST_CASE("csv has a header, one primitive a line and every digit") {
   CHECK(lines_of(exported(kDude, "interior-voronoi-disks", "csv")).at(0) == "x,y,r,scalar");
 }
 
+TEST_CASE("the second pair of numbers of a ray in csv is a direction, as help and manual say") {
+  // Moved as a whole, segments have other ends, and rays the same directions.
+  const auto rows = [](const std::string& layer, const std::string& kind, double by) {
+    std::string samples;
+    for (const auto& [x, y] : {std::pair{0, 0}, {8, 0}, {8, 4}, {0, 6}, {3, 1}})
+      samples += std::to_string(x + by) + ' ' + std::to_string(y) + '\n';
+    std::vector<std::vector<double>> out;
+    for (const std::string& line : lines_of(exported("-", layer, "csv", samples))) {
+      if (!line.starts_with(kind + ',')) continue;
+      std::istringstream cells(line.substr(kind.size() + 1));
+      out.emplace_back();
+      for (std::string cell; std::getline(cells, cell, ',') && out.back().size() < 4;)
+        out.back().push_back(std::stod(cell));
+    }
+    std::ranges::sort(out);
+    return out;
+  };
+  for (const std::string layer : {"voronoi", "all-medial-axis"}) {
+    CAPTURE(layer);
+    const auto rays = rows(layer, "ray", 0.0);
+    const auto moved = rows(layer, "ray", 1024.0);
+    REQUIRE(rays.size() >= 3);
+    REQUIRE(rays.size() == moved.size());
+    for (std::size_t i = 0; i < rays.size(); ++i) {
+      CHECK(moved[i][0] == Approx(rays[i][0] + 1024.0));
+      CHECK(moved[i][2] == Approx(rays[i][2]));
+      CHECK(moved[i][3] == Approx(rays[i][3]));
+    }
+    const auto segments = rows(layer, "segment", 0.0);
+    REQUIRE_FALSE(segments.empty());
+    CHECK(rows(layer, "segment", 1024.0)[0][2] == Approx(segments[0][2] + 1024.0));
+  }
+  CHECK_THAT(run({"export", "--help"}).out, Catch::Contains("direction of a ray or a line"));
+  CHECK_THAT(run({"manual"}).out, Catch::Contains("| ray | `x,y,dx,dy` |"));
+}
+
 TEST_CASE("csv has as many lines as compute counts, with the kind where there are several") {
   const Json layers = Json::parse(
       run({"compute", kHawaii, "--layers", "voronoi,medial-axis,points,interior-voronoi-disks"}).out)["layers"];

@@ -12,11 +12,6 @@
 namespace mes {
 namespace {
 
-std::string_view csv_columns(PrimitiveKind kind) {
-  constexpr std::array<std::string_view, kPrimitiveKinds> names{
-      "x,y", "x,y,r", "x,y,r", "x1,y1,x2,y2", "x,y,dx,dy", "x,y,dx,dy", "x1,y1,x2,y2,x3,y3", "x,y,r,a0,a1"};
-  return names[static_cast<std::size_t>(kind)];
-}
 std::size_t csv_width(PrimitiveKind kind) {
   return kind == PrimitiveKind::arc ? 5 : doubles_per(kind);
 }
@@ -41,6 +36,12 @@ void append_coordinates(std::string& out, PrimitiveKind kind, std::span<const do
 }
 
 }  // namespace
+
+std::string_view csv_columns(PrimitiveKind kind) {
+  constexpr std::array<std::string_view, kPrimitiveKinds> names{
+      "x,y", "x,y,r", "x,y,r", "x1,y1,x2,y2", "x,y,dx,dy", "x,y,dx,dy", "x1,y1,x2,y2,x3,y3", "x,y,r,a0,a1"};
+  return names[static_cast<std::size_t>(kind)];
+}
 
 LayerText csv_of(const LayerGeometry& geometry) {
   const LayerIndex layer = geometry.layers.front();
