@@ -5,19 +5,17 @@
 #include <string>
 #include <vector>
 
-#include "app/cli/input.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
+#include "app/cli/session_settings.h"
 #include "app/insight/branch_table.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
 
 Expected<void> run_branches(const BranchesRequest& request, Interruption& interruption) {
-  auto settings = settings_of(request.source);
-  if (!settings) return std::unexpected(settings.error());
   const auto axis = std::ranges::find(kBranchAxes, request.layer, layer_of);
   if (axis == kBranchAxes.end()) {
     std::vector<std::string_view> known;
@@ -26,13 +24,13 @@ Expected<void> run_branches(const BranchesRequest& request, Interruption& interr
         fmt::format("--layer: {} has no branches; those that have are {}", in_quotes(request.layer), one_of(known)));
   }
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.source.file, request.source.from, request.source.reading);
+  const auto input = read_source(request.source);
   if (!input) return std::unexpected(input.error());
   JobControl job;
-  const auto table = branch_table_of(input->data, *settings, *axis, job);
+  const auto table = branch_table_of(input->file.data, input->settings, *axis, job);
   if (!table) return std::unexpected(table.error());
-  auto done =
-      write_output(request.output, branches_as_csv(table->branches), interruption, {input->sources, request.force});
+  auto done = write_output(request.output, branches_as_csv(table->branches), interruption,
+                           {input->file.sources, request.force});
   if (done) say(table->branches.empty() ? "no branch: " + table->reason : kept_in_words(*table));
   return done;
 }

@@ -142,7 +142,7 @@ std::vector<CommandHelp> all_commands() {
 Expected<void> run_command(const CLI::App& command, const Arguments& arguments) {
   Interruption interruption;
   const auto run = [&](const auto& request, auto function) -> Expected<void> {
-    if (const auto good = settings_of(request.source, true); !good) return std::unexpected(good.error());
+    if (const auto good = settings_of(request.source, {}, true); !good) return std::unexpected(good.error());
     return function(request, interruption);
   };
   if (command.get_name() == "compute") return run(arguments.compute, run_compute);

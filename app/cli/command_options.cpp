@@ -53,10 +53,13 @@ void add_output(CLI::App& command, std::string& output, bool& force) {
 void add_source(CLI::App& command, Source& source) {
   add_input(command, source);
   command.add_option("--precision", source.precision,
-                     "Number type: " + ids_of(kPrecisionDescriptors) + "; default: fast");
+                     "Number type: " + ids_of(kPrecisionDescriptors) +
+                         ";\n"
+                         "default: that of the session, if FILE is one or carries one, and else fast");
   command
       .add_option("--set", source.settings,
-                  "Set a parameter, NAME=VALUE (mesecina list parameters);\nmay be repeated")
+                  "Set a parameter, NAME=VALUE (mesecina list parameters);\n"
+                  "may be repeated. All others are those of the session, or else the defaults")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }

@@ -47,13 +47,14 @@ std::optional<FamilyKind> family_named(const std::string& letter) {
   return std::nullopt;
 }
 
-/// NAME, or NAME:KEY=VALUE[,KEY=VALUE...]; the key `seed` is of all evolutions.
-Expected<EvolutionChoice> evolution_of(const std::string& text) {
+/// NAME, or NAME:KEY=VALUE[,KEY=VALUE...]; the key `seed` is of all evolutions. What is not said is as in `base`.
+Expected<EvolutionChoice> evolution_of(const std::string& text, const EvolutionChoice& base) {
   constexpr std::string_view kSeed = "seed=";
   const std::size_t colon = text.find(':');
   const auto evolution = select_evolution(text.substr(0, colon));
   if (!evolution) return std::unexpected(evolution.error());
-  EvolutionChoice out{.evolution = *evolution};
+  EvolutionChoice out = base;
+  out.evolution = *evolution;
   if (colon == std::string::npos) return out;
   const auto parameters = parameters_of(*evolution);
   for (const std::string_view setting : split_list(std::string_view(text).substr(colon + 1))) {
@@ -91,8 +92,8 @@ class Reader {
       out_.words.push_back(words_of(subject, value));
     }
     if (out_.subject == CompareRequest::Subject::step) {
-      if (request_.evolution.empty()) return usage_error("--compare step: name the evolution with --evolution");
-      const auto evolution = evolution_of(request_.evolution);
+      if (request_.evolution.empty()) return std::move(out_);
+      const auto evolution = evolution_of(request_.evolution, {});
       if (!evolution) return std::unexpected(evolution.error());
       out_.evolution = *evolution;
     }
@@ -214,6 +215,19 @@ Expected<CompareRequest> understand_comparison(const RenderRequest& request, std
     return usage_error("--evolution needs --compare step=...");
   if (out && request.bounds != kBoundsOfView) return usage_error("--bounds excludes --compare");
   return out;
+}
+
+Expected<void> take_evolution(CompareRequest& compared, const RenderRequest& request,
+                              const std::optional<EvolutionChoice>& of_session) {
+  if (compared.subject != CompareRequest::Subject::step) return {};
+  const bool is_named = !request.evolution.empty();
+  if (!is_named && !of_session) return usage_error("--compare step: name the evolution with --evolution");
+  if (!of_session) return {};
+  const auto evolution =
+      is_named ? evolution_of(request.evolution, *of_session) : Expected<EvolutionChoice>(*of_session);
+  if (!evolution) return std::unexpected(evolution.error());
+  compared.evolution = *evolution;
+  return {};
 }
 
 Expected<std::vector<PaneRequest>> panes_of(const CompareRequest& compared, const PictureRequest& picture,

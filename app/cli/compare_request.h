@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,8 +37,14 @@ struct CompareRequest {
 /// What `--compare` can compare.
 std::vector<std::string_view> compared_subjects();
 
-/// Error: `usage`, naming what there is; `bad_input` for a bundle that cannot be read.
+/// An evolution that is not named is not yet known. Error: `usage`, naming what there is; `bad_input` for a bundle that
+/// cannot be read.
 Expected<CompareRequest> understand_comparison(const RenderRequest& request, std::span<const render::ColorMap> maps);
+
+/// Takes what the command does not say of the evolution whose steps are compared from the session (nothing: it has none):
+/// which it is, its parameters and its seed. Error: `usage` where neither names one.
+Expected<void> take_evolution(CompareRequest& compared, const RenderRequest& request,
+                              const std::optional<EvolutionChoice>& of_session);
 
 /// The panes, where `picture`, `settings` and `data` say what all have in common. Steps of an evolution are computed
 /// here. Error: `usage` for layers without the families that are compared; that of the evolution.

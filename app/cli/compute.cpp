@@ -7,11 +7,11 @@
 #include <variant>
 #include <vector>
 
-#include "app/cli/input.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
+#include "app/cli/session_settings.h"
 #include "app/layers/layer_summary.h"
 #include "app/layers/statistics_text.h"
 #include "core/draw/layer_descriptor.h"
@@ -81,17 +81,16 @@ Json diagnostics_of(std::span<const NodeReport> nodes) {
 }  // namespace
 
 Expected<void> run_compute(const ComputeRequest& request, Interruption& interruption) {
-  const auto settings = settings_of(request.source);
-  if (!settings) return std::unexpected(settings.error());
-  const auto layers = select_layers(request.layers);
-  if (!layers) return std::unexpected(layers.error());
+  if (const auto good = select_layers(request.layers); !good) return std::unexpected(good.error());
   if (auto good = check_output(request.output); !good) return good;
-  auto input = read_input(request.source.file, request.source.from, request.source.reading);
+  auto input = read_source(request.source);
   if (!input) return std::unexpected(input.error());
-
-  const std::size_t samples = input->data.positions.size();
-  const std::size_t contours = input->data.contours.size();
-  const std::size_t balls = input->data.balls.size();
+  const auto layers = shown_layers(request.layers, input->session());
+  if (!layers) return std::unexpected(layers.error());
+  LoadedFile& file = input->file;
+  const std::size_t samples = file.data.positions.size();
+  const std::size_t contours = file.data.contours.size();
+  const std::size_t balls = file.data.balls.size();
 
   std::vector<Measured> measured(layer_descriptors().size());
   const auto take = [&](const InstancePiece& piece) {
@@ -99,9 +98,9 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
     layer.tally.add(piece.kind, piece.values);
     if (request.with_digests) layer.digest += digest_of(piece.kind, piece.values, !piece.scalars_are_names);
   };
-  const auto result = measure_with_progress(std::move(input->data),
+  const auto result = measure_with_progress(std::move(file.data),
                                             {.layers = *layers,
-                                             .settings = *settings,
+                                             .settings = input->settings,
                                              .want_statistics = true,
                                              .want_findings = true,
                                              .needs_scalars = request.with_digests,
@@ -112,10 +111,10 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
   Json out;
   out["schema"] = 1;
   out["version"] = MESECINA_VERSION;
-  out["input"] = {{"file", request.source.file}, {"format", input->format},
+  out["input"] = {{"file", request.source.file}, {"format", file.format},
                   {"samples", samples},          {"distinct", distinct_of(result->nodes)},
                   {"contours", contours},        {"balls", balls}};
-  out["precision"] = id_of(settings->precision);
+  out["precision"] = id_of(input->settings.precision);
   out["structures"] = Json::object();
   for (const NodeReport& node : result->nodes) out["structures"][node.structure] = json_of(node, request.with_timing);
   out["layers"] = Json::object();
@@ -128,7 +127,7 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
   out["diagnostics"] = diagnostics_of(result->nodes);
   // A file name need not be UTF-8, but JSON must.
   const std::string text = out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
-  return write_output(request.output, text, interruption, {input->sources, request.force});
+  return write_output(request.output, text, interruption, {file.sources, request.force});
 }
 
 }  // namespace mes::cli

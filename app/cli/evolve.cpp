@@ -8,41 +8,56 @@
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
+#include "app/cli/session_settings.h"
 #include "core/evolutions/evolution.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
 namespace {
 
-Expected<EvolutionChoice> choice_of(const EvolveRequest& request) {
-  const auto evolution = select_evolution(request.evolution);
-  if (!evolution) return std::unexpected(evolution.error());
-  const auto seed = whole_number("--seed", request.seed);
-  if (!seed) return std::unexpected(seed.error());
-  EvolutionChoice out{.evolution = *evolution, .seed = *seed};
-  const auto parameters = parameters_of(*evolution);
+/// Where the command does not say, as in `base`.
+Expected<EvolutionChoice> choice_of(const EvolveRequest& request, const EvolutionChoice& base) {
+  EvolutionChoice out = base;
+  if (!request.evolution.empty()) {
+    const auto evolution = select_evolution(request.evolution);
+    if (!evolution) return std::unexpected(evolution.error());
+    out.evolution = *evolution;
+  }
+  if (!request.seed.empty()) {
+    const auto seed = whole_number("--seed", request.seed);
+    if (!seed) return std::unexpected(seed.error());
+    out.seed = *seed;
+  }
+  const auto parameters = parameters_of(out.evolution);
   for (const std::string& setting : request.settings) {
     const auto parsed = parse_setting(setting, parameters);
     if (!parsed) return std::unexpected(parsed.error());
     out.values.set(parameters[parsed->first].id, parsed->second);
   }
+  const EvolutionDescriptor& evolution = evolutions()[out.evolution].descriptor;
+  if (const ParameterMove* move = evolutions()[out.evolution].moved_parameter())
+    return usage_error(
+        fmt::format("{} moves no samples but the parameter {}; give that to compute, render or export by --set",
+                    in_quotes(evolution.id), descriptor_of(move->parameter).id));
   return out;
 }
 
 }  // namespace
 
 Expected<void> run_evolve(const EvolveRequest& request, Interruption& interruption) {
-  const auto choice = choice_of(request);
-  if (!choice) return std::unexpected(choice.error());
-  if (const ParameterMove* move = evolutions()[choice->evolution].moved_parameter())
-    return usage_error(
-        fmt::format("{} moves no samples but the parameter {}; give that to compute, render or export by --set",
-                    in_quotes(request.evolution), descriptor_of(move->parameter).id));
+  // What is named is refused before anything is read.
+  if (!request.evolution.empty())
+    if (const auto good = choice_of(request, {}); !good) return std::unexpected(good.error());
   const auto steps = whole_number("--steps", request.steps);
   if (!steps) return std::unexpected(steps.error());
   if (auto good = check_output(request.output); !good) return good;
   const auto input = read_input(request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
+  const auto of_session = evolution_in(input->session.get());
+  if (request.evolution.empty() && !of_session)
+    return usage_error("--evolution is required: the file is no session with an evolution");
+  const auto choice = choice_of(request, of_session.value_or(EvolutionChoice()));
+  if (!choice) return std::unexpected(choice.error());
 
   Document document;
   const auto read = replace_all(document, input->data);

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <vector>
 
-#include "app/cli/input.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
+#include "app/cli/session_settings.h"
 #include "app/export/geometry_export.h"
 #include "app/store/layer_text.h"
 #include "core/io/text_numbers.h"
@@ -47,21 +47,19 @@ std::span<const std::string_view> export_formats() {
 }
 
 Expected<void> run_export(const ExportRequest& request, Interruption& interruption) {
-  const auto settings = settings_of(request.source);
-  if (!settings) return std::unexpected(settings.error());
   const auto format = select_format(request.format);
   if (!format) return std::unexpected(format.error());
   const auto layers = select_layers(request.layer);
   if (!layers) return std::unexpected(layers.error());
   if (auto good = check_layers(**format, *layers); !good) return good;
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.source.file, request.source.from, request.source.reading);
+  const auto input = read_source(request.source);
   if (!input) return std::unexpected(input.error());
 
-  const auto out = compute_text(input->data, **format, *layers, *settings);
+  const auto out = compute_text(input->file.data, **format, *layers, input->settings);
   if (!out) return std::unexpected(out.error());
   if (const std::string remark = remark_about(*out, **format); !remark.empty()) say(remark);
-  return write_output(request.output, out->text, interruption, {input->sources, request.force});
+  return write_output(request.output, out->text, interruption, {input->file.sources, request.force});
 }
 
 }  // namespace mes::cli

@@ -168,12 +168,13 @@ Expected<std::uint64_t> whole_number(std::string_view what, const std::string& t
                                  is_any ? "2^64 - 1" : std::to_string(most), in_quotes(text)));
 }
 
-Expected<ComputationSettings> settings_of(const Source& source, bool is_quiet) {
-  const auto precision =
-      select_precision(source.precision.empty() ? std::string(id_of(Precision::fast)) : source.precision);
-  if (!precision) return std::unexpected(precision.error());
-  ComputationSettings settings;
-  settings.precision = *precision;
+Expected<ComputationSettings> settings_of(const Source& source, const ComputationSettings& base, bool is_quiet) {
+  ComputationSettings settings = base;
+  if (!source.precision.empty()) {
+    const auto precision = select_precision(source.precision);
+    if (!precision) return std::unexpected(precision.error());
+    settings.precision = *precision;
+  }
   for (const std::string& setting : source.settings) {
     const auto parsed = parse_setting(setting, parameter_descriptors(), "--set", is_quiet);
     if (!parsed) return std::unexpected(parsed.error());

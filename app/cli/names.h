@@ -49,7 +49,9 @@ Expected<Precision> select_precision(const std::string& id);
 Expected<std::uint64_t> whole_number(std::string_view what, const std::string& text, std::uint64_t least = 0,
                                      std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
-/// Number type and parameters as asked for. Error: `usage`, naming what there is. Remarks are made unless `is_quiet`.
-Expected<ComputationSettings> settings_of(const Source& source, bool is_quiet = false);
+/// Number type and parameters as asked for, each by itself before that of `base`. Error: `usage`, naming what there is.
+/// Remarks are made unless `is_quiet`.
+Expected<ComputationSettings> settings_of(const Source& source, const ComputationSettings& base = {},
+                                          bool is_quiet = false);
 
 }  // namespace mes::cli

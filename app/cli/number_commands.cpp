@@ -25,7 +25,8 @@ void describe_compute(CLI::App& app, ComputeRequest& to) {
   add_source(*compute, to.source);
   compute->add_option("--layers", to.layers,
                       "Layer ids separated by commas (mesecina list layers), or all;\n"
-                      "default: those visible at start");
+                      "default: those of the session, if FILE is one or carries one, and\n"
+                      "else those visible at start");
   compute->add_flag("!--no-timing", to.with_timing, "Leave out times: equal input gives equal bytes");
   compute->add_flag("--digest", to.with_digests,
                     "Add a digest to each layer: a function of what it draws, equal to that of `play`");
@@ -42,7 +43,8 @@ void describe_sweep(CLI::App& app, SweepRequest& to) {
       ->required();
   sweep->add_option("--layers", to.layers,
                     "Layer ids separated by commas (mesecina list layers), or all;\n"
-                    "default: those visible at start");
+                    "default: those of the session, if FILE is one or carries one, and\n"
+                    "else those visible at start");
   add_output(*sweep, to.output, to.force);
   sweep->footer(
       "One line for each value; the columns are the numbers that `compute` gives for these layers and their "

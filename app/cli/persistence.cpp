@@ -5,19 +5,17 @@
 #include <string_view>
 #include <vector>
 
-#include "app/cli/input.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
+#include "app/cli/session_settings.h"
 #include "app/insight/persistence_table.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
 
 Expected<void> run_persistence(const PersistenceRequest& request, Interruption& interruption) {
-  const auto settings = settings_of(request.source);
-  if (!settings) return std::unexpected(settings.error());
   const auto of = std::ranges::find(kGrowths, request.of, word_of);
   if (of == kGrowths.end()) {
     std::vector<std::string_view> known;
@@ -25,10 +23,10 @@ Expected<void> run_persistence(const PersistenceRequest& request, Interruption& 
     return usage_error(fmt::format("--of: {} does not grow; what does is {}", in_quotes(request.of), one_of(known)));
   }
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.source.file, request.source.from, request.source.reading);
+  const auto input = read_source(request.source);
   if (!input) return std::unexpected(input.error());
   JobControl job;
-  const auto table = persistence_table_of({input->data, *of, *settings}, job);
+  const auto table = persistence_table_of({input->file.data, *of, input->settings}, job);
   if (!table) return std::unexpected(table.error());
   const auto longest = std::ranges::find(table->rows, true, &PersistenceRow::is_hole);
   const std::string words =
@@ -36,7 +34,8 @@ Expected<void> run_persistence(const PersistenceRequest& request, Interruption& 
                   table->rows.size() - table->closes.size() == 1 ? "component" : "components", table->closes.size(),
                   table->closes.size() == 1 ? "hole" : "holes",
                   longest == table->rows.end() ? std::string() : "; the longest " + in_words(*longest));
-  auto done = write_output(request.output, persistence_as_csv(*table), interruption, {input->sources, request.force});
+  auto done =
+      write_output(request.output, persistence_as_csv(*table), interruption, {input->file.sources, request.force});
   if (done) say(words);
   return done;
 }

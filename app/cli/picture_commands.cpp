@@ -160,7 +160,8 @@ void describe_render(CLI::App& app, RenderRequest& to) {
   render
       ->add_option("--evolution", to.evolution,
                    "Evolution of --compare step=..., NAME or NAME:KEY=VALUE[,KEY=VALUE...] with\n"
-                   "its parameters and seed (mesecina list evolutions, parameters)")
+                   "its parameters and seed (mesecina list evolutions, parameters);\n"
+                   "default: that of the session")
       ->needs(compare);
   render->add_option("--image", to.image,
                      "A picture (PNG, JPEG, BMP, PGM) below everything else (the layer image), FILE or\n"

@@ -11,6 +11,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
+#include "app/cli/session_settings.h"
 #include "app/cli/style_request.h"
 #include "core/base/lower_case.h"
 #include "core/draw/layer_descriptor.h"
@@ -91,8 +92,7 @@ void take_configuration(const LayerConfiguration& configuration, const std::stri
     else
       say(what + ": the picture " + image.file + " is not there");
   }
-  if (unknown != 0)
-    say(what + ": " + std::to_string(unknown) + (unknown == 1 ? " layer is" : " layers are") + " not available here");
+  say_unknown_layers(unknown, what);
 }
 
 Expected<void> take_bundle(const std::string& name_or_file, PictureRequest& picture) {

@@ -6,15 +6,14 @@
 #include <utility>
 
 #include "app/cli/compare_request.h"
-#include "app/cli/input.h"
 #include "app/cli/messages.h"
-#include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/picture_request.h"
 #include "app/cli/progress.h"
 #include "app/cli/render_panes.h"
 #include "app/cli/rendering.h"
 #include "app/cli/requests.h"
+#include "app/cli/session_settings.h"
 #include "app/export/carried.h"
 #include "app/export/figure.h"
 #include "app/store/background_loader.h"
@@ -56,6 +55,7 @@ std::string session_of(const RenderRequest& request, const PictureRequest& pictu
   session.panes = panes_beside(compared);
   if (request.has_free_cameras) session.pane_views.resize(session.panes.size());
   session.evolution = evolution_beside(compared);
+  if (session.evolution.id.empty() && input.session) session.evolution = evolution_without_history(*input.session);
   auto packed = packed_session(session);
   if (!packed) say("the picture carries no source: it would be too long");
   return std::move(packed).value_or("");
@@ -64,23 +64,23 @@ std::string session_of(const RenderRequest& request, const PictureRequest& pictu
 }  // namespace
 
 Expected<void> run_render(const RenderRequest& request, Interruption& interruption) {
-  auto settings = settings_of(request.source);
-  if (!settings) return std::unexpected(settings.error());
   LoadedColorMaps maps = load_color_maps(find_assets({}), user_color_map_folder());
   auto picture = understand(request, maps.maps, nullptr);
   if (!picture) return std::unexpected(picture.error());
-  const auto compared = understand_comparison(request, maps.maps);
+  auto compared = understand_comparison(request, maps.maps);
   if (!compared) return std::unexpected(compared.error());
   if (auto good = check_output(request.output); !good) return good;
   if (std::ranges::any_of(picture->shown.styles, [](const LayerStyle& style) { return !style.color_map.empty(); }))
     for (const Error& problem : maps.problems) say("a colour map is left out: " + problem.message());
-  const auto input = read_input(request.source.file, request.source.from, request.source.reading);
-  if (!input) return std::unexpected(input.error());
-  if (const Session* const session = input->session.get()) {
-    picture = understand(request, maps.maps, session);
+  const auto source = read_source(request.source);
+  if (!source) return std::unexpected(source.error());
+  const LoadedFile& input = source->file;
+  const ComputationSettings& settings = source->settings;
+  if (source->session() != nullptr) {
+    picture = understand(request, maps.maps, source->session());
     if (!picture) return std::unexpected(picture.error());
-    if (request.source.precision.empty() && request.source.settings.empty()) *settings = session->settings;
   }
+  if (auto good = take_evolution(*compared, request, evolution_in(source->session())); !good) return good;
 
   std::optional<Canvas> canvas;
   if (picture->format == nullptr) {
@@ -90,17 +90,17 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
     canvas->scene.set_color_maps(maps.maps);
   }
   Box2 samples;
-  for (const Vec2 position : input->data.positions) samples.add(position);
+  for (const Vec2 position : input.data.positions) samples.add(position);
   const auto traced = read_traced(*picture, samples);
   if (!traced) return std::unexpected(traced.error());
   if (canvas && *traced) {
     canvas->scene.set_picture(find_layer("image"), **traced);
     canvas->scene.place_picture({picture->image.center, picture->image.width});
   }
-  const auto data = std::make_shared<const SampleData>(input->data);
-  auto panes = panes_of(*compared, *picture, *settings, data);
+  const auto data = std::make_shared<const SampleData>(input.data);
+  auto panes = panes_of(*compared, *picture, settings, data);
   if (!panes) return std::unexpected(panes.error());
-  if (panes->empty()) panes->push_back({.words = {}, .shown = picture->shown, .settings = *settings, .data = data});
+  if (panes->empty()) panes->push_back({.words = {}, .shown = picture->shown, .settings = settings, .data = data});
   Comparison comparison = compare(std::move(*panes));
   LayerMirror mirror;
   const auto result = compute_with_progress(*comparison.data, {.layers = comparison.demand,
@@ -114,34 +114,35 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   if (!result) return std::unexpected(result.error());
 
   const Box2 bounds = result->document.bounding_box();
-  std::string session = session_of(request, *picture, *input, *settings, *compared, comparison);
-  const FigureSource source{.mirror = mirror,
-                            .bounds = bounds,
-                            .maps = maps.maps,
-                            .traced = *traced ? &**traced : nullptr,
-                            .annotations = request.with_annotations ? place(result->document) : PlacedAnnotations{},
-                            .document = result->document};
+  std::string session = session_of(request, *picture, input, settings, *compared, comparison);
+  const FigureSource drawn_from{
+      .mirror = mirror,
+      .bounds = bounds,
+      .maps = maps.maps,
+      .traced = *traced ? &**traced : nullptr,
+      .annotations = request.with_annotations ? place(result->document) : PlacedAnnotations{},
+      .document = result->document};
   const auto draw = [&]() -> Expected<std::string> {
     if (compared->subject != CompareRequest::Subject::nothing)
-      return draw_panes(*picture, request, comparison, *result, canvas ? &*canvas : nullptr, mirror, source,
+      return draw_panes(*picture, request, comparison, *result, canvas ? &*canvas : nullptr, mirror, drawn_from,
                         std::move(session));
     if (canvas) {
       const TitleBand title = title_of(request, picture->size, picture->shown);
       const auto image = draw_pixels(picture->shown, {}, *canvas,
                                      camera_for(picture->size, seen_by(*picture, bounds, mirror), request.marks.axes,
                                                 picture->shown.scale, title.pixels),
-                                     source, figure_request(*picture, request), title.drawing);
+                                     drawn_from, figure_request(*picture, request), title.drawing);
       if (!image) return std::unexpected(image.error());
       return encoded(*image, session);
     }
-    auto drawn = draw_figure(figure_request(*picture, request), source);
+    auto drawn = draw_figure(figure_request(*picture, request), drawn_from);
     if (!drawn) return std::unexpected(drawn.error());
-    return written(*picture, std::move(*drawn), source.traced != nullptr, std::move(session));
+    return written(*picture, std::move(*drawn), drawn_from.traced != nullptr, std::move(session));
   };
   const auto bytes = draw();
   if (!bytes) return std::unexpected(bytes.error());
   std::vector<SourceFile> sources = std::move(picture->sources);
-  sources.insert(sources.end(), input->sources.begin(), input->sources.end());
+  sources.insert(sources.end(), input.sources.begin(), input.sources.end());
   return write_output(request.output, *bytes, interruption, {std::move(sources), request.force});
 }
 

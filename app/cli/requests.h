@@ -29,8 +29,8 @@ struct Source {
   std::string file;
   std::string from;  ///< id of the input format; empty = find out
   ReadingOptions reading{};
-  std::string precision;              ///< empty: fast, or in a picture what a session has
-  std::vector<std::string> settings;  ///< NAME=VALUE
+  std::string precision;              ///< empty: that of a session, or else fast
+  std::vector<std::string> settings;  ///< NAME=VALUE; the others are those of a session, or else the defaults
 };
 
 struct ComputeRequest {
@@ -158,9 +158,10 @@ struct EvolveRequest {
   std::string file;
   std::string from;
   ReadingOptions reading{};
+  // Empty: those of a session.
   std::string evolution;
   std::string steps;
-  std::string seed = "1";
+  std::string seed;                   ///< or else 1
   std::vector<std::string> settings;  ///< NAME=VALUE
   std::string output;
   bool force = false;

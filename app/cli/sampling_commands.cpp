@@ -37,9 +37,13 @@ void describe_decimate(CLI::App& app, ResampleRequest& to) {
 void describe_evolve(CLI::App& app, EvolveRequest& to) {
   CLI::App* const evolve = app.add_subcommand("evolve", "Samples after some steps of an evolution, as POFF");
   add_input(*evolve, to);
-  evolve->add_option("--evolution", to.evolution, "Evolution id (mesecina list evolutions)")->required();
+  evolve->add_option("--evolution", to.evolution,
+                     "Evolution id (mesecina list evolutions); required, unless FILE is a session\n"
+                     "with an evolution");
   evolve->add_option("--steps", to.steps, "How many steps")->required();
-  evolve->add_option("--seed", to.seed, "Of the random numbers, where an evolution draws any")->capture_default_str();
+  evolve->add_option("--seed", to.seed,
+                     "Of the random numbers, where an evolution draws any;\n"
+                     "default: that of the session, if FILE is one or carries one, and else 1");
   evolve
       ->add_option("--set", to.settings,
                    "Set a parameter of evolutions, NAME=VALUE (mesecina list\nparameters); may be repeated")

@@ -3,12 +3,12 @@
 #include <fmt/core.h>
 #include <string>
 
-#include "app/cli/input.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
+#include "app/cli/session_settings.h"
 #include "app/insight/parameter_sweep.h"
 #include "core/io/text_numbers.h"
 
@@ -38,22 +38,21 @@ Expected<ParameterAnimation> range_of(const SweepRequest& request) {
 }  // namespace
 
 Expected<void> run_sweep(const SweepRequest& request, Interruption& interruption) {
-  const auto settings = settings_of(request.source);
-  if (!settings) return std::unexpected(settings.error());
   const auto range = range_of(request);
   if (!range) return std::unexpected(range.error());
-  const auto layers = select_layers(request.layers);
-  if (!layers) return std::unexpected(layers.error());
+  if (const auto good = select_layers(request.layers); !good) return std::unexpected(good.error());
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.source.file, request.source.from, request.source.reading);
+  const auto input = read_source(request.source);
   if (!input) return std::unexpected(input.error());
+  const auto layers = shown_layers(request.layers, input->session());
+  if (!layers) return std::unexpected(layers.error());
   Progress progress;
   const std::string name(descriptor_of(range->parameter).id);
   JobControl job;
   const auto text = sweep_as_csv(
-      {input->data, *settings, *range, *layers}, [&](double share) { progress.show(name, share); }, job);
+      {input->file.data, input->settings, *range, *layers}, [&](double share) { progress.show(name, share); }, job);
   if (!text) return std::unexpected(text.error());
-  return write_output(request.output, *text, interruption, {input->sources, request.force});
+  return write_output(request.output, *text, interruption, {input->file.sources, request.force});
 }
 
 }  // namespace mes::cli

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/session_settings.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <utility>
+
+#include "app/cli/input.h"
+#include "app/cli/messages.h"
+#include "app/cli/names.h"
+#include "app/playing/session_evolution.h"
+#include "core/draw/layer_descriptor.h"
+
+namespace mes::cli {
+
+Expected<SourceInput> read_source(const Source& source) {
+  auto file = read_input(source.file, source.from, source.reading);
+  if (!file) return std::unexpected(file.error());
+  const auto settings = settings_of(source, file->session ? file->session->settings : ComputationSettings());
+  if (!settings) return std::unexpected(settings.error());
+  return SourceInput{std::move(*file), *settings};
+}
+
+Expected<std::vector<LayerIndex>> shown_layers(const std::string& ids, const Session* session) {
+  if (!ids.empty() || session == nullptr || session->layers.layers.empty()) return select_layers(ids);
+  std::vector<LayerIndex> out;
+  std::size_t unknown = 0;
+  for (const LayerConfiguration::Entry& entry : session->layers.layers) {
+    const LayerIndex layer = find_layer(entry.layer);
+    if (layer == kNoLayer)
+      ++unknown;
+    else if (entry.visible && std::ranges::find(out, layer) == out.end())
+      out.push_back(layer);
+  }
+  say_unknown_layers(unknown, "the session");
+  return out;
+}
+
+std::optional<EvolutionChoice> evolution_in(const Session* session) {
+  if (session == nullptr || !find_evolution(session->evolution.id)) return std::nullopt;
+  return choice_of(session->evolution);
+}
+
+SessionEvolution evolution_without_history(const Session& session) {
+  SessionEvolution out = session.evolution;
+  const auto evolution = find_evolution(out.id);
+  if (!evolution || evolutions()[*evolution].moved_parameter() == nullptr) out.step = 0;
+  return out;
+}
+
+void say_unknown_layers(std::size_t count, const std::string& what) {
+  if (count != 0)
+    say(fmt::format("{}: {} {} not available here", what, count, count == 1 ? "layer is" : "layers are"));
+}
+
+}  // namespace mes::cli
