@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/typed_number.h"
 
+#include <fmt/core.h>
 #include <cmath>
 
 #include "core/formula/formula.h"
@@ -42,15 +43,29 @@ Expected<double> typed_number(std::string_view text, std::string_view unit) {
   return number_of(text);
 }
 
-Expected<std::uint64_t> typed_count(std::string_view text) {
+Expected<std::uint64_t> typed_count(std::string_view text, std::uint64_t low, std::uint64_t high) {
   text = trimmed(text);
-  if (const auto count = parse_count(text)) return *count;
+  const auto checked = [&](std::optional<std::uint64_t> count) -> Expected<std::uint64_t> {
+    if (count && *count >= low && *count <= high) return *count;
+    return std::unexpected(
+        Error{ErrorCode::bad_input, fmt::format("a whole number from {} to {} is wanted", low, high)});
+  };
+  if (const auto count = parse_count(text)) return checked(*count);
   const auto number = number_of(text);
   if (!number) return std::unexpected(number.error());
   constexpr double kEnd = 0x1p64;
-  if (*number < 0.0 || *number >= kEnd || std::trunc(*number) != *number)
-    return std::unexpected(Error{ErrorCode::bad_input, "a whole number from 0 to 18446744073709551615 is wanted"});
-  return static_cast<std::uint64_t>(*number);
+  if (*number < 0.0 || *number >= kEnd || std::trunc(*number) != *number) return checked(std::nullopt);
+  return checked(static_cast<std::uint64_t>(*number));
+}
+
+std::optional<std::string> range_fault(double number, const NumberRange& range) {
+  const bool is_whole = !range.is_whole || std::trunc(number) == number;
+  if (is_whole && number >= range.low && number <= range.high) return std::nullopt;
+  const std::string wanted = range.is_whole ? "a whole number" : "a number";
+  if (std::isinf(range.low) && std::isinf(range.high)) return wanted + " is wanted";
+  if (std::isinf(range.high)) return fmt::format("{} from {} on is wanted", wanted, range.low);
+  if (std::isinf(range.low)) return fmt::format("{} up to {} is wanted", wanted, range.high);
+  return fmt::format("{} from {} to {} is wanted", wanted, range.low, range.high);
 }
 
 }  // namespace mes

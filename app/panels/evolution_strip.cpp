@@ -141,7 +141,7 @@ void slider(const EvolutionStrip& strip, Row& row, float most) {
   ImGui::SameLine(0, 5 * unit);
   std::uint64_t new_end = end;
   ImGui::SetNextItemWidth(56 * unit);
-  if (number_field("##end", new_end)) player.set_end(new_end);
+  if (number_field("##end", new_end, std::max(std::uint64_t{1}, player.target()))) player.set_end(new_end);
   tooltip(strip.gui, "Where the slider ends; playing goes on beyond it");
 }
 

@@ -81,7 +81,8 @@ double unit_mm(const FigureSettings& settings) {
 bool length_field(const Gui& gui, const char* label, const FigureSettings& settings, double& mm) {
   double value = mm / unit_mm(settings);
   ImGui::SetNextItemWidth(62 * gui.unit());
-  if (!number_field(label, value, settings.in_inches ? "%.3f" : "%.1f")) return false;
+  const NumberRange range{kLeastFigureSide / unit_mm(settings), kMostFigureSide / unit_mm(settings)};
+  if (!number_field(label, value, settings.in_inches ? "%.3f" : "%.1f", range)) return false;
   mm = std::clamp(value * unit_mm(settings), kLeastFigureSide, kMostFigureSide);
   return true;
 }
@@ -284,8 +285,8 @@ void FigureDialog::draw_layers(const Gui& gui) {
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 8 * unit);
   ImGui::SetNextItemWidth(58 * unit);
   double dots = settings.dots_per_inch;
-  if (number_field("dpi", dots, "%.0f"))
-    settings.dots_per_inch = std::clamp(dots, kLeastDotsPerInch, kMostDotsPerInch);
+  if (number_field("dpi", dots, "%.0f", NumberRange{kLeastDotsPerInch, kMostDotsPerInch}))
+    settings.dots_per_inch = dots;
   tooltip(gui, "Dots an inch of these pictures");
   const float foot = 92 * unit;  // what is said below
   ImGui::BeginChild("layers", {0, std::max(96 * unit, ImGui::GetContentRegionAvail().y - foot)}, true);

@@ -129,7 +129,7 @@ void LessonPanel::draw_buttons() {
   ImGui::SameLine(0, 8 * unit);
   ImGui::SetNextItemWidth(std::max(48 * unit, ImGui::GetContentRegionAvail().x));
   double seconds = desk_.lesson().steps[*chosen].seconds;
-  if (number_field("##seconds", seconds, "%.3g s")) desk_.set_seconds(seconds);
+  if (number_field("##seconds", seconds, "%.3g s", NumberRange{0.0, kLongestLessonStep})) desk_.set_seconds(seconds);
   tooltip(gui_, "How long it stays in a video; 0: as long as its caption needs to be read");
 }
 

@@ -72,8 +72,8 @@ void PaneHeaders::draw_value(std::size_t pane) const {
   if (descriptor.is_length) {
     // Its range is that of all coordinates.
     ImGui::SetNextItemWidth(230 * gui.unit());
-    if (number_field("##value", value, "%.6g"))
-      panes.change(pane, ParameterChoice{chosen->parameter, std::clamp(value, descriptor.low, descriptor.high)});
+    if (number_field("##value", value, "%.6g", NumberRange{descriptor.low, descriptor.high}))
+      panes.change(pane, ParameterChoice{chosen->parameter, value});
     return;
   }
   const bool is_wide = descriptor.low > 0.0 && descriptor.high / descriptor.low > 100.0;

@@ -60,8 +60,7 @@ void ParametersPanel::draw_animation(Parameter parameter) {
     bound("From", animation.from, "Value of the first picture");
     bound("To", animation.to, "Value of the last picture");
     ImGui::SetNextItemWidth(130 * unit);
-    if (number_field("Steps", animation.steps))
-      animation.steps = std::clamp(animation.steps, 1, ParameterAnimation::kMostSteps);
+    number_field("Steps", animation.steps, 1, ParameterAnimation::kMostSteps);
     tooltip(gui_, "From the first picture to the last");
     ImGui::EndDisabled();
     slider(gui_, "Speed", animation.steps_per_second, 0.5, 60.0,

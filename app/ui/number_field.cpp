@@ -7,11 +7,9 @@
 #include <array>
 #include <cstdio>
 #include <functional>
-#include <limits>
 #include <optional>
 #include <utility>
 
-#include "app/model/typed_number.h"
 #include "core/io/text_numbers.h"
 #include "imgui.h"
 #include "imgui_internal.h"
@@ -228,14 +226,19 @@ bool number_field(const char* label, double& value, const char* format,
   });
 }
 
-bool number_field(const char* label, std::uint64_t& value) {
-  return value_field(label, value, std::to_string(value), typed_count);
+bool number_field(const char* label, double& value, const char* format, const NumberRange& range) {
+  return number_field(label, value, format, [&range](double number) { return range_fault(number, range); });
 }
 
-bool number_field(const char* label, int& value) {
+bool number_field(const char* label, std::uint64_t& value, std::uint64_t low, std::uint64_t high) {
+  return value_field(label, value, std::to_string(value),
+                     [=](const std::string& text) { return typed_count(text, low, high); });
+}
+
+bool number_field(const char* label, int& value, int low, int high) {
   std::uint64_t count = value < 0 ? 0U : static_cast<std::uint64_t>(value);
-  if (!value_field(label, count, std::to_string(value), typed_count)) return false;
-  value = static_cast<int>(std::min<std::uint64_t>(count, std::numeric_limits<int>::max()));
+  if (!number_field(label, count, static_cast<std::uint64_t>(low), static_cast<std::uint64_t>(high))) return false;
+  value = static_cast<int>(count);
   return true;
 }
 

@@ -4,8 +4,11 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <string>
+
+#include "app/model/typed_number.h"
 
 namespace mes {
 
@@ -19,9 +22,12 @@ bool number_field(const char* label, double& value, const char* format);
 /// The same, and refused is also what `fault` has words for.
 bool number_field(const char* label, double& value, const char* format,
                   const std::function<std::optional<std::string>(double)>& fault);
-/// For whole numbers from 0 on.
-bool number_field(const char* label, std::uint64_t& value);
-bool number_field(const char* label, int& value);
+/// The same, and refused is also what is not in the range.
+bool number_field(const char* label, double& value, const char* format, const NumberRange& range);
+/// For whole numbers from `low` to `high`, which is not below 0.
+bool number_field(const char* label, std::uint64_t& value, std::uint64_t low = 0,
+                  std::uint64_t high = std::numeric_limits<std::uint64_t>::max());
+bool number_field(const char* label, int& value, int low = 0, int high = std::numeric_limits<int>::max());
 /// What is said at a number field now; empty if nothing is.
 const std::string& refused_number();
 /// For a formula, which is text here; it is left as a number is.

@@ -2,7 +2,10 @@
 #include "app/ui/slider.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
+#include <string>
 #include <string_view>
 
 #include "app/ui/number_field.h"
@@ -12,6 +15,18 @@ namespace {
 
 constexpr float kGap = 4.0F;  // logical pixels
 constexpr float kField = 76.0F;
+
+/// A number that looks like an end of the range is meant to be that.
+std::optional<std::string> fault_of(double number, const NumberRange& range, const SliderLook& look) {
+  const auto shown = [&look](double value) {
+    std::array<char, 64> out{};
+    std::snprintf(out.data(), out.size(), look.format, value);
+    return std::string(out.data());
+  };
+  const bool is_end = shown(number) == shown(range.low) || shown(number) == shown(range.high);
+  if (is_end && !range.is_whole) return std::nullopt;
+  return look.beyond != nullptr ? range_fault(number, {.is_whole = range.is_whole}) : range_fault(number, range);
+}
 
 }  // namespace
 
@@ -55,7 +70,10 @@ bool slider(const Gui& gui, const char* label, double& value, double low, double
   ImGui::SameLine(0, gap);
   ImGui::SetNextItemWidth(kField * gui.unit());
   double typed = value;
-  const bool is_typed = number_field("##number", typed, look.format);
+  const SliderLook::Range range = look.typed.value_or(SliderLook::Range{low, high});
+  const bool is_typed = number_field("##number", typed, look.format, [&](double number) {
+    return fault_of(number, {range.low, range.high, look.is_whole}, look);
+  });
   if (is_typed) value = typed;
   const std::string_view text(label);
   if (const std::string_view words = text.substr(0, text.find("##")); !words.empty()) {
@@ -66,7 +84,6 @@ bool slider(const Gui& gui, const char* label, double& value, double low, double
   ImGui::PopID();
   if (value == before) return false;
   if (look.is_whole) value = std::round(value);
-  const SliderLook::Range range = look.typed.value_or(SliderLook::Range{low, high});
   if (is_typed && look.beyond != nullptr && (value < range.low || value > range.high)) *look.beyond = typed;
   value = std::clamp(value, range.low, range.high);
   return value != before;

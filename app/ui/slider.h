@@ -18,8 +18,10 @@ struct SliderLook {
     double low;
     double high;
   };
-  std::optional<Range> typed{};             ///< what the number may be, where that is more than the slider has
-  std::optional<double>* beyond = nullptr;  ///< if given, gets a number that was typed and is not what it may be
+  std::optional<Range> typed{};  ///< what the number may be, where that is more than the slider has
+  /// If given, gets a number that was typed and is not what it may be, and the nearest that it may be is taken; otherwise
+  /// such a number is refused at the field, with the reason.
+  std::optional<double>* beyond = nullptr;
 };
 
 /// How wide the slider itself is, of a slider that is `width` wide with its number.

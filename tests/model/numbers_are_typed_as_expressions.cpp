@@ -16,6 +16,7 @@ namespace {
 struct Fields {
   double first = 3.0;
   std::uint64_t second = 7;
+  int third = 7;
   int news = 0;  // how often the first was left with another number
 
   Fields() {
@@ -50,6 +51,9 @@ struct Fields {
     ImGui::SetCursorScreenPos({100, 200});
     ImGui::SetNextItemWidth(200);
     number_field("##second", second);
+    ImGui::SetCursorScreenPos({100, 300});
+    ImGui::SetNextItemWidth(200);
+    number_field("##third", third, 3, 100);
     ImGui::End();
     ImGui::EndFrame();
   }
@@ -107,6 +111,40 @@ TEST_CASE("whole numbers are taken with every digit, or as expressions that are 
     INFO(text);
     CHECK_FALSE(typed_count(text).has_value());
   }
+}
+
+TEST_CASE("a number outside of its range is refused, with the range, and never taken to its end") {
+  CHECK_FALSE(range_fault(0.5, {0.0, 1.0}));
+  CHECK_FALSE(range_fault(0.0, {0.0, 1.0}));
+  CHECK_FALSE(range_fault(1.0, {0.0, 1.0}));
+  CHECK_FALSE(range_fault(-1e300, {}));
+  CHECK(range_fault(-1.0, {1e-6, 1e6}).value() == "a number from 1e-06 to 1000000 is wanted");
+  CHECK(range_fault(std::nextafter(1.0, 2.0), {0.0, 1.0}).has_value());
+  CHECK(range_fault(2.5, {1.0, 9.0, true}).value() == "a whole number from 1 to 9 is wanted");
+  CHECK_FALSE(range_fault(2.0, {1.0, 9.0, true}));
+  CHECK(range_fault(-1.0, {.low = 0.0}).value() == "a number from 0 on is wanted");
+  CHECK(range_fault(0.5, {.is_whole = true}).value() == "a whole number is wanted");
+  CHECK(typed_count("3", 3, 100).value() == 3U);
+  CHECK(typed_count("10^2", 3, 100).value() == 100U);
+  for (const char* text : {"2", "101", "0", "-5", "2.5", "1e30"}) {
+    INFO(text);
+    const auto count = typed_count(text, 3, 100);
+    REQUIRE_FALSE(count.has_value());
+    CHECK_THAT(count.error().message(), Catch::Contains("a whole number from 3 to 100 is wanted"));
+  }
+}
+
+TEST_CASE("a field with a range keeps its number until one is typed that is in it") {
+  Fields fields;
+  fields.click(150, 308);
+  fields.type("101");
+  fields.press(ImGuiKey_Enter);
+  CHECK(fields.third == 7);
+  CHECK_THAT(refused_number(), Catch::Contains("from 3 to 100"));
+  fields.type("100");
+  fields.press(ImGuiKey_Enter);
+  CHECK(fields.third == 100);
+  CHECK(refused_number().empty());
 }
 
 TEST_CASE("a field takes an expression by Enter, by Tab and by a click elsewhere") {

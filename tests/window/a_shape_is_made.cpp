@@ -77,7 +77,8 @@ TEST_CASE("what a parameter of a shape may be is typed, also where its slider en
   for (const Vec2 p : file->data.positions) CHECK(length(p) == Approx(50.0));
 }
 
-TEST_CASE("a parameter of a shape is typed as an expression, and one that has no value is refused") {
+TEST_CASE("a parameter of a shape is typed as an expression, and one that has no value or cannot be is refused") {
+  const char* const wrong = GENERATE("1/0", "-1");
   constexpr std::array<int, 2> kRadius{601, 167};
   DrivenProgram window;
   window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
@@ -85,7 +86,7 @@ TEST_CASE("a parameter of a shape is typed as an expression, and one that has no
   open_dialog(window, window.drawn(), "make-shape");
   window.screen.click(kRadius);
   static_cast<void>(window.screen.settled());
-  window.screen.type_over("1/0");
+  window.screen.type_over(wrong);
   window.press("Return");
   static_cast<void>(window.screen.settled());
   // The field has the keyboard: Enter makes nothing.
