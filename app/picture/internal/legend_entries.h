@@ -14,7 +14,8 @@
 
 namespace mes {
 
-/// `shown_map` gives the map of a view, `has` says whether a layer draws something of a kind.
+/// `shown_map` gives the map of a view, `has` says whether a layer draws something of a kind. A layer that draws nothing
+/// has no entry.
 template <class ShownMapOf, class Has>
 std::vector<LegendEntry> entries_of(std::span<const render::LayerView> views, LegendScope scope,
                                     const ShownMapOf& shown_map, const Has& has) {
@@ -22,14 +23,14 @@ std::vector<LegendEntry> entries_of(std::span<const render::LayerView> views, Le
   if (scope == LegendScope::none) return out;
   for (auto view = views.rbegin(); view != views.rend(); ++view) {
     const LayerDescriptor& layer = layer_descriptors()[plain_layer(view->layer)];
+    const auto kind = std::ranges::find_if(layer.kinds, [&](PrimitiveKind each) { return has(view->layer, each); });
+    if (kind == layer.kinds.end()) continue;
     const render::ShownMap shown = shown_map(*view);
     if (shown.map != nullptr) {
       out.push_back({std::string(layer.name), std::string(layer.scalar), shown.map, shown.range, {}});
       continue;
     }
-    if (scope != LegendScope::all_layers) continue;
-    const auto kind = std::ranges::find_if(layer.kinds, [&](PrimitiveKind each) { return has(view->layer, each); });
-    if (kind != layer.kinds.end())
+    if (scope == LegendScope::all_layers)
       out.push_back(
           {std::string(layer.name), {}, nullptr, {}, {*kind, view->style, layer.points_as != PointsAs::dots}});
   }
