@@ -62,7 +62,8 @@ void add_places(CLI::App& command, RenderRequest& to) {
       command, "--legend-at", [&to](const PaperPlace& place) { to.legend_at = place; },
       "Where the legend stands, CORNER or CORNER:XMM,YMM: top-left, top-right,\n"
       "bottom-left or bottom-right, so many millimetres from its sides (of 96\n"
-      "pixels an inch, times --scale); default: the corner where it hides least");
+      "pixels an inch, times --scale); default: the corner where it hides least.\n"
+      "It gives way to a scale bar: next to it, or with fewer layers, or not at all");
   add_place(
       command, "--scale-bar-at",
       [&to](const PaperPlace& place) {

@@ -11,9 +11,10 @@
 #include "app/cli/progress.h"
 #include "app/editing/sample_spacing.h"
 #include "app/picture/lacking_letters.h"
-#include "app/picture/legend.h"
+#include "app/picture/legend_place.h"
 #include "app/picture/sample_texts.h"
 #include "app/picture/scale_drawing.h"
+#include "app/picture/shapes_below.h"
 #include "app/picture/title_drawing.h"
 #include "app/store/sample_shapes.h"
 #include "render/offscreen.h"
@@ -23,12 +24,11 @@ namespace mes::cli {
 namespace {
 
 /// Above everything else, once the picture is there.
-void add_paper(render::Image& image, const render::Scene& scene, std::span<const render::LayerView> views,
-               const render::Camera& camera, const ShownLayers& shown, const FigureRequest& request,
-               const PlacedAnnotations& annotations, const PaperDrawing& title, const PaperFonts* fonts) {
-  const std::vector<LegendEntry> entries = legend_of(scene, views, request.legend);
+void add_paper(render::Image& image, const render::Scene& scene, const render::Camera& camera,
+               const ShownLayers& shown, const FigureRequest& request, const FigureSource& source,
+               const PaperDrawing& title, const PaperFonts* fonts) {
   if (fonts == nullptr) return;
-  const AnnotationDrawing annotated = layout_annotations(annotations, seen_plane(camera, shown.scale),
+  const AnnotationDrawing annotated = layout_annotations(source.annotations, seen_plane(camera, shown.scale),
                                                          measure_with(*fonts, shown.scale), shown.background);
   for (const std::string& complaint : annotated.complaints) say(complaint);
   paint(image, *fonts, annotated.highlights, {0.0, 0.0}, shown.scale);
@@ -44,13 +44,17 @@ void add_paper(render::Image& image, const render::Scene& scene, std::span<const
   lacking.look_at(*fonts, annotated.drawing);
   lacking.look_at(*fonts, title);
   if (const std::string words = lacking.words(); !words.empty()) say(words);
-  if (entries.empty()) return;
-  const PictureLegend legend =
-      layout_legend(entries, *fonts, image.width, image.height, shown.scale, shown.background);
-  const Box2 room = place_of_marks(request.marks, plane, measure).room;
-  const Box2 in_pixels{shown.scale * room.low, shown.scale * room.high};
-  if (request.legend_at) return draw_legend(image, *fonts, legend, *request.legend_at, in_pixels);
-  draw_legend(image, *fonts, legend, LegendPlace::emptiest_corner, 0.0, in_pixels);
+  const MarksPlace marks = place_of_marks(request.marks, plane, measure);
+  const LegendSurroundings around{
+      .room = marks.room,
+      .bar = marks.longest_bar,
+      .place = request.legend_at,
+      .words = annotated.words,
+      .hides = [&](const Box2& box) { return shapes_below(source.mirror, shown.layers, below(plane, box)); }};
+  const PlacedLegend legend = place_legend(legend_of(scene, views_of(shown, 0.0), request.legend), *fonts,
+                                           shown.scale, around, shown.background);
+  paint(image, *fonts, legend, shown.scale);
+  if (legend.lacks_room) say(kLegendLacksRoom);
 }
 
 /// Draws in bands from the top when there is much to draw, so that a terminal sees it go on. Bands meet without a
@@ -118,9 +122,7 @@ Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const re
   add_texts(all, {source.document}, {camera.visible(), units_per_px}, fonts ? &fonts->plain : nullptr);
   auto image = draw_in_bands(canvas.device, canvas.scene, camera, all,
                              {.background = shown.background, .content_scale = shown.scale});
-  if (image)
-    add_paper(*image, canvas.scene, views_of(shown, 0.0), camera, shown, request, source.annotations, title,
-              fonts ? &*fonts : nullptr);
+  if (image) add_paper(*image, canvas.scene, camera, shown, request, source, title, fonts ? &*fonts : nullptr);
   return image;
 }
 

@@ -11,6 +11,7 @@
 #include "app/picture/lacking_letters.h"
 #include "app/picture/sample_texts.h"
 #include "app/picture/scale_drawing.h"
+#include "app/picture/shapes_below.h"
 #include "app/picture/title_drawing.h"
 #include "app/store/sample_shapes.h"
 #include "core/draw/layer_descriptor.h"
@@ -98,19 +99,21 @@ double band_of(const PictureTitle& title, const FigureRequest& request) {
   return figure::kPointsPerPixel * std::ceil(request.shown.scale * title.drawing.height);
 }
 
-/// Adds the scale marks, and says where the legend can be.
-FigureLegendPlace add_scale_marks(figure::Figure& figure, const figure::Page& page, const FigureRequest& request,
-                                  const PictureTitle& title, const PaperFonts& fonts) {
-  const double scale = request.shown.scale;
+SeenPlane plane_below(const PictureTitle& title, const figure::Page& page, double scale) {
   SeenPlane plane = seen_plane(page, scale);
   plane.covered_above = title.drawing.height;
+  return plane;
+}
+
+/// Adds the scale marks, and says where they are.
+MarksPlace add_scale_marks(figure::Figure& figure, const SeenPlane& plane, const FigureRequest& request,
+                           const PaperFonts& fonts) {
+  const double scale = request.shown.scale;
   const MeasureText measure = measure_with(fonts, scale);
   if (!request.marks.is_empty())
     add_to(figure, fonts, layout_scale_marks(request.marks, plane, measure, request.shown.background), {0.0, 0.0},
            scale);
-  const Box2 room = place_of_marks(request.marks, plane, measure).room;
-  const double points = scale * figure::kPointsPerPixel;
-  return {request.legend_at, {points * room.low, points * room.high}};
+  return place_of_marks(request.marks, plane, measure);
 }
 
 bool has_texts(std::span<const LayerIndex> layers) {
@@ -125,21 +128,20 @@ Box2 plane_on(const figure::Page& page) {
   return {center - half, center + half};
 }
 
-/// As layers of their own, above all others: what is highlighted, then the rest. Returns what there is to say of them.
-std::vector<std::string> add_annotations(figure::Figure& figure, const figure::Page& page,
-                                         const FigureRequest& request, const PlacedAnnotations& annotations,
-                                         const PaperFonts& fonts) {
+/// As layers of their own, above all others: what is highlighted, then the rest.
+AnnotationDrawing add_annotations(figure::Figure& figure, const figure::Page& page, const FigureRequest& request,
+                                  const PlacedAnnotations& annotations, const PaperFonts& fonts) {
   const double scale = request.shown.scale;
-  const AnnotationDrawing drawn =
+  AnnotationDrawing drawn =
       layout_annotations(annotations, seen_plane(page, scale), measure_with(fonts, scale), request.shown.background);
   const double points = scale * figure::kPointsPerPixel;
   if (!drawn.highlights.is_empty())
     add_layer(figure, fonts, drawn.highlights, {0.0, 0.0}, scale,
               {.id = "highlights", .title = "Highlights", .line_width = kHighlightLine * points});
-  if (drawn.drawing.is_empty()) return drawn.complaints;
+  if (drawn.drawing.is_empty()) return drawn;
   add_layer(figure, fonts, drawn.drawing, {0.0, 0.0}, scale,
             {.id = "annotations", .title = "Annotations", .line_width = kAnnotationLine * points});
-  return drawn.complaints;
+  return drawn;
 }
 
 }  // namespace
@@ -178,7 +180,7 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   if (!title.complaint.empty()) out.remarks.push_back("the title: " + title.complaint);
   if (const double band = band_of(title, request); band > 0.0 && !request.is_tight)
     page = with_band(page_for(below(request, band), source), band);
-  std::vector<std::string> complaints;
+  AnnotationDrawing annotated;
   const double spacing = typical_spacing(source.document);
   const auto drawn_on_page = [&] {
     const double units_per_px = page.units_per_point * figure::kPointsPerPixel * request.shown.scale;
@@ -193,7 +195,7 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
       mark.title += ", only here";
     }
     if (is_numbered && fonts) set_fonts(figure, *fonts);
-    if (is_annotated && fonts) complaints = add_annotations(figure, page, request, source.annotations, *fonts);
+    if (is_annotated && fonts) annotated = add_annotations(figure, page, request, source.annotations, *fonts);
     return figure;
   };
   out.figure = drawn_on_page();
@@ -208,11 +210,18 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   }
   if (auto good = figure::rasterize_layers(out.figure, request.rasterized, request.dots_per_inch); !good)
     return std::unexpected(good.error());
-  out.remarks.insert(out.remarks.end(), complaints.begin(), complaints.end());
+  out.remarks.insert(out.remarks.end(), annotated.complaints.begin(), annotated.complaints.end());
   if (!fonts) return out;
-  const FigureLegendPlace legend = add_scale_marks(out.figure, page, request, title, *fonts);
+  const SeenPlane plane = plane_below(title, page, request.shown.scale);
+  const MarksPlace marks = add_scale_marks(out.figure, plane, request, *fonts);
   if (!title.drawing.is_empty()) add_to(out.figure, *fonts, title.drawing, {0.0, 0.0}, request.shown.scale);
-  if (is_explained) add_legend(out.figure, explained, request.legend, legend, *fonts);
+  const LegendSurroundings around{
+      .room = marks.room,
+      .bar = marks.longest_bar,
+      .place = request.legend_at,
+      .words = annotated.words,
+      .hides = [&](const Box2& box) { return shapes_below(source.mirror, request.shown.layers, below(plane, box)); }};
+  if (!add_legend(out.figure, explained, request.legend, around, *fonts)) out.remarks.push_back(kLegendLacksRoom);
   LackingLetters lacking;
   lacking.look_at(out.figure);
   if (std::string words = lacking.words(); !words.empty()) out.remarks.push_back(std::move(words));

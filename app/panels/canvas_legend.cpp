@@ -5,25 +5,24 @@
 
 #include "app/layers/scalar_words.h"
 #include "app/panels/paper_on_canvas.h"
-#include "app/picture/legend.h"
+#include "app/picture/legend_place.h"
 
 namespace mes {
 
 std::optional<Box2> CanvasLegend::draw(const std::optional<PaperPlace>& place, ImVec2 origin,
-                                       const Box2& room) const {
+                                       const MarksPlace& marks) const {
   std::vector<LegendEntry> entries = picture.legend(visible_layers(layers), scope);
-  if (entries.empty()) return std::nullopt;
   for (LegendEntry& entry : entries) entry.scalar = spoken_scalar(entry.scalar);
-  const PaperDrawing legend =
-      layout_legend(entries, measure_on_canvas(gui), room.height() - 2.0 * kUsualMarginPx, picture.canvas());
-  const Vec2 size{legend.width, legend.height};
-  const Vec2 at = placed(place.value_or(PaperPlace{}), size, room);
+  const PlacedLegend legend =
+      place_legend(entries, measure_on_canvas(gui), 1.0,
+                   {.room = marks.room, .bar = marks.longest_bar, .place = place}, picture.canvas());
+  if (legend.drawing.is_empty()) return std::nullopt;
   const float unit = gui.unit();
   // On whole pixels, or its frame would be blurred.
-  paint_on_canvas(gui, legend,
-                  {std::round(origin.x + static_cast<float>(at.x) * unit),
-                   std::round(origin.y + static_cast<float>(at.y) * unit)});
-  return Box2{at, at + size};
+  paint_on_canvas(gui, legend.drawing,
+                  {std::round(origin.x + static_cast<float>(legend.corner.x) * unit),
+                   std::round(origin.y + static_cast<float>(legend.corner.y) * unit)});
+  return Box2{legend.corner, legend.corner + Vec2{legend.drawing.width, legend.drawing.height}};
 }
 
 }  // namespace mes

@@ -7,6 +7,7 @@
 #include "app/layers/layer_stack.h"
 #include "app/model/paper_place.h"
 #include "app/picture/picture.h"
+#include "app/picture/scale_drawing.h"
 #include "app/ui/gui.h"
 
 namespace mes {
@@ -17,9 +18,9 @@ struct CanvasLegend {
   const LayerStack& layers;
   LegendScope scope;
 
-  /// At its place, or in the lower right corner, of a room with this origin in screen coordinates, in logical pixels.
-  /// Where it is; nothing while it has no entries.
-  std::optional<Box2> draw(const std::optional<PaperPlace>& place, ImVec2 origin, const Box2& room) const;
+  /// At its place, or in the lower right corner, beside the marks, whose origin is there in screen coordinates. Where it
+  /// is; nothing while it has no entries, or no room.
+  std::optional<Box2> draw(const std::optional<PaperPlace>& place, ImVec2 origin, const MarksPlace& marks) const;
 };
 
 }  // namespace mes

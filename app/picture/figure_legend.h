@@ -4,23 +4,16 @@
 // Cost: O(shapes of the figure). Threads: any, with a figure of its own.
 #pragma once
 
-#include <optional>
-
-#include "app/picture/legend.h"
+#include "app/picture/legend_place.h"
 #include "render/figure/figure_of.h"
 
 namespace mes {
 
-/// Where it is to stand.
-struct FigureLegendPlace {
-  std::optional<PaperPlace> place{};  ///< none: the corner where it hides the fewest shapes
-  Box2 room{};                        ///< what title, axes and caption leave of the page, in points
-};
-/// Adds nothing where it would explain no layer.
-void add_legend(figure::Figure& figure, const figure::Drawing& drawing, LegendScope scope,
-                const FigureLegendPlace& where, const PaperFonts& fonts);
+/// Adds nothing where it would explain no layer. False: it is left out for want of room.
+bool add_legend(figure::Figure& figure, const figure::Drawing& drawing, LegendScope scope,
+                const LegendSurroundings& around, const PaperFonts& fonts);
 
-/// True if `add_legend` would add something.
+/// True if it would explain some layer.
 bool has_legend(const figure::Drawing& drawing, LegendScope scope);
 
 }  // namespace mes

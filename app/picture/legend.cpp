@@ -4,7 +4,6 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "app/picture/canvas_look.h"
 #include "app/picture/internal/legend_entries.h"
@@ -13,7 +12,7 @@
 namespace mes {
 namespace {
 
-constexpr double kWidth = 240.0;
+constexpr double kWidth = kLegendWidth;
 constexpr double kPadding = 12.0;
 constexpr double kBar = 12.0;
 constexpr double kTickLength = 4.0;
@@ -25,7 +24,6 @@ constexpr double kRow = 19.0;  // of a key
 constexpr double kSample = 15.0;
 constexpr double kBesideSample = 9.0;
 constexpr double kDashGap = 2.0;
-constexpr double kMargin = 12.0;
 constexpr int kBarSteps = 108;
 constexpr std::size_t kMostSwatches = 12;
 
@@ -214,48 +212,6 @@ class Layout {
   double y_ = kPadding;
 };
 
-struct PixelPlace {
-  int left = 0;
-  int top = 0;
-};
-
-PixelPlace lower_right(const render::Image& image, double width, double height, double margin) {
-  const auto m = static_cast<int>(std::lround(margin));
-  return {image.width - m - static_cast<int>(std::ceil(width)),
-          image.height - m - static_cast<int>(std::ceil(height))};
-}
-
-/// The corner where a rectangle hides the fewest pixels that differ from the upper right one of the picture, where
-/// neither axes nor a scale bar are.
-PixelPlace emptiest_corner(const render::Image& image, const Box2& room, double width, double height, double margin) {
-  const auto w = static_cast<int>(std::ceil(width));
-  const auto h = static_cast<int>(std::ceil(height));
-  const auto m = static_cast<int>(std::lround(margin));
-  const auto in_pixels = [](double at) { return static_cast<int>(std::lround(at)); };
-  const int left = m + (room.is_empty() ? 0 : in_pixels(room.low.x));
-  const int top = m + (room.is_empty() ? 0 : in_pixels(room.low.y));
-  auto [right, bottom] = lower_right(image, width, height, margin);
-  if (!room.is_empty()) {
-    right -= image.width - in_pixels(room.high.x);
-    bottom -= image.height - in_pixels(room.high.y);
-  }
-  const auto* const empty = &image.rgba[image.offset(image.width - 1, 0)];
-  PixelPlace best;
-  std::size_t least = std::numeric_limits<std::size_t>::max();
-  for (const PixelPlace place :
-       {PixelPlace{right, bottom}, PixelPlace{left, bottom}, PixelPlace{right, top}, PixelPlace{left, top}}) {
-    std::size_t hidden = 0;
-    for (int y = std::max(place.top, 0); y < std::min(place.top + h, image.height); ++y)
-      for (int x = std::max(place.left, 0); x < std::min(place.left + w, image.width); ++x)
-        hidden += std::equal(&image.rgba[image.offset(x, y)], &image.rgba[image.offset(x, y)] + 4, empty) ? 0U : 1U;
-    if (hidden < least) {
-      least = hidden;
-      best = place;
-    }
-  }
-  return best;
-}
-
 }  // namespace
 
 std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views,
@@ -315,41 +271,6 @@ PaperDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureTe
   out.boxes.insert(out.boxes.begin(), {{0.0, 0.0, out.width, out.height, colors.frame},
                                        {1.0, 1.0, out.width - 2.0, out.height - 2.0, colors.paper}});
   return out;
-}
-
-PictureLegend layout_legend(std::span<const LegendEntry> entries, const PaperFonts& fonts, int width, int height,
-                            double scale, const std::optional<Rgb>& background) {
-  constexpr double kShare = 0.3;
-  constexpr double kLeast = 0.7;
-  const double paper_scale = scale;
-  scale *= std::clamp(kShare * width / (scale * kWidth), kLeast, 1.0);
-  return {layout_legend(entries, measure_with(fonts, scale), height / scale - 2.0 * kMargin, background), scale,
-          paper_scale};
-}
-
-void draw_legend(render::Image& image, const PaperFonts& fonts, const PictureLegend& picture_legend,
-                 LegendPlace place, double foot, const Box2& room) {
-  const PaperDrawing& legend = picture_legend.drawing;
-  const double scale = picture_legend.scale;
-  const double width = scale * legend.width;
-  const double height = scale * legend.height;
-  PixelPlace at = place == LegendPlace::lower_right ? lower_right(image, width, height, scale * kMargin)
-                                                    : emptiest_corner(image, room, width, height, scale * kMargin);
-  if (place == LegendPlace::lower_right) at.top -= static_cast<int>(std::ceil(foot));
-  paint(image, fonts, legend, {at.left, at.top}, scale);
-}
-
-Vec2 corner_of(const PictureLegend& legend, const PaperPlace& place, const Box2& room) {
-  const double logical = 1.0 / legend.paper_scale;
-  const Vec2 size = legend.scale * Vec2{legend.drawing.width, legend.drawing.height};
-  return legend.paper_scale * placed(place, logical * size, {logical * room.low, logical * room.high});
-}
-
-void draw_legend(render::Image& image, const PaperFonts& fonts, const PictureLegend& legend, const PaperPlace& place,
-                 const Box2& room) {
-  const Vec2 corner = corner_of(legend, place, room);
-  // On whole pixels, or its frame would be blurred.
-  paint(image, fonts, legend.drawing, {std::round(corner.x), std::round(corner.y)}, legend.scale);
 }
 
 }  // namespace mes

@@ -3,21 +3,18 @@
 // key, of all other layers a sample of how they are drawn, and the name.
 //
 // Smallest use:
-//     const std::vector<LegendEntry> entries = ...;
-//     draw_legend(image, fonts, layout_legend(entries, fonts, image.width, image.height, 1.0, kWhiteCanvas),
-//                 LegendPlace::emptiest_corner);
+//     const std::vector<LegendEntry> entries = legend_of(scene, views);
+//     const PlacedLegend legend = place_legend(entries, fonts, 1.0, {.room = room}, kWhiteCanvas);  // legend_place.h
 //
 // Cost: some hundred rectangles a layer. Threads: any, with a picture of its own.
 #pragma once
 
-#include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "app/layers/legend_scope.h"
-#include "app/model/paper_place.h"
 #include "app/picture/paper_drawing.h"
 #include "core/draw/layer_style.h"
 #include "core/draw/primitives.h"
@@ -25,6 +22,9 @@
 #include "render/scene.h"
 
 namespace mes {
+
+/// Of a legend with a bar of colours, in its logical pixels.
+inline constexpr double kLegendWidth = 240.0;
 
 /// A number beside a bar.
 struct LegendTick {
@@ -62,28 +62,5 @@ std::vector<LegendTick> legend_ticks(const render::ScalarRange& range);
 /// not fit into the height `room`. Without entries the legend is empty.
 PaperDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room,
                            const std::optional<Rgb>& background);
-
-/// A legend for a picture of some size; scales are in pixels per logical pixel.
-struct PictureLegend {
-  PaperDrawing drawing;
-  double scale = 1.0;        ///< of the legend
-  double paper_scale = 1.0;  ///< of everything else that stands on the picture
-};
-/// Reduces the scale of the legend somewhat for a small picture.
-PictureLegend layout_legend(std::span<const LegendEntry> entries, const PaperFonts& fonts, int width, int height,
-                            double scale, const std::optional<Rgb>& background);
-
-/// The corner of a legend: the one where it hides least, the lower right one if all are alike; or always the lower
-/// right one, for sequences of pictures, `foot` pixels above the bottom. `room`: where the corners are of the emptiest
-/// one, in pixels; empty: of the picture.
-enum class LegendPlace : std::uint8_t { emptiest_corner, lower_right };
-void draw_legend(render::Image& image, const PaperFonts& fonts, const PictureLegend& legend, LegendPlace place,
-                 double foot = 0.0, const Box2& room = {});
-
-/// The upper left corner of a legend that has a place. `room` is the picture without what lies over its ends, in pixels.
-Vec2 corner_of(const PictureLegend& legend, const PaperPlace& place, const Box2& room);
-/// There.
-void draw_legend(render::Image& image, const PaperFonts& fonts, const PictureLegend& legend, const PaperPlace& place,
-                 const Box2& room);
 
 }  // namespace mes

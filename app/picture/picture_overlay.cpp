@@ -42,15 +42,11 @@ void draw_caption(render::Image& image, const render::Font& font, const std::str
 void PictureOverlay::paint(render::Image& image) const {
   if (is_empty()) return;
   const CaptionSize size = caption_size(image.width, image.height, fonts->bold, caption);
-  const double axes = has_axes ? marks_scale * kAxisRoom : 0.0;
   if (!highlights.is_empty()) mes::paint(image, *fonts, highlights, {0.0, 0.0}, marks_scale);
   if (!annotations.is_empty()) mes::paint(image, *fonts, annotations, {0.0, 0.0}, marks_scale);
   if (!marks.is_empty()) mes::paint(image, *fonts, marks, {0.0, 0.0}, marks_scale);
   if (!title.is_empty()) mes::paint(image, *fonts, title, {0.0, 0.0}, marks_scale);
-  if (!legend.drawing.boxes.empty() && legend_at)
-    draw_legend(image, *fonts, legend, *legend_at, legend_room);
-  else if (!legend.drawing.boxes.empty())
-    draw_legend(image, *fonts, legend, LegendPlace::lower_right, size.band + axes);
+  mes::paint(image, *fonts, legend, marks_scale);
   if (!caption.empty()) draw_caption(image, fonts->bold, caption, size, background);
 }
 
@@ -62,16 +58,11 @@ PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const 
                      .annotations = {},
                      .marks = {},
                      .marks_scale = target.scale,
-                     .has_axes = content.marks.axes,
                      .title = std::move(content.title),
-                     .legend_at = content.legend_at,
-                     .legend_room = {},
                      .caption = std::move(content.caption),
                      .background = target.background};
   if (!out.fonts) return out;
   const auto& [camera, scale, background] = target;
-  if (!content.legend.empty())
-    out.legend = layout_legend(content.legend, *out.fonts, camera.width(), camera.height(), scale, background);
   const MeasureText measure = measure_with(*out.fonts, scale);
   if (!content.annotations.is_empty()) {
     AnnotationDrawing drawn = layout_annotations(content.annotations, seen_plane(camera, scale), measure, background);
@@ -82,8 +73,9 @@ PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const 
   plane.covered = caption_size(camera.width(), camera.height(), out.fonts->bold, out.caption).band / scale;
   plane.covered_above = out.title.height;
   if (!content.marks.is_empty()) out.marks = layout_scale_marks(content.marks, plane, measure, background);
-  const Box2 room = place_of_marks(content.marks, plane, measure).room;
-  out.legend_room = {scale * room.low, scale * room.high};
+  const MarksPlace marks = place_of_marks(content.marks, plane, measure);
+  out.legend = place_legend(content.legend, *out.fonts, scale,
+                            {.room = marks.room, .bar = marks.longest_bar, .place = content.legend_at}, background);
   return out;
 }
 

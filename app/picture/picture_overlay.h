@@ -18,7 +18,7 @@
 
 #include "app/model/scale_marks.h"
 #include "app/picture/annotation_drawing.h"
-#include "app/picture/legend.h"
+#include "app/picture/legend_place.h"
 #include "core/base/color.h"
 #include "render/camera.h"
 #include "render/image.h"
@@ -27,15 +27,12 @@ namespace mes {
 
 struct PictureOverlay {
   std::shared_ptr<const PaperFonts> fonts;
-  PictureLegend legend;
+  PlacedLegend legend;
   PaperDrawing highlights;  ///< of annotations, below the rest of them
   PaperDrawing annotations;
   PaperDrawing marks;  ///< scale bar, axes and grid
   double marks_scale = 1.0;
-  bool has_axes = false;
   PaperDrawing title{};
-  std::optional<PaperPlace> legend_at{};  ///< none: the lower right corner
-  Box2 legend_room{};                     ///< of that place, in pixels
   std::string caption;
   std::optional<Rgb> background;  ///< none: transparent
 
@@ -59,8 +56,8 @@ struct OverlayContent {
   std::string caption;
   ScaleMarks marks{};
   PlacedAnnotations annotations{};
-  PaperDrawing title{};  ///< of `layout_title`
-  std::optional<PaperPlace> legend_at{};
+  PaperDrawing title{};                   ///< of `layout_title`
+  std::optional<PaperPlace> legend_at{};  ///< none: the lower right corner, whatever is drawn there
 };
 
 /// Without fonts the overlay is empty.

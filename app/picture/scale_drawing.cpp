@@ -99,6 +99,10 @@ class Layout {
     const double foot = at.y + size.y;
     constexpr double kBeside = 6.0;
     constexpr double kAbove = 4.0;
+    const Vec2 most_size{std::max(kBarShare * plane_.width, size.x), size.y};
+    const Vec2 most_at = place ? placed(*place, most_size, room()) : at;
+    longest_bar_ = Box2{at - Vec2{kBeside, kAbove}, at + size + Vec2{kBeside, kAbove}};
+    longest_bar_->add(Box2{most_at - Vec2{kBeside, kAbove}, most_at + most_size + Vec2{kBeside, kAbove}});
     box(at.x - kBeside, at.y - kAbove, size.x + 2.0 * kBeside, size.y + 2.0 * kAbove, paper());
     constexpr double kThick = 2.0;
     box(left, foot - kThick, length, kThick, colors_.ink);
@@ -112,6 +116,7 @@ class Layout {
     return {{left_room_, plane_.covered_above}, {plane_.width, plane_.height - plane_.covered - bottom_room_}};
   }
   const std::optional<Box2>& bar_box() const { return bar_box_; }
+  const std::optional<Box2>& longest_bar() const { return longest_bar_; }
   PaperDrawing take() { return std::move(drawing_); }
 
  private:
@@ -138,6 +143,7 @@ class Layout {
   double left_room_ = 0.0;
   double bottom_room_ = 0.0;
   std::optional<Box2> bar_box_;
+  std::optional<Box2> longest_bar_;
 };
 
 Layout laid_out(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure,
@@ -166,6 +172,16 @@ SeenPlane seen_plane(const figure::Page& page, double scale) {
           .height = page.height / points};
 }
 
+Box2 below(const SeenPlane& plane, const Box2& box) {
+  const auto at = [&](Vec2 px) {
+    return plane.center + plane.units_per_pixel * Vec2{px.x - 0.5 * plane.width, 0.5 * plane.height - px.y};
+  };
+  Box2 out;
+  out.add(at(box.low));
+  out.add(at(box.high));
+  return out;
+}
+
 PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure,
                                 const std::optional<Rgb>& background) {
   return laid_out(marks, plane, measure, background).take();
@@ -173,7 +189,7 @@ PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane,
 
 MarksPlace place_of_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure) {
   const Layout layout = laid_out(marks, plane, measure, std::nullopt);
-  return {layout.bar_box(), layout.room()};
+  return {layout.bar_box(), layout.longest_bar(), layout.room()};
 }
 
 double grid_step(double units_per_pixel) {

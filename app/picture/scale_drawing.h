@@ -30,6 +30,8 @@ struct SeenPlane {
 /// `scale`: pixels, or units of 1/96 inch, per logical pixel.
 SeenPlane seen_plane(const render::Camera& camera, double scale);
 SeenPlane seen_plane(const figure::Page& page, double scale);
+/// The part of the plane below a box on the drawing.
+Box2 below(const SeenPlane& plane, const Box2& box);
 
 /// The bar is in the lower left corner unless it has another place, and at most a quarter of the width; the axes are the
 /// lower and the left edge; the grid has lines at the same numbers. Places are counted from what covers the ends and from
@@ -47,7 +49,9 @@ double pixel_step(double units_per_pixel);
 /// Where the marks are, in logical pixels.
 struct MarksPlace {
   std::optional<Box2> bar;  ///< with its number; none: it is left out
-  Box2 room;                ///< what neither axes nor anything else covers: where bar and legend can be placed
+  /// What the bar, its number and their paper take where it is longest, so that nothing beside it moves with the scale.
+  std::optional<Box2> longest_bar;
+  Box2 room;  ///< what neither axes nor anything else covers: where bar and legend can be placed
 };
 MarksPlace place_of_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure);
 

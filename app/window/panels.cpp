@@ -245,8 +245,8 @@ Panels::Room Panels::draw() {
   draw_over(sides);
   divide(sides);
   draw_annotation_card(sides);
-  const Box2 room = draw_scale_marks(sides);
-  const ImVec2 legend = draw_legend(sides, room);
+  const MarksPlace marks = draw_scale_marks(sides);
+  const ImVec2 legend = draw_legend(sides, marks);
   mark_drag_.end_frame();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float unit = uses_.screen.gui.unit();
@@ -434,7 +434,7 @@ void Panels::draw_annotation_card(const Sides& sides) {
 }
 
 // What they leave for the legend, in logical pixels.
-Box2 Panels::draw_scale_marks(const Sides& sides) {
+MarksPlace Panels::draw_scale_marks(const Sides& sides) {
   const Gui& gui = uses_.screen.gui;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const ImVec2 low(sides.left, sides.top);
@@ -457,12 +457,12 @@ Box2 Panels::draw_scale_marks(const Sides& sides) {
                                       low, *marks.bar, marks.room},
                                      uses_.settings.marks.bar_at))
     uses_.screen.clock.want(2);
-  return marks.room;
+  return marks;
 }
 
 // Its size with its margin while it is in its corner, of which the drawing is kept clear.
-ImVec2 Panels::draw_legend(const Sides& sides, const Box2& room) {
-  if (room.is_empty()) return {};
+ImVec2 Panels::draw_legend(const Sides& sides, const MarksPlace& marks) {
+  if (marks.room.is_empty()) return {};
   const Gui& gui = uses_.screen.gui;
   const float unit = gui.unit();
   std::optional<PaperPlace>& place = uses_.settings.legend_at;
@@ -470,10 +470,11 @@ ImVec2 Panels::draw_legend(const Sides& sides, const Box2& room) {
   const bool is_in_its_corner = !place;
   const auto box = CanvasLegend{gui, uses_.board.picture(), uses_.work.layers(),
                                 legend_scope(uses_.settings.show_legend, uses_.settings.show_key)}
-                       .draw(place, low, room);
+                       .draw(place, low, marks);
   if (!box) return {};
   if (mark_drag_.follow(
-          gui, {"##legend-handle", "Drag to move the legend; double click to put it back", low, *box, room}, place))
+          gui, {"##legend-handle", "Drag to move the legend; double click to put it back", low, *box, marks.room},
+          place))
     uses_.screen.clock.want(2);
   if (!is_in_its_corner) return {};
   return {static_cast<float>(box->width() + kUsualMarginPx) * unit,

@@ -13,6 +13,7 @@
 #include "app/panels/presenter.h"
 #include "app/panels/status_bar.h"
 #include "app/panels/toolbar.h"
+#include "app/picture/scale_drawing.h"
 #include "app/playing/step_events.h"
 #include "app/window/document_flow.h"
 #include "app/window/live_recording.h"
@@ -79,8 +80,8 @@ class Panels {
   void draw_splitters(const PanelArea& column, float upper);
   void draw_over(Sides& sides);
   void draw_annotation_card(const Sides& sides);
-  Box2 draw_scale_marks(const Sides& sides);
-  ImVec2 draw_legend(const Sides& sides, const Box2& room);
+  MarksPlace draw_scale_marks(const Sides& sides);
+  ImVec2 draw_legend(const Sides& sides, const MarksPlace& marks);
   void bind_shown(ActionBindings& actions);
   void bind_look(ActionBindings& actions);
   void bind_brush(ActionBindings& actions);

@@ -423,15 +423,6 @@ std::size_t shape_count(const Figure& figure) {
   return out;
 }
 
-std::size_t shapes_in(const Figure& figure, const Box2& box) {
-  std::size_t out = 0;
-  for (const FigureLayer& layer : figure.layers)
-    for (const Group& group : layer.groups)
-      for (const Run& run : group.runs)
-        for (const Shape& shape : run.shapes) out += meet(bounds_of(shape), box) ? 1U : 0U;
-  return out;
-}
-
 Box2 ink_below_texts(const FigureLayer& layer) {
   Box2 box;
   if (layer.image) {

@@ -64,9 +64,6 @@ Figure figure_of(const Drawing& drawing, const Page& page);
 /// The colour map that a layer has, as `Scene::shown_map`.
 render::ShownMap shown_map(const Drawing& drawing, const render::LayerView& view);
 
-/// How many shapes have a part of their bounds in a box on the page. O(shapes).
-std::size_t shapes_in(const Figure& figure, const Box2& box);
-
 /// What shapes, images, texts and legend of a figure cover of its page, strokes included, in points; empty for none.
 Box2 ink_box(const Figure& figure);
 /// The same for one layer, which may extend beyond the page.

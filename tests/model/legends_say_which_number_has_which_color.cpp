@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "app/picture/canvas_look.h"
-#include "app/picture/legend.h"
+#include "app/picture/legend_place.h"
 #include "app/picture/picture_overlay.h"
 #include "app/store/sample_shapes.h"
 #include "core/base/rng.h"
@@ -110,8 +110,8 @@ TEST_CASE("a legend on a picture shows the map's colours, and one of any size do
   const std::vector<LegendEntry> entries{{"Axis", "radius", &map, {0.0, 1.0}}};
   Image image = white(400, 300);
   const auto draw = [&](Image& on, double scale) {
-    draw_legend(on, *fonts, layout_legend(entries, *fonts, on.width, on.height, scale, kWhiteCanvas),
-                LegendPlace::emptiest_corner);
+    const Box2 room{{0.0, 0.0}, (1.0 / scale) * Vec2{1.0 * on.width, 1.0 * on.height}};
+    paint(on, *fonts, place_legend(entries, *fonts, scale, {.room = room}, kWhiteCanvas), scale);
   };
   draw(image, 1.0);
   std::size_t red = 0;

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/picture/legend_place.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace mes {
+namespace {
+
+constexpr double kApart = 6.0;  // from the scale bar, at least
+
+bool overlap(const Box2& a, const Box2& b) {
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+bool is_within(const Box2& box, const Box2& room) {
+  return room.low.x <= box.low.x && box.high.x <= room.high.x && room.low.y <= box.low.y && box.high.y <= room.high.y;
+}
+
+/// Places of a box of one size.
+class Places {
+ public:
+  Places(const LegendSurroundings& around, Vec2 size, double margin)
+      : around_(around), size_(size), margin_(margin) {}
+
+  /// The place that was given, or next to the scale bar there; or else the best corner.
+  std::optional<Vec2> best() const {
+    if (around_.place)
+      if (const auto there = nearest_free(placed(*around_.place, size_, around_.room))) return there;
+    std::optional<Vec2> out;
+    std::pair<std::size_t, std::size_t> least;
+    for (const Vec2 corner : corners()) {
+      const auto here = nearest_free(corner);
+      if (!here) continue;
+      const auto cost = cost_of(box_at(*here));
+      if (out && cost >= least) continue;
+      out = here;
+      least = cost;
+    }
+    return out;
+  }
+
+ private:
+  Box2 box_at(Vec2 corner) const { return {corner, corner + size_}; }
+
+  std::array<Vec2, 4> corners() const {
+    const Box2& room = around_.room;
+    const Vec2 low = room.low + Vec2{margin_, margin_};
+    const Vec2 high = room.high - size_ - Vec2{margin_, margin_};
+    // Of what is larger than the room its beginning is seen.
+    const double left = std::max(room.low.x, std::min(low.x, room.high.x - size_.x));
+    const double top = std::max(room.low.y, std::min(low.y, room.high.y - size_.y));
+    const double right = std::max(room.low.x, high.x);
+    const double bottom = std::max(room.low.y, high.y);
+    return {Vec2{right, bottom}, Vec2{left, bottom}, Vec2{right, top}, Vec2{left, top}};
+  }
+
+  /// Without a scale bar every place is free.
+  bool is_free(Vec2 corner) const {
+    const Box2 box = box_at(corner);
+    return !around_.bar || (!overlap(box, *around_.bar) && is_within(box, around_.room));
+  }
+
+  std::optional<Vec2> nearest_free(Vec2 corner) const {
+    if (is_free(corner)) return corner;
+    const Box2& bar = *around_.bar;
+    std::optional<Vec2> out;
+    for (const Vec2 past : {Vec2{corner.x, bar.low.y - kApart - size_.y}, Vec2{corner.x, bar.high.y + kApart},
+                            Vec2{bar.low.x - kApart - size_.x, corner.y}, Vec2{bar.high.x + kApart, corner.y}})
+      if (is_free(past) && (!out || distance(past, corner) < distance(*out, corner))) out = past;
+    return out;
+  }
+
+  /// Words of annotations that it covers, and how much of the drawing.
+  std::pair<std::size_t, std::size_t> cost_of(const Box2& box) const {
+    const auto covered = std::ranges::count_if(
+        around_.words, [&](const Box2& words) { return !words.is_empty() && overlap(words, box); });
+    return {static_cast<std::size_t>(covered), around_.hides ? around_.hides(box) : 0};
+  }
+
+  const LegendSurroundings& around_;
+  Vec2 size_;
+  double margin_;
+};
+
+}  // namespace
+
+PlacedLegend place_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double shrink,
+                          const LegendSurroundings& around, const std::optional<Rgb>& background) {
+  if (entries.empty()) return {};
+  const double margin = shrink * kUsualMarginPx;
+  const auto at_most = [&](double height) -> std::optional<PlacedLegend> {
+    PaperDrawing drawing = layout_legend(entries, measure, height / shrink, background);
+    const Vec2 size = shrink * Vec2{drawing.width, drawing.height};
+    const auto corner = Places(around, size, margin).best();
+    if (!corner) return std::nullopt;
+    return PlacedLegend{std::move(drawing), shrink, *corner};
+  };
+  if (auto whole = at_most(around.room.height() - 2.0 * margin)) return std::move(*whole);
+  // Only a scale bar leaves no place.
+  const double above = around.bar->low.y - around.room.low.y;
+  const double beneath = around.room.high.y - around.bar->high.y;
+  if (auto part = at_most(std::max(above, beneath) - kApart - margin)) return std::move(*part);
+  return {.lacks_room = true};
+}
+
+PlacedLegend place_legend(std::span<const LegendEntry> entries, const PaperFonts& fonts, double scale,
+                          const LegendSurroundings& around, const std::optional<Rgb>& background) {
+  constexpr double kShare = 0.3;
+  constexpr double kLeast = 0.7;
+  const double shrink = std::clamp(kShare * around.room.high.x / kLegendWidth, kLeast, 1.0);
+  return place_legend(entries, measure_with(fonts, scale * shrink), shrink, around, background);
+}
+
+void paint(render::Image& image, const PaperFonts& fonts, const PlacedLegend& legend, double scale) {
+  if (legend.drawing.is_empty()) return;
+  paint(image, fonts, legend.drawing, {std::round(scale * legend.corner.x), std::round(scale * legend.corner.y)},
+        scale * legend.shrink);
+}
+
+}  // namespace mes

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One rule says where legends stand: clear of the scale bar wherever there is room, in the corner that hides least.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <string>
+#include <vector>
+
+#include "app/picture/canvas_look.h"
+#include "app/picture/legend_place.h"
+#include "app/picture/scale_drawing.h"
+#include "app/picture/shapes_below.h"
+#include "core/base/rng.h"
+#include "core/draw/layer_descriptor.h"
+#include "tests/support/workbench.h"
+
+using namespace mes;
+
+namespace {
+
+double letter_width(const std::string& text, double size, Face /*face*/) {
+  return 0.5 * size * static_cast<double>(text.size());
+}
+
+std::vector<LegendEntry> key_of(std::size_t layers) {
+  std::vector<LegendEntry> out;
+  for (std::size_t i = 0; i < layers; ++i)
+    out.push_back({"Layer number " + std::string(1 + i % 7, 'x'), {}, nullptr, {}, {PrimitiveKind::segment, {}}});
+  return out;
+}
+
+Box2 box_of(const PlacedLegend& legend) {
+  return {legend.corner, legend.corner + legend.shrink * Vec2{legend.drawing.width, legend.drawing.height}};
+}
+
+bool overlap(const Box2& a, const Box2& b) {
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
+bool is_within(const Box2& box, const Box2& room) {
+  return room.low.x <= box.low.x && box.high.x <= room.high.x && room.low.y <= box.low.y && box.high.y <= room.high.y;
+}
+
+/// Somewhere on a grid of the room a box of this size is clear of the bar by `apart`.
+bool has_place(Vec2 size, const Box2& room, const Box2& bar, double apart) {
+  for (double x = room.low.x; x + size.x <= room.high.x; x += 1.0)
+    for (double y = room.low.y; y + size.y <= room.high.y; y += 1.0)
+      if (!overlap({{x - apart, y - apart}, {x + size.x + apart, y + size.y + apart}}, bar)) return true;
+  return false;
+}
+
+MarksPlace marks_of(const ScaleMarks& marks, double width, double height, double units_per_pixel = 0.01) {
+  return place_of_marks(marks, {.units_per_pixel = units_per_pixel, .width = width, .height = height}, letter_width);
+}
+
+PaperCorner corner(std::uint64_t i) {
+  return static_cast<PaperCorner>(i % 4);
+}
+
+}  // namespace
+
+TEST_CASE("no legend overlaps the scale bar, and one is left out only where not even a layer has room") {
+  Rng rng(36);
+  int left_out = 0;
+  int shortened = 0;
+  for (int round = 0; round < 3000; ++round) {
+    const double width = rng.uniform(60.0, 900.0);
+    const double height = rng.uniform(30.0, 700.0);
+    ScaleMarks marks{.bar = true, .axes = rng.below(2) == 0};
+    if (rng.below(2) == 0) marks.bar_at = PaperPlace{corner(rng.below(4)), {rng.uniform(0, 40), rng.uniform(0, 40)}};
+    const MarksPlace at = marks_of(marks, width, height, rng.uniform(0.001, 10.0));
+    REQUIRE(at.bar.has_value());
+    LegendSurroundings around{.room = at.room, .bar = at.longest_bar};
+    if (rng.below(2) == 0) around.place = PaperPlace{corner(rng.below(4)), {rng.uniform(0, 60), rng.uniform(0, 60)}};
+    const std::vector<LegendEntry> entries = key_of(1 + rng.below(25));
+    const double shrink = rng.uniform(0.7, 1.0);
+    const PlacedLegend legend = place_legend(entries, letter_width, shrink, around, kWhiteCanvas);
+    CAPTURE(width, height, entries.size(), around.place.has_value());
+    CHECK(legend.lacks_room == legend.drawing.is_empty());
+    if (legend.lacks_room) {
+      ++left_out;
+      const PaperDrawing least = layout_legend(entries, letter_width, 0.0, kWhiteCanvas);
+      CHECK_FALSE(has_place(shrink * Vec2{least.width, least.height}, at.room, *at.longest_bar, 8.0));
+      continue;
+    }
+    CHECK_FALSE(overlap(box_of(legend), *at.longest_bar));
+    CHECK_FALSE(overlap(box_of(legend), *at.bar));
+    CHECK(is_within(box_of(legend), at.room));
+    shortened += legend.drawing.lines.back().text.starts_with("and ") ? 1 : 0;
+  }
+  CHECK(left_out > 50);
+  CHECK(left_out < 2000);
+  CHECK(shortened > 100);
+}
+
+TEST_CASE("where nothing is known of the drawing, the legend is in the lower right corner, at every zoom the same") {
+  const std::vector<LegendEntry> entries = key_of(4);
+  const PlacedLegend first = place_legend(entries, letter_width, 1.0, {.room = {{0, 0}, {800, 600}}}, kWhiteCanvas);
+  CHECK(box_of(first).high.x == Approx(800 - kUsualMarginPx));
+  CHECK(box_of(first).high.y == Approx(600 - kUsualMarginPx));
+  Rng rng(4);
+  for (const double width : {800.0, 330.0, 250.0, 200.0}) {
+    for (const auto& bar_at :
+         {std::optional<PaperPlace>(), std::optional(PaperPlace{PaperCorner::bottom_right, {3, 3}})}) {
+      std::optional<Vec2> there;
+      for (int i = 0; i < 50; ++i) {
+        const MarksPlace at =
+            marks_of({.bar = true, .bar_at = bar_at}, width, 400.0, std::pow(10.0, rng.uniform(-3.0, 3.0)));
+        const PlacedLegend legend =
+            place_legend(entries, letter_width, 1.0, {.room = at.room, .bar = at.longest_bar}, kWhiteCanvas);
+        REQUIRE_FALSE(legend.lacks_room);
+        if (!there) there = legend.corner;
+        // The number of the bar may be wider than the bar, and letters move nothing.
+        CHECK(legend.corner.x == there->x);
+        CHECK(legend.corner.y == there->y);
+      }
+    }
+  }
+}
+
+TEST_CASE("of the corners it takes the one that hides least, without words if it can") {
+  const std::vector<LegendEntry> entries = key_of(3);
+  const Box2 room{{0, 20}, {800, 600}};
+  const auto with = [&](LegendSurroundings around) {
+    around.room = room;
+    return box_of(place_legend(entries, letter_width, 1.0, around, kWhiteCanvas)).center();
+  };
+  const auto is_at = [&](Vec2 center, bool is_right, bool is_bottom) {
+    return (center.x > 400) == is_right && (center.y > 310) == is_bottom;
+  };
+  for (const bool is_right : {false, true})
+    for (const bool is_bottom : {false, true})
+      CHECK(is_at(with({.hides = [&](const Box2& box) -> std::size_t {
+                    return is_at(box.center(), is_right, is_bottom) ? 3 : 4;
+                  }}),
+                  is_right, is_bottom));
+  const std::vector<Box2> words{{}, {{700, 560}, {760, 580}}, {{20, 560}, {60, 580}}};
+  CHECK(is_at(with({.words = words}), true, false));
+  CHECK(is_at(with({.words = words, .hides = [](const Box2& box) -> std::size_t { return box.low.y < 100 ? 9 : 0; }}),
+              true, false));
+  // A place that was given holds, whatever is there.
+  const PaperPlace place{PaperCorner::bottom_left, {1, 1}};
+  CHECK(is_at(with({.place = place, .words = words}), false, true));
+}
+
+TEST_CASE("a place that is the scale bar's is next to it") {
+  const MarksPlace at = marks_of({.bar = true}, 800.0, 600.0);
+  const auto legend =
+      place_legend(key_of(3), letter_width, 1.0,
+                   {.room = at.room, .bar = at.longest_bar, .place = PaperPlace{.corner = PaperCorner::bottom_left}},
+                   kWhiteCanvas);
+  CHECK(legend.corner.x == Approx(kUsualMarginPx));
+  CHECK(box_of(legend).high.y < at.longest_bar->low.y);
+  CHECK(box_of(legend).high.y > at.longest_bar->low.y - 10.0);
+}
+
+TEST_CASE("what lies below a box is counted primitive by primitive") {
+  test::Workbench bench(std::vector<Vec2>{{0, 0}, {4, 0}, {4, 3}});
+  const auto count = [&](const char* layer, const Box2& box) {
+    const LayerIndex index = find_layer(layer);
+    return shapes_below(bench.mirror(), {&index, 1}, box);
+  };
+  // A triangle with a right angle, whose circle is about (2, 1.5) with the radius 2.5.
+  CHECK(count("points", {{-1, -1}, {5, 5}}) == 3);
+  CHECK(count("points", {{-1, -1}, {3, 5}}) == 1);
+  CHECK(count("delaunay", {{1, 0.1}, {1.1, 0.2}}) == 0);
+  CHECK(count("delaunay", {{1, -0.1}, {1.1, 0.1}}) == 1);
+  CHECK(count("delaunay", {{3.5, -0.5}, {4.5, 0.5}}) == 2);
+  // Its Voronoi diagram is three rays from the centre.
+  CHECK(count("voronoi", {{1.9, 1.4}, {2.1, 1.6}}) == 3);
+  CHECK(count("voronoi", {{1.9, -50}, {2.1, -40}}) == 1);
+  CHECK(count("voronoi", {{40, 1.4}, {50, 1.6}}) == 1);
+  CHECK(count("voronoi", {{-50, 1.4}, {-40, 1.6}}) == 0);
+  // A circle counts where its line is, and a disk also inside.
+  bench.load({.balls = {{{2, 1.5}, 2.5}}});
+  for (const Box2& inside : {Box2{{1.9, 1.4}, {2.1, 1.6}}, Box2{{3.5, 2}, {3.6, 2.1}}}) {
+    CHECK(count("b-inner-circles", inside) == 0);
+    CHECK(count("b-inner-disks", inside) == 1);
+  }
+  for (const char* layer : {"b-inner-circles", "b-inner-disks"}) {
+    CHECK(count(layer, {{4.4, 1.4}, {4.6, 1.6}}) == 1);
+    CHECK(count(layer, {{-9, -9}, {9, 9}}) == 1);
+    CHECK(count(layer, {{4, 3.5}, {5, 4}}) == 0);  // in the box around it
+  }
+  // Its boundary is arcs that are all of the circle.
+  CHECK(count("b-union-boundary", {{1.9, 1.4}, {2.1, 1.6}}) == 0);
+  CHECK(count("b-union-boundary", {{4.4, 1.4}, {4.6, 1.6}}) >= 1);
+}
