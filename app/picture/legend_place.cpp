@@ -103,6 +103,7 @@ PlacedLegend place_legend(std::span<const LegendEntry> entries, const MeasureTex
   const double above = around.bar->low.y - around.room.low.y;
   const double beneath = around.room.high.y - around.bar->high.y;
   if (auto part = at_most(std::max(above, beneath) - kApart - margin)) return std::move(*part);
+  if (auto first = at_most(0.0)) return std::move(*first);
   return {.lacks_room = true};
 }
 
