@@ -8,8 +8,8 @@
 
 namespace mes {
 
-/// What it guarantees: `save` writes what was changed here and keeps what other windows have saved meanwhile.
-/// Threads: the window's.
+/// What it guarantees: `save` writes what was changed here and keeps what other windows have saved meanwhile, also
+/// those that end at the same moment. Threads: the window's.
 class SettingsFile {
  public:
   SettingsFile(std::filesystem::path path, Settings loaded)

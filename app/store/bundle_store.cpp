@@ -1,45 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bundles on disk.
-#include <fcntl.h>
 #include <fmt/core.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <sstream>
-#include <thread>
 
 #include "app/store/bundles.h"
 #include "app/system/data_folder.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/io/atomic_file.h"
+#include "core/io/file_lock.h"
 
 namespace mes {
 namespace {
 
 namespace fs = std::filesystem;
 
-/// Holds a lock between reading and writing. If it cannot be had soon, works without: the file is
-/// replaced whole in any case, and the window must not wait for a program that was stopped while it had the lock.
-class FileLock {
- public:
-  explicit FileLock(const fs::path& path) : file_(::open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
-    constexpr int kAttempts = 20;
-    constexpr std::chrono::milliseconds kPause(5);
-    for (int i = 0; file_ >= 0 && i < kAttempts && ::flock(file_, LOCK_EX | LOCK_NB) != 0; ++i)
-      std::this_thread::sleep_for(kPause);
-  }
-  ~FileLock() {
-    if (file_ >= 0) ::close(file_);
-  }
-  FileLock(const FileLock&) = delete;
-  FileLock& operator=(const FileLock&) = delete;
-
- private:
-  int file_;
-};
+constexpr int kMostAttempts = 50;
 
 std::string bytes_of(const fs::path& path) {
   std::ostringstream out;
@@ -110,10 +87,21 @@ std::optional<std::vector<Bundle>> BundleStore::read(std::string& message) {
 
 BundleStore::Loaded BundleStore::load(std::vector<Bundle> starting) {
   Loaded out;
+  // A file that is set aside must not be one that was mended meanwhile.
+  std::optional<UpdateLock> lock;
+  std::error_code error;
+  if (!path_.empty() && fs::exists(path_, error)) lock.emplace(path_, patience_);
   auto found = read(out.message);
   out.bundles = found ? std::move(*found) : std::move(starting);
   seen_ = out.bundles;
   return out;
+}
+
+Expected<Replaced> BundleStore::replace(const std::string& text,
+                                        const std::optional<FileFingerprint>& expected) const {
+  if (expected) return replace_file(path_, text, *expected);
+  if (auto written = write_file_atomically(path_, text); !written) return std::unexpected(written.error());
+  return Replaced::done;
 }
 
 Expected<BundleStore::Loaded> BundleStore::write(std::span<const Bundle> mine) {
@@ -124,13 +112,21 @@ Expected<BundleStore::Loaded> BundleStore::write(std::span<const Bundle> mine) {
   if (error)
     return std::unexpected(
         Error{ErrorCode::cannot_write, "cannot make the folder: " + error.message(), path_.parent_path().string()});
-  const FileLock lock(path_.string() + ".lock");
-  if (const auto theirs = read(out.message)) out.bundles = merge_bundles(seen_, mine, *theirs);
-  if (path_.empty()) return out;
-  if (auto written = write_file_atomically(path_, write_bundles(out.bundles)); !written)
-    return std::unexpected(written.error());
-  seen_ = out.bundles;
-  return out;
+  // One that was stopped while it had the lock stops no other; what such a one writes in the end is read again.
+  const UpdateLock lock(path_, patience_);
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    const auto read_from = fingerprint_of_file(path_);
+    const auto theirs = read(out.message);
+    if (path_.empty()) return out;
+    if (theirs) out.bundles = merge_bundles(seen_, mine, *theirs);
+    const auto written = replace(write_bundles(out.bundles), read_from);
+    if (!written) return std::unexpected(written.error());
+    if (*written == Replaced::changed) continue;
+    seen_ = out.bundles;
+    return out;
+  }
+  return std::unexpected(
+      Error{ErrorCode::cannot_write, "other programs change it all the time; save once more", path_.string()});
 }
 
 }  // namespace mes

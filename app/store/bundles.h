@@ -2,6 +2,7 @@
 // The bundles of the user: a list with names, an undo of its own, and a file that outlives the window.
 #pragma once
 
+#include <chrono>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -12,7 +13,9 @@
 #include "app/layers/layer_stack.h"
 #include "core/base/error.h"
 #include "core/document/bundle.h"
+#include "core/io/atomic_file.h"
 #include "core/io/bundle_file.h"
+#include "core/io/file_lock.h"
 
 namespace mes {
 
@@ -79,12 +82,14 @@ StartingBundles read_starting_bundles(const std::filesystem::path& assets);
 
 /// The file of the bundles, shared by every running window.
 ///
-/// What it guarantees: writing never loses what another window wrote since (merge_bundles); a file that is broken or
-/// of a later version of the program is renamed and reported, never overwritten. Threads: none; other processes may
-/// use the file at any time.
+/// What it guarantees: writing never loses what another window wrote since (merge_bundles), also where several write at
+/// the same moment: each reads, merges and writes under the lock of the file, and again where the file is another one by
+/// then. A file that is broken or of a later version of the program is renamed and reported, never
+/// overwritten. Threads: none; other processes may use the file at any time.
 class BundleStore {
  public:
-  explicit BundleStore(std::filesystem::path path) : path_(std::move(path)) {}
+  explicit BundleStore(std::filesystem::path path, std::chrono::milliseconds patience = UpdateLock::kPatience)
+      : path_(std::move(path)), patience_(patience) {}
 
   struct Loaded {
     std::vector<Bundle> bundles;
@@ -97,8 +102,11 @@ class BundleStore {
 
  private:
   std::optional<std::vector<Bundle>> read(std::string& message);
+  /// Leaves a file that is not the one expected alone.
+  Expected<Replaced> replace(const std::string& text, const std::optional<FileFingerprint>& expected) const;
   std::filesystem::path path_;
-  std::vector<Bundle> seen_;  // as last read or written
+  std::chrono::milliseconds patience_;  // for the lock
+  std::vector<Bundle> seen_;            // as last read or written
 };
 
 /// Which bundle the layers were last taken from, and whether they are still as it has them.

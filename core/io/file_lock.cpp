@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <thread>
 
 namespace mes {
 
@@ -35,6 +36,22 @@ std::expected<LockedFile, int> create_locked(const std::filesystem::path& path, 
   if (lock == LockTry::taken && is_named(path, descriptor)) ::unlink(path.c_str());
   ::close(descriptor);
   return std::unexpected(EEXIST);
+}
+
+// The system's own waiting has no end that could be set.
+UpdateLock::UpdateLock(const std::filesystem::path& path, std::chrono::milliseconds patience)
+    : descriptor_(::open((path.string() + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
+  constexpr std::chrono::milliseconds kPause{2};
+  if (descriptor_ < 0) return;
+  const auto end = std::chrono::steady_clock::now() + patience;
+  LockTry tried = try_lock(descriptor_);
+  for (; tried == LockTry::taken && std::chrono::steady_clock::now() < end; tried = try_lock(descriptor_))
+    std::this_thread::sleep_for(kPause);
+  is_held_ = tried == LockTry::locked;
+}
+
+UpdateLock::~UpdateLock() {
+  if (descriptor_ >= 0) ::close(descriptor_);
 }
 
 }  // namespace mes

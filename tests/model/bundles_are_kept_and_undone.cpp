@@ -146,7 +146,7 @@ TEST_CASE("undo takes back what was done here and nothing that another window di
 TEST_CASE("a program that has the lock and goes no further stops no other") {
   const TemporaryFolder folder;
   const auto file = folder / "bundles.json";
-  BundleStore store(file);
+  BundleStore store(file, std::chrono::milliseconds(0));
   static_cast<void>(store.load({}));
   const int held = ::open((file.string() + ".lock").c_str(), O_RDWR | O_CREAT, 0600);
   REQUIRE(::flock(held, LOCK_EX) == 0);

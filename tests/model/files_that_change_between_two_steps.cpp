@@ -8,9 +8,11 @@
 #include <cerrno>
 #include <filesystem>
 #include <functional>
+#include <set>
 #include <utility>
 
 #include "app/store/autosave.h"
+#include "app/store/bundles.h"
 #include "core/io/atomic_file.h"
 #include "tests/io/temporary_folder.h"
 
@@ -88,6 +90,27 @@ TEST_CASE("a file that is changed while another version is written is not replac
   CHECK(replace_file(file, "mine", fingerprint_of("his")).value() == Replaced::done);
   CHECK(contents_of(file) == "mine");
   CHECK(folder.file_count() == 1);
+}
+
+TEST_CASE("what a window writes that could not wait for the lock of the bundles is not lost") {
+  const Hooks hooks;
+  const TemporaryFolder folder;
+  const fs::path file = folder / "bundles.json";
+  BundleStore slow(file);
+  BundleStore hasty(file, std::chrono::milliseconds(0));
+  REQUIRE(slow.write(std::vector<Bundle>{{"old"}}));
+  static_cast<void>(hasty.load({}));
+  int times = 0;
+  before_sync = [&] {
+    if (++times == 1) REQUIRE(hasty.write(std::vector<Bundle>{{"old"}, {"his"}}));
+    return 0;
+  };
+  const auto written = slow.write(std::vector<Bundle>{{"old"}, {"mine"}});
+  REQUIRE(written);
+  CHECK(times > 1);
+  std::set<std::string> names;
+  for (const Bundle& bundle : BundleStore(file).load({}).bundles) names.insert(bundle.name);
+  CHECK(names == std::set<std::string>{"old", "mine", "his"});
 }
 
 TEST_CASE("a part that is found before it is locked is made anew") {
