@@ -279,9 +279,9 @@ constexpr auto kEvolutionRows = std::to_array<Row>({
     {Id::evolution_play, "evolution-play", "Play the evolution",
      "Take one step after the other, each when the picture of the one before is complete"},
     {Id::evolution_previous, "evolution-previous", "Previous evolution",
-     "Choose the evolution before this one, and go back to the beginning", "Ctrl+Up"},
+     "Choose the evolution before this one, which begins from what is shown", "Ctrl+Up"},
     {Id::evolution_next, "evolution-next", "Next evolution",
-     "Choose the evolution after this one, and go back to the beginning", "Ctrl+Down"},
+     "Choose the evolution after this one, which begins from what is shown", "Ctrl+Down"},
 });
 
 constexpr auto kHelpRows = std::to_array<Row>({

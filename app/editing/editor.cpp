@@ -308,7 +308,8 @@ Expected<void> Editor::scale_selected_balls(double factor, double least, bool co
 }
 
 Expected<void> Editor::evolve(std::span<const Vec2> positions, std::span<const SampleData::Contour> contours,
-                              const std::string& name) {
+                              const std::string& name, bool continues) {
+  if (!continues) evolved_revision_ = ~std::uint64_t{0};
   return show_in_place(
       evolved_revision_, [&](const Document& before) { return arrange_samples(before, positions, contours); }, name);
 }

@@ -145,10 +145,10 @@ class Editor {
   Expected<void> scale_selected_balls(double factor, double least, bool continues);
 
   /// Shows another state of an evolution, the samples in input order and then new ones; see `arrange_samples`. All
-  /// states of one evolution are one step of undo: as long as nothing else happened, each takes the place of the one
-  /// before, and `name` that of its name. Not within a gesture.
+  /// states of one evolution are one step of undo: with `continues`, and as long as nothing else happened, each takes the
+  /// place of the one before, and `name` that of its name. Not within a gesture.
   Expected<void> evolve(std::span<const Vec2> positions, std::span<const SampleData::Contour> contours,
-                        const std::string& name);
+                        const std::string& name, bool continues = true);
   /// Takes other samples of the document's curves, or of other curves; see `mes::resample`. With `continues`, they take
   /// the place of those of the call before if nothing else happened since: one step of undo, of this name. Not within a
   /// gesture.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/playing/evolution_player.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -82,12 +83,15 @@ void EvolutionPlayer::resume(const EvolutionChoice& choice, std::uint64_t k) {
 
 void EvolutionPlayer::choose(EvolutionIndex evolution) {
   if (evolution == choice_.evolution) return;
-  play(Direction::none);
-  step_to(0);
+  cancel();
+  const std::uint64_t steps = position();
+  const std::string kept = steps == 0 ? std::string() : name_of_state(descriptor(), steps);
   choice_.evolution = evolution;
+  if (!kept.empty()) kept_ = fmt::format("{}: kept; {} begins from there", kept, descriptor().name);
+  shown_ = 0;
+  beginning_revision_ = shown_revision_ = ~std::uint64_t{0};
   moved_ = {};
   fit_lengths();
-  restart_from_beginning();
 }
 
 void EvolutionPlayer::fit_lengths() {
@@ -204,8 +208,9 @@ void EvolutionPlayer::show(std::uint64_t k, const EvolutionState& state) {
   const std::string name = name_of_state(descriptor(), k);
   // Contours change only where samples were added; all states of the others share those of the document.
   const bool has_new_loops = state.curve != beginning_.curve;
-  if (auto done = editor_.evolve(state.positions,
-                                 has_new_loops ? contours_of(state) : std::vector<SampleData::Contour>(), name);
+  if (auto done =
+          editor_.evolve(state.positions, has_new_loops ? contours_of(state) : std::vector<SampleData::Contour>(),
+                         name, editor_.document().revision() == shown_revision_);
       !done) {
     problem_ = done.error();
     direction_ = Direction::none;

@@ -14,8 +14,8 @@ namespace mes {
 
 /// What it guarantees:
 ///  1. State 0 is the document as it was when the first step was taken after an edit; `step_to(0)` gives it back
-///     exactly. Another evolution begins at the same state 0.
-///  2. All states shown are one step of undo (`Editor::evolve`). An edit at state k makes that the state 0 of what
+///     exactly. Another evolution begins at the state that is shown when it is chosen: what the one before did is kept.
+///  2. All states of one evolution are one step of undo (`Editor::evolve`). An edit at state k makes that the state 0 of what
 ///     follows; undo takes the edit back first and then the evolution.
 ///     Where a parameter moves instead of samples, state 0 gives its value back, and setting it at state k makes that
 ///     the state 0 of what follows.
@@ -44,7 +44,7 @@ class EvolutionPlayer {
 
   const EvolutionChoice& choice() const { return choice_; }
   const EvolutionDescriptor& descriptor() const { return evolution().descriptor; }
-  /// Goes back to state 0.
+  /// The present state is its state 0.
   void choose(EvolutionIndex evolution);
   /// Chooses the evolution `places` places after the present one, cyclically.
   void choose_next(int places);
@@ -95,6 +95,8 @@ class EvolutionPlayer {
   std::optional<double> next_due(double now) const;
   /// True, once, when an edit in the middle of an evolution has made state 0 of what there is now.
   bool take_restart() { return std::exchange(has_restarted_, false); }
+  /// What `choose` has kept, in words, once; empty: nothing.
+  std::string take_kept() { return std::exchange(kept_, {}); }
   /// Why a state could not be had, once.
   std::optional<Error> take_problem() { return std::exchange(problem_, std::nullopt); }
 
@@ -135,6 +137,7 @@ class EvolutionPlayer {
   double last_step_ = 0.0;
   std::optional<Error> problem_;
   bool has_restarted_ = false;
+  std::string kept_;
 };
 
 }  // namespace mes

@@ -139,6 +139,7 @@ void Workspace::export_bundles(const std::filesystem::path& file, std::optional<
 void Workspace::follow_evolution(std::uint64_t shown_document, double now) {
   evolution_.follow(shown_document == document().revision() && !engine_.status().busy, now);
   if (evolution_.take_restart()) messages_.remark("Evolution restarted from here: the samples were edited");
+  if (std::string kept = evolution_.take_kept(); !kept.empty()) messages_.remark(std::move(kept));
   if (const auto problem = evolution_.take_problem()) messages_.problem(problem->message());
   if (const auto problem = pane_documents_.take_problem())
     messages_.problem("A pane cannot show its version of the document: " + problem->message());

@@ -127,13 +127,62 @@ TEST_CASE("an edit at a later state begins a new evolution there") {
   CHECK(desk.editor.undo_name() == "Insert");
 }
 
-TEST_CASE("another evolution, seed or parameter keeps the beginning") {
+TEST_CASE("another evolution begins from what is shown, and each is a step of undo of its own") {
+  Desk desk;
+  const std::vector<Vec2> beginning = places(desk.editor.document());
+  const std::vector<Vec2> smooth = desk.at(3);
+  desk.player.choose(*find_evolution("subdivide"));
+  CHECK(desk.player.position() == 0);
+  CHECK(desk.player.take_kept() == "Smooth, 3 steps: kept; Subdivide begins from there");
+  CHECK(desk.player.take_kept().empty());
+  CHECK(places(desk.editor.document()) == smooth);
+  CHECK(desk.editor.undo_name() == "Smooth, 3 steps");
+  const std::vector<Vec2> fine = desk.at(1);
+  CHECK(fine.size() > smooth.size());
+  desk.at(2);
+  CHECK(desk.editor.undo_name() == "Subdivide, 2 steps");
+  CHECK_FALSE(desk.player.take_restart());
+  CHECK(desk.at(0) == smooth);
+  CHECK(desk.at(1) == fine);
+  desk.player.choose_next(1);
+  CHECK(places(desk.editor.document()) == fine);
+  desk.editor.undo();
+  CHECK(places(desk.editor.document()) == smooth);
+  CHECK(desk.player.position() == 0);
+  desk.editor.undo();
+  CHECK(places(desk.editor.document()) == beginning);
+  CHECK_FALSE(desk.editor.can_undo());
+  desk.editor.redo();
+  desk.editor.redo();
+  CHECK(places(desk.editor.document()) == fine);
+  CHECK_FALSE(desk.editor.can_redo());
+  DocumentReplay replay;
+  REQUIRE(replay.begin(*desk.editor.timeline().data()));
+  for (const TimelineEntry& entry : desk.editor.timeline().entries()) REQUIRE(replay.apply(entry));
+  CHECK(replay.document().digest() == desk.editor.document().digest());
+}
+
+TEST_CASE("choosing another evolution while steps are computed keeps those that are shown") {
+  Desk desk;
+  const std::vector<Vec2> smooth = desk.at(2);
+  desk.player.step_to(1'000'000'000);
+  desk.player.choose_next(-1);
+  CHECK(desk.player.descriptor().id == evolutions().back().descriptor.id);
+  desk.settle();
+  CHECK_FALSE(desk.player.is_waiting());
+  CHECK(places(desk.editor.document()) == smooth);
+  // Nothing was done, so that nothing is kept.
+  desk.player.choose_next(1);
+  CHECK_FALSE(desk.player.take_kept().empty());
+  desk.player.choose_next(1);
+  CHECK(desk.player.take_kept().empty());
+}
+
+TEST_CASE("another seed or parameter keeps the beginning") {
   Desk desk;
   const std::vector<Vec2> beginning = places(desk.editor.document());
   const std::vector<Vec2> smooth = desk.at(4);
-  desk.player.choose_next(-1);
-  CHECK(desk.player.descriptor().id == evolutions().back().descriptor.id);
-  CHECK(places(desk.editor.document()) == beginning);
+  desk.at(0);
   desk.player.choose(*find_evolution("noise"));
   const std::vector<Vec2> noise = desk.at(4);
   desk.player.set_seed(8);
@@ -143,6 +192,7 @@ TEST_CASE("another evolution, seed or parameter keeps the beginning") {
   desk.player.set_seed(1);
   desk.settle();
   CHECK(places(desk.editor.document()) == noise);
+  desk.at(0);
   desk.player.choose(*find_evolution("smooth"));
   desk.player.set_value("smooth-mu", 0.25);
   CHECK(desk.at(4) != smooth);
@@ -251,10 +301,13 @@ TEST_CASE("growing moves the scale of a family and nothing else, and goes back e
   desk.at(0);
   CHECK(desk.computation == before);
   desk.at(4);
+  CHECK(desk.computation[Parameter::b_scale] == Approx(2.38));
   desk.player.choose(*find_evolution("b-shrinking"));
-  CHECK(desk.computation == before);
+  CHECK(desk.computation[Parameter::b_scale] == Approx(2.38));
   desk.at(10);
-  CHECK(desk.computation[Parameter::b_scale] == Approx(0.85));
+  CHECK(desk.computation[Parameter::b_scale] == Approx(1.19));
+  desk.at(0);
+  CHECK(desk.computation[Parameter::b_scale] == Approx(2.38));
   // By hand: that is where the next step starts from.
   desk.computation[Parameter::b_scale] = 3.0;
   CHECK(desk.player.position() == 0);
@@ -262,7 +315,7 @@ TEST_CASE("growing moves the scale of a family and nothing else, and goes back e
   CHECK(desk.computation[Parameter::b_scale] == Approx(1.5));
   desk.player.choose(*find_evolution("smooth"));
   CHECK_FALSE(desk.player.parameter_value());
-  CHECK(desk.computation[Parameter::b_scale] == 3.0);
+  CHECK(desk.computation[Parameter::b_scale] == Approx(1.5));
   CHECK(desk.at(1) != samples);
 }
 
