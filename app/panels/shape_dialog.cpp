@@ -111,9 +111,7 @@ void ShapeDialog::draw(const Gui& gui) {
     follow_wish();
     maker_.draw_facts(gui);
     ImGui::EndChild();
-    if (maker_.draw_buttons(gui, std::string(shape().name),
-                            "The shape takes the place of the samples and balls that are there: one step of undo"))
-      cancel();
+    if (maker_.draw_buttons(gui, std::string(shape().name), "The shape becomes a document of its own")) cancel();
     ImGui::EndChild();
     ImGui::SameLine(0, 16 * unit);
     ImGui::BeginChild("preview");

@@ -107,9 +107,7 @@ void TextDialog::draw(const Gui& gui) {
     follow_wish();
     maker_.draw_facts(gui);
     ImGui::EndChild();
-    if (maker_.draw_buttons(gui, "Text",
-                            "The text takes the place of the samples and balls that are there: one step of undo"))
-      cancel();
+    if (maker_.draw_buttons(gui, "Text", "The text becomes a document of its own")) cancel();
     ImGui::EndChild();
     ImGui::SameLine(0, 16 * unit);
     ImGui::BeginChild("preview");

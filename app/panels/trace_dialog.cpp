@@ -147,7 +147,7 @@ void TraceDialog::draw_buttons(const Gui& gui) {
   ImGui::BeginDisabled(!is_possible);
   const bool is_clicked = default_button(gui, "Trace into samples", size, true);
   ImGui::EndDisabled();
-  tooltip(gui, "The outlines, sampled, take the place of the samples and balls that are there: one step of undo");
+  tooltip(gui, "The outlines, sampled, become a document of their own");
   if ((is_clicked || is_accepted_) && is_possible) uses_->trace(request());
   is_accepted_ = false;
   if (ImGui::Button("Lay underneath", size)) uses_->lay_underneath();

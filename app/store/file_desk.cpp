@@ -56,6 +56,13 @@ void FileDesk::read(const Asked& asked, Reading& reading, ReadFiles& out) {
     out.data = asked.recovered->data;
     return prepare(reading, out);
   }
+  if (asked.made) {
+    out.outcome.file = asked.title;
+    out.outcome.is_made = true;
+    out.outcome.remark = asked.remark;
+    out.data = asked.made;
+    return prepare(reading, out);
+  }
   out.outcome.is_shape = !asked.title.empty();
   std::vector<LoadedFile> files;
   for (const fs::path& file : asked.files) {
@@ -175,6 +182,11 @@ void FileDesk::open_shape(const fs::path& file, const std::string& title) {
   begin({.files = {file}, .title = title});
 }
 
+void FileDesk::open_made(std::shared_ptr<const SampleData> made, const std::string& title,
+                         const std::string& remark) {
+  begin({.title = title, .made = std::move(made), .remark = remark});
+}
+
 void FileDesk::recover(std::shared_ptr<const Session> work) {
   begin({.recovered = std::move(work)});
 }
@@ -193,7 +205,7 @@ std::string FileDesk::reading_name() const {
 double FileDesk::reading_progress() const {
   if (!is_reading()) return 0.0;
   constexpr double kReplayed = 0.5;  // of what comes after reading
-  const double read = asked_.recovered ? 0.0 : 0.9;
+  const double read = asked_.files.empty() ? 0.0 : 0.9;
   const auto files = static_cast<double>(asked_.files.size());
   const auto part = static_cast<double>(progress_->part);
   const double done = std::min(progress_->control.progress(), 1.0);
@@ -249,7 +261,7 @@ FileDesk::Outcome FileDesk::take_over(ReadFiles& read) {
       editor_.restore(*read.document);
     else
       editor_.load(*read.document);
-    if (out.is_recovered) editor_.mark_unsaved();
+    if (out.is_recovered || out.is_made) editor_.mark_unsaved();
     contested_.reset();
     std::swap(held_, after);
   } catch (const std::bad_alloc&) {
@@ -276,9 +288,10 @@ FileDesk::Held FileDesk::held_by_files_of(const Document& document) {
 
 FileDesk::Held FileDesk::held_by_read_files(const ReadFiles& read, const std::string& title) {
   const Outcome& out = read.outcome;
-  if (out.is_recovered) {
+  if (out.is_recovered || out.is_made) {
     Held none = held_by_files_of(Document());
-    if (!out.session->title.empty()) none.title = out.session->title;
+    const std::string& named = out.is_made ? title : out.session->title;
+    if (!named.empty()) none.title = named;
     return none;
   }
   Held after = held_by_files_of(read.document->document());

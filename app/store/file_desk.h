@@ -32,7 +32,9 @@ namespace mes {
 ///     document holds, it counts as modified.
 ///  3. Writing happens on a thread of its own too, and saves the document as it was when that began. A file that
 ///     cannot be written leaves names and marks as they were. Whatever was begun is written before the object ends.
-///  4. A file that something else has written to since it was opened or saved here is not overwritten: saving ends
+///  4. What is made in the program, and what a picture is traced into, is a document of its own, never the content of the
+///     file that was open.
+///  5. A file that something else has written to since it was opened or saved here is not overwritten: saving ends
 ///     with a conflict, and `overwrite` is the answer to it.
 ///
 /// Smallest use:
@@ -71,6 +73,7 @@ class FileDesk {
     std::vector<std::filesystem::path> files;  ///< that were opened
     std::size_t left_out = 0;                  ///< files that would have replaced what the first brought
     bool is_shape = false;
+    bool is_made = false;                    ///< of samples that were made: no files
     bool is_recovered = false;               ///< work that was left behind: no files
     std::shared_ptr<const Session> session;  ///< if it was one; the document is the session's already
     std::string format;
@@ -78,12 +81,16 @@ class FileDesk {
     std::size_t samples = 0;
     std::size_t balls = 0;
     std::vector<std::string> warnings;
+    std::string remark;  ///< on what was made
     std::optional<Error> error;
   };
   /// What became of the reading, once, when it has ended; nothing while it `would_lose_work`.
   std::optional<Outcome> poll();
 
   void start_empty();
+  /// Begins to make a document of samples that were made in the program, or of a picture, as `open` does of files: it has
+  /// this title, and no file holds it. `remark`: what there is to say when it is there.
+  void open_made(std::shared_ptr<const SampleData> made, const std::string& title, const std::string& remark = {});
   /// Begins to make the document of work that a crash left behind, as `open` does of files: no file holds it.
   void recover(std::shared_ptr<const Session> work);
   /// Begins to write the session, or samples and balls, to the files they have. Waits for a writing under way.
@@ -127,7 +134,9 @@ class FileDesk {
   /// What is asked for by `open`.
   struct Asked {
     std::vector<std::filesystem::path> files{};
-    std::string title{};                         // of a shape
+    std::string title{};                         // of a shape, or of what was made
+    std::shared_ptr<const SampleData> made{};    // no file
+    std::string remark{};                        // on what was made
     std::shared_ptr<const Session> recovered{};  // no file
     MapDegrees degrees = MapDegrees::projected;
     Editor::Work work{};        // that there was then

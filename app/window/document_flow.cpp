@@ -43,8 +43,15 @@ DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const std::functio
       figures_({uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages, uses_.settings,
                 [this] { return files_.title(); }, [this] { return browse_folder(); }},
                wake),
-      tracing_({uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages}, wake) {
-  const auto make = [this](const SampleData& data, const std::string& name) { take_shape(data, name); };
+      tracing_({uses_.board, uses_.dialogs, uses_.messages,
+                [this](std::function<void()> then) { with_saved_work(std::move(then)); },
+                [this](TraceDesk::Samples samples, const std::string& title) {
+                  traced_with_next_.clear();
+                  files_.open_made(std::make_shared<const SampleData>(std::move(samples.data)), title,
+                                   samples.remark);
+                }},
+               wake) {
+  const auto make = [this](const SampleData& data, const std::string& name) { open_made(data, name); };
   uses_.dialogs.shape.set_uses(make, wake);
   uses_.dialogs.text.set_uses(make, wake);
   if (auto font = own_font(assets)) uses_.dialogs.text.set_own_font(*std::move(font));
@@ -110,13 +117,11 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
   actions.bind(ActionId::demo, {[this] { with_saved_work([this] { start_demo(); }); }});
 }
 
-void DocumentFlow::take_shape(const SampleData& data, const std::string& name) {
-  if (const auto done = uses_.work.editor().replace(data, name); !done) {
-    report(done.error());
-    return;
-  }
-  uses_.messages.clear();
-  uses_.board.fitter().want(ViewFitter::How::glide);
+void DocumentFlow::open_made(const SampleData& data, const std::string& title) {
+  with_saved_work([this, made = std::make_shared<const SampleData>(data), title] {
+    traced_with_next_.clear();
+    files_.open_made(made, title);
+  });
 }
 
 void DocumentFlow::ask_trace() {

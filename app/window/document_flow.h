@@ -112,8 +112,8 @@ class DocumentFlow {
   MapDegrees degrees_wanted() const;
   void open_with_picture(const std::vector<std::string>& files, const std::filesystem::path& picture);
   void ask_trace();
-  /// In the place of what there is, as one step of undo.
-  void take_shape(const SampleData& data, const std::string& name);
+  /// A document of its own. The question about unsaved work comes first.
+  void open_made(const SampleData& data, const std::string& title);
   std::vector<std::filesystem::path> without_bundles(const std::vector<std::string>& files);
   void take_read_file();
   /// What was done while a file was read is not lost without a question either; without an answer the document stays.

@@ -175,6 +175,7 @@ void DocumentFlow::take_read_file() {
   uses_.board.note_new_document();
   had_first_file_ = true;
   say_opened(*outcome);
+  if (!outcome->remark.empty()) uses_.messages.remark(outcome->remark);
   if (recovered) say_left_work_waits();
   if (!when_presentable().holds()) return;
   if (presents)
@@ -184,7 +185,7 @@ void DocumentFlow::take_read_file() {
 }
 
 void DocumentFlow::say_opened(const FileDesk::Outcome& outcome) {
-  if (!outcome.is_shape)
+  if (!outcome.is_shape && !outcome.is_made)
     for (const fs::path& file : outcome.files) remember_file(uses_.settings, file);
   if (outcome.left_out != 0) {
     const std::size_t opened = outcome.files.size();

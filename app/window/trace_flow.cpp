@@ -9,7 +9,13 @@ namespace mes {
 TraceFlow::TraceFlow(Uses uses, std::function<void()> wake) : uses_(uses), desk_(std::move(wake)) {
   uses_.dialogs.trace.set_uses({.desk = desk_,
                                 .texture = [this] { return texture(); },
-                                .trace = [this](const TraceRequest& request) { desk_.trace(request); },
+                                .trace =
+                                    [this](const TraceRequest& request) {
+                                      // The picture may be given up while the question is open.
+                                      uses_.leave_work([this, request] {
+                                        if (uses_.dialogs.trace.is_open()) desk_.trace(request);
+                                      });
+                                    },
                                 .lay_underneath =
                                     [this] {
                                       uses_.dialogs.trace.close();
@@ -42,13 +48,7 @@ void TraceFlow::take_samples(Expected<TraceDesk::Samples> samples) {
     uses_.messages.problem(samples.error().message());
     return;
   }
-  if (const auto done = uses_.work.editor().replace(samples->data, "Trace a picture"); !done) {
-    uses_.messages.problem(done.error().message());
-    return;
-  }
-  uses_.messages.clear();
-  uses_.messages.remark(samples->remark);
-  uses_.board.fitter().want(ViewFitter::How::glide);
+  uses_.open_made(*std::move(samples), desk_.file().filename().string());
 }
 
 ImTextureID TraceFlow::texture() {

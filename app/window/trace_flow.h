@@ -12,16 +12,16 @@
 
 namespace mes {
 
-/// What it guarantees: it never waits for a picture being read or traced; tracing is one step of undo. Needs a current
-/// OpenGL context for its life. Threads: the window's; `wake` is called from others.
+/// What it guarantees: it never waits for a picture being read or traced; what it is traced into becomes a document of its
+/// own, and the question about unsaved work comes before the tracing. Needs a current OpenGL context for its life. Threads: the window's; `wake` is called from others.
 class TraceFlow {
  public:
   struct Uses {
-    Workspace& work;
     DrawingBoard& board;
-    Screen& screen;
     Dialogs& dialogs;
     Messages& messages;
+    std::function<void(std::function<void()> then)> leave_work;  ///< goes on when it is saved or given up
+    std::function<void(TraceDesk::Samples samples, const std::string& title)> open_made;
   };
   TraceFlow(Uses uses, std::function<void()> wake);
   ~TraceFlow() { forget_texture(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A silhouette is opened, asked about, and traced with one key; that is one step of undo.
+// A silhouette is opened, asked about, and traced with one key; what it becomes is a document of its own.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <csignal>
@@ -12,6 +12,8 @@ using namespace mes::test;
 
 namespace {
 
+constexpr const char* kHouse = "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n";
+
 std::string disk() {
   std::string out = "P5 200 200 255\n";
   for (int y = 0; y < 200; ++y)
@@ -21,11 +23,11 @@ std::string disk() {
 
 }  // namespace
 
-TEST_CASE("a picture is traced into samples, in one step of undo") {
+TEST_CASE("a picture is traced into a document of its own, and the file that was open stays as it is") {
   DrivenProgram window;
   const VirtualScreen& screen = window.screen;
   window.folder.write("disk.pgm", disk());
-  window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
+  window.folder.write("house.poff", kHouse);
   window.start("house.poff");
   const Screenshot house = window.drawn();
   // What lies behind a dialog is dimmed.
@@ -51,10 +53,15 @@ TEST_CASE("a picture is traced into samples, in one step of undo") {
   REQUIRE(eventually([&] { return !is_dimmed(); }));
   const Screenshot traced = window.drawn();
   REQUIRE(traced.changes(kCanvas, house) > 1000);
-  // The view stays where the picture is, so the house is seen elsewhere.
+  CHECK(eventually([&] { return window.title().starts_with("* disk.pgm"); }));
+  // No file holds it: a name is asked for.
+  window.press("ctrl+s");
+  REQUIRE(eventually(is_dimmed));
+  window.press("Escape");
+  REQUIRE(eventually([&] { return !is_dimmed(); }));
+  CHECK(bytes_of(window.folder / "house.poff") == kHouse);
+  // Nor is it a step in what was open before.
   window.press("ctrl+z");
-  static_cast<void>(window.other_than(traced));
-  window.press("ctrl+shift+z");
   CHECK(window.nearly_shows(traced));
 
   window.save_as("disk.poff");
@@ -65,11 +72,47 @@ TEST_CASE("a picture is traced into samples, in one step of undo") {
   for (const Vec2 p : file->data.positions) CHECK(std::abs(distance(p, {100.0, 100.0}) - 80.0) < 0.3);
 }
 
+TEST_CASE("unsaved work is asked about before a picture is traced, and stays where the question is cancelled") {
+  DrivenProgram window;
+  const VirtualScreen& screen = window.screen;
+  window.folder.write("disk.pgm", disk());
+  window.folder.write("house.poff", kHouse);
+  window.start("house.poff");
+  static_cast<void>(window.drawn());
+  window.press("i");
+  screen.click({500, 400});
+  REQUIRE(eventually([&] { return window.title().starts_with("* house.poff"); }));
+  // Asked about when Open is pressed, and given up.
+  const Screenshot edited = screen.settled();
+  const auto outlines = [&] {
+    return screen.shoot().count([](Color c) { return c.r > 200 && c.g < 120 && c.b < 80; });
+  };
+  window.press("ctrl+shift+p");
+  static_cast<void>(screen.settled());
+  screen.xdotool("type --delay 20 trace-into");
+  static_cast<void>(screen.settled());
+  window.press("Return");
+  static_cast<void>(screen.settled());
+  screen.xdotool("type --delay 20 disk");
+  static_cast<void>(screen.settled());
+  window.press("Return");
+  REQUIRE(eventually([&] { return outlines() > 500; }));
+  window.press("Return");
+  static_cast<void>(screen.settled());
+  // The question takes its place; without an answer the picture is there again, and then the house.
+  CHECK(eventually([&] { return outlines() < 100; }));
+  window.press("Escape");
+  CHECK(eventually([&] { return outlines() > 500; }));
+  window.press("Escape");
+  CHECK(window.shows(edited));
+  CHECK(window.title().starts_with("* house.poff"));
+}
+
 TEST_CASE("a picture to be traced waits until the question about work that was left is answered") {
   DrivenProgram window;
   const VirtualScreen& screen = window.screen;
   window.folder.write("disk.pgm", disk());
-  window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
+  window.folder.write("house.poff", kHouse);
   window.start("house.poff");
   static_cast<void>(window.drawn());
   window.press("i");

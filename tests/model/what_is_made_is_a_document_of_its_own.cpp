@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is made in the program, or traced from a picture, never goes into the file that was open.
+#include <catch2/catch.hpp>
+#include <memory>
+
+#include "tests/model/desk_bench.h"
+
+using namespace mes;
+using mes::test::contents_of;
+using Bench = mes::test::DeskBench;
+
+namespace {
+
+std::shared_ptr<const SampleData> triangle() {
+  return std::make_shared<const SampleData>(
+      SampleData{.positions = {{0, 0}, {4, 0}, {0, 3}}, .contours = {{true, {0, 1, 2}}}});
+}
+
+FileDesk::Outcome make(Bench& bench, const std::string& title) {
+  bench.desk.open_made(triangle(), title, "1 outline");
+  CHECK(bench.desk.reading_name() == title);
+  std::optional<FileDesk::Outcome> outcome;
+  while (!(outcome = bench.desk.poll())) std::this_thread::yield();
+  return *outcome;
+}
+
+}  // namespace
+
+TEST_CASE("what is made has its own title, no file, and is unsaved") {
+  Bench bench;
+  const std::string before = "POFF 1 0 0\n5 6\n";
+  for (const char* const name : {"a.poff", "a.json"}) {
+    const auto file = bench.folder / name;
+    REQUIRE_FALSE(bench.open(bench.folder.write("b.poff", before)).error);
+    REQUIRE(bench.save_as(file));
+    const std::string saved = contents_of(file);
+    const FileDesk::Outcome outcome = make(bench, "disk.png");
+    REQUIRE_FALSE(outcome.error);
+    CHECK(outcome.is_made);
+    CHECK(outcome.files.empty());
+    CHECK(outcome.remark == "1 outline");
+    CHECK(outcome.samples == 3);
+    CHECK(bench.desk.title() == "disk.png");
+    CHECK(bench.desk.file().empty());
+    CHECK(bench.desk.sample_file().empty());
+    CHECK_FALSE(bench.desk.has_session_file());
+    CHECK(bench.editor.is_modified());
+    CHECK(bench.desk.unsaved().samples);
+    CHECK_FALSE(bench.editor.can_undo());
+    CHECK(bench.editor.document().sample_count() == 3);
+    CHECK(bench.editor.document().curve_order()->contours.size() == 1);
+    // Nothing is written where no name was given.
+    REQUIRE(bench.save());
+    CHECK(contents_of(file) == saved);
+    CHECK(bench.editor.is_modified());
+    REQUIRE(bench.save_as(bench.folder / "mine.poff"));
+    CHECK_FALSE(bench.editor.is_modified());
+    CHECK(bench.desk.file() == bench.folder / "mine.poff");
+    CHECK(contents_of(file) == saved);
+  }
+}
+
+TEST_CASE("what is edited while something is made is not lost without a question") {
+  Bench bench;
+  bench.desk.open_made(triangle(), "Circle");
+  bench.add_sample();
+  while (!bench.desk.has_read()) std::this_thread::yield();
+  CHECK_FALSE(bench.desk.poll());
+  CHECK(bench.desk.would_lose_work());
+  bench.desk.cancel_reading();
+  CHECK(bench.editor.document().sample_count() == 1);
+  CHECK(bench.desk.title() == "Untitled");
+}
