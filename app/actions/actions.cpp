@@ -405,7 +405,9 @@ std::span<const GestureDescriptor> gesture_descriptors() {
       {"Middle drag, right drag", "pan"},
       {"Space + drag", "pan"},
       {"Click", "select a sample (select tool), add one (insert tool)"},
-      {"Click anything else drawn", "show what it comes from and what it leads to (select tool)"},
+      {"Click anything drawn",
+       "show what it comes from and what it leads to; a sample or a ball that it lies on is selected as well (select "
+       "tool)"},
       {"Ctrl + click, Alt + click", "the same for a sample or a ball"},
       {"Double click on a sample", "select its curve"},
       {"Shift + click or box", "add to the selection"},

@@ -68,10 +68,14 @@ ProvenanceQuestion question_at(const Pointer& pointer, const LayerStack& layers)
   return out;
 }
 
-void ProvenanceCard::ask(Engine& engine, const LayerStack& layers, const Pointer& pointer, const Editor& editor) {
-  ProvenanceQuestion question = question_at(pointer, layers);
+void ProvenanceCard::ask(Engine& engine, const LayerStack& layers, ProvenanceQuestion question,
+                         const Editor& editor) {
   question.ticket = ++ticket_;
   is_asking_ = true;
+  asks_beneath_ = wants_beneath_ = false;
+  question_ = question;
+  layers_ = layers.visible_layers();
+  std::ranges::reverse(layers_);
   document_revision_ = editor.document().revision();
   selection_revision_ = editor.selection().revision();
   answer_.reset();
@@ -81,9 +85,27 @@ void ProvenanceCard::ask(Engine& engine, const LayerStack& layers, const Pointer
 void ProvenanceCard::take(Provenance answer) {
   if (answer.ticket != ticket_) return;
   is_asking_ = false;
+  if (std::exchange(asks_beneath_, false) && answer.lines.empty()) {
+    beneath_ = Beneath::nothing;
+    return;
+  }
   answer_.reset();
   if (!answer.lines.empty()) answer_ = std::move(answer);
   pointed_at_ = 0;
+  beneath_ = answer_ && layers_beneath().empty() ? Beneath::no_layer : Beneath::unknown;
+}
+
+std::vector<LayerIndex> ProvenanceCard::layers_beneath() const {
+  const auto found = std::ranges::find(layers_, answer_->layer);
+  return found == layers_.end() ? std::vector<LayerIndex>() : std::vector<LayerIndex>(found + 1, layers_.end());
+}
+
+void ProvenanceCard::ask_beneath(Engine& engine) {
+  if (!std::exchange(wants_beneath_, false) || !answer_ || is_asking_) return;
+  question_.layers = layers_beneath();
+  question_.ticket = ++ticket_;
+  is_asking_ = asks_beneath_ = true;
+  engine.ask(question_);
 }
 
 bool ProvenanceCard::clear() {
@@ -172,6 +194,19 @@ std::optional<std::size_t> ProvenanceCard::draw_lines(const Gui& gui, float widt
   return clicked;
 }
 
+void ProvenanceCard::draw_foot(const Gui& gui) {
+  if (ImGui::SmallButton("Select the samples")) wants_sources_ = true;
+  tooltip(gui, "Select the samples, or balls, that this is or comes from");
+  if (beneath_ == Beneath::no_layer) return;
+  ImGui::SameLine();
+  if (beneath_ == Beneath::nothing) {
+    ImGui::TextDisabled("Nothing lies beneath");
+    return;
+  }
+  if (ImGui::SmallButton("Beneath")) wants_beneath_ = true;
+  tooltip(gui, "Show what lies here in the layers below this one");
+}
+
 bool ProvenanceCard::is_of(const Editor& editor) const {
   return editor.document().revision() == document_revision_ && editor.selection().revision() == selection_revision_;
 }
@@ -196,8 +231,7 @@ std::optional<ProvenanceCard::Keep> ProvenanceCard::draw(const Gui& gui, Canvas&
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   const HeadClicks head = draw_head(gui, width, keep_key);
   const std::optional<std::size_t> clicked = draw_lines(gui, width);
-  if (ImGui::SmallButton("Select the samples")) wants_sources_ = true;
-  tooltip(gui, "Select the samples, or balls, that this is or comes from");
+  draw_foot(gui);
   ImGui::End();
   ImGui::PopStyleVar();
   if (head.kept) return Keep{};

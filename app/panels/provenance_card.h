@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/canvas/canvas.h"
 #include "app/canvas/tools/tool.h"
@@ -24,7 +25,11 @@ ProvenanceQuestion question_at(const Pointer& pointer, const LayerStack& layers)
 class ProvenanceCard {
  public:
   /// What lies under the pointer in the visible layers; the answer comes later.
-  void ask(Engine& engine, const LayerStack& layers, const Pointer& pointer, const Editor& editor);
+  void ask(Engine& engine, const LayerStack& layers, const Pointer& pointer, const Editor& editor) {
+    ask(engine, layers, question_at(pointer, layers), editor);
+  }
+  /// The same of some of the layers.
+  void ask(Engine& engine, const LayerStack& layers, ProvenanceQuestion question, const Editor& editor);
   /// An answer; those to earlier questions are passed over.
   void take(Provenance answer);
   /// True when there was something to take away.
@@ -45,6 +50,9 @@ class ProvenanceCard {
                            const std::string& keep_key);
   /// `select_sources` was called for what is shown: the new selection does not take it away. O(1).
   void keep_for(const Editor& editor) { selection_revision_ = editor.selection().revision(); }
+  /// Asks about the same place below the layer of what is shown, if the button for that was pressed since the last call.
+  /// What is shown stays where nothing lies there.
+  void ask_beneath(Engine& engine);
   /// The button that selects what it comes from was pressed since the last call.
   bool wants_sources() { return std::exchange(wants_sources_, false); }
 
@@ -57,6 +65,8 @@ class ProvenanceCard {
     bool closed = false;
     bool kept = false;
   };
+  void draw_foot(const Gui& gui);
+  std::vector<LayerIndex> layers_beneath() const;
   HeadClicks draw_head(const Gui& gui, float width, const std::string& keep_key);
   bool is_of(const Editor& editor) const;
 
@@ -66,6 +76,11 @@ class ProvenanceCard {
   std::uint64_t selection_revision_ = 0;
   ImVec2 moved_{};  ///< from its corner, by hand
   bool wants_sources_ = false;
+  bool wants_beneath_ = false;
+  bool asks_beneath_ = false;
+  ProvenanceQuestion question_{};   ///< the last one
+  std::vector<LayerIndex> layers_;  ///< all that were visible then, top first
+  enum class Beneath : std::uint8_t { unknown, nothing, no_layer } beneath_ = Beneath::unknown;
   std::optional<Provenance> answer_;
   std::size_t pointed_at_ = 0;  ///< line under the pointer, counted from one; 0 = none
 };

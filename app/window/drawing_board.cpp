@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/editing/kept_highlight.h"
+#include "app/layers/clicked_layers.h"
 #include "app/panels/pointer_marks.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/scale_drawing.h"
@@ -53,7 +54,10 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
                     &settings.brush,
                     &frame_,
                     &settings.show_handles,
-                    [this](const Pointer& pointer, Vec2 place) { choose_class(pointer, place); }},
+                    [this](const Pointer& pointer, const ChosenThing& chosen) {
+                      choose_class(pointer, chosen.place);
+                      ask_beside(pointer, chosen);
+                    }},
       canvas_(tool_context_),
       fitter_(canvas_.view()),
       traced_(work.editor(), work.layers(), picture_, messages, wake),
@@ -153,6 +157,7 @@ void DrawingBoard::take_results() {
   if (picture_.take_from(work_.engine())) watch_memory();
   for (Provenance& answer : work_.engine().take_answers()) take_answer(std::move(answer));
   if (provenance_.wants_sources()) select_sources();
+  provenance_.ask_beneath(work_.engine());
 }
 
 void DrawingBoard::take_answer(Provenance answer) {
@@ -170,6 +175,17 @@ bool DrawingBoard::may_ask() {
   if (work_.hold().waiting().empty()) return true;
   messages_.problem("Release the held update first: the structures are not those of the samples");
   return false;
+}
+
+// What is drawn over a sample or a ball that was clicked, or beside it under the pointer, has its card too.
+void DrawingBoard::ask_beside(const Pointer& pointer, const ChosenThing& chosen) {
+  constexpr double kReach = 4.0;  // logical pixels: of a dot of usual size
+  const double reach = kReach * pointer.units_per_px;
+  ProvenanceQuestion question{.at = pointer.world,
+                              .reach = reach,
+                              .layers = layers_of_click(work_.layers(), {chosen.is_ball, chosen.distance <= reach})};
+  if (question.layers.empty() || !work_.hold().waiting().empty()) return;
+  provenance_.ask(work_.engine(), work_.layers(), std::move(question), work_.editor());
 }
 
 // A component is born at a sample or ball: a click there chooses it, as one beside them chooses a hole.

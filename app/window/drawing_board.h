@@ -99,6 +99,7 @@ class DrawingBoard {
   void keep_measurement();
   bool may_ask();
   void choose_class(const Pointer& pointer, Vec2 place);
+  void ask_beside(const Pointer& pointer, const ChosenThing& chosen);
   void select_sources();
   void take_answer(Provenance answer);
   bool keep(Annotation annotation);

@@ -223,7 +223,7 @@ TEST_CASE("a click that selects one sample says so; one that asks, a box and a d
   Bench bench;
   std::vector<Vec2> chosen;
   bench.context.ask_about = [](const Pointer&) {};
-  bench.context.note_chosen = [&](const Pointer&, Vec2 place) { chosen.push_back(place); };
+  bench.context.note_chosen = [&](const Pointer&, const ChosenThing& thing) { chosen.push_back(thing.place); };
   SelectTool tool(bench.context);
   click(tool, at(101, 100));
   CHECK(chosen == std::vector<Vec2>{at(100, 100).world});

@@ -68,6 +68,13 @@ Vec2 SelectTool::place_of(const Hit& hit) const {
   return hit.ball != kNoSlot ? document.disk(hit.ball).center : document.position(hit.sample);
 }
 
+ChosenThing SelectTool::chosen(const Hit& hit, const Pointer& pointer) const {
+  const Vec2 place = place_of(hit);
+  double away = distance(place, pointer.world);
+  if (hit.ball != kNoSlot) away = std::min(away, std::abs(away - context_.editor.document().disk(hit.ball).radius));
+  return {hit.ball != kNoSlot, place, away};
+}
+
 void SelectTool::select_one(const Hit& hit, Mode mode) {
   if (mode == Mode::replace) context_.editor.selection().clear();
   select(hit, mode);
@@ -254,7 +261,7 @@ void SelectTool::release(const Pointer& pointer) {
     case State::pressed_thing:
       if (mode == Mode::replace && was_selected_) select_one(pressed_, mode);
       if (mode == Mode::replace && !asks_about(pointer.modifiers) && context_.note_chosen)
-        context_.note_chosen(pointer, place_of(pressed_));
+        context_.note_chosen(pointer, chosen(pressed_, pointer));
       if (mode == Mode::replace && asks_about(pointer.modifiers) && context_.ask_about) context_.ask_about(pointer);
       break;
     case State::boxing: select_box(pointer); break;

@@ -67,6 +67,7 @@ class SelectTool final : public Tool {
   void select_lasso(const Pointer& pointer);
   Hit pick(const Pointer& pointer) const;
   Vec2 place_of(const Hit& hit) const;
+  ChosenThing chosen(const Hit& hit, const Pointer& pointer) const;
 
   State state_ = State::idle;
   Pointer start_;

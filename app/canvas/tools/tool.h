@@ -30,6 +30,13 @@ struct Pointer {
 
 inline constexpr BrushSettings kUsualBrush{};
 
+/// A sample, or a ball that was taken by its circle or centre.
+struct ChosenThing {
+  bool is_ball = false;
+  Vec2 place{};           ///< its own, or its centre
+  double distance = 0.0;  ///< from the pointer to the sample, or to circle or centre
+};
+
 /// What a tool works with. Everything outlives the tool.
 struct ToolContext {
   Editor& editor;
@@ -43,8 +50,8 @@ struct ToolContext {
   const BrushSettings* brush = &kUsualBrush;
   const SelectionFrame* frame = nullptr;  ///< none: the selection has no handles
   const bool* shows_frame = nullptr;      ///< with `frame`
-  /// A click there selected one sample, or one ball by its circle or centre; this is its place, or its centre.
-  std::function<void(const Pointer&, Vec2)> note_chosen{};
+  /// A click there selected it alone.
+  std::function<void(const Pointer&, const ChosenThing&)> note_chosen{};
 };
 
 /// The frame around what is selected.
