@@ -8,9 +8,9 @@
 
 namespace mes {
 
-void EmptyViewNote::draw(ImVec2 middle, float width) const {
+bool EmptyViewNote::draw(ImVec2 middle, float width) const {
   const EngineStatus status = engine.status();
-  if (status.busy || status.cancelled || picture.document_revision() != editor.document().revision()) return;
+  if (status.busy || status.cancelled || picture.document_revision() != editor.document().revision()) return false;
   const auto shows = [this](LayerIndex layer) {
     // What failed has its own message, and what is not there yet may come.
     if (picture.state(layer) != NodeState::up_to_date) return true;
@@ -18,7 +18,7 @@ void EmptyViewNote::draw(ImVec2 middle, float width) const {
                                [&](PrimitiveKind kind) { return picture.scene().instances(layer, kind) != 0; });
   };
   const auto empty = empty_view(editor.document(), layers, shows);
-  if (!empty) return;
+  if (!empty) return false;
   const float unit = gui.unit();
   const float wrap = std::min(380 * unit, width - 40 * unit);
   ImGui::SetNextWindowPos(middle, ImGuiCond_Always, {0.5F, 0.5F});
@@ -35,6 +35,7 @@ void EmptyViewNote::draw(ImVec2 middle, float width) const {
   ImGui::End();
   ImGui::PopStyleVar();
   if (is_wanted) editor.change_layers(label, [&] { show_instead(empty->offer, layers); });
+  return true;
 }
 
 }  // namespace mes

@@ -17,8 +17,8 @@ struct EmptyViewNote {
   const Picture& picture;
   const Engine& engine;
 
-  /// About `middle`; nothing while anything is computed or seen.
-  void draw(ImVec2 middle, float width) const;
+  /// About `middle`; nothing while anything is computed or seen. Whether it is there.
+  bool draw(ImVec2 middle, float width) const;
 };
 
 }  // namespace mes

@@ -10,6 +10,7 @@
 #include "app/panels/empty_hint.h"
 #include "app/panels/empty_view_note.h"
 #include "app/panels/evolution_strip.h"
+#include "app/panels/hidden_samples_note.h"
 #include "app/panels/pane_headers.h"
 #include "app/panels/problem_note.h"
 #include "app/window/palette_entries.h"
@@ -256,9 +257,13 @@ Panels::Room Panels::draw() {
   EmptyHint{
       gui, uses_.actions, uses_.work.document(), uses_.documents.files(), uses_.board.picture(), uses_.board.canvas()}
       .draw(middle);
-  if (!uses_.demo.is_running())
-    EmptyViewNote{gui, uses_.work.editor(), uses_.work.layers(), uses_.board.picture(), uses_.work.engine()}.draw(
-        middle, width);
+  if (!uses_.demo.is_running() &&
+      !EmptyViewNote{gui, uses_.work.editor(), uses_.work.layers(), uses_.board.picture(), uses_.work.engine()}.draw(
+          middle, width)) {
+    const float below = (uses_.messages.problem().empty() ? 10 : 70) * unit;
+    HiddenSamplesNote{gui, uses_.work.hidden_samples(), uses_.work.editor(), uses_.work.layers()}.draw(
+        {middle.x, sides.top + below});
+  }
   if (uses_.demo.draw(gui, {middle.x, screen.y - sides.bottom}, width)) uses_.actions.run(ActionId::demo);
   presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), ImGui::GetTime());
   ProblemNote{gui, uses_.messages}.draw({sides.left + 8 * unit, sides.top + 10 * unit}, width - 16 * unit);

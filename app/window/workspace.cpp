@@ -73,6 +73,7 @@ void Workspace::follow_curves(bool is_held) {
 
 void Workspace::leave_document() {
   is_held_by_action_ = false;
+  hidden_samples_.begin(document());
   annotations_.forget();
   resampling_.forget();
   computation_.give_back();
@@ -138,8 +139,8 @@ void Workspace::export_bundles(const std::filesystem::path& file, std::optional<
 
 void Workspace::follow_evolution(std::uint64_t shown_document, double now) {
   evolution_.follow(shown_document == document().revision() && !engine_.status().busy, now);
-  if (evolution_.take_restart()) messages_.remark("Evolution restarted from here: the samples were edited");
   if (std::string kept = evolution_.take_kept(); !kept.empty()) messages_.remark(std::move(kept));
+  if (evolution_.take_restart()) messages_.remark("Evolution restarted from here: the samples were edited");
   if (const auto problem = evolution_.take_problem()) messages_.problem(problem->message());
   if (const auto problem = pane_documents_.take_problem())
     messages_.problem("A pane cannot show its version of the document: " + problem->message());
@@ -147,6 +148,7 @@ void Workspace::follow_evolution(std::uint64_t shown_document, double now) {
 
 bool Workspace::follow_layers(bool picture_is_lost) {
   first_ball_.follow(editor_, layers_);
+  hidden_samples_.follow(document(), layers_);
   follow_family();
   bundles_.follow_layers();
   return demand_.follow(engine_, wanted(), picture_is_lost, &pane_documents_);

@@ -13,6 +13,7 @@
 #include "app/editing/curve_selector.h"
 #include "app/editing/editor.h"
 #include "app/editing/first_ball.h"
+#include "app/editing/hidden_samples.h"
 #include "app/editing/resample_desk.h"
 #include "app/editing/selection_desk.h"
 #include "app/export/comparison.h"
@@ -72,6 +73,7 @@ class Workspace {
   const PersistenceDesk& persistence() const { return persistence_; }
   /// The crust is being found, to select along it or to make contours of it.
   bool is_finding_crust() const { return curve_selector_.is_under_way() || contour_desk_.is_under_way(); }
+  HiddenSamples& hidden_samples() { return hidden_samples_; }
   CurveSampler& curve_sampler() { return curve_sampler_; }
   const CurveSampler& curve_sampler() const { return curve_sampler_; }
   EvolutionPlayer& evolution() { return evolution_; }
@@ -182,6 +184,7 @@ class Workspace {
   EngineDemand demand_;
   bool looks_at_density_ = false;
   FirstBall first_ball_;
+  HiddenSamples hidden_samples_;
   FamilyChoice family_;
 };
 

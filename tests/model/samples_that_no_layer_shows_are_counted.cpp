@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <array>
+#include <catch2/catch.hpp>
+
+#include "app/editing/editor.h"
+#include "app/editing/hidden_samples.h"
+
+using namespace mes;
+
+TEST_CASE("samples that are added while no layer shows samples are counted until one does") {
+  LayerStack layers(layer_descriptors());
+  const LayerIndex points = layers.find("points");
+  Editor editor({});
+  HiddenSamples hidden;
+  const auto follow = [&] {
+    hidden.follow(editor.document(), layers);
+    return hidden.count();
+  };
+  REQUIRE(editor.load({.positions = {{0, 0}, {1, 0}}}));
+  layers.set_visible(points, false);
+  hidden.begin(editor.document());
+  // What came with the document is not news.
+  CHECK(follow() == 0);
+  REQUIRE(editor.insert(std::array{Vec2{2, 3}}, "Insert"));
+  CHECK(follow() == 1);
+  REQUIRE(editor.insert(std::array{Vec2{4, 3}, Vec2{5, 3}}, "Spray"));
+  CHECK(follow() == 3);
+  editor.undo();
+  CHECK(follow() == 1);
+  editor.undo();
+  CHECK(follow() == 0);
+  editor.redo();
+  CHECK(follow() == 1);
+  // Shown in any way, it is known.
+  layers.set_visible(points, true);
+  CHECK(follow() == 0);
+  layers.set_visible(points, false);
+  CHECK(follow() == 0);
+  editor.redo();
+  CHECK(follow() == 2);
+  layers.solo(points);
+  CHECK(follow() == 0);
+  layers.end_solo();
+  // Closed, it is not said once more, but for another document.
+  REQUIRE(editor.insert(std::array{Vec2{6, 3}}, "Insert"));
+  CHECK(follow() == 1);
+  hidden.dismiss();
+  REQUIRE(editor.insert(std::array{Vec2{7, 3}}, "Insert"));
+  CHECK(follow() == 0);
+  hidden.begin(editor.document());
+  REQUIRE(editor.insert(std::array{Vec2{8, 3}}, "Insert"));
+  CHECK(follow() == 1);
+  // Removing samples that were there before takes away no more than there is.
+  REQUIRE(editor.load({}));
+  CHECK(follow() == 0);
+}
