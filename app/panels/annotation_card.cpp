@@ -65,7 +65,8 @@ void draw_kinds(const Gui& gui, Annotation& annotation) {
 
 bool AnnotationCard::draw_words(const Gui& gui, Annotation& annotation, bool is_new) {
   const float unit = gui.unit();
-  if (is_new) ImGui::SetKeyboardFocusHere();
+  // What shows something by itself may need no words, and a key pressed next is one of the tools'.
+  if (is_new && !shows_without_words(annotation.kind)) ImGui::SetKeyboardFocusHere();
   const std::string before = annotation.text;
   const bool is_entered =
       ImGui::InputTextMultiline("##words", &annotation.text, {kWidth * unit, 2.6F * ImGui::GetTextLineHeight()},
