@@ -247,8 +247,8 @@ constexpr auto kComputeRows = std::to_array<Row>({
      "Ctrl+."},
     {Id::resume_computation, "resume", "Resume computation", "Compute what was cancelled"},
     {Id::hold_update, "hold-update", "Hold the update",
-     "Edit while all structures stay as they are; released, they follow at once. Alt held while dragging does the "
-     "same",
+     "Edit while all structures stay as they are; released, they follow at once. W or Alt held while dragging "
+     "does the same",
      "Ctrl+H"},
     {Id::precision_naive, "precision-naive", "Naive: plain doubles",
      "Plain doubles everywhere; wrong on degenerate input, to see why it matters"},
@@ -388,6 +388,21 @@ std::string_view title_of(ActionGroup group) {
   return titles[static_cast<std::size_t>(group)];
 }
 
+bool works_at_any_time(ActionId id) {
+  switch (id) {
+    case Id::snapshot:
+    case Id::copy_picture:
+    case Id::record:
+    case Id::toggle_snap:
+    case Id::zoom_in:
+    case Id::zoom_out:
+    case Id::cancel_computation:
+    case Id::resume_computation:
+    case Id::hold_update: return true;
+    default: return false;
+  }
+}
+
 std::span<const ActionDescriptor> action_descriptors() {
   static const Table table = make_table();
   return table;
@@ -415,7 +430,8 @@ std::span<const GestureDescriptor> gesture_descriptors() {
       {"Drag a sample or a ball", "move it, with the selection it belongs to"},
       {"Drag a handle of the frame",
        "scale, mirror or turn the selection; Shift: about its middle, in steps of 15 degrees"},
-      {"Alt + drag or click", "edit, and let all structures follow when Alt is released"},
+      {"W + drag or click, Alt + drag or click",
+       "edit, and let all structures follow when the key is released (many window managers take Alt)"},
       {"Drag empty space", "select what the box holds"},
       {"Ctrl + drag empty space", "select what the lasso goes around; add it with Shift at the end"},
       {"Drag with the spray tool", "draw a stroke"},

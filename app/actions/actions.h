@@ -173,6 +173,13 @@ struct ActionDescriptor {
   std::vector<std::string_view> keys;  ///< as long as they are not changed (keymap.h)
 };
 
+/// It changes neither the document nor what lies over the canvas, so it works at any time: while a gesture is under way,
+/// beside a list that is open, and, by a key that types nothing, while words are typed.
+bool works_at_any_time(ActionId id);
+
+/// The key that holds the update while it is down, as Alt does, which many window managers take for themselves.
+inline constexpr char32_t kHoldKey = 'W';
+
 /// Every action, in the order of `ActionId`.
 std::span<const ActionDescriptor> action_descriptors();
 const ActionDescriptor& descriptor_of(ActionId id);

@@ -193,6 +193,7 @@ void GlfwWindow::install_callbacks() {
     if (self->listener_ == nullptr) return;
     self->listener_->on_anything();
     if (focused == GLFW_FALSE) self->listener_->on_space(false);
+    if (focused == GLFW_FALSE) self->listener_->on_key_held(0, false);
   });
   glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
     GlfwWindow* self = self_of(window);
@@ -245,6 +246,8 @@ void GlfwWindow::key(int code, int scancode, int action, int bits) {
   key_repeats_ = action == GLFW_REPEAT;
   if (code == GLFW_KEY_SPACE && action != GLFW_REPEAT) listener_->on_space(action == GLFW_PRESS);
   if (is_modifier(code) && action != GLFW_REPEAT) listener_->on_modifiers(modifiers_now(window_));
+  if (action != GLFW_REPEAT)
+    if (const char32_t symbol = printed_key(code, scancode)) listener_->on_key_held(symbol, action == GLFW_PRESS);
   if (action == GLFW_RELEASE) return;
   KeyChord chord{named_key(code), modifiers_of(bits)};
   if (chord.symbol == 0) chord.symbol = printed_key(code, scancode);

@@ -30,6 +30,9 @@ class WindowListener {
   virtual void on_key(const KeyChord& chord, bool repeated) = 0;
   virtual void on_typed(char32_t symbol, bool repeated) = 0;
   virtual void on_space(bool held) = 0;
+  /// A key of the keyboard went down or up, by its label on the present layout (`KeyChord::symbol`). With the symbol 0
+  /// all of them are up.
+  virtual void on_key_held(char32_t symbol, bool held) = 0;
   /// Ctrl, Shift or Alt went down or up, wherever the pointer is.
   virtual void on_modifiers(Modifiers modifiers) = 0;
   virtual void on_files_dropped(std::vector<std::string> files) = 0;

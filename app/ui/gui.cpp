@@ -191,6 +191,11 @@ bool Gui::close_popup() {
   return true;
 }
 
+void Gui::leave_panels() {
+  if (wants_text()) ImGui::ClearActiveID();
+  if (has_popup()) ImGui::ClosePopupToLevel(0, true);
+}
+
 bool Gui::has_popup() const {
   return ImGui::GetCurrentContext()->OpenPopupStack.Size > 0;
 }

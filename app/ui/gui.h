@@ -53,6 +53,8 @@ class Gui {
   bool has_popup() const;
   /// Closes the topmost popup or menu; false if there was none.
   bool close_popup();
+  /// Closes all popups and menus, and takes the keyboard from a field, which keeps what was typed.
+  void leave_panels();
   /// For dialogs that are shown while a flag is set: opens the popup if `open`, and closes it if not. Returns true if
   /// the caller must fill it and then call ImGui::EndPopup().
   static bool begin_dialog(const char* id, bool open, ImGuiWindowFlags flags);

@@ -154,10 +154,11 @@ void App::deliver_events() try {
   refuse_for_memory();
 }
 
-// From Alt pressed over the canvas until it is released. Pictures that are kept show every change with its structures.
+// From the key pressed over the canvas until it is released. Pictures that are kept show every change with its structures.
 void App::follow_hold() try {
   const Canvas& canvas = board_.canvas();
-  is_held_by_key_ = ImGui::GetIO().KeyAlt && (is_held_by_key_ || canvas.is_hovered() || canvas.has_pointer());
+  const bool is_down = ImGui::GetIO().KeyAlt || input_.is_update_held();
+  is_held_by_key_ = is_down && (is_held_by_key_ || canvas.is_hovered() || canvas.has_pointer());
   work_.follow_hold(!recording_.desk().wants_exact_picture(), is_held_by_key_);
 } catch (const std::bad_alloc&) {
   refuse_for_memory();

@@ -14,6 +14,8 @@ class EventQueue {
   using Act = std::function<void()>;
 
   void push(Act act) { events_.push_back({false, std::move(act)}); }
+  /// Before all that wait.
+  void push_first(Act act) { events_.push_front({false, std::move(act)}); }
   /// The pointer moved: of many moves in a row the last one says all.
   void push_move(Act act) { events_.push_back({true, std::move(act)}); }
   bool is_empty() const { return events_.empty(); }

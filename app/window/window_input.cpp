@@ -1,7 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/window_input.h"
 
+#include <string_view>
+#include <utility>
+
 namespace mes {
+namespace {
+
+bool types_text(const KeyChord& chord) {
+  return chord.symbol < key::named && !chord.modifiers.ctrl && !chord.modifiers.alt;
+}
+
+// What a field of text understands.
+bool is_editing_key(const KeyChord& chord) {
+  constexpr std::u32string_view kWithCtrl = U"ACVXYZ";
+  if (types_text(chord) || (chord.symbol >= key::named && chord.symbol < key::f1)) return true;
+  return chord.modifiers.ctrl && !chord.modifiers.shift && kWithCtrl.find(chord.symbol) != kWithCtrl.npos;
+}
+
+}  // namespace
 
 WindowInput::WindowInput(const Uses& uses) : uses_(uses) {
   uses_.screen.window->set_listener(this);
@@ -89,25 +106,62 @@ void WindowInput::on_wheel(double steps) {
   });
 }
 
-void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
+std::optional<ActionId> WindowInput::action_of(const KeyChord& chord) const {
+  const bool has_selection = !uses_.selection.is_empty() || uses_.annotations.current() != nullptr;
+  const auto action = uses_.actions.keymap().find(chord, has_selection);
+  // Without a selection, too, the key of an action that needs one says so.
+  return action ? action : uses_.actions.keymap().find(chord, true);
+}
+
+void WindowInput::come_again(const KeyChord& chord, bool repeated) {
+  waits_for_panels_ = true;
+  events_.push_first([this, chord, repeated] {
+    has_come_again_ = true;
+    run_by_key(chord, repeated);
+    has_come_again_ = false;
+  });
+}
+
+// A list is left as by a click beside it, and a field as by Enter, for what has nothing to do with it.
+bool WindowInput::is_for_panels(const KeyChord& chord, bool repeated) {
   Gui& gui = uses_.screen.gui;
-  if (uses_.dialogs.take_key(chord, repeated)) return;
-  if (gui.wants_text()) return;
-  if (chord.symbol == key::escape && gui.close_popup()) return;
-  if (gui.has_popup()) return;
+  const bool wants_text = gui.wants_text();
+  if (wants_text && is_editing_key(chord)) return true;
+  if (!wants_text && chord.symbol == key::escape && gui.close_popup()) return true;
+  if (!wants_text && !gui.has_popup()) return false;
+  const auto action = action_of(chord);
+  if (!action) return true;
+  if (works_at_any_time(*action)) return false;
+  if (has_come_again_) return true;
+  gui.leave_panels();
+  come_again(chord, repeated);
+  return true;
+}
+
+// The document must not change beneath a gesture, which Esc takes back.
+bool WindowInput::is_refused_by_gesture(ActionId action) {
+  const bool is_mark = uses_.mark_drag.is_under_way();
+  if (is_mark && (action == ActionId::deselect || action == ActionId::undo)) {
+    uses_.mark_drag.cancel();
+    return true;
+  }
+  if ((!is_mark && !uses_.canvas.has_pointer()) || action == ActionId::deselect || works_at_any_time(action))
+    return false;
+  uses_.messages.remark(descriptor_of(action).name +
+                        " is not possible now: the button of the mouse is down (Esc takes back what it did)");
+  return true;
+}
+
+void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
+  const auto action = action_of(chord);
+  // A recording is ended also where something is being asked.
+  const bool is_for_dialogs = action != ActionId::record || types_text(chord);
+  if (is_for_dialogs && uses_.dialogs.take_key(chord, repeated)) return;
+  if (is_for_dialogs && is_for_panels(chord, repeated)) return;
   FileDesk& files = uses_.documents.files();
   if (chord.symbol == key::escape && !uses_.canvas.has_pointer() && files.is_reading()) return files.cancel_reading();
-  const bool has_selection = !uses_.selection.is_empty() || uses_.annotations.current() != nullptr;
-  auto action = uses_.actions.keymap().find(chord, has_selection);
-  // Without a selection, too, the key of an action that needs one says so.
-  if (!action) action = uses_.actions.keymap().find(chord, true);
   if (!action || (repeated && !descriptor_of(*action).repeats)) return;
-  if (uses_.mark_drag.is_under_way()) {
-    if (*action == ActionId::deselect || *action == ActionId::undo) uses_.mark_drag.cancel();
-    return;
-  }
-  // A gesture under way is ended only by Esc; the document must not change beneath it.
-  if (uses_.canvas.has_pointer() && *action != ActionId::deselect) return;
+  if (is_refused_by_gesture(*action)) return;
   // A press of a key that does nothing says why, as no menu shows that it is not possible.
   if (const std::string why = uses_.actions.missing(*action); !why.empty())
     uses_.messages.remark(descriptor_of(*action).name + " is not possible now: " + why);
@@ -119,12 +173,23 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
 
 void WindowInput::on_key(const KeyChord& chord, bool repeated) {
   // What a recording waits for may be what is to be cancelled, and so may the recording.
-  const auto action = uses_.recording.holds_input() ? uses_.actions.keymap().find(chord, false) : std::nullopt;
-  if (action == ActionId::cancel_computation || action == ActionId::record) {
-    run_by_key(chord, repeated);
+  const bool is_held = uses_.recording.holds_input();
+  const bool waits = is_held || (uses_.recording.desk().is_recording() && !events_.is_empty());
+  const auto action = uses_.actions.keymap().find(chord, false);
+  const bool ends_recording = waits && action == ActionId::record && !repeated && !types_text(chord);
+  if ((is_held && action == ActionId::cancel_computation) ||
+      (ends_recording && std::exchange(ends_recording_, false)))
+    return run_by_key(chord, repeated);
+  if (!ends_recording) {
+    events_.push([this, chord, repeated] { run_by_key(chord, repeated); });
     return;
   }
-  events_.push([this, chord, repeated] { run_by_key(chord, repeated); });
+  ends_recording_ = true;
+  uses_.messages.remark("The recording ends when all that was done has its frames; " + to_string(chord) +
+                        " once more ends it at once");
+  events_.push([this, chord] {
+    if (std::exchange(ends_recording_, false) && uses_.recording.desk().is_recording()) run_by_key(chord, false);
+  });
 }
 
 void WindowInput::on_typed(char32_t symbol, bool repeated) {
@@ -134,6 +199,16 @@ void WindowInput::on_typed(char32_t symbol, bool repeated) {
 
 void WindowInput::on_space(bool held) {
   uses_.canvas.set_space_held(held && !uses_.screen.gui.wants_text() && !uses_.screen.gui.has_popup());
+}
+
+void WindowInput::on_key_held(char32_t symbol, bool held) {
+  if (!held) {
+    is_update_held_ = is_update_held_ && symbol != kHoldKey && symbol != 0;
+    return;
+  }
+  const bool is_free = !uses_.actions.keymap().find({kHoldKey, {}}, true) && uses_.dialogs.open().empty() &&
+                       !uses_.screen.gui.wants_text() && !uses_.screen.gui.has_popup();
+  is_update_held_ = is_update_held_ || (symbol == kHoldKey && is_free);
 }
 
 // What a gesture does, and where it snaps to, depends on them; the pointer may rest meanwhile. Below a dialog nothing

@@ -18,7 +18,8 @@ namespace mes {
 
 /// What it guarantees: events are acted on in their order, each by what it was meant for. What came together with an
 /// event that opened or closed a dialog waits for the next frame, and during a recording each event waits until the
-/// change before has its frame. Listens to the window for its life. Threads: the window's.
+/// change before has its frame; the key that ends it does as well, and ends it at once when it is pressed again. A key
+/// that does nothing says why. Listens to the window for its life. Threads: the window's.
 class WindowInput final : private WindowListener {
  public:
   struct Uses {
@@ -40,6 +41,8 @@ class WindowInput final : private WindowListener {
   /// Once a turn: acts on what has come.
   void deliver();
   bool has_waiting_events() const { return !events_.is_empty(); }
+  /// The key that holds the update is down (`kHoldKey`).
+  bool is_update_held() const { return is_update_held_; }
   /// Where the pointer was last, in framebuffer pixels.
   Vec2 pointer_px() const { return pointer_px_; }
 
@@ -52,6 +55,7 @@ class WindowInput final : private WindowListener {
   void on_key(const KeyChord& chord, bool repeated) override;
   void on_typed(char32_t symbol, bool repeated) override;
   void on_space(bool held) override;
+  void on_key_held(char32_t symbol, bool held) override;
   void on_modifiers(Modifiers modifiers) override;
   void on_files_dropped(std::vector<std::string> files) override;
   void on_close_wanted() override;
@@ -60,6 +64,12 @@ class WindowInput final : private WindowListener {
   void press(PointerButton button, Vec2 px, Modifiers modifiers);
   void release(PointerButton button, Vec2 px, Modifiers modifiers, Clock::time_point when);
   void run_by_key(const KeyChord& chord, bool repeated);
+  std::optional<ActionId> action_of(const KeyChord& chord) const;
+  /// A key for which a list or a field has the keyboard. True: it is not for the canvas, or comes once more.
+  bool is_for_panels(const KeyChord& chord, bool repeated);
+  /// It is acted on in the next frame, when what was closed is gone.
+  void come_again(const KeyChord& chord, bool repeated);
+  bool is_refused_by_gesture(ActionId action);
 
   Uses uses_;
   EventQueue events_;
@@ -72,6 +82,9 @@ class WindowInput final : private WindowListener {
   };
   std::optional<Click> click_;     // the last one on the canvas
   bool waits_for_panels_ = false;  // a press may give the keyboard to a field
+  bool has_come_again_ = false;    // the key that is acted on
+  bool ends_recording_ = false;    // a key that does so waits for its turn
+  bool is_update_held_ = false;
 };
 
 }  // namespace mes

@@ -121,6 +121,55 @@ TEST_CASE("there are as many frames as changes, each complete") {
   for (std::size_t i = 1; i <= kMoves; ++i) CHECK(frame(i).differences(frame(i + 1), 30) > 0);
 }
 
+TEST_CASE("the key ends the recording right after a gesture, with all its frames, and during one") {
+  Studio studio;
+  const VirtualScreen& screen = studio.screen;
+  constexpr std::size_t kMoves = 8;
+  studio.press("s");
+  screen.drag({300, 100}, {300, 700}, kMoves);
+  screen.xdotool("mouseup 1 key F4");
+  REQUIRE(eventually([&] { return studio.is_complete(); }));
+  CHECK(studio.frames() == 1 + kMoves);
+  CHECK(studio.all_are_whole());
+  const fs::path first = studio.take();
+
+  // Another one begins in the middle of a gesture, and ends there.
+  screen.drag({400, 100}, {400, 400}, 4);
+  studio.press("F4");
+  fs::path second;
+  REQUIRE(eventually([&] {
+    for (const auto& entry : fs::directory_iterator(studio.folder / "mesecina"))
+      if (entry.is_directory() && entry.path() != first) second = entry.path();
+    return !second.empty();
+  }));
+  for (int y = 450; y <= 600; y += 50) screen.xdotool("mousemove 400 " + std::to_string(y));
+  studio.press("F4");
+  REQUIRE(eventually([&] {
+    const auto read = read_take(second);
+    return read && read->complete;
+  }));
+  CHECK(read_take(second)->frames.size() == 4);
+  screen.xdotool("mouseup 1");
+  // Its session has the gesture, as far as it went.
+  const auto source = read_sample_file(second / kManifestName);
+  REQUIRE(source);
+  REQUIRE(source->session);
+}
+
+TEST_CASE("the key that is pressed twice ends the recording at once") {
+  Studio studio(300);
+  const VirtualScreen& screen = studio.screen;
+  const fs::path take = studio.take();
+  studio.press("s");
+  screen.drag({300, 100}, {300, 700}, 40);
+  screen.xdotool("mouseup 1 key F4 key F4");
+  REQUIRE(eventually([&] {
+    const auto read = read_take(take);
+    return read && read->complete;
+  }));
+  CHECK(read_take(take)->frames.size() <= 41);
+}
+
 TEST_CASE("a view is a frame where it comes to rest, and a snapshot is a picture of its own") {
   Studio studio;
   const VirtualScreen& screen = studio.screen;

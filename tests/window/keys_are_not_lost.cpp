@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Keys beside lists that are open, while words are typed, during gestures and after them.
+#include <catch2/catch.hpp>
+#include <string>
+
+#include "core/io/session.h"
+#include "tests/window/window_driver.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+constexpr const char* kHouse = "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n";
+constexpr PixelBox kStatus{0, 773, 700, 800};
+
+/// A house with some of its samples where they are on the screen.
+struct House {
+  DrivenProgram window;
+  Screenshot drawn{0, 0, {}};
+
+  House() {
+    window.folder.write("house.poff", kHouse);
+    window.start("house.poff", {{"HOME", window.folder.path().string()}});
+    drawn = window.drawn();
+  }
+  const VirtualScreen& screen() const { return window.screen; }
+  Screenshot press(const std::string& keys) const {
+    window.press(keys);
+    return screen().settled();
+  }
+  /// The black dots of the samples, by their outermost ones.
+  PixelBox samples() const {
+    return drawn.box_of(kCanvas, [](Color c) { return c.r < 40 && c.g < 40 && c.b < 40; });
+  }
+  std::array<int, 2> lower_left() const { return {samples().left + 3, samples().bottom - 4}; }
+  std::array<int, 2> lower_right() const { return {samples().right - 4, samples().bottom - 4}; }
+  std::string saved_text(const std::string& name) const {
+    window.save_as(name);
+    return bytes_of(window.folder / name);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("a key acts while a list is open, which it closes") {
+  const House house;
+  // The strip at the lower left of the canvas begins with the list of evolutions.
+  constexpr std::array<int, 2> kList{120, 746};
+  house.press("e");
+  const auto open_list = [&] {
+    const Screenshot before = house.screen().settled();
+    house.screen().click(kList);
+    const Screenshot after = house.screen().settled();
+    REQUIRE(after.changes(kCanvas, before) > 3000);
+    return after;
+  };
+  // What changes nothing of the document leaves the list open.
+  const Screenshot list = open_list();
+  CHECK(house.press("F3").changes({60, 40, 970, 700}, list) == 0);
+  house.press("Escape");
+  open_list();
+  house.press("bracketright");
+  CHECK(eventually([&] { return house.window.title().starts_with("* house.poff"); }));
+  house.press("ctrl+z");
+  CHECK(eventually([&] { return house.window.title().starts_with("house.poff"); }));
+  open_list();
+  house.press("ctrl+n");
+  CHECK(eventually([&] { return house.window.title().starts_with("Untitled"); }));
+}
+
+TEST_CASE("a key that has nothing to do with words acts while they are typed, and keeps them") {
+  const House house;
+  house.press("a");
+  house.screen().click({150, 120});
+  static_cast<void>(house.screen().settled());
+  house.screen().xdotool("type --delay 20 'sun v'");
+  static_cast<void>(house.screen().settled());
+  CHECK(house.saved_text("words.json").find("\"sun v\"") != std::string::npos);
+}
+
+TEST_CASE("the key of a tool that is pressed after a measurement was kept chooses the tool") {
+  const House house;
+  house.press("m");
+  house.screen().click(house.lower_left());
+  house.screen().click(house.lower_right());
+  house.press("k");
+  house.press("v");
+  // The tool that moves samples is there, and no words are.
+  house.screen().drag(house.lower_left(), {house.lower_left()[0] - 40, house.lower_left()[1]}, 4);
+  house.screen().xdotool("mouseup 1");
+  static_cast<void>(house.screen().settled());
+  const auto session = read_session(house.saved_text("kept.json"), "kept.json");
+  REQUIRE(session);
+  bool is_moved = false;
+  bool has_dimension = false;
+  for (const TimelineEntry& entry : session->entries) {
+    if (const auto* const gesture = std::get_if<GestureBegun>(&entry))
+      is_moved = is_moved || gesture->name == "Move sample";
+    if (const auto* const edit = std::get_if<TimelineEdit>(&entry); edit != nullptr && edit->annotations)
+      for (const Annotation& annotation : *edit->annotations) {
+        has_dimension = true;
+        CHECK(annotation.text.empty());
+      }
+  }
+  CHECK(is_moved);
+  CHECK(has_dimension);
+}
+
+TEST_CASE("a key that does nothing during a gesture says so, and the gesture goes on") {
+  const House house;
+  const auto [x, y] = house.lower_left();
+  house.screen().drag({x, y}, {x - 40, y}, 4);
+  const Screenshot during = house.screen().settled();
+  const Screenshot after = house.press("ctrl+o");
+  CHECK(after.changes(kStatus, during) > 100);
+  CHECK(after.changes(kCanvas, during) == 0);
+  house.screen().xdotool("mouseup 1");
+  CHECK(eventually([&] { return house.window.title().starts_with("* house.poff"); }));
+}
+
+TEST_CASE("W held while dragging lets everything else wait") {
+  const House house;
+  const auto [x, y] = house.lower_left();
+  house.screen().xdotool("mousemove " + std::to_string(x) + ' ' + std::to_string(y));
+  house.screen().xdotool("keydown w");
+  house.screen().drag({x, y}, {x - 60, y + 30}, 6);
+  const Screenshot held = house.screen().settled();
+  house.screen().xdotool("keyup w");
+  const Screenshot released = house.screen().settled();
+  CHECK(released.changes(kCanvas, held) > 500);
+  house.screen().xdotool("mouseup 1");
+  CHECK(house.screen().settled().changes(kCanvas, released) < 500);
+}
+
+TEST_CASE("a click on a v-point opens its card, and selects the sample that it lies on") {
+  const House house;
+  // "Union of balls 3: v-points" shows no samples.
+  const Screenshot shown = house.press("8");
+  REQUIRE(shown.changes(kCanvas, house.drawn) > 500);
+  constexpr PixelBox kCard{60, 560, 460, 765};
+  house.screen().click(house.lower_right());
+  REQUIRE(eventually([&] { return house.screen().shoot().changes(kCard, shown) > 2000; }));
+  house.press("Delete");
+  CHECK(eventually([&] { return house.window.title().starts_with("* house.poff"); }));
+}
+
+TEST_CASE("samples that no layer shows are told of, and a button shows them") {
+  const House house;
+  const Screenshot axis = house.press("8");
+  constexpr PixelBox kNote{100, 30, 960, 75};
+  house.press("i");
+  house.screen().click({500, 400});
+  house.screen().xdotool("mousemove 1200 6");
+  const Screenshot told = house.screen().settled();
+  REQUIRE(told.changes(kNote, axis) > 1000);
+  house.press("ctrl+z");
+  CHECK(eventually([&] { return house.screen().shoot().changes(kNote, axis) == 0; }));
+  house.press("ctrl+shift+z");
+  REQUIRE(eventually([&] { return house.screen().shoot().changes(kNote, axis) > 1000; }));
+  house.screen().click({628, 55});
+  house.screen().xdotool("mousemove 1200 6");
+  CHECK(eventually([&] { return house.screen().shoot().is_dark(500, 400); }));
+  CHECK(eventually([&] { return house.screen().shoot().changes(kNote, told) > 1000; }));
+}
