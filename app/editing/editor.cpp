@@ -258,25 +258,6 @@ Expected<void> Editor::remove(std::span<const SampleId> samples, std::span<const
   return perform(change_document(document_, {.removed = samples, .removed_balls = balls}), name);
 }
 
-Expected<void> Editor::replace(const SampleData& data, const std::string& name) {
-  MES_ASSERT(!in_gesture());
-  // Numbers of another size than those that go are in range when these are gone.
-  if (const auto fits = replace_all(document_, data); !fits) return std::unexpected(fits.error());
-  std::vector<SampleId> samples;
-  for (const SampleSlot slot : document_.slots_in_input_order()) samples.push_back(document_.id(slot));
-  std::vector<BallId> balls;
-  for (const BallSlot slot : document_.ball_slots_in_input_order()) balls.push_back(document_.ball_id(slot));
-  begin_gesture(name);
-  auto done = perform(change_document(document_, {.removed = samples, .removed_balls = balls}), {});
-  if (done) done = perform(mes::resample(document_, data), {});
-  if (done) done = perform(mes::insert_balls(document_, data.balls), {});
-  if (done)
-    end_gesture();
-  else
-    cancel_gesture();
-  return done;
-}
-
 Expected<void> Editor::remove_selection() {
   std::vector<SampleId> samples;
   for (const SampleSlot slot : selection_.slots()) samples.push_back(document_.id(slot));

@@ -135,8 +135,6 @@ class Editor {
   Expected<void> perform(const TimelineEdit& edit) {
     return perform(delta_of(document_, edit), edit.name, edit.continues);
   }
-  /// Other samples, curve order and balls in the place of all that there are, as one step. Not within a gesture.
-  Expected<void> replace(const SampleData& data, const std::string& name);
   Expected<void> remove_selection();
   /// Shifts what is selected. Repeated nudges within a gesture are one step.
   Expected<void> nudge_selection(Vec2 offset);

@@ -137,7 +137,7 @@ TEST_CASE("samples set by hand stay, and those of the curves go, moved or not") 
 TEST_CASE("curves are saved with sessions and samples can be taken of them when they are read") {
   Bench bench;
   bench.want(30, false);
-  REQUIRE(bench.editor.replace(data_of_circle(5, 20), "Shape"));
+  REQUIRE(bench.editor.resample(data_of_circle(5, 20), "Shape", false));
   bench.want(25, true);
   bench.want(35, true);
   bench.finish(false);

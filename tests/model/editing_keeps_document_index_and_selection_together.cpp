@@ -39,39 +39,6 @@ TEST_CASE("a refused command changes nothing and makes no step") {
   CHECK_FALSE(editor.is_modified());
 }
 
-TEST_CASE("everything is replaced in one step, and its timeline leads to the same") {
-  Document copy;
-  Editor editor([&copy](const std::shared_ptr<const DocumentDelta>& delta) { copy.apply(*delta); });
-  REQUIRE(editor.load({.positions = {kThree.begin(), kThree.end()}, .balls = {{{0, 0}, 1}}}));
-  const auto before = editor.document().digest();
-  // Numbers that would not fit beside those that go.
-  const SampleData other{.positions = {{1e40, 0}, {0, 1e40}, {1e40, 1e40}, {2e40, 0}},
-                         .contours = {{true, {0, 1, 2}}},
-                         .balls = {{{1e40, 1e40}, 2e40}}};
-  REQUIRE(editor.replace(other, "Replace"));
-  CHECK(editor.undo_name() == "Replace");
-  CHECK(data_of(editor.document()).positions == other.positions);
-  CHECK(data_of(editor.document()).contours == other.contours);
-  CHECK(data_of(editor.document()).balls == other.balls);
-  CHECK(copy.digest() == editor.document().digest());
-  DocumentReplay replay;
-  replay.begin(*editor.timeline().data());
-  for (const TimelineEntry& entry : editor.timeline().entries()) replay.apply(entry);
-  CHECK(replay.document().digest() == editor.document().digest());
-  const auto after = editor.document().digest();
-  editor.undo();
-  CHECK(editor.document().digest() == before);
-  CHECK_FALSE(editor.can_undo());
-  editor.redo();
-  CHECK(editor.document().digest() == after);
-  // What is refused changes nothing.
-  const double inf = std::numeric_limits<double>::infinity();
-  CHECK_FALSE(editor.replace({.positions = {{inf, 0}}}, "Replace"));
-  CHECK(editor.document().digest() == after);
-  CHECK(editor.undo_name() == "Replace");
-  CHECK_FALSE(editor.in_gesture());
-}
-
 TEST_CASE("modified means: another state than the saved one") {
   Editor editor({});
   REQUIRE(editor.load({{kThree.begin(), kThree.end()}, {}}));

@@ -62,7 +62,7 @@ class RandomEditing {
 
  private:
   Vec2 place() { return {random_.uniform(), random_.uniform()}; }
-  /// Samples of a polygon, or a few without curves; now and then in the place of everything.
+  /// Samples of a polygon, or a few without curves.
   void resample(Editor& editor) {
     PlaneCurve curve(place());
     for (std::uint64_t i = random_.below(4); i > 0; --i) curve.line_to(place());
@@ -70,10 +70,7 @@ class RandomEditing {
     const SamplingRequest request{.rule = SamplingRule::count, .count = 1 + random_.below(9)};
     auto data = taken_from(curves, *sample(*curves, request), request);
     if (random_.below(4) == 0) data->source.reset();
-    if (random_.below(4) == 0)
-      static_cast<void>(editor.replace(*data, "Replace"));
-    else
-      static_cast<void>(editor.resample(*data, "Resample", random_.below(2) == 0));
+    static_cast<void>(editor.resample(*data, "Resample", random_.below(2) == 0));
   }
   void evolve(Editor& editor) {
     std::vector<Vec2> positions;
