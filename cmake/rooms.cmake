@@ -23,7 +23,7 @@ set(rooms
   "core/structures/crust: core/base core/kernel core/graph core/structures/delaunay"
   "core/structures/axis: core/base core/graph core/structures/delaunay core/structures/crust"
   "core/structures/filters: core/base core/kernel core/graph core/structures/inputs core/structures/delaunay core/structures/crust core/structures/axis"
-  "core/structures/density: core/base core/kernel core/graph core/structures/delaunay core/structures/crust"
+  "core/structures/density: core/base core/kernel core/curves core/document core/graph core/structures/inputs core/structures/delaunay core/structures/crust"
   "core/structures/alpha: core/base core/kernel core/graph core/structures/inputs core/structures/delaunay"
   "core/structures/certificate: core/base core/kernel core/graph core/structures/axis"
   "core/structures/balls: core/base core/kernel core/graph core/structures/inputs core/structures/triangulation core/structures/delaunay core/structures/crust core/structures/axis core/structures/alpha core/structures/filters core/structures/certificate"

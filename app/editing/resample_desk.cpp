@@ -54,6 +54,13 @@ Expected<void> ResampleDesk::apply(const Repair& repaired) {
         sample = static_cast<std::uint32_t>(sample < old ? document.id(slots[sample]).value - first
                                                          : known + (sample - old));
   }
+  // Samples on the curves go when others are taken of these.
+  const std::shared_ptr<const CurveSource>& source = document.source();
+  const auto known = document.next_id().value - document.first_id().value;
+  if (repaired.is_on_curves && source && source->first + source->count == known)
+    edit.source = SourceEdit{.sampling = source->sampling,
+                             .first = source->first,
+                             .count = source->count + static_cast<std::uint32_t>(repaired.inserted)};
   return editor_.perform(edit);
 }
 

@@ -91,7 +91,9 @@ void SamplingPanel::draw_findings() {
   }
   if (any) return;
   const TheoremLight light = light_of(uses_.picture.nodes());
-  wrapped(light == TheoremLight::green ? "The theorem holds for these samples: nothing speaks against it"
+  std::string sentence(sentence_of(light));
+  sentence.front() = 'T';
+  wrapped(light == TheoremLight::green ? sentence + ": nothing speaks against it"
                                        : "Nothing is known of these samples yet, or they enclose nothing");
 }
 
@@ -102,10 +104,11 @@ void SamplingPanel::draw_report() {
   ImGui::Separator();
   for (const std::string& sentence : report.sentences) wrapped(sentence);
   std::vector<Vec2> corners;
-  for (const SampledCorner& corner : report.corners) corners.push_back(corner.place);
+  for (const SampledCorner& corner : std::span(report.corners).first(std::min(report.corners.size(), kMostPlaces)))
+    corners.push_back(corner.place);
   ImGui::PushID("corners");
   if (!corners.empty()) ImGui::TextDisabled("Corners");
-  draw_places(corners, 0);
+  draw_places(corners, static_cast<std::int64_t>(report.corners.size()));
   ImGui::PopID();
   if (!report.places.empty()) ImGui::TextDisabled("Edges that are too long, and ends");
   draw_places(report.places, 0);

@@ -43,8 +43,15 @@ VerdictWord word_of(const Verdict& verdict) {
 
 constexpr float kChoiceWidth = 118;
 constexpr float kLightWidth = 134;
-// Of what a note puts beside the word, such as "epsilon 0.0123"; one width, so that nothing moves while the number changes.
+// Of what a note puts beside the word, such as "epsilon 0.0123" or "epsilon 0.241 (4 corners exempt)", the width is a
+// multiple of this, so that nothing moves while the number changes.
 constexpr float kSummaryWidth = 104;
+
+float summary_width(const Gui& gui, std::string_view summary) {
+  if (summary.empty()) return 0.0F;
+  const float width = ImGui::CalcTextSize(summary.data(), summary.data() + summary.size()).x / gui.unit();
+  return kSummaryWidth * std::ceil(width / kSummaryWidth);
+}
 
 std::string_view summary_of(const Verdict& verdict) {
   for (const NodeReport& node : verdict.picture.nodes())
@@ -125,7 +132,7 @@ void draw_reasons(const Verdict& verdict) {
 }  // namespace
 
 float Verdict::width() const {
-  return (kChoiceWidth + kLightWidth + (summary_of(*this).empty() ? 0.0F : kSummaryWidth) + 12) * gui.unit();
+  return (kChoiceWidth + kLightWidth + summary_width(gui, summary_of(*this)) + 12) * gui.unit();
 }
 
 void Verdict::draw() const {
@@ -136,7 +143,7 @@ void Verdict::draw() const {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
   const std::string_view summary = summary_of(*this);
-  const float light_width = (kLightWidth + (summary.empty() ? 0.0F : kSummaryWidth)) * unit;
+  const float light_width = (kLightWidth + summary_width(gui, summary)) * unit;
   if (hit_area("##light", {light_width, height})) ImGui::OpenPopup("##reasons");
   if (ImGui::IsItemHovered()) {
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + light_width, at.y + height}, gui.colors().accent_soft,

@@ -12,8 +12,7 @@
 
 #include "core/base/parallel.h"
 #include "core/curves/corners.h"
-#include "core/curves/finest_feature.h"
-#include "core/curves/internal/feature_spacing.h"
+#include "core/curves/feature_field.h"
 #include "core/curves/internal/repeated_positions.h"
 #include "core/curves/internal/spacing_field.h"
 #include "core/curves/internal/stretches.h"
@@ -35,6 +34,10 @@ std::unexpected<Error> refused(ErrorCode code, std::string text) {
 
 std::unexpected<Error> beyond_range() {
   return refused(ErrorCode::bad_input, "the curves reach beyond the range of numbers");
+}
+
+std::unexpected<Error> too_many_for_rule() {
+  return refused(ErrorCode::bad_input, fmt::format("by this rule there may be no more than {} samples", kMostUneven));
 }
 
 /// What the number of samples of a curve depends on.
@@ -192,19 +195,6 @@ std::vector<double> even_places(double length, double intervals) {
   return out;
 }
 
-/// The length of pieces that make no corners: a hundredth of about what lies between samples.
-double negligible_length(const CurveSet& curves, const SamplingRequest& request) {
-  double spacing = request.spacing;
-  if (request.rule != SamplingRule::spacing) {
-    spacing = 0.0;
-    for (const PlaneCurve& curve : curves.curves)
-      curve.for_each_piece([&](const Piece& piece) { spacing += distance(piece.from(), piece.to()); });
-    spacing /= static_cast<double>(std::max<std::size_t>(request.count, 1));
-  }
-  constexpr double kShare = 0.01;
-  return kShare * spacing;
-}
-
 void add_evenly(const MeasuredCurve& curve, const PlaneCurve& source, double spacing, const SamplingRequest& request,
                 Collector& out) {
   out.begin_curve(curve.is_closed);
@@ -338,42 +328,44 @@ Expected<Positions> positions_by(const std::vector<std::vector<StretchSpacing>>&
   return out;
 }
 
-/// By the rules under which spacings change along the curves.
+Expected<Positions> positions_at(const std::vector<std::vector<std::vector<double>>>& places,
+                                 std::span<const MeasuredCurve> curves, JobControl* job) {
+  constexpr std::size_t kOften = 4096;
+  Positions out(curves.size());
+  for (std::size_t c = 0; c < curves.size(); ++c)
+    for (std::size_t s = 0; s < places[c].size(); ++s) {
+      std::vector<Vec2>& here = out[c].emplace_back();
+      here.reserve(places[c][s].size());
+      for_each_place(curves[c], curves[c].stretches[s], places[c][s], [&](Vec2 p) {
+        if (job != nullptr && here.size() % kOften == 0) job->checkpoint();
+        here.push_back(p);
+      });
+    }
+  return out;
+}
+
+/// By the rules under which spacings change along the curves. `field` is there for the rule `feature_size`.
 Expected<Positions> uneven_positions(std::span<const MeasuredCurve> curves, double length,
-                                     const SamplingRequest& request, const FeatureSizes& sizes, JobControl* job) {
-  const auto widest_for = [&](std::size_t count) {
-    return length / static_cast<double>(std::max<std::size_t>(count, 1));
-  };
+                                     const SamplingRequest& request, const FeatureField* field, JobControl* job) {
+  if (request.rule == SamplingRule::feature_size) {
+    const auto places = field->places(request.epsilon, request.most);
+    if (!places) return std::unexpected(places.error());
+    return positions_at(*places, curves, job);
+  }
   SpacingLimits limits;
-  limits.widest = widest_for(request.count);
+  limits.widest = length / static_cast<double>(std::max<std::size_t>(request.count, 1));
   limits.finest = limits.widest / kFiner;
   limits.share = request.share;
   limits.least_each = static_cast<double>(std::max<std::size_t>(request.least_each, 3));
-  if (request.rule == SamplingRule::curvature) {
-    limits.share = request.turn;
-    return positions_by(spacings_by_curvature(curves, limits), curves, request, job);
-  }
-  if (request.rule != SamplingRule::feature_size)
+  if (request.rule != SamplingRule::curvature)
     return positions_by(spacings_of(curves, limits, job), curves, request, job);
-  // What follows is measured anyway, so few places will do to look around at first.
-  constexpr std::size_t kFirstLook = 2000;
-  SpacingLimits first = limits;
-  first.widest = widest_for(std::min(request.count, kFirstLook));
-  first.finest = first.widest / kFiner;
-  const SpacingLimits wider{.widest = length,
-                            .finest = limits.widest / kFinestFeature,
-                            .share = request.epsilon,
-                            .least_each = limits.least_each};
-  auto found = places_by_feature_size(curves, spacings_of(curves, first, job), wider, request.most, sizes, job);
-  if (!found) return std::unexpected(found.error());
-  return std::move(found->positions);
+  limits.share = request.turn;
+  return positions_by(spacings_by_curvature(curves, limits), curves, request, job);
 }
 
-Expected<void> sample_unevenly(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes,
+Expected<void> sample_unevenly(const CurveSet& curves, const SamplingRequest& request, const FeatureField* field,
                                Collector& out) {
-  if (request.count > std::min(kMostUneven, request.most))
-    return refused(ErrorCode::bad_input,
-                   fmt::format("by this rule there may be no more than {} samples", kMostUneven));
+  if (request.count > std::min(kMostUneven, request.most)) return too_many_for_rule();
   const double negligible = negligible_length(curves, request);
   std::vector<MeasuredCurve> measured_curves;
   double all = 0.0;
@@ -384,7 +376,7 @@ Expected<void> sample_unevenly(const CurveSet& curves, const SamplingRequest& re
   if (!std::isfinite(all)) return beyond_range();
   Positions positions(curves.curves.size());
   if (all > 0.0) {
-    auto found = uneven_positions(measured_curves, all, request, sizes, out.job());
+    auto found = uneven_positions(measured_curves, all, request, field, out.job());
     if (!found) return std::unexpected(found.error());
     positions = *std::move(found);
   }
@@ -417,9 +409,8 @@ std::span<const SamplingRuleDescriptor> sampling_rules() {
        "About so many, and more where parts of the curves are near to each other"},
       {SamplingRule::curvature, "curvature", "Denser where curves bend", "About so many, and more in bends"},
       {SamplingRule::feature_size, "feature-size", "By local feature size",
-       "An epsilon-sample, as the theorems of crust and axis ask for it: measured with the axis of the samples, "
-       "until "
-       "they are dense enough"},
+       "An epsilon-sample, as the theorems of crust and axis ask for it: by the distance of the curves to their own "
+       "axis, which finer samples show"},
   }};
   return kRules;
 }
@@ -443,21 +434,22 @@ Expected<void> check(const SamplingRequest& request) {
   return {};
 }
 
-Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes,
-                               JobControl* job) {
+namespace {
+
+/// `field` is there for the rule `feature_size`.
+Expected<SampledCurves> sample_by(const CurveSet& curves, const SamplingRequest& request, const FeatureField* field,
+                                  JobControl* job) {
   if (auto good = check(request); !good) return std::unexpected(good.error());
-  if (request.rule == SamplingRule::feature_size && !sizes)
-    return refused(ErrorCode::usage, "there is nothing here to measure feature sizes with");
   if (request.corner_radius > 0.0) {
     SamplingRequest rest = request;
     rest.corner_radius = 0.0;
-    return sample(with_round_corners(curves, request.corner_angle, request.corner_radius), rest, sizes, job);
+    return sample_by(with_round_corners(curves, request.corner_angle, request.corner_radius), rest, field, job);
   }
   Collector out(job);
   const bool is_even = request.rule == SamplingRule::spacing || request.rule == SamplingRule::count;
   auto done = request.rule == SamplingRule::vertices ? sample_vertices(curves, request, out)
               : is_even                              ? sample_evenly(curves, request, out)
-                                                     : sample_unevenly(curves, request, sizes, out);
+                                                     : sample_unevenly(curves, request, field, out);
   if (!done) return std::unexpected(done.error());
   if (auto fits = check_count(static_cast<double>(out.size() + curves.points.size()), request); !fits)
     return std::unexpected(fits.error());
@@ -466,6 +458,24 @@ Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& re
   SampledCurves samples = std::move(out).result();
   jitter(samples, request.jitter, request.seed);
   return samples;
+}
+
+}  // namespace
+
+Expected<SampledCurves> sample_by_field(const CurveSet& curves, const SamplingRequest& request,
+                                        const FeatureField& field, JobControl* job) {
+  return sample_by(curves, request, &field, job);
+}
+
+Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes,
+                               JobControl* job) {
+  if (auto good = check(request); !good) return std::unexpected(good.error());
+  if (request.rule != SamplingRule::feature_size) return sample_by(curves, request, nullptr, job);
+  if (!sizes) return refused(ErrorCode::usage, "there is nothing here to measure feature sizes with");
+  if (request.count > std::min(kMostUneven, request.most)) return too_many_for_rule();
+  const auto field = FeatureField::of(curves, request, sizes, job, request.most);
+  if (!field) return std::unexpected(field.error());
+  return sample_by(curves, request, &*field, job);
 }
 
 }  // namespace mes

@@ -32,8 +32,8 @@ enum class SamplingRule : std::uint8_t {
              ///< between neighbours; at most eight times as dense
   curvature,  ///< as `count` or denser, so that no more than `turn` of direction lies between neighbours; at most eight
               ///< times as dense
-  feature_size,  ///< half the distance of neighbours is at most `epsilon` times the feature size, as far as intervals
-                 ///< of a thousandth of the mean that `count` gives allow it
+  feature_size,  ///< half the length between neighbours is at most `epsilon` times the feature size of the curves there,
+                 ///< as far as intervals of a thousandth of the mean that `count` gives allow it
 };
 
 struct SamplingRuleDescriptor {
@@ -88,9 +88,9 @@ struct SampledCurves {
   std::vector<Chain> chains{};  ///< in the order of the curves, but for those that are single points
 };
 
-/// Local feature sizes: the distance of each place to the axis of the curve that runs through all of them; infinite
-/// where there is none. The places of a call are often those of the call before, in the same order, and some more. An
-/// error of it becomes that of the sampling.
+/// Distances of samples to the axis of the curve that runs through all of them; infinite where there is none. The samples
+/// of a call are often those of the call before, in the same order, and some more. An error of it becomes that of the
+/// sampling.
 using FeatureSizes = std::function<Expected<std::vector<double>>(std::span<const Vec2>)>;
 
 /// Nothing, or why the request makes no sense.
@@ -99,7 +99,7 @@ Expected<void> check(const SamplingRequest& request);
 /// Samples of all curves in their order, then the points that lie on none. Lengths of arc are right within 1e-11 of the
 /// length of a piece's control polygon. Cost: O(pieces + samples) evaluations, more at cusps; any thread. Error:
 /// `bad_input` for more samples than `most` (by the rules from `adaptive` on, for more than a million), and for coordinates that are not finite; `usage` for a request that makes
-/// no sense. The rule `feature_size` asks `sizes` some ten times; without it, that rule is `usage`. Throws `Cancelled` if
+/// no sense. The rule `feature_size` measures the curves with `sizes` (feature_field.h); without it, that rule is `usage`. Throws `Cancelled` if
 /// there is a job, which is looked at every few thousand places.
 Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes = {},
                                JobControl* job = nullptr);

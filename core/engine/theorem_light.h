@@ -28,6 +28,17 @@ constexpr std::string_view name_of(TheoremLight light) {
   return "none";
 }
 
+/// What is said of samples with it, everywhere; without a full stop.
+constexpr std::string_view sentence_of(TheoremLight light) {
+  switch (light) {
+    case TheoremLight::green: return "the theorem is proved for these samples";
+    case TheoremLight::yellow: return "the theorem is not proved for these samples";
+    case TheoremLight::red: return "the number type gave a wrong result";
+    case TheoremLight::none: break;
+  }
+  return "there is nothing to prove";
+}
+
 /// What a finding of this level makes the light at least.
 constexpr TheoremLight light_of(FindingLevel level) {
   switch (level) {

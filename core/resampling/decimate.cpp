@@ -220,8 +220,8 @@ std::string Decimation::words() const {
   if (!no_axis.empty()) return went + no_axis;
   return went + epsilon_words(epsilon_before, epsilon_after) + "; the axis has " +
          count_text(static_cast<std::size_t>(components), "component", "components") + " and " +
-         count_text(static_cast<std::size_t>(cycles), "cycle", "cycles") + " as before; the theorem light is " +
-         std::string(name_of(light_after));
+         count_text(static_cast<std::size_t>(cycles), "cycle", "cycles") + " as before; " +
+         std::string(sentence_of(light_after));
 }
 
 }  // namespace mes

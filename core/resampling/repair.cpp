@@ -9,6 +9,7 @@
 
 #include "core/graph/explain.h"
 #include "core/resampling/internal/epsilon_words.h"
+#include "core/resampling/internal/repair_on_curves.h"
 #include "core/resampling/internal/sampled_curve.h"
 
 namespace mes {
@@ -152,12 +153,12 @@ class Repairer {
     }
   }
 
-  /// The largest epsilon of the edges: of all, or of those away from corners.
-  double largest(bool away_from_corners) const {
+  /// The largest epsilon of the edges away from corners, ends and junctions.
+  double largest() const {
     double out = 0.0;
     for (const RepairedChain& chain : chains_) {
       for (std::size_t i = 0; i < chain.edges(); ++i) {
-        if (away_from_corners && ends_at_corner(chain, i)) continue;
+        if (ends_at_corner(chain, i)) continue;
         const auto verdict = samples_.judge(chain.from(i), chain.to(i));
         out = std::max(out, verdict.is_curve ? verdict.epsilon : kInfinity);
       }
@@ -311,12 +312,15 @@ std::string place_and_more(Vec2 place, std::size_t count) {
 }  // namespace
 
 Expected<Repair> repair(const SampleData& data, double epsilon, JobControl& job) {
+  auto on_curves = repair_on_curves(data, epsilon, job);
+  if (!on_curves) return std::unexpected(on_curves.error());
+  if (*on_curves) return **std::move(on_curves);
   auto samples = JudgedSamples::of(data, job);
   if (!samples) return std::unexpected(samples.error());
   const MovingCurve curve = curve_of(data, job);
   Repairer repairer(*samples, curve, epsilon);
   Repair out;
-  out.epsilon_before = repairer.largest(false);
+  out.epsilon_before = repairer.largest();
   out.light_before = samples->light();
   out.no_axis = samples->why_no_axis();
   if (!out.no_axis.empty()) {
@@ -329,7 +333,7 @@ Expected<Repair> repair(const SampleData& data, double epsilon, JobControl& job)
   out.data.positions.assign(samples->positions().begin(), samples->positions().end());
   out.data.contours = repairer.contours(data.contours);
   out.inserted = out.data.positions.size() - data.positions.size();
-  out.epsilon_after = repairer.largest(true);
+  out.epsilon_after = repairer.largest();
   out.light_after = samples->light();
   repairer.report(curve, out);
   return out;
@@ -338,10 +342,14 @@ Expected<Repair> repair(const SampleData& data, double epsilon, JobControl& job)
 std::vector<std::string> Repair::words() const {
   if (!no_axis.empty()) return {"nothing to repair: " + no_axis};
   std::vector<std::string> out;
-  out.push_back(count_text(inserted, "sample", "samples") + " inserted; " +
-                epsilon_words(epsilon_before, epsilon_after) +
-                (corners.empty() ? std::string() : " away from corners") + "; the theorem light is " +
-                std::string(name_of(light_after)));
+  const std::string exempt =
+      corners.empty() ? std::string() : " (" + count_text(corners.size(), "corner", "corners") + " exempt)";
+  out.push_back(count_text(inserted, "sample", "samples") +
+                (is_on_curves ? " inserted on the curves; " : " inserted; ") +
+                epsilon_words(epsilon_before, epsilon_after) + exempt + "; " + std::string(sentence_of(light_after)));
+  if (off_curve != 0)
+    out.push_back(count_text(off_curve, "sample", "samples") + " off the curves " +
+                  (off_curve == 1 ? "stays" : "stay") + " as before");
   if (!corners.empty()) {
     const auto sharpest = std::ranges::min_element(corners, {}, &SampledCorner::degrees);
     out.push_back("no number of samples is dense enough at " + count_text(corners.size(), "corner", "corners") +

@@ -16,26 +16,27 @@
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/curves/corners.h"
+#include "core/curves/feature_field.h"
 #include "core/curves/sampling.h"
 #include "core/document/commands.h"
 #include "core/document/curve_source.h"
+#include "core/engine/theorem_light.h"
 
 namespace mes {
 
 /// What is known of samples that were taken.
 struct TakenSamples {
   SampleData data{};
-  /// Of the rule `feature_size`: largest half distance of neighbours on the crust over the smaller feature size of the
-  /// two (FeatureSize), those left out that have more than was asked for; 0 where there is none.
-  double epsilon = 0.0;
-  /// Intervals that have more: at corners and sharp bends, where they are as short as they may become.
-  std::size_t sparse_intervals = 0;
-  /// Of the rule `feature_size`: the theorem is proved for these samples (AxisCertificate).
-  bool is_certified = false;
+  /// Of the rule `feature_size`: how the samples stand for the curves (core/curves/feature_field.h). Its epsilon is at most
+  /// what was asked for.
+  CurveStanding standing{};
+  /// Of the rule `feature_size`: the theorem light for these samples of these curves, as the window has it.
+  TheoremLight light = TheoremLight::none;
+  bool is_proved() const { return light == TheoremLight::green; }
   /// Middles of edges of the crust between samples that are not neighbours along the curves, as at sharp corners and
   /// crossings, where there are few: the samples there have an odd number of edges, which the light shows.
   std::vector<Vec2> extra_edges{};
-  /// Why it is not: corners next to places where the proof fails, each once, and the places that are at none.
+  /// Why it is not green: corners next to places where the proof fails, each once, and the places that are at none.
   std::vector<CurveCorner> corners{};
   std::vector<Vec2> other_places{};
 };
@@ -43,7 +44,7 @@ struct TakenSamples {
 /// Samples of the curves. Of the rule `feature_size`: where the theorem is not proved for the epsilon that is asked for,
 /// smaller ones are tried, down to a quarter of it; if none helps, the first stays, and corners say why. Proved is what is
 /// proved of the curves: where the crust has many edges between samples that are not neighbours along them, it is not
-/// asked. Cost: some five crusts of as many samples for each epsilon that is tried, 20 at most, and insertions. Throws
+/// asked. Cost: that of `FeatureField::of`, and a crust of the samples for each of four epsilons at most. Throws
 /// `Cancelled`. Error: as of `sample` and `taken_from`; `bad_input`, with a place, for curves so near to each other
 /// throughout that samples as near as they may be are too far apart for the crust to be the curves.
 Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curves, const SamplingRequest& request,

@@ -26,12 +26,14 @@
 #include "core/structures/crust/voronoi_vertices.h"
 #include "core/structures/delaunay/delaunay.h"
 #include "core/structures/delaunay/last_change.h"
+#include "core/structures/density/curve_sampling.h"
 #include "core/structures/density/feature_size.h"
 #include "core/structures/filters/angle_axis.h"
 #include "core/structures/filters/cover_axis.h"
 #include "core/structures/filters/cover_dates.h"
 #include "core/structures/filters/lambda_axis.h"
 #include "core/structures/inputs/contours.h"
+#include "core/structures/inputs/curve_source_input.h"
 #include "core/structures/inputs/samples.h"
 #include "core/structures/inputs/scaled_user_balls.h"
 #include "core/structures/inputs/settings_source.h"
@@ -61,6 +63,7 @@ StructureSet make_structures(const StructureSet* shared, bool has_document) {
   if (has_own) add<Samples>(set);
   add<SettingsSource>(set);
   if (has_own) add<UserBalls>(set);
+  if (has_own) add<CurveSourceInput>(set);
   add<ScaledUserBalls, SettingsSource, UserBalls>(set);
   add<Contours, Samples>(set);
   add<Delaunay, Samples>(set);
@@ -76,7 +79,8 @@ StructureSet make_structures(const StructureSet* shared, bool has_document) {
   add<AngleAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>(set);
   add<CoverDates, Delaunay, InnerBalls>(set);
   add<CoverAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, CoverDates>(set);
-  add<FeatureSize, Delaunay, OneStepCrust>(set);
+  add<CurveSampling, CurveSourceInput, Samples, Delaunay, OneStepCrust>(set);
+  add<FeatureSize, Delaunay, OneStepCrust, CurveSampling>(set);
   add<LastChange, Delaunay>(set);
   add<AlphaFiltration, Delaunay>(set);
   add<AlphaComplex, SettingsSource, Delaunay, AlphaFiltration>(set);

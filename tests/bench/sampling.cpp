@@ -52,7 +52,7 @@ void sampling(benchmark::State& state, RatioTable& table, int petals) {
     double start = process_us();
     const auto taken = take_samples(curves, {.rule = SamplingRule::feature_size, .count = kUsualSamples}, job);
     ours.push_back(process_us() - start);
-    if (!taken || !taken->is_certified) {
+    if (!taken || !taken->is_proved()) {
       state.SkipWithError("it was not sampled");
       return;
     }

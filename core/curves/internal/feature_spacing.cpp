@@ -9,6 +9,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/curves/finest_feature.h"
 #include "core/curves/internal/bend_spacing.h"
 
 namespace mes {
@@ -237,13 +238,24 @@ class FeatureSampler {
     return out;
   }
 
-  /// Into how many parts an interval is to be divided; 1 where it is short enough.
-  int parts(std::size_t curve, const PlacedSamples& samples, const StretchSample& a, const StretchSample& b) const {
+  /// Into how many parts an interval is to be divided; 1 where it has the epsilon.
+  int parts(std::size_t curve, const PlacedSamples& samples, double epsilon, const StretchSample& a,
+            const StretchSample& b) const {
     constexpr double kMost = 4.0;
-    const double excess = samples.excess(a, b, limits_.share);
+    const double excess = samples.excess(a, b, epsilon);
     const double along = b.at - a.at;
     if (!(excess > 1.0) || along <= finest(curve) * (1.0 + kRounding)) return 1;
     return static_cast<int>(std::clamp(std::ceil(std::min(excess, along / finest(curve))), 2.0, kMost));
+  }
+  /// The radius of the bend at places of a stretch that increase, which is no less than the feature size there.
+  std::vector<double> bends_at(std::size_t curve, std::size_t stretch, std::span<const StretchSample> places) const {
+    FieldWalk bend(bends_[curve][stretch]);
+    std::vector<double> out;
+    for (const StretchSample& place : places) out.push_back(bend.at(place.at) / (2.0 * kMargin * limits_.share));
+    return out;
+  }
+  bool may_halve(std::size_t curve, const StretchSample& a, const StretchSample& b) const {
+    return b.at - a.at > finest(curve) * (1.0 + kRounding);
   }
 
  private:
@@ -299,9 +311,57 @@ std::unexpected<Error> too_many(double count, std::size_t most) {
 
 }  // namespace
 
-Expected<FeaturePlaces> places_by_feature_size(std::span<const MeasuredCurve> curves, Field first,
-                                               const SpacingLimits& limits, std::size_t most,
-                                               const FeatureSizes& sizes, JobControl* job) {
+namespace {
+
+/// Some pieces of the stretch meet at an angle that as fine places would show as a bend of its own.
+bool has_joints(const MeasuredCurve& curve, const Stretch& stretch, double fine) {
+  const double least = 2.0 * std::asin(fine);
+  for (std::size_t i = stretch.first + 1; i < stretch.first + stretch.count; ++i) {
+    const Vec2 before = curve.pieces[i - 1].last_direction();
+    const Vec2 after = curve.pieces[i].first_direction();
+    if (std::abs(std::atan2(cross(before, after), dot(before, after))) > least) return true;
+  }
+  return false;
+}
+
+MeasuredPlaces result_of(const PlacedSamples& samples, const FeatureSampler& sampler, std::size_t curves) {
+  MeasuredPlaces out(curves);
+  for (std::size_t c = 0; c < curves; ++c)
+    for (std::size_t s = 0; s < samples.of_curve(c).size(); ++s) {
+      const std::vector<StretchSample>& stretch = samples.of_curve(c)[s];
+      const std::vector<double> bends = sampler.bends_at(c, s, stretch);
+      std::vector<MeasuredPlace>& places = out[c].emplace_back();
+      places.reserve(stretch.size());
+      for (std::size_t i = 0; i < stretch.size(); ++i) {
+        const double size = samples.feature_size(stretch[i]);
+        places.push_back({stretch[i].at, samples.position(stretch[i]), std::min(size, bends[i]), 0.0});
+        if (i == 0) continue;
+        const double epsilon = samples.excess(stretch[i - 1], stretch[i], 1.0);
+        for (const std::size_t end : {i - 1, i}) places[end].epsilon = std::max(places[end].epsilon, epsilon);
+      }
+    }
+  return out;
+}
+
+}  // namespace
+
+FeatureLimits feature_limits(const SamplingRequest& request, double length, double epsilon) {
+  // What follows is measured anyway, so few places will do to look around at first, and not too many times as dense.
+  constexpr std::size_t kFirstLook = 2000;
+  constexpr double kFiner = 8.0;
+  const std::size_t count = std::max<std::size_t>(request.count, 1);
+  const auto least_each = static_cast<double>(std::max<std::size_t>(request.least_each, 3));
+  const double widest = length / static_cast<double>(std::min(count, kFirstLook));
+  return {{.widest = widest, .finest = widest / kFiner, .share = request.share, .least_each = least_each},
+          {.widest = length,
+           .finest = length / static_cast<double>(count) / kFinestFeature,
+           .share = epsilon,
+           .least_each = least_each}};
+}
+
+Expected<MeasuredPlaces> places_by_feature_size(std::span<const MeasuredCurve> curves, Field first,
+                                                const SpacingLimits& limits, double fine, std::size_t most,
+                                                const FeatureSizes& sizes, JobControl* job) {
   const FeatureSampler sampler(curves, limits);
   Field field = sampler.first(first);
   double count = count_of(field);
@@ -321,27 +381,25 @@ Expected<FeaturePlaces> places_by_feature_size(std::span<const MeasuredCurve> cu
     count = asked;
   }
 
-  FeaturePlaces out{.is_reached = false};
-  for (int round = 0; round < kMostDivisions && !out.is_reached; ++round) {
-    out.is_reached = true;
+  std::vector<std::vector<double>> wanted(curves.size());
+  for (std::size_t c = 0; c < curves.size(); ++c)
+    for (const Stretch& stretch : curves[c].stretches)
+      wanted[c].push_back(has_joints(curves[c], stretch, fine) ? limits.share : fine);
+  for (int round = 0; round < kMostDivisions; ++round) {
+    bool is_reached = true;
     for (std::size_t c = 0; c < curves.size(); ++c)
       for (std::size_t s = 0; s < samples->of_curve(c).size(); ++s)
         if (samples->divide(c, s, [&](const StretchSample& a, const StretchSample& b) {
-              return sampler.parts(c, *samples, a, b);
+              const int parts = sampler.parts(c, *samples, wanted[c][s], a, b);
+              const bool is_halved = round == 0 && wanted[c][s] < limits.share && sampler.may_halve(c, a, b);
+              return is_halved ? std::max(2, parts) : parts;
             }))
-          out.is_reached = false;
+          is_reached = false;
     if (samples->size() > most) return too_many(static_cast<double>(samples->size()), most);
-    if (out.is_reached) break;
+    if (is_reached) break;
     if (auto done = samples->measure(sizes); !done) return std::unexpected(done.error());
   }
-  out.positions.resize(curves.size());
-  for (std::size_t c = 0; c < curves.size(); ++c)
-    for (const std::vector<StretchSample>& stretch : samples->of_curve(c)) {
-      std::vector<Vec2>& positions = out.positions[c].emplace_back();
-      positions.reserve(stretch.size() - 1);
-      for (std::size_t i = 0; i + 1 < stretch.size(); ++i) positions.push_back(samples->position(stretch[i]));
-    }
-  return out;
+  return result_of(*samples, sampler, curves.size());
 }
 
 }  // namespace mes

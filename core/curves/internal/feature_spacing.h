@@ -14,23 +14,37 @@
 
 namespace mes {
 
-struct FeaturePlaces {
-  /// Of each curve, of each of its stretches: its samples from its beginning on, which is among them, and its end not.
-  std::vector<std::vector<std::vector<Vec2>>> positions{};
-  bool is_reached = false;  ///< every interval has the epsilon, or is as short as intervals may become
+/// What curves of some length are measured within.
+struct FeatureLimits {
+  SpacingLimits first{};   ///< to look around to begin with (`spacings_of`)
+  SpacingLimits places{};  ///< `share` is the epsilon
 };
+FeatureLimits feature_limits(const SamplingRequest& request, double length, double epsilon);
 
-/// Half the distance of neighbours is at most epsilon (`limits.share`) times the smaller feature size of both, or their
-/// distance along the curve is `limits.finest`.
+/// A place of a curve, and what the samples of the last round show there.
+struct MeasuredPlace {
+  double at = 0.0;  ///< length of arc from the beginning of its stretch
+  Vec2 position{};
+  double size = 0.0;  ///< distance to the axis of these samples
+  double epsilon =
+      0.0;  ///< the larger of both intervals beside it: half its length over the smaller size of its ends
+};
+/// Of each curve, of each of its stretches, from its beginning to its end.
+using MeasuredPlaces = std::vector<std::vector<std::vector<MeasuredPlace>>>;
+
+/// Places so near to each other that half the distance of neighbours is at most `fine`, which is below `limits.share`,
+/// times the smaller feature size of both, or their distance along the curve is `limits.finest`. Along stretches of
+/// pieces that meet at small angles, as those of a polygon for a circle do, it is `limits.share` that holds: finer
+/// places would show the angles, not the circle.
 ///
 /// Begins with `first`, and nowhere with more than the bends of the curve allow, which bound feature sizes from above
 /// whatever the samples show, nor with more than a feature size may grow from there. What is measured of these samples
-/// says where others should be; that is done anew until nearly all intervals are as they should be. Then samples stay, and
-/// intervals that are still too long are divided, so that it comes to an end: only what is new need be measured. Error: that of `sizes`; `bad_input` for more samples than
-/// `most`. Throws `Cancelled` if there is a job.
-Expected<FeaturePlaces> places_by_feature_size(std::span<const MeasuredCurve> curves,
-                                               std::vector<std::vector<StretchSpacing>> first,
-                                               const SpacingLimits& limits, std::size_t most,
-                                               const FeatureSizes& sizes, JobControl* job);
+/// says where others should be; that is done anew until nearly all intervals have `limits.share`. Then each is halved,
+/// and those that are still too long are divided, so that it comes to an end: only what is new need be measured. Error:
+/// that of `sizes`; `bad_input` for more places than `most`. Throws `Cancelled` if there is a job.
+Expected<MeasuredPlaces> places_by_feature_size(std::span<const MeasuredCurve> curves,
+                                                std::vector<std::vector<StretchSpacing>> first,
+                                                const SpacingLimits& limits, double fine, std::size_t most,
+                                                const FeatureSizes& sizes, JobControl* job);
 
 }  // namespace mes

@@ -45,6 +45,18 @@ std::vector<bool> corners_of(const MeasuredCurve& curve, double corner_angle, do
 
 }  // namespace
 
+double negligible_length(const CurveSet& curves, const SamplingRequest& request) {
+  double spacing = request.spacing;
+  if (request.rule != SamplingRule::spacing) {
+    spacing = 0.0;
+    for (const PlaneCurve& curve : curves.curves)
+      curve.for_each_piece([&](const Piece& piece) { spacing += distance(piece.from(), piece.to()); });
+    spacing /= static_cast<double>(std::max<std::size_t>(request.count, 1));
+  }
+  constexpr double kShare = 0.01;
+  return kShare * spacing;
+}
+
 double MeasuredCurve::length() const {
   double sum = 0.0;
   for (const PieceLength& piece : lengths) sum += piece.total();

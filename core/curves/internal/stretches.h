@@ -8,6 +8,7 @@
 #include "core/base/job_control.h"
 #include "core/curves/curve.h"
 #include "core/curves/internal/arc_length.h"
+#include "core/curves/sampling.h"
 
 namespace mes {
 
@@ -40,6 +41,9 @@ void for_each_place(const MeasuredCurve& curve, const Stretch& stretch, const st
     use(curve.pieces[piece].at(curve.lengths[piece].parameter_at(wanted - before)));
   }
 }
+
+/// The length of pieces that make no corners: a hundredth of about what lies between samples.
+double negligible_length(const CurveSet& curves, const SamplingRequest& request);
 
 /// Corners are where the tangent turns by more than `corner_angle`. Pieces shorter than `negligible`, and those below
 /// 1e-9 of the longest, have no direction of their own, for they come from rounded coordinates. Throws `Cancelled` if there is a job.

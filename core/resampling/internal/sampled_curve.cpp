@@ -37,9 +37,10 @@ std::vector<bool> corners_of(const MovingCurve& curve, std::span<const Vec2> pos
   return out;
 }
 
-Expected<JudgedSamples> JudgedSamples::of(const SampleData& data, JobControl& job) {
+Expected<JudgedSamples> JudgedSamples::of(const SampleData& data, JobControl& job, bool has_curves) {
   JudgedSamples out;
-  auto delta = replace_all(out.document_, {.positions = data.positions});
+  auto delta =
+      replace_all(out.document_, {.positions = data.positions, .source = has_curves ? data.source : nullptr});
   if (!delta) return std::unexpected(delta.error());
   const auto shared = std::make_shared<const DocumentDelta>(std::move(*delta));
   out.document_.apply(*shared);

@@ -13,6 +13,7 @@
 #include "core/engine/theorem_light.h"
 #include "core/evolutions/moving_curve.h"
 #include "core/structures/delaunay/delaunay.h"
+#include "core/structures/density/curve_sampling.h"
 #include "core/structures/density/feature_size.h"
 
 namespace mes {
@@ -31,8 +32,9 @@ std::vector<bool> corners_of(const MovingCurve& curve, std::span<const Vec2> pos
 /// Samples and the structures that judge them, following each change locally.
 class JudgedSamples {
  public:
-  /// Error: of `replace_all`, or a structure that failed. Throws `Cancelled`.
-  static Expected<JudgedSamples> of(const SampleData& data, JobControl& job);
+  /// With the curves that they were taken from, or without. Error: of `replace_all`, or a structure that failed. Throws
+  /// `Cancelled`.
+  static Expected<JudgedSamples> of(const SampleData& data, JobControl& job, bool has_curves = false);
 
   Expected<void> insert(std::span<const Vec2> positions, JobControl& job);
   std::span<const Vec2> positions() const { return positions_; }
@@ -49,6 +51,7 @@ class JudgedSamples {
   TheoremLight light() const { return light_of(patch_.nodes); }
   /// The reason for an axis that is missing, as a sentence without a full stop; empty if there is an axis.
   std::string why_no_axis() const { return std::string(get<FeatureSize>().reason()); }
+  const CurveSampling& curves() const { return get<CurveSampling>(); }
   /// Of the one-step axis.
   std::int64_t components() const { return count("components"); }
   std::int64_t cycles() const { return count("cycles"); }

@@ -6,12 +6,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "core/base/coordinate_range.h"
 #include "core/base/parallel.h"
+#include "core/kernel/corner_angle.h"
 #include "core/structures/density/cell_walk.h"
 
 namespace mes {
@@ -29,7 +31,14 @@ constexpr double kSpread = 0.5;
 }  // namespace
 
 FeatureSize::FeatureSize(Delaunay& delaunay, OneStepCrust& crust)
-    : Structure("feature-size", {&delaunay, &crust}), delaunay_(delaunay), crust_(crust) {}
+    : FeatureSize(delaunay, crust, {&delaunay, &crust}, nullptr) {}
+
+FeatureSize::FeatureSize(Delaunay& delaunay, OneStepCrust& crust, CurveSampling& curves)
+    : FeatureSize(delaunay, crust, {&delaunay, &crust, &curves}, &curves) {}
+
+FeatureSize::FeatureSize(Delaunay& delaunay, OneStepCrust& crust, std::vector<Structure*> inputs,
+                         const CurveSampling* curves)
+    : Structure("feature-size", std::move(inputs)), delaunay_(delaunay), crust_(crust), curves_(curves) {}
 
 std::string_view FeatureSize::reason() const {
   if (has_axis()) return {};
@@ -56,11 +65,46 @@ EdgeSlot FeatureSize::sparsest_edge() const {
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
     if (!has_epsilon(edge)) continue;
     const double now = epsilon(edge);
+    if (now < most || ends_at_exempt(edge)) continue;
     if (!(now > most) && !(now == most && is_first(edge, out))) continue;
     most = now;
     out = edge;
   }
   return out;
+}
+
+std::array<SiteSlot, 2> FeatureSize::crust_neighbours(SiteSlot site) const {
+  std::array<SiteSlot, 2> out{kNoSlot, kNoSlot};
+  std::size_t count = 0;
+  delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
+    if (crust_.is_crust(edge) && count < out.size()) out[count++] = other;
+  });
+  // In an order that does not depend on that of the edges.
+  if (count == 2 && lexicographically_less(delaunay_.site_position(out[1]), delaunay_.site_position(out[0])))
+    std::swap(out[0], out[1]);
+  return out;
+}
+
+/// In degrees; 0 where the crust does not go on in one way.
+double FeatureSize::turn_at(SiteSlot site) const {
+  if (crust_.degree(site) != 2) return 0.0;
+  const auto [a, b] = crust_neighbours(site);
+  return 180.0 - angle_at(delaunay_.site_position(site), delaunay_.site_position(a), delaunay_.site_position(b));
+}
+
+bool FeatureSize::is_exempt(SiteSlot site) const {
+  if (crust_.degree(site) != 2) return true;
+  static const double kLeast = 2.0 * std::asin(kDenseEpsilon) * 180.0 / std::numbers::pi;
+  constexpr double kMoreThanNeighbours = 4.0;
+  const double turn = turn_at(site);
+  if (!(turn > kLeast)) return false;
+  const auto [a, b] = crust_neighbours(site);
+  return turn > kMoreThanNeighbours * (turn_at(a) + turn_at(b));
+}
+
+bool FeatureSize::ends_at_exempt(EdgeSlot edge) const {
+  const auto& [a, b] = delaunay_.edge(edge).v;
+  return is_exempt(a) || is_exempt(b);
 }
 
 // By the lesser ends, and then by the greater ones.
@@ -399,15 +443,43 @@ void FeatureSize::finish_changes() {
       if (crust_.is_crust(edge)) edge_recorder_.note(edge, true);
     });
   edge_recorder_.finish(edge_changes_, [this](EdgeSlot edge) { return delaunay_.edge(edge).is_alive(); });
-  std::vector<EdgeSlot> changed = edge_changes_.removed;
-  changed.insert(changed.end(), edge_changes_.touched.begin(), edge_changes_.touched.end());
   epsilons_.set_all(
-      changed, [this](EdgeSlot edge) { return epsilon_or_none(edge); },
+      edges_to_count_anew(), [this](EdgeSlot edge) { return epsilon_or_none(edge); },
       [this](EdgeSlot a, EdgeSlot b) { return is_first(a, b); });
 }
 
 double FeatureSize::epsilon_or_none(EdgeSlot edge) const {
-  return has_epsilon(edge) ? epsilon(edge) : -kInfinity;
+  return has_epsilon(edge) && !ends_at_exempt(edge) ? epsilon(edge) : -kInfinity;
+}
+
+// A sample is exempt or not by what the crust is at its neighbours and theirs: so what changed at a sample counts for the
+// edges of all that are three steps away along the crust.
+std::vector<EdgeSlot> FeatureSize::edges_to_count_anew() const {
+  std::vector<EdgeSlot> out = edge_changes_.removed;
+  std::vector<SiteSlot> sites;
+  for (const EdgeSlot edge : edge_changes_.touched) {
+    out.push_back(edge);
+    for (const SiteSlot site : delaunay_.edge(edge).v)
+      if (site != kNoSlot) sites.push_back(site);
+  }
+  const auto make_unique = [](auto& rows) {
+    std::ranges::sort(rows, {}, [](auto row) { return row.index(); });
+    const auto rest = std::ranges::unique(rows);
+    rows.erase(rest.begin(), rest.end());
+  };
+  constexpr int kSteps = 2;
+  for (int step = 0; step <= kSteps; ++step) {
+    make_unique(sites);
+    const std::size_t count = sites.size();
+    for (std::size_t i = 0; i < count; ++i)
+      delaunay_.for_each_edge_at(sites[i], [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
+        if (!crust_.is_crust(edge)) return;
+        out.push_back(edge);
+        if (step < kSteps) sites.push_back(other);
+      });
+  }
+  make_unique(out);
+  return out;
 }
 
 void FeatureSize::clear_changes() {
@@ -430,8 +502,11 @@ StatList FeatureSize::statistics() const {
     if (has_epsilon(edge)) epsilons.push_back(epsilon(edge));
   const auto above = std::ranges::count_if(epsilons, [](double value) { return value > kDenseEpsilon; });
   StatList out{{"samples", samples}, {"size_min", least}, {"size_max", most}};
-  const double worst = epsilons.empty() ? kInfinity : *std::ranges::max_element(epsilons);
-  out.push_back({"epsilon", worst});
+  const EdgeSlot sparsest = sparsest_edge();
+  const bool is_known = curves_ != nullptr && curves_->has_standing();
+  out.push_back({"epsilon", is_known              ? curves_->standing().epsilon
+                            : sparsest != kNoSlot ? epsilon(sparsest)
+                                                  : kInfinity});
   if (!epsilons.empty()) {
     const auto middle = epsilons.begin() + static_cast<std::ptrdiff_t>(epsilons.size() / 2);
     std::ranges::nth_element(epsilons, middle);
@@ -444,6 +519,7 @@ StatList FeatureSize::statistics() const {
 }
 
 void FeatureSize::find(std::vector<Finding>& out) const {
+  if (curves_ != nullptr && curves_->has_standing()) return;
   const EdgeSlot edge = sparsest_edge();
   if (edge == kNoSlot) return;
   const EdgeRow& row = delaunay_.edge(edge);
@@ -453,8 +529,9 @@ void FeatureSize::find(std::vector<Finding>& out) const {
   finding.level = FindingLevel::note;
   finding.text = fmt::format(
       "curve edge with the largest epsilon, {:.3g}: half its length over the distance of its ends to the axis, as "
-      "far "
-      "as the samples show curve and axis; up to {} smooth curves have the axis that the theorem promises",
+      "far as the samples show curve and axis, corners and ends exempt; up to {} smooth curves have the axis that "
+      "the "
+      "theorem promises",
       epsilon(edge), kDenseEpsilon);
   finding.summary = fmt::format("epsilon {:.3g}", epsilon(edge));
   finding.count = 1;

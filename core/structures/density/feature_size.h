@@ -2,6 +2,7 @@
 // How dense the samples are: their distance to the axis against the distance of their neighbours.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -14,6 +15,7 @@
 #include "core/graph/structure.h"
 #include "core/structures/crust/one_step_crust.h"
 #include "core/structures/density/axis_line.h"
+#include "core/structures/density/curve_sampling.h"
 
 namespace mes {
 
@@ -30,7 +32,15 @@ inline constexpr double kDenseEpsilon = 0.25;
 ///  1. `size(site)` is the distance to the nearest point of that axis: all of its edges, with rays and lines.
 ///  2. `epsilon(edge)` of a crust edge is half its length over the smaller size of its ends. The largest of all is what
 ///     the samples achieve by this estimate.
-///  3. Numbers that are there are finite and above 0. Without an axis there are none.
+///  3. At corners the ratio stays as it is however short edges become, and where the curve ends or meets itself the
+///     estimate says nothing: these sites are *exempt*, and edges that end there do not count for the epsilon of all.
+///  4. Where the curves of the samples are known, the epsilon of all is that by these (CurveSampling), and no note says
+///     another one.
+///  5. Numbers that are there are finite and above 0. Without an axis there are none.
+///
+/// A corner is a sample at which the crust turns by more than twice the arc sine of `kDenseEpsilon`, which half an edge over
+/// the distance to the axis beside a corner comes to however short the edge is, and by more than four times as much as at
+/// its two neighbours together, which a smooth curve with too few samples does not.
 ///
 /// Rows are those of the Delaunay sites and edges. Cost: rebuild O(n log n) typically, by walks along the curve
 /// (cell_walk.h) or in a tree of all edges; an update O(changed edges times what their search meets).
@@ -38,6 +48,7 @@ inline constexpr double kDenseEpsilon = 0.25;
 class FeatureSize final : public Structure {
  public:
   FeatureSize(Delaunay& delaunay, OneStepCrust& crust);
+  FeatureSize(Delaunay& delaunay, OneStepCrust& crust, CurveSampling& curves);
 
   /// There is an edge of the axis.
   bool has_axis() const { return line_count_ != 0; }
@@ -48,7 +59,9 @@ class FeatureSize final : public Structure {
   /// The crust edge has an epsilon: both its ends have a size.
   bool has_epsilon(EdgeSlot edge) const;
   double epsilon(EdgeSlot edge) const;
-  /// The edge with the largest epsilon, of several the first by the places of its ends; kNoSlot if none has one. O(1) once
+  /// The sample is exempt: a corner, or an end or junction of the crust. O(edges at it and its neighbours).
+  bool is_exempt(SiteSlot site) const;
+  /// Of edges that end at no exempt sample, the one with the largest epsilon, of several the first by the places of its ends; kNoSlot if none has one. O(1) once
   /// updates have begun, before O(edges).
   EdgeSlot sparsest_edge() const;
 
@@ -71,7 +84,12 @@ class FeatureSize final : public Structure {
     EdgeSlot edge{};
   };
 
+  FeatureSize(Delaunay& delaunay, OneStepCrust& crust, std::vector<Structure*> inputs, const CurveSampling* curves);
   double epsilon_or_none(EdgeSlot edge) const;
+  bool ends_at_exempt(EdgeSlot edge) const;
+  std::array<SiteSlot, 2> crust_neighbours(SiteSlot site) const;
+  double turn_at(SiteSlot site) const;
+  std::vector<EdgeSlot> edges_to_count_anew() const;
   bool is_first(EdgeSlot a, EdgeSlot b) const;
   bool is_axis(EdgeSlot edge) const { return delaunay_.edge(edge).is_alive() && !crust_.is_crust(edge); }
   Vec2 place_of(SiteSlot site) const {
@@ -102,6 +120,7 @@ class FeatureSize final : public Structure {
 
   Delaunay& delaunay_;
   OneStepCrust& crust_;
+  const CurveSampling* curves_;      ///< may be null
   double unit_ = 1.0;                ///< a power of two: squares of what is multiplied by it are normal doubles
   int exponent_ = 0;                 ///< of the largest coordinate when it was chosen
   Table<SiteSlot, double> squared_;  ///< of the size in scaled units; infinite without one

@@ -1,0 +1,461 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/curves/feature_field.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "core/curves/corners.h"
+#include "core/curves/finest_feature.h"
+#include "core/curves/internal/feature_spacing.h"
+#include "core/curves/internal/stretches.h"
+
+namespace mes {
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Epsilon of the samples that show the axis: to begin with, and in the end.
+constexpr double kCoarse = 0.25;
+constexpr double kFine = 0.125;
+/// Of the square of that epsilon: by such a share the axis may be nearer than it seems. At the tip of a parabola the axis
+/// seems farther away by twice the square; between two places it is nearer than a line says by half of it.
+constexpr double kError = 4.0;
+/// Of the largest size beside an exempt place counts there, and on the way there the size may dip to a share.
+constexpr double kExempt = 0.25;
+constexpr double kDip = 0.8;
+/// What is asked for is a little less than what must be had: lengths of arc are found again up to some thousandths.
+constexpr double kAim = 0.99;
+constexpr std::size_t kOften = 4096;
+
+double share_of(double epsilon) {
+  const double most = std::min(epsilon, kCoarse);
+  return 1.0 - kError * most * most;
+}
+
+}  // namespace
+
+std::string epsilon_text(double epsilon, std::size_t exempt) {
+  // Rounded up: what is said is a bound.
+  const double scale =
+      epsilon > 0.0 && std::isfinite(epsilon) ? std::pow(10.0, 2.0 - std::floor(std::log10(epsilon))) : 1.0;
+  std::string out = std::isfinite(epsilon)
+                        ? fmt::format("epsilon {:.3g}", std::ceil(epsilon * scale * (1.0 - 1e-12)) / scale)
+                        : "epsilon infinite";
+  if (exempt != 0) out += fmt::format(" ({} {} exempt)", exempt, exempt == 1 ? "corner" : "corners");
+  return out;
+}
+
+/// Goes along a line, around a closed one as often as need be.
+struct FeatureField::Walk {
+  const Line& line;
+  bool is_strict;
+
+  std::size_t last() const {
+    return line.is_closed ? std::numeric_limits<std::size_t>::max() : line.nodes.size() - 1;
+  }
+  double along(std::size_t k) const {
+    const std::size_t count = line.nodes.size();
+    return line.is_closed ? line.nodes[k % count].along + static_cast<double>(k / count) * line.length
+                          : line.nodes[k].along;
+  }
+  double size(std::size_t k) const {
+    const Node& node = line.nodes[k % line.nodes.size()];
+    return is_strict ? node.size : node.regular;
+  }
+  /// The last node that is not behind the place.
+  std::size_t node_at(double place) const {
+    const std::size_t turns =
+        line.is_closed ? static_cast<std::size_t>(std::floor(std::max(0.0, place) / line.length)) : 0;
+    const double rest = place - static_cast<double>(turns) * line.length;
+    const auto next = std::ranges::upper_bound(line.nodes, rest, {}, &Node::along);
+    const auto found = static_cast<std::size_t>(next - line.nodes.begin());
+    const std::size_t k = turns * line.nodes.size() + (found == 0 ? 0 : found - 1);
+    return last() != 0 ? std::min(k, last() - 1) : 0;
+  }
+  /// Between the node k and the next.
+  double size_at(std::size_t k, double place) const {
+    const double begin = along(k);
+    const double end = along(k + 1);
+    if (place <= begin || end <= begin) return size(k);
+    if (place >= end) return size(k + 1);
+    return size(k) + (place - begin) / (end - begin) * (size(k + 1) - size(k));
+  }
+  double least(double from, double to) const {
+    std::size_t k = node_at(from);
+    double out = std::min(size_at(k, from), size_at(node_at(to), to));
+    for (++k; k <= last() && along(k) < to; ++k) out = std::min(out, size(k));
+    return out;
+  }
+  /// The farthest place, at most `to`, whose distance from `from` is at most `most` times the least size on the way, or
+  /// the finest. `k` is the node before it, and follows.
+  double step(std::size_t& k, double from, double to, double most) const {
+    double x = from;
+    double here = size_at(k, x);
+    double least = here;
+    double end = to;
+    for (;;) {
+      const double next = std::min(along(k + 1), to);
+      const double there = size_at(k, next);
+      const double both = std::min(least, there);
+      if (next - from <= most * both) {
+        if (next >= to) return to;
+        least = both;
+        x = next;
+        here = there;
+        ++k;
+        continue;
+      }
+      end = from + most * least;
+      if (there < here && next > x) {
+        const double slope = (there - here) / (next - x);
+        end = std::min(end, (from + most * (here - slope * x)) / (1.0 - most * slope));
+      }
+      break;
+    }
+    end = std::min({std::max(end, from + line.finest), from + line.widest, to});
+    while (k + 1 < last() && along(k + 1) <= end) ++k;
+    while (along(k) > end && k != 0) --k;
+    return end;
+  }
+  /// From `from` on, which is among them, to `to`, which is not; nothing if there would be more than `most`.
+  bool march(double from, double to, double twice_epsilon, std::size_t most, std::vector<double>* out,
+             std::size_t& count) const {
+    const double rounding = 1e-12 * line.length;
+    std::size_t k = node_at(from);
+    count = 0;
+    for (double place = from; place < to - rounding;) {
+      if (++count > most) return false;
+      if (out != nullptr) out->push_back(place);
+      place = std::max(step(k, place, to, twice_epsilon), place + rounding);
+    }
+    return true;
+  }
+  /// The same with intervals that use the epsilon evenly.
+  bool even_march(double from, double to, double epsilon, std::size_t most, std::vector<double>& out) const {
+    std::size_t wanted = 0;
+    double high = 2.0 * kAim * epsilon;
+    if (!march(from, to, high, most, nullptr, wanted)) return false;
+    double low = 0.25 * high;
+    constexpr int kSteps = 16;
+    for (int i = 0; i < kSteps; ++i) {
+      const double middle = 0.5 * (low + high);
+      std::size_t count = 0;
+      (march(from, to, middle, wanted, nullptr, count) ? high : low) = middle;
+    }
+    std::size_t count = 0;
+    return march(from, to, high, most, &out, count);
+  }
+};
+
+Expected<FeatureField> FeatureField::of(const CurveSet& curves, const SamplingRequest& request,
+                                        const FeatureSizes& sizes, JobControl* job, std::size_t most) {
+  FeatureField out;
+  out.request_ = request;
+  out.request_.rule = SamplingRule::feature_size;
+  out.curves_ = std::make_shared<const CurveSet>(
+      request.corner_radius > 0.0 ? with_round_corners(curves, request.corner_angle, request.corner_radius) : curves);
+  out.points_ = curves.points;
+
+  std::vector<MeasuredCurve> all;
+  double length = 0.0;
+  const double negligible = negligible_length(*out.curves_, out.request_);
+  for (const PlaneCurve& curve : out.curves_->curves) {
+    all.push_back(measured(curve, request.corner_angle, negligible, job));
+    length += all.back().length();
+  }
+  for (std::size_t c = 0; c < all.size(); ++c)
+    if (all[c].stretches.empty()) out.points_.push_back(out.curves_->curves[c].start());
+  std::ranges::sort(out.points_, lexicographically_less);
+  if (!std::isfinite(length))
+    return std::unexpected(Error{ErrorCode::bad_input, "the curves reach beyond the range of numbers"});
+  if (!(length > 0.0)) return out;
+
+  const FeatureLimits limits = feature_limits(out.request_, length, kCoarse);
+  auto found =
+      places_by_feature_size(all, spacings_of(all, limits.first, job), limits.places, kFine, most, sizes, job);
+  if (!found) return std::unexpected(found.error());
+  for (std::size_t c = 0; c < all.size(); ++c) {
+    if (all[c].stretches.empty()) continue;
+    Line& line = out.lines_.emplace_back(Line{.curve = c, .is_closed = all[c].is_closed, .length = all[c].length()});
+    line.widest = std::min(limits.places.widest, line.length / limits.places.least_each);
+    line.finest = std::min(limits.places.finest, line.widest);
+    std::vector<double> epsilons;
+    double before = 0.0;
+    for (std::size_t s = 0; s < all[c].stretches.size(); ++s) {
+      const std::vector<MeasuredPlace>& places = (*found)[c][s];
+      if (s != 0 || (line.is_closed && all[c].has_corner_at_start)) line.corners.push_back(line.nodes.size());
+      line.stretches.push_back(line.nodes.size());
+      const bool is_last = s + 1 == all[c].stretches.size();
+      // The end of a stretch is the beginning of the next, or of a closed curve.
+      const std::size_t count = is_last && !line.is_closed ? places.size() : places.size() - 1;
+      for (std::size_t i = 0; i < count; ++i) {
+        // Without an axis half of nothing is zero.
+        out.has_axis_ = out.has_axis_ || places[i].epsilon > 0.0;
+        const double size = std::min(places[i].size, length) * share_of(places[i].epsilon);
+        line.nodes.push_back({places[i].position, before + places[i].at, size, size});
+        epsilons.push_back(places[i].epsilon);
+      }
+      before += all[c].stretches[s].length;
+    }
+    line.length = before;
+    line.stretches.push_back(line.nodes.size());
+    out.find_meetings(line, epsilons);
+  }
+  for (Line& line : out.lines_)
+    for (const auto* places : {&line.corners, &line.meetings})
+      for (const std::size_t node : *places) {
+        exempt_about(line, node, 1);
+        exempt_about(line, node, -1);
+        out.exempt_.push_back(line.nodes[node].position);
+      }
+  std::ranges::sort(out.exempt_, lexicographically_less);
+  const auto rest = std::ranges::unique(out.exempt_);
+  out.exempt_.erase(rest.begin(), rest.end());
+  out.make_tree();
+  return out;
+}
+
+// Where places are as near to each other as they may be and still have more than they should, the size falls to zero: of
+// such a run that is no corner, the place with the least.
+void FeatureField::find_meetings(Line& line, const std::vector<double>& epsilons) {
+  constexpr double kMore = 1.1;
+  const std::size_t count = line.nodes.size();
+  const auto is_over = [&](std::size_t i) { return epsilons[i] > kMore * kCoarse; };
+  std::vector<bool> is_corner(count, false);
+  for (const std::size_t i : line.corners) is_corner[i] = true;
+  for (std::size_t i = 0; i < count;) {
+    if (!is_over(i)) {
+      ++i;
+      continue;
+    }
+    std::size_t least = i;
+    bool has_corner = false;
+    for (; i < count && is_over(i); ++i) {
+      has_corner = has_corner || is_corner[i];
+      if (line.nodes[i].size < line.nodes[least].size) least = i;
+    }
+    // A closed curve goes on where it began.
+    has_corner = has_corner || (i == count && line.is_closed && is_corner[0]);
+    if (!has_corner) line.meetings.push_back(least);
+  }
+}
+
+void FeatureField::exempt_about(Line& line, std::size_t node, std::ptrdiff_t way) {
+  const auto count = static_cast<std::ptrdiff_t>(line.nodes.size());
+  const auto index = [&](std::ptrdiff_t i) { return static_cast<std::size_t>(((i % count) + count) % count); };
+  const auto first = static_cast<std::ptrdiff_t>(node);
+  double most = line.nodes[node].size;
+  std::ptrdiff_t end = first;
+  for (std::ptrdiff_t i = first + way; std::abs(i - first) < count; i += way) {
+    if (!line.is_closed && (i < 0 || i >= count)) break;
+    const double size = line.nodes[index(i)].size;
+    if (size < kDip * most) break;
+    most = std::max(most, size);
+    end = i;
+  }
+  for (std::ptrdiff_t i = first; i != end + way; i += way) {
+    double& regular = line.nodes[index(i)].regular;
+    regular = std::max(regular, kExempt * most);
+  }
+}
+
+void FeatureField::make_tree() {
+  std::vector<Part> parts;
+  double most = 0.0;
+  for (std::uint32_t l = 0; l < lines_.size(); ++l) {
+    const Line& line = lines_[l];
+    const Walk walk{line, true};
+    for (std::size_t k = 0; k < line.nodes.size(); ++k) {
+      most = std::max({most, std::abs(line.nodes[k].position.x), std::abs(line.nodes[k].position.y)});
+      if (k + 1 == line.nodes.size() && !line.is_closed) continue;
+      parts.push_back({line.nodes[k].position, line.nodes[(k + 1) % line.nodes.size()].position,
+                       walk.along(k + 1) - walk.along(k), l, static_cast<std::uint32_t>(k)});
+    }
+  }
+  constexpr double kRounding = 1e-12;
+  slack_ = kRounding * most;
+  tree_.build(
+      std::span<const Part>(parts),
+      [this](const Part& part) {
+        // A place of the arc is not farther from the chord than that.
+        const double arc = part.arc * (1.0 + 1e-9) + slack_;
+        const double chord = distance(part.a, part.b);
+        const double aside = 0.5 * std::sqrt(std::max(0.0, (arc - chord) * (arc + chord))) + slack_;
+        Box2 box;
+        for (const Vec2 end : {part.a, part.b}) {
+          box.add(end - Vec2{aside, aside});
+          box.add(end + Vec2{aside, aside});
+        }
+        return TreeBounds{box};
+      },
+      [](const Part&, std::uint32_t) {});
+}
+
+std::vector<FeatureField::Hit> FeatureField::hits(std::span<const Vec2> positions, std::vector<bool>& is_on,
+                                                  JobControl* job) const {
+  std::vector<Hit> out;
+  is_on.assign(positions.size(), false);
+  for (std::uint32_t i = 0; i < positions.size(); ++i) {
+    if (job != nullptr && i % kOften == 0) job->checkpoint();
+    const Vec2 p = positions[i];
+    if (std::ranges::binary_search(points_, p, lexicographically_less)) is_on[i] = true;
+    tree_.visit_near(p, 0.0, [&](const Part& part) {
+      const double before = distance(part.a, p);
+      const double after = distance(p, part.b);
+      const Line& line = lines_[part.line];
+      if (before + after > part.arc * (1.0 + 1e-9) + 2.0 * slack_) return;
+      const double all = before + after;
+      double along = line.nodes[part.node].along + (all > 0.0 ? before / all * part.arc : 0.0);
+      if (line.is_closed && along >= line.length) along = 0.0;
+      is_on[i] = true;
+      out.push_back({part.line, along, i});
+    });
+  }
+  std::ranges::sort(out, [](const Hit& a, const Hit& b) {
+    if (a.line != b.line) return a.line < b.line;
+    return a.along != b.along ? a.along < b.along : a.sample < b.sample;
+  });
+  // A sample at the end of a part is found on both.
+  const auto rest = std::ranges::unique(
+      out, [](const Hit& a, const Hit& b) { return a.line == b.line && a.along == b.along && a.sample == b.sample; });
+  out.erase(rest.begin(), rest.end());
+  return out;
+}
+
+/// `use(line, from, to, before, after)` with the hits at both ends, one of which is missing at an open end, and both of a
+/// curve without samples.
+template <class Use>
+void FeatureField::for_each_interval(const std::vector<Hit>& hits, Use use) const {
+  auto hit = hits.begin();
+  for (std::uint32_t l = 0; l < lines_.size(); ++l) {
+    const Line& line = lines_[l];
+    const auto first = hit;
+    while (hit != hits.end() && hit->line == l) ++hit;
+    if (first == hit) {
+      use(line, 0.0, line.length, nullptr, nullptr);
+      continue;
+    }
+    for (auto i = first; i + 1 != hit; ++i) use(line, i->along, (i + 1)->along, &*i, &*(i + 1));
+    const Hit& last = *(hit - 1);
+    if (line.is_closed) {
+      use(line, last.along, line.length + first->along, &last, &*first);
+    } else {
+      if (first->along > 0.0) use(line, 0.0, first->along, nullptr, &*first);
+      if (last.along < line.length) use(line, last.along, line.length, &last, nullptr);
+    }
+  }
+}
+
+bool FeatureField::is_on_curves(Vec2 position) const {
+  std::vector<bool> is_on;
+  hits({&position, 1}, is_on, nullptr);
+  return is_on.front();
+}
+
+CurveStanding FeatureField::standing(std::span<const Vec2> positions, JobControl* job) const {
+  CurveStanding out{.exempt = exempt_.size()};
+  std::vector<bool> is_on;
+  const std::vector<Hit> found = hits(positions, is_on, job);
+  out.off_curve = static_cast<std::size_t>(std::ranges::count(is_on, false));
+  for_each_interval(found, [&](const Line& line, double from, double to, const Hit* before, const Hit* after) {
+    if (before != nullptr && after != nullptr && positions[before->sample] != positions[after->sample])
+      out.neighbours.push_back({before->sample, after->sample});
+    if (!has_axis_ || !(to > from)) return;
+    const Walk walk{line, false};
+    const bool has_both = before != nullptr && after != nullptr;
+    const double size = walk.least(from, to);
+    const double epsilon =
+        before == nullptr && after == nullptr ? kInfinity : (has_both ? 0.5 : 1.0) * (to - from) / size;
+    if (!(epsilon > std::min(out.epsilon, kMostEpsilon))) return;
+    const double middle = 0.5 * (from + to);
+    const std::size_t k = walk.node_at(middle);
+    const Vec2 a = line.nodes[k % line.nodes.size()].position;
+    const Vec2 b = line.nodes[(k + 1) % line.nodes.size()].position;
+    const double part = walk.along(k + 1) - walk.along(k);
+    const Vec2 place = a + (part > 0.0 ? (middle - walk.along(k)) / part : 0.0) * (b - a);
+    if (epsilon > kMostEpsilon) out.sparse.push_back(place);
+    if (!(epsilon > out.epsilon)) return;
+    out.epsilon = epsilon;
+    out.place = place;
+  });
+  return out;
+}
+
+Expected<std::vector<std::vector<std::vector<double>>>> FeatureField::places(double epsilon, std::size_t most) const {
+  std::vector<std::vector<std::vector<double>>> out(curves_->curves.size());
+  std::size_t count = 0;
+  for (const Line& line : lines_) {
+    const Walk walk{line, true};
+    for (std::size_t s = 0; s + 1 < line.stretches.size(); ++s) {
+      const double from = line.nodes[line.stretches[s]].along;
+      const bool is_last = s + 2 == line.stretches.size();
+      const double to = is_last ? line.length : line.nodes[line.stretches[s + 1]].along;
+      std::vector<double>& here = out[line.curve].emplace_back();
+      if (!walk.even_march(from, to, epsilon, most - count, here))
+        return std::unexpected(Error{
+            ErrorCode::bad_input,
+            fmt::format("the curves would have more than {} samples, which are as many as there may be", most)});
+      for (double& place : here) place -= from;
+      count += here.size();
+    }
+  }
+  return out;
+}
+
+std::vector<FilledInterval> FeatureField::filled(std::span<const Vec2> positions, double epsilon, bool is_strict,
+                                                 JobControl* job) const {
+  /// A sample to be: where on the line, and whose.
+  struct Wanted {
+    double along;
+    std::size_t interval;
+    std::size_t number;
+  };
+  std::vector<std::vector<Wanted>> wanted(lines_.size());
+  std::vector<FilledInterval> out;
+  std::vector<bool> is_on;
+  const std::vector<Hit> found = hits(positions, is_on, job);
+  constexpr std::size_t kMost = 1'000'000;
+  std::size_t count = 0;
+  std::vector<double> places;
+  if (has_axis_)
+    for_each_interval(found, [&](const Line& line, double from, double to, const Hit* before, const Hit* after) {
+      if (before == nullptr || after == nullptr || !(to > from) || count > kMost) return;
+      const Walk walk{line, is_strict};
+      if (0.5 * (to - from) <= epsilon * walk.least(from, to) || to - from <= line.finest * (1.0 + 1e-9)) return;
+      places.clear();
+      if (!walk.even_march(from, to, epsilon, kMost - count, places) || places.size() < 2) return;
+      std::vector<Wanted>& here = wanted[static_cast<std::size_t>(&line - lines_.data())];
+      for (std::size_t i = 1; i < places.size(); ++i)
+        here.push_back({places[i] >= line.length ? places[i] - line.length : places[i], out.size(), i - 1});
+      count += places.size() - 1;
+      out.push_back({before->sample, after->sample, std::vector<Vec2>(places.size() - 1)});
+    });
+  const double negligible = negligible_length(*curves_, request_);
+  for (std::size_t l = 0; l < lines_.size(); ++l) {
+    if (wanted[l].empty()) continue;
+    std::ranges::sort(wanted[l], {}, &Wanted::along);
+    const MeasuredCurve curve = measured(curves_->curves[lines_[l].curve], request_.corner_angle, negligible, job);
+    auto next = wanted[l].begin();
+    double before = 0.0;
+    for (std::size_t s = 0; s < curve.stretches.size(); ++s) {
+      const Stretch& stretch = curve.stretches[s];
+      places.clear();
+      auto one = next;
+      for (; next != wanted[l].end() && (s + 1 == curve.stretches.size() || next->along < before + stretch.length);
+           ++next)
+        places.push_back(next->along - before);
+      for_each_place(curve, stretch, places, [&](Vec2 p) {
+        out[one->interval].positions[one->number] = p;
+        ++one;
+      });
+      before += stretch.length;
+    }
+  }
+  return out;
+}
+
+}  // namespace mes
