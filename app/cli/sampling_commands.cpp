@@ -20,8 +20,9 @@ void describe_repair(CLI::App& app, ResampleRequest& to) {
                  "Curve edges are halved while half their length is more than this part of the\n"
                  "distance of their ends to the axis; above 0, at most 1");
   repair->footer(
-      "New samples lie on a spline through the others, interrupted at corners. What was done is said on standard\n"
-      "error, and what could not be: no number of samples is dense enough at a corner.");
+      "New samples lie on the curves of a drawing, a map or a picture; where there are none, on a spline through the\n"
+      "others, interrupted at corners. What was done is said on standard error, and what could not be: no number of\n"
+      "samples is dense enough at a corner.");
 }
 
 void describe_decimate(CLI::App& app, ResampleRequest& to) {
@@ -86,9 +87,9 @@ void describe_sample(CLI::App& app, SampleRequest& to) {
                      "How many, or as many as there would be if they were even; default: 400");
   sample->add_option("--spacing", to.spacing, "Between samples along curves, at most");
   sample->add_option("--epsilon", to.epsilon,
-                     "Of the rule feature-size: half the distance of neighbours over their local feature size,\n"
-                     "at most; from 0.01 to 1, default: 0.25. Smaller ones are tried until the theorem is\n"
-                     "proved, or it is said where and why it is not");
+                     "Of the rule feature-size: half the length between neighbours over the local feature size\n"
+                     "of the curves there, at most; from 0.01 to 1, default: 0.25. Smaller ones are tried until\n"
+                     "the theorem is proved, or it is said where and why it is not");
   sample->add_option("--turn", to.turn,
                      "Of the rule curvature: how much the direction turns between samples, at most, in degrees;\n"
                      "default: 11.5");

@@ -134,8 +134,8 @@ void CurvesPanel::draw_density(SamplingRequest& request) {
     case SamplingRule::feature_size:
       number(
           "Epsilon", request.epsilon, 0.05, kMostEpsilon, "%.3g", true,
-          "Half the distance of neighbours is at most so many times the local feature size, their distance to the "
-          "axis on both sides. The theorem is proved where samples are dense enough: if it is not for this epsilon, "
+          "Half the length between neighbours is at most so many times the local feature size, the distance of the curve "
+          "to its axis on both sides; corners are exempt. The theorem is proved where samples are dense enough: if it is not for this epsilon, "
           "smaller ones are tried");
       break;
   }

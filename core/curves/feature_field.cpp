@@ -24,6 +24,8 @@ constexpr double kFine = 0.125;
 /// Of the square of that epsilon: by such a share the axis may be nearer than it seems. At the tip of a parabola the axis
 /// seems farther away by twice the square; between two places it is nearer than a line says by half of it.
 constexpr double kError = 4.0;
+/// Places that have more than so many times what they should are as near to each other as they may be.
+constexpr double kMore = 1.1;
 /// Of the largest size beside an exempt place counts there, and on the way there the size may dip to a share.
 constexpr double kExempt = 0.25;
 constexpr double kDip = 0.8;
@@ -203,15 +205,14 @@ Expected<FeatureField> FeatureField::of(const CurveSet& curves, const SamplingRe
     }
     line.length = before;
     line.stretches.push_back(line.nodes.size());
-    out.find_meetings(line, epsilons);
-  }
-  for (Line& line : out.lines_)
-    for (const auto* places : {&line.corners, &line.meetings})
-      for (const std::size_t node : *places) {
-        exempt_about(line, node, 1);
-        exempt_about(line, node, -1);
+    find_meetings(line, epsilons);
+    for (const auto* exempt : {&line.corners, &line.meetings})
+      for (const std::size_t node : *exempt) {
+        exempt_about(line, epsilons, node, 1);
+        exempt_about(line, epsilons, node, -1);
         out.exempt_.push_back(line.nodes[node].position);
       }
+  }
   std::ranges::sort(out.exempt_, lexicographically_less);
   const auto rest = std::ranges::unique(out.exempt_);
   out.exempt_.erase(rest.begin(), rest.end());
@@ -222,7 +223,6 @@ Expected<FeatureField> FeatureField::of(const CurveSet& curves, const SamplingRe
 // Where places are as near to each other as they may be and still have more than they should, the size falls to zero: of
 // such a run that is no corner, the place with the least.
 void FeatureField::find_meetings(Line& line, const std::vector<double>& epsilons) {
-  constexpr double kMore = 1.1;
   const std::size_t count = line.nodes.size();
   const auto is_over = [&](std::size_t i) { return epsilons[i] > kMore * kCoarse; };
   std::vector<bool> is_corner(count, false);
@@ -244,7 +244,7 @@ void FeatureField::find_meetings(Line& line, const std::vector<double>& epsilons
   }
 }
 
-void FeatureField::exempt_about(Line& line, std::size_t node, std::ptrdiff_t way) {
+void FeatureField::exempt_about(Line& line, const std::vector<double>& epsilons, std::size_t node, std::ptrdiff_t way) {
   const auto count = static_cast<std::ptrdiff_t>(line.nodes.size());
   const auto index = [&](std::ptrdiff_t i) { return static_cast<std::size_t>(((i % count) + count) % count); };
   const auto first = static_cast<std::ptrdiff_t>(node);
@@ -253,7 +253,8 @@ void FeatureField::exempt_about(Line& line, std::size_t node, std::ptrdiff_t way
   for (std::ptrdiff_t i = first + way; std::abs(i - first) < count; i += way) {
     if (!line.is_closed && (i < 0 || i >= count)) break;
     const double size = line.nodes[index(i)].size;
-    if (size < kDip * most) break;
+    // Where places are as near to each other as they may be, sizes are what rounding makes of them.
+    if (size < kDip * most && epsilons[index(i)] <= kMore * kCoarse) break;
     most = std::max(most, size);
     end = i;
   }

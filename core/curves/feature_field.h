@@ -120,8 +120,8 @@ class FeatureField {
   };
   struct Walk;
 
-  void find_meetings(Line& line, const std::vector<double>& epsilons);
-  static void exempt_about(Line& line, std::size_t node, std::ptrdiff_t way);
+  static void find_meetings(Line& line, const std::vector<double>& epsilons);
+  static void exempt_about(Line& line, const std::vector<double>& epsilons, std::size_t node, std::ptrdiff_t way);
   void make_tree();
   std::vector<Hit> hits(std::span<const Vec2> positions, std::vector<bool>& is_on, JobControl* job) const;
   template <class Use>

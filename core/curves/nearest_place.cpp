@@ -2,6 +2,7 @@
 #include "core/curves/nearest_place.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace mes {
@@ -42,23 +43,27 @@ Vec2 nearest_on(const Piece& piece, Vec2 p) {
     if (distance(piece.at(static_cast<double>(i) / kIntervals), p) <
         distance(piece.at(static_cast<double>(best) / kIntervals), p))
       best = i;
-  // The least distance lies in the two intervals beside it; sections in the golden ratio narrow them down.
+  // The least distance lies in the two intervals beside it; of a piece that comes back to where it begins, these are its
+  // first and its last. Sections in the golden ratio narrow them down.
   constexpr double kGolden = 0.6180339887498949;
   constexpr double kSmall = 1e-9;
-  double low = std::max(0.0, (best - 1.0) / kIntervals);
-  double high = std::min(1.0, (best + 1.0) / kIntervals);
-  while (high - low > kSmall) {
-    const double a = high - kGolden * (high - low);
-    const double b = low + kGolden * (high - low);
-    if (distance(piece.at(a), p) < distance(piece.at(b), p))
-      high = b;
-    else
-      low = a;
-  }
-  Vec2 place = piece.at(0.5 * (low + high));
-  for (const double end : {0.0, 1.0})
-    if (distance(piece.at(end), p) < distance(place, p)) place = piece.at(end);
-  return place;
+  const auto narrowed = [&](double low, double high) {
+    while (high - low > kSmall) {
+      const double a = high - kGolden * (high - low);
+      const double b = low + kGolden * (high - low);
+      if (distance(piece.at(a), p) < distance(piece.at(b), p))
+        high = b;
+      else
+        low = a;
+    }
+    return piece.at(0.5 * (low + high));
+  };
+  constexpr double kInterval = 1.0 / kIntervals;
+  std::array<Vec2, 4> found{piece.at(0.0), piece.at(1.0),
+                            narrowed(std::max(0.0, (best - 1.0) * kInterval), std::min(1.0, (best + 1.0) * kInterval)),
+                            piece.at(1.0)};
+  if (best == 0 && piece.from() == piece.to()) found[3] = narrowed(1.0 - kInterval, 1.0);
+  return *std::ranges::min_element(found, {}, [&](Vec2 place) { return distance(place, p); });
 }
 
 }  // namespace

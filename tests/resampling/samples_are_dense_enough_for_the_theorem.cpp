@@ -134,7 +134,7 @@ TEST_CASE("where the theorem is not proved, the corner that is in the way is nam
   REQUIRE_FALSE(samples.is_proved());
   REQUIRE_FALSE(samples.corners.empty());
   for (const CurveCorner& corner : samples.corners) CHECK(corner.angle < 1.0);
-  CHECK_THAT(remark_of(samples, by_feature_size(0.25)), Catch::Contains("not proved at"));
+  CHECK_THAT(remark_of(samples, by_feature_size(0.25)), Catch::Contains("not proved for these samples at"));
 }
 
 TEST_CASE("curves too near to each other to be sampled so densely are refused with a place between them") {
@@ -156,8 +156,8 @@ TEST_CASE("curves too near to each other to be sampled so densely are refused wi
 
 TEST_CASE(
     "where the crust joins the sides of something thin, nothing is proved of it until samples are dense enough") {
-  // With an epsilon of 1 samples are 330 apart, and the sides 20 at most.
-  const auto flat = shape(ellipse({0, 0}, 5e5, 10.0));
+  // By their own axis samples were 330 apart with an epsilon of 1, and the sides 20 at most.
+  const auto flat = shape(ellipse({0, 0}, 5e4, 10.0));
   const SamplingRequest request = by_feature_size(1.0);
   const TakenSamples samples = taken(flat, request);
   REQUIRE(samples.is_proved());
