@@ -20,7 +20,8 @@ void describe_repair(CLI::App& app, ResampleRequest& to) {
                  "Curve edges are halved while half their length is more than this part of the\n"
                  "distance of their ends to the axis; above 0, at most 1");
   repair->footer(
-      "New samples lie on the curves of a drawing, a map or a picture; where there are none, on a spline through the\n"
+      "New samples lie on the curves of a drawing, a map or a picture; where there are none, on a spline through "
+      "the\n"
       "others, interrupted at corners. What was done is said on standard error, and what could not be: no number of\n"
       "samples is dense enough at a corner.");
 }

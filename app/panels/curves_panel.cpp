@@ -132,11 +132,12 @@ void CurvesPanel::draw_density(SamplingRequest& request) {
       break;
     }
     case SamplingRule::feature_size:
-      number(
-          "Epsilon", request.epsilon, 0.05, kMostEpsilon, "%.3g", true,
-          "Half the length between neighbours is at most so many times the local feature size, the distance of the curve "
-          "to its axis on both sides; corners are exempt. The theorem is proved where samples are dense enough: if it is not for this epsilon, "
-          "smaller ones are tried");
+      number("Epsilon", request.epsilon, 0.05, kMostEpsilon, "%.3g", true,
+             "Half the length between neighbours is at most so many times the local feature size, the distance of "
+             "the curve "
+             "to its axis on both sides; corners are exempt. The theorem is proved where samples are dense enough: "
+             "if it is not for this epsilon, "
+             "smaller ones are tried");
       break;
   }
 }

@@ -244,7 +244,8 @@ void FeatureField::find_meetings(Line& line, const std::vector<double>& epsilons
   }
 }
 
-void FeatureField::exempt_about(Line& line, const std::vector<double>& epsilons, std::size_t node, std::ptrdiff_t way) {
+void FeatureField::exempt_about(Line& line, const std::vector<double>& epsilons, std::size_t node,
+                                std::ptrdiff_t way) {
   const auto count = static_cast<std::ptrdiff_t>(line.nodes.size());
   const auto index = [&](std::ptrdiff_t i) { return static_cast<std::size_t>(((i % count) + count) % count); };
   const auto first = static_cast<std::ptrdiff_t>(node);

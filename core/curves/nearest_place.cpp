@@ -59,9 +59,9 @@ Vec2 nearest_on(const Piece& piece, Vec2 p) {
     return piece.at(0.5 * (low + high));
   };
   constexpr double kInterval = 1.0 / kIntervals;
-  std::array<Vec2, 4> found{piece.at(0.0), piece.at(1.0),
-                            narrowed(std::max(0.0, (best - 1.0) * kInterval), std::min(1.0, (best + 1.0) * kInterval)),
-                            piece.at(1.0)};
+  std::array<Vec2, 4> found{
+      piece.at(0.0), piece.at(1.0),
+      narrowed(std::max(0.0, (best - 1.0) * kInterval), std::min(1.0, (best + 1.0) * kInterval)), piece.at(1.0)};
   if (best == 0 && piece.from() == piece.to()) found[3] = narrowed(1.0 - kInterval, 1.0);
   return *std::ranges::min_element(found, {}, [&](Vec2 place) { return distance(place, p); });
 }

@@ -54,22 +54,23 @@ class Measured {
     out->make(job, {&out->samples_, &out->delaunay_, &out->crust_});
     return out;
   }
-  /// What the theorem light has of these samples, and of the curves that they stand for so.
+  /// What the theorem light has of these samples, and of the curves that they stand for so. The certificate is asked only
+  /// where nothing else makes the light yellow: its search is long where the crust is not the curve.
   std::vector<NodeReport> judged(const CurveStanding& standing, JobControl& job) {
+    std::vector<SampleSlot> slots;
+    for (std::size_t i = 0; i < document_.sample_count(); ++i) slots.emplace_back(i);
+    std::vector<NodeReport> out(2);
+    out[0].findings = findings_of(standing, slots, delaunay_, crust_);
+    crust_.find(out[1].findings);
+    for (NodeReport& node : out) node.state = NodeState::up_to_date;
+    if (light_of(out) == TheoremLight::yellow) return out;
     make(job, {&labels_, &vertices_, &balls_, &certificate_});
-    std::vector<NodeReport> out;
-    for (const Structure* structure : std::initializer_list<const Structure*>{&crust_, &labels_, &certificate_}) {
+    for (const Structure* structure : std::initializer_list<const Structure*>{&labels_, &certificate_}) {
       NodeReport& node = out.emplace_back();
-      node.structure = structure->id();
       node.state = NodeState::up_to_date;
       node.is_judging = structure->has_verdict();
       structure->find(node.findings);
     }
-    std::vector<SampleSlot> slots;
-    for (std::size_t i = 0; i < document_.sample_count(); ++i) slots.emplace_back(i);
-    NodeReport& curves = out.emplace_back();
-    curves.state = NodeState::up_to_date;
-    curves.findings = findings_of(standing, slots, delaunay_, crust_);
     return out;
   }
   /// Where parts of the curves are nearer to each other than their samples: there the crust is not the curves.

@@ -81,14 +81,13 @@ TEST_CASE("the first samples are as dense as feature sizes may grow from the ben
     sides.line_to({kA * std::cos(2.0 * kPi * i / kSides), kB * std::sin(2.0 * kPi * i / kSides)});
   sides.close();
   std::vector<Vec2> first;
-  const auto samples =
-      sample({.curves = {sides}}, {.rule = SamplingRule::feature_size, .count = 10, .epsilon = 0.1},
-             [&first](std::span<const Vec2> places) -> Expected<std::vector<double>> {
-               if (first.empty()) first.assign(places.begin(), places.end());
-               std::vector<double> out;
-               for (const Vec2 p : places) out.push_back(feature_size(p));
-               return out;
-             });
+  const auto samples = sample({.curves = {sides}}, {.rule = SamplingRule::feature_size, .count = 10, .epsilon = 0.1},
+                              [&first](std::span<const Vec2> places) -> Expected<std::vector<double>> {
+                                if (first.empty()) first.assign(places.begin(), places.end());
+                                std::vector<double> out;
+                                for (const Vec2 p : places) out.push_back(feature_size(p));
+                                return out;
+                              });
   REQUIRE(samples);
   REQUIRE(first.size() > 8);
   // At the narrow ends the radius of the bend is the size; from there on it grows by the way, which is less than one and

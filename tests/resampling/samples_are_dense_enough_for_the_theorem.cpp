@@ -157,7 +157,7 @@ TEST_CASE("curves too near to each other to be sampled so densely are refused wi
 TEST_CASE(
     "where the crust joins the sides of something thin, nothing is proved of it until samples are dense enough") {
   // By their own axis samples were 330 apart with an epsilon of 1, and the sides 20 at most.
-  const auto flat = shape(ellipse({0, 0}, 5e4, 10.0));
+  const auto flat = shape(ellipse({0, 0}, 2e3, 10.0));
   const SamplingRequest request = by_feature_size(1.0);
   const TakenSamples samples = taken(flat, request);
   REQUIRE(samples.is_proved());
@@ -183,7 +183,8 @@ TEST_CASE("where the theorem is not proved beside no corner, the place is said")
   CHECK_THAT(remark_of(samples, request),
              Catch::Contains(fmt::format("other {} ({:.6g} {:.6g}",
                                          samples.other_places.size() == 1 ? "place" : "places", place.x, place.y)));
-  for (const Vec2 one : samples.other_places) CHECK(distance(one, {2, 0}) < 1.5);
+  // Its ends are such places too.
+  for (const Vec2 one : samples.other_places) CHECK(std::min(distance(one, {2, 0}), distance(one, {6, 0})) < 1.5);
 }
 
 TEST_CASE("of many failures each place is said once") {

@@ -88,10 +88,12 @@ TEST_CASE("an epsilon that stays infinite is said once, with its reason") {
   repair.epsilon_before = repair.epsilon_after = kInfinity;
   CHECK_THAT(
       repair.words().front(),
-      Catch::Contains("0 samples inserted; epsilon infinite as before (curve edges are missing); the theorem"));
+      Catch::Contains(
+          "0 samples inserted; epsilon infinite as before (curve edges are missing); there is nothing to prove"));
   repair.epsilon_after = 0.25;
-  CHECK_THAT(repair.words().front(),
-             Catch::Contains("epsilon infinite (curve edges are missing) before, 0.25 now; the theorem"));
+  CHECK_THAT(
+      repair.words().front(),
+      Catch::Contains("epsilon infinite (curve edges are missing) before, 0.25 now; there is nothing to prove"));
   Decimation decimation;
   decimation.epsilon_before = decimation.epsilon_after = kInfinity;
   CHECK_THAT(decimation.words(),

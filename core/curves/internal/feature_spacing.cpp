@@ -390,7 +390,8 @@ Expected<MeasuredPlaces> places_by_feature_size(std::span<const MeasuredCurve> c
     for (std::size_t c = 0; c < curves.size(); ++c)
       for (std::size_t s = 0; s < samples->of_curve(c).size(); ++s)
         if (samples->divide(c, s, [&](const StretchSample& a, const StretchSample& b) {
-              const int parts = sampler.parts(c, *samples, wanted[c][s], a, b);
+              // Each once for the finer epsilon; what has more then is left, as long as it has the other.
+              const int parts = sampler.parts(c, *samples, round == 0 ? wanted[c][s] : limits.share, a, b);
               const bool is_halved = round == 0 && wanted[c][s] < limits.share && sampler.may_halve(c, a, b);
               return is_halved ? std::max(2, parts) : parts;
             }))
