@@ -127,6 +127,9 @@ class PlaneCurve {
 struct CurveSet {
   std::vector<PlaneCurve> curves{};
   std::vector<Vec2> points{};  ///< that lie on no curve
+  /// Coordinates were rounded to multiples of about this, as a file with so many decimals has them; 0: to doubles. Ends
+  /// of curves, and curves, that are no farther apart are meant to touch.
+  double resolution = 0.0;
   bool is_empty() const { return curves.empty() && points.empty(); }
   friend bool operator==(const CurveSet&, const CurveSet&) = default;
 };

@@ -12,6 +12,7 @@
 #include "core/curves/corners.h"
 #include "core/curves/finest_feature.h"
 #include "core/curves/internal/feature_spacing.h"
+#include "core/curves/internal/network.h"
 #include "core/curves/internal/stretches.h"
 
 namespace mes {
@@ -158,15 +159,22 @@ Expected<FeatureField> FeatureField::of(const CurveSet& curves, const SamplingRe
   FeatureField out;
   out.request_ = request;
   out.request_.rule = SamplingRule::feature_size;
-  out.curves_ = std::make_shared<const CurveSet>(
-      request.corner_radius > 0.0 ? with_round_corners(curves, request.corner_angle, request.corner_radius) : curves);
+  CurveSet set =
+      request.corner_radius > 0.0 ? with_round_corners(curves, request.corner_angle, request.corner_radius) : curves;
+  // Curves that touch are measured as they are sampled, arc by arc.
+  const auto network = network_of(set.curves, set.resolution, job);
+  if (network) set.curves = network->arcs;
+  out.curves_ = std::make_shared<const CurveSet>(std::move(set));
   out.points_ = curves.points;
 
   std::vector<MeasuredCurve> all;
   double length = 0.0;
   const double negligible = negligible_length(*out.curves_, out.request_);
-  for (const PlaneCurve& curve : out.curves_->curves) {
-    all.push_back(measured(curve, request.corner_angle, negligible, job));
+  for (std::size_t c = 0; c < out.curves_->curves.size(); ++c) {
+    const bool has_node = network && network->nodes[c][0] != CurveNetwork::kNoNode;
+    all.push_back(measured(out.curves_->curves[c], request.corner_angle, negligible, job, has_node));
+    if (network) all.back().nodes = network->nodes[c];
+    if (network) all.back().whole = network->whole[c];
     length += all.back().length();
   }
   for (std::size_t c = 0; c < all.size(); ++c)

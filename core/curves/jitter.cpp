@@ -13,7 +13,10 @@ namespace {
 double length_along(const SampledCurves& samples) {
   double out = 0.0;
   for (const SampledCurves::Chain& chain : samples.chains) {
-    const auto at = [&](std::size_t i) { return samples.positions[chain.first + i % chain.count]; };
+    const auto at = [&](std::size_t i) {
+      const std::size_t place = chain.first + i % chain.count;
+      return samples.positions[samples.order.empty() ? place : samples.order[place]];
+    };
     for (std::size_t i = 0; i + (chain.is_closed ? 0 : 1) < chain.count; ++i) out += distance(at(i), at(i + 1));
   }
   return out;

@@ -8,34 +8,31 @@
 namespace mes {
 namespace {
 
-/// Whether the piece can come within `reach` of the point: it lies among its control points, and an arc in the box of its
-/// whole ellipse.
-bool may_be_near(const Piece& piece, Vec2 p, double reach) {
-  Vec2 low;
-  Vec2 high;
+double nearest_on_line(const Piece& line, Vec2 p) {
+  const Vec2 along = line.points[1] - line.points[0];
+  const double size = dot(along, along);
+  return size > 0.0 ? std::clamp(dot(p - line.points[0], along) / size, 0.0, 1.0) : 0.0;
+}
+
+}  // namespace
+
+Box2 box_of(const Piece& piece) {
+  Box2 out;
   if (piece.kind == PieceKind::arc) {
     const EllipticArc& arc = piece.arc;
     const Vec2 half{std::hypot(arc.u.x, arc.v.x), std::hypot(arc.u.y, arc.v.y)};
-    low = arc.center - half;
-    high = arc.center + half;
-  } else {
-    const std::size_t count = piece.kind == PieceKind::line ? 2 : piece.kind == PieceKind::quadratic ? 3 : 4;
-    low = high = piece.points[0];
-    for (std::size_t i = 1; i < count; ++i) {
-      low = {std::min(low.x, piece.points[i].x), std::min(low.y, piece.points[i].y)};
-      high = {std::max(high.x, piece.points[i].x), std::max(high.y, piece.points[i].y)};
-    }
+    out.add(arc.center - half);
+    out.add(arc.center + half);
+    out.add(piece.from());
+    out.add(piece.to());
+    return out;
   }
-  return p.x >= low.x - reach && p.x <= high.x + reach && p.y >= low.y - reach && p.y <= high.y + reach;
+  const std::size_t count = piece.kind == PieceKind::line ? 2 : piece.kind == PieceKind::quadratic ? 3 : 4;
+  for (std::size_t i = 0; i < count; ++i) out.add(piece.points[i]);
+  return out;
 }
 
-Vec2 nearest_on_line(const Piece& line, Vec2 p) {
-  const Vec2 along = line.points[1] - line.points[0];
-  const double size = dot(along, along);
-  return line.at(size > 0.0 ? std::clamp(dot(p - line.points[0], along) / size, 0.0, 1.0) : 0.0);
-}
-
-Vec2 nearest_on(const Piece& piece, Vec2 p) {
+double nearest_parameter(const Piece& piece, Vec2 p) {
   if (piece.kind == PieceKind::line) return nearest_on_line(piece, p);
   constexpr int kIntervals = 32;
   int best = 0;
@@ -56,24 +53,23 @@ Vec2 nearest_on(const Piece& piece, Vec2 p) {
       else
         low = a;
     }
-    return piece.at(0.5 * (low + high));
+    return 0.5 * (low + high);
   };
   constexpr double kInterval = 1.0 / kIntervals;
-  std::array<Vec2, 4> found{
-      piece.at(0.0), piece.at(1.0),
-      narrowed(std::max(0.0, (best - 1.0) * kInterval), std::min(1.0, (best + 1.0) * kInterval)), piece.at(1.0)};
+  std::array<double, 4> found{
+      0.0, 1.0, narrowed(std::max(0.0, (best - 1.0) * kInterval), std::min(1.0, (best + 1.0) * kInterval)), 1.0};
   if (best == 0 && piece.from() == piece.to()) found[3] = narrowed(1.0 - kInterval, 1.0);
-  return *std::ranges::min_element(found, {}, [&](Vec2 place) { return distance(place, p); });
+  return *std::ranges::min_element(found, {}, [&](double t) { return distance(piece.at(t), p); });
 }
-
-}  // namespace
 
 std::optional<Vec2> nearest_place(const CurveSet& curves, Vec2 p, double reach) {
   std::optional<Vec2> best;
   for (const PlaneCurve& curve : curves.curves)
     curve.for_each_piece([&](const Piece& piece) {
-      if (!may_be_near(piece, p, reach)) return;
-      const Vec2 place = nearest_on(piece, p);
+      const Box2 box = box_of(piece);
+      if (p.x < box.low.x - reach || p.x > box.high.x + reach || p.y < box.low.y - reach || p.y > box.high.y + reach)
+        return;
+      const Vec2 place = piece.at(nearest_parameter(piece, p));
       const double away = distance(place, p);
       if (away > reach || (best && away == reach)) return;
       reach = away;

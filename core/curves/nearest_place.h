@@ -7,6 +7,7 @@
 
 #include <optional>
 
+#include "core/base/box2.h"
 #include "core/curves/curve.h"
 
 namespace mes {
@@ -15,5 +16,11 @@ namespace mes {
 /// up to 1e-9 of the piece's parameter, from the best of 32 intervals. Points of the set are not asked. Cost: O(pieces) comparisons
 /// with boxes, and evaluations for the pieces near by.
 std::optional<Vec2> nearest_place(const CurveSet& curves, Vec2 p, double reach);
+
+/// The parameter of the place of a piece that is nearest to a point, as exact as there.
+double nearest_parameter(const Piece& piece, Vec2 p);
+
+/// Contains the piece: the box of its control points, and of an arc that of its whole ellipse.
+Box2 box_of(const Piece& piece);
 
 }  // namespace mes

@@ -13,6 +13,7 @@
 #include "core/base/parallel.h"
 #include "core/curves/corners.h"
 #include "core/curves/feature_field.h"
+#include "core/curves/internal/network.h"
 #include "core/curves/internal/repeated_positions.h"
 #include "core/curves/internal/spacing_field.h"
 #include "core/curves/internal/stretches.h"
@@ -44,6 +45,7 @@ std::unexpected<Error> too_many_for_rule() {
 struct Outline {
   std::vector<double> stretches;  // lengths
   double length = 0.0;
+  double whole = 0.0;  // of the curve that it is a part of; 0: it is one of its own
   bool is_closed = false;
   bool is_straight = false;
 };
@@ -52,6 +54,7 @@ Outline outline_of(const MeasuredCurve& curve) {
   Outline out;
   for (const Stretch& stretch : curve.stretches) out.stretches.push_back(stretch.length);
   out.length = curve.length();
+  out.whole = curve.whole;
   out.is_closed = curve.is_closed;
   out.is_straight = curve.stretches.size() == 1 && std::ranges::all_of(curve.pieces, [](const Piece& piece) {
                       return piece.kind == PieceKind::line;
@@ -67,9 +70,10 @@ double intervals_of(double length, double spacing) {
 }
 
 double spacing_for(const Outline& curve, double spacing, std::size_t least_each) {
-  const bool is_bounded = curve.is_closed || !curve.is_straight;
+  const bool is_bounded = curve.is_closed || !curve.is_straight || curve.whole > 0.0;
   if (!is_bounded || curve.stretches.empty()) return spacing;
-  return std::min(spacing, curve.length / static_cast<double>(std::max<std::size_t>(least_each, 3)));
+  return std::min(spacing, (curve.whole > 0.0 ? curve.whole : curve.length) /
+                               static_cast<double>(std::max<std::size_t>(least_each, 3)));
 }
 
 double sample_count(const Outline& curve, double spacing, std::size_t least_each) {
@@ -103,10 +107,28 @@ double spacing_for_count(const std::vector<Outline>& curves, std::size_t count, 
   return high * (1.0 + 2.0 * kRounding);
 }
 
+/// The curves to take samples of, or the arcs of a network of them.
+struct Sources {
+  const CurveSet& curves;
+  const CurveNetwork* network = nullptr;
+
+  MeasuredCurve measured(std::size_t i, const SamplingRequest& request, double negligible, JobControl* job) const {
+    const bool keeps_vertices = request.rule == SamplingRule::refined;
+    const bool has_node = network != nullptr && network->nodes[i][0] != CurveNetwork::kNoNode;
+    MeasuredCurve out = mes::measured(curves.curves[i], keeps_vertices ? -1.0 : request.corner_angle,
+                                      keeps_vertices ? 0.0 : negligible, job, has_node);
+    if (network == nullptr) return out;
+    out.nodes = network->nodes[i];
+    out.whole = network->whole[i];
+    return out;
+  }
+};
+
 /// Adds samples, and takes those of the curve last begun that come twice out again.
 class Collector {
  public:
-  explicit Collector(JobControl* job) : job_(job) {}
+  /// Curves that are single points have a chain as well if `keeps_all`.
+  explicit Collector(JobControl* job, bool keeps_all) : job_(job), keeps_all_(keeps_all) {}
   /// Throws `Cancelled`.
   void checkpoint() const {
     if (job_ != nullptr) job_->checkpoint();
@@ -134,22 +156,15 @@ class Collector {
     SampledCurves::Chain& chain = out_.chains.back();
     remove_repetitions(chain.first);
     chain.count = out_.positions.size() - chain.first;
-    if (chain.count < 2) {
+    if (chain.count < 2 && !keeps_all_) {
       out_.chains.pop_back();
     } else if (chain.count < 3) {
       chain.is_closed = false;
     }
   }
 
-  /// Of a point that lies on no curve.
-  void add_point(Vec2 position) {
-    add(position);
-    are_finite_ = are_finite_ && is_finite(position);
-  }
-
-  /// Of the curves that have ended, and the points.
-  bool are_finite() const { return are_finite_ && repeated_.were_finite(); }
-  std::size_t size() const { return out_.positions.size(); }
+  /// Of the curves that have ended.
+  bool are_finite() const { return repeated_.were_finite(); }
   SampledCurves result() && { return std::move(out_); }
 
  private:
@@ -165,9 +180,9 @@ class Collector {
   }
 
   JobControl* job_;
+  bool keeps_all_;
   SampledCurves out_;
   RepeatedPositions repeated_;
-  bool are_finite_ = true;
 };
 
 void add_vertices(const PlaneCurve& curve, Collector& out) {
@@ -219,6 +234,10 @@ void add_stretches(const MeasuredCurve& curve, const PlaneCurve& source,
     out.add(curve.pieces[last.first + last.count - 1].to());
   }
   out.end_curve();
+}
+
+double widest_for(double length, std::size_t count) {
+  return length / static_cast<double>(std::max<std::size_t>(count, 1));
 }
 
 Expected<void> check_count(double count, const SamplingRequest& request) {
@@ -286,20 +305,23 @@ Expected<void> sample_vertices(const CurveSet& curves, const SamplingRequest& re
   return {};
 }
 
-Expected<void> sample_evenly(const CurveSet& curves, const SamplingRequest& request, Collector& out) {
+Expected<void> sample_evenly(const Sources& sources, const SamplingRequest& request, Collector& out) {
+  const std::vector<PlaneCurve>& curves = sources.curves.curves;
   std::vector<Outline> outlines;
-  outlines.reserve(curves.curves.size());
-  const double negligible = negligible_length(curves, request);
-  for (const PlaneCurve& curve : curves.curves) {
-    outlines.push_back(outline_of(measured(curve, request.corner_angle, negligible, out.job())));
-    if (!std::isfinite(outlines.back().length)) return beyond_range();
+  outlines.reserve(curves.size());
+  const double negligible = negligible_length(sources.curves, request);
+  double all = 0.0;
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    outlines.push_back(outline_of(sources.measured(i, request, negligible, out.job())));
+    all += outlines.back().length;
+    if (!std::isfinite(all)) return beyond_range();
   }
-  const double spacing = request.rule == SamplingRule::spacing
-                             ? request.spacing
-                             : spacing_for_count(outlines, request.count, request.least_each);
+  double spacing = request.spacing;
+  if (request.rule == SamplingRule::count) spacing = spacing_for_count(outlines, request.count, request.least_each);
+  if (request.rule == SamplingRule::refined) spacing = all > 0.0 ? widest_for(all, request.count) : 1.0;
   if (auto fits = check_count(sample_count(outlines, spacing, request.least_each), request); !fits) return fits;
-  for (const PlaneCurve& curve : curves.curves)
-    add_evenly(measured(curve, request.corner_angle, negligible, out.job()), curve, spacing, request, out);
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    add_evenly(sources.measured(i, request, negligible, out.job()), curves[i], spacing, request, out);
   return {};
 }
 
@@ -353,54 +375,136 @@ Expected<Positions> uneven_positions(std::span<const MeasuredCurve> curves, doub
     return positions_at(*places, curves, job);
   }
   SpacingLimits limits;
-  limits.widest = length / static_cast<double>(std::max<std::size_t>(request.count, 1));
+  limits.widest = widest_for(length, request.count);
   limits.finest = limits.widest / kFiner;
   limits.share = request.share;
   limits.least_each = static_cast<double>(std::max<std::size_t>(request.least_each, 3));
+  limits.is_finest_by_curve = request.rule == SamplingRule::refined;
   if (request.rule != SamplingRule::curvature)
     return positions_by(spacings_of(curves, limits, job), curves, request, job);
   limits.share = request.turn;
   return positions_by(spacings_by_curvature(curves, limits), curves, request, job);
 }
 
-Expected<void> sample_unevenly(const CurveSet& curves, const SamplingRequest& request, const FeatureField* field,
+Expected<void> sample_unevenly(const Sources& sources, const SamplingRequest& request, const FeatureField* field,
                                Collector& out) {
+  const std::vector<PlaneCurve>& curves = sources.curves.curves;
   if (request.count > std::min(kMostUneven, request.most)) return too_many_for_rule();
-  const double negligible = negligible_length(curves, request);
+  const double negligible = negligible_length(sources.curves, request);
   std::vector<MeasuredCurve> measured_curves;
   double all = 0.0;
-  for (const PlaneCurve& curve : curves.curves) {
-    measured_curves.push_back(measured(curve, request.corner_angle, negligible, out.job()));
+  for (std::size_t i = 0; i < curves.size(); ++i) {
+    measured_curves.push_back(sources.measured(i, request, negligible, out.job()));
     all += measured_curves.back().length();
   }
   if (!std::isfinite(all)) return beyond_range();
-  Positions positions(curves.curves.size());
+  Positions positions(curves.size());
   if (all > 0.0) {
     auto found = uneven_positions(measured_curves, all, request, field, out.job());
     if (!found) return std::unexpected(found.error());
     positions = *std::move(found);
   }
   for (std::size_t i = 0; i < measured_curves.size(); ++i)
-    add_stretches(measured_curves[i], curves.curves[i], positions[i], out);
+    add_stretches(measured_curves[i], curves[i], positions[i], out);
   return {};
+}
+
+std::size_t piece_count(const CurveSet& curves) {
+  std::size_t out = 0;
+  for (const PlaneCurve& curve : curves.curves) out += curve.piece_count();
+  return out;
+}
+
+Expected<SampledCurves> sample_each(const Sources& sources, const SamplingRequest& request, const FeatureField* field,
+                                    JobControl* job) {
+  using Rule = SamplingRule;
+  Collector out(job, sources.network != nullptr);
+  const bool is_large = request.rule == Rule::refined && piece_count(sources.curves) > kMostAdaptivePieces;
+  const bool is_even = request.rule == Rule::spacing || request.rule == Rule::count || is_large;
+  auto done = request.rule == Rule::vertices ? sample_vertices(sources.curves, request, out)
+              : is_even                      ? sample_evenly(sources, request, out)
+                                             : sample_unevenly(sources, request, field, out);
+  if (!done) return std::unexpected(done.error());
+  if (!out.are_finite()) return beyond_range();
+  return std::move(out).result();
+}
+
+/// The samples of curves from those of the arcs that they go along.
+SampledCurves walked(const CurveNetwork& network, const SampledCurves& arcs) {
+  SampledCurves out;
+  std::vector<std::vector<std::uint32_t>> samples(network.arcs.size());
+  std::vector<std::uint32_t> at_node;
+  const auto add = [&out](Vec2 p) {
+    out.positions.push_back(p);
+    return static_cast<std::uint32_t>(out.positions.size() - 1);
+  };
+  for (std::size_t arc = 0; arc < samples.size(); ++arc) {
+    const SampledCurves::Chain& chain = arcs.chains[arc];
+    const auto add_end = [&](std::size_t end, Vec2 p) {
+      const std::uint32_t node = network.nodes[arc][end];
+      if (node == CurveNetwork::kNoNode) return add(p);
+      if (at_node.size() <= node) at_node.resize(node + std::size_t{1}, CurveNetwork::kNoNode);
+      if (at_node[node] == CurveNetwork::kNoNode) at_node[node] = add(p);
+      return at_node[node];
+    };
+    const std::span here = std::span(arcs.positions).subspan(chain.first, chain.count);
+    const bool has_ends = network.nodes[arc][0] != CurveNetwork::kNoNode;
+    // An arc that comes back to its node has no second sample there.
+    const bool comes_back = has_ends && network.nodes[arc][0] == network.nodes[arc][1];
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      const bool is_last = k + 1 == here.size() && k > 0 && has_ends && !comes_back;
+      samples[arc].push_back(k == 0 ? add_end(0, here[k]) : is_last ? add_end(1, here[k]) : add(here[k]));
+    }
+    if (comes_back && !here.empty()) samples[arc].push_back(samples[arc].front());
+  }
+  for (const CurveNetwork::Walk& walk : network.walks) {
+    SampledCurves::Chain chain{walk.is_closed, out.order.size(), 0};
+    const auto go = [&](std::uint32_t sample) {
+      if (out.order.size() == chain.first || out.order.back() != sample) out.order.push_back(sample);
+    };
+    for (const CurveNetwork::Step& step : walk.steps) {
+      const std::vector<std::uint32_t>& along = samples[step.arc];
+      if (step.is_backwards)
+        std::for_each(along.rbegin(), along.rend(), go);
+      else
+        std::ranges::for_each(along, go);
+    }
+    const auto has_end_twice = [&] {
+      return walk.is_closed && out.order.size() > chain.first + 1 && out.order.back() == out.order[chain.first];
+    };
+    while (has_end_twice()) out.order.pop_back();
+    chain.count = out.order.size() - chain.first;
+    constexpr std::size_t kTriangle = 3;
+    if (chain.count < kTriangle) chain.is_closed = false;
+    if (chain.count < 2)
+      out.order.resize(chain.first);
+    else
+      out.chains.push_back(chain);
+  }
+  return out;
 }
 
 }  // namespace
 
 SamplingRequest default_sampling(const CurveSet& curves) {
-  std::size_t vertices = 0;
-  bool is_straight = true;
-  for (const PlaneCurve& curve : curves.curves) {
-    vertices += curve.piece_count();
-    is_straight = is_straight && curve.is_polyline();
+  const std::size_t pieces = piece_count(curves);
+  const bool is_straight = std::ranges::all_of(curves.curves, &PlaneCurve::is_polyline);
+  if (!is_straight) {
+    const auto rule = pieces <= kMostAdaptivePieces ? SamplingRule::adaptive : SamplingRule::count;
+    return {.rule = rule, .count = kUsualSamples, .least_each = 8};
   }
-  if (is_straight && vertices >= kUsualSamples) return {.rule = SamplingRule::vertices};
-  const auto rule = vertices <= kMostAdaptivePieces ? SamplingRule::adaptive : SamplingRule::count;
-  return {.rule = rule, .count = kUsualSamples, .least_each = 8};
+  // Who gave so many vertices has sampled already, and only what is much wider is divided.
+  constexpr std::size_t kCoarse = 100;
+  constexpr std::size_t kAround = 16;
+  constexpr std::size_t kMostRefined = 3'000'000;
+  const bool is_dense = pieces >= kUsualSamples;
+  if (curves.curves.empty() || pieces + kAround * curves.curves.size() > kMostRefined)
+    return {.rule = SamplingRule::vertices};
+  return {.rule = SamplingRule::refined, .count = is_dense ? kCoarse : kUsualSamples, .least_each = kAround};
 }
 
 std::span<const SamplingRuleDescriptor> sampling_rules() {
-  static constexpr std::array<SamplingRuleDescriptor, 6> kRules{{
+  static constexpr std::array<SamplingRuleDescriptor, 7> kRules{{
       {SamplingRule::vertices, "vertices", "At the vertices",
        "The ends of the pieces that the curves consist of, and nothing between"},
       {SamplingRule::spacing, "spacing", "By distance", "Evenly along the curves, so far apart at most"},
@@ -411,6 +515,8 @@ std::span<const SamplingRuleDescriptor> sampling_rules() {
       {SamplingRule::feature_size, "feature-size", "By local feature size",
        "An epsilon-sample, as the theorems of crust and axis ask for it: by the distance of the curves to their own "
        "axis, which finer samples show"},
+      {SamplingRule::refined, "refined", "At and between the vertices",
+       "The ends of the pieces that the curves consist of, and samples between them where they are far apart"},
   }};
   return kRules;
 }
@@ -445,17 +551,15 @@ Expected<SampledCurves> sample_by(const CurveSet& curves, const SamplingRequest&
     rest.corner_radius = 0.0;
     return sample_by(with_round_corners(curves, request.corner_angle, request.corner_radius), rest, field, job);
   }
-  Collector out(job);
-  const bool is_even = request.rule == SamplingRule::spacing || request.rule == SamplingRule::count;
-  auto done = request.rule == SamplingRule::vertices ? sample_vertices(curves, request, out)
-              : is_even                              ? sample_evenly(curves, request, out)
-                                                     : sample_unevenly(curves, request, field, out);
-  if (!done) return std::unexpected(done.error());
-  if (auto fits = check_count(static_cast<double>(out.size() + curves.points.size()), request); !fits)
+  const auto network = network_of(curves.curves, curves.resolution, job);
+  const CurveSet arcs{.curves = network ? network->arcs : std::vector<PlaneCurve>{}};
+  auto each = sample_each({network ? arcs : curves, network ? &*network : nullptr}, request, field, job);
+  if (!each) return each;
+  SampledCurves samples = network ? walked(*network, *each) : *std::move(each);
+  if (auto fits = check_count(static_cast<double>(samples.positions.size() + curves.points.size()), request); !fits)
     return std::unexpected(fits.error());
-  for (const Vec2 point : curves.points) out.add_point(point);
-  if (!out.are_finite()) return beyond_range();
-  SampledCurves samples = std::move(out).result();
+  if (!std::ranges::all_of(curves.points, [](Vec2 p) { return is_finite(p); })) return beyond_range();
+  samples.positions.insert(samples.positions.end(), curves.points.begin(), curves.points.end());
   jitter(samples, request.jitter, request.seed);
   return samples;
 }

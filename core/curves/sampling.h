@@ -34,6 +34,9 @@ enum class SamplingRule : std::uint8_t {
               ///< times as dense
   feature_size,  ///< half the length between neighbours is at most `epsilon` times the feature size of the curves there,
                  ///< as far as intervals of a thousandth of the mean that `count` gives allow it
+  refined,  ///< the ends of pieces, as `vertices`, and places between them so that neighbours are no farther apart than
+            ///< the mean spacing of `count` samples, than a curve divided by `least_each`, and than `share` of the
+  ///< distance to another part of the curves; on each curve at most eight times as dense as without the last
 };
 
 struct SamplingRuleDescriptor {
@@ -71,13 +74,16 @@ struct SamplingRequest {
   friend bool operator==(const SamplingRequest&, const SamplingRequest&) = default;
 };
 
-/// What a file is sampled by when it is opened. A drawing of straight lines with at least 400 vertices has been sampled
-/// already, and keeps its vertices. Anything else gets about 400 samples, more where parts of it are near to each other
-/// (`adaptive`), and at least eight on each curve; without regard to nearness where there are more than 20,000 pieces.
+/// What a file is sampled by when it is opened. Curves get about 400 samples, more where parts of them are near to each
+/// other (`adaptive`), and at least eight each; without regard to nearness where there are more than 20,000 pieces.
+/// Straight lines keep all vertices, and get samples between them where these are far apart (`refined`): no more where
+/// they are dense, as along a coast, and some sixteen around a house. Beyond three million samples they would have so,
+/// they have their vertices alone. Points alone are what they are.
 SamplingRequest default_sampling(const CurveSet& curves);
 
 struct SampledCurves {
-  /// Samples of one curve, in its order: `count` of them from `first` on.
+  /// Samples of one curve, in its order: `count` of them from `first` on, in `positions`, or in `order` where there is
+  /// one.
   struct Chain {
     bool is_closed = false;
     std::size_t first = 0;
@@ -86,6 +92,9 @@ struct SampledCurves {
   };
   std::vector<Vec2> positions{};
   std::vector<Chain> chains{};  ///< in the order of the curves, but for those that are single points
+  /// Where curves touch: the positions that chains go through, as several may go through one. Empty elsewhere: then
+  /// chains go through the positions in their order.
+  std::vector<std::uint32_t> order{};
 };
 
 /// Distances of samples to the axis of the curve that runs through all of them; infinite where there is none. The samples
@@ -98,7 +107,7 @@ Expected<void> check(const SamplingRequest& request);
 
 /// Samples of all curves in their order, then the points that lie on none. Lengths of arc are right within 1e-11 of the
 /// length of a piece's control polygon. Cost: O(pieces + samples) evaluations, more at cusps; any thread. Error:
-/// `bad_input` for more samples than `most` (by the rules from `adaptive` on, for more than a million), and for coordinates that are not finite; `usage` for a request that makes
+/// `bad_input` for more samples than `most` (by the rules from `adaptive` to `feature_size`, for more than a million), and for coordinates that are not finite; `usage` for a request that makes
 /// no sense. The rule `feature_size` measures the curves with `sizes` (feature_field.h); without it, that rule is `usage`. Throws `Cancelled` if
 /// there is a job, which is looked at every few thousand places.
 Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes = {},

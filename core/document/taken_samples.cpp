@@ -76,7 +76,11 @@ Expected<SampleData> taken_from(std::shared_ptr<const CurveSet> curves, SampledC
   for (const SampledCurves::Chain& chain : samples.chains) {
     SampleData::Contour& contour = out.contours.emplace_back(SampleData::Contour{chain.is_closed, {}});
     contour.points.resize(chain.count);
-    std::iota(contour.points.begin(), contour.points.end(), static_cast<std::uint32_t>(chain.first));
+    if (samples.order.empty())
+      std::iota(contour.points.begin(), contour.points.end(), static_cast<std::uint32_t>(chain.first));
+    else
+      std::copy_n(samples.order.begin() + static_cast<std::ptrdiff_t>(chain.first), chain.count,
+                  contour.points.begin());
   }
   out.positions = std::move(samples.positions);
   // The vertices of a polyline are all numbers that it has, and are finite where they are samples.

@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <numeric>
-#include <unordered_map>
 #include <utility>
+
+#include "core/base/box_tree.h"
 
 namespace mes {
 namespace {
@@ -18,48 +20,6 @@ struct Probe {
   Vec2 position;
   std::uint32_t curve;
   double along;  // length of arc from the beginning of the curve
-};
-
-/// Probes by square cells of one size.
-class Grid {
- public:
-  Grid(std::span<const Probe> probes, double cell)
-      : cell_(cell), origin_(probes.empty() ? Vec2{} : probes[0].position) {
-    for (std::uint32_t i = 0; i < probes.size(); ++i) cells_[key(probes[i].position)].push_back(i);
-  }
-
-  /// Calls `use(index)` for all within one cell's size of the place, and some more, until it says that this is enough.
-  template <class Use>
-  void for_each_near(Vec2 place, Use use) const {
-    const auto [x, y] = key(place);
-    for (std::int64_t dx = -1; dx <= 1; ++dx)
-      for (std::int64_t dy = -1; dy <= 1; ++dy)
-        if (const auto found = cells_.find({x + dx, y + dy}); found != cells_.end())
-          for (const std::uint32_t i : found->second)
-            if (use(i)) return;
-  }
-
- private:
-  using Key = std::pair<std::int64_t, std::int64_t>;
-  struct Hash {
-    std::size_t operator()(const Key& key) const {
-      constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;
-      return (static_cast<std::uint64_t>(key.first) * kOdd) ^ static_cast<std::uint64_t>(key.second);
-    }
-  };
-  Key key(Vec2 p) const {
-    // What lies farther out shares cells, which costs time only, and so does what has no place in doubles.
-    constexpr double kFar = 1e15;
-    const auto cell_of = [&](double x) {
-      const double cell = std::floor(x / cell_);
-      return static_cast<std::int64_t>(cell > -kFar ? std::min(cell, kFar) : -kFar);
-    };
-    return {cell_of(p.x - origin_.x), cell_of(p.y - origin_.y)};
-  }
-
-  double cell_;
-  Vec2 origin_;
-  std::unordered_map<Key, std::vector<std::uint32_t>, Hash> cells_;
 };
 
 /// Points at even lengths of arc along a stretch, both ends included.
@@ -96,34 +56,46 @@ struct Surroundings {
   std::span<const Probe> probes;
   std::span<const MeasuredCurve> curves;
   std::span<const double> lengths;  // of the curves
-  const Grid& grid;
-  double step;     // between probes
-  double nearest;  // distances below make no difference
-  double widest;   // and those above
+  const BoxTree<std::uint32_t>& tree;
 
-  /// From a probe to what is near it; `widest` where nothing is.
-  double distance_to_others(const Probe& probe) const {
+  /// From a probe to what is near it; `widest` where nothing is. Distances below `nearest` make no difference. `step` is
+  /// that between the probes of its curve.
+  double distance_to_others(const Probe& probe, double step, double nearest, double widest) const {
     double out = widest;
-    grid.for_each_near(probe.position, [&](std::uint32_t i) {
+    double bound = widest * widest;
+    tree.visit_near(probe.position, bound, [&](std::uint32_t i) {
       const double away = distance(probe.position, probes[i].position);
-      if (away < out && is_elsewhere(probe, probes[i], away)) out = away;
-      return out <= nearest;
+      if (!(away < out) || !is_elsewhere(probe, probes[i], away, step)) return;
+      out = away;
+      bound = out <= nearest ? -1.0 : away * away;
     });
     return out;
   }
 
  private:
-  bool is_elsewhere(const Probe& probe, const Probe& other, double away) const {
-    if (other.curve != probe.curve) return true;
-    double along = std::abs(other.along - probe.along);
-    if (curves[probe.curve].is_closed) along = std::min(along, lengths[probe.curve] - along);
+  bool is_elsewhere(const Probe& probe, const Probe& other, double away, double step) const {
+    const double along = other.curve == probe.curve ? along_curve(probe, other) : along_arcs(probe, other);
     return along > kDetour * away && along > 2.0 * step;
   }
+  double along_curve(const Probe& probe, const Probe& other) const {
+    const double along = std::abs(other.along - probe.along);
+    return curves[probe.curve].is_closed ? std::min(along, lengths[probe.curve] - along) : along;
+  }
+  /// By way of a node that both arcs have.
+  double along_arcs(const Probe& probe, const Probe& other) const {
+    double out = std::numeric_limits<double>::infinity();
+    const auto to_end = [this](const Probe& p, std::size_t end) {
+      return end == 0 ? p.along : lengths[p.curve] - p.along;
+    };
+    for (const std::size_t i : {0U, 1U})
+      for (const std::size_t k : {0U, 1U}) {
+        const std::uint32_t node = curves[probe.curve].nodes[i];
+        if (node == MeasuredCurve::kNoNode || node != curves[other.curve].nodes[k]) continue;
+        out = std::min(out, to_end(probe, i) + to_end(other, k));
+      }
+    return out;
+  }
 };
-
-}  // namespace
-
-namespace {
 
 /// Calls `use(i, passed)` for each node with the number of spacings from the beginning to there.
 template <class Use>
@@ -171,32 +143,48 @@ std::vector<double> StretchSpacing::places() const {
 
 std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCurve> curves,
                                                      const SpacingLimits& limits, JobControl* job) {
-  const double step = 0.5 * limits.finest;
+  struct Scale {
+    double widest, finest, step;
+  };
   std::vector<Probe> probes;
   std::vector<double> lengths;
+  std::vector<Scale> scales;
   for (std::uint32_t i = 0; i < curves.size(); ++i) {
+    constexpr double kFiner = 8.0;
+    const double widest = std::min(limits.widest, curves[i].length_of_whole() / limits.least_each);
+    const double finest = limits.is_finest_by_curve ? widest / kFiner : std::min(limits.finest, widest);
+    scales.push_back({widest, finest, 0.5 * (limits.is_finest_by_curve ? finest : limits.finest)});
     double before = 0.0;
     for (const Stretch& stretch : curves[i].stretches) {
-      add_probes(curves[i], stretch, probe_intervals(stretch.length, step), i, before, probes);
+      add_probes(curves[i], stretch, probe_intervals(stretch.length, scales[i].step), i, before, probes);
       before += stretch.length;
     }
     lengths.push_back(before);
   }
 
-  const double reach = limits.widest / limits.share;
-  const Grid grid(probes, reach);
-  const Surroundings surroundings{probes, curves, lengths, grid, step, limits.finest / limits.share, reach};
+  std::vector<std::uint32_t> numbers(probes.size());
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  BoxTree<std::uint32_t> tree;
+  tree.build(
+      std::span<const std::uint32_t>(numbers),
+      [&](std::uint32_t i) {
+        return TreeBounds{{probes[i].position, probes[i].position}};
+      },
+      [](std::uint32_t, std::uint32_t) {});
+  const Surroundings surroundings{probes, curves, lengths, tree};
   std::vector<std::vector<StretchSpacing>> out(curves.size());
   std::size_t next = 0;
   for (std::uint32_t i = 0; i < curves.size(); ++i) {
-    const double widest = std::min(limits.widest, lengths[i] / limits.least_each);
-    const double finest = std::min(limits.finest, widest);
+    const auto [widest, finest, step] = scales[i];
+    const double reach = (limits.is_finest_by_curve ? widest : limits.widest) / limits.share;
+    const double nearest = (limits.is_finest_by_curve ? finest : limits.finest) / limits.share;
     for (const Stretch& stretch : curves[i].stretches) {
       StretchSpacing& here = out[i].emplace_back(even_nodes(stretch.length, step));
       for (double& spacing : here.spacing) {
         constexpr std::size_t kOften = 1024;
         if (job != nullptr && next % kOften == 0) job->checkpoint();
-        spacing = std::clamp(limits.share * surroundings.distance_to_others(probes[next++]), finest, widest);
+        const double away = surroundings.distance_to_others(probes[next++], step, nearest, reach);
+        spacing = std::clamp(limits.share * away, finest, widest);
       }
     }
   }

@@ -28,12 +28,14 @@ struct SpacingLimits {
   double finest = 0.0;      ///< however near things are
   double share = 0.0;       ///< of the distance to what is near
   double least_each = 0.0;  ///< spacings along a curve, at least
+  /// The finest is, on each curve, the eighth of the widest there: small curves are looked at as closely as large ones.
+  bool is_finest_by_curve = false;
 };
 
 /// For each curve, for each of its stretches. Near a place is what lies on another curve, and what is farther away
 /// along the same curve than one and a half times the distance, so that neither a bend wider than the spacing nor a
-/// right angle is near itself. Cost: O(n) places of half the finest spacing, each compared with those within
-/// `widest / share`. Throws `Cancelled` if there is a job.
+/// right angle is near itself; arcs that meet at a node count as one curve there. Cost: O(n log n) for n places of half
+/// the finest spacing, each compared with some of those within `widest / share`. Throws `Cancelled` if there is a job.
 std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCurve> curves,
                                                      const SpacingLimits& limits, JobControl* job = nullptr);
 

@@ -36,7 +36,8 @@ std::vector<bool> corners_of(const MeasuredCurve& curve, double corner_angle, do
   for (std::size_t i = 0; i < count; ++i) {
     if (!counts(i)) continue;
     if (last != count)
-      out[i] = angle_between(curve.pieces[last].last_direction(), curve.pieces[i].first_direction()) > corner_angle;
+      out[i] = corner_angle < 0.0 ||
+               angle_between(curve.pieces[last].last_direction(), curve.pieces[i].first_direction()) > corner_angle;
     last = i;
   }
   if (!curve.is_closed) out[0] = true;
@@ -63,7 +64,8 @@ double MeasuredCurve::length() const {
   return sum;
 }
 
-MeasuredCurve measured(const PlaneCurve& curve, double corner_angle, double negligible, JobControl* job) {
+MeasuredCurve measured(const PlaneCurve& curve, double corner_angle, double negligible, JobControl* job,
+                       bool starts_at_corner) {
   constexpr std::size_t kOften = 1024;
   std::size_t count = 0;
   MeasuredCurve out;
@@ -79,9 +81,10 @@ MeasuredCurve measured(const PlaneCurve& curve, double corner_angle, double negl
   if (out.pieces.empty()) return out;
 
   std::vector<bool> begins = corners_of(out, corner_angle, negligible);
+  if (starts_at_corner) begins[0] = true;
   const auto first = std::ranges::find(begins, true);
   out.has_corner_at_start = first != begins.end();
-  const auto turn = out.has_corner_at_start ? first - begins.begin() : 0;
+  const auto turn = out.has_corner_at_start && !starts_at_corner ? first - begins.begin() : 0;
   std::rotate(begins.begin(), begins.begin() + turn, begins.end());
   std::ranges::rotate(out.pieces, out.pieces.begin() + turn);
   std::ranges::rotate(out.lengths, out.lengths.begin() + turn);

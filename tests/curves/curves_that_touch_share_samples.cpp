@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What outlines have in common is sampled once, and every outline goes through these samples.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+#include <utility>
+
+#include "core/curves/cuts.h"
+#include "core/curves/resolution.h"
+#include "core/curves/sampling.h"
+#include "tests/support/parcels.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+using Link = std::pair<std::uint32_t, std::uint32_t>;
+
+std::vector<std::uint32_t> places_of(const SampledCurves& samples, const SampledCurves::Chain& chain) {
+  std::vector<std::uint32_t> out;
+  for (std::size_t i = chain.first; i < chain.first + chain.count; ++i)
+    out.push_back(samples.order.empty() ? static_cast<std::uint32_t>(i) : samples.order[i]);
+  return out;
+}
+
+/// How many times chains link two samples.
+std::map<Link, int> links_of(const SampledCurves& samples) {
+  std::map<Link, int> out;
+  for (const SampledCurves::Chain& chain : samples.chains) {
+    const std::vector<std::uint32_t> places = places_of(samples, chain);
+    for (std::size_t i = 0; i + (chain.is_closed ? 0 : 1) < places.size(); ++i) {
+      const std::uint32_t a = places[i];
+      const std::uint32_t b = places[(i + 1) % places.size()];
+      ++out[{std::min(a, b), std::max(a, b)}];
+    }
+  }
+  return out;
+}
+
+double length_of(const SampledCurves& samples, const std::map<Link, int>& links, int count) {
+  double sum = 0.0;
+  for (const auto& [link, times] : links)
+    if (times == count) sum += distance(samples.positions[link.first], samples.positions[link.second]);
+  return sum;
+}
+
+CurveSet set_of(std::vector<PlaneCurve> curves) {
+  CurveSet out{.curves = std::move(curves)};
+  double coarsest = 1.0;
+  for (const PlaneCurve& curve : out.curves)
+    if (coarsest > 0.0) coarsest = std::min(coarsest, resolution_of(curve.points()));
+  out.resolution = coarsest;
+  return out;
+}
+
+SampledCurves sampled(const CurveSet& curves, const SamplingRequest& request) {
+  auto samples = sample(curves, request);
+  REQUIRE(samples.has_value());
+  return *std::move(samples);
+}
+
+bool are_all_different(std::vector<Vec2> points) {
+  std::ranges::sort(points, [](Vec2 a, Vec2 b) { return a.x != b.x ? a.x < b.x : a.y < b.y; });
+  return std::ranges::adjacent_find(points) == points.end();
+}
+
+PlaneCurve rectangle(double x0, double y0, double x1, double y1) {
+  return closed_polygon({{x0, y0}, {x1, y0}, {x1, y1}, {x0, y1}});
+}
+
+}  // namespace
+
+TEST_CASE("parcels link the samples of their borders twice, and those of the outside once") {
+  constexpr double kPerimeter = 320.0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    const int decimals = 4 + static_cast<int>(seed % 3) * 3;
+    const double angle = seed % 4 == 0 ? 0.0 : 0.1 * static_cast<double>(seed);
+    const Parcels made = parcels(2 + seed, angle, decimals, seed);
+    const CurveSet curves = set_of(made.outlines);
+    double all = 0.0;
+    for (const Box2& box : made.boxes) all += 2.0 * (box.width() + box.height());
+    for (const SamplingRequest& request :
+         std::vector<SamplingRequest>{{.rule = SamplingRule::vertices},
+                                      {.rule = SamplingRule::spacing, .spacing = 0.7},
+                                      {.rule = SamplingRule::count, .count = 700},
+                                      {.rule = SamplingRule::adaptive, .count = 700, .least_each = 8},
+                                      default_sampling(curves)}) {
+      INFO("seed " << seed << ", rule " << static_cast<int>(request.rule));
+      const SampledCurves samples = sampled(curves, request);
+      REQUIRE(samples.chains.size() == made.outlines.size());
+      CHECK(are_all_different(samples.positions));
+      const std::map<Link, int> links = links_of(samples);
+      CHECK(std::ranges::all_of(links, [](const auto& link) { return link.second == 1 || link.second == 2; }));
+      CHECK(length_of(samples, links, 1) == Approx(kPerimeter).epsilon(1e-4));
+      CHECK(length_of(samples, links, 2) == Approx(0.5 * (all - kPerimeter)).epsilon(1e-4));
+      for (std::size_t i = 0; i < samples.chains.size(); ++i) {
+        std::vector<std::uint32_t> places = places_of(samples, samples.chains[i]);
+        for (const Vec2 corner : made.outlines[i].points())
+          CHECK(std::ranges::any_of(places, [&](std::uint32_t place) {
+            return distance(samples.positions[place], corner) <= 3.0 * curves.resolution + 1e-9;
+          }));
+        std::ranges::sort(places);
+        CHECK(std::ranges::adjacent_find(places) == places.end());
+      }
+    }
+  }
+}
+
+TEST_CASE("outlines that touch nowhere are sampled as each by itself") {
+  std::vector<PlaneCurve> apart{rectangle(0, 0, 4, 3), rectangle(4.001, 0, 8, 3), rectangle(1, 1, 2, 2),
+                                rectangle(0, 4, 500, 5), rectangle(0, 6, 500, 7)};
+  const CurveSet curves = set_of(apart);
+  const SampledCurves samples = sampled(curves, {.rule = SamplingRule::spacing, .spacing = 0.25});
+  CHECK(samples.order.empty());
+  std::vector<Vec2> each;
+  for (const PlaneCurve& curve : apart) {
+    const SampledCurves one = sampled({.curves = {curve}}, {.rule = SamplingRule::spacing, .spacing = 0.25});
+    each.insert(each.end(), one.positions.begin(), one.positions.end());
+  }
+  CHECK(samples.positions == each);
+}
+
+TEST_CASE("arcs and cubics that two outlines have in common are one") {
+  constexpr double kPi = std::numbers::pi;
+  const EllipticArc half{{0, 0}, {2, 0}, {0, 2}, 0.0, kPi};
+  PlaneCurve upper({2, 0});
+  upper.arc_to(half, {-2, 0});
+  upper.cubic_to({-1, -1}, {1, 1}, {2, 0});
+  upper.close();
+  // The same cubic backwards, and the rest of a box below.
+  PlaneCurve lower({2, 0});
+  lower.cubic_to({1, 1}, {-1, -1}, {-2, 0});
+  lower.line_to({-2, -3});
+  lower.line_to({2, -3});
+  lower.close();
+  const SampledCurves samples = sampled(set_of({upper, lower}), {.rule = SamplingRule::spacing, .spacing = 0.1});
+  const std::map<Link, int> links = links_of(samples);
+  double along = 0.0;
+  upper.for_each_piece([&](const Piece& piece) {
+    if (piece.kind != PieceKind::cubic) return;
+    for (int i = 0; i < 1000; ++i) along += distance(piece.at(i / 1000.0), piece.at((i + 1) / 1000.0));
+  });
+  CHECK(length_of(samples, links, 2) == Approx(along).epsilon(1e-3));
+  CHECK(length_of(samples, links, 1) == Approx(2.0 * kPi + 10.0).epsilon(1e-3));
+  CHECK(are_all_different(samples.positions));
+}
+
+TEST_CASE("a curve that repeats another says nothing new, but one around the other way fills a hole") {
+  const PlaneCurve outer = rectangle(0, 0, 10, 10);
+  const PlaneCurve hole = closed_polygon({{2, 2}, {2, 8}, {8, 8}, {8, 2}});
+  const PlaneCurve filling = closed_polygon({{8, 8}, {2, 8}, {2, 2}, {8, 2}});
+  CHECK(sampled(set_of({outer, outer}), {.rule = SamplingRule::vertices}).chains.size() == 1);
+  CHECK(sampled(set_of({outer, hole, filling}), {.rule = SamplingRule::vertices}).chains.size() == 3);
+  CHECK(sampled(set_of({outer, hole, hole}), {.rule = SamplingRule::vertices}).chains.size() == 2);
+}
+
+TEST_CASE("a hole that touches its shell, at a corner and within a side") {
+  const PlaneCurve shell = rectangle(0, 0, 10, 10);
+  for (const PlaneCurve& hole :
+       {closed_polygon({{0, 0}, {4, 2}, {2, 4}}), closed_polygon({{5, 0}, {6, 4}, {4, 4}})}) {
+    const SampledCurves samples = sampled(set_of({shell, hole}), {.rule = SamplingRule::spacing, .spacing = 0.5});
+    REQUIRE(samples.chains.size() == 2);
+    const auto around = places_of(samples, samples.chains[0]);
+    const auto inside = places_of(samples, samples.chains[1]);
+    std::set<std::uint32_t> both;
+    for (const std::uint32_t place : around)
+      if (std::ranges::find(inside, place) != inside.end()) both.insert(place);
+    REQUIRE(both.size() == 1);
+    CHECK(samples.positions[*both.begin()] == hole.start());
+  }
+}
+
+TEST_CASE("an outline that goes to its hole along a slit and back is two, and a cut between two is none") {
+  const PlaneCurve keyhole = closed_polygon(
+      {{0, 0}, {10, 0}, {10, 10}, {0, 10}, {0, 5}, {3, 5}, {3, 7}, {7, 7}, {7, 3}, {3, 3}, {3, 5}, {0, 5}});
+  const auto nowhere = [](Vec2) { return false; };
+  const auto rings = without_cuts({keyhole}, 0.0, nowhere);
+  REQUIRE(rings.size() == 2);
+  CHECK(std::ranges::all_of(rings, &PlaneCurve::is_closed));
+  double length = 0.0;
+  for (const PlaneCurve& ring : rings)
+    ring.for_each_piece([&](const Piece& piece) { length += distance(piece.from(), piece.to()); });
+  CHECK(length == 56.0);
+
+  const auto halves = std::vector{rectangle(0, 0, 4, 5), closed_polygon({{4, 1}, {9, 1}, {9, 5}, {4, 5}})};
+  CHECK(without_cuts(halves, 0.0, nowhere) == halves);
+  const auto whole = without_cuts(halves, 0.0, [](Vec2 p) { return p.x == 4.0; });
+  REQUIRE(whole.size() == 1);
+  CHECK(std::ranges::count(whole[0].points(), Vec2{4, 1}) >= 1);
+  double around = 0.0;
+  whole[0].for_each_piece([&](const Piece& piece) { around += distance(piece.from(), piece.to()); });
+  CHECK(around == 28.0);
+}
+
+TEST_CASE("coordinates tell to how many decimals they were rounded") {
+  CHECK(resolution_of(std::vector<Vec2>{{1, 2}, {-30, 400}}) == 1.0);
+  CHECK(resolution_of(std::vector<Vec2>{{13.4567, 52.5}, {13.4568, 52.51}}) == Approx(1e-4));
+  CHECK(resolution_of(std::vector<Vec2>{{5412345.123, 0.001}}) == Approx(1e-3));
+  CHECK(resolution_of(std::vector<Vec2>{{std::sqrt(2.0), std::sqrt(3.0)}, {1.0, 1.0}}) == 0.0);
+  CHECK(resolution_of(std::vector<Vec2>{{1e300, 1.0}}) == 0.0);
+  CHECK(resolution_of({}) == 1.0);
+}
+
+TEST_CASE("between vertices that are far apart there are samples, and vertices stay") {
+  // A corridor 60 long and 1 wide, and a house of another scale beside it.
+  const CurveSet curves = set_of({rectangle(0, 0, 60, 1), rectangle(70, 0, 70.2, 0.1)});
+  const SamplingRequest request = default_sampling(curves);
+  CHECK(request.rule == SamplingRule::refined);
+  const SampledCurves samples = sampled(curves, request);
+  for (const PlaneCurve& curve : curves.curves)
+    for (const Vec2 corner : curve.points())
+      CHECK(std::ranges::find(samples.positions, corner) != samples.positions.end());
+  const std::map<Link, int> links = links_of(samples);
+  for (const auto& [link, times] : links) {
+    const Vec2 a = samples.positions[link.first];
+    const double gap = distance(a, samples.positions[link.second]);
+    CHECK(gap <= (a.x < 65.0 ? 0.41 : 0.041));
+  }
+  // A coast is dense enough as it is.
+  std::vector<Vec2> coast;
+  for (int i = 0; i < 1000; ++i) {
+    const double t = 2.0 * std::numbers::pi * i / 1000.0;
+    coast.push_back({(10.0 + std::cos(5.0 * t)) * std::cos(t), (10.0 + std::cos(5.0 * t)) * std::sin(t)});
+  }
+  const CurveSet round{.curves = {closed_polygon(coast)}};
+  CHECK(sampled(round, default_sampling(round)).positions == coast);
+}
