@@ -20,7 +20,7 @@ set(rooms
   "core/structures/inputs: core/base core/document core/graph"
   "core/structures/triangulation: core/base core/kernel"
   "core/structures/delaunay: core/base core/kernel core/graph core/structures/inputs core/structures/triangulation"
-  "core/structures/crust: core/base core/kernel core/graph core/structures/delaunay"
+  "core/structures/crust: core/base core/kernel core/graph core/structures/inputs core/structures/delaunay"
   "core/structures/axis: core/base core/graph core/structures/delaunay core/structures/crust"
   "core/structures/filters: core/base core/kernel core/graph core/structures/inputs core/structures/delaunay core/structures/crust core/structures/axis"
   "core/structures/density: core/base core/kernel core/curves core/document core/graph core/structures/inputs core/structures/delaunay core/structures/crust"

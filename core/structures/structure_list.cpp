@@ -37,6 +37,7 @@
 #include "core/structures/inputs/samples.h"
 #include "core/structures/inputs/scaled_user_balls.h"
 #include "core/structures/inputs/settings_source.h"
+#include "core/structures/inputs/shared_borders.h"
 #include "core/structures/inputs/user_balls.h"
 #include "core/structures/poles/polar_diagram.h"
 #include "core/structures/poles/polar_union.h"
@@ -66,8 +67,9 @@ StructureSet make_structures(const StructureSet* shared, bool has_document) {
   if (has_own) add<CurveSourceInput>(set);
   add<ScaledUserBalls, SettingsSource, UserBalls>(set);
   add<Contours, Samples>(set);
+  add<SharedBorders, Samples>(set);
   add<Delaunay, Samples>(set);
-  add<OneStepCrust, Delaunay>(set);
+  add<OneStepCrust, Delaunay, SharedBorders>(set);
   add<Labels, Delaunay, OneStepCrust>(set);
   add<Curve, Delaunay, OneStepCrust, Labels>(set);
   add<VoronoiVertices, Delaunay, OneStepCrust>(set);

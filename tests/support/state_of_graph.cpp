@@ -221,9 +221,9 @@ std::string broken_row(const Graph& graph) {
       const int side = edge.f[0] == f ? 0 : 1;
       if (edge.f[side] != f || edge.v[side] != row.v[next3(i)] || edge.v[1 - side] != row.v[prev3(i)])
         return "an edge row does not fit its face";
-      const bool bit = ((crust.crust_bits_of_face(f) >> i) & 1) != 0;
-      if (bit != crust.is_crust(row.e[i])) return "a face's crust bits do not fit its edges";
-      const bool border = crust.is_crust(row.e[i]) != labels.is_conflict(row.e[i]);
+      const bool bit = ((crust.wall_bits_of_face(f) >> i) & 1) != 0;
+      if (bit != crust.is_wall(row.e[i])) return "a face's bits of walls do not fit its edges";
+      const bool border = crust.is_wall(row.e[i]) != labels.is_conflict(row.e[i]);
       if ((labels.is_inside(f) != labels.is_inside(row.n[i])) != border) return "labels contradict an edge";
     }
     if (row.is_infinite() && labels.is_inside(f)) return "a face at infinity is inside";

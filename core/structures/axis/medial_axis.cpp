@@ -22,7 +22,7 @@ int MedialAxis::axis_edges_at(FaceSlot face) const {
   const FaceRow& row = delaunay_.face(face);
   for (int i = 0; i < 3; ++i) {
     if (row.e[i] == kNoSlot || crust_.is_cocircular(row.e[i])) continue;
-    count += labels_.is_inside(row.n[i]) ? 1 : 0;
+    count += labels_.is_inside(row.n[i]) && !crust_.is_shared(row.e[i]) ? 1 : 0;
   }
   return count;
 }

@@ -9,8 +9,9 @@
 namespace mes {
 
 /// What it guarantees:
-///  1. An edge of the axis is a Voronoi edge whose two Voronoi vertices are inside. Edges of length exactly zero join
-///     faces of one node and are not edges of the graph.
+///  1. An edge of the axis is a Voronoi edge whose two Voronoi vertices are inside, unless its samples share a border:
+///     each region has an axis of its own. Edges of length exactly zero join faces of one node and are not edges of the
+///     graph.
 ///  2. A node is a distinct inner ball. Its degree counts the axis edges of positive length at it: 1 is a leaf, 3 and
 ///     more a branch point, 0 an isolated point such as the axis of a disk.
 ///
@@ -22,10 +23,11 @@ class MedialAxis final : public Structure {
  public:
   MedialAxis(Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls);
 
-  /// The dual of the Delaunay edge joins two inside faces (its length may be zero).
+  /// The dual of the Delaunay edge joins two inside faces of one region (its length may be zero).
   bool is_axis_edge(EdgeSlot edge) const {
     const EdgeRow& row = delaunay_.edge(edge);
-    return row.f[0] != kNoSlot && (labels_.is_inside(row.f[0]) & labels_.is_inside(row.f[1]));
+    return row.f[0] != kNoSlot &&
+           (labels_.is_inside(row.f[0]) & labels_.is_inside(row.f[1]) & !crust_.is_shared(edge));
   }
   bool is_zero_length(EdgeSlot edge) const { return crust_.is_cocircular(edge); }
   /// The face stands for a node of the axis.

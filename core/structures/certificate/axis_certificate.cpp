@@ -289,7 +289,7 @@ void AxisCertificate::find(std::vector<Finding>& out) const {
   }
   if (bad_sites_ != 0) {
     Finding& finding = out.emplace_back();
-    finding.text = "samples inside the shape or where its border meets itself";
+    finding.text = "samples inside the shape, on borders that regions share, or where its border meets itself";
     finding.count = static_cast<std::int64_t>(bad_sites_);
     for (const SiteSlot site : bad_site_.rows()) {
       if (finding.places.size() == kMostPlaces) break;

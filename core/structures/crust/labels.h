@@ -20,10 +20,10 @@
 namespace mes {
 
 /// What it guarantees:
-///  1. Faces at infinity are outside. Across an edge the label changes exactly if it is crust, except at conflict
-///     edges.
-///  2. There are conflict edges only if some sample has odd crust degree, and then those of a canonical rule that
-///     depends on the samples alone, never on history: the edges of open strokes (internal/open_strokes.h) and the
+///  1. Faces at infinity are outside. Across an edge the label changes exactly if it is a wall, except at conflict edges.
+///     Walls are the crust edges, but for borders that regions share (one_step_crust.h).
+///  2. There are conflict edges only if some sample has an odd number of walls, and then those of a canonical rule that
+///     depends on the samples and the borders alone, never on history: the edges of open strokes (internal/open_strokes.h) and the
 ///     join of the other odd samples in the minimum spanning tree in the order of certainty
 ///     (internal/certainty_order.h, internal/conflict_join.h).
 ///  3. An edit changes labels only of faces it made, unless conflicts moved or a gap opened or closed.
@@ -69,15 +69,15 @@ class Labels final : public Structure {
   static constexpr std::uint8_t kIsListed = 2;
 
   // The next four are about edge `i` of a face, opposite its corner `i`.
-  bool is_crust(FaceSlot face, int i) const {
-    return ((static_cast<unsigned>(crust_.crust_bits_of_face(face)) >> static_cast<unsigned>(i)) & 1U) != 0;
+  bool is_wall(FaceSlot face, int i) const {
+    return ((static_cast<unsigned>(crust_.wall_bits_of_face(face)) >> static_cast<unsigned>(i)) & 1U) != 0;
   }
   /// The label must change across it.
   bool is_border(FaceSlot face, int i) const {
-    if (is_idle_) return is_crust(face, i);
+    if (is_idle_) return is_wall(face, i);
     const EdgeSlot edge = delaunay_.face(face).e[i];
     if (edge == kNoSlot) return false;
-    return is_crust(face, i) != (tree_ ? strokes_.has_edge(edge) : is_conflict(edge));
+    return is_wall(face, i) != (tree_ ? strokes_.has_edge(edge) : is_conflict(edge));
   }
   /// Labels follow from one face to the other.
   bool is_passage(FaceSlot face, int i) const {

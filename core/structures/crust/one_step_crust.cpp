@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <utility>
 
 #include "core/base/parallel.h"
 #include "core/base/prefetch.h"
@@ -10,6 +11,9 @@
 namespace mes {
 
 OneStepCrust::OneStepCrust(Delaunay& delaunay) : Structure("one-step-crust", {&delaunay}), delaunay_(delaunay) {}
+
+OneStepCrust::OneStepCrust(Delaunay& delaunay, SharedBorders& borders)
+    : Structure("one-step-crust", {&delaunay, &borders}), delaunay_(delaunay), borders_(&borders) {}
 
 EdgeCorners OneStepCrust::corners(EdgeSlot edge) const {
   const EdgeRow& row = delaunay_.edge(edge);
@@ -28,32 +32,56 @@ EdgeCorners OneStepCrust::corners(EdgeSlot edge) const {
   return corners;
 }
 
+// Samples at one place are one site: any two of them may share the border.
+bool OneStepCrust::is_on_shared_border(EdgeSlot edge) const {
+  const EdgeRow& row = delaunay_.edge(edge);
+  for (SampleSlot a = delaunay_.site_sample(row.v[0]); a != kNoSlot; a = delaunay_.next_duplicate(a))
+    for (SampleSlot b = delaunay_.site_sample(row.v[1]); b != kNoSlot; b = delaunay_.next_duplicate(b))
+      if (borders_->is_between(a, b)) return true;
+  return false;
+}
+
 std::uint8_t OneStepCrust::flags_for(EdgeSlot edge, FilterCounts& counts) const {
-  if (delaunay_.edge(edge).f[0] == kNoSlot) return kCrust;
+  const unsigned shared = has_borders() && is_on_shared_border(edge) ? kShared : 0U;
+  if (delaunay_.edge(edge).f[0] == kNoSlot) return static_cast<std::uint8_t>(kCrust | shared);
   const EdgeClass result = classify_edge(corners(edge), counts);
-  return static_cast<std::uint8_t>((result.is_crust ? kCrust : 0U) | (result.is_cocircular ? kCocircular : 0U));
+  return static_cast<std::uint8_t>((result.is_crust ? kCrust : 0U) | (result.is_cocircular ? kCocircular : 0U) |
+                                   shared);
+}
+
+// Where samples have changed places with each other, sites and edges are what they were, but their samples are others.
+bool OneStepCrust::shares_what_it_should() const {
+  bool out = true;
+  for (const SampleSlot sample : borders_->samples().changes().touched)
+    delaunay_.for_each_edge_at(delaunay_.site_of_sample(sample), [&](EdgeSlot edge, SiteSlot, FaceSlot) {
+      out = out && is_shared(edge) == is_on_shared_border(edge);
+    });
+  return out;
 }
 
 void OneStepCrust::classify(EdgeSlot edge) {
   flags_[edge] = flags_for(edge, counts_);
   for (const FaceSlot face : delaunay_.edge(edge).f) {
     const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(delaunay_.face(face).index_of_edge(edge)));
-    face_bits_[face] = static_cast<std::uint8_t>(is_crust(edge) ? face_bits_[face] | bit : face_bits_[face] & ~bit);
+    face_bits_[face] = static_cast<std::uint8_t>(is_wall(edge) ? face_bits_[face] | bit : face_bits_[face] & ~bit);
   }
 }
 
-void OneStepCrust::add_to_degree(SiteSlot site, int change) {
+void OneStepCrust::add_to_degrees(SiteSlot site, int crust, int shared) {
   odd_count_ -= is_odd(site) ? 1U : 0U;
-  degree_[site] = static_cast<std::uint8_t>(degree_[site] + change);
+  degree_[site] = static_cast<std::uint8_t>(degree_[site] + crust);
+  if (shared != 0) shared_degree_[site] = static_cast<std::uint8_t>(shared_degree_[site] + shared);
   odd_count_ += is_odd(site) ? 1U : 0U;
 }
 
 void OneStepCrust::rebuild(JobControl& job) {
   clear_changes();
+  had_duplicates_ = has_duplicates();
   counts_ = {};
   flags_.assign(delaunay_.edge_rows(), 0);
   face_bits_.assign(delaunay_.face_rows(), 0);
   degree_.assign(delaunay_.site_rows(), 0);
+  shared_degree_.assign(has_borders() ? delaunay_.site_rows() : 0, 0);
   struct Tally {
     FilterCounts filter;
     std::size_t cocircular = 0;
@@ -74,6 +102,10 @@ void OneStepCrust::rebuild(JobControl& job) {
       own.cocircular += is_cocircular(edge) ? 1U : 0U;
       if (!is_crust(edge)) continue;
       for (const SiteSlot site : row.v) add(degree_[site], 1);
+      if (is_shared(edge)) {
+        for (const SiteSlot site : row.v) add(shared_degree_[site], 1);
+        continue;
+      }
       for (const FaceSlot face : row.f)
         if (face != kNoSlot)
           add(face_bits_[face], 1U << static_cast<unsigned>(delaunay_.face(face).index_of_edge(edge)));
@@ -90,20 +122,25 @@ void OneStepCrust::rebuild(JobControl& job) {
 }
 
 bool OneStepCrust::update(JobControl&) {
+  // A sample that joins others at their place, or leaves them, may change what edges share that are not touched.
+  const bool had_duplicates = std::exchange(had_duplicates_, has_duplicates());
+  if (borders_ != nullptr && borders_->has_changed()) return false;
+  if (has_borders() && (had_duplicates || had_duplicates_)) return false;
   flags_.resize(delaunay_.edge_rows());
   face_bits_.resize(delaunay_.face_rows());
   degree_.resize(delaunay_.site_rows());
+  if (has_borders()) shared_degree_.resize(delaunay_.site_rows());
   degrees_before_.clear();
   degree_marks_.begin(delaunay_.site_rows());
-  const auto change_degree = [this](SiteSlot site, int change) {
-    if (degree_marks_.insert(site)) degrees_before_.push_back({site, degree_[site]});
-    add_to_degree(site, change);
+  const auto change_degrees = [this](SiteSlot site, int crust, int shared) {
+    if (degree_marks_.insert(site))
+      degrees_before_.push_back({site, degree_[site], static_cast<std::uint8_t>(wall_degree(site))});
+    add_to_degrees(site, crust, shared);
   };
   const auto forget = [&](EdgeSlot edge, const EdgeRow& before) {
     cocircular_count_ -= is_cocircular(edge) ? 1U : 0U;
     if (!is_crust(edge)) return;
-    change_degree(before.v[0], -1);
-    change_degree(before.v[1], -1);
+    for (const SiteSlot site : before.v) change_degrees(site, -1, is_shared(edge) ? -1 : 0);
   };
   const ChangeSet<EdgeSlot>& edges = delaunay_.edge_changes();
   for (const EdgeSlot edge : edges.touched) {
@@ -125,22 +162,24 @@ bool OneStepCrust::update(JobControl&) {
     const EdgeRow& before = delaunay_.touched_edges_before()[i];
     const EdgeRow& now = delaunay_.edge(edge);
     const bool was_crust = is_crust(edge);
+    const bool was_shared = was_crust && is_shared(edge);
     const bool same_ends = before.v[0] == now.v[0] && before.v[1] == now.v[1];
     if (!same_ends) forget(edge, before);
     if (same_ends) cocircular_count_ -= is_cocircular(edge) ? 1U : 0U;
     classify(edge);
     cocircular_count_ += is_cocircular(edge) ? 1U : 0U;
-    const int change = (is_crust(edge) ? 1 : 0) - (same_ends && was_crust ? 1 : 0);
-    if (change == 0) continue;
-    change_degree(now.v[0], change);
-    change_degree(now.v[1], change);
+    const int crust = (is_crust(edge) ? 1 : 0) - (same_ends && was_crust ? 1 : 0);
+    const int shared = (is_crust(edge) && is_shared(edge) ? 1 : 0) - (same_ends && was_shared ? 1 : 0);
+    if (crust == 0 && shared == 0) continue;
+    for (const SiteSlot site : now.v) change_degrees(site, crust, shared);
   }
+  if (has_borders() && !shares_what_it_should()) return false;
   site_recorder_.begin(delaunay_.site_rows());
   degree_changes_.clear();
   for (const SiteSlot site : delaunay_.site_changes().removed) site_recorder_.note(site, true);
   for (const SiteSlot site : delaunay_.site_changes().touched) site_recorder_.note(site, true);
-  for (const auto& [site, before] : degrees_before_) {
-    if (degree_[site] == before) continue;
+  for (const auto& [site, degree, wall_degree_before] : degrees_before_) {
+    if (degree_[site] == degree && wall_degree(site) == wall_degree_before) continue;
     site_recorder_.note(site, true);
     if (delaunay_.is_site(site)) degree_changes_.push_back(site);
   }
@@ -156,22 +195,27 @@ StatList OneStepCrust::statistics() const {
   std::int64_t crust = 0;
   std::int64_t skeleton = 0;
   std::int64_t cocircular = 0;
+  std::int64_t shared = 0;
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
     if (!delaunay_.edge(edge).is_alive()) continue;
     (is_crust(edge) ? crust : skeleton) += 1;
     cocircular += is_cocircular(edge) ? 1 : 0;
+    shared += is_shared(edge) ? 1 : 0;
   }
   std::vector<std::int64_t> histogram(4, 0);
   for (const SiteSlot site : delaunay_.site_slots())
     if (delaunay_.is_site(site)) ++histogram[static_cast<std::size_t>(std::min(degree(site), 3))];
-  return {{"crust_edges", crust},
-          {"skeleton_edges", skeleton},
-          {"cocircular_edges", cocircular},
-          {"odd_samples", static_cast<std::int64_t>(odd_count_)},
-          {"degree", histogram},
-          {"decided_by_static_filter", static_cast<std::int64_t>(counts_.static_filter)},
-          {"decided_by_intervals", static_cast<std::int64_t>(counts_.interval)},
-          {"decided_exactly", static_cast<std::int64_t>(counts_.exact)}};
+  StatList out{{"crust_edges", crust},
+               {"skeleton_edges", skeleton},
+               {"cocircular_edges", cocircular},
+               {"odd_samples", static_cast<std::int64_t>(odd_count_)},
+               {"degree", histogram},
+               {"decided_by_static_filter", static_cast<std::int64_t>(counts_.static_filter)},
+               {"decided_by_intervals", static_cast<std::int64_t>(counts_.interval)},
+               {"decided_exactly", static_cast<std::int64_t>(counts_.exact)}};
+  // Where no curve is shared, there is nothing to say of it.
+  if (has_borders()) out.push_back({"shared_edges", shared});
+  return out;
 }
 
 void OneStepCrust::find(std::vector<Finding>& out) const {

@@ -10,6 +10,7 @@
 #include "core/graph/structure.h"
 #include "core/kernel/edge_predicates.h"
 #include "core/structures/delaunay/delaunay.h"
+#include "core/structures/inputs/shared_borders.h"
 
 namespace mes {
 
@@ -19,21 +20,32 @@ namespace mes {
 ///     included.
 ///  2. The decision is exact for the given doubles and does not depend on how cocircular sites were triangulated.
 ///  3. Collinear sites: every edge is crust.
+///  4. An edge between two samples that share a border (core/structures/inputs/shared_borders.h) is *shared*, whatever
+///     its angles. A *wall* is a crust edge that is not shared: labels change across walls.
 ///
 /// Rows are those of the Delaunay edges and sites. Cost: 3n exact-sign tests, some 10 ns each; updates cost the
 /// changed edges only. Source: Gold and Snoeyink, "A one-step crust and skeleton extraction algorithm", 2001.
 class OneStepCrust final : public Structure {
  public:
+  /// Of samples without contours: nothing is shared.
   explicit OneStepCrust(Delaunay& delaunay);
+  OneStepCrust(Delaunay& delaunay, SharedBorders& borders);
 
   bool is_crust(EdgeSlot edge) const { return (flags_[edge] & kCrust) != 0; }
+  bool is_shared(EdgeSlot edge) const { return (flags_[edge] & kShared) != 0; }
+  bool is_wall(EdgeSlot edge) const { return (flags_[edge] & (kCrust | kShared)) == kCrust; }
   /// The dual Voronoi edge has length exactly zero.
   bool is_cocircular(EdgeSlot edge) const { return (flags_[edge] & kCocircular) != 0; }
-  /// Bit i: the face's edge i is crust. Edges to infinity never are.
-  std::uint8_t crust_bits_of_face(FaceSlot face) const { return face_bits_[face]; }
+  /// Bit i: the face's edge i is a wall. Edges to infinity never are.
+  std::uint8_t wall_bits_of_face(FaceSlot face) const { return face_bits_[face]; }
   /// Number of crust edges at a site.
   int degree(SiteSlot site) const { return degree_[site]; }
-  bool is_odd(SiteSlot site) const { return (degree_[site] & 1U) != 0; }
+  /// Number of walls at a site.
+  int wall_degree(SiteSlot site) const {
+    return degree_[site] - (shared_degree_.empty() ? 0 : static_cast<int>(shared_degree_[site]));
+  }
+  /// It has an odd number of walls.
+  bool is_odd(SiteSlot site) const { return (wall_degree(site) & 1) != 0; }
   std::size_t odd_count() const { return odd_count_; }
   std::size_t cocircular_count() const { return cocircular_count_; }
   /// Corners for the predicates, in the orientation of the edge's row.
@@ -41,7 +53,7 @@ class OneStepCrust final : public Structure {
   /// cos(alpha + beta), in [-1, 1]; 1 for collinear sites.
   double confidence(EdgeSlot edge) const;
 
-  /// Live sites whose degree differs from before.
+  /// Live sites whose degree, or number of walls, differs from before.
   const std::vector<SiteSlot>& degree_changes() const { return degree_changes_; }
   /// Sites that changed themselves or have a new degree.
   const ChangeSet<SiteSlot>& site_changes() const { return site_changes_; }
@@ -61,16 +73,25 @@ class OneStepCrust final : public Structure {
  private:
   static constexpr std::uint8_t kCrust = 1;
   static constexpr std::uint8_t kCocircular = 2;
+  static constexpr std::uint8_t kShared = 4;
 
   std::uint8_t flags_for(EdgeSlot edge, FilterCounts& counts) const;
   void classify(EdgeSlot edge);
-  void add_to_degree(SiteSlot site, int change);
+  bool has_borders() const { return borders_ != nullptr && !borders_->is_empty(); }
+  bool has_duplicates() const { return borders_ != nullptr && delaunay_.site_count() != borders_->samples().count(); }
+  bool is_on_shared_border(EdgeSlot edge) const;
+  bool shares_what_it_should() const;
+  /// Crust edges that come, and those of them that are shared.
+  void add_to_degrees(SiteSlot site, int crust, int shared);
 
   Delaunay& delaunay_;
+  SharedBorders* borders_ = nullptr;
   Table<EdgeSlot, std::uint8_t> flags_;
   Table<FaceSlot, std::uint8_t> face_bits_;
   Table<SiteSlot, std::uint8_t> degree_;
+  Table<SiteSlot, std::uint8_t> shared_degree_;  ///< of the crust edges, those that are shared; empty: none is
   std::size_t odd_count_ = 0;
+  bool had_duplicates_ = false;  ///< several samples at one place, when last asked
   std::size_t cocircular_count_ = 0;
   FilterCounts counts_;
   ChangeRecorder<SiteSlot> site_recorder_;
@@ -79,6 +100,7 @@ class OneStepCrust final : public Structure {
   struct DegreeBefore {
     SiteSlot site;
     std::uint8_t degree;
+    std::uint8_t wall_degree;
   };
   std::vector<DegreeBefore> degrees_before_;
   SlotMarks<SiteSlot> degree_marks_;

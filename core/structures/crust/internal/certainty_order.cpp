@@ -37,7 +37,7 @@ double CertaintyOrder::square(EdgeSlot edge) const {
 double CertaintyOrder::find_longest_at(SiteSlot site) const {
   double longest = 0.0;
   delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot, FaceSlot) {
-    if (crust_.is_crust(edge)) longest = std::max(longest, square(edge));
+    if (crust_.is_wall(edge)) longest = std::max(longest, square(edge));
   });
   return longest;
 }
@@ -54,7 +54,7 @@ void CertaintyOrder::find_all_longest() {
   longest_.assign(delaunay_.site_rows(), 0.0);
   parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end)) {
-      if (!delaunay_.edge(edge).is_alive() || !crust_.is_crust(edge)) continue;
+      if (!delaunay_.edge(edge).is_alive() || !crust_.is_wall(edge)) continue;
       const double length = square(edge);
       for (const SiteSlot site : delaunay_.edge(edge).v) {
         const std::atomic_ref longest(longest_[site]);
@@ -67,14 +67,14 @@ void CertaintyOrder::find_all_longest() {
 }
 
 bool CertaintyOrder::is_long(EdgeSlot edge) const {
-  if (crust_.is_crust(edge)) return false;
+  if (crust_.is_wall(edge)) return false;
   const SiteSlot* end = delaunay_.edge(edge).v;
   const int order = compare_rounded(square(edge), kLong, std::max(longest_at(end[0]), longest_at(end[1])));
   if (order != 0) return order > 0;
   bool is_longer_than_all = true;
   for (const SiteSlot site : {end[0], end[1]})
     delaunay_.for_each_edge_at(site, [&](EdgeSlot other, SiteSlot far, FaceSlot) {
-      if (!crust_.is_crust(other) || !is_longer_than_all) return;
+      if (!crust_.is_wall(other) || !is_longer_than_all) return;
       is_longer_than_all = is_longer(delaunay_.site_position(end[0]), delaunay_.site_position(end[1]), kLong,
                                      delaunay_.site_position(site), delaunay_.site_position(far));
     });
@@ -96,7 +96,7 @@ void CertaintyOrder::update(const std::vector<SiteSlot>& touched) {
     }
     const double now = longest_[site] = find_longest_at(site);
     delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
-      if (crust_.is_crust(edge) || longest_[other] == kUnknown) return;
+      if (crust_.is_wall(edge) || longest_[other] == kUnknown) return;
       const double length = square(edge);
       const int order = compare_rounded(length, kLong, std::max(now, longest_[other]));
       if (order == 0 || order != compare_rounded(length, kLong, std::max(before, longest_[other])))
@@ -197,8 +197,8 @@ bool CertaintyOrder::mends(EdgeSlot edge) const {
   // Which diagonals cocircular sites have is chance, and their triangles are one ball: never between different
   // labels.
   if (crust_.is_cocircular(edge)) return false;
-  if (crust_.is_crust(edge)) return crust_.degree(end[0]) >= 3 && crust_.degree(end[1]) >= 3;
-  return crust_.degree(end[0]) == 1 && crust_.degree(end[1]) == 1 && !is_long(edge);
+  if (crust_.is_wall(edge)) return crust_.wall_degree(end[0]) >= 3 && crust_.wall_degree(end[1]) >= 3;
+  return crust_.wall_degree(end[0]) == 1 && crust_.wall_degree(end[1]) == 1 && !is_long(edge);
 }
 
 bool CertaintyOrder::is_surer_by_exact_test(const Rank& a, const Rank& b) const {

@@ -15,14 +15,14 @@ namespace mes {
 bool OpenStrokes::repairs(EdgeSlot edge) const {
   if (order_.mends(edge)) return true;
   const SiteSlot* end = delaunay_.edge(edge).v;
-  return crust_.is_crust(edge) && crust_.is_odd(end[0]) && crust_.is_odd(end[1]) &&
-         (crust_.degree(end[0]) == 1 || crust_.degree(end[1]) == 1);
+  return crust_.is_wall(edge) && crust_.is_odd(end[0]) && crust_.is_odd(end[1]) &&
+         (crust_.wall_degree(end[0]) == 1 || crust_.wall_degree(end[1]) == 1);
 }
 
 void OpenStrokes::set_match(SiteSlot site, const Match& match) {
   if (noted_.insert(site)) matches_before_.push_back({site, match_[site]});
   match_[site] = match;
-  degree_change_[site] = match.partner == kNoSlot ? 0 : (crust_.is_crust(match.edge) ? -1 : 1);
+  degree_change_[site] = match.partner == kNoSlot ? 0 : (crust_.is_wall(match.edge) ? -1 : 1);
 }
 
 // The site and its partner, if any, are free again, and look for others.
@@ -62,7 +62,7 @@ void OpenStrokes::match_all(JobControl& job) {
 }
 
 bool OpenStrokes::is_on_curve(EdgeSlot edge) const {
-  return crust_.is_crust(edge) != (match_[delaunay_.edge(edge).v[0]].edge == edge);
+  return crust_.is_wall(edge) != (match_[delaunay_.edge(edge).v[0]].edge == edge);
 }
 
 void OpenStrokes::watch(ChainSlot chain, SiteSlot site) {
@@ -312,7 +312,7 @@ void OpenStrokes::match_in_order(JobControl& job) {
     if (match_[end[0]].partner != kNoSlot || match_[end[1]].partner != kNoSlot) continue;
     match_[end[0]] = {edge, end[1]};
     match_[end[1]] = {edge, end[0]};
-    degree_change_[end[0]] = degree_change_[end[1]] = static_cast<std::int8_t>(crust_.is_crust(edge) ? -1 : 1);
+    degree_change_[end[0]] = degree_change_[end[1]] = static_cast<std::int8_t>(crust_.is_wall(edge) ? -1 : 1);
   }
 }
 

@@ -107,7 +107,7 @@ class OpenStrokes {
   void match_all(JobControl& job);
   void match_in_order(JobControl& job);
   bool is_on_curve(EdgeSlot edge) const;
-  int curve_degree(SiteSlot site) const { return crust_.degree(site) + degree_change_[site]; }
+  int curve_degree(SiteSlot site) const { return crust_.wall_degree(site) + degree_change_[site]; }
 
   void watch(ChainSlot chain, SiteSlot site);
   void forget(ChainSlot chain);

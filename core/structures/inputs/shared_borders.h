@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Where contours of the document tell two regions apart: links that closed contours have in common.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "core/base/table.h"
+#include "core/graph/structure.h"
+#include "core/structures/inputs/samples.h"
+
+namespace mes {
+
+/// Two samples share a border if closed contours link them an even number of times, twice or more: neighbouring parcels
+/// have their common side in two contours. By the even-odd rule such a side separates nothing from the outside; inside
+/// is on both sides of it, or on neither.
+///
+/// What it guarantees:
+///  1. Links pass over samples that are not alive, as those of `Contours` do.
+///  2. The table depends on the contours and on which samples are alive, never on history or on positions.
+///  3. Nothing is kept where no sample lies on contours twice, which is the usual case.
+///
+/// Cost: O(places on contours) to rebuild, and again when a sample on a contour comes or goes while borders are shared;
+/// otherwise an update is O(changed samples). A question is O(log borders).
+class SharedBorders final : public Structure {
+ public:
+  explicit SharedBorders(Samples& samples);
+
+  bool is_empty() const { return borders_.empty(); }
+  std::size_t size() const { return borders_.size(); }
+  bool is_between(SampleSlot a, SampleSlot b) const;
+  const Samples& samples() const { return samples_; }
+  /// The table differs from before the last run.
+  bool has_changed() const { return has_changed_; }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override { has_changed_ = false; }
+  std::size_t touched() const override { return has_changed_ ? 1 : 0; }
+  StatList statistics() const override;
+
+ private:
+  using Link = std::pair<SampleSlot, SampleSlot>;  // the lower row first
+
+  void find_repeated_samples();
+  void find_borders(JobControl& job);
+
+  Samples& samples_;
+  std::shared_ptr<const CurveOrder> order_;
+  std::vector<bool> is_repeated_;  // by id, from `first_id_` on; empty: no sample lies on closed contours twice
+  std::uint32_t first_id_ = 0;
+  Table<SampleSlot, SampleId> known_;  // the samples that were alive; empty where none is repeated
+  std::vector<Link> borders_;          // sorted
+  bool has_changed_ = false;
+};
+
+}  // namespace mes
