@@ -33,6 +33,9 @@ void add_reading(CLI::App& command, ReadingOptions& reading) {
                    "Of a map (" + ids_of(map_formats()) +
                        "): longitude and latitude stay as they are, in\n"
                        "degrees; default: they are projected to kilometres about the middle of the map");
+  command.add_flag("--vertices", reading.keeps_vertices,
+                   "Of drawings, maps and meshes: samples are the vertices alone; default: long sides have samples\n"
+                   "between them");
 }
 
 void add_format(CLI::App& command, std::string& from) {

@@ -37,6 +37,7 @@ Expected<ReadRequest> understand(const ReadingOptions& options) {
   if (!options.figure.empty() && out.figure == FigureSide::found)
     return usage_error("--figure-side expects dark or light, not " + in_quotes(options.figure));
   if (options.keeps_degrees) request.degrees = MapDegrees::kept;
+  request.keeps_vertices = options.keeps_vertices;
   return request;
 }
 

@@ -16,12 +16,13 @@
 
 namespace mes::cli {
 
-/// What of a picture is traced, empty: what is found out; and what becomes of the degrees of a map.
+/// What of a picture is traced, empty: what is found out; what becomes of the degrees of a map; how curves are sampled.
 struct ReadingOptions {
   std::string threshold;
   std::string specks;
-  std::string figure;          ///< "dark" or "light"
-  bool keeps_degrees = false;  ///< longitude and latitude are not projected
+  std::string figure;           ///< "dark" or "light"
+  bool keeps_degrees = false;   ///< longitude and latitude are not projected
+  bool keeps_vertices = false;  ///< curves are sampled at their vertices alone
 };
 
 /// Common to everything that reads samples and computes.

@@ -1,16 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/io/curve_samples.h"
 
+#include <fmt/core.h>
+#include <algorithm>
 #include <memory>
 #include <utility>
 
+#include "core/curves/cuts.h"
+#include "core/curves/line_regions.h"
+#include "core/curves/resolution.h"
 #include "core/document/taken_samples.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
 
-Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& request, const std::string& name,
+Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& wanted, const std::string& name,
                                   ReadJob& job) {
+  const SamplingRequest request = job.keeps_vertices() ? SamplingRequest{.rule = SamplingRule::vertices} : wanted;
+  if (curves.resolution == 0.0) {
+    double coarsest = 1.0;
+    for (const PlaneCurve& curve : curves.curves)
+      if (coarsest > 0.0) coarsest = std::min(coarsest, resolution_of(curve.points()));
+    curves.resolution = coarsest;
+  }
+  curves.curves = without_cuts(
+      std::move(curves.curves), curves.resolution, [](Vec2) { return false; }, job.control());
+  curves.curves = with_line_regions(std::move(curves.curves), curves.resolution, job.control());
   auto samples = sample(curves, request, {}, job.control());
   if (!samples) return bad_input(samples.error().text, name, 1, 1);
   if (samples->positions.empty()) return bad_input("there is nothing in it to take samples of", name, 1, 1);
@@ -18,6 +33,21 @@ Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& reques
   if (!data) return bad_input(data.error().text, name, 1, 1);
   LoadedFile file;
   file.data = *std::move(data);
+  return file;
+}
+
+Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, ReadJob& job) {
+  const SamplingRequest request = default_sampling(curves);
+  std::size_t vertices = curves.points.size();
+  for (const PlaneCurve& curve : curves.curves) vertices += curve.piece_count() + (curve.is_closed() ? 0 : 1);
+  auto file = load_samples(std::move(curves), request, name, job);
+  if (!file || job.keeps_vertices() || request.rule != SamplingRule::refined) return file;
+  const std::size_t samples = file->data.positions.size();
+  if (samples <= vertices) return file;
+  file->warnings.push_back(
+      Error{ErrorCode::bad_input,
+            fmt::format("the {} vertices are far apart: {} samples lie at and between them", vertices, samples), name}
+          .message());
   return file;
 }
 

@@ -11,10 +11,13 @@
 
 namespace mes {
 
-/// The samples of the curves, each with its chain as a contour. Coordinates that are nothing but rounding beside the
+/// The samples of the curves, without cuts (core/curves/cuts.h) and with the regions that lines enclose
+/// (core/curves/line_regions.h), each with its chain as a contour. Coordinates that are nothing but rounding beside the
 /// largest become zero. The curves stay with the data. Error: `bad_input` where there is nothing to sample or too much, or a coordinate out of range.
-/// Throws `Cancelled`.
-Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& request, const std::string& name,
+/// Throws `Cancelled`. Where the job keeps vertices, these are the samples, whatever is wanted.
+Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& wanted, const std::string& name,
                                   ReadJob& job);
+/// By `default_sampling`. A warning says how many samples were added between vertices, if any.
+Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, ReadJob& job);
 
 }  // namespace mes

@@ -130,7 +130,7 @@ Expected<LoadedFile> read_as(const Format& format, std::string_view bytes, const
 Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name, std::string_view wanted,
                                 const ReadRequest& request, const fs::path* path, JobControl* control) {
   try {
-    ReadJob job(control, path != nullptr ? kFileShare : 0.0);
+    ReadJob job(control, path != nullptr ? kFileShare : 0.0, request.keeps_vertices);
     if (wanted.empty() && may_carry_session(bytes)) {
       const auto text = carried_session(bytes, name);
       if (!text) return std::unexpected(text.error());

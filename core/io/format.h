@@ -26,6 +26,8 @@ struct Session;
 struct ReadRequest {
   TraceRequest trace{};  ///< of pictures; a request that is not the default fits no other format
   MapDegrees degrees = MapDegrees::projected;  ///< of maps; of no effect on other formats
+  /// Curves have their vertices as samples, and nothing between; otherwise they are sampled by `default_sampling`.
+  bool keeps_vertices = false;
 };
 
 /// What a file held.

@@ -123,17 +123,20 @@ json to_json(const CurveSet& curves) {
   for (const PlaneCurve& curve : curves.curves) list.push_back(to_json(curve));
   json out = {{"curves", std::move(list)}};
   if (!curves.points.empty()) out["points"] = flat(curves.points);
+  if (curves.resolution > 0.0) out["resolution"] = curves.resolution;
   return out;
 }
 
 Expected<CurveSet> curves_from(JsonView object) {
   if (!object.is_object()) return bad("not an object");
-  const auto [curves, points] = object.pick<2>({"curves", "points"});
+  const auto [curves, points, resolution] = object.pick<3>({"curves", "points", "resolution"});
   if (curves && !curves.is_list()) return bad("\"curves\" is not a list");
   CurveSet out;
   auto alone = points_of(points);
   if (!alone) return std::unexpected(alone.error());
   out.points = *std::move(alone);
+  constexpr double kLargest = 1e300;
+  if (resolution.is_number()) out.resolution = std::clamp(resolution.number(), 0.0, kLargest) + 0.0;
   out.curves.reserve(curves.size());
   for (const JsonView element : curves.elements()) {
     auto curve = curve_from(element);

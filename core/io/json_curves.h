@@ -11,7 +11,7 @@
 
 namespace mes {
 
-/// {"curves": [{"closed", "points", ...}], "points": [...]}. A curve that consists of lines says no more; others have
+/// {"curves": [{"closed", "points", ...}], "points": [...], "resolution"}. A curve that consists of lines says no more; others have
 /// "kinds", a letter for each piece as SVG has them (L, Q, C, A), and "arcs", eight numbers each.
 nlohmann::json to_json(const CurveSet& curves);
 nlohmann::json to_json(const SamplingRequest& request);

@@ -10,6 +10,8 @@
 
 #include "core/base/box2.h"
 #include "core/curves/affine.h"
+#include "core/curves/cuts.h"
+#include "core/curves/resolution.h"
 #include "core/io/curve_samples.h"
 
 namespace mes {
@@ -108,6 +110,8 @@ CurveSet MapShapes::curves(const MapPlane& plane, ReadJob& job) {
   const Vec2 origin = plane.origin();
   const auto placed = [&](Vec2 p) { return Vec2{scale.x * (p.x - origin.x), scale.y * (p.y - origin.y)}; };
   CurveSet out;
+  out.resolution = resolution_of(positions_);
+  if (plane.degrees == MapDegrees::projected) out.resolution *= scale.y;
   std::size_t begin = 0;
   auto arc = arcs_.begin();
   for (const Part& part : parts_) {
@@ -149,10 +153,16 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegr
   std::optional<MapPlane> map;
   if (unit == Unit::degrees && is_on_earth())
     map = degrees == MapDegrees::projected ? project() : MapPlane{.degrees = MapDegrees::kept};
-  CurveSet set = curves(map.value_or(MapPlane{.degrees = MapDegrees::kept}), job);
-  const SamplingRequest request =
-      arcs_.empty() ? SamplingRequest{.rule = SamplingRule::vertices} : default_sampling(set);
-  auto file = load_samples(std::move(set), request, name, job);
+  const MapPlane plane = map.value_or(MapPlane{.degrees = MapDegrees::kept});
+  CurveSet set = curves(plane, job);
+  if (plane.degrees == MapDegrees::projected) {
+    // Polygons end there that go on beyond.
+    constexpr double kAntimeridian = 180.0;
+    const double x = plane.scale().x * (kAntimeridian - plane.origin().x);
+    set.curves = without_cuts(
+        std::move(set.curves), set.resolution, [x](Vec2 p) { return p.x == x; }, job.control());
+  }
+  auto file = load_samples(std::move(set), name, job);
   if (file && map) {
     file->data.map = map;
     file->degrees = degrees;

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,7 +19,8 @@
 
 namespace mes {
 
-/// Positions in the order of the file, and which of them follow each other. Samples are the positions themselves, and others along arcs.
+/// Positions in the order of the file, and which of them follow each other. Samples are the positions, and places
+/// between them where lines are long (`default_sampling`).
 ///
 /// Smallest use:
 ///     MapShapes shapes;
@@ -52,7 +54,7 @@ class MapShapes {
   /// Degrees for codes of EPSG that are longitude and latitude on WGS 84 or within about two metres of it.
   static Unit unit_of_epsg(std::uint64_t code);
   /// Degrees are projected to kilometres about the middle of the map, equirectangularly: true to scale there and along
-  /// meridians. A map across the 180th meridian stays in one piece. Degrees that are kept stay bit for bit, so such a
+  /// meridians. A map across the 180th meridian stays in one piece, and polygons cut there are put together. Degrees that are kept stay bit for bit, so such a
   /// map has pieces at both ends. A warning says which it was, and the data keep it (`SampleData::map`). Error: as `load_samples`, and
   /// `Cancelled` is thrown as there.
   Expected<LoadedFile> load(const std::string& name, Unit unit, MapDegrees degrees, ReadJob& job) &&;

@@ -23,7 +23,11 @@ namespace mes {
 class ReadJob {
  public:
   /// Without a control it never ends early. `done` is what share of the whole is behind it.
-  explicit ReadJob(JobControl* control = nullptr, double done = 0.0) : control_(control), done_(done) {}
+  explicit ReadJob(JobControl* control = nullptr, double done = 0.0, bool keeps_vertices = false)
+      : control_(control), done_(done), keeps_vertices_(keeps_vertices) {}
+
+  /// As `ReadRequest` has it.
+  bool keeps_vertices() const { return keeps_vertices_; }
 
   /// Goes through this text next, which is so large a share of what is left to read. Throws `Cancelled`.
   void begin(std::string_view text, double share = 1.0) {
@@ -65,6 +69,7 @@ class ReadJob {
   double from_ = 0.0;
   double to_ = 1.0;
   double done_;
+  bool keeps_vertices_;
 };
 
 }  // namespace mes

@@ -3,23 +3,51 @@
 
 #include <fmt/core.h>
 #include <algorithm>
-#include <array>
 #include <tuple>
 #include <utility>
 
-#include "core/base/disjoint_sets.h"
+#include "core/curves/joined_ends.h"
 #include "core/io/curve_samples.h"
 #include "core/io/flat_vertices.h"
 
 namespace mes {
 namespace {
 
-constexpr std::uint32_t kNone = 0xffffffff;
-
-/// The two segments at a vertex, by their numbers.
-using Ends = std::array<std::uint32_t, 2>;
-
-using VertexSlot = Slot<struct VertexTag>;
+/// Chains between vertices at each of which an even number of them ends, put together so that each result comes back to
+/// its start and meets no vertex between twice.
+std::vector<PlaneCurve> closed_chains(std::vector<PlaneCurve> chains) {
+  struct Before {
+    bool operator()(Vec2 a, Vec2 b) const { return a.x != b.x ? a.x < b.x : a.y < b.y; }
+  };
+  std::map<Vec2, std::vector<std::size_t>, Before> at;
+  for (std::size_t i = chains.size(); i-- > 0;)
+    for (const Vec2 end : {chains[i].start(), chains[i].end()}) at[end].push_back(i);
+  std::vector<bool> is_used(chains.size());
+  std::vector<PlaneCurve> out;
+  for (std::size_t first = 0; first < chains.size(); ++first) {
+    if (is_used[first]) continue;
+    std::vector<PlaneCurve> path;
+    std::map<Vec2, std::size_t, Before> met{{chains[first].start(), 0}};  // how many chains lead there
+    for (Vec2 place = chains[first].start();;) {
+      std::vector<std::size_t>& ways = at[place];
+      while (!ways.empty() && is_used[ways.back()]) ways.pop_back();
+      if (ways.empty()) break;
+      const std::size_t way = ways.back();
+      is_used[way] = true;
+      path.push_back(chains[way].start() == place ? chains[way] : reversed(chains[way]));
+      place = path.back().end();
+      const auto [found, is_new] = met.try_emplace(place, path.size());
+      if (is_new) continue;
+      PlaneCurve& ring = out.emplace_back(path[found->second]);
+      for (std::size_t i = found->second + 1; i < path.size(); ++i)
+        ring.lines_to(std::span(path[i].points()).subspan(1));
+      ring.close();
+      for (std::size_t i = found->second; i + 1 < path.size(); ++i) met.erase(path[i].end());
+      path.resize(found->second, PlaneCurve({}));
+    }
+  }
+  return out;
+}
 
 std::string counted(std::size_t count, std::string_view one, std::string_view many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
@@ -96,69 +124,66 @@ CurveSet VertexGraph::curves(std::vector<std::string>& remarks) && {
 
   const auto count = static_cast<std::uint32_t>(positions_.size());
   is_on_face_.resize(count);
-  std::vector<std::uint32_t> degree(count, 0);
-  std::vector<Ends> ends(count, Ends{kNone, kNone});
-  DisjointSets<VertexSlot> parts(count);
-  const auto part_of = [&parts](std::uint32_t v) { return parts.root(VertexSlot(v)); };
-  for (std::uint32_t i = 0; i < segments_.size(); ++i) {
-    const Segment& s = segments_[i];
-    parts.join(part_of(s.from), part_of(s.to));
-    for (const std::uint32_t v : {s.from, s.to}) {
-      if (degree[v] < 2) ends[v][degree[v]] = i;
-      ++degree[v];
-    }
+  // Of each vertex, its segments in the order of the file.
+  std::vector<std::uint32_t> begin(count + std::size_t{1}, 0);
+  for (const Segment& s : segments_)
+    for (const std::uint32_t v : {s.from, s.to}) ++begin[v + std::size_t{1}];
+  for (std::size_t v = 0; v < count; ++v) begin[v + 1] += begin[v];
+  std::vector<std::uint32_t> at(2 * segments_.size());
+  {
+    std::vector<std::uint32_t> filled(begin.begin(), begin.end() - 1);
+    for (std::uint32_t i = 0; i < segments_.size(); ++i)
+      for (const std::uint32_t v : {segments_[i].from, segments_[i].to}) at[filled[v]++] = i;
   }
-  std::vector<bool> is_tangled(count);  // by the root of its part
+  const auto degree = [&](std::uint32_t v) { return begin[v + std::size_t{1}] - begin[v]; };
   std::size_t junctions = 0;
-  for (std::uint32_t v = 0; v < count; ++v) {
-    if (degree[v] <= 2) continue;
-    is_tangled[part_of(v).index()] = true;
-    ++junctions;
-  }
+  for (std::uint32_t v = 0; v < count; ++v) junctions += degree(v) > 2 ? 1U : 0U;
 
   CurveSet out;
-  std::size_t tangled = 0;
   std::size_t inside = 0;
-  std::vector<bool> is_done(count);
-  const auto follow = [&](std::uint32_t start) {
+  std::vector<bool> is_done(segments_.size());
+  // To the next vertex that is no simple one, or around to the start.
+  const auto follow = [&](std::uint32_t start, std::uint32_t segment) {
     PlaneCurve& curve = out.curves.emplace_back(positions_[start]);
-    is_done[start] = true;
-    std::uint32_t segment = ends[start][0];
-    // In the direction of the file, where both ways are open.
-    if (degree[start] == 2 && segments_[segment].from != start) segment = ends[start][1];
-    for (std::uint32_t at = start;;) {
-      const std::uint32_t next = segments_[segment].from == at ? segments_[segment].to : segments_[segment].from;
-      if (next == start) return curve.close();
-      curve.line_to(positions_[next]);
-      is_done[next] = true;
-      if (degree[next] == 1) return;
-      segment = ends[next][0] == segment ? ends[next][1] : ends[next][0];
-      at = next;
+    for (std::uint32_t v = start;;) {
+      is_done[segment] = true;
+      v = segments_[segment].from == v ? segments_[segment].to : segments_[segment].from;
+      if (v == start && degree(v) == 2) return curve.close();
+      curve.line_to(positions_[v]);
+      if (degree(v) != 2) return;
+      segment = at[begin[v]] == segment ? at[begin[v] + 1] : at[begin[v]];
     }
-  };
-  const auto can_begin = [&](std::uint32_t v) {
-    return degree[v] != 0 && !is_done[v] && !is_tangled[part_of(v).index()];
   };
   // Open ones from their ends, in the direction of the file where it has one; what is left then are circles.
-  for (std::uint32_t v = 0; v < count; ++v)
-    if (degree[v] == 1 && can_begin(v) && segments_[ends[v][0]].from == v) follow(v);
-  for (const std::uint32_t wanted : {1U, 2U})
-    for (std::uint32_t v = 0; v < count; ++v)
-      if (degree[v] == wanted && can_begin(v)) follow(v);
-  for (std::uint32_t v = 0; v < count; ++v) {
-    if (is_done[v]) continue;
-    if (degree[v] == 0 && has_outlines && is_on_face_[v]) {
-      ++inside;
-      continue;
+  const auto follow_all = [&](auto can_begin, bool along_file) {
+    for (std::uint32_t v = 0; v < count; ++v) {
+      if (!can_begin(v)) continue;
+      for (std::uint32_t k = begin[v]; k < begin[v + std::size_t{1}]; ++k)
+        if (!is_done[at[k]] && (!along_file || segments_[at[k]].from == v)) follow(v, at[k]);
     }
-    if (degree[v] != 0) ++tangled;
-    out.points.push_back(positions_[v]);
+  };
+  for (const bool along_file : {true, false}) {
+    follow_all([&](std::uint32_t v) { return degree(v) == 1; }, along_file);
+    follow_all([&](std::uint32_t v) { return degree(v) > 2; }, along_file);
+  }
+  // What encloses faces comes back to where it started. What was drawn as segments may have any ends.
+  if (own_segments == 0) out.curves = closed_chains(std::move(out.curves));
+  for (std::uint32_t v = 0; v < count; ++v) {
+    if (degree(v) != 2) continue;
+    const std::uint32_t first = at[begin[v]];
+    const std::uint32_t second = at[begin[v] + 1];
+    if (!is_done[first]) follow(v, segments_[first].from == v ? first : second);
+  }
+  for (std::uint32_t v = 0; v < count; ++v) {
+    if (degree(v) != 0) continue;
+    if (has_outlines && is_on_face_[v])
+      ++inside;
+    else
+      out.points.push_back(positions_[v]);
   }
   if (junctions != 0)
-    remarks.push_back(fmt::format(
-        "{}, so the {} of these parts have no order along a curve",
-        counted(junctions, "vertex has more than two segments", "vertices have more than two segments each"),
-        counted(tangled, "vertex", "vertices")));
+    remarks.push_back(counted(junctions, "vertex has more than two segments: curves meet there",
+                              "vertices have more than two segments each: curves meet there"));
   if (inside != 0)
     remarks.push_back(fmt::format("{} left out, for the outlines of the faces are read",
                                   counted(inside, "vertex inside faces is", "vertices inside faces are")));
@@ -169,7 +194,7 @@ Expected<LoadedFile> VertexGraph::load(const std::string& name, ReadJob& job) &&
   job.checkpoint();
   std::vector<std::string> remarks;
   CurveSet set = std::move(*this).curves(remarks);
-  auto file = load_samples(std::move(set), {.rule = SamplingRule::vertices}, name, job);
+  auto file = load_samples(std::move(set), name, job);
   if (file)
     for (std::string& remark : remarks)
       file->warnings.push_back(Error{ErrorCode::bad_input, std::move(remark), name}.message());

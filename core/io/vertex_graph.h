@@ -21,7 +21,8 @@ namespace mes {
 /// What becomes of the vertices:
 ///
 ///  1. Segments that follow each other, never more than two at a vertex, are a curve: closed, if they come back to where
-///     they start; in the direction of a segment at its beginning. Parts in which more than two segments meet somewhere have no order: their vertices are points.
+///     they start; in the direction of a segment at its beginning. Where more than two meet, curves end; what they enclose
+///     are regions (core/curves/line_regions.h).
 ///  2. An edge of exactly one face is a segment. Vertices of faces that lie on no such edge are inside the outlines of
 ///     these faces, and left out, unless there is no outline at all (a closed surface).
 ///  3. All other vertices are points.
@@ -56,7 +57,7 @@ class VertexGraph {
 
   /// Open curves, then closed ones, each in the order of their first vertices, then points. `remarks` gets one line a kind of what was left out.
   CurveSet curves(std::vector<std::string>& remarks) &&;
-  /// Their samples at the vertices. Error: as `load_samples`, and `Cancelled` is thrown as there.
+  /// Their samples by `default_sampling`, which keeps the vertices. Error: as `load_samples`, and `Cancelled` is thrown as there.
   Expected<LoadedFile> load(const std::string& name, ReadJob& job) &&;
 
  private:

@@ -10,7 +10,8 @@ using namespace mes;
 
 namespace {
 
-LoadedFile read_good(std::string_view bytes, const std::string& name = "map", const ReadRequest& request = {}) {
+LoadedFile read_good(std::string_view bytes, const std::string& name = "map", ReadRequest request = {}) {
+  request.keeps_vertices = true;  // samples are the positions of the file
   auto read = read_sample_bytes(bytes, name, {}, request);
   INFO((read ? std::string() : read.error().message()));
   REQUIRE(read.has_value());

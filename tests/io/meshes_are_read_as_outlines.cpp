@@ -17,8 +17,11 @@ LoadedFile good(const Expected<LoadedFile>& read) {
   REQUIRE(read.has_value());
   return *read;
 }
+// Samples are the positions of the file.
+constexpr ReadRequest kAtVertices{.keeps_vertices = true};
+
 LoadedFile read_good(std::string_view bytes, const std::string& name = "a") {
-  return good(read_sample_bytes(bytes, name));
+  return good(read_sample_bytes(bytes, name, {}, kAtVertices));
 }
 
 void check_refused(std::string_view bytes, const std::string& message, const std::string& name = "a") {
@@ -86,7 +89,7 @@ TEST_CASE("vertices of Triangle are samples in their order, whatever number is t
   }
 }
 
-TEST_CASE("segments of Triangle become curves where they follow each other, and points where they branch") {
+TEST_CASE("segments of Triangle become curves where they follow each other, and end where they branch") {
   const LoadedFile file = read_good(
       "13 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 10 0\n6 11 0\n7 12 1\n8 20 0\n9 21 0\n10 22 0\n11 21 1\n12 30 30\n"
       "13 40 40\n"
@@ -97,22 +100,22 @@ TEST_CASE("segments of Triangle become curves where they follow each other, and 
   CHECK(file.data.positions == Positions{{12, 1},
                                          {11, 0},
                                          {10, 0},
-                                         {0, 0},
-                                         {4, 0},
-                                         {4, 4},
-                                         {0, 4},
                                          {20, 0},
                                          {21, 0},
                                          {22, 0},
                                          {21, 1},
+                                         {0, 0},
+                                         {4, 0},
+                                         {4, 4},
+                                         {0, 4},
                                          {30, 30},
                                          {40, 40}});
-  CHECK(file.data.contours == Contours{{false, {0, 1, 2}}, {true, {3, 4, 5, 6}}});
-  CHECK(
-      file.warnings ==
-      std::vector<std::string>{
-          "a.poly: 1 vertex has more than two segments, so the 4 vertices of these parts have no order along a curve",
-          "a.poly:28:1: the place of 1 hole is left out, for the segments around holes say where these are"});
+  CHECK(file.data.contours ==
+        Contours{{false, {0, 1, 2}}, {false, {3, 4}}, {false, {4, 5}}, {false, {4, 6}}, {true, {7, 8, 9, 10}}});
+  CHECK(file.warnings ==
+        std::vector<std::string>{
+            "a.poly: 1 vertex has more than two segments: curves meet there",
+            "a.poly:28:1: the place of 1 hole is left out, for the segments around holes say where these are"});
 }
 
 TEST_CASE("a .poly without vertices has them in the .node beside it, and says so where that is missing") {
@@ -124,7 +127,7 @@ TEST_CASE("a .poly without vertices has them in the .node beside it, and says so
   CHECK(missing.error().message() ==
         path.string() + ":1:1: there are no vertices, nor is there a.node beside it, which would have them");
   const auto node = folder.write("a.node", "3 2 0 0\n1 0 0\n2 5 0\n3 0 5\n");
-  const LoadedFile file = good(read_sample_file(path));
+  const LoadedFile file = good(read_sample_file(path, {}, nullptr, kAtVertices));
   CHECK(file.data.positions == Positions{{0, 0}, {5, 0}, {0, 5}});
   CHECK(file.data.contours == Contours{{true, {0, 1, 2}}});
   REQUIRE(file.sources.size() == 2);

@@ -11,6 +11,9 @@ using namespace mes;
 
 namespace {
 
+// Samples are the positions of the file.
+constexpr ReadRequest kAtVertices{.keeps_vertices = true};
+
 using Positions = std::vector<Vec2>;
 using Contours = std::vector<SampleData::Contour>;
 
@@ -66,7 +69,7 @@ LoadedFile good(const Expected<LoadedFile>& read) {
 }
 
 void check_refused(const std::string& bytes, const std::string& message) {
-  const auto read = read_sample_bytes(bytes, "a");
+  const auto read = read_sample_bytes(bytes, "a", {}, kAtVertices);
   REQUIRE_FALSE(read.has_value());
   CHECK(read.error().code == ErrorCode::bad_input);
   CHECK(read.error().message() == "a: " + message);
@@ -85,7 +88,7 @@ TEST_CASE("each type of shape gives its rings, lines and points") {
   const LoadedFile file = good(
       read_sample_bytes(file_of({parts(5, {kSquare, kHole}), number(0), point(1, {-7, 0.1}),
                                  parts(3, {{{1, 1}, {2, 2}}, {{3, 3}, {4, 3}, {4, 4}}}), points({{8, 8}, {9, 9}})}),
-                        "a"));
+                        "a", {}, kAtVertices));
   CHECK(file.format == "shapefile");
   CHECK(file.warnings.empty());
   CHECK(file.data.positions == Positions{{0, 0},
@@ -112,7 +115,7 @@ TEST_CASE("heights and measures are left out with a warning, and so are surfaces
   const LoadedFile file = good(
       read_sample_bytes(file_of({point(11, {1000, 2}) + std::string(16, '\1'),
                                  parts(25, {kSquare}) + std::string(56, '\1'), number(31) + std::string(60, '\1')}),
-                        "a"));
+                        "a", {}, kAtVertices));
   CHECK(file.data.positions.size() == 5);
   CHECK(file.warnings == std::vector<std::string>{"a: heights and measures are left out",
                                                   "a: 1 surface in space (multipatch) is left out"});
@@ -123,11 +126,11 @@ TEST_CASE("zeros between records and at the end are passed over, with a warning"
   const std::string two = file_of({point(1, {1000, 1}), point(1, {2, 3})});
   const std::string second = two.substr(one.size());
   for (const std::size_t zeros : {2U, 4U, 6U, 16U, 100U}) {
-    const LoadedFile between = good(read_sample_bytes(one + std::string(zeros, '\0') + second, "a"));
+    const LoadedFile between = good(read_sample_bytes(one + std::string(zeros, '\0') + second, "a", {}, kAtVertices));
     CHECK(between.data.positions == std::vector<Vec2>{{1000, 1}, {2, 3}});
     CHECK(between.warnings == std::vector<std::string>{"a: 1 gap of zeros between records is passed over"});
     if (zeros < 4) continue;  // less may be the beginning of a record
-    const LoadedFile after = good(read_sample_bytes(one + std::string(zeros, '\0'), "a"));
+    const LoadedFile after = good(read_sample_bytes(one + std::string(zeros, '\0'), "a", {}, kAtVertices));
     CHECK(after.data.positions == std::vector<Vec2>{{1000, 1}});
   }
   // Numbers of records do not count: some programs leave them zero, and large ones begin with fewer zeros.
@@ -136,21 +139,21 @@ TEST_CASE("zeros between records and at the end are passed over, with a warning"
     std::string head;
     for (int shift = 24; shift >= 0; shift -= 8) head += static_cast<char>((number >> shift) & 0xffU);
     for (const std::size_t zeros : {0U, 8U})
-      CHECK(good(read_sample_bytes(one + std::string(zeros, '\0') + head + other, "a")).data.positions ==
-            std::vector<Vec2>{{1000, 1}, {2, 3}});
+      CHECK(good(read_sample_bytes(one + std::string(zeros, '\0') + head + other, "a", {}, kAtVertices))
+                .data.positions == std::vector<Vec2>{{1000, 1}, {2, 3}});
   }
 }
 
 TEST_CASE("the .prj beside it says whether positions are degrees") {
   const test::TemporaryFolder folder;
   const auto path = folder.write("a.shp", file_of({parts(5, {{{9, 50}, {11, 50}, {11, 51}, {9, 51}, {9, 50}}})}));
-  const LoadedFile alone = good(read_sample_file(path));
+  const LoadedFile alone = good(read_sample_file(path, {}, nullptr, {.keeps_vertices = true}));
   CHECK(alone.data.positions.front() == Vec2{9, 50});
   REQUIRE(alone.warnings.size() == 1);
   CHECK_THAT(alone.warnings[0], Catch::Contains("no .prj file beside it says whether these are degrees"));
 
   const auto beside = folder.write("a.prj", kDegrees);
-  const LoadedFile projected = good(read_sample_file(path));
+  const LoadedFile projected = good(read_sample_file(path, {}, nullptr, {.keeps_vertices = true}));
   REQUIRE(projected.warnings.size() == 1);
   CHECK_THAT(projected.warnings[0], Catch::Contains("kilometres about 10 E, 50.5 N"));
   CHECK(distance(projected.data.positions[1], projected.data.positions[2]) == Approx(111.195).epsilon(1e-4));
@@ -158,7 +161,7 @@ TEST_CASE("the .prj beside it says whether positions are degrees") {
   CHECK(projected.sources[0].path == beside);
   CHECK(projected.degrees == MapDegrees::projected);
 
-  const LoadedFile kept = good(read_sample_file(path, {}, {}, {.degrees = MapDegrees::kept}));
+  const LoadedFile kept = good(read_sample_file(path, {}, {}, {.degrees = MapDegrees::kept, .keeps_vertices = true}));
   CHECK(kept.data.positions == alone.data.positions);
   CHECK(kept.degrees == MapDegrees::kept);
   REQUIRE(kept.warnings.size() == 1);
@@ -166,7 +169,7 @@ TEST_CASE("the .prj beside it says whether positions are degrees") {
   CHECK(kept.sources.size() == 2);
 
   folder.write("a.prj", "PROJCS[\"ETRS_1989_UTM_Zone_32N\"," + std::string(kDegrees) + ",UNIT[\"Meter\",1.0]]");
-  const LoadedFile plane = good(read_sample_file(path));
+  const LoadedFile plane = good(read_sample_file(path, {}, nullptr, {.keeps_vertices = true}));
   CHECK(plane.data.positions.front() == Vec2{9, 50});
   CHECK(plane.warnings.empty());
 }
