@@ -44,10 +44,13 @@ Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, Read
   if (!file || job.keeps_vertices() || request.rule != SamplingRule::refined) return file;
   const std::size_t samples = file->data.positions.size();
   if (samples <= vertices) return file;
-  file->warnings.push_back(
-      Error{ErrorCode::bad_input,
-            fmt::format("the {} vertices are far apart: {} samples lie at and between them", vertices, samples), name}
-          .message());
+  file->warnings.push_back(Error{
+      ErrorCode::bad_input,
+      fmt::format("samples were added between the {} vertices, {} in all; the sampling rule \"vertices\" takes the "
+                  "vertices alone",
+                  vertices, samples),
+      name}
+                               .message());
   return file;
 }
 

@@ -166,7 +166,8 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegr
   if (file && map) {
     file->data.map = map;
     file->degrees = degrees;
-    file->warnings.push_back(Error{ErrorCode::bad_input, remark_of(*map), name}.message());
+    // First, for the window says there how to leave the degrees.
+    file->warnings.insert(file->warnings.begin(), Error{ErrorCode::bad_input, remark_of(*map), name}.message());
   }
   return file;
 }

@@ -331,7 +331,7 @@ SvgStyle SvgStyles::of(pugi::xml_node node) {
     take(by_type_, local_name(node.name()));
     std::string_view classes = node.attribute("class").value();
     while (!(classes = css_trimmed(classes)).empty()) {
-      const std::size_t end = std::ranges::find_if(classes, is_css_blank) - classes.begin();
+      const auto end = static_cast<std::size_t>(std::ranges::find_if(classes, is_css_blank) - classes.begin());
       take(by_class_, classes.substr(0, end));
       classes.remove_prefix(end);
     }
