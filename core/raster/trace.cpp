@@ -158,8 +158,10 @@ std::vector<PlaneCurve> outlines_of(const std::vector<PixelContour>& contours, d
   }
   std::vector<PlaneCurve> out(contours.size(), PlaneCurve({}));
   run_tasks(ends.size(), [&](std::size_t task) {
-    for (std::size_t i = task == 0 ? 0 : ends[task - 1]; i < ends[task]; ++i)
+    for (std::size_t i = task == 0 ? 0 : ends[task - 1]; i < ends[task]; ++i) {
+      if (job != nullptr && job->stop_requested()) throw Cancelled{};
       out[i] = outline_of(contours[i], noise_of_edges(contours[i], blur), job);
+    }
   });
   return out;
 }

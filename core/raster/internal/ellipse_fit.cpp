@@ -149,6 +149,9 @@ class EllipseFit {
       farthest_ = std::max(farthest_, row.residual.weight * std::abs(row.residual.left));
       residuals_.push_back(row.residual);
     }
+    for_each_stray(residuals_, noise_.one, [this](std::size_t first, std::size_t end, bool are_alone) {
+      for (std::size_t i = first; are_alone && i < end; ++i) rows_[i].residual.weight = residuals_[i].weight = 0.0;
+    });
   }
 
   bool move() {

@@ -191,7 +191,8 @@ class Outliner {
     for (std::size_t i = 0; i < contour.points.size(); ++i)
       edges_.push_back({contour.points[i], contour.is_along_y[i] != 0, contour.variance[i]});
     ellipse_ = ellipse_of(edges_, noise_);
-    if (ellipse_) return;
+    if (ellipse_ && is_as_much((is_hole_ ? -2.0 : 2.0) * std::numbers::pi * cross(ellipse_->u, ellipse_->v))) return;
+    ellipse_.reset();
     // Half the least stiffness apart.
     Run start{.nodes = softened(contour.points, noise.least_stiffness), .is_closed = true};
     const double apart = 0.5 * noise.least_stiffness;
@@ -250,8 +251,9 @@ class Outliner {
   }
   /// A curve that winds around itself encloses something else than the contour.
   bool is_as_much(double twice_area) const {
-    constexpr double kMostBeside = 0.4;  // pixels, in the mean along the contour
-    return std::abs(0.5 * twice_area - area_) <= kMostBeside * static_cast<double>(edges_.size());
+    constexpr double kMostBeside = 0.1;  // pixels, in the mean along the contour
+    constexpr double kOfCorners = 2.0;   // square pixels
+    return std::abs(0.5 * twice_area - area_) <= kMostBeside * static_cast<double>(edges_.size()) + kOfCorners;
   }
   bool encloses_as_much(const Cut& cut) const {
     double out = 0.0;

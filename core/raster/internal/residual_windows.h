@@ -17,6 +17,28 @@ struct Residual {
   double jumps = 0.0;   ///< pixel borders or diagonals that a pixel of the curve passes
 };
 
+/// What stands alone: so many edges at most, that enclose so little beside the curve.
+inline constexpr std::size_t kMostAlone = 3;
+inline constexpr double kMostAloneArea = 1.6;  ///< square pixels
+inline constexpr double kAlone = 0.35;         ///< pixels beyond the noise
+
+/// Calls `use(first, end, are_alone)` for edges in a row that are farther from the curve than noise, and for each other edge.
+template <class Use>
+void for_each_stray(std::span<const Residual> residuals, double one, Use use) {
+  const double limit = one + kAlone;
+  std::size_t i = 0;
+  while (i < residuals.size()) {
+    std::size_t end = i;
+    double area = 0.0;
+    for (; end < residuals.size() && std::abs(residuals[end].left) > limit; ++end)
+      area += residuals[end].weight * std::abs(residuals[end].left);
+    const bool are_alone = end != i && end - i <= kMostAlone && area <= kMostAloneArea;
+    end = std::max(end, i + 1);
+    use(i, end, are_alone);
+    i = end;
+  }
+}
+
 /// Calls `use(first, count)` for windows of 4, 8, 16 ... edges, around if they are closed, whose mean is more than noise
 /// where single edges are off by `one` at most: what independent ones leave of that, or what the grid does to a straight
 /// line that passes so many borders, whichever is more, and 0.3 of it that is the same all along. O(n log n).

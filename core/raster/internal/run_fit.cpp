@@ -16,11 +16,6 @@ namespace {
 constexpr double kMostNodes = 32.0;
 constexpr std::size_t kLeastClosed = 16;
 constexpr std::size_t kLeastOpen = 6;
-// What stands alone: so many edges at most, that enclose so little beside the curve. Square pixels.
-constexpr std::size_t kMostAlone = 3;
-constexpr double kMostAloneArea = 1.6;
-constexpr double kAlone = 0.35;  // pixels beyond the noise
-
 double size_of(Vec2 v) {
   return std::sqrt(dot(v, v));  // pixels neither overflow nor vanish
 }
@@ -294,23 +289,15 @@ class Fit {
 
   /// Edges of single pixels that stand out from the curve or into it.
   bool find_alone() {
+    residuals_.clear();
+    for (std::size_t i = 0; i < left_.size(); ++i) residuals_.push_back({left_[i], placed_[i].weight, 0.0});
     bool is_changed = false;
-    const double limit = noise_.one + kAlone;
-    std::size_t i = 0;
-    while (i < left_.size()) {
-      std::size_t end = i;
-      double area = 0.0;
-      while (end < left_.size() && std::abs(left_[end]) > limit) {
-        area += placed_[end].weight * std::abs(left_[end]);
-        ++end;
-      }
-      const bool are_alone = end != i && end - i <= kMostAlone && area <= kMostAloneArea;
-      for (std::size_t k = i; k < std::max(end, i + 1); ++k) {
+    for_each_stray(residuals_, noise_.one, [&](std::size_t first, std::size_t end, bool are_alone) {
+      for (std::size_t k = first; k < end; ++k) {
         is_changed = is_changed || is_alone_[k] != are_alone;
         is_alone_[k] = are_alone;
       }
-      i = std::max(end, i + 1);
-    }
+    });
     return is_changed;
   }
 
