@@ -6,7 +6,9 @@
 #include <limits>
 #include <map>
 #include <set>
+#include <string_view>
 
+#include "core/curves/feature_field.h"
 #include "core/graph/explain.h"
 #include "core/resampling/internal/epsilon_words.h"
 #include "core/resampling/internal/repair_on_curves.h"
@@ -336,17 +338,23 @@ Expected<Repair> repair(const SampleData& data, double epsilon, JobControl& job)
   out.epsilon_after = repairer.largest();
   out.light_after = samples->light();
   repairer.report(curve, out);
+  out.exempt = out.corners.size();
   return out;
 }
 
 std::vector<std::string> Repair::words() const {
   if (!no_axis.empty()) return {"nothing to repair: " + no_axis};
   std::vector<std::string> out;
-  const std::string exempt =
-      corners.empty() ? std::string() : " (" + count_text(corners.size(), "corner", "corners") + " exempt)";
+  const std::string exempt_words =
+      exempt == 0 ? std::string() : " (" + count_text(exempt, "corner", "corners") + " exempt)";
+  // As the light says it.
+  constexpr std::size_t kWord = std::string_view("epsilon ").size();
+  const std::string epsilons = is_on_curves ? epsilon_text(epsilon_before, 0) + " before, " +
+                                                  epsilon_text(epsilon_after, 0).substr(kWord) + " now"
+                                            : epsilon_words(epsilon_before, epsilon_after);
   out.push_back(count_text(inserted, "sample", "samples") +
-                (is_on_curves ? " inserted on the curves; " : " inserted; ") +
-                epsilon_words(epsilon_before, epsilon_after) + exempt + "; " + std::string(sentence_of(light_after)));
+                (is_on_curves ? " inserted on the curves; " : " inserted; ") + epsilons + exempt_words + "; " +
+                std::string(sentence_of(light_after)));
   if (off_curve != 0)
     out.push_back(count_text(off_curve, "sample", "samples") + " off the curves " +
                   (off_curve == 1 ? "stays" : "stay") + " as before");

@@ -28,6 +28,7 @@ struct Repair {
   TheoremLight light_after = TheoremLight::none;
   bool is_on_curves =
       false;  ///< new samples lie on the curves that the others were taken from, and epsilons are by these
+  std::size_t exempt = 0;              ///< corners and meetings of curves that the epsilons leave out
   std::size_t off_curve = 0;           ///< samples that lie on none of these
   std::string no_axis{};               ///< why there is none, and nothing is measured; empty if there is one
   std::vector<SampledCorner> corners;  ///< at which edges are too long however short they are

@@ -117,6 +117,7 @@ Expected<std::optional<Repair>> repair_on_curves(const SampleData& data, double 
   out->epsilon_before = before.epsilon;
   out->light_before = samples->light();
   out->off_curve = before.off_curve;
+  out->exempt = before.exempt;
   out->is_on_curves = true;
   if (!own->has_axis()) out->no_axis = "the curves have no axis";
   // Away from corners first; where the theorem asks for more, ever nearer to them, and denser.
