@@ -133,7 +133,7 @@ std::string jpeg_with(const std::string& segments) {
 }  // namespace
 
 TEST_CASE("a scene is the same however the camera was held") {
-  for (const auto [width, height] : {std::pair{3, 2}, {1, 5}, {1, 1}, {70, 131}}) {
+  for (const auto& [width, height] : {std::pair{3, 2}, {1, 5}, {1, 1}, {70, 131}}) {
     const std::vector<std::uint8_t> scene = scene_of(width, height);
     for (int orientation = 1; orientation <= 8; ++orientation)
       for (const bool is_little : {false, true}) {
