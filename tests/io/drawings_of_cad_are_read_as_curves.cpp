@@ -313,7 +313,7 @@ TEST_CASE("ends meet within the decimals that a drawing is written with") {
   for (const int decimals : {3, 4, 6, 8}) {
     INFO(decimals);
     const auto number = [&](double x) {
-      char text[40];
+      char text[400];
       std::snprintf(text, sizeof text, "%.*f", decimals, x);
       return std::string(text);
     };

@@ -328,7 +328,7 @@ TEST_CASE("vertices that all lie in one plane are read in that plane") {
           "element face 1\nproperty list uchar int vertex_indices\nend_header\n";
       for (const Vec2 p : Positions{{0, 0}, {2, 0}, {2, 1}, {0, 1}}) {
         const double y = p.y * std::cos(tilt);
-        char line[200];
+        char line[1200];
         std::snprintf(line, sizeof line, "%.*f %.*f %.*f\n", decimals, 7 + p.x * std::cos(0.4) - y * std::sin(0.4),
                       decimals, -3 + p.x * std::sin(0.4) + y * std::cos(0.4), decimals, 1 + p.y * std::sin(tilt));
         obj += std::string("v ") + line;
