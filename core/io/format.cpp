@@ -47,20 +47,7 @@ const Format* format_by_extension(const std::string& name) {
   return nullptr;
 }
 
-// By content when the content is sure, then by extension, then by what the content might be.
-const Format* find_format(std::string_view bytes, const std::string& name) {
-  const Format* possible = nullptr;
-  for (const Format& format : formats()) {
-    if (!format.descriptor.can_read) continue;
-    const Match match = format.match(bytes);
-    if (match == Match::surely) return &format;
-    if (match == Match::maybe && possible == nullptr) possible = &format;
-  }
-  const Format* by_name = format_by_extension(name);
-  return by_name != nullptr ? by_name : possible;
-}
-
-/// Names a format that people try, at the beginning of a message.
+/// What people try, for the beginning of a message.
 std::string_view known_text(std::string_view bytes) {
   constexpr std::size_t kLookedAt = 8192;
   std::string_view text = without_bom(bytes).substr(0, kLookedAt);
@@ -69,6 +56,21 @@ std::string_view known_text(std::string_view bytes) {
   if (text.starts_with('{') && text.contains("\"Topology\"")) return "TopoJSON, ";
   if (text.starts_with('{') && text.contains("\"esriGeometry")) return "JSON of Esri, ";
   return {};
+}
+
+// By content when the content is sure, then by extension, then by what the content might be. Nothing for what is known to be
+// something else.
+const Format* find_format(std::string_view bytes, const std::string& name) {
+  const Format* possible = nullptr;
+  for (const Format& format : formats()) {
+    if (!format.descriptor.can_read) continue;
+    const Match match = format.match(bytes);
+    if (match == Match::surely) return &format;
+    if (match == Match::maybe && possible == nullptr) possible = &format;
+  }
+  if (!known_text(bytes).empty()) return nullptr;
+  const Format* by_name = format_by_extension(name);
+  return by_name != nullptr ? by_name : possible;
 }
 
 Expected<const Format*> choose_format(std::string_view bytes, const std::string& name, std::string_view wanted) {

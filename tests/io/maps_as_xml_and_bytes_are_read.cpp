@@ -13,7 +13,8 @@ using namespace mes;
 namespace {
 
 LoadedFile read_good(std::string_view bytes, const std::string& name = "map") {
-  auto read = read_sample_bytes(bytes, name);
+  // Samples are the positions of the file.
+  auto read = read_sample_bytes(bytes, name, {}, {.keeps_vertices = true});
   INFO((read ? std::string() : read.error().message()));
   REQUIRE(read.has_value());
   return *std::move(read);
@@ -213,8 +214,9 @@ TEST_CASE("files that are not read are named for what they are") {
   CHECK(refusal("II*\0\x08\0\0\0"s) == "a:1:1: this is a TIFF picture, not a text of samples");
   CHECK(refusal("AC1032\0\0\0"s) == "a:1:1: this is a DWG drawing, not a text of samples");
   CHECK(refusal("<gml:FeatureCollection xmlns:gml=\"g\"/>") ==
-        "a:1:1: this is XML (FeatureCollection), not a text of samples");
+        "a:1:1: this is XML (FeatureCollection) that carries no session, not a text of samples");
   CHECK(refusal("solid cube\nfacet normal 0 0 1\n").starts_with("a:1:1: this is an STL mesh, none of the formats"));
   CHECK(
       refusal(R"({"type": "Topology", "objects": {}})").starts_with("a:1:1: this is TopoJSON, none of the formats"));
+  CHECK(refusal(R"({"type":"Topology"})", "a.json").starts_with("a.json:1:1: this is TopoJSON, none of the formats"));
 }
