@@ -78,9 +78,9 @@ cInt at_level(cInt level, cInt from, cInt to, cInt other_from, cInt other_to) {
   return other_from + std::llround(share * static_cast<double>(other_to - other_from));
 }
 
-/// What of outlines matters within a box, by Sutherland and Hodgman's way around. Linear, and faster than Clipper.
-GridPaths cropped(const GridPaths& paths, GridBox box) {
-  const cInt margin = 64 + static_cast<cInt>(extent_of(box));
+/// What of outlines matters within so much room around a box, by Sutherland and Hodgman's way around. Linear, and faster than Clipper.
+GridPaths cropped(const GridPaths& paths, GridBox box, double room) {
+  const cInt margin = 64 + static_cast<cInt>(2.0 * room);
   box = {{box.low.X - margin, box.low.Y - margin}, {box.high.X + margin, box.high.Y + margin}};
   GridPaths out;
   for (const GridPath& path : paths) {
@@ -170,7 +170,7 @@ class CurveClipper {
     GridPaths paths;
     for (const PlaneCurve& curve : curves_) paths.push_back(subject_.add(curve, true));
     const GridBox box = box_of(paths);
-    const GridPaths clip = cropped(outline_, box);
+    const GridPaths clip = cropped(outline_, box, 0.0);
     const double width =
         4.0 + std::min(2.0 * subject_.tolerance() + 2.0 * region_.tolerance(), 1e-3 * extent_of(box));
     GridPaths seen = combined(paths, rule, clip, ClipperLib::ctIntersection);
@@ -207,7 +207,7 @@ class CurveClipper {
     // What lies on the boundary is seen.
     const double wider = 4.0 + 2.0 * (subject_.tolerance() + region_.tolerance());
     ClipperLib::ClipperOffset offset;
-    offset.AddPaths(cropped(outline_, box), ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
+    offset.AddPaths(cropped(outline_, box, wider), ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
     GridPaths clip;
     offset.Execute(clip, wider);
     ClipperLib::Clipper clipper(ClipperLib::ioPreserveCollinear);
