@@ -116,6 +116,7 @@ void CurvesPanel::draw_density(SamplingRequest& request) {
       break;
     case SamplingRule::count: count(request, "As many samples at most, but for corners and short curves"); break;
     case SamplingRule::adaptive:
+    case SamplingRule::refined:
       count(request,
             "As many as there would be if they were even; where curves are near to each other, up to eight "
             "times as dense");
