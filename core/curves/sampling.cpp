@@ -380,6 +380,7 @@ Expected<Positions> uneven_positions(std::span<const MeasuredCurve> curves, doub
   limits.share = request.share;
   limits.least_each = static_cast<double>(std::max<std::size_t>(request.least_each, 3));
   limits.is_finest_by_curve = request.rule == SamplingRule::refined;
+  limits.corner_angle = request.corner_angle;
   if (request.rule != SamplingRule::curvature)
     return positions_by(spacings_of(curves, limits, job), curves, request, job);
   limits.share = request.turn;

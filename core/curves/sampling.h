@@ -36,7 +36,8 @@ enum class SamplingRule : std::uint8_t {
                  ///< as far as intervals of a thousandth of the mean that `count` gives allow it
   refined,  ///< the ends of pieces, as `vertices`, and places between them so that neighbours are no farther apart than
             ///< the mean spacing of `count` samples, than a curve divided by `least_each`, and than `share` of the
-  ///< distance to another part of the curves; on each curve at most eight times as dense as without the last
+            ///< distance to another part of the curves, and nearer towards corners; on each curve at most eight times
+            ///< as dense as without the last two
 };
 
 struct SamplingRuleDescriptor {

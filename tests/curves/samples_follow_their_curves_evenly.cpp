@@ -289,7 +289,8 @@ TEST_CASE("what has been sampled already keeps its vertices when it is opened, a
   // A square of four vertices is not sampled yet.
   const std::vector<Vec2> square{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
   const SampledCurves around = opened(polygon(square));
-  CHECK(around.positions.size() == kUsualSamples);
+  CHECK(around.positions.size() >= kUsualSamples);
+  CHECK(around.positions.size() <= kUsualSamples + 40);  // nearer to each other at corners
   for (const Vec2 corner : square) CHECK(holds(around.positions, corner));
   const SamplingRequest round = default_sampling({.curves = {circle({0, 0}, 1)}});
   CHECK(round.rule == SamplingRule::adaptive);

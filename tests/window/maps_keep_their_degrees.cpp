@@ -2,12 +2,14 @@
 // Longitude and latitude of a map that is open are projected or kept, by an action of the palette.
 #include <sys/stat.h>
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
 
+#include "core/base/box2.h"
 #include "core/io/format.h"
 #include "tests/window/window_driver.h"
 
@@ -32,6 +34,16 @@ std::vector<Vec2> positions_in(const std::filesystem::path& file) {
   return read->data.positions;
 }
 
+/// All corners, among the samples between them, and none beyond.
+bool holds(const std::vector<Vec2>& positions, const std::vector<Vec2>& corners) {
+  Box2 box;
+  for (const Vec2 p : positions) box.add(p);
+  Box2 wanted;
+  for (const Vec2 p : corners) wanted.add(p);
+  return box == wanted &&
+         std::ranges::all_of(corners, [&](Vec2 p) { return std::ranges::find(positions, p) != positions.end(); });
+}
+
 }  // namespace
 
 TEST_CASE("a map that is open is read again when its degrees are to be kept") {
@@ -51,7 +63,7 @@ TEST_CASE("a map that is open is read again when its degrees are to be kept") {
   run_action(window, window.drawn(), "keep-degrees");
   CHECK(window.nearly_shows(kept));
   window.save_as("kept.poff");
-  CHECK(positions_in(window.folder / "kept.poff") == degrees);
+  CHECK(holds(positions_in(window.folder / "kept.poff"), degrees));
   // Now it is a file of its own, and stays as it is.
   const Screenshot saved = window.drawn();
   run_action(window, saved, "keep-degrees");
@@ -79,7 +91,7 @@ TEST_CASE("a map that was opened with a file of balls is read again with it") {
   run_action(window, projected, "keep-degrees");
   CHECK(eventually([&] { return window.screen.settled().changes(kCanvas, projected) > 1000; }));
   window.save_as("kept.poff");
-  CHECK(positions_in(window.folder / "kept.poff") == std::vector<Vec2>{{10, 59}, {12, 59}, {12, 61}, {10, 61}});
+  CHECK(holds(positions_in(window.folder / "kept.poff"), std::vector<Vec2>{{10, 59}, {12, 59}, {12, 61}, {10, 61}}));
 }
 
 TEST_CASE("what is being read when degrees are to be kept is read, and the map that is there then keeps them") {
@@ -122,6 +134,6 @@ TEST_CASE("what is being read when degrees are to be kept is read, and the map t
       static_cast<void>(window.drawn());
     }
     window.save_as("kept.poff");
-    CHECK(positions_in(window.folder / "kept.poff") == expected);
+    CHECK(holds(positions_in(window.folder / "kept.poff"), expected));
   }
 }

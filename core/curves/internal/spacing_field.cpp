@@ -2,6 +2,7 @@
 #include "core/curves/internal/spacing_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -141,6 +142,27 @@ std::vector<double> StretchSpacing::places() const {
   return out;
 }
 
+namespace {
+
+/// Whether a stretch begins at a corner or a node, and whether it ends at one.
+std::array<bool, 2> corners_at(const MeasuredCurve& curve, const Stretch& stretch, double corner_angle) {
+  const std::size_t count = curve.pieces.size();
+  const auto turns = [&](std::size_t before, std::size_t after) {
+    const Vec2 a = curve.pieces[before].last_direction();
+    const Vec2 b = curve.pieces[after].first_direction();
+    return std::abs(std::atan2(cross(a, b), dot(a, b))) > corner_angle;
+  };
+  const auto is_corner = [&](std::size_t piece) {
+    const bool is_end = piece == 0 || piece == count;
+    if (is_end && curve.nodes[piece == 0 ? 0 : 1] != MeasuredCurve::kNoNode) return true;
+    if (is_end && !curve.is_closed) return false;
+    return turns((piece + count - 1) % count, piece % count);
+  };
+  return {is_corner(stretch.first), is_corner(stretch.first + stretch.count)};
+}
+
+}  // namespace
+
 std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCurve> curves,
                                                      const SpacingLimits& limits, JobControl* job) {
   struct Scale {
@@ -185,6 +207,13 @@ std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCur
         if (job != nullptr && next % kOften == 0) job->checkpoint();
         const double away = surroundings.distance_to_others(probes[next++], step, nearest, reach);
         spacing = std::clamp(limits.share * away, finest, widest);
+      }
+      if (!limits.is_finest_by_curve) continue;
+      constexpr double kGrowth = 0.5;  // of the spacing, from a corner on
+      const auto [begins, ends] = corners_at(curves[i], stretch, limits.corner_angle);
+      for (std::size_t k = 0; k < here.at.size(); ++k) {
+        if (begins) here.spacing[k] = std::min(here.spacing[k], finest + kGrowth * here.at[k]);
+        if (ends) here.spacing[k] = std::min(here.spacing[k], finest + kGrowth * (stretch.length - here.at[k]));
       }
     }
   }

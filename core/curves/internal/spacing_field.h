@@ -28,8 +28,11 @@ struct SpacingLimits {
   double finest = 0.0;      ///< however near things are
   double share = 0.0;       ///< of the distance to what is near
   double least_each = 0.0;  ///< spacings along a curve, at least
-  /// The finest is, on each curve, the eighth of the widest there: small curves are looked at as closely as large ones.
+  /// The finest is, on each curve, the eighth of the widest there: small curves are looked at as closely as large ones. And
+  /// it is had at nodes, and at corners that turn by more than `corner_angle`, for the axis reaches into corners as far as
+  /// their samples are near.
   bool is_finest_by_curve = false;
+  double corner_angle = 0.0;
 };
 
 /// For each curve, for each of its stretches. Near a place is what lies on another curve, and what is farther away

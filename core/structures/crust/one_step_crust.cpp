@@ -33,28 +33,32 @@ EdgeCorners OneStepCrust::corners(EdgeSlot edge) const {
 }
 
 // Samples at one place are one site: any two of them may share the border.
-bool OneStepCrust::is_on_shared_border(EdgeSlot edge) const {
+std::uint8_t OneStepCrust::flags_of_contours(EdgeSlot edge) const {
   const EdgeRow& row = delaunay_.edge(edge);
+  std::uint8_t out = 0;
   for (SampleSlot a = delaunay_.site_sample(row.v[0]); a != kNoSlot; a = delaunay_.next_duplicate(a))
-    for (SampleSlot b = delaunay_.site_sample(row.v[1]); b != kNoSlot; b = delaunay_.next_duplicate(b))
-      if (borders_->is_between(a, b)) return true;
-  return false;
+    for (SampleSlot b = delaunay_.site_sample(row.v[1]); b != kNoSlot; b = delaunay_.next_duplicate(b)) {
+      if (borders_->is_between(a, b)) return kShared;
+      if (borders_->is_seam(a, b)) out = kCrust;
+    }
+  return out;
 }
 
 std::uint8_t OneStepCrust::flags_for(EdgeSlot edge, FilterCounts& counts) const {
-  const unsigned shared = has_borders() && is_on_shared_border(edge) ? kShared : 0U;
-  if (delaunay_.edge(edge).f[0] == kNoSlot) return static_cast<std::uint8_t>(kCrust | shared);
+  const unsigned known = has_borders() ? flags_of_contours(edge) : 0U;
+  if (delaunay_.edge(edge).f[0] == kNoSlot) return static_cast<std::uint8_t>(kCrust | known);
   const EdgeClass result = classify_edge(corners(edge), counts);
   return static_cast<std::uint8_t>((result.is_crust ? kCrust : 0U) | (result.is_cocircular ? kCocircular : 0U) |
-                                   shared);
+                                   known);
 }
 
 // Where samples have changed places with each other, sites and edges are what they were, but their samples are others.
 bool OneStepCrust::shares_what_it_should() const {
   bool out = true;
+  FilterCounts uncounted;
   for (const SampleSlot sample : borders_->samples().changes().touched)
     delaunay_.for_each_edge_at(delaunay_.site_of_sample(sample), [&](EdgeSlot edge, SiteSlot, FaceSlot) {
-      out = out && is_shared(edge) == is_on_shared_border(edge);
+      out = out && flags_[edge] == flags_for(edge, uncounted);
     });
   return out;
 }

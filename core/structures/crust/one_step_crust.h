@@ -20,8 +20,8 @@ namespace mes {
 ///     included.
 ///  2. The decision is exact for the given doubles and does not depend on how cocircular sites were triangulated.
 ///  3. Collinear sites: every edge is crust.
-///  4. An edge between two samples that share a border (core/structures/inputs/shared_borders.h) is *shared*, whatever
-///     its angles. A *wall* is a crust edge that is not shared: labels change across walls.
+///  4. An edge between two samples that share a border (core/structures/inputs/shared_borders.h) is *shared*, and one along a seam
+///     there is crust, whatever their angles. A *wall* is a crust edge that is not shared: labels change across walls.
 ///
 /// Rows are those of the Delaunay edges and sites. Cost: 3n exact-sign tests, some 10 ns each; updates cost the
 /// changed edges only. Source: Gold and Snoeyink, "A one-step crust and skeleton extraction algorithm", 2001.
@@ -79,7 +79,8 @@ class OneStepCrust final : public Structure {
   void classify(EdgeSlot edge);
   bool has_borders() const { return borders_ != nullptr && !borders_->is_empty(); }
   bool has_duplicates() const { return borders_ != nullptr && delaunay_.site_count() != borders_->samples().count(); }
-  bool is_on_shared_border(EdgeSlot edge) const;
+  /// `kShared` of a shared border, `kCrust` along a seam, or 0.
+  std::uint8_t flags_of_contours(EdgeSlot edge) const;
   bool shares_what_it_should() const;
   /// Crust edges that come, and those of them that are shared.
   void add_to_degrees(SiteSlot site, int crust, int shared);

@@ -7,8 +7,8 @@ namespace mes {
 
 SharedBorders::SharedBorders(Samples& samples) : Structure("shared-borders", {&samples}), samples_(samples) {}
 
-bool SharedBorders::is_between(SampleSlot a, SampleSlot b) const {
-  return std::ranges::binary_search(borders_, Link(std::min(a, b), std::max(a, b)));
+bool SharedBorders::holds(const std::vector<Link>& links, SampleSlot a, SampleSlot b) {
+  return std::ranges::binary_search(links, Link(std::min(a, b), std::max(a, b)));
 }
 
 // Ids of one document follow each other, so a bit for each of them is enough.
@@ -40,8 +40,10 @@ void SharedBorders::find_repeated_samples() {
 }
 
 void SharedBorders::find_borders(JobControl& job) {
-  std::vector<Link> before = std::move(borders_);
+  const std::vector<Link> borders_before = std::move(borders_);
+  const std::vector<Link> seams_before = std::move(seams_);
   borders_.clear();
+  seams_.clear();
   known_.clear();
   if (!is_repeated_.empty()) {
     std::vector<SampleSlot> row_of(is_repeated_.size());
@@ -69,18 +71,18 @@ void SharedBorders::find_borders(JobControl& job) {
       for (std::size_t i = 0; i < corners.size(); ++i) {
         const SampleSlot from = corners[i];
         const SampleSlot to = corners[i + 1 < corners.size() ? i + 1 : 0];
-        if (is_repeated(from) && is_repeated(to)) links.emplace_back(std::min(from, to), std::max(from, to));
+        if (is_repeated(from) || is_repeated(to)) links.emplace_back(std::min(from, to), std::max(from, to));
       }
     }
     std::ranges::sort(links);
     for (std::size_t i = 0; i < links.size();) {
       std::size_t end = i + 1;
       while (end < links.size() && links[end] == links[i]) ++end;
-      if ((end - i) % 2 == 0) borders_.push_back(links[i]);
+      ((end - i) % 2 == 0 ? borders_ : seams_).push_back(links[i]);
       i = end;
     }
   }
-  has_changed_ = borders_ != before;
+  has_changed_ = borders_ != borders_before || seams_ != seams_before;
 }
 
 void SharedBorders::rebuild(JobControl& job) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where contours of the document tell two regions apart: links that closed contours have in common.
+// Where contours of the document meet: links that they have in common, and those at samples that they have in common.
 #pragma once
 
 #include <cstdint>
@@ -15,7 +15,8 @@ namespace mes {
 
 /// Two samples share a border if closed contours link them an even number of times, twice or more: neighbouring parcels
 /// have their common side in two contours. By the even-odd rule such a side separates nothing from the outside; inside
-/// is on both sides of it, or on neither.
+/// is on both sides of it, or on neither. Other links at a sample that closed contours go through twice are *seams*: where
+/// four curves meet, angles do not tell which of them go on to which.
 ///
 /// What it guarantees:
 ///  1. Links pass over samples that are not alive, as those of `Contours` do.
@@ -28,9 +29,9 @@ class SharedBorders final : public Structure {
  public:
   explicit SharedBorders(Samples& samples);
 
-  bool is_empty() const { return borders_.empty(); }
-  std::size_t size() const { return borders_.size(); }
-  bool is_between(SampleSlot a, SampleSlot b) const;
+  bool is_empty() const { return borders_.empty() && seams_.empty(); }
+  bool is_between(SampleSlot a, SampleSlot b) const { return holds(borders_, a, b); }
+  bool is_seam(SampleSlot a, SampleSlot b) const { return holds(seams_, a, b); }
   const Samples& samples() const { return samples_; }
   /// The table differs from before the last run.
   bool has_changed() const { return has_changed_; }
@@ -44,6 +45,7 @@ class SharedBorders final : public Structure {
  private:
   using Link = std::pair<SampleSlot, SampleSlot>;  // the lower row first
 
+  static bool holds(const std::vector<Link>& links, SampleSlot a, SampleSlot b);
   void find_repeated_samples();
   void find_borders(JobControl& job);
 
@@ -52,6 +54,7 @@ class SharedBorders final : public Structure {
   std::vector<bool> is_repeated_;  // by id, from `first_id_` on; empty: no sample lies on closed contours twice
   std::uint32_t first_id_ = 0;
   Table<SampleSlot, SampleId> known_;  // the samples that were alive; empty where none is repeated
+  std::vector<Link> seams_;            // sorted
   std::vector<Link> borders_;          // sorted
   bool has_changed_ = false;
 };
