@@ -61,7 +61,7 @@ void Labels::set_conflict(EdgeSlot edge, bool is_conflict) {
 bool Labels::is_in_conflict(EdgeSlot edge) const {
   const EdgeRow& row = delaunay_.edge(edge);
   if (!row.is_alive()) return false;
-  if (tree_) return ((inside_[row.f[0]] ^ inside_[row.f[1]]) & 1U) != (crust_.is_crust(edge) ? 1U : 0U);
+  if (tree_) return ((inside_[row.f[0]] ^ inside_[row.f[1]]) & 1U) != (crust_.is_wall(edge) ? 1U : 0U);
   return join_.has_edge(edge) != strokes_.has_edge(edge);
 }
 
