@@ -25,7 +25,8 @@ namespace mes {
 namespace {
 
 constexpr std::size_t kMostElements = 1'000'000;
-constexpr std::size_t kMostPieces = 4'000'000;  // or as many as the file has bytes
+constexpr std::size_t kMostClipElements = 100'000;  // a clip path takes longer than a shape
+constexpr std::size_t kMostPieces = 4'000'000;      // or as many as the file has bytes
 constexpr std::size_t kDeepest = 200;
 
 using pugi::xml_node;
@@ -104,7 +105,7 @@ class DrawingReader {
     note_names(root);
     styles_.emplace(root, source_);
     clip_paths_.emplace(source_, names_, *styles_, elements_, job_.control());
-    clip_paths_->set_most({kMostElements, most_pieces_});
+    clip_paths_->set_most({kMostClipElements, most_pieces_});
     note_sheets_outside(root);
     if (auto done = read_root(root); !done) return std::unexpected(done.error());
     if (auto done = queue_.finish(); !done) return std::unexpected(done.error());
@@ -148,6 +149,11 @@ class DrawingReader {
       return refuse(place_of(node), fmt::format("the drawing has more than {} elements, those that are used again "
                                                 "counted each time",
                                                 kMostElements));
+    if (clip_paths_->spent().elements > kMostClipElements)
+      return refuse(place_of(node),
+                    fmt::format("the clip paths have more than {} elements, those that are used again "
+                                "counted each time",
+                                kMostClipElements));
     if (clip_paths_->spent().pieces > most_pieces_)
       return refuse(place_of(node),
                     fmt::format("the clip paths have more than {} pieces of curves, those that are used "
