@@ -60,7 +60,7 @@ class Ends {
     }
     std::size_t get() const { return count == 1 ? end : kNone; }
   };
-  /// A line, or less than half a turn, is no closed curve, however short it is.
+  /// A line or an arc below half a turn is never closed, however short it is.
   bool may_close(std::size_t curve) const {
     const PlaneCurve& c = curves_[curve];
     if (c.piece_count() != 1) return c.piece_count() > 1;

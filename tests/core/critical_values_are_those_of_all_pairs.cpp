@@ -161,7 +161,7 @@ TEST_CASE("the centre of a right triangle is critical, that of an obtuse one is 
     CHECK(weak_feature_size({{1e6, 0}, {1e6 + 3, 0}, {1e6, 4}}) == 2.5);
     CHECK(std::isinf(weak_feature_size({{0, 0}, {3 * scale, 0}, {-0x1p-30 * scale, 4 * scale}})));
   }
-  // On one line there is no axis, and nothing critical.
+  // Collinear samples have no axis and no critical values.
   CHECK(std::isinf(weak_feature_size({{0, 0}, {1, 1}, {2, 2}, {5, 5}})));
   CHECK(std::isinf(weak_feature_size({{0, 0}})));
 }

@@ -129,7 +129,7 @@ std::vector<std::uint8_t> plain_values(std::string_view rest, const Layout& layo
 }
 
 std::vector<std::uint8_t> binary_values(std::string_view rest, const Layout& layout) {
-  const auto byte = [&](std::size_t i) { return static_cast<std::uint8_t>(rest[i]); };
+  const auto byte = [&](std::size_t i) -> unsigned { return static_cast<std::uint8_t>(rest[i]); };
   const std::size_t count = layout.row() * layout.height;
   std::vector<std::uint8_t> out(count);
   if (layout.has_bits) {
@@ -138,9 +138,9 @@ std::vector<std::uint8_t> binary_values(std::string_view rest, const Layout& lay
         out[i] = (byte(y * layout.bytes_of_a_row() + x / 8) >> (7 - x % 8) & 1U) != 0 ? 255 : 0;
   } else if (layout.most > 255) {
     for (std::size_t i = 0; i < count; ++i)
-      out[i] = scaled(static_cast<std::uint32_t>(byte(2 * i) << 8U | byte(2 * i + 1)), layout.most);
+      out[i] = scaled(byte(2 * i) << 8U | byte(2 * i + 1), layout.most);
   } else {
-    for (std::size_t i = 0; i < count; ++i) out[i] = layout.most == 255 ? byte(i) : scaled(byte(i), layout.most);
+    for (std::size_t i = 0; i < count; ++i) out[i] = scaled(byte(i), layout.most);
   }
   return out;
 }
@@ -177,7 +177,7 @@ Expected<Pixels> decode_netpbm(std::string_view bytes, const std::string& name, 
   constexpr auto kLongest = static_cast<std::size_t>(kLongestPictureSide);
   const bool is_large =
       layout->width > kLongest || layout->height > kLongest || layout->width * layout->height > most_pixels;
-  // Of pixels that are not there, that is what is wrong.
+  // Missing pixels are reported as such.
   if (is_large && rest.size() >= least) return fail("a picture of " + extent + " pixels is too large to trace");
   const auto ends_in_row = [&](std::size_t row) {
     return fail(fmt::format("the picture is broken: the file ends in row {} of {}", row + 1, layout->height));
