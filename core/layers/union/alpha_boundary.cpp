@@ -15,7 +15,7 @@ Layer make_union_alpha_boundary_layer(const UnionFamily& family) {
       table_part(
           {PrimitiveKind::arc}, [&] { return 2 * complex.filtration().edges().size(); }, complex.end_changes(),
           [&complex](GrownEndSlot row, Instance& out) {
-            if (const auto arc = complex.arc(row)) out.arc(*arc);
+            if (const auto arc = complex.drawn(row)) out.arc(*arc);
           },
           ElementType{ElementKind::alpha_end, &complex}),
       table_part(

@@ -61,6 +61,8 @@ class BallFiltration : public Structure {
   double growth(std::uint32_t rank) const { return ranks_->growth[rank]; }
   /// How many ranks have come at this growth, exactly. `a` is not negative.
   std::uint32_t ranks_within(double a) const { return ranks_->within(a); }
+  /// All balls as they were before they grew, in their frame; a corner names its own.
+  PipelineInput balls() const { return ranks_->balls.input(); }
   /// Those of now, to be kept.
   std::shared_ptr<const GrowthRanks> ranks() const { return ranks_; }
 

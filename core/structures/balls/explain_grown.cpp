@@ -55,7 +55,7 @@ void GrownComplex::explain_triangle(GrownTriangleSlot triangle, Explanation& out
 }
 
 void GrownComplex::explain_end(GrownEndSlot end, Explanation& out) const {
-  const auto drawn = arc(end);
+  const auto drawn = this->drawn(end);
   if (!drawn) return;
   const BallBirths::Edge& edge = filtration_.edges()[GrownEdgeSlot(end.index() / 2)];
   const BallPlaces places(filtration_.family(), out);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace mes {
 
@@ -83,91 +84,101 @@ void GrownComplex::clear_changes() {
 
 namespace {
 
-/// Two circles whose squared radii grow by one number.
-struct CrossingCircles {
-  double apart = 0.0;   ///< distance of the centres
-  double foot = 0.0;    ///< from the first centre to the line through the crossings
-  double height = 0.0;  ///< of a crossing above the line of the centres
+constexpr double kHalfTurn = std::numbers::pi;
 
-  CrossingCircles(const Disk& first, const Disk& second, double growth) {
-    apart = distance(first.center, second.center);
-    if (!(apart > 0.0)) return;
-    const double radius = std::hypot(first.radius, growth);
-    foot = 0.5 * apart + 0.5 * ((first.radius - second.radius) / apart) * (first.radius + second.radius);
-    // One root of the product: those of both factors would be rounded otherwise in other units.
-    height = std::sqrt(std::max(0.0, radius - std::abs(foot)) * (radius + std::abs(foot)));
-  }
-};
+/// Counter-clockwise from `a` to `b`, which is less than half a turn exactly if a triangle lies between them.
+double turn_between(Vec2 a, Vec2 b, bool is_triangle) {
+  // Rounding carries an angle beyond the ends of its range, but never half as far.
+  const double turn = std::atan2(cross(a, b), dot(a, b));
+  if (is_triangle) return turn < -0.5 * kHalfTurn ? kHalfTurn : std::max(0.0, turn);
+  return turn < 0.5 * kHalfTurn ? turn + 2.0 * kHalfTurn : turn;
+}
+
+GrownEdgeSlot edge_of(GrownEndSlot end) {
+  return GrownEdgeSlot(end.index() / 2);
+}
+GrownEndSlot other_end(GrownEndSlot end) {
+  return GrownEndSlot(end.index() ^ 1U);
+}
 
 }  // namespace
 
-Vec2 GrownComplex::crossing(GrownCornerSlot from, GrownCornerSlot to) const {
-  const Disk& p = filtration_.disk(from);
-  const Disk& q = filtration_.disk(to);
-  // From the first centre on, so that both arcs that meet there have it to the last bit.
-  const bool is_turned = lexicographically_less(q.center, p.center);
-  const Disk& first = is_turned ? q : p;
-  const Disk& second = is_turned ? p : q;
-  const CrossingCircles circles(first, second, growth_);
-  if (!(circles.apart > 0.0)) return p.center;
-  const Vec2 along = second.center - first.center;
-  const double forth = circles.foot / circles.apart;
-  const double side = (is_turned ? -circles.height : circles.height) / circles.apart;
-  return {first.center.x + forth * along.x - side * along.y, first.center.y + forth * along.y + side * along.x};
+double GrownComplex::half_chord(GrownEdgeSlot edge) const {
+  const BallBirths::Edge& row = filtration_.edges()[edge];
+  const BallPair ends{filtration_.corners()[row.v[0]].ball, filtration_.corners()[row.v[1]].ball};
+  return mes::half_chord(filtration_.balls(), ends, row.axis, growth_);
 }
 
-double GrownComplex::half_angle(GrownCornerSlot from, GrownCornerSlot to) const {
-  const CrossingCircles circles(filtration_.disk(from), filtration_.disk(to), growth_);
-  return std::atan2(circles.height, circles.foot);
-}
-
-GrownCornerSlot GrownComplex::next_held(GrownCornerSlot corner, GrownEdgeSlot edge, GrownTriangleSlot left) const {
-  const auto other_end = [&](GrownEdgeSlot at) {
-    const auto& v = filtration_.edges()[at].v;
-    return v[v[0] == corner ? 1 : 0];
+Vec2 GrownComplex::crossing(GrownEndSlot end) const {
+  const GrownEdgeSlot edge = edge_of(end);
+  const BallBirths::Edge& row = filtration_.edges()[edge];
+  // From one centre for both arcs that meet there, so that they have it to the last bit: that of the smaller ball.
+  const auto size_of = [&](std::size_t i) {
+    return std::pair(filtration_.disk(row.v[i]).radius, filtration_.corners()[row.v[i]].ball);
   };
+  const std::size_t from = size_of(0) < size_of(1) ? 0 : 1;
+  const bool is_left = end.index() % 2 == from;
+  const Vec2 along = direction(GrownEndSlot(2 * edge.index() + from));
+  const double half = half_chord(edge);
+  const Vec2 way = row.axis.foot[from] * along + (is_left ? half : -half) * perpendicular(along);
+  return filtration_.disk(row.v[from]).center + filtration_.balls().frame.vector_to_document(way);
+}
+
+double GrownComplex::half_angle(GrownEndSlot end) const {
+  const GrownEdgeSlot edge = edge_of(end);
+  return std::atan2(half_chord(edge), filtration_.edges()[edge].axis.foot[end.index() % 2]);
+}
+
+Vec2 GrownComplex::direction(GrownEndSlot end) const {
+  const Vec2 along = filtration_.edges()[edge_of(end)].axis.direction;
+  return end.index() % 2 == 0 ? along : -along;
+}
+
+GrownComplex::Spoke GrownComplex::next_held(GrownEndSlot from) const {
+  const GrownEdgeSlot edge = edge_of(from);
+  const GrownCornerSlot corner = filtration_.edges()[edge].v[from.index() % 2];
   if (filtration_.triangles().empty()) {
     for (const GrownEdgeSlot other : hull_edge_[corner])
-      if (other != kNoSlot && other != edge && holds(other)) return other_end(other);
-    return other_end(edge);
+      if (other != kNoSlot && other != edge && holds(other)) return {end_at(corner, other), kHalfTurn};
+    return {from, 2.0 * kHalfTurn};
   }
-  for (GrownTriangleSlot at = left;;) {
+  Spoke out{from, 0.0};
+  for (GrownTriangleSlot at = filtration_.edges()[edge].f[from.index() % 2];;) {
+    const bool is_triangle = at != kNoSlot;
     GrownEdgeSlot next;
-    if (at == kNoSlot) {
-      next = hull_edge_[corner][0];
-      const BallBirths::Edge& row = filtration_.edges()[next];
-      at = row.f[row.v[0] == corner ? 0 : 1];
-    } else {
+    if (is_triangle) {
       const BallBirths::Triangle& row = filtration_.triangles()[at];
       const std::size_t i = row.v[0] == corner ? 0 : (row.v[1] == corner ? 1 : 2);
       next = row.e[(i + 1) % 3];
       at = row.n[(i + 1) % 3];
+    } else {
+      next = hull_edge_[corner][0];
+      const BallBirths::Edge& row = filtration_.edges()[next];
+      at = row.f[row.v[0] == corner ? 0 : 1];
     }
-    if (holds(next)) return other_end(next);
+    if (next == edge) return {from, 2.0 * kHalfTurn};
+    const GrownEndSlot end = end_at(corner, next);
+    out = {end, out.turn + turn_between(direction(out.end), direction(end), is_triangle)};
+    if (holds(next)) return out;
   }
 }
 
-std::optional<Arc> GrownComplex::arc(GrownEndSlot row) const {
-  const GrownEdgeSlot edge(row.index() / 2);
+std::optional<BoundaryArc> GrownComplex::arc(GrownEndSlot row) const {
+  const GrownEdgeSlot edge = edge_of(row);
   if (!holds(edge)) return std::nullopt;
   const BallBirths::Edge& ends = filtration_.edges()[edge];
   const std::size_t i = row.index() % 2;
   if (!is_open(ends.f[i])) return std::nullopt;
-  const GrownCornerSlot corner = ends.v[i];
-  const GrownCornerSlot other = ends.v[1 - i];
-  const GrownCornerSlot next = next_held(corner, edge, ends.f[i]);
+  const Spoke next = next_held(row);
   // To the right of the next edge, which is to the left of it seen from its other end.
-  const Arc out{filtration_.disk(corner).center, disk(corner).radius, crossing(corner, other),
-                crossing(next, corner)};
-  // One that is shorter than its ends are rounded may have them the wrong way round, or in one place, and then goes
-  // nearly all the way about the centre.
-  const Vec2 center = out.center;
-  const double between = next == other
-                             ? 2.0 * std::numbers::pi
-                             : sweep_of({center, 1.0, filtration_.disk(other).center, filtration_.disk(next).center});
-  const double wanted = between - half_angle(corner, other) - half_angle(corner, next);
-  if (sweep_of(out) > wanted + std::numbers::pi) return std::nullopt;
-  return out;
+  return BoundaryArc{filtration_.ball(ends.v[i]), 0, crossing(row), crossing(other_end(next.end)),
+                     std::max(0.0, next.turn - half_angle(row) - half_angle(next.end))};
+}
+
+std::optional<Arc> GrownComplex::drawn(GrownEndSlot row) const {
+  const auto found = arc(row);
+  if (!found) return std::nullopt;
+  return drawn_arc(*found, disk(filtration_.edges()[edge_of(row)].v[row.index() % 2]));
 }
 
 StatList GrownComplex::statistics() const {

@@ -5,9 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
-#include <vector>
 
-#include "core/base/arc.h"
 #include "core/base/change_set.h"
 #include "core/structures/balls/ball_filtration.h"
 
@@ -20,7 +18,9 @@ using GrownClassSlot = Slot<struct GrownClassTag>;
 /// What it guarantees:
 ///  1. `holds` is exact: what comes at a growth of `alpha-radius` or before, ties included.
 ///  2. `arc` gives each arc of the boundary of the union of the grown balls once, to the left of the edge at whose
-///     crossing it begins; a ball that meets no other has a whole circle instead (`is_alone`). Arcs are rounded.
+///     crossing it begins; a ball that meets no other has a whole circle instead (`is_alone`). Which arcs there are is
+///     exact, and of balls about nearly one centre, too. Their ends are rounded; the angle that they turn through is not
+///     taken from these.
 ///  3. A class is alive if it is born at that growth or before, and does not die by then.
 ///
 /// Cost: an update costs what comes or goes between the old growth and the new one, and O(n) for disks and boundary.
@@ -37,8 +37,10 @@ class GrownComplex : public Structure {
   bool is_alone(GrownCornerSlot corner) const { return holds(corner) && !has_edge_[corner]; }
   /// Rounded.
   Disk disk(GrownCornerSlot corner) const;
-  /// That begins at the crossing to the left of the edge, seen from this end, and goes around the end.
-  std::optional<Arc> arc(GrownEndSlot row) const;
+  /// That begins at the crossing to the left of the edge, seen from this end, and goes around the end. May have no length.
+  std::optional<BoundaryArc> arc(GrownEndSlot row) const;
+  /// As it is drawn, if it can be seen.
+  std::optional<Arc> drawn(GrownEndSlot row) const;
 
   const ChangeSet<GrownCornerSlot>& corner_changes() const { return corner_changes_; }
   const ChangeSet<GrownEdgeSlot>& edge_changes() const { return edge_changes_; }
@@ -67,13 +69,24 @@ class GrownComplex : public Structure {
   double wish() const { return settings_.current()[Parameter::alpha_radius]; }
   void find_ways();
   void set_growth();
-  /// Where the circles around the ends of a held edge cross, to its left seen from `from`.
-  Vec2 crossing(GrownCornerSlot from, GrownCornerSlot to) const;
-  /// The angle at `from` between the way to `to` and the way to either crossing.
-  double half_angle(GrownCornerSlot from, GrownCornerSlot to) const;
-  /// Turns counter-clockwise around `corner` from `edge`, and returns the far end of the first held edge. If `edge` is
-  /// the only one, that is its own far end.
-  GrownCornerSlot next_held(GrownCornerSlot corner, GrownEdgeSlot edge, GrownTriangleSlot left) const;
+  /// Row 2 e + i: where the circles about the ends of a held edge cross, to its left seen from end i.
+  Vec2 crossing(GrownEndSlot end) const;
+  /// Of the two crossings, in the frame.
+  double half_chord(GrownEdgeSlot edge) const;
+  /// The angle at an end of a held edge between the edge and the way to either crossing.
+  double half_angle(GrownEndSlot end) const;
+  GrownEndSlot end_at(GrownCornerSlot corner, GrownEdgeSlot edge) const {
+    return GrownEndSlot(2 * edge.index() + (filtration_.edges()[edge].v[0] == corner ? 0U : 1U));
+  }
+  /// Along the edge, away from the end.
+  Vec2 direction(GrownEndSlot end) const;
+  struct Spoke {
+    GrownEndSlot end;
+    double turn = 0.0;  ///< a whole turn if it is the edge itself
+  };
+  /// The first held edge counter-clockwise about an end of an edge, and how far it is from there. No angle is decided by
+  /// rounded numbers: that of a triangle is below half a turn, and that outside of the hull is not.
+  Spoke next_held(GrownEndSlot from) const;
   bool is_open(GrownTriangleSlot triangle) const { return triangle == kNoSlot || !holds(triangle); }
 
   const SettingsSource& settings_;

@@ -285,9 +285,14 @@ class BirthSearch {
       }
       out.triangles.push_back(row);
     }
-    for (const RegularEdgeSlot e : edges) {
+    std::vector<BallPair> ends;
+    ends.reserve(edges.size());
+    for (const RegularEdgeSlot e : edges) ends.push_back({tables_.edges[e].v[0], tables_.edges[e].v[1]});
+    const std::vector<RadicalAxis> axes = radical_axes(input_, ends, job_);
+    for (std::size_t k = 0; k < edges.size(); ++k) {
+      const RegularEdgeSlot e = edges[k];
       const RegularTables::Edge& edge = tables_.edges[e];
-      BallBirths::Edge row{.v = {corner_of[edge.v[0]], corner_of[edge.v[1]]}, .rank = of_edge_[e]};
+      BallBirths::Edge row{.v = {corner_of[edge.v[0]], corner_of[edge.v[1]]}, .rank = of_edge_[e], .axis = axes[k]};
       for (std::size_t side = 0; side < 2; ++side) {
         if (edge.f[side] == kNoSlot) continue;
         row.f[side] = triangle_of[edge.f[side]];

@@ -10,6 +10,7 @@
 #include "core/base/job_control.h"
 #include "core/base/table.h"
 #include "core/base/vec2.h"
+#include "core/structures/balls/internal/radical_axis.h"
 #include "core/structures/balls/internal/union_runs.h"
 
 namespace mes {
@@ -33,6 +34,7 @@ struct BallBirths {
     std::array<GrownCornerSlot, 2> v{};
     std::array<GrownTriangleSlot, 2> f{};
     std::uint32_t rank = 0;
+    RadicalAxis axis;  ///< of both ends
   };
   /// Corners run counter-clockwise; neighbour and edge i lie opposite corner i; kNoSlot outside.
   struct Triangle {
