@@ -5,6 +5,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <numbers>
+#include <span>
 #include <thread>
 
 #include "core/base/box_tree.h"
@@ -15,10 +17,15 @@
 #include "core/base/rng.h"
 #include "core/base/task_queue.h"
 #include "core/curves/b_spline.h"
+#include "core/curves/clip_region.h"
 #include "core/curves/corners.h"
 #include "core/curves/cubic_interpolation.h"
+#include "core/curves/cuts.h"
+#include "core/curves/feature_field.h"
 #include "core/curves/joined_ends.h"
+#include "core/curves/line_regions.h"
 #include "core/curves/nearest_place.h"
+#include "core/curves/resolution.h"
 #include "core/curves/sampling.h"
 #include "core/curves/smooth_curve.h"
 #include "core/document/commands.h"
@@ -41,6 +48,7 @@
 #include "core/shapes/shape.h"
 #include "core/structures/alpha/persistence.h"
 #include "core/structures/crust/internal/link_cut_forest.h"
+#include "core/structures/density/sample_sizes.h"
 #include "core/structures/filters/axis_pruning.h"
 
 using namespace mes;
@@ -434,6 +442,75 @@ TEST_CASE("curves lose their corners, are laid through points, and are sampled, 
     if (taken) document.apply(*resample(document, taken->data));
     CHECK(document.sample_count() > 40);
   }
+}
+
+TEST_CASE("what curves have in common is found as their headers show") {
+  const auto polygon = [](const std::vector<Vec2>& points) {
+    PlaneCurve curve(points.front());
+    for (const Vec2 p : std::span(points).subspan(1)) curve.line_to(p);
+    return curve;
+  };
+  const auto ring_of = [&](const std::vector<Vec2>& points) {
+    PlaneCurve curve = polygon(points);
+    curve.close();
+    return curve;
+  };
+  {
+    const PlaneCurve curve = polygon({{0.25, 1.5}, {3, 4.75}});
+    CurveSet curves;
+    // core/curves/resolution.h
+    curves.resolution = resolution_of(curve.points());
+    CHECK(curves.resolution == 0.01);
+  }
+  {
+    std::vector<PlaneCurve> curves{ring_of({{170, 0}, {180, 0}, {180, 9}, {170, 9}}),
+                                   ring_of({{180, 0}, {190, 0}, {190, 9}, {180, 9}})};
+    // core/curves/cuts.h
+    curves = without_cuts(std::move(curves), 0.0, [](Vec2 p) { return p.x == 180.0; });
+    CHECK(curves.size() == 1);
+  }
+  {
+    std::vector<PlaneCurve> walls{polygon({{0, 0}, {9, 0}, {9, 9}, {0, 9}, {0, 0}}), polygon({{4, 0}, {4, 9}})};
+    std::vector<PlaneCurve> curves;
+    // core/curves/line_regions.h
+    curves = with_line_regions(std::move(walls), 0.001);
+    CHECK(curves.size() == 2);
+  }
+  {
+    PlaneCurve circle({1, 0});
+    circle.arc_to({.u = {1, 0}, .v = {0, 1}, .sweep = 2.0 * std::numbers::pi}, {1, 0});
+    circle.close();
+    const PlaneCurve square = ring_of({{0, 0}, {9, 0}, {9, 9}, {0, 9}});
+    // core/curves/clip_region.h
+    const ClipRegion disk = ClipRegion::of({circle}, FillRule::nonzero, clip_grid(100.0));
+    const ClippedCurves seen = disk.clipped({square}, Ink::nonzero_area);
+    CHECK(seen.seen == ClippedCurves::Seen::part);
+    CHECK(seen.curves.size() == 1);
+  }
+}
+
+TEST_CASE("what an epsilon is measured by is made as the headers show") {
+  CurveSet curves;
+  curves.curves.push_back(bow());
+  const SamplingRequest request;
+  const std::vector<Vec2> positions = sample(curves, {.rule = SamplingRule::count, .count = 50})->positions;
+  double found = 0.0;
+  const auto use = [&](double epsilon) { found = epsilon; };
+  {
+    JobControl job;
+    // core/structures/density/sample_sizes.h
+    SampleSizes sizes(job);
+    auto field = FeatureField::of(curves, request, [&](auto positions) { return sizes.of(positions); }, &job);
+    CHECK(field.has_value());
+  }
+  JobControl job;
+  SampleSizes measured(job);
+  const FeatureSizes sizes = [&](std::span<const Vec2> places) { return measured.of(places); };
+  // core/curves/feature_field.h
+  auto field = FeatureField::of(curves, request, sizes);
+  if (field) use(field->standing(positions).epsilon);
+  CHECK(found > 0.0);
+  CHECK(std::isfinite(found));
 }
 
 TEST_CASE("pictures are traced as their headers show") {
