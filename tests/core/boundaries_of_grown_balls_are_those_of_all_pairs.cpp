@@ -103,18 +103,16 @@ Free free_of_all_pairs(const std::vector<LongBall>& balls) {
       continue;
     }
     std::ranges::sort(covered);
-    Long end = covered.front().second;
+    // The part that reaches farthest may go on at the beginning of the circle.
+    Long end = std::ranges::max(covered, {}, &std::pair<Long, Long>::second).second - turn;
     Long left = 0;
-    const auto add = [&](const Long& gap) {
-      if (gap <= 0) return;
+    for (const auto& [from, to] : covered) {
+      const Long gap = from - end;
+      end = std::max(end, to);
+      if (gap <= 0) continue;
       left += gap;
       if (gap > kSeen) ++out.arcs;
-    };
-    for (const auto& [from, to] : covered) {
-      add(from - end);
-      end = std::max(end, to);
     }
-    add(covered.front().first + turn - end);
     out.perimeter += radius * static_cast<double>(left);
   }
   return out;

@@ -19,7 +19,7 @@ namespace {
 using Rational = CGAL::Exact_rational;
 using Interval = CGAL::Interval_nt<false>;
 
-constexpr double kTolerance = 0x1p-30;
+constexpr double kTolerance = 0x1p-36;
 
 /// What the axis is made of, without roots.
 template <class Number>

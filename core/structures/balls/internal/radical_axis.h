@@ -15,7 +15,7 @@ namespace mes {
 
 /// Numbers are those of the frame. What it guarantees:
 ///  1. Centres that coincide up to rounding have the direction and the feet of the balls as they are: a crossing that
-///     follows from these is off by `tolerance` at most, a part in 10^9 of the smaller radius or of the way to the foot.
+///     follows from these is off by `tolerance` at most, 2^-36 of the smaller radius or of the way to the foot.
 ///  2. Exchanging the two balls changes signs and no digit.
 struct RadicalAxis {
   Vec2 direction{};              ///< from the first centre to the second, of length 1
