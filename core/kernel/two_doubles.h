@@ -10,15 +10,19 @@
 //
 // Let u = 2^-53. A sum of two such numbers rounds twice, when the low parts are added. A product leaves out low *
 // low, at most u^2 of it, and rounds four times: two mixed products, u^2 each, their sum, 2 u^2, and the whole, 3
-// u^2. Source: Dekker 1971, Knuth TAOCP 2, 4.2.2; the bound that runs along is the usual running error analysis.
+// u^2. A quotient and a root are bounded by what they leave: |a / b - q| = |a - q b| / |b|, and |sqrt(a) - s| is at most
+// |a - s^2| / s. Source: Dekker 1971, Knuth TAOCP 2, 4.2.2; the bound that runs along is the usual running error analysis.
 #pragma once
 
 #include <cmath>
+#include <limits>
+#include <optional>
 
 namespace mes {
 
 class TwoDoubles {
  public:
+  constexpr TwoDoubles() = default;
   constexpr TwoDoubles(double x) : high_(x) {}
   /// Of two doubles, exactly.
   static TwoDoubles difference(double a, double b) { return sum_of(a, -b); }
@@ -34,6 +38,22 @@ class TwoDoubles {
   double value() const { return high_ + low_; }
   /// How far the true value may be from `value`, less a unit in its last place.
   double error() const { return bound_ * (1.0 + 0x1p-40); }
+  /// The double nearest to the true value, if that is known.
+  std::optional<double> nearest() const {
+    const double off = error() + 0x1p-52 * std::abs(low_);
+    const double least = high_ + (low_ - off);
+    const double most = high_ + (low_ + off);
+    return least == most ? std::optional(least + 0.0) : std::nullopt;
+  }
+  /// Doubles between which the true value lies; NaN or infinite where nothing is known.
+  double low_end() const {
+    const double least = low_ - error();
+    return least == 0.0 ? high_ : std::nextafter(high_ + least, -std::numeric_limits<double>::infinity());
+  }
+  double high_end() const {
+    const double most = low_ + error();
+    return most == 0.0 ? high_ : std::nextafter(high_ + most, std::numeric_limits<double>::infinity());
+  }
 
   // Inlined by force: a factor that a polynomial has several times is then divided into halves once.
   TwoDoubles operator-() const { return {-high_, -low_, bound_}; }
@@ -57,8 +77,30 @@ class TwoDoubles {
                  kBelowRange;
     return out;
   }
+  /// Unknown where the divisor may be 0.
+  friend TwoDoubles operator/(const TwoDoubles& a, const TwoDoubles& b) {
+    const double first = a.high_ / b.high_;
+    const TwoDoubles rest = a - b * TwoDoubles(first);
+    const double second = rest.high_ / b.high_;
+    TwoDoubles out = sum_of(first, second);
+    const double size = std::abs(b.high_) * (1.0 - 0x1p-50) - b.error();
+    out.bound_ = size > 0.0 ? (rest - b * TwoDoubles(second)).size() / size : kUnknown;
+    return out;
+  }
+  /// Of a number that is positive for certain; unknown otherwise.
+  friend TwoDoubles root_of(const TwoDoubles& a) {
+    if (a.sign() <= 0) return {0.0, 0.0, kUnknown};
+    const double first = std::sqrt(a.high_);
+    const double second = (a - TwoDoubles(first) * TwoDoubles(first)).high_ / (2.0 * first);
+    TwoDoubles out = sum_of(first, second);
+    out.bound_ = (a - out * out).size() / (first * (1.0 - 0x1p-50));
+    return out;
+  }
 
  private:
+  static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
+  /// Not smaller than the true value without its sign, but for the rounding of bounds.
+  double size() const { return std::abs(high_) + std::abs(low_) + bound_; }
   // What products lose that should be below 2^-1022.
   static constexpr double kBelowRange = 0x1p-1000;
 
@@ -78,7 +120,7 @@ class TwoDoubles {
     return {s, (a - (s - part)) + (b - part), 0.0};
   }
 
-  double high_;
+  double high_ = 0.0;
   double low_ = 0.0;
   double bound_ = 0.0;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -21,6 +22,12 @@ template <class Number>
 struct Place {
   Number x, y;
 };
+
+/// How many bits of a crossing two doubles have to tell; otherwise it has forty digits.
+constexpr double kEnough = 0x1p-64;
+
+/// Of a direction. Along the axes many crossings of a symmetric figure are equal, which is what takes longest to see.
+constexpr double kSlope = 0.6180339887498949;
 
 /// The point (x, y) + sqrt(radicand) (x_root, y_root).
 template <class Number>
@@ -68,10 +75,9 @@ Place<BigInterval<kDigits>> big_place(const CrossingSource& source, const Terms<
 template <unsigned kDigits>
 Place<BigInterval<kDigits>> place_at(const CrossingPoint& p) {
   if constexpr (kDigits == 40) {
-    return {p.at->first_x, p.at->first_y};
-  } else {
-    return big_place<kDigits>(p.at->source, terms_of<BigInterval<kDigits>>(p.at->source));
+    if (p.at->forty != nullptr) return {p.at->forty->x, p.at->forty->y};
   }
+  return big_place<kDigits>(p.at->source, terms_of<BigInterval<kDigits>>(p.at->source));
 }
 template <unsigned kDigits>
 Place<BigInterval<kDigits>> place_at(const PipelineBall* ball) {
@@ -83,6 +89,13 @@ Place<Interval> double_place(const CrossingPoint& p) {
 }
 Place<Interval> double_place(const PipelineBall* ball) {
   const auto center = ball_in<Interval>(*ball);
+  return {center.x, center.y};
+}
+Place<TwoDoubles> longer_place(const CrossingPoint& p) {
+  return {p.at->first_x, p.at->first_y};
+}
+Place<TwoDoubles> longer_place(const PipelineBall* ball) {
+  const auto center = ball_in<TwoDoubles>(*ball);
   return {center.x, center.y};
 }
 Place<RootElement> exact_place(const CrossingPoint& p, RootElement::Radicands& radicands, std::size_t& roots) {
@@ -118,6 +131,7 @@ int sign_of(const Polynomial& polynomial, const Operand&... operand) {
     if (value.inf() > 0.0) return 1;
     if (value.sup() < 0.0) return -1;
   }
+  if (const int sign = TwoDoubles(polynomial(longer_place(operand)...)).sign(); sign != 0) return sign;
   if (const int sign = sign_with_digits<40>(polynomial, operand...); sign != 0) return sign;
   if (const int sign = sign_with_digits<80>(polynomial, operand...); sign != 0) return sign;
   if (const int sign = sign_with_digits<160>(polynomial, operand...); sign != 0) return sign;
@@ -137,6 +151,8 @@ std::optional<double> quotient_with_digits(const Numerator& numerator, const Den
 /// The nearest double of a quotient of polynomials. Zero takes all steps.
 template <class Numerator, class Denominator, class... Operand>
 double rounded_quotient(const Numerator& numerator, const Denominator& denominator, const Operand&... operand) {
+  const TwoDoubles longer = numerator(longer_place(operand)...) / denominator(longer_place(operand)...);
+  if (const auto out = longer.nearest()) return *out;
   if (const auto out = quotient_with_digits<40>(numerator, denominator, operand...)) return *out;
   if (const auto out = quotient_with_digits<80>(numerator, denominator, operand...)) return *out;
   if (const auto out = quotient_with_digits<160>(numerator, denominator, operand...)) return *out;
@@ -218,16 +234,41 @@ Crossing crossing_of(const CrossingSource& source, const BallOf<Crossing::First>
                      const BallOf<Crossing::First>& b) {
   Crossing out;
   out.source = source;
-  const auto place = big_place<40>(source, terms_of(source, a, b));
-  out.first_x = place.x;
-  out.first_y = place.y;
-  const auto interval = [](const Crossing::First& x) {
+  const Terms<TwoDoubles> terms = terms_of(source, a, b);
+  const bool has_root = source.kind == CrossingSource::Kind::root;
+  const TwoDoubles root = has_root ? root_of(terms.radicand) : TwoDoubles();
+  out.first_x = has_root ? terms.x + terms.x_root * root : terms.x;
+  out.first_y = has_root ? terms.y + terms.y_root * root : terms.y;
+  const double size = std::max(std::abs(out.first_x.value()), std::abs(out.first_y.value()));
+  if (out.first_x.error() <= kEnough * size && out.first_y.error() <= kEnough * size) {
+    out.x = Interval(out.first_x.low_end(), out.first_x.high_end());
+    out.y = Interval(out.first_y.low_end(), out.first_y.high_end());
+    return out;
+  }
+  const auto place = big_place<40>(source, terms_of<BigInterval<40>>(source));
+  out.forty = std::make_shared<const Crossing::FortyDigits>(Crossing::FortyDigits{place.x, place.y});
+  const auto interval = [](const BigInterval<40>& x) {
     const DoubleEnds ends = ends_of<40>(x);
     return Interval(ends.low, ends.high);
   };
   out.x = interval(place.x);
   out.y = interval(place.y);
   return out;
+}
+
+bool CrossingKernel::Less_along::operator()(CrossingPoint p, CrossingPoint q, bool by_second) const {
+  if (p.at->same == q.at->same) return false;
+  const auto along_first = [](const auto& a, const auto& b) {
+    using Number = std::remove_cvref_t<decltype(a.x)>;
+    return (a.x - b.x) + Number(kSlope) * (a.y - b.y);
+  };
+  const auto along_second = [](const auto& a, const auto& b) {
+    using Number = std::remove_cvref_t<decltype(a.x)>;
+    return (a.y - b.y) - Number(kSlope) * (a.x - b.x);
+  };
+  if (const int order = by_second ? sign_of(along_second, p, q) : sign_of(along_first, p, q); order != 0)
+    return order < 0;
+  return by_second ? sign_of(along_first, p, q) > 0 : sign_of(along_second, p, q) < 0;
 }
 
 CGAL::Comparison_result CrossingKernel::Compare_x_2::operator()(CrossingPoint p, CrossingPoint q) const {

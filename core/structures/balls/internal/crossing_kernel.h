@@ -6,22 +6,25 @@
 //
 //  1. by what the crossings are: equal, on one circle, or samples, which are doubles;
 //  2. in intervals of doubles, of coordinates known to a unit in the last place;
-//  3. in intervals of 40, 80, 160 and 320 decimal digits (`BigInterval`);
-//  4. in the field of the rationals and the roots at hand (`RootElement`).
+//  3. in two doubles with a bound (`TwoDoubles`);
+//  4. in intervals of 40, 80, 160 and 320 decimal digits (`BigInterval`);
+//  5. in the field of the rationals and the roots at hand (`RootElement`).
 //
 // Several crossings on one circle are the rule, and their in-circle test is zero, which the first step sees. What gets
-// to the last step is zero by coincidence, as in symmetric figures. Numbers belong to one thread.
+// to the last step is zero by coincidence, as in symmetric figures. Threads may share crossings.
 #pragma once
 
 #include <CGAL/Interval_nt.h>
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "core/base/vec2.h"
 #include "core/kernel/big_interval.h"
 #include "core/kernel/kernels.h"
+#include "core/kernel/two_doubles.h"
 #include "core/structures/balls/internal/local_frame.h"
 #include "core/structures/balls/internal/union_numbers.h"
 #include "core/structures/balls/internal/union_runs.h"
@@ -49,13 +52,17 @@ using CirclesThrough = std::vector<InputSlot>;
 /// What is known of a crossing.
 struct Crossing {
   using Interval = CGAL::Interval_nt<false>;
-  using First = BigInterval<40>;
+  using First = TwoDoubles;
+  struct FortyDigits {
+    BigInterval<40> x, y;
+  };
 
   CrossingSource source;
-  Interval x, y;                   ///< at most two doubles wide, unless the balls are all but degenerate
-  First first_x, first_y;          ///< the same with more digits
-  const Crossing* same = nullptr;  ///< of crossings known to be equal, the one that stands for all
-  CirclesThrough circles;          ///< of that one: through any of the equal ones
+  Interval x, y;                             ///< at most four doubles wide, unless the balls are all but degenerate
+  First first_x, first_y;                    ///< the same with more digits
+  std::shared_ptr<const FortyDigits> forty;  ///< where these are not enough for the intervals
+  const Crossing* same = nullptr;            ///< of crossings known to be equal, the one that stands for all
+  CirclesThrough circles;                    ///< of that one: through any of the equal ones
 };
 
 /// Computes the intervals of a crossing from those of its two balls, as `ball_in` gives them; `same` and `circles` are
@@ -87,6 +94,11 @@ struct CrossingKernel {
   };
   struct Side_of_oriented_circle_2 {
     CGAL::Oriented_side operator()(CrossingPoint p, CrossingPoint q, CrossingPoint r, CrossingPoint s) const;
+  };
+  /// Along one of two directions at a right angle; which two they are is not said. Of points that are equal in one of them
+  /// the other one decides, so that both orders are those of a plane that is turned by a right angle.
+  struct Less_along {
+    bool operator()(CrossingPoint p, CrossingPoint q, bool by_second) const;
   };
   struct Construct_point_2 {
     CrossingPoint operator()(CrossingPoint p) const { return p; }

@@ -19,6 +19,7 @@
 #include "core/base/disjoint_sets.h"
 #include "core/base/job_control.h"
 #include "core/structures/balls/internal/crossing_kernel.h"
+#include "core/structures/balls/internal/crossing_triangulation.h"
 #include "core/structures/balls/internal/union_balls.h"
 #include "core/structures/balls/internal/union_complex.h"
 #include "core/structures/balls/internal/union_tables.h"
