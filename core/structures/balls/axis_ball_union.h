@@ -33,7 +33,7 @@ struct AxisDisks {
 ///
 /// At factors other than 1 hairs are taken off its axis, as off that of `ScaleUnion`: the spacing of a ball is that of the
 /// list, or the distance at which `medial-sampling-angle` has equal balls of its radius, or of its shrunk radius below 1,
-/// whichever is larger. In `fast` the union is that of rounded numbers unless these contradict themselves.
+/// whichever is larger.
 class DiskListUnion : public BallUnion {
  public:
   /// What radii were multiplied by.
@@ -51,7 +51,6 @@ class DiskListUnion : public BallUnion {
  private:
   DiskListUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
                 const BallUnion* plain, const std::shared_ptr<DiskList>& disks);
-  bool is_exact_on_doubt() const override { return true; }
   void refine(UnionTables& tables) override;
 
   const SettingsSource& settings_;

@@ -139,17 +139,6 @@ AxisCounts count_axis(const UnionTables& t) {
   return out;
 }
 
-/// Rounding has put dual complex and axis at odds.
-bool contradicts_itself(const UnionTables& t) {
-  if (t.counts.lost_crossings + t.counts.contradictions + t.counts.negative_radicands != 0) return true;
-  std::int64_t chi = 0;
-  for (const BallState state : t.balls) chi += state == BallState::visible || state == BallState::isolated ? 1 : 0;
-  for (const DualEdge& edge : t.dual_edges) chi -= edge.is_alive() ? 1 : 0;
-  for (const DualFace& face : t.dual_faces) chi += face.is_alive() ? 1 : 0;
-  const AxisCounts axis = count_axis(t);
-  return chi != axis.nodes - axis.edges;
-}
-
 }  // namespace
 
 std::string_view name_of(UnionRung rung) {
@@ -256,12 +245,9 @@ UnionMeasures BallUnion::measures() const {
 void BallUnion::run_pipeline(Precision precision, JobControl& job) {
   const LocalBalls balls = local_balls(*family_);
   ignored_ = balls.ignored;
-  // Rounded balls that touch samples have another union than these: around each sample, signs are a matter of chance.
-  const bool is_exact_as_well = precision == Precision::fast && made_with_.use_shortcut && family_->is_from_samples();
+  // Crossings that are rounded lie on their circles in another order where balls nearly coincide or touch one sample.
+  const bool is_exact_as_well = precision == Precision::fast && made_with_.use_shortcut;
   tables_ = run_pipeline(is_exact_as_well ? Precision::exact : precision, balls.input(), job);
-  if (rung_ != UnionRung::doubles || !is_exact_on_doubt() || !contradicts_itself(tables_)) return;
-  why_ += "; rounded numbers contradict themselves";
-  tables_ = run_pipeline(Precision::exact, balls.input(), job);
 }
 
 UnionTables BallUnion::run_pipeline(Precision precision, const PipelineInput& input, JobControl& job) {

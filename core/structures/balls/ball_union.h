@@ -30,9 +30,9 @@ std::string_view name_of(UnionRung rung);
 /// What it guarantees:
 ///  1. With `exact` and `exact_roots` the tables are those of the balls as real disks: for Voronoi balls the
 ///     circumdisks of the samples, not their rounded images. Positions are rounded at the very end.
-///  2. `fast` gives the same for balls of samples: by the shortcut where `AxisCertificate` holds, else as `exact` does. For
-///     balls of the user, and with the parameter `union-shortcut` off, the result is that of rounded numbers, which may
-///     differ in kind, and `findings` says so where it shows.
+///  2. `fast` gives the same: for balls of samples by the shortcut where `AxisCertificate` holds, else as `exact` does. With
+///     the parameter `union-shortcut` off the result is that of rounded numbers, which may differ in kind, and `findings`
+///     says so where it shows.
 ///  3. `naive` may give anything or fail, but ends.
 ///  4. Closed convention: balls that touch are joined. Balls of radius zero take no part.
 ///  5. Balls are scaled about their centres before all else: with `exact` and `exact_roots` by the double that the
@@ -71,8 +71,6 @@ class BallUnion : public Structure {
   BallUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings, Parameter scale,
             std::unique_ptr<BallFamily> family, const AxisCertificate* certificate = nullptr,
             std::unique_ptr<SampleUnion> shortcut = nullptr);
-  /// In `fast`, a result of rounded numbers that contradicts itself is replaced by that of `exact`.
-  virtual bool is_exact_on_doubt() const { return false; }
   /// Called with what the pipeline gave, before anything else reads it.
   virtual void refine(UnionTables&) {}
   /// In place of `rebuild`: the balls are those of another union, which outlives this one. O(size of its tables).

@@ -74,8 +74,7 @@ class AxisSampling final : public Structure {
 ///
 /// At a factor of 1 the balls between add nothing to the union and are left out: it is the union of the inner balls, by
 /// the certified shortcut where that holds. At other factors it is made anew for every change, by the general pipeline.
-/// In `fast` it is that of rounded balls, unless that contradicts itself, as where centres are in line; in `exact`, inner
-/// Voronoi balls are grown as circumdisks of the samples.
+/// Inner Voronoi balls are grown as circumdisks of the samples.
 ///
 /// At other factors *hairs* are taken off its axis (internal/scale_hairs.h). Where the boundary is touched from one side
 /// only, each ball that has an arc of it makes a branch of its own: arcs between sampled balls are scallops of what would
@@ -107,7 +106,6 @@ class ScaleUnion final : public BallUnion {
   double factor() const { return family().scale(); }
 
  private:
-  bool is_exact_on_doubt() const override { return true; }
   void refine(UnionTables& tables) override;
   /// Of the samples, or of the balls along the axis, at a ball.
   Table<FamilySlot, double> spacing() const;
