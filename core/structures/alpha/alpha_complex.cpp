@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/kernel/two_doubles.h"
+
 namespace mes {
 
 AlphaComplex::AlphaComplex(SettingsSource& settings, Delaunay& delaunay, AlphaFiltration& filtration)
@@ -69,8 +71,10 @@ Vec2 AlphaComplex::crossing(SiteSlot site, SiteSlot other) const {
   const Vec2 first = is_turned ? q : p;
   const Vec2 along = is_turned ? p - q : q - p;
   const double size = length(along);
-  const double half = 0.5 * size;
-  const double height = std::sqrt(std::max(0.0, radius_ - half) * (radius_ + half));
+  // In twice the digits: where circles all but touch, half of them cancel.
+  const TwoDoubles x = TwoDoubles::difference(p.x, q.x), y = TwoDoubles::difference(p.y, q.y);
+  const TwoDoubles square = TwoDoubles(radius_) * TwoDoubles(radius_) - TwoDoubles(0.25) * (x * x + y * y);
+  const double height = std::sqrt(std::max(0.0, square.value()));
   const double side = (is_turned ? -height : height) / size;
   return {first.x + 0.5 * along.x - side * along.y, first.y + 0.5 * along.y + side * along.x};
 }

@@ -178,7 +178,8 @@ std::optional<BoundaryArc> GrownComplex::arc(GrownEndSlot row) const {
 std::optional<Arc> GrownComplex::drawn(GrownEndSlot row) const {
   const auto found = arc(row);
   if (!found) return std::nullopt;
-  return drawn_arc(*found, disk(filtration_.edges()[edge_of(row)].v[row.index() % 2]));
+  const Disk ball = disk(filtration_.edges()[edge_of(row)].v[row.index() % 2]);
+  return ball.radius > 0.0 ? drawn_arc(*found, ball) : std::nullopt;
 }
 
 StatList GrownComplex::statistics() const {
