@@ -13,7 +13,7 @@
 // polygons are apart from their curves do not count.
 //
 // Smallest use:
-//     const ClipRegion disk = ClipRegion::of({circle}, FillRule::nonzero, clip_grid(100.0));
+//     const ClipRegion disk = ClipRegion::of(std::vector{circle}, FillRule::nonzero, clip_grid(100.0));
 //     const ClippedCurves seen = disk.clipped({square}, Ink::nonzero_area);
 //
 // Cost: O(n log n) for n sides of curve and region where they cut; O(log n) where their boxes tell. Threads: any.

@@ -482,7 +482,7 @@ TEST_CASE("what curves have in common is found as their headers show") {
     circle.close();
     const PlaneCurve square = ring_of({{0, 0}, {9, 0}, {9, 9}, {0, 9}});
     // core/curves/clip_region.h
-    const ClipRegion disk = ClipRegion::of({circle}, FillRule::nonzero, clip_grid(100.0));
+    const ClipRegion disk = ClipRegion::of(std::vector{circle}, FillRule::nonzero, clip_grid(100.0));
     const ClippedCurves seen = disk.clipped({square}, Ink::nonzero_area);
     CHECK(seen.seen == ClippedCurves::Seen::part);
     CHECK(seen.curves.size() == 1);
@@ -493,19 +493,20 @@ TEST_CASE("what an epsilon is measured by is made as the headers show") {
   CurveSet curves;
   curves.curves.push_back(bow());
   const SamplingRequest request;
-  const std::vector<Vec2> positions = sample(curves, {.rule = SamplingRule::count, .count = 50})->positions;
   double found = 0.0;
   const auto use = [&](double epsilon) { found = epsilon; };
   {
     JobControl job;
     // core/structures/density/sample_sizes.h
     SampleSizes sizes(job);
-    auto field = FeatureField::of(curves, request, [&](auto positions) { return sizes.of(positions); }, &job);
+    auto field = FeatureField::of(
+        curves, request, [&](auto positions) { return sizes.of(positions); }, &job);
     CHECK(field.has_value());
   }
   JobControl job;
   SampleSizes measured(job);
   const FeatureSizes sizes = [&](std::span<const Vec2> places) { return measured.of(places); };
+  const std::vector<Vec2> positions = sample(curves, {.rule = SamplingRule::count, .count = 50})->positions;
   // core/curves/feature_field.h
   auto field = FeatureField::of(curves, request, sizes);
   if (field) use(field->standing(positions).epsilon);

@@ -2,7 +2,9 @@
 // The smallest uses in the comments of the headers of core/io, word for word, each with what it needs around it.
 #include <array>
 #include <catch2/catch.hpp>
+#include <chrono>
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <stop_token>
 #include <string>
@@ -12,6 +14,7 @@
 
 #include "core/io/coordinate_pairs.h"
 #include "core/io/counted_remarks.h"
+#include "core/io/file_lock.h"
 #include "core/io/json_text.h"
 #include "core/io/json_view.h"
 #include "core/io/line_layout.h"
@@ -27,6 +30,7 @@
 #include "core/io/written_decimals.h"
 #include "core/io/xml_long_values.h"
 #include "core/io/xml_source.h"
+#include "tests/io/temporary_folder.h"
 
 using namespace mes;
 
@@ -177,7 +181,26 @@ TEST_CASE("maps are read as their header shows") {
   REQUIRE(island);
   REQUIRE(island->data.contours.size() == 1);
   CHECK(island->data.contours.front().closed);
-  CHECK(island->data.positions.size() == 3);
+  REQUIRE(island->data.source);
+  CHECK(island->data.source->curves->curves.front().piece_count() == 3);
+  CHECK(island->data.positions.size() > 300);  // between the corners, too
+}
+
+TEST_CASE("a file is changed under its lock as the header shows") {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "count";
+  std::string on_disk = "a";
+  const auto read = [&](const std::filesystem::path&) { return on_disk; };
+  const auto changed = [](const std::string& text) { return text + "b"; };
+  const auto write = [&](const std::filesystem::path&, std::string text) { on_disk = std::move(text); };
+  {
+    // core/io/file_lock.h
+    const UpdateLock lock(path);
+    write(path, changed(read(path)));
+    CHECK(lock.is_held());
+    CHECK_FALSE(UpdateLock(path, std::chrono::milliseconds(0)).is_held());
+  }
+  CHECK(on_disk == "ab");
 }
 
 TEST_CASE("short numbers are read as their header shows") {

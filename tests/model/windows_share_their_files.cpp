@@ -33,8 +33,8 @@ bool all_at_once(int count, const std::function<bool(int)>& run) {
     if (child == 0) {
       close(start[1]);
       char none = 0;
-      static_cast<void>(read(start[0], &none, 1));  // until the other end is closed
-      _exit(run(i) ? 0 : 1);
+      const bool is_open = read(start[0], &none, 1) == 0;  // when the other end is closed
+      _exit(is_open && run(i) ? 0 : 1);
     }
     children.push_back(child);
   }

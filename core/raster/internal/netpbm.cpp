@@ -137,8 +137,7 @@ std::vector<std::uint8_t> binary_values(std::string_view rest, const Layout& lay
       for (std::size_t x = 0; x < layout.width; ++x, ++i)
         out[i] = (byte(y * layout.bytes_of_a_row() + x / 8) >> (7 - x % 8) & 1U) != 0 ? 255 : 0;
   } else if (layout.most > 255) {
-    for (std::size_t i = 0; i < count; ++i)
-      out[i] = scaled(byte(2 * i) << 8U | byte(2 * i + 1), layout.most);
+    for (std::size_t i = 0; i < count; ++i) out[i] = scaled(byte(2 * i) << 8U | byte(2 * i + 1), layout.most);
   } else {
     for (std::size_t i = 0; i < count; ++i) out[i] = scaled(byte(i), layout.most);
   }
