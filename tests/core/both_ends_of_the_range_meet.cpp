@@ -11,6 +11,7 @@
 
 #include "core/base/rng.h"
 #include "core/kernel/circumcircle.h"
+#include "core/structures/density/feature_size.h"
 #include "core/structures/axis/inner_balls.h"
 #include "core/structures/crust/one_step_crust.h"
 #include "core/structures/crust/voronoi_vertices.h"
@@ -119,6 +120,8 @@ bool is_about_nothing(const Workbench& bench, std::string_view structure, std::s
   if (structure == "lambda-axis" && key == "weak_feature_size") return bench.count(structure, "critical_values") == 0;
   if (structure == "lambda-axis" || structure == "angle-axis")
     return key == "largest" && bench.count("medial-axis", "nodes") == 0;
+  // Edges at corners and ends of the curve do not count.
+  if (structure == "feature-size" && key == "epsilon") return bench.get<FeatureSize>().sparsest_edge() == kNoSlot;
   if (structure == "feature-size") return bench.count(structure, "samples") == 0;
   return key.starts_with("radius_m") && bench.count(structure, structure == "medial-axis" ? "nodes" : "balls") == 0;
 }

@@ -60,13 +60,44 @@ void check_sizes(const Workbench& bench, double tolerance) {
   }
 }
 
-/// The epsilon of the samples, followed under edits, is the largest of all edges; the note says it, and where.
+/// The sites that do not count for the epsilon of all, by their definition: ends and junctions of the crust, and corners.
+Table<SiteSlot, bool> exempt_sites(const Workbench& bench) {
+  const auto& delaunay = bench.get<Delaunay>();
+  Table<SiteSlot, std::vector<SiteSlot>> beside(delaunay.site_rows());
+  for (const EdgeSlot edge : delaunay.edge_slots()) {
+    if (!delaunay.edge(edge).is_alive() || !bench.get<OneStepCrust>().is_crust(edge)) continue;
+    const auto& [a, b] = delaunay.edge(edge).v;
+    beside[a].push_back(b);
+    beside[b].push_back(a);
+  }
+  Table<SiteSlot, double> turn(delaunay.site_rows(), 0.0);
+  for (const SiteSlot site : turn.rows()) {
+    if (beside[site].size() != 2) continue;
+    const Vec2 p = delaunay.site_position(site);
+    const Vec2 in = p - delaunay.site_position(beside[site][0]), out = delaunay.site_position(beside[site][1]) - p;
+    turn[site] = std::abs(std::atan2(cross(in, out), dot(in, out)));
+  }
+  Table<SiteSlot, bool> exempt(delaunay.site_rows(), false);
+  for (const SiteSlot site : turn.rows()) {
+    const std::vector<SiteSlot>& ends = beside[site];
+    exempt[site] = ends.size() != 2 || (turn[site] > 2.0 * std::asin(kDenseEpsilon) &&
+                                        turn[site] > 4.0 * (turn[ends[0]] + turn[ends[1]]));
+  }
+  return exempt;
+}
+
+/// The epsilon of the samples, followed under edits, is the largest of all edges that end at no exempt site; the note
+/// says it, and where.
 void check_sparsest_edge(const Workbench& bench) {
   const auto& sizes = bench.get<FeatureSize>();
   const auto& delaunay = bench.get<Delaunay>();
+  const auto exempt = exempt_sites(bench);
   double most = -1.0;
-  for (const EdgeSlot edge : delaunay.edge_slots())
-    if (sizes.has_epsilon(edge)) most = std::max(most, sizes.epsilon(edge));
+  for (const EdgeSlot edge : delaunay.edge_slots()) {
+    if (!sizes.has_epsilon(edge)) continue;
+    const auto& [a, b] = delaunay.edge(edge).v;
+    if (!exempt[a] && !exempt[b]) most = std::max(most, sizes.epsilon(edge));
+  }
   const EdgeSlot sparsest = sizes.sparsest_edge();
   REQUIRE((sparsest == kNoSlot) == (most < 0.0));
   std::vector<Finding> findings;

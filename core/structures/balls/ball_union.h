@@ -35,11 +35,11 @@ std::string_view name_of(UnionRung rung);
 ///     says so where it shows.
 ///  3. `naive` may give anything or fail, but ends.
 ///  4. Closed convention: balls that touch are joined. Balls of radius zero take no part.
-///  5. Balls are scaled about their centres before all else: with `exact` and `exact_roots` by the double that the
-///     parameter holds, exactly. Scaled Voronoi balls touch no samples, so the shortcut is for scale 1.
+///  5. Balls are scaled about their centres before all else: where decisions are exact, by the double that the parameter
+///     holds, exactly. Scaled Voronoi balls touch no samples, so the shortcut is for scale 1.
 ///
 /// Cost: the shortcut O(n), updates O(changes), no arithmetic; `doubles` some three times the regular triangulation;
-/// `exact` five to twenty times as much as `doubles`.
+/// `exact` two to five times as much as `doubles`.
 /// Source: Edelsbrunner 1995 (dual complex), Attali and Montanvert 1997 (axis); the theorem of the demo paper.
 class BallUnion : public Structure {
  public:

@@ -61,8 +61,8 @@ class FeatureSize final : public Structure {
   double epsilon(EdgeSlot edge) const;
   /// The sample is exempt: a corner, or an end or junction of the crust. O(edges at it and its neighbours).
   bool is_exempt(SiteSlot site) const;
-  /// Of edges that end at no exempt sample, the one with the largest epsilon, of several the first by the places of its ends; kNoSlot if none has one. O(1) once
-  /// updates have begun, before O(edges).
+  /// The edge with the largest epsilon of those that end at no exempt sample; of several the first by the places of its
+  /// ends; kNoSlot if none has one. O(1) once updates have begun, before O(edges).
   EdgeSlot sparsest_edge() const;
 
   /// Sites that came, moved or went, or whose size differs from before.
