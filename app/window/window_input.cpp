@@ -11,10 +11,15 @@ bool types_text(const KeyChord& chord) {
   return chord.symbol < key::named && !chord.modifiers.ctrl && !chord.modifiers.alt;
 }
 
+/// Tab, Enter, arrows and the like, by which one goes about in panels.
+bool goes_about(const KeyChord& chord) {
+  return chord.symbol >= key::named && chord.symbol < key::f1;
+}
+
 // What a field of text understands.
 bool is_editing_key(const KeyChord& chord) {
   constexpr std::u32string_view kWithCtrl = U"ACVXYZ";
-  if (types_text(chord) || (chord.symbol >= key::named && chord.symbol < key::f1)) return true;
+  if (types_text(chord) || goes_about(chord)) return true;
   return chord.modifiers.ctrl && !chord.modifiers.shift && kWithCtrl.find(chord.symbol) != kWithCtrl.npos;
 }
 
@@ -129,6 +134,7 @@ bool WindowInput::is_for_panels(const KeyChord& chord, bool repeated) {
   if (wants_text && is_editing_key(chord)) return true;
   if (!wants_text && chord.symbol == key::escape && gui.close_popup()) return true;
   if (!wants_text && !gui.has_popup()) return false;
+  if (goes_about(chord)) return true;
   const auto action = action_of(chord);
   if (!action) return true;
   if (works_at_any_time(*action)) return false;

@@ -57,7 +57,8 @@ std::string done(const std::vector<std::string>& command, const std::string& inp
 /// The points of a layer of samples, from GeoJSON.
 Places points_in(const std::string& text) {
   Places out;
-  for (const Json& feature : Json::parse(text)["features"]) {
+  const Json all = Json::parse(text);
+  for (const Json& feature : all["features"]) {
     const Json& at = feature["geometry"]["coordinates"];
     out.emplace_back(at[0].get<double>(), at[1].get<double>());
   }

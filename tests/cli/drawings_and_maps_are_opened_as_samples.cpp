@@ -47,9 +47,8 @@ TEST_CASE("a map is opened with what was done to it on standard error") {
   CHECK(nlohmann::json::parse(corners.out)["input"]["samples"] == 4);
   CHECK_FALSE(corners.err.contains("were added"));
   CHECK(out["structures"]["samples"]["height"].get<double>() == Approx(111.195).epsilon(1e-4));
-  CHECK(
-      computed(folder.write("a.wkt", "POLYGON ((0 0, 3 0, 0 4, 0 0))"))["layers"]["curve"]["length"].get<double>() ==
-      Approx(12.0));
+  CHECK(computed(folder.write("a.wkt", "POLYGON ((0 0, 4 0, 4 2, 0 2, 0 0))"))["layers"]["curve"]["length"]
+            .get<double>() == Approx(12.0));
 }
 
 TEST_CASE("every command that reads a map keeps its degrees on request") {

@@ -192,7 +192,7 @@ TEST_CASE("an undersampled curve is repaired, and a dense one decimated, and wha
   const RunResult repaired = run({"repair", file, "-o", dense});
   INFO(repaired.err);
   REQUIRE(repaired.exit_code == 0);
-  CHECK_THAT(repaired.err, Catch::Contains("samples inserted") && Catch::Contains("light is green"));
+  CHECK_THAT(repaired.err, Catch::Contains("samples inserted") && Catch::Contains("the theorem is proved"));
   const auto computed = nlohmann::json::parse(run({"compute", dense, "--layers", "sampling-epsilon"}).out);
   CHECK(computed["structures"]["feature-size"]["epsilon"].get<double>() <= 0.25);
 
