@@ -120,6 +120,7 @@ class GeoJsonReader {
       shapes_.end_points();
       return {};
     }
+    if (depth == 2 && shape == Shape::ring) shapes_.begin_polygon();
     for (const JsonView element : list.elements()) {
       if (!element.is_list()) return refuse(element, "expected a list of coordinates");
       auto done = depth == 1 ? read_position(element) : read_coordinates(element, depth - 1, shape);

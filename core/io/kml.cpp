@@ -55,6 +55,8 @@ class KmlReader {
         if (auto done = read_tuples(child); !done) return done;
       }
       end(kind);
+    } else if (kind == "Polygon") {
+      shapes_.begin_polygon();
     } else if (kind == "Track") {
       for (const xml_node child : node.children()) {
         if (local_name(child.name()) != "coord") continue;

@@ -6,11 +6,14 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <set>
+#include <span>
 #include <utility>
 
 #include "core/base/box2.h"
 #include "core/curves/affine.h"
 #include "core/curves/cuts.h"
+#include "core/curves/joined_ends.h"
 #include "core/curves/resolution.h"
 #include "core/io/curve_samples.h"
 
@@ -19,7 +22,7 @@ namespace {
 
 constexpr std::size_t kTriangleAndRepetition = 4;
 
-Box2 box_of(const std::vector<Vec2>& positions) {
+Box2 box_of(std::span<const Vec2> positions) {
   Box2 box;
   for (const Vec2 p : positions) box.add(p);
   return box;
@@ -146,7 +149,41 @@ CurveSet MapShapes::curves(const MapPlane& plane, ReadJob& job) {
     begin = part.end;
   }
   positions_ = {};
+  turn_filled_holes(out.curves);
   return out;
+}
+
+// A curve that repeats another one in the same direction says the same again, and is left out; in the other direction it
+// is the border of both.
+void MapShapes::turn_filled_holes(std::vector<PlaneCurve>& curves) const {
+  if (std::ranges::none_of(parts_, &Part::is_hole)) return;
+  using Key = std::array<double, 6>;  // of rings that are equal but for their direction and beginning
+  const auto key_of = [](const PlaneCurve& curve) {
+    const Box2 box = box_of(curve.points());
+    double twice_area = 0.0;
+    const Vec2 origin = box.low;
+    for (std::size_t i = 0; i + 1 < curve.points().size(); ++i)
+      twice_area += cross(curve.points()[i] - origin, curve.points()[i + 1] - origin);
+    return Key{box.low.x,
+               box.low.y,
+               box.high.x,
+               box.high.y,
+               static_cast<double>(curve.points().size()),
+               twice_area > 0.0 ? 1.0 : -1.0};
+  };
+  std::set<Key> outer;
+  std::vector<std::size_t> holes;
+  std::size_t curve = 0;
+  for (const Part& part : parts_) {
+    if (part.kind == Kind::points) continue;
+    if (part.is_hole)
+      holes.push_back(curve);
+    else if (part.kind == Kind::ring)
+      outer.insert(key_of(curves[curve]));
+    ++curve;
+  }
+  for (const std::size_t hole : holes)
+    if (outer.contains(key_of(curves[hole]))) curves[hole] = reversed(curves[hole]);
 }
 
 Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegrees degrees, ReadJob& job) && {

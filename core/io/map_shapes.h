@@ -49,14 +49,20 @@ class MapShapes {
   /// more that ends where it begins is a ring; a ring has its closing position or not.
   void end_points() { end(Kind::points); }
   void end_line() { end(Kind::line); }
-  void end_ring() { end(Kind::ring); }
+  void end_ring() {
+    end(Kind::ring);
+    if (!parts_.empty()) parts_.back().is_hole = rings_of_polygon_ && (*rings_of_polygon_)++ > 0;
+  }
+  /// The next ring is the outer one of a polygon, and those after it are its holes, until this is called again. A hole
+  /// that another polygon fills is then told from a polygon that is there twice, whichever way around rings run.
+  void begin_polygon() { rings_of_polygon_ = 0; }
 
   /// Degrees for codes of EPSG that are longitude and latitude on WGS 84 or within about two metres of it.
   static Unit unit_of_epsg(std::uint64_t code);
   /// Degrees are projected to kilometres about the middle of the map, equirectangularly: true to scale there and along
-  /// meridians. A map across the 180th meridian stays in one piece, and polygons cut there are put together. Degrees that are kept stay bit for bit, so such a
-  /// map has pieces at both ends. A warning says which it was, and the data keep it (`SampleData::map`). Error: as `load_samples`, and
-  /// `Cancelled` is thrown as there.
+  /// meridians. A map across the 180th meridian stays in one piece, and polygons cut there are put together. Degrees that
+  /// are kept stay bit for bit, so such a map has pieces at both ends. A warning says which it was, and the data keep it
+  /// (`SampleData::map`). Error: as `load_samples`, and `Cancelled` is thrown as there.
   Expected<LoadedFile> load(const std::string& name, Unit unit, MapDegrees degrees, ReadJob& job) &&;
 
  private:
@@ -64,15 +70,18 @@ class MapShapes {
   struct Part {
     Kind kind;
     std::size_t end;
+    bool is_hole = false;
   };
   void end(Kind kind);
   std::size_t begin() const { return parts_.empty() ? 0 : parts_.back().end; }
   bool is_on_earth() const;
   MapPlane project();
   CurveSet curves(const MapPlane& plane, ReadJob& job);
+  void turn_filled_holes(std::vector<PlaneCurve>& curves) const;
 
   std::vector<Vec2> positions_;
   std::vector<Part> parts_;
+  std::optional<std::size_t> rings_of_polygon_;  // nothing where polygons do not say which of their rings are holes
   std::vector<std::size_t> arcs_;  // of which place among the positions is the one that each goes through, in order
 };
 

@@ -201,6 +201,7 @@ class WkbReader {
   Expected<void> read_rings(const Kind& kind) {
     const auto count = read_count(4);
     if (!count) return std::unexpected(count.error());
+    shapes_.begin_polygon();
     for (std::uint32_t i = 0; i < *count; ++i) {
       if (auto done = read_positions(kind); !done) return done;
       shapes_.end_ring();
@@ -230,6 +231,7 @@ class WkbReader {
       case Type::polygon:
       case Type::triangle: return read_rings(*kind);
       case Type::curve_polygon:
+        shapes_.begin_polygon();
         return read_parts([&]() -> Expected<void> {
           auto done = read_curve(depth + 1);
           shapes_.end_ring();

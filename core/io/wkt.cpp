@@ -163,7 +163,7 @@ class WktReader {
     skip_type();
     switch (type->shape) {
       case Shape::curve: return read_list([&] { return read_whole_curve(false); });
-      case Shape::curved_ring: return read_list([&] { return read_whole_curve(true); });
+      case Shape::curved_ring: shapes_.begin_polygon(); return read_list([&] { return read_whole_curve(true); });
       case Shape::surface: return read_list([&] { return read_surface(depth + 1); });
       case Shape::any: return read_list([&] { return read_geometry(depth + 1); });
       default: return read_lists(*type, type->depth);
@@ -260,6 +260,7 @@ class WktReader {
   }
 
   Expected<void> read_lists(const GeometryType& type, int depth) {
+    if (depth == 1 && type.shape == Shape::ring) shapes_.begin_polygon();
     if (depth > 0) return read_list([&] { return read_lists(type, depth - 1); });
     auto done = read_list([&] { return type.shape == Shape::point ? read_point() : read_position(); });
     if (!done) return done;

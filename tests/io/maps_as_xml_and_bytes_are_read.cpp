@@ -220,3 +220,37 @@ TEST_CASE("files that are not read are named for what they are") {
       refusal(R"({"type": "Topology", "objects": {}})").starts_with("a:1:1: this is TopoJSON, none of the formats"));
   CHECK(refusal(R"({"type":"Topology"})", "a.json").starts_with("a.json:1:1: this is TopoJSON, none of the formats"));
 }
+
+TEST_CASE("a hole that another polygon fills is a border of both, whichever way around rings run") {
+  for (const bool is_turned : {false, true}) {
+    const std::string hole = is_turned ? "2 2, 2 4, 4 4, 4 2, 2 2" : "2 2, 4 2, 4 4, 2 4, 2 2";
+    const std::string in_json = is_turned ? "[2,2],[2,4],[4,4],[4,2],[2,2]" : "[2,2],[4,2],[4,4],[2,4],[2,2]";
+    const std::string in_kml = is_turned ? "2,2 2,4 4,4 4,2 2,2" : "2,2 4,2 4,4 2,4 2,2";
+    const auto kml_ring = [](const std::string& at) {
+      return "<LinearRing><coordinates>" + at + "</coordinates></LinearRing>";
+    };
+    Bytes wkb;
+    wkb.type(7).count(2).type(3).count(2).count(4).at({0, 0, 9, 0, 0, 9, 0, 0}).count(5);
+    if (is_turned)
+      wkb.at({2, 2, 2, 4, 4, 4, 4, 2, 2, 2});
+    else
+      wkb.at({2, 2, 4, 2, 4, 4, 2, 4, 2, 2});
+    wkb.type(3).count(1).count(5).at({4, 4, 2, 4, 2, 2, 4, 2, 4, 4});
+    const std::string maps[] = {"POLYGON ((0 0, 9 0, 0 9, 0 0), (" + hole + ")), POLYGON ((4 4, 2 4, 2 2, 4 2, 4 4))",
+                                "MULTIPOLYGON (((4 4, 2 4, 2 2, 4 2, 4 4)), ((0 0, 9 0, 0 9, 0 0), (" + hole + ")))",
+                                R"({"type":"MultiPolygon","coordinates":[[[[0,0],[9,0],[0,9],[0,0]],[)" + in_json +
+                                    "]],[[[4,4],[2,4],[2,2],[4,2],[4,4]]]]}",
+                                kKml + "<Placemark><Polygon><outerBoundaryIs>" + kml_ring("0,0 9,0 0,9 0,0") +
+                                    "</outerBoundaryIs><innerBoundaryIs>" + kml_ring(in_kml) +
+                                    "</innerBoundaryIs></Polygon></Placemark><Placemark><Polygon><outerBoundaryIs>" +
+                                    kml_ring("4,4 2,4 2,2 4,2 4,4") +
+                                    "</outerBoundaryIs></Polygon></Placemark></Document></kml>",
+                                wkb.text()};
+    for (const std::string& map : maps) {
+      INFO(map);
+      CHECK(read_good(map).data.contours.size() == 3);
+    }
+  }
+  // What is there twice is there once.
+  CHECK(read_good("POLYGON ((0 0, 9 0, 0 9, 0 0)), POLYGON ((9 0, 0 9, 0 0, 9 0))").data.contours.size() == 1);
+}
