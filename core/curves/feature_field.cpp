@@ -213,6 +213,10 @@ Expected<FeatureField> FeatureField::of(const CurveSet& curves, const SamplingRe
     }
     line.length = before;
     line.stretches.push_back(line.nodes.size());
+    if (network && !line.is_closed) {
+      if (network->nodes[c][0] != CurveNetwork::kNoNode) line.meetings.push_back(0);
+      if (network->nodes[c][1] != CurveNetwork::kNoNode) line.meetings.push_back(line.nodes.size() - 1);
+    }
     find_meetings(line, epsilons);
     for (const auto* exempt : {&line.corners, &line.meetings})
       for (const std::size_t node : *exempt) {
@@ -233,8 +237,9 @@ Expected<FeatureField> FeatureField::of(const CurveSet& curves, const SamplingRe
 void FeatureField::find_meetings(Line& line, const std::vector<double>& epsilons) {
   const std::size_t count = line.nodes.size();
   const auto is_over = [&](std::size_t i) { return epsilons[i] > kMore * kCoarse; };
-  std::vector<bool> is_corner(count, false);
-  for (const std::size_t i : line.corners) is_corner[i] = true;
+  std::vector<bool> is_corner(count, false);  // or a meeting that is known
+  for (const auto* known : {&line.corners, &line.meetings})
+    for (const std::size_t i : *known) is_corner[i] = true;
   for (std::size_t i = 0; i < count;) {
     if (!is_over(i)) {
       ++i;

@@ -17,6 +17,7 @@
 #include "core/resampling/repair.h"
 #include "core/resampling/resampling.h"
 #include "core/structures/density/curve_sampling.h"
+#include "tests/support/parcels.h"
 
 using namespace mes;
 
@@ -231,6 +232,19 @@ TEST_CASE("samples at the corners of a known outline alone are in doubt, with th
   CHECK(dense.curves().standing().epsilon < 0.25);
   REQUIRE(dense.findings().size() == 1);
   CHECK(dense.light() == TheoremLight::green);
+}
+
+TEST_CASE("places where borders of regions meet are exempt, and samples near them stand for the borders") {
+  // Of more parcels some borders end nearly opposite to each other, and ask for more samples there than by default.
+  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+    INFO("seed " << seed);
+    const CurveSet outlines{.curves = test::parcels(2 + seed, 0.1 * static_cast<double>(seed), 12, seed).outlines};
+    const Window bench(opened(outlines, default_sampling(outlines)));
+    CHECK(bench.curves().standing().epsilon < 1.0);
+    CHECK(bench.curves().standing().sparse.empty());
+    // Four corners, and at least two ends of each border.
+    CHECK(bench.curves().standing().exempt >= 4 + 2 * (outlines.curves.size() - 1));
+  }
 }
 
 TEST_CASE("what is said after sampling and what the light says is one number and one verdict") {
