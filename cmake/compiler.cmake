@@ -8,8 +8,14 @@ target_compile_options(mes_options INTERFACE
 target_compile_definitions(mes_options INTERFACE MESECINA_VERSION="${PROJECT_VERSION}")
 
 # What was compiled before, in another clone or after a change that was taken back, comes from a cache where there is one.
-# Paths count from the sources; what depends on where these lie, such as names of files in tests, is compiled again.
-find_program(MESECINA_CCACHE ccache)
+# Paths count from the sources; what depends on where these lie, such as names of files in tests, is compiled again. Whether
+# there is a cache is asked once for each build folder: one that is installed later would be a reason to compile all again.
+if(NOT DEFINED CACHE{MESECINA_CCACHE})
+  find_program(MESECINA_CCACHE ccache)
+  if(NOT MESECINA_CCACHE)
+    set(MESECINA_CCACHE "" CACHE FILEPATH "The program ccache; empty: none is used" FORCE)
+  endif()
+endif()
 mark_as_advanced(MESECINA_CCACHE)
 if(MESECINA_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env CCACHE_BASEDIR=${PROJECT_SOURCE_DIR} CCACHE_NOHASHDIR=1
