@@ -416,15 +416,46 @@ std::size_t piece_count(const CurveSet& curves) {
   return out;
 }
 
+/// The rule `refined` would add nothing to these polylines: no side of them is longer than it allows.
+bool have_short_sides(const CurveSet& curves, const SamplingRequest& request) {
+  struct Sides {
+    double all = 0.0;
+    double longest = 0.0;
+  };
+  std::vector<Sides> sides(curves.curves.size());
+  parallel_for(sides.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t i = begin; i < end; ++i) {
+      const std::vector<Vec2>& points = curves.curves[i].points();
+      for (std::size_t k = 1; k < points.size(); ++k) {
+        const Vec2 side = points[k] - points[k - 1];
+        const double size = std::sqrt(dot(side, side));
+        sides[i].all += size;
+        sides[i].longest = std::max(sides[i].longest, size);
+      }
+    }
+  });
+  double all = 0.0;
+  for (const Sides& curve : sides) all += curve.all;
+  if (!std::isfinite(all)) return false;
+  const double widest = widest_for(all, request.count);
+  const auto least_each = static_cast<double>(std::max<std::size_t>(request.least_each, 1));
+  return std::ranges::all_of(
+      sides, [&](const Sides& curve) { return curve.longest <= std::min(widest, curve.all / least_each); });
+}
+
 Expected<SampledCurves> sample_each(const Sources& sources, const SamplingRequest& request, const FeatureField* field,
                                     JobControl* job) {
   using Rule = SamplingRule;
   Collector out(job, sources.network != nullptr);
   const bool is_large = request.rule == Rule::refined && piece_count(sources.curves) > kMostAdaptivePieces;
   const bool is_even = request.rule == Rule::spacing || request.rule == Rule::count || is_large;
-  auto done = request.rule == Rule::vertices ? sample_vertices(sources.curves, request, out)
-              : is_even                      ? sample_evenly(sources, request, out)
-                                             : sample_unevenly(sources, request, field, out);
+  const bool is_at_vertices =
+      request.rule == Rule::vertices || (is_large && sources.network == nullptr &&
+                                         std::ranges::all_of(sources.curves.curves, &PlaneCurve::is_polyline) &&
+                                         have_short_sides(sources.curves, request));
+  auto done = is_at_vertices ? sample_vertices(sources.curves, request, out)
+              : is_even      ? sample_evenly(sources, request, out)
+                             : sample_unevenly(sources, request, field, out);
   if (!done) return std::unexpected(done.error());
   if (!out.are_finite()) return beyond_range();
   return std::move(out).result();

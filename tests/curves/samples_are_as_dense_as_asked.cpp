@@ -342,3 +342,29 @@ TEST_CASE("rules are listed in their order, each with a name of its own") {
     for (std::size_t j = 0; j < i; ++j) CHECK(rules[i].id != rules[j].id);
   }
 }
+
+TEST_CASE(
+    "of many vertices that are near enough to each other the vertices are the samples, and a wide gap is filled") {
+  constexpr std::size_t kMany = 30'000;
+  const auto at = [](std::size_t i) {
+    const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(kMany);
+    return Vec2{std::cos(angle), 0.5 * std::sin(angle)};
+  };
+  for (const std::size_t gap : {std::size_t{0}, kMany / 2}) {
+    PlaneCurve curve(at(gap));
+    for (std::size_t i = gap + 1; i < kMany; ++i) curve.line_to(at(i));
+    curve.close();
+    const CurveSet curves{.curves = {curve}};
+    const SamplingRequest request = default_sampling(curves);
+    CHECK(request.rule == SamplingRule::refined);
+    const auto samples = sample(curves, request);
+    const auto vertices = sample(curves, {.rule = SamplingRule::vertices});
+    REQUIRE(samples);
+    REQUIRE(vertices);
+    if (gap == 0)
+      CHECK(samples->positions == vertices->positions);
+    else
+      CHECK(samples->positions.size() >= vertices->positions.size() + 30);
+    CHECK(samples->chains.size() == 1);
+  }
+}

@@ -33,7 +33,7 @@ struct AxisDisks {
 ///
 /// At factors other than 1 hairs are taken off its axis, as off that of `ScaleUnion`: the spacing of a ball is that of the
 /// list, or the distance at which `medial-sampling-angle` has equal balls of its radius, or of its shrunk radius below 1,
-/// whichever is larger.
+/// whichever is larger. In `fast`, many balls are decided by rounded numbers unless these are in doubt (`BallUnion`).
 class DiskListUnion : public BallUnion {
  public:
   /// What radii were multiplied by.

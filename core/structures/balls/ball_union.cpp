@@ -139,6 +139,22 @@ AxisCounts count_axis(const UnionTables& t) {
   return out;
 }
 
+/// So many balls are decided exactly within some hundredths of a second.
+constexpr std::size_t kFewBalls = 1000;
+
+/// Rounding has put dual complex and axis at odds; or crossings lie so near to each other that it may have made two of one,
+/// or have changed their order on a circle, as where balls nearly coincide.
+bool is_in_doubt(const UnionTables& t) {
+  const UnionCounts& c = t.counts;
+  if (c.lost_crossings + c.contradictions + c.negative_radicands + c.near_duplicates != 0) return true;
+  std::int64_t chi = 0;
+  for (const BallState state : t.balls) chi += state == BallState::visible || state == BallState::isolated ? 1 : 0;
+  for (const DualEdge& edge : t.dual_edges) chi -= edge.is_alive() ? 1 : 0;
+  for (const DualFace& face : t.dual_faces) chi += face.is_alive() ? 1 : 0;
+  const AxisCounts axis = count_axis(t);
+  return chi != axis.nodes - axis.edges;
+}
+
 }  // namespace
 
 std::string_view name_of(UnionRung rung) {
@@ -245,9 +261,14 @@ UnionMeasures BallUnion::measures() const {
 void BallUnion::run_pipeline(Precision precision, JobControl& job) {
   const LocalBalls balls = local_balls(*family_);
   ignored_ = balls.ignored;
-  // Crossings that are rounded lie on their circles in another order where balls nearly coincide or touch one sample.
-  const bool is_exact_as_well = precision == Precision::fast && made_with_.use_shortcut;
-  tables_ = run_pipeline(is_exact_as_well ? Precision::exact : precision, balls.input(), job);
+  const bool may_be_exact = precision == Precision::fast && made_with_.use_shortcut;
+  // Rounded balls that touch samples have another union than these: around each sample, signs are a matter of chance.
+  const bool costs_little = balls.balls.size() <= kFewBalls;
+  const bool is_exact = may_be_exact && (family_->is_from_samples() || costs_little);
+  tables_ = run_pipeline(is_exact ? Precision::exact : precision, balls.input(), job);
+  if (rung_ != UnionRung::doubles || !may_be_exact || !is_in_doubt(tables_)) return;
+  why_ += "; rounded numbers are in doubt";
+  tables_ = run_pipeline(Precision::exact, balls.input(), job);
 }
 
 UnionTables BallUnion::run_pipeline(Precision precision, const PipelineInput& input, JobControl& job) {

@@ -74,7 +74,7 @@ class AxisSampling final : public Structure {
 ///
 /// At a factor of 1 the balls between add nothing to the union and are left out: it is the union of the inner balls, by
 /// the certified shortcut where that holds. At other factors it is made anew for every change, by the general pipeline.
-/// Inner Voronoi balls are grown as circumdisks of the samples.
+/// Inner Voronoi balls are grown as circumdisks of the samples, but where `fast` rounds the balls (`BallUnion`).
 ///
 /// At other factors *hairs* are taken off its axis (internal/scale_hairs.h). Where the boundary is touched from one side
 /// only, each ball that has an arc of it makes a branch of its own: arcs between sampled balls are scallops of what would
