@@ -146,7 +146,8 @@ Expected<Outlined> outlined(const GrayImage& image, const TraceRequest& request,
 }
 
 /// Several threads, each with some contours of many points together.
-std::vector<PlaneCurve> outlines_of(const std::vector<PixelContour>& contours, double blur, const JobControl* job) {
+std::vector<PlaneCurve> outlines_of(const std::vector<PixelContour>& contours, double blur, const Box2& picture,
+                                    const JobControl* job) {
   constexpr std::size_t kPointsEach = std::size_t{1} << 14U;
   std::vector<std::size_t> ends;
   std::size_t points = 0;
@@ -160,14 +161,15 @@ std::vector<PlaneCurve> outlines_of(const std::vector<PixelContour>& contours, d
   run_tasks(ends.size(), [&](std::size_t task) {
     for (std::size_t i = task == 0 ? 0 : ends[task - 1]; i < ends[task]; ++i) {
       if (job != nullptr && job->stop_requested()) throw Cancelled{};
-      out[i] = outline_of(contours[i], noise_of_edges(contours[i], blur), job);
+      out[i] = outline_of(contours[i], noise_of_edges(contours[i], blur), picture, job);
     }
   });
   return out;
 }
 
 /// With the curves of its contours.
-Expected<Tracing> traced(Expected<Outlined> found, const TraceRequest& request, const JobControl* job) {
+Expected<Tracing> traced(Expected<Outlined> found, const GrayImage& image, const TraceRequest& request,
+                         const JobControl* job) {
   if (!found) return std::unexpected(std::move(found.error()));
   Tracing out = std::move(found->tracing);
   const PixelContours& contours = found->contours;
@@ -180,7 +182,8 @@ Expected<Tracing> traced(Expected<Outlined> found, const TraceRequest& request, 
                    fmt::format("no figure stands out: there are only specks {}, the largest of {:.4g} square pixels",
                                side, contours.largest_speck * request.pixel_area));
   out.is_two_valued = is_two_valued(contours);
-  out.curves.curves = outlines_of(contours.kept, out.counts.blur, job);
+  const Box2 picture{{0.0, 0.0}, {static_cast<double>(image.width), static_cast<double>(image.height)}};
+  out.curves.curves = outlines_of(contours.kept, out.counts.blur, picture, job);
   return out;
 }
 
@@ -264,12 +267,12 @@ bool is_figure_light(const GrayImage& image, Level level, FigureSide side) {
 }
 
 Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request, const JobControl* job) {
-  return traced(outlined(image, request, std::nullopt, job), request, job);
+  return traced(outlined(image, request, std::nullopt, job), image, request, job);
 }
 
 Expected<Tracing> trace_blurred(const GrayImage& image, const TraceRequest& request, double blur,
                                 const JobControl* job) {
-  return traced(outlined(image, request, blur, job), request, job);
+  return traced(outlined(image, request, blur, job), image, request, job);
 }
 
 Expected<TraceCounts> counts_of_tracing(const GrayImage& image, const TraceRequest& request, const JobControl* job) {

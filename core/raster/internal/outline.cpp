@@ -183,6 +183,15 @@ double square_to(Vec2 p, std::span<const Vec2> nodes) {
   return out;
 }
 
+/// Up to half a pixel.
+bool lies_in(const Box2& picture, const PlaneCurve& curve) {
+  constexpr double kBeside = 0.5;
+  return std::ranges::all_of(curve.points(), [&](Vec2 p) {
+    return p.x >= picture.low.x - kBeside && p.y >= picture.low.y - kBeside && p.x <= picture.high.x + kBeside &&
+           p.y <= picture.high.y + kBeside;
+  });
+}
+
 class Outliner {
  public:
   Outliner(const PixelContour& contour, const EdgeNoise& noise, const JobControl* job)
@@ -190,15 +199,15 @@ class Outliner {
     edges_.reserve(contour.points.size());
     for (std::size_t i = 0; i < contour.points.size(); ++i)
       edges_.push_back({contour.points[i], contour.is_along_y[i] != 0, contour.variance[i]});
-    ellipse_ = ellipse_of(edges_, noise_);
-    if (ellipse_ && is_as_much((is_hole_ ? -2.0 : 2.0) * std::numbers::pi * cross(ellipse_->u, ellipse_->v))) return;
-    ellipse_.reset();
     // Half the least stiffness apart.
     Run start{.nodes = softened(contour.points, noise.least_stiffness), .is_closed = true};
     const double apart = 0.5 * noise.least_stiffness;
     const auto wanted = static_cast<std::size_t>(std::lround(static_cast<double>(start.nodes.size()) / apart));
     start.nodes = respaced(start.nodes, true, std::max(kLeastNodes, wanted));
     plain_ = start.nodes;
+    ellipse_ = ellipse_of(edges_, noise_);
+    if (ellipse_ && is_as_much((is_hole_ ? -2.0 : 2.0) * std::numbers::pi * cross(ellipse_->u, ellipse_->v))) return;
+    ellipse_.reset();
     whole_ = fitted(std::move(start), edges_, noise_, job_);
     // What is thinner than a pixel, or winds within a few, may have no smooth curve near it.
     if (whole_.farthest <= kMostAway) return;
@@ -225,6 +234,16 @@ class Outliner {
     if (!is_plain_)
       if (Run finer = refined(whole_, edges_, noise_, job_); finer.farthest <= kMostAway) whole_ = std::move(finer);
     if (!is_plain_ && !is_as_much(twice_area(whole_.nodes))) use_plain();
+    return smooth_curve();
+  }
+  /// The contour, softened.
+  PlaneCurve plain_curve() {
+    use_plain();
+    return smooth_curve();
+  }
+
+ private:
+  PlaneCurve smooth_curve() const {
     PlaneCurve out(whole_.nodes.front());
     std::vector<Vec2> nodes = whole_.nodes;
     std::vector<double> stiffness = whole_.stiffness;
@@ -235,7 +254,6 @@ class Outliner {
     return out;
   }
 
- private:
   void use_plain() {
     whole_.nodes = plain_;
     whole_.stiffness.assign(whole_.nodes.size(), noise_.least_stiffness);
@@ -453,8 +471,11 @@ class Outliner {
 
 }  // namespace
 
-PlaneCurve outline_of(const PixelContour& contour, const EdgeNoise& noise, const JobControl* job) {
-  return Outliner(contour, noise, job).curve();
+PlaneCurve outline_of(const PixelContour& contour, const EdgeNoise& noise, const Box2& picture,
+                      const JobControl* job) {
+  Outliner outliner(contour, noise, job);
+  PlaneCurve out = outliner.curve();
+  return lies_in(picture, out) ? out : outliner.plain_curve();
 }
 
 }  // namespace mes

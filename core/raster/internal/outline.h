@@ -2,6 +2,7 @@
 // From a contour of pixels to a curve. Private to core/raster.
 #pragma once
 
+#include "core/base/box2.h"
 #include "core/base/job_control.h"
 #include "core/curves/curve.h"
 #include "core/raster/contours.h"
@@ -14,8 +15,10 @@ namespace mes {
 ///
 /// A corner is where even two pixels of stiffness do not fit, or four would not, the direction turns by more than
 /// `kLeastCorner` within five pixels, and two runs that end there, fitted each by itself, say where the edges are no worse
-/// than the curve without a corner. It lies where the two runs meet, so that sides stay straight up to it. Cost and exception as of `fitted`.
-PlaneCurve outline_of(const PixelContour& contour, const EdgeNoise& noise, const JobControl* job = nullptr);
+/// than the curve without a corner. It lies where the two runs meet, so that sides stay straight up to it. What would leave
+/// the picture by more than half a pixel is the contour, softened. Cost and exception as of `fitted`.
+PlaneCurve outline_of(const PixelContour& contour, const EdgeNoise& noise, const Box2& picture,
+                      const JobControl* job = nullptr);
 
 inline constexpr double kLeastCorner = 0.55;  // radians
 
