@@ -45,7 +45,7 @@ Expected<EvolutionChoice> choice_of(const EvolveRequest& request, const Evolutio
 }  // namespace
 
 Expected<void> run_evolve(const EvolveRequest& request, Interruption& interruption) {
-  // What is named is refused before anything is read.
+  // Refuses unknown names before the file is read.
   if (!request.evolution.empty())
     if (const auto good = choice_of(request, {}); !good) return std::unexpected(good.error());
   const auto steps = whole_number("--steps", request.steps);

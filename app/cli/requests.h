@@ -16,7 +16,7 @@
 
 namespace mes::cli {
 
-/// What of a picture is traced, empty: what is found out; what becomes of the degrees of a map; how curves are sampled.
+/// Options of reading: what is traced in a picture (empty: found automatically), degrees of a map, sampling of curves.
 struct ReadingOptions {
   std::string threshold;
   std::string specks;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a session says of the computation, where the command line says nothing. A file that is a session, or carries one,
-// means the same to every command: what the command names goes first, each parameter by itself.
+// The settings of a session, where the command line gives none. A file that is a session, or carries one, means the same
+// to every command; each parameter that the command names replaces that of the session.
 //
 // Smallest use:
 //     const auto input = read_source(request.source);

@@ -7,15 +7,15 @@
 
 namespace mes {
 
-/// What it guarantees: it counts what was added since samples were visible last, or since the document came, less what
-/// was taken away again; nothing more once the user knows. Threads: none.
+/// Counts the samples that were added since samples were visible last, or since the document came, less those that were
+/// taken away again; the count is zero once the user knows. Threads: none.
 class HiddenSamples {
  public:
   /// Another document is there.
   void begin(const Document& document);
   /// Once a frame.
   void follow(const Document& document, const LayerStack& layers);
-  /// What there is to say of.
+  /// The number of hidden samples to tell of.
   std::size_t count() const { return is_known_ ? 0 : added_; }
   /// The user knows, until samples have been visible, or another document comes.
   void dismiss() { is_known_ = true; }

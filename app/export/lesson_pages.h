@@ -97,7 +97,7 @@ class LessonPrinter {
   std::shared_ptr<const PaperFonts> fonts_;
   std::vector<render::ColorMap> maps_;
   std::unique_ptr<LessonWalk> walk_;
-  /// By file and whether it is upright; none: it cannot be read.
+  /// Traced pictures, by file and whether they stand upright; nothing if the file cannot be read.
   std::map<std::pair<std::string, bool>, std::optional<render::Image>> traced_;
 };
 

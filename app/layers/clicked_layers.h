@@ -8,7 +8,7 @@
 
 namespace mes {
 
-/// What a click on the canvas took.
+/// The sample or ball that a click on the canvas took.
 struct Clicked {
   bool is_ball = false;
   /// On the dot that shows it, or on the circle: not merely near enough to take it.

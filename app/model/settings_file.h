@@ -8,7 +8,7 @@
 
 namespace mes {
 
-/// What it guarantees: `save` writes what was changed here and keeps what other windows have saved meanwhile, also
+/// Guarantee: `save` writes the changes made here and keeps those that other windows have saved meanwhile, also
 /// those that end at the same moment. Threads: the window's.
 class SettingsFile {
  public:

@@ -7,8 +7,8 @@
 //  3. Otherwise it stands in a corner, or beside the scale bar there: where it covers the fewest words of annotations, of
 //     these places where it hides the least of the drawing, and of these in the first of lower right, lower left, upper
 //     right, upper left. In pictures that follow one another nothing is known of words and drawing, so that it stays.
-//  4. Where there is no such place, it lists fewer layers and counts the others: as many as fit above or below the scale
-//     bar, or else one. Where not even one layer has room, it is left out.
+//  4. If no such place is free, the legend lists fewer layers and counts the others: as many as fit above or below the
+//     scale bar, or else one. If not even one layer has room, the legend is left out.
 //
 // Smallest use:
 //     const MarksPlace marks = place_of_marks(...);

@@ -232,8 +232,8 @@ Expected<FeatureField> FeatureField::of(const CurveSet& curves, const SamplingRe
   return out;
 }
 
-// Where places are as near to each other as they may be and still have more than they should, the size falls to zero: of
-// such a run that is no corner, the place with the least.
+// Where places are as near to each other as they may be and still exceed their epsilon, the size falls to zero. In each
+// such run without a corner, the place with the least size is a meeting.
 void FeatureField::find_meetings(Line& line, const std::vector<double>& epsilons) {
   const std::size_t count = line.nodes.size();
   const auto is_over = [&](std::size_t i) { return epsilons[i] > kMore * kCoarse; };

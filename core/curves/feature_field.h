@@ -12,8 +12,8 @@
 //  2. At corners, and where curves meet, sizes fall to zero, and no density of samples has an epsilon. These places are
 //     *exempt*: about them a size counts as no less than a quarter of the largest up to where it stops growing.
 //  3. `standing` gives, by sizes of 1 with 2, an upper bound for every interval of the curves between two samples: half
-//     its length over the least size on it. So every place has a sample within that times its feature size, and half the
-//     distance of neighbours is no more than that times the size of either.
+//     its length over the least size on it. So every place has a sample within epsilon times its feature size, and half
+//     the distance of neighbours is at most epsilon times the size of either.
 //  4. What `places` and `filled` give has, by `standing`, at most the epsilon that was asked for.
 //
 // Smallest use:

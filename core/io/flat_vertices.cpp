@@ -124,7 +124,7 @@ std::string bring_into_plane(std::span<Vec2> positions, std::span<const double> 
     z.add(heights[i]);
   }
   if (z.width() == 0.0) return {};
-  // Single precision has no more digits, and nobody sees a smaller deviation.
+  // The first is the resolution of single precision; the second, a part of the extent, is too small to be seen.
   constexpr double kSingle = 0x1p-24;
   constexpr double kUnseen = 1e-6;
   constexpr double kNormalToo = 8.0;  // the plane is one through rounded vertices

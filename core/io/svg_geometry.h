@@ -33,7 +33,7 @@ inline std::string_view svg_link_of_use(pugi::xml_node node) {
 /// Whether an element of this name is a path or a basic shape.
 bool is_svg_shape(std::string_view kind);
 
-/// What is no value is told to the source, unless it is to be quiet.
+/// Reports invalid values to the source, unless it is told to be quiet.
 class SvgElements {
  public:
   explicit SvgElements(XmlSource& source) : source_(source) {}

@@ -69,7 +69,7 @@ std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const 
   Corners corners;
   corners.reserve(shape.corners.size());
   for (const Vec2 p : shape.corners) corners.push_back(map.degrees_of(p));
-  // Kept degrees may be no places of the Earth, and then nobody said that they are.
+  // Coordinates that were kept as degrees may lie beyond the poles: such a shape is not written as a place on the Earth.
   const auto is_beyond = [](Vec2 p) { return !(std::abs(p.y) <= kPole) || !std::isfinite(p.x); };
   if (corners.empty() || std::ranges::any_of(corners, is_beyond)) return {};
   const auto [low, high] = std::ranges::minmax(corners, {}, &Vec2::x);

@@ -247,7 +247,7 @@ class FeatureSampler {
     if (!(excess > 1.0) || along <= finest(curve) * (1.0 + kRounding)) return 1;
     return static_cast<int>(std::clamp(std::ceil(std::min(excess, along / finest(curve))), 2.0, kMost));
   }
-  /// The radius of the bend at places of a stretch that increase, which is no less than the feature size there.
+  /// The radius of curvature at increasing places of a stretch; it is at least the feature size there.
   std::vector<double> bends_at(std::size_t curve, std::size_t stretch, std::span<const StretchSample> places) const {
     FieldWalk bend(bends_[curve][stretch]);
     std::vector<double> out;

@@ -21,9 +21,9 @@ namespace mes {
 ///  1. Nodes are the ends of arcs: where more or fewer than two arcs meet, or an open curve ends.
 ///  2. Each curve is the walk along its arcs, in its order and direction. Left out are curves that repeat another one in
 ///     the same direction (of open curves, in either), for they would say the same again.
-///  3. A vertex lies on a piece if it is no farther away than rounding can have moved it and the ends of the piece
-///     (`CurveSet::resolution`), and than 1/128 of the pieces there: then the curve goes through the vertex. On pieces along
-///     an axis, and on each other, vertices stay where they are rounded to: there it is 1/4096.
+///  3. A vertex lies on a piece, and the curve goes through it, if its distance is at most what rounding can have moved it
+///     and the ends of the piece by (`CurveSet::resolution`), and at most 1/128 of the length of the pieces there. It is
+///     1/4096 for pieces along an axis and for two vertices, as these coincide after rounding if they did before.
 ///  4. Curves that touch no other are arcs of their own, as they are given.
 struct CurveNetwork {
   struct Step {
