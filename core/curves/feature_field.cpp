@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <numbers>
+#include <optional>
 #include <utility>
 
 #include "core/curves/corners.h"
@@ -33,6 +35,8 @@ constexpr double kDip = 0.8;
 /// What is asked for is a little less than what must be had: lengths of arc are found again up to some thousandths.
 constexpr double kAim = 0.99;
 constexpr std::size_t kOften = 4096;
+/// A sum of coordinates is at most so many times a distance.
+constexpr double kDiagonal = std::numbers::sqrt2 * (1.0 + 1e-9);
 
 double share_of(double epsilon) {
   const double most = std::min(epsilon, kCoarse);
@@ -124,67 +128,81 @@ struct FeatureField::Walk {
     while (along(k) > end && k != 0) --k;
     return end;
   }
-  /// From `from` on, which is among them, to `to`, which is not; nothing if there would be more than `most`.
-  bool march(double from, double to, double twice_epsilon, std::size_t most, std::vector<double>* out,
-             std::size_t& count) const {
+  /// From `from` on, which is among them, to `to`, which is not. Gives the share that the last interval has of what it
+  /// might have; nothing if there would be more places than `most`.
+  std::optional<double> march(double from, double to, double twice_epsilon, std::size_t most,
+                              std::vector<double>& out) const {
     const double rounding = 1e-12 * line.length;
     std::size_t k = node_at(from);
-    count = 0;
+    out.clear();
     for (double place = from; place < to - rounding;) {
-      if (++count > most) return false;
-      if (out != nullptr) out->push_back(place);
+      if (out.size() == most) return std::nullopt;
+      out.push_back(place);
       place = std::max(step(k, place, to, twice_epsilon), place + rounding);
     }
-    return true;
+    if (out.empty()) return 1.0;
+    const double last = to - out.back();
+    return std::min(1.0, last / std::clamp(twice_epsilon * least(out.back(), to), line.finest, line.widest));
   }
-  /// The same with intervals that use the epsilon evenly.
+  /// The same with intervals that use the epsilon evenly, with the least that needs no more places.
   bool even_march(double from, double to, double epsilon, std::size_t most, std::vector<double>& out) const {
-    std::size_t wanted = 0;
-    double high = 2.0 * kAim * epsilon;
-    if (!march(from, to, high, most, nullptr, wanted)) return false;
-    double low = 0.25 * high;
     constexpr int kSteps = 16;
+    constexpr double kEven = 1e-5;
+    double high = 2.0 * kAim * epsilon;
+    double low = 0.25 * high;
+    std::optional<double> last = march(from, to, high, most, out);
+    if (!last || out.empty()) return last.has_value();
+    std::vector<double> fewer;
     for (int i = 0; i < kSteps; ++i) {
-      const double middle = 0.5 * (low + high);
-      std::size_t count = 0;
-      (march(from, to, middle, wanted, nullptr, count) ? high : low) = middle;
+      // What the last interval lacks, taken from all.
+      const double lacking = (1.0 - *last) / static_cast<double>(out.size());
+      if (lacking < kEven) break;
+      const double guess = (1.0 - lacking) * high;
+      const double next = i % 2 == 0 && guess > low ? guess : 0.5 * (low + high);
+      if (const auto there = march(from, to, next, out.size(), fewer)) {
+        high = next;
+        last = there;
+        out.swap(fewer);
+      } else {
+        low = next;
+      }
     }
-    std::size_t count = 0;
-    return march(from, to, high, most, &out, count);
+    return true;
   }
 };
 
 Expected<FeatureField> FeatureField::of(const CurveSet& curves, const SamplingRequest& request,
                                         const FeatureSizes& sizes, JobControl* job, std::size_t most) {
   FeatureField out;
-  out.request_ = request;
-  out.request_.rule = SamplingRule::feature_size;
   CurveSet set =
       request.corner_radius > 0.0 ? with_round_corners(curves, request.corner_angle, request.corner_radius) : curves;
   // Curves that touch are measured as they are sampled, arc by arc.
   const auto network = network_of(set.curves, set.resolution, job);
   if (network) set.curves = network->arcs;
-  out.curves_ = std::make_shared<const CurveSet>(std::move(set));
   out.points_ = curves.points;
 
-  std::vector<MeasuredCurve> all;
+  const auto own = std::make_shared<std::vector<MeasuredCurve>>();
+  std::vector<MeasuredCurve>& all = *own;
+  out.measured_ = own;
   double length = 0.0;
-  const double negligible = negligible_length(*out.curves_, out.request_);
-  for (std::size_t c = 0; c < out.curves_->curves.size(); ++c) {
+  SamplingRequest by_size = request;
+  by_size.rule = SamplingRule::feature_size;
+  const double negligible = negligible_length(set, by_size);
+  for (std::size_t c = 0; c < set.curves.size(); ++c) {
     const bool has_node = network && network->nodes[c][0] != CurveNetwork::kNoNode;
-    all.push_back(measured(out.curves_->curves[c], request.corner_angle, negligible, job, has_node));
+    all.push_back(mes::measured(set.curves[c], request.corner_angle, negligible, job, has_node));
     if (network) all.back().nodes = network->nodes[c];
     if (network) all.back().whole = network->whole[c];
     length += all.back().length();
   }
   for (std::size_t c = 0; c < all.size(); ++c)
-    if (all[c].stretches.empty()) out.points_.push_back(out.curves_->curves[c].start());
+    if (all[c].stretches.empty()) out.points_.push_back(set.curves[c].start());
   std::ranges::sort(out.points_, lexicographically_less);
   if (!std::isfinite(length))
     return std::unexpected(Error{ErrorCode::bad_input, "the curves reach beyond the range of numbers"});
   if (!(length > 0.0)) return out;
 
-  const FeatureLimits limits = feature_limits(out.request_, length, kCoarse);
+  const FeatureLimits limits = feature_limits(request, length, kCoarse);
   auto found =
       places_by_feature_size(all, spacings_of(all, limits.first, job), limits.places, kFine, most, sizes, job);
   if (!found) return std::unexpected(found.error());
@@ -278,56 +296,67 @@ void FeatureField::exempt_about(Line& line, const std::vector<double>& epsilons,
   }
 }
 
+FeatureField::Part FeatureField::part_of(const Line& line, std::size_t node) {
+  const std::size_t next = node + 1 < line.nodes.size() ? node + 1 : 0;
+  const double end = next != 0 ? line.nodes[next].along : line.length;
+  return {line.nodes[node].position, line.nodes[next].position, end - line.nodes[node].along};
+}
+
 void FeatureField::make_tree() {
-  std::vector<Part> parts;
   double most = 0.0;
-  for (std::uint32_t l = 0; l < lines_.size(); ++l) {
-    const Line& line = lines_[l];
-    const Walk walk{line, true};
-    for (std::size_t k = 0; k < line.nodes.size(); ++k) {
-      most = std::max({most, std::abs(line.nodes[k].position.x), std::abs(line.nodes[k].position.y)});
-      if (k + 1 == line.nodes.size() && !line.is_closed) continue;
-      parts.push_back({line.nodes[k].position, line.nodes[(k + 1) % line.nodes.size()].position,
-                       walk.along(k + 1) - walk.along(k), l, static_cast<std::uint32_t>(k)});
-    }
-  }
+  for (const Line& line : lines_)
+    for (const Node& node : line.nodes) most = std::max({most, std::abs(node.position.x), std::abs(node.position.y)});
   constexpr double kRounding = 1e-12;
   slack_ = kRounding * most;
-  tree_.build(
-      std::span<const Part>(parts),
-      [this](const Part& part) {
+  constexpr std::uint32_t kEach = 4;
+  std::vector<Parts> parts;
+  for (std::uint32_t l = 0; l < lines_.size(); ++l) {
+    const auto count = static_cast<std::uint32_t>(lines_[l].nodes.size() - (lines_[l].is_closed ? 0 : 1));
+    for (std::uint32_t k = 0; k < count; k += kEach) {
+      Parts& here = parts.emplace_back(Parts{{}, l, k, std::min(k + kEach, count)});
+      for (std::uint32_t i = here.first; i < here.end; ++i) {
+        const Part part = part_of(lines_[l], i);
         // A place of the arc is not farther from the chord than that.
-        const double arc = part.arc * (1.0 + 1e-9) + slack_;
+        const double detour = longest_detour(part);
         const double chord = distance(part.a, part.b);
-        const double aside = 0.5 * std::sqrt(std::max(0.0, (arc - chord) * (arc + chord))) + slack_;
-        Box2 box;
+        const double aside = 0.5 * std::sqrt(std::max(0.0, (detour - chord) * (detour + chord))) + slack_;
         for (const Vec2 end : {part.a, part.b}) {
-          box.add(end - Vec2{aside, aside});
-          box.add(end + Vec2{aside, aside});
+          here.box.add(end - Vec2{aside, aside});
+          here.box.add(end + Vec2{aside, aside});
         }
-        return TreeBounds{box};
-      },
-      [](const Part&, std::uint32_t) {});
+      }
+    }
+  }
+  tree_.build(
+      std::span<const Parts>(parts), [](const Parts& part) { return TreeBounds{part.box}; },
+      [](const Parts&, std::uint32_t) {});
 }
 
 std::vector<FeatureField::Hit> FeatureField::hits(std::span<const Vec2> positions, std::vector<bool>& is_on,
                                                   JobControl* job) const {
   std::vector<Hit> out;
+  out.reserve(positions.size());
   is_on.assign(positions.size(), false);
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
     if (job != nullptr && i % kOften == 0) job->checkpoint();
     const Vec2 p = positions[i];
     if (std::ranges::binary_search(points_, p, lexicographically_less)) is_on[i] = true;
-    tree_.visit_near(p, 0.0, [&](const Part& part) {
-      const double before = distance(part.a, p);
-      const double after = distance(p, part.b);
-      const Line& line = lines_[part.line];
-      if (before + after > part.arc * (1.0 + 1e-9) + 2.0 * slack_) return;
-      const double all = before + after;
-      double along = line.nodes[part.node].along + (all > 0.0 ? before / all * part.arc : 0.0);
-      if (line.is_closed && along >= line.length) along = 0.0;
-      is_on[i] = true;
-      out.push_back({part.line, along, i});
+    tree_.visit_near(p, 0.0, [&](const Parts& parts) {
+      if (!parts.box.contains(p)) return;
+      const Line& line = lines_[parts.line];
+      for (std::uint32_t k = parts.first; k < parts.end; ++k) {
+        const Part part = part_of(line, k);
+        const double most = longest_detour(part);
+        // Most are too far from an end.
+        if (std::abs(p.x - part.a.x) + std::abs(p.y - part.a.y) > kDiagonal * most) continue;
+        const double before = distance(part.a, p);
+        const double all = before + distance(p, part.b);
+        if (all > most) continue;
+        double along = line.nodes[k].along + (all > 0.0 ? before / all * part.arc : 0.0);
+        if (line.is_closed && along >= line.length) along = 0.0;
+        is_on[i] = true;
+        out.push_back({parts.line, along, i});
+      }
     });
   }
   std::ranges::sort(out, [](const Hit& a, const Hit& b) {
@@ -363,6 +392,10 @@ void FeatureField::for_each_interval(const std::vector<Hit>& hits, Use use) cons
       if (last.along < line.length) use(line, last.along, line.length, &last, nullptr);
     }
   }
+}
+
+std::span<const MeasuredCurve> FeatureField::measured() const {
+  return *measured_;
 }
 
 bool FeatureField::is_on_curves(Vec2 position) const {
@@ -401,7 +434,7 @@ CurveStanding FeatureField::standing(std::span<const Vec2> positions, JobControl
 }
 
 Expected<std::vector<std::vector<std::vector<double>>>> FeatureField::places(double epsilon, std::size_t most) const {
-  std::vector<std::vector<std::vector<double>>> out(curves_->curves.size());
+  std::vector<std::vector<std::vector<double>>> out(measured_->size());
   std::size_t count = 0;
   for (const Line& line : lines_) {
     const Walk walk{line, true};
@@ -449,11 +482,10 @@ std::vector<FilledInterval> FeatureField::filled(std::span<const Vec2> positions
       count += places.size() - 1;
       out.push_back({before->sample, after->sample, std::vector<Vec2>(places.size() - 1)});
     });
-  const double negligible = negligible_length(*curves_, request_);
   for (std::size_t l = 0; l < lines_.size(); ++l) {
     if (wanted[l].empty()) continue;
     std::ranges::sort(wanted[l], {}, &Wanted::along);
-    const MeasuredCurve curve = measured(curves_->curves[lines_[l].curve], request_.corner_angle, negligible, job);
+    const MeasuredCurve& curve = (*measured_)[lines_[l].curve];
     auto next = wanted[l].begin();
     double before = 0.0;
     for (std::size_t s = 0; s < curve.stretches.size(); ++s) {

@@ -20,8 +20,8 @@
 //     auto field = FeatureField::of(curves, request, sizes);
 //     if (field) use(field->standing(positions).epsilon);
 //
-// Cost: `of` asks for the sizes of some ten lists of samples, twice as many at the end as an epsilon of 0.25 needs; the
-// rest is O(samples log places). Threads: const members may be called side by side.
+// Cost: `of` asks for the sizes of one list of samples where bends say enough, and of some ten elsewhere, at the end of
+// twice as many as an epsilon of 0.25 needs; the rest is O(samples log places). Threads: const members may be called side by side.
 #pragma once
 
 #include <array>
@@ -38,6 +38,8 @@
 #include "core/curves/sampling.h"
 
 namespace mes {
+
+struct MeasuredCurve;
 
 /// How samples stand for curves.
 struct CurveStanding {
@@ -74,7 +76,10 @@ class FeatureField {
   /// Corners of the curves, and other places where curves meet, come very near or turn at once.
   const std::vector<Vec2>& exempt() const { return exempt_; }
 
-  /// For each curve, for each of its stretches between corners: lengths of arc from its beginning on, which is among them,
+  /// The curves as they are sampled, arc by arc where they touch.
+  std::span<const MeasuredCurve> measured() const;
+
+  /// For each of them, for each of its stretches between corners: lengths of arc from its beginning on, which is among them,
   /// and its end not. Sizes are as they are at corners too, so samples get ever nearer to each other there, down to a
   /// thousandth of the mean. Error: `bad_input` for more than `most`.
   Expected<std::vector<std::vector<std::vector<double>>>> places(double epsilon, std::size_t most) const;
@@ -106,11 +111,17 @@ class FeatureField {
     std::vector<std::size_t> meetings{};   // other exempt nodes
     std::vector<std::size_t> stretches{};  // nodes at which they begin, and one behind the last
   };
+  /// Between two nodes.
   struct Part {
     Vec2 a{}, b{};
     double arc = 0.0;
+  };
+  /// Some in a row, by the nodes at which they begin.
+  struct Parts {
+    Box2 box{};
     std::uint32_t line = 0;
-    std::uint32_t node = 0;
+    std::uint32_t first = 0;
+    std::uint32_t end = 0;
   };
   /// A sample on a line.
   struct Hit {
@@ -120,6 +131,9 @@ class FeatureField {
   };
   struct Walk;
 
+  static Part part_of(const Line& line, std::size_t node);
+  /// The most that the distances from a place on a part to its ends add up to.
+  double longest_detour(const Part& part) const { return part.arc * (1.0 + 1e-9) + 2.0 * slack_; }
   static void find_meetings(Line& line, const std::vector<double>& epsilons);
   static void exempt_about(Line& line, const std::vector<double>& epsilons, std::size_t node, std::ptrdiff_t way);
   void make_tree();
@@ -127,12 +141,11 @@ class FeatureField {
   template <class Use>
   void for_each_interval(const std::vector<Hit>& hits, Use use) const;
 
-  std::shared_ptr<const CurveSet> curves_;  // as they are sampled
-  SamplingRequest request_;
+  std::shared_ptr<const std::vector<MeasuredCurve>> measured_;
   std::vector<Line> lines_;
   std::vector<Vec2> points_;  // on no curve
   std::vector<Vec2> exempt_;
-  BoxTree<Part> tree_;
+  BoxTree<Parts> tree_;
   double slack_ = 0.0;
   bool has_axis_ = false;
 };

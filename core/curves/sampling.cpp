@@ -391,13 +391,15 @@ Expected<void> sample_unevenly(const Sources& sources, const SamplingRequest& re
                                Collector& out) {
   const std::vector<PlaneCurve>& curves = sources.curves.curves;
   if (request.count > std::min(kMostUneven, request.most)) return too_many_for_rule();
-  const double negligible = negligible_length(sources.curves, request);
-  std::vector<MeasuredCurve> measured_curves;
-  double all = 0.0;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    measured_curves.push_back(sources.measured(i, request, negligible, out.job()));
-    all += measured_curves.back().length();
+  std::vector<MeasuredCurve> own;
+  if (field == nullptr) {
+    const double negligible = negligible_length(sources.curves, request);
+    for (std::size_t i = 0; i < curves.size(); ++i)
+      own.push_back(sources.measured(i, request, negligible, out.job()));
   }
+  const std::span<const MeasuredCurve> measured_curves = field != nullptr ? field->measured() : own;
+  double all = 0.0;
+  for (const MeasuredCurve& curve : measured_curves) all += curve.length();
   if (!std::isfinite(all)) return beyond_range();
   Positions positions(curves.size());
   if (all > 0.0) {

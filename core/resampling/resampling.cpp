@@ -188,8 +188,8 @@ std::unexpected<Error> too_near(std::vector<Rung> rungs) {
 
 /// What the samples of the data give. Error: samples that are as near as they may be, and of which most are too far
 /// apart for the crust to be the curves.
-Expected<void> judge(TakenSamples& taken, const SamplingRequest& request, const FeatureField& field,
-                     const std::vector<CurveCorner>& corners, JobControl& job) {
+Expected<void> judge(TakenSamples& taken, const CurveSet& curves, const SamplingRequest& request,
+                     const FeatureField& field, JobControl& job) {
   const auto measured = Measured::of(taken.data.positions, job);
   if (!measured) return std::unexpected(measured.error());
   taken.standing = field.standing(taken.data.positions, &job);
@@ -222,6 +222,8 @@ Expected<void> judge(TakenSamples& taken, const SamplingRequest& request, const 
     constexpr double kShare = 0.02;
     return kShare * length(Vec2{extent.width(), extent.height()});
   }();
+  const std::vector<CurveCorner> corners =
+      request.corner_radius > 0.0 ? std::vector<CurveCorner>() : corners_of(curves, request.corner_angle);
   std::vector<bool> is_named(corners.size(), false);
   PlaceTree corner_tree;
   for (const CurveCorner& corner : corners) corner_tree.add(corner.place);
@@ -263,8 +265,6 @@ Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curve
       *curves, request, [&sizes](std::span<const Vec2> positions) { return sizes.of(positions); }, &job,
       request.most);
   if (!field) return std::unexpected(field.error());
-  const std::vector<CurveCorner> corners =
-      request.corner_radius > 0.0 ? std::vector<CurveCorner>() : corners_of(*curves, request.corner_angle);
   // A jitter is what is not on the curve: there is nothing to prove by being denser.
   const int tries = request.jitter > 0.0 ? 1 : 4;
   constexpr double kFiner = 0.63;  // three times make a quarter
@@ -274,7 +274,7 @@ Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curve
     auto taken = taken_as(sample_by_field(*curves, finer, *field, &job), curves, request);
     if (!taken && first) break;  // more samples than there may be
     if (!taken) return taken;
-    if (auto done = judge(*taken, finer, *field, corners, job); !done) return std::unexpected(done.error());
+    if (auto done = judge(*taken, *curves, finer, *field, job); !done) return std::unexpected(done.error());
     if (taken->is_proved()) return taken;
     if (!first) first = *std::move(taken);
     // More samples do not help where nothing but corners is in the way.

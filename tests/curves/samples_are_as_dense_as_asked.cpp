@@ -56,7 +56,7 @@ TEST_CASE("an epsilon-sample is dense everywhere and not much denser than it mus
     int asked = 0;
     const SampledCurves samples =
         sampled({.rule = SamplingRule::feature_size, .count = 400, .epsilon = epsilon}, of_ellipse(asked));
-    CHECK(asked > 1);
+    CHECK(asked > 0);
     CHECK(asked < 24);
     const std::size_t n = samples.positions.size();
     double sum = 0.0;  // of what the intervals use of what they may
@@ -288,10 +288,14 @@ TEST_CASE("a bend at the beginning of a closed curve counts as it does elsewhere
     REQUIRE(samples);
     return std::ranges::count_if(samples->positions, [&](Vec2 p) { return distance(p, drop[0]) < 0.1; });
   };
-  const auto elsewhere = near_tip(100);
-  CHECK(elsewhere >= 3);
-  CHECK(std::abs(near_tip(0) - elsewhere) <= 1);
-  CHECK(std::abs(near_tip(1) - elsewhere) <= 1);
+  const auto [least, most] = std::ranges::minmax({near_tip(10), near_tip(50), near_tip(100), near_tip(150)});
+  CHECK(least >= 3);
+  CHECK(most - least <= 2);
+  for (const int beginning : {0, 1, 199}) {
+    const auto here = near_tip(beginning);
+    CHECK(here >= least - 1);
+    CHECK(here <= most + 1);
+  }
 }
 
 TEST_CASE("a jitter moves each sample by no more than asked for, as the seed says") {

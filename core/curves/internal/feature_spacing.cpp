@@ -30,6 +30,10 @@ constexpr double kFew = 0.05;
 // Where the number of samples changes by more than this share, another round is worth it: fewer would do, or so many more
 // are asked for that dividing intervals, by two at least, would make far more of them.
 constexpr double kSettled = 0.9;
+// Feature sizes are often less than bends are wide: to begin with samples are so much nearer to each other.
+constexpr double kDenser = 0.75;
+// Beyond so many times the finer epsilon an interval is still coarse.
+constexpr double kCoarse = 1.5;
 constexpr double kRounding = 1e-9;
 
 using Field = std::vector<std::vector<StretchSpacing>>;
@@ -197,28 +201,55 @@ struct Judged {
   Field next{};  // what their sizes ask for
   std::size_t intervals = 0;
   std::size_t too_long = 0;
+  std::size_t coarse = 0;
+
+  static bool are_few(std::size_t some, std::size_t all) {
+    return static_cast<double>(some) <= kFew * static_cast<double>(all);
+  }
+  bool is_near() const { return are_few(too_long, intervals); }
+  bool is_fine() const { return are_few(coarse, intervals); }
 };
+
+/// Some pieces of the stretch meet at an angle that as fine places would show as a bend of its own.
+bool has_joints(const MeasuredCurve& curve, const Stretch& stretch, double fine) {
+  const double least = 2.0 * std::asin(fine);
+  for (std::size_t i = stretch.first + 1; i < stretch.first + stretch.count; ++i) {
+    const Vec2 before = curve.pieces[i - 1].last_direction();
+    const Vec2 after = curve.pieces[i].first_direction();
+    if (std::abs(std::atan2(cross(before, after), dot(before, after))) > least) return true;
+  }
+  return false;
+}
 
 class FeatureSampler {
  public:
-  FeatureSampler(std::span<const MeasuredCurve> curves, const SpacingLimits& limits)
+  FeatureSampler(std::span<const MeasuredCurve> curves, const SpacingLimits& limits, double fine)
       : curves_(curves), limits_(limits), bends_(spacings_by_bends(curves, 2.0 * kMargin * limits.share)) {
-    for (const MeasuredCurve& curve : curves)
+    for (const MeasuredCurve& curve : curves) {
       widest_.push_back(std::min(limits.widest, curve.length() / limits.least_each));
+      std::vector<double>& here = finer_.emplace_back();
+      for (const Stretch& stretch : curve.stretches)
+        here.push_back(has_joints(curve, stretch, fine) ? limits.share : fine);
+    }
     for (std::size_t c = 0; c < bends_.size(); ++c)
       for (StretchSpacing& stretch : bends_[c])
         for (double& spacing : stretch.spacing) spacing = std::clamp(spacing, finest(c), widest(c));
   }
 
-  /// The field to begin with: with no more than the bends allow, there and beside them, so that the samples show most of
-  /// the axis at once. Without an axis there is more room beside bends.
+  /// The finer epsilon of a stretch, or that of all.
+  double finer(std::size_t curve, std::size_t stretch) const { return finer_[curve][stretch]; }
+
+  /// The field to begin with, for the finer epsilon: with no more than the bends allow, there and beside them, so that the
+  /// samples show most of the axis at once. Without an axis there is more room beside bends.
   Field first(const Field& field) const {
     Field out(field.size());
     for (std::size_t c = 0; c < field.size(); ++c)
       for (std::size_t s = 0; s < field[c].size(); ++s) {
         StretchSpacing bound = bends_[c][s];
+        for (double& spacing : bound.spacing) spacing = std::max(kDenser * spacing, finest(c));
         spread_bounds(bound, 2.0 * kMargin * limits_.share, curves_[c].is_closed && !curves_[c].has_corner_at_start);
-        out[c].push_back(bounded_by(field[c][s], bound));
+        StretchSpacing& here = out[c].emplace_back(bounded_by(field[c][s], bound));
+        for (double& spacing : here.spacing) spacing = std::max(finer(c, s) / limits_.share * spacing, finest(c));
       }
     return out;
   }
@@ -278,7 +309,9 @@ class FeatureSampler {
       if (i != 0) {
         ++out.intervals;
         const double excess = samples.excess(here[i - 1], here[i], limits_.share);
-        if (excess > 1.0 && here[i].at - here[i - 1].at > finest(c) * (1.0 + kRounding)) {
+        const bool may_be_shorter = may_halve(c, here[i - 1], here[i]);
+        if (may_be_shorter && excess * limits_.share > kCoarse * finer(c, s)) ++out.coarse;
+        if (may_be_shorter && excess > 1.0) {
           ++out.too_long;
           shorter = std::max(kMargin / excess, 1.0 / kMostGrowth);
           next.spacing.back() = std::max(finest(c), std::min(next.spacing.back(), shorter * previous));
@@ -300,6 +333,7 @@ class FeatureSampler {
   std::span<const MeasuredCurve> curves_;
   SpacingLimits limits_;
   std::vector<double> widest_;  // of each curve
+  std::vector<std::vector<double>> finer_;
   Field bends_;
 };
 
@@ -307,21 +341,6 @@ std::unexpected<Error> too_many(double count, std::size_t most) {
   return std::unexpected(
       Error{ErrorCode::bad_input,
             fmt::format("the curves would have {:.6g} samples; {} are as many as there may be", count, most)});
-}
-
-}  // namespace
-
-namespace {
-
-/// Some pieces of the stretch meet at an angle that as fine places would show as a bend of its own.
-bool has_joints(const MeasuredCurve& curve, const Stretch& stretch, double fine) {
-  const double least = 2.0 * std::asin(fine);
-  for (std::size_t i = stretch.first + 1; i < stretch.first + stretch.count; ++i) {
-    const Vec2 before = curve.pieces[i - 1].last_direction();
-    const Vec2 after = curve.pieces[i].first_direction();
-    if (std::abs(std::atan2(cross(before, after), dot(before, after))) > least) return true;
-  }
-  return false;
 }
 
 MeasuredPlaces result_of(const PlacedSamples& samples, const FeatureSampler& sampler, std::size_t curves) {
@@ -362,38 +381,36 @@ FeatureLimits feature_limits(const SamplingRequest& request, double length, doub
 Expected<MeasuredPlaces> places_by_feature_size(std::span<const MeasuredCurve> curves, Field first,
                                                 const SpacingLimits& limits, double fine, std::size_t most,
                                                 const FeatureSizes& sizes, JobControl* job) {
-  const FeatureSampler sampler(curves, limits);
+  const FeatureSampler sampler(curves, limits, fine);
   Field field = sampler.first(first);
   double count = count_of(field);
   std::optional<PlacedSamples> samples;
+  bool is_fine = false;
   for (int round = 0; round < kMostRounds; ++round) {
     if (count > static_cast<double>(most)) return too_many(count, most);
     samples.emplace(curves, field, job);
     if (auto done = samples->measure(sizes); !done) return std::unexpected(done.error());
     const bool may_grow = round < kFirstSteadyRound;
     Judged now = sampler.judged(field, *samples, may_grow);
+    is_fine = round == 0 && now.is_near() && now.is_fine();
+    if (is_fine) break;
     now.next = sampler.bounded(now.next);  // a bend between two samples too
-    const bool is_near = static_cast<double>(now.too_long) <= kFew * static_cast<double>(now.intervals);
     const double asked = count_of(now.next);
     const bool is_settled = asked > kSettled * count && kSettled * asked < count;
-    if (is_near && (!may_grow || is_settled)) break;
+    if (now.is_near() && (!may_grow || is_settled)) break;
     field = std::move(now.next);
     count = asked;
   }
 
-  std::vector<std::vector<double>> wanted(curves.size());
-  for (std::size_t c = 0; c < curves.size(); ++c)
-    for (const Stretch& stretch : curves[c].stretches)
-      wanted[c].push_back(has_joints(curves[c], stretch, fine) ? limits.share : fine);
   for (int round = 0; round < kMostDivisions; ++round) {
     bool is_reached = true;
     for (std::size_t c = 0; c < curves.size(); ++c)
       for (std::size_t s = 0; s < samples->of_curve(c).size(); ++s)
         if (samples->divide(c, s, [&](const StretchSample& a, const StretchSample& b) {
               // Each once for the finer epsilon; what has more then is left, as long as it has the other.
-              const int parts = sampler.parts(c, *samples, round == 0 ? wanted[c][s] : limits.share, a, b);
-              const bool is_halved = round == 0 && wanted[c][s] < limits.share && sampler.may_halve(c, a, b);
-              return is_halved ? std::max(2, parts) : parts;
+              if (is_fine || round != 0) return sampler.parts(c, *samples, limits.share, a, b);
+              const int parts = sampler.parts(c, *samples, sampler.finer(c, s), a, b);
+              return sampler.finer(c, s) < limits.share && sampler.may_halve(c, a, b) ? std::max(2, parts) : parts;
             }))
           is_reached = false;
     if (samples->size() > most) return too_many(static_cast<double>(samples->size()), most);

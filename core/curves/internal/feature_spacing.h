@@ -33,16 +33,17 @@ struct MeasuredPlace {
 using MeasuredPlaces = std::vector<std::vector<std::vector<MeasuredPlace>>>;
 
 /// Places so near to each other that half the distance of neighbours is at most `limits.share`, and nearly everywhere at
-/// most `fine`, which is half of it, times the smaller feature size of both, or their distance along the curve is
-/// `limits.finest`. Along stretches of
+/// most one and a half times `fine`, which is half of it, times the smaller feature size of both, or their distance along
+/// the curve is `limits.finest`. Along stretches of
 /// pieces that meet at small angles, as those of a polygon for a circle do, it is `limits.share` that holds: finer
 /// places would show the angles, not the circle.
 ///
-/// Begins with `first`, and nowhere with more than the bends of the curve allow, which bound feature sizes from above
-/// whatever the samples show, nor with more than a feature size may grow from there. What is measured of these samples
-/// says where others should be; that is done anew until nearly all intervals have `limits.share`. Then each is halved, or
-/// divided for `fine`, and those that are still too long are divided, so that it comes to an end: only what is new need be measured. Error:
-/// that of `sizes`; `bad_input` for more places than `most`. Throws `Cancelled` if there is a job.
+/// Begins with `first`, so near to each other as `fine` asks for, and nowhere with more than the bends of the curve allow,
+/// which bound feature sizes from above whatever the samples show, nor with more than a feature size may grow from there.
+/// Where that is not near enough, what is measured says where samples with `limits.share` should be; that is done anew until
+/// nearly all intervals have it. Then each is halved, or divided for `fine`. What is still too long is divided, so that it
+/// comes to an end: only what is new need be measured. Error: that of `sizes`; `bad_input` for more places than `most`.
+/// Throws `Cancelled` if there is a job.
 Expected<MeasuredPlaces> places_by_feature_size(std::span<const MeasuredCurve> curves,
                                                 std::vector<std::vector<StretchSpacing>> first,
                                                 const SpacingLimits& limits, double fine, std::size_t most,
