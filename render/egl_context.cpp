@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/egl_context.h"
 
+#include <dlfcn.h>
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
@@ -12,6 +13,19 @@ namespace {
 
 Error unavailable(const std::string& what) {
   return {.code = ErrorCode::no_display, .text = "no OpenGL 3.3 for drawing: " + what};
+}
+
+bool has_library(const char* name) {
+  void* const handle = dlopen(name, RTLD_LAZY | RTLD_LOCAL);
+  if (handle != nullptr) dlclose(handle);
+  return handle != nullptr;
+}
+
+/// What epoxy, which ends the program without them, looks for.
+std::string missing_library() {
+  if (!has_library("libEGL.so.1")) return "there is no libEGL.so.1";
+  if (!has_library("libOpenGL.so.0") && !has_library("libGL.so.1")) return "there is no libGL.so.1";
+  return {};
 }
 
 bool has_client_extension(const char* name) {
@@ -94,6 +108,7 @@ struct EglContext::Impl {
 };
 
 Expected<EglContext> EglContext::create() {
+  if (const std::string missing = missing_library(); !missing.empty()) return std::unexpected(unavailable(missing));
   std::string reason;
   for (std::size_t attempt = 0; attempt < kAttempts; ++attempt) {
     auto impl = std::make_unique<Impl>();

@@ -2,6 +2,9 @@
 #include <algorithm>
 #include <array>
 #include <catch2/catch.hpp>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "run_binary.h"
 #include "tests/io/temporary_folder.h"
@@ -146,6 +149,21 @@ TEST_CASE("without OpenGL pictures end with code 4, and the other commands work"
   CHECK(std::ranges::count(result.err, '\n') == 1);
   CHECK(folder.file_count() == 0);
   CHECK(run({"compute", kDude}, options).exit_code == 0);
+}
+
+TEST_CASE("without the libraries of OpenGL pictures end with code 4") {
+  // What is found in their place is no library.
+  const std::string name = GENERATE("libEGL.so.1", "libOpenGL.so.0 libGL.so.1");
+  const TemporaryFolder folder;
+  std::istringstream names(name);
+  for (std::string library; names >> library;) std::ofstream(folder / library) << "empty";
+  RunOptions options = headless();
+  options.environment.push_back("LD_LIBRARY_PATH=" + folder.path().string());
+  const RunResult result = run({"render", kDude, "-o", (folder / "a.png").string()}, options);
+  INFO(result.err);
+  CHECK(result.exit_code == 4);
+  CHECK(std::ranges::count(result.err, '\n') == 1);
+  CHECK_FALSE(std::filesystem::exists(folder / "a.png"));
 }
 
 TEST_CASE("styles, colour maps, their range and the legend change a picture") {
