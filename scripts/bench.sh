@@ -6,6 +6,6 @@ set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 "$root/scripts/install_packages.sh" bench || exit 1
-configure bench
-build bench --target mesecina_bench
-exec build/bench/mesecina_bench "$@"
+configure_program -DMESECINA_BENCH=ON
+build release --target mesecina_bench
+exec build/release/mesecina_bench "$@"

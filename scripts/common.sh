@@ -34,6 +34,13 @@ configure() {
   fi
 }
 
+# configure_program [option...]: the release. A fresh build folder needs no tests; one that has them keeps them.
+configure_program() {
+  local options=()
+  if [[ ! -e build/release/CMakeCache.txt ]]; then options=(-DMESECINA_TESTS=OFF); fi
+  configure release "${options[@]}" "$@"
+}
+
 # build PRESET [cmake --build option...]
 build() {
   local preset=$1 count

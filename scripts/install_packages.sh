@@ -59,6 +59,8 @@ test           ghostscript         ghostscript         ghostscript    ghostscrip
 bench          libbenchmark-dev    google-benchmark-devel  benchmark  google-benchmark
 package        dpkg-dev            dpkg-dev            dpkg           dpkg
 package        file                file                file           -
+package        patchelf            patchelf            patchelf       -
+package        xz-utils            xz                  xz             -
 package-check  lintian             -                   -              -
 package-check  debootstrap         -                   -              -
 package-check  desktop-file-utils  -                   -              -

@@ -1,10 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes a Debian package in build/package. Builds of one commit give the same bytes, in whatever folder they are made.
+# Makes a Debian package and a portable archive in build/package. Builds of one commit give the same bytes, in whatever
+# folder they are made, with the same packages of the system.
 #
-#   scripts/package.sh            installs what is missing, builds, and makes the package
-#   scripts/package.sh --check    and checks it: lintian, desktop files, the bytes of a second build in another folder,
-#                                 and the program in a bare Debian 12 (as root; takes a second build and a download)
+#   scripts/package.sh            installs what is missing, builds, and makes both
+#   scripts/package.sh --check    and checks them: lintian, desktop files, the bytes of a second build in another folder,
+#                                 and both programs in a bare Debian 12 (as root; takes a second build and a download)
+#
+# The archive holds the program, its assets and documents, and libraries: those that a desktop lacks, and apart from them
+# those that it has. It runs where it is unpacked, with glibc 2.36 or a later one.
 set -uo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -20,28 +24,80 @@ umask 022
 SOURCE_DATE_EPOCH=$(git log -1 --format=%ct 2>/dev/null) || SOURCE_DATE_EPOCH=$(stat -c %Y CHANGELOG.md)
 export SOURCE_DATE_EPOCH
 
-# make_package FOLDER: prints the name of the package.
-make_package() {
+# Libraries that every desktop has, by the beginnings of their names, and those of the compiler. Graphics drivers are made
+# for these, so they come first.
+desktop='libX|libxcb|libglib-|libgio-|libgobject-|libgmodule-|libmount|libblkid|libselinux|libffi|libpcre2|libexpat|libz\.|'
+desktop+='libfontconfig|libfreetype|libbrotli|libpng|libbsd|libmd\.|libstdc\+\+|libgcc_s'
+# Libraries of glibc, which are the system's.
+system='linux-vdso|ld-linux|libc\.|libm\.|libdl\.|libpthread\.|librt\.'
+
+# make_archive: from build/release into build/package.
+make_archive() {
+  local version name root_folder library file owner licences packages
+  version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' build/release/CMakeCache.txt)
+  name=mesecina-$version-$(uname -m)
+  root_folder=build/package/$name
+  rm -rf "$root_folder" "$root_folder.tar.xz"
+  cmake --install build/release --prefix "$root_folder" --strip >build/package-install.log 2>&1 || return 1
+  mkdir -p "$root_folder/lib/desktop" "$root_folder/share/doc/mesecina/licences"
+  licences=$root_folder/share/doc/mesecina/licences
+  packages=()
+  while read -r library; do
+    if grep -qE "/($desktop)" <<<"$library"; then
+      install -m 644 "$library" "$root_folder/lib/desktop"
+    else
+      install -m 644 "$library" "$root_folder/lib"
+    fi
+    # Packages of the time before /lib became a link know their files by that name.
+    file=$(readlink -f "$library")
+    owner=$(dpkg-query --search "$file" "${file#/usr}" 2>/dev/null | head -n 1 | cut -d: -f1)
+    [[ -n $owner ]] || fail "no package has $file"
+    packages+=("$owner")
+    install -m 644 "/usr/share/doc/$owner/copyright" "$licences/$owner"
+  done < <(ldd build/release/mesecina | awk '$2 == "=>" { print $3 }' | grep -vE "/($system)" | sort)
+  strip --strip-unneeded "$root_folder"/lib/*.so* "$root_folder"/lib/desktop/*.so*
+  # Unlike a run path, this one holds for what the libraries need themselves.
+  patchelf --force-rpath --set-rpath "\$ORIGIN/../lib" "$root_folder/bin/mesecina" || return 1
+  install -m 755 packaging/start.sh "$root_folder/mesecina"
+  {
+    printf 'The libraries in lib are those of these packages of Debian 12, which has their sources; their licences are beside.\n\n'
+    dpkg-query --show --showformat '${source:Package} ${source:Version}: ${Package} ${Version}\n' "${packages[@]}" | sort -u
+  } >"$licences/README"
+  tar --create --sort=name --mtime="@$SOURCE_DATE_EPOCH" --owner=0 --group=0 --numeric-owner --format=gnu \
+    --directory build/package "$name" | xz -9 --threads=1 >"$root_folder.tar.xz" || return 1
+  rm -rf "$root_folder"
+}
+
+# make_packages FOLDER: prints the names of the package and of the archive.
+make_packages() {
   (
     cd "$1" || exit 1
-    rm -f build/package/*.deb
-    configure package
-    build package
-    cpack --config build/package/CPackConfig.cmake -B build/package >build/package-cpack.log 2>&1 || {
+    mkdir -p build/package
+    rm -f build/package/*.deb build/package/*.tar.xz
+    configure_program
+    build release --target mesecina mesecina_documents
+    make_archive || fail "the archive could not be made"
+    # Where zsh of Debian looks.
+    configure_program -DMESECINA_ZSH_FOLDER=share/zsh/vendor-completions
+    cpack --config build/release/CPackConfig.cmake -B build/package >build/package-cpack.log 2>&1 || {
       cat build/package-cpack.log >&2
       fail "cpack could not make the package"
     }
-    ls "$1"/build/package/*.deb
+    configure_program -UMESECINA_ZSH_FOLDER
+    ls "$1"/build/package/*.deb "$1"/build/package/*.tar.xz
   )
 }
 
-package=$(make_package "$root") || exit 1
+made=$(make_packages "$root") || exit 1
+{ read -r package && read -r archive; } <<<"$made"
 say "The package is $package."
+say "The archive is $archive."
 if [[ ${1:-} != --check ]]; then exit 0; fi
 
 "$root/scripts/install_packages.sh" package-check || exit 1
 staged=$(mktemp -d -t mesecina-package.XXXXXX) || fail "cannot write to the temporary folder"
-trap 'rm -rf --one-file-system "$staged"' EXIT
+bare=$staged/bare
+trap 'umount "$bare/proc" 2>/dev/null; chmod -R u+w "$staged"; rm -rf --one-file-system "$staged"' EXIT
 
 say "Checking it with lintian ..."
 lintian --fail-on error "$package" || fail "lintian finds errors"
@@ -53,27 +109,44 @@ update-mime-database "$staged/files/usr/share/mime" || fail "the MIME types are 
 say "Building it again in another folder ..."
 mkdir "$staged/elsewhere"
 git ls-files -z --cached --others --exclude-standard | tar -c --null -T - | tar -x -C "$staged/elsewhere"
-again=$(make_package "$staged/elsewhere") || exit 1
-cmp "$package" "$again" || fail "two builds differ"
+made=$(make_packages "$staged/elsewhere") || exit 1
+{ read -r package_again && read -r archive_again; } <<<"$made"
+cmp "$package" "$package_again" || fail "two packages differ"
+cmp "$archive" "$archive_again" || fail "two archives differ"
 say "Both have the same bytes."
 
-say "Installing it on a bare Debian 12 ..."
-bare=$staged/bare
+say "Trying both on a bare Debian 12 ..."
 log=$root/build/package-bare.log
 # Nothing of this machine's environment goes there.
 in_bare() { chroot "$bare" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LC_ALL=C.UTF-8 "$@"; }
-{
-  debootstrap --variant=minbase bookworm "$bare" &&
-    cp "$package" "$bare/tmp" &&
-    in_bare apt-get install -y --no-install-recommends "/tmp/$(basename "$package")"
-} </dev/null >"$log" 2>&1 || fail "it does not install (all of it: $log)"
-in_bare mesecina --version || fail "it does not start"
-in_bare mesecina compute /usr/share/mesecina/shapes/lizard.poff --no-timing >"$staged/computed.json" ||
-  fail "it does not compute"
-build/package/mesecina compute assets/shapes/lizard.poff --no-timing | sed 's|"assets/|"/usr/share/mesecina/|' |
-  cmp - "$staged/computed.json" || fail "it computes something else"
+debootstrap --variant=minbase bookworm "$bare" </dev/null >"$log" 2>&1 || fail "there is no bare Debian (all of it: $log)"
+# A program finds itself there.
+mount -t proc proc "$bare/proc" || fail "/proc cannot be mounted"
+
+build/release/mesecina compute assets/shapes/lizard.poff --no-timing >"$staged/expected.json"
+# check_computed PROGRAM ASSETS: it computes there what it computes here.
+check_computed() {
+  in_bare "$1" --version || fail "it does not start"
+  in_bare "$1" compute "$2/shapes/lizard.poff" --no-timing >"$staged/computed.json" || fail "it does not compute"
+  sed "s|\"assets/|\"$2/|" "$staged/expected.json" | cmp - "$staged/computed.json" || fail "it computes something else"
+}
+# Anywhere, and nothing is written there.
+unpacked="/opt/a place/$(basename "$archive" .tar.xz)"
+mkdir "$bare/opt/a place"
+tar -x -C "$bare/opt/a place" -f "$archive"
+chmod -R a-w "$bare/opt/a place"
+check_computed "$unpacked/mesecina" "$unpacked/share/mesecina"
+say "The archive computes without any package."
+
+cp "$package" "$bare/tmp"
+in_bare apt-get install -y --no-install-recommends "/tmp/$(basename "$package")" </dev/null >>"$log" 2>&1 ||
+  fail "the package does not install (all of it: $log)"
+check_computed mesecina /usr/share/mesecina
 in_bare apt-get install -y --no-install-recommends libgl1-mesa-dri </dev/null >>"$log" 2>&1 ||
   fail "what it recommends does not install (all of it: $log)"
 in_bare mesecina render /usr/share/mesecina/shapes/lizard.poff -o /tmp/lizard.png || fail "it does not draw"
 cp "$bare/tmp/lizard.png" build/package-picture.png
-say "It computes and draws there: $root/build/package-picture.png."
+in_bare "$unpacked/mesecina" render /usr/share/mesecina/shapes/lizard.poff -o /tmp/portable.png ||
+  fail "the archive does not draw"
+cmp "$bare/tmp/lizard.png" "$bare/tmp/portable.png" || fail "the archive draws something else"
+say "Both compute and draw there: $root/build/package-picture.png."

@@ -13,10 +13,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 start_folder=$OLDPWD
 
 "$root/scripts/install_packages.sh" build || exit 1
-# A fresh build folder needs no tests; one that has them keeps them.
-options=()
-if [[ ! -e build/release/CMakeCache.txt ]]; then options=(-DMESECINA_TESTS=OFF); fi
-configure release "${options[@]}"
+configure_program
 build release --target mesecina
 
 program=$root/build/release/mesecina
