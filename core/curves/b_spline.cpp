@@ -16,7 +16,7 @@ struct Weighted {
   Vec2 p;
   double w = 1.0;
 };
-Weighted between(const Weighted& a, const Weighted& b, double t) {
+Weighted weighted_between(const Weighted& a, const Weighted& b, double t) {
   return {(1.0 - t) * a.p + t * b.p, (1.0 - t) * a.w + t * b.w};
 }
 
@@ -87,7 +87,7 @@ Jet jet_at(const BSpline& spline, std::size_t span, double t) {
     for (std::size_t j = degree; j >= round; --j) {
       const double low = spline.knots[span - degree + j];
       const double high = spline.knots[span + 1 + j - round];
-      d[j] = between(d[j - 1], d[j], (t - low) / (high - low));
+      d[j] = weighted_between(d[j - 1], d[j], (t - low) / (high - low));
     }
   }
   const Vec2 place = (1.0 / d[degree].w) * d[degree].p;

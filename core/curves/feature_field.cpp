@@ -11,6 +11,7 @@
 #include <optional>
 #include <utility>
 
+#include "core/base/infinity.h"
 #include "core/curves/corners.h"
 #include "core/curves/finest_feature.h"
 #include "core/curves/internal/feature_spacing.h"
@@ -20,7 +21,6 @@
 namespace mes {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// Epsilon of the samples that show the axis: to begin with, and in the end.
 constexpr double kCoarse = 0.25;
 constexpr double kFine = 0.125;

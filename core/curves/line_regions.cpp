@@ -13,8 +13,6 @@
 namespace mes {
 namespace {
 
-constexpr std::uint32_t kNone = CurveNetwork::kNoNode;
-
 using NodeSlot = Slot<struct NetworkNodeTag>;
 
 /// The arcs of a network and the faces between them. Half edge 2 a goes along arc a, 2 a + 1 comes back.
@@ -23,7 +21,7 @@ class Faces {
   explicit Faces(const CurveNetwork& network) : network_(network) {
     for (const auto& ends : network.nodes)
       for (const std::uint32_t node : ends)
-        if (node != kNone) node_count_ = std::max<std::size_t>(node_count_, node + std::size_t{1});
+        if (node != CurveNetwork::kNoNode) node_count_ = std::max<std::size_t>(node_count_, node + std::size_t{1});
     count_uses();
     find_enclosing_arcs();
     find_meshes();
@@ -76,7 +74,7 @@ class Faces {
     std::vector<std::vector<std::uint32_t>> at(node_count_);
     std::vector<std::size_t> degree(node_count_, 0);
     for (std::uint32_t arc = 0; arc < count; ++arc) {
-      if (network_.nodes[arc][0] == kNone) continue;
+      if (network_.nodes[arc][0] == CurveNetwork::kNoNode) continue;
       is_in_mesh_[arc] = true;
       for (const std::uint32_t node : network_.nodes[arc]) {
         at[node].push_back(arc);
@@ -141,19 +139,19 @@ class Faces {
       directions[edge] = direction(edge);
       around[from(edge)].push_back(edge);
     }
-    std::vector<std::uint32_t> next(edges, kNone);
+    std::vector<std::uint32_t> next(edges, CurveNetwork::kNoNode);
     for (std::vector<std::uint32_t>& leaving : around) {
       std::ranges::sort(leaving, {}, [&](std::uint32_t edge) { return std::pair(directions[edge], edge); });
       // Who comes in turns as far to the left as possible: to the one before, clockwise of where it came from.
       for (std::size_t i = 0; i < leaving.size(); ++i)
         next[leaving[i] ^ 1U] = leaving[(i + leaving.size() - 1) % leaving.size()];
     }
-    face_of_.assign(edges, kNone);
+    face_of_.assign(edges, CurveNetwork::kNoNode);
     for (std::uint32_t first = 0; first < edges; ++first) {
-      if (!is_in_mesh_[first / 2] || face_of_[first] != kNone) continue;
+      if (!is_in_mesh_[first / 2] || face_of_[first] != CurveNetwork::kNoNode) continue;
       Face& face = faces_.emplace_back();
       face.mesh = mesh_of_[first / 2];
-      for (std::uint32_t edge = first; face_of_[edge] == kNone; edge = next[edge]) {
+      for (std::uint32_t edge = first; face_of_[edge] == CurveNetwork::kNoNode; edge = next[edge]) {
         face_of_[edge] = static_cast<std::uint32_t>(faces_.size() - 1);
         face.edges.push_back(edge);
         face.area += edge % 2 == 0 ? area_under(edge / 2) : -area_under(edge / 2);

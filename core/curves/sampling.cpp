@@ -62,11 +62,11 @@ Outline outline_of(const MeasuredCurve& curve) {
   return out;
 }
 
-constexpr double kRounding = 1e-9;
+constexpr double kIntervalRounding = 1e-9;
 
 /// Intervals of a stretch of a curve at a spacing. A length that is a multiple of it up to rounding counts as one.
 double intervals_of(double length, double spacing) {
-  return std::max(1.0, std::ceil(length / spacing * (1.0 - kRounding)));
+  return std::max(1.0, std::ceil(length / spacing * (1.0 - kIntervalRounding)));
 }
 
 double spacing_for(const Outline& curve, double spacing, std::size_t least_each) {
@@ -104,7 +104,7 @@ double spacing_for_count(const std::vector<Outline>& curves, std::size_t count, 
     (sample_count(curves, middle, least_each) > wanted ? low : high) = middle;
   }
   // Lengths that are equal up to rounding are on the same side of it.
-  return high * (1.0 + 2.0 * kRounding);
+  return high * (1.0 + 2.0 * kIntervalRounding);
 }
 
 /// The curves to take samples of, or the arcs of a network of them.

@@ -22,7 +22,7 @@ bool is_within(double x, double low, double high) {
   return low <= x && x <= high;
 }
 
-std::string fault_of(const Anchor& anchor, const NumberedThings& things) {
+std::string anchor_fault(const Anchor& anchor, const NumberedThings& things) {
   for (const double x : {anchor.at.x, anchor.at.y})
     if (const auto fault = range_fault_of(x)) return "a place of an annotation: " + describe(*fault, x);
   if (anchor.samples.size() > 3 || anchor.samples.size() == 2)
@@ -41,7 +41,7 @@ std::string fault_of(const Anchor& anchor, const NumberedThings& things) {
   return {};
 }
 
-std::string fault_of(const std::vector<HighlightedElement>& elements) {
+std::string highlight_fault(const std::vector<HighlightedElement>& elements) {
   if (elements.size() > kMostHighlighted)
     return fmt::format("more than {} elements are highlighted together", kMostHighlighted);
   for (const HighlightedElement& element : elements) {
@@ -99,7 +99,7 @@ std::string fault_of(const Annotation& annotation, const NumberedThings& things)
   if (annotation.elements.empty() == (annotation.kind == AnnotationKind::highlight))
     return annotation.elements.empty() ? "a highlight has no elements"
                                        : "an annotation that is not a highlight has elements";
-  if (auto fault = fault_of(annotation.elements); !fault.empty()) return fault;
+  if (auto fault = highlight_fault(annotation.elements); !fault.empty()) return fault;
   if (annotation.anchors.size() != anchor_count(annotation))
     return fmt::format("an annotation of the kind {} has {} places instead of {}", id_of(annotation.kind),
                        annotation.anchors.size(), anchor_count(annotation));
@@ -110,7 +110,7 @@ std::string fault_of(const Annotation& annotation, const NumberedThings& things)
   for (const double x : {annotation.shift.x, annotation.shift.y})
     if (!is_within(x, -kMostShift, kMostShift)) return "the text of an annotation is too far from its place";
   for (const Anchor& anchor : annotation.anchors)
-    if (auto fault = fault_of(anchor, things); !fault.empty()) return fault;
+    if (auto fault = anchor_fault(anchor, things); !fault.empty()) return fault;
   return {};
 }
 

@@ -38,18 +38,18 @@ DocumentDelta delta_from(const Document& document) {
 
 // What all samples and all balls must satisfy; empty when they do.
 template <class Value>
-std::string range_fault_of(const Value& value) {
+std::string value_fault_of(const Value& value) {
   std::string out;
   for_each_number(value, [&out](double x) {
-    if (const auto fault = mes::range_fault_of(x); fault && out.empty()) out = describe(*fault, x);
+    if (const auto fault = range_fault_of(x); fault && out.empty()) out = describe(*fault, x);
   });
   return out;
 }
 std::string fault_of(Vec2 p) {
-  return range_fault_of(p);
+  return value_fault_of(p);
 }
 std::string fault_of(const Disk& disk) {
-  return disk.radius < 0.0 ? "a radius is negative" : range_fault_of(disk);
+  return disk.radius < 0.0 ? "a radius is negative" : value_fault_of(disk);
 }
 
 // What all of them together must satisfy.

@@ -18,7 +18,7 @@ constexpr std::size_t kManyHighlighted = 64;
 // So many moves of an evolution stay on record, state by state; some 24 bytes each.
 constexpr std::size_t kMostEvolutionEdits = 1U << 20U;
 
-std::unexpected<Error> refuse(std::string text) {
+std::unexpected<Error> bad_entry(std::string text) {
   return std::unexpected(Error{ErrorCode::bad_input, std::move(text)});
 }
 
@@ -253,9 +253,10 @@ namespace {
 Expected<std::shared_ptr<const CurveSource>> source_after(const Document& document, const SourceEdit& edit,
                                                           std::size_t known) {
   if (!edit.has_curves) return nullptr;
-  if (!edit.curves && !document.source()) return refuse("samples are taken from curves that are not there");
-  if (edit.first > known || edit.count > known - edit.first) return refuse("the curves name samples that never were");
-  if (const auto good = check(edit.sampling); !good) return refuse(good.error().text);
+  if (!edit.curves && !document.source()) return bad_entry("samples are taken from curves that are not there");
+  if (edit.first > known || edit.count > known - edit.first)
+    return bad_entry("the curves name samples that never were");
+  if (const auto good = check(edit.sampling); !good) return bad_entry(good.error().text);
   return std::make_shared<const CurveSource>(
       CurveSource{edit.curves ? edit.curves : document.source()->curves, edit.sampling, edit.first, edit.count});
 }
@@ -263,16 +264,16 @@ Expected<std::shared_ptr<const CurveSource>> source_after(const Document& docume
 }  // namespace
 
 Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& edit) {
-  if (!edit.removed.empty() && !edit.moved.empty()) return refuse("one edit removes samples and moves others");
+  if (!edit.removed.empty() && !edit.moved.empty()) return bad_entry("one edit removes samples and moves others");
   const int kinds_of_balls = !edit.removed_balls.empty() + !edit.changed_balls.empty() + !edit.inserted_balls.empty();
-  if (kinds_of_balls > 1) return refuse("one edit does different things with balls");
+  if (kinds_of_balls > 1) return bad_entry("one edit does different things with balls");
   const SampleId first = document.first_id();
   const BallId first_ball = document.first_ball_id();
   const std::size_t known = document.next_id().value - first.value;
   const std::size_t known_balls = document.next_ball_id().value - first_ball.value;
-  if (!all_known(edit.removed, known) || !all_known(edit.moved, known)) return refuse("an edit of no sample");
+  if (!all_known(edit.removed, known) || !all_known(edit.moved, known)) return bad_entry("an edit of no sample");
   if (!all_known(edit.removed_balls, known_balls) || !all_known(edit.changed_balls, known_balls))
-    return refuse("an edit of no ball");
+    return bad_entry("an edit of no ball");
   const auto removed = ids_of(edit.removed, first);
   const auto moved = places_of(edit.moved, first);
   const auto removed_balls = ids_of(edit.removed_balls, first_ball);
@@ -285,7 +286,7 @@ Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& e
                                         .inserted_balls = edit.inserted_balls});
   if (out && edit.annotations) {
     const NumberedThings numbered{edit.inserted.size() + known, edit.inserted_balls.size() + known_balls};
-    if (auto fault = fault_of(*edit.annotations, numbered); !fault.empty()) return refuse(std::move(fault));
+    if (auto fault = fault_of(*edit.annotations, numbered); !fault.empty()) return bad_entry(std::move(fault));
     if (*edit.annotations != *out->annotations_after)
       out->annotations_after = std::make_shared<const Annotations>(*edit.annotations);
   }
@@ -298,7 +299,7 @@ Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& e
   auto curve = std::make_shared<CurveOrder>();
   for (const SampleData::Contour& contour : *edit.curve) {
     if (!all_known(contour.points, known + edit.inserted.size()))
-      return refuse("a contour names a sample that never was");
+      return bad_entry("a contour names a sample that never was");
     curve->contours.push_back({contour.closed, ids_of(contour.points, first)});
   }
   out->curve_after = std::move(curve);
@@ -306,7 +307,7 @@ Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& e
 }
 
 Expected<void> DocumentReplay::apply_replacement(const TimelineEdit& edit) {
-  if (!history_.raise_edit()) return refuse("a replacement has no step before it");
+  if (!history_.raise_edit()) return bad_entry("a replacement has no step before it");
   std::vector<DocumentDelta> changes = history_.undo();
   for (const DocumentDelta& back : changes) document_.apply(back);
   const auto delta = delta_of(document_, edit);
@@ -338,22 +339,22 @@ Expected<void> DocumentReplay::apply_layers(const LayersChanged& change) {
     case Role::noted: return {};
     case Role::step:
     case Role::joined: {
-      if (change.back.size() != 1) return refuse("a change of the layers does not say what undoes it");
+      if (change.back.size() != 1) return bad_entry("a change of the layers does not say what undoes it");
       History::Layers layers{change, change.back.front()};
       if (change.role == Role::step) {
-        if (history_.in_gesture()) return refuse("a change of the layers within a gesture");
+        if (history_.in_gesture()) return bad_entry("a change of the layers within a gesture");
         history_.record_layers(std::move(layers), change.name);
       } else if (!history_.join_layers(std::move(layers))) {
-        return refuse("a change of the layers has no step to be part of");
+        return bad_entry("a change of the layers has no step to be part of");
       }
       return {};
     }
     case Role::undone:
-      if (!history_.undoes_layers()) return refuse("the step to undo is not a change of the layers");
+      if (!history_.undoes_layers()) return bad_entry("the step to undo is not a change of the layers");
       history_.undo();
       return {};
     case Role::redone:
-      if (!history_.redoes_layers()) return refuse("the step to redo is not a change of the layers");
+      if (!history_.redoes_layers()) return bad_entry("the step to redo is not a change of the layers");
       history_.redo();
       return {};
   }
@@ -363,16 +364,16 @@ Expected<void> DocumentReplay::apply_layers(const LayersChanged& change) {
 Expected<void> DocumentReplay::apply(const TimelineEntry& entry) {
   if (const auto* edit = std::get_if<TimelineEdit>(&entry)) return apply_edit(*edit);
   if (const auto* begun = std::get_if<GestureBegun>(&entry)) {
-    if (history_.in_gesture()) return refuse("a gesture begins within another");
+    if (history_.in_gesture()) return bad_entry("a gesture begins within another");
     history_.begin_gesture(begun->name);
   } else if (std::holds_alternative<GestureEnded>(entry)) {
-    if (!history_.in_gesture()) return refuse("a gesture ends that never began");
+    if (!history_.in_gesture()) return bad_entry("a gesture ends that never began");
     history_.end_gesture();
   } else if (std::holds_alternative<Undone>(entry)) {
-    if (!history_.raise_edit()) return refuse("there is nothing to undo");
+    if (!history_.raise_edit()) return bad_entry("there is nothing to undo");
     for (const DocumentDelta& delta : history_.undo()) change(delta);
   } else if (std::holds_alternative<Redone>(entry)) {
-    if (!history_.redoes_edit()) return refuse("there is nothing to redo");
+    if (!history_.redoes_edit()) return bad_entry("there is nothing to redo");
     for (const DocumentDelta& delta : history_.redo()) change(delta);
   } else if (const auto* layers = std::get_if<LayersChanged>(&entry)) {
     return apply_layers(*layers);

@@ -8,24 +8,24 @@
 namespace mes {
 namespace {
 
-constexpr ParameterDescriptor kStep{.id = "alpha-step",
-                                    .explanation = "What a step adds to alpha-radius or takes from it",
-                                    .unit = "units",
-                                    .low = 0.0,
-                                    .high = 1e150,
-                                    .default_value = 1.0,
-                                    .is_length = true};
+constexpr ParameterDescriptor kAlphaStep{.id = "alpha-step",
+                                         .explanation = "What a step adds to alpha-radius or takes from it",
+                                         .unit = "units",
+                                         .low = 0.0,
+                                         .high = 1e150,
+                                         .default_value = 1.0,
+                                         .is_length = true};
 
 double by_steps(double first, double sign, std::uint64_t k, const EvolutionValues& values) {
   // What k steps of rounded length go beyond zero by is none.
-  const double way = static_cast<double>(k) * values[kStep.id];
+  const double way = static_cast<double>(k) * values[kAlphaStep.id];
   const double out = first + sign * way;
   return std::abs(out) <= 0x1p-40 * first ? 0.0 : out;
 }
-double grown(double first, std::uint64_t k, const EvolutionValues& values) {
+double grown_radius(double first, std::uint64_t k, const EvolutionValues& values) {
   return by_steps(first, 1.0, k, values);
 }
-double shrunk(double first, std::uint64_t k, const EvolutionValues& values) {
+double shrunk_radius(double first, std::uint64_t k, const EvolutionValues& values) {
   return by_steps(first, -1.0, k, values);
 }
 
@@ -36,16 +36,16 @@ Evolution alpha_growing_evolution() {
            "Additive growth: grow",
            "Disks about the samples grow, and balls as sqrt(r^2 + alpha-radius^2), with nested alpha complexes",
            false,
-           {kStep}},
-          ParameterMove{Parameter::alpha_radius, grown}};
+           {kAlphaStep}},
+          ParameterMove{Parameter::alpha_radius, grown_radius}};
 }
 Evolution alpha_shrinking_evolution() {
   return {{"alpha-shrinking",
            "Additive growth: shrink",
            "Disks and balls grown by alpha-radius shrink back, down to points and balls as they are",
            false,
-           {kStep}},
-          ParameterMove{Parameter::alpha_radius, shrunk}};
+           {kAlphaStep}},
+          ParameterMove{Parameter::alpha_radius, shrunk_radius}};
 }
 
 }  // namespace mes

@@ -5,24 +5,24 @@
 namespace mes {
 namespace {
 
-constexpr ParameterDescriptor kStep{
+constexpr ParameterDescriptor kGrowingStep{
     "growing-step", "What a step adds to the factor that radii are multiplied or divided by", "%", 0.01, 100.0, 3.0};
 
 double factor(std::uint64_t k, const EvolutionValues& values) {
-  return 1.0 + static_cast<double>(k) * (values[kStep.id] / 100.0);
+  return 1.0 + static_cast<double>(k) * (values[kGrowingStep.id] / 100.0);
 }
-double grown(double first, std::uint64_t k, const EvolutionValues& values) {
+double grown_scale(double first, std::uint64_t k, const EvolutionValues& values) {
   return first * factor(k, values);
 }
-double shrunk(double first, std::uint64_t k, const EvolutionValues& values) {
+double shrunk_scale(double first, std::uint64_t k, const EvolutionValues& values) {
   return first / factor(k, values);
 }
 
 Evolution growing(std::string_view id, std::string_view name, std::string_view tooltip, Parameter scale) {
-  return {{id, name, tooltip, false, {kStep}}, ParameterMove{scale, grown}};
+  return {{id, name, tooltip, false, {kGrowingStep}}, ParameterMove{scale, grown_scale}};
 }
 Evolution shrinking(std::string_view id, std::string_view name, std::string_view tooltip, Parameter scale) {
-  return {{id, name, tooltip, false, {kStep}}, ParameterMove{scale, shrunk}};
+  return {{id, name, tooltip, false, {kGrowingStep}}, ParameterMove{scale, shrunk_scale}};
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ Vec2 in_unit_disk(Rng& random) {
   }
 }
 
-Expected<EvolutionState> step(const EvolutionState& state, const EvolutionStep& step) {
+Expected<EvolutionState> noise_step(const EvolutionState& state, const EvolutionStep& step) {
   const double factor = step.choice.values[kFactor];
   const bool isotropic = step.choice.values[kIsotropic] != 0.0;
   const Rng of_step(Rng(step.choice.seed ^ kStream).at(step.number));
@@ -46,7 +46,7 @@ Evolution noise_evolution() {
        true,
        {{kFactor, "Largest distance a sample moves, in distances between its two neighbours", "", 0.0, 10.0, 0.05},
         {kIsotropic, "0: along the normal of the curve; 1: in every direction", "", 0.0, 1.0, 0.0, true}}},
-      step};
+      noise_step};
 }
 
 }  // namespace mes

@@ -51,7 +51,7 @@ void restore_areas(const MovingCurve& curve, const std::vector<Vec2>& before, st
   }
 }
 
-Expected<EvolutionState> step(const EvolutionState& state, const EvolutionStep& step) {
+Expected<EvolutionState> smooth_step(const EvolutionState& state, const EvolutionStep& step) {
   const EvolutionValues& values = step.choice.values;
   EvolutionState out{{}, state.numbers, state.curve};
   out.positions = averaged(step.curve, state.positions, values[kMu]);
@@ -75,7 +75,7 @@ Evolution smooth_evolution() {
              "", 0.0, 1.5, 0.0},
             {kKeepArea, "1: each loop is scaled about its middle to the area it had; 0: loops shrink", "", 0.0, 1.0,
              0.0, true}}},
-          step};
+          smooth_step};
 }
 
 }  // namespace mes

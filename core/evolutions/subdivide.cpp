@@ -63,7 +63,7 @@ std::size_t new_samples(Scheme scheme, const Walk& walk, bool closed) {
   return scheme == Scheme::chaikin && !closed && edges > 0 ? edges - 1 : edges;
 }
 
-Expected<EvolutionState> step(const EvolutionState& state, const EvolutionStep& step) {
+Expected<EvolutionState> subdivide_step(const EvolutionState& state, const EvolutionStep& step) {
   const auto scheme = static_cast<Scheme>(step.choice.values[kScheme]);
   std::size_t wanted = state.positions.size();
   for (const MovingCurve::Chain& chain : step.curve.chains)
@@ -118,7 +118,7 @@ Evolution subdivide_evolution() {
        false,
        {{kScheme, "0: cubic B-spline; 1: Chaikin's corner cutting; 2: four-point, through every sample; 3: midpoints",
          "", 0.0, 3.0, 0.0, true}}},
-      step};
+      subdivide_step};
 }
 
 }  // namespace mes

@@ -12,15 +12,13 @@
 #include <string_view>
 #include <system_error>
 
+#include "core/glyphs/internal/destroyed_by.h"
+
 namespace mes {
 namespace {
 
 namespace fs = std::filesystem;
 
-template <auto kDestroy>
-struct DestroyedBy {
-  void operator()(auto* object) const { kDestroy(object); }
-};
 using Config = std::unique_ptr<FcConfig, DestroyedBy<FcConfigDestroy>>;
 using FontSet = std::unique_ptr<FcFontSet, DestroyedBy<FcFontSetDestroy>>;
 using Pattern = std::unique_ptr<FcPattern, DestroyedBy<FcPatternDestroy>>;

@@ -12,15 +12,12 @@
 #include <string_view>
 #include <utility>
 
+#include "core/glyphs/internal/destroyed_by.h"
 #include "core/glyphs/internal/united_contours.h"
 
 namespace mes {
 namespace {
 
-template <auto kDestroy>
-struct DestroyedBy {
-  void operator()(auto* object) const { kDestroy(object); }
-};
 using Blob = std::unique_ptr<hb_blob_t, DestroyedBy<hb_blob_destroy>>;
 using Face = std::unique_ptr<hb_face_t, DestroyedBy<hb_face_destroy>>;
 using Font = std::unique_ptr<hb_font_t, DestroyedBy<hb_font_destroy>>;

@@ -60,11 +60,11 @@ Vector<Number> between(Vec2 from, Vec2 to) {
   return {Number{to.x} - Number{from.x}, Number{to.y} - Number{from.y}};
 }
 template <class Number>
-Number cross_of(const Vector<Number>& u, const Vector<Number>& v) {
+Number cross_product(const Vector<Number>& u, const Vector<Number>& v) {
   return u.x * v.y - u.y * v.x;
 }
 template <class Number>
-Number dot_of(const Vector<Number>& u, const Vector<Number>& v) {
+Number dot_product(const Vector<Number>& u, const Vector<Number>& v) {
   return u.x * v.x + u.y * v.y;
 }
 /// From `a` to the circumcentre of a, b, c.
@@ -72,29 +72,29 @@ template <class Number>
 Vector<Number> to_center(Vec2 a, Vec2 b, Vec2 c) {
   const Vector<Number> u = between<Number>(a, b);
   const Vector<Number> v = between<Number>(a, c);
-  const Number uu = dot_of(u, u);
-  const Number vv = dot_of(v, v);
-  const Number twice = Number{2.0} * cross_of(u, v);
+  const Number uu = dot_product(u, u);
+  const Number vv = dot_product(v, v);
+  const Number twice = Number{2.0} * cross_product(u, v);
   return {(v.y * uu - u.y * vv) / twice, (u.x * vv - v.x * uu) / twice};
 }
 
 // -1, 0, 1, or nothing when it is not known.
-std::optional<int> sign_of(const Interval& x) {
+std::optional<int> known_sign(const Interval& x) {
   if (x.inf() > 0.0) return 1;
   if (x.sup() < 0.0) return -1;
   if (x.inf() == 0.0 && x.sup() == 0.0) return 0;
   return std::nullopt;
 }
-std::optional<int> sign_of(const Rational& x) {
+std::optional<int> known_sign(const Rational& x) {
   return static_cast<int>(CGAL::sign(x));
 }
 
 // Three-valued logic: a sign that is not known makes the answer `unsure` unless the other part settles it.
 template <class Number>
 Meets points_into_arc(const Vector<Number>& p, const Vector<Number>& q, const Vector<Number>& direction) {
-  const auto turn = sign_of(cross_of(p, q));
-  const auto after_p = sign_of(cross_of(p, direction));
-  const auto before_q = sign_of(cross_of(direction, q));
+  const auto turn = known_sign(cross_product(p, q));
+  const auto after_p = known_sign(cross_product(p, direction));
+  const auto before_q = known_sign(cross_product(direction, q));
   if (!turn) return Meets::unsure;
   if (*turn > 0) {
     if ((after_p && *after_p <= 0) || (before_q && *before_q <= 0)) return Meets::no;
@@ -116,12 +116,12 @@ Meets decide(const OuterArc& arc, const Corners& disk) {
   const Vector<Number> q{pq.x - from_p.x, pq.y - from_p.y};
   const Meets points = points_into_arc(p, q, direction);
   if (points == Meets::no) return Meets::no;
-  const Number own = dot_of(from_p, from_p);
-  const Number other = dot_of(from_a, from_a);
-  const Number gap = dot_of(direction, direction) - own - other;
-  const auto apart = sign_of(gap);
+  const Number own = dot_product(from_p, from_p);
+  const Number other = dot_product(from_a, from_a);
+  const Number gap = dot_product(direction, direction) - own - other;
+  const auto apart = known_sign(gap);
   if (apart && *apart <= 0) return points;
-  const auto beyond = sign_of(gap * gap - Number(4) * own * other);
+  const auto beyond = known_sign(gap * gap - Number(4) * own * other);
   if (beyond && *beyond > 0) {
     if (apart) return Meets::no;
     return Meets::unsure;
@@ -139,10 +139,10 @@ Meets decide(const OuterArc& arc, Vec2 u, Vec2 v) {
   const Meets points = points_into_arc(Vector<Number>{-from_p.x, -from_p.y},
                                        Vector<Number>{pq.x - from_p.x, pq.y - from_p.y}, Vector<Number>{-uv.y, uv.x});
   if (points == Meets::no) return Meets::no;
-  const Number height = cross_of(uv, Vector<Number>{up.x + from_p.x, up.y + from_p.y});
-  const auto side = sign_of(height);
+  const Number height = cross_product(uv, Vector<Number>{up.x + from_p.x, up.y + from_p.y});
+  const auto side = known_sign(height);
   if (side && *side >= 0) return points;
-  const auto reach = sign_of(dot_of(from_p, from_p) * dot_of(uv, uv) - height * height);
+  const auto reach = known_sign(dot_product(from_p, from_p) * dot_product(uv, uv) - height * height);
   if (reach && *reach <= 0) return side ? Meets::no : Meets::unsure;
   return reach ? points : Meets::unsure;
 }
@@ -180,7 +180,7 @@ ArcFilter::ArcFilter(const OuterArc& arc) : start_(arc.p) {
   to_start_[1] = -from_p.y;
   to_end_[0] = pq.x - from_p.x;
   to_end_[1] = pq.y - from_p.y;
-  const Bounded turn = cross_of<Bounded>({to_start_[0], to_start_[1]}, {to_end_[0], to_end_[1]});
+  const Bounded turn = cross_product<Bounded>({to_start_[0], to_start_[1]}, {to_end_[0], to_end_[1]});
   is_narrow_ = is_surely_positive(turn);
   is_wide_ = is_surely_positive(-turn);
 }
@@ -189,9 +189,9 @@ ArcFilter::ArcFilter(const OuterArc& arc) : start_(arc.p) {
 bool ArcFilter::misses(const Corners& disk) const {
   const Vector<Bounded> u = between<Bounded>(disk.a, disk.b);
   const Vector<Bounded> v = between<Bounded>(disk.a, disk.c);
-  const Bounded uu = dot_of(u, u);
-  const Bounded vv = dot_of(v, v);
-  const Bounded cross = cross_of(u, v);
+  const Bounded uu = dot_product(u, u);
+  const Bounded vv = dot_product(v, v);
+  const Bounded cross = cross_product(u, v);
   if (!is_surely_positive(cross)) return false;
   const Bounded twice{2.0 * cross.value, 2.0 * cross.error};
   const Vector<Bounded> pa = between<Bounded>(start_, disk.a);
@@ -199,8 +199,8 @@ bool ArcFilter::misses(const Corners& disk) const {
                                   (pa.y - from_start_[1]) * twice + (u.x * vv - v.x * uu)};
   const Vector<Bounded> p{to_start_[0], to_start_[1]};
   const Vector<Bounded> q{to_end_[0], to_end_[1]};
-  const bool before_p = is_surely_positive(cross_of(direction, p));
-  const bool after_q = is_surely_positive(cross_of(q, direction));
+  const bool before_p = is_surely_positive(cross_product(direction, p));
+  const bool after_q = is_surely_positive(cross_product(q, direction));
   // An arc of half a circle or more is missed only between its end and its start.
   return is_narrow_ ? before_p || after_q : is_wide_ && before_p && after_q;
 }

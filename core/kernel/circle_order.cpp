@@ -25,7 +25,7 @@ double difference(double a, double b, bool& is_exact) {
   return d;
 }
 /// Squared length, and whether it is a double. Far from the ends of the range of doubles.
-double squared(Vec2 v, bool& is_exact) {
+double squared_in_doubles(Vec2 v, bool& is_exact) {
   const double x = v.x * v.x;
   const double y = v.y * v.y;
   const double sum = x + y;
@@ -81,13 +81,14 @@ Measure measure(const SpannedCircle& circle) {
   };
   double error = kOfSquares;
   if (!circle.has_third) {
-    const double ab = squared(side(0, 1), out.has_sides);
+    const double ab = squared_in_doubles(side(0, 1), out.has_sides);
     out.square = 0.25 * ab;
     out.sides = {0.0, 0.0, ab};
   } else {
     // Seen from the corner opposite the longest side, the determinant has the smallest terms.
     std::array<double, 3> opposite{};
-    for (std::size_t i = 0; i < 3; ++i) opposite[i] = squared(side((i + 1) % 3, (i + 2) % 3), out.has_sides);
+    for (std::size_t i = 0; i < 3; ++i)
+      opposite[i] = squared_in_doubles(side((i + 1) % 3, (i + 2) % 3), out.has_sides);
     std::size_t top = opposite[1] > opposite[0] ? 1 : 0;
     if (opposite[2] > opposite[top]) top = 2;
     const Vec2 u = p[(top + 1) % 3] - p[top];

@@ -14,6 +14,8 @@
 namespace mes {
 namespace {
 
+using Rational = CGAL::Exact_rational;
+
 // In doubles, if they are good enough: nothing for collinear points, nor where the doubled area or the way from `a`
 // to the centre is so small against its terms that fewer than 24 of its bits are sure.
 //
@@ -76,7 +78,6 @@ std::optional<Circle> careful_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
 }
 
 Circle exact_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
-  using Rational = CGAL::Exact_rational;
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   if (!is_finite(a) || !is_finite(b) || !is_finite(c)) return {{kNone, kNone}, kNone};
   const auto between = [](double from, double to) { return Rational(Rational(to) - Rational(from)); };

@@ -7,19 +7,17 @@
 #include <array>
 #include <cmath>
 
+#include "core/kernel/internal/vector_of.h"
+
 namespace mes {
 namespace {
 
 using Rational = CGAL::Exact_rational;
 
-struct RationalVector {
-  Rational x, y;
-};
-RationalVector between(Vec2 from, Vec2 to) {
-  return {Rational(to.x) - Rational(from.x), Rational(to.y) - Rational(from.y)};
-}
-Rational squared(const RationalVector& v) {
-  return v.x * v.x + v.y * v.y;
+using RationalVector = VectorOf<Rational>;
+
+Rational squared_length(const RationalVector& v) {
+  return dot_of(v, v);
 }
 
 int order(const Rational& a, const Rational& b) {
@@ -40,9 +38,9 @@ int sign_of_corner(Vec2 p, Vec2 q, Vec2 r) {
   const double size = std::abs(u.x * v.x) + std::abs(u.y * v.y);
   // Differences, products and the sum round once each.
   if (size > 1e-280 && size < 1e300 && std::abs(value) > 0x1p-49 * size) return value < 0.0 ? -1 : 1;
-  const RationalVector exact_u = between(p, q);
-  const RationalVector exact_v = between(p, r);
-  return order(exact_u.x * exact_v.x + exact_u.y * exact_v.y, Rational(0));
+  const RationalVector exact_u = vector_between<Rational>(p, q);
+  const RationalVector exact_v = vector_between<Rational>(p, r);
+  return order(dot_of(exact_u, exact_v), Rational(0));
 }
 
 bool is_right_or_obtuse(Vec2 a, Vec2 b, Vec2 c) {
@@ -55,7 +53,7 @@ double half_longest_side(Vec2 a, Vec2 b, Vec2 c) {
 
 int compare_half_distance_exactly(Vec2 a, Vec2 b, double r) {
   if (r < 0.0) return 1;
-  return order(squared(between(a, b)), Rational(4) * Rational(r) * Rational(r));
+  return order(squared_length(vector_between<Rational>(a, b)), Rational(4) * Rational(r) * Rational(r));
 }
 
 int compare_enclosing_radius(Vec2 a, Vec2 b, Vec2 c, double r) {
@@ -86,10 +84,11 @@ int compare_enclosing_radius(Vec2 a, Vec2 b, Vec2 c, double r) {
   // R^2 is |u|^2 |v|^2 |w|^2 / 4 area^2; each factor is taken relative to the others, lest products leave the range.
   const double left = (uu / area) * (vv / area) * opposite(top);
   if (std::min(uu, vv) > 1e-250 && is_order_decided(left, right)) return left < right ? -1 : 1;
-  const RationalVector p = between(a, b);
-  const RationalVector q = between(a, c);
-  const Rational det = p.x * q.y - p.y * q.x;
-  return order(squared(p) * squared(q) * squared(between(b, c)), Rational(4) * det * det * Rational(r) * Rational(r));
+  const RationalVector p = vector_between<Rational>(a, b);
+  const RationalVector q = vector_between<Rational>(a, c);
+  const Rational det = cross_of(p, q);
+  return order(squared_length(p) * squared_length(q) * squared_length(vector_between<Rational>(b, c)),
+               Rational(4) * det * det * Rational(r) * Rational(r));
 }
 
 }  // namespace mes

@@ -8,20 +8,14 @@
 #include <limits>
 #include <optional>
 
+#include "core/kernel/internal/vector_of.h"
+
 namespace mes {
 namespace {
 
 using Rational = CGAL::Exact_rational;
-__extension__ typedef __int128 Integer;  // NOLINT(modernize-use-using): with -Wpedantic, only this
+__extension__ typedef __int128 WideInteger;  // NOLINT(modernize-use-using): with -Wpedantic, only this
 
-template <class Number>
-struct Vector {
-  Number x, y;
-};
-template <class Number>
-Number dot_of(const Vector<Number>& a, const Vector<Number>& b) {
-  return a.x * b.x + a.y * b.y;
-}
 template <class Number>
 int sign_of(const Number& x) {
   return x > 0 ? 1 : (x < 0 ? -1 : 0);
@@ -44,24 +38,24 @@ std::optional<int> settled(double value, double magnitude) {
 // N and D of a triangle in any ring, given u and v.
 template <class Number>
 struct Star {
-  Vector<Number> u, v;
+  VectorOf<Number> u, v;
 
   Number d() const { return u.x * v.y - u.y * v.x; }
-  Vector<Number> n() const {
+  VectorOf<Number> n() const {
     const Number uu = dot_of(u, u);
     const Number vv = dot_of(v, v);
     return {v.y * uu - u.y * vv, u.x * vv - v.x * uu};
   }
   /// |u|^2 |v|^2 |r - q|^2
   Number sides() const {
-    const Vector<Number> w{v.x - u.x, v.y - u.y};
+    const VectorOf<Number> w{v.x - u.x, v.y - u.y};
     return dot_of(u, u) * dot_of(v, v) * dot_of(w, w);
   }
 };
 
 struct StarMagnitude {
   double d = 0.0;
-  Vector<double> n{};
+  VectorOf<double> n{};
 };
 Star<double> star_of(const StarTriangle& f) {
   const Vec2 u = f.q - f.p;
@@ -73,10 +67,6 @@ StarMagnitude magnitude_of(const Star<double>& s) {
   const double vv = dot_of(s.v, s.v);
   return {std::abs(s.u.x * s.v.y) + std::abs(s.u.y * s.v.x),
           {std::abs(s.v.y) * uu + std::abs(s.u.y) * vv, std::abs(s.u.x) * vv + std::abs(s.v.x) * uu}};
-}
-
-Vector<Rational> rational_between(Vec2 from, Vec2 to) {
-  return {Rational(to.x) - Rational(from.x), Rational(to.y) - Rational(from.y)};
 }
 
 // Differences to p as integers of at most eleven bits, for points of a grid that is not much finer than the triangles
@@ -91,9 +81,9 @@ class GridDifferences {
     is_on_grid_ = is_whole(p) && std::all_of(others.begin(), others.end(), [this](Vec2 a) { return is_whole(a); });
   }
   bool is_on_grid() const { return is_on_grid_; }
-  Vector<Integer> to(Vec2 a) const {
-    return {static_cast<Integer>(static_cast<long>((a.x - p_.x) * steps_)),
-            static_cast<Integer>(static_cast<long>((a.y - p_.y) * steps_))};
+  VectorOf<WideInteger> to(Vec2 a) const {
+    return {static_cast<WideInteger>(static_cast<long>((a.x - p_.x) * steps_)),
+            static_cast<WideInteger>(static_cast<long>((a.y - p_.y) * steps_))};
   }
 
  private:
@@ -115,9 +105,9 @@ template <class Polynomial>
 int exact_sign(const StarTriangle& f, const StarTriangle& g, Polynomial polynomial) {
   const GridDifferences grid(f.p, {f.q, f.r, g.q, g.r});
   if (grid.is_on_grid())
-    return polynomial(Star<Integer>{grid.to(f.q), grid.to(f.r)}, Star<Integer>{grid.to(g.q), grid.to(g.r)});
-  return polynomial(Star<Rational>{rational_between(f.p, f.q), rational_between(f.p, f.r)},
-                    Star<Rational>{rational_between(g.p, g.q), rational_between(g.p, g.r)});
+    return polynomial(Star<WideInteger>{grid.to(f.q), grid.to(f.r)}, Star<WideInteger>{grid.to(g.q), grid.to(g.r)});
+  return polynomial(Star<Rational>{vector_between<Rational>(f.p, f.q), vector_between<Rational>(f.p, f.r)},
+                    Star<Rational>{vector_between<Rational>(g.p, g.q), vector_between<Rational>(g.p, g.r)});
 }
 
 }  // namespace
@@ -184,8 +174,8 @@ namespace {
 
 // n_1 and n_2 point to the right of the hull edges before -> p -> after; `b` and `c` are before - p and after - p.
 template <class Number>
-int hull_side(const Star<Number>& star, const Vector<Number>& b, const Vector<Number>& c) {
-  const Vector<Number> n = star.n();
+int hull_side(const Star<Number>& star, const VectorOf<Number>& b, const VectorOf<Number>& c) {
+  const VectorOf<Number> n = star.n();
   const Number first = n.y * b.x - n.x * b.y;
   const Number second = n.x * c.y - n.y * c.x;
   const int sign_1 = sign_of(first);
@@ -200,8 +190,8 @@ int hull_side(const Star<Number>& star, const Vector<Number>& b, const Vector<Nu
 
 int sign_of_hull_side(const StarTriangle& f, Vec2 before, Vec2 after) {
   const Star<double> s = star_of(f);
-  const Vector<double> n = s.n();
-  const Vector<double> mn = magnitude_of(s).n;
+  const VectorOf<double> n = s.n();
+  const VectorOf<double> mn = magnitude_of(s).n;
   const Vec2 b = before - f.p;
   const Vec2 c = after - f.p;
   const double length_b = std::sqrt(dot(b, b));
@@ -213,9 +203,10 @@ int sign_of_hull_side(const StarTriangle& f, Vec2 before, Vec2 after) {
     if (const auto sign = settled(value, magnitude)) return *sign;
   }
   const GridDifferences grid(f.p, {f.q, f.r, before, after});
-  if (grid.is_on_grid()) return hull_side(Star<Integer>{grid.to(f.q), grid.to(f.r)}, grid.to(before), grid.to(after));
-  return hull_side(Star<Rational>{rational_between(f.p, f.q), rational_between(f.p, f.r)},
-                   rational_between(f.p, before), rational_between(f.p, after));
+  if (grid.is_on_grid())
+    return hull_side(Star<WideInteger>{grid.to(f.q), grid.to(f.r)}, grid.to(before), grid.to(after));
+  return hull_side(Star<Rational>{vector_between<Rational>(f.p, f.q), vector_between<Rational>(f.p, f.r)},
+                   vector_between<Rational>(f.p, before), vector_between<Rational>(f.p, after));
 }
 
 Vec2 hull_direction(Vec2 p, Vec2 before, Vec2 after) {

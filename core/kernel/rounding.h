@@ -6,9 +6,9 @@
 #include <CGAL/number_utils.h>
 
 #include <cmath>
-#include <limits>
 #include <type_traits>
 
+#include "core/base/infinity.h"
 #include "core/kernel/kernels.h"
 
 namespace mes {
@@ -18,7 +18,6 @@ template <class Rational>
 double nearest_double(const Rational& x) {
   if (x == Rational(0)) return 0.0;
   // Conversions of libraries cut off, or are a few places off; the steps from there to the nearest are few.
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double out = CGAL::to_double(x);
   if (!std::isfinite(out)) return out;
   const auto is_beyond_middle = [&x](double near, double far) {

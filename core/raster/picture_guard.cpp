@@ -10,11 +10,10 @@
 #include <vector>
 
 #include "core/base/zlib.h"
+#include "core/raster/internal/bytes.h"
 
 namespace mes {
 namespace {
-
-using Bytes = std::span<const std::byte>;
 
 /// Where a part of the file begins.
 std::size_t place_of(Bytes part, Bytes whole) {
@@ -27,10 +26,6 @@ std::size_t number(Bytes bytes, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i)
     out = out << 8U | (i < bytes.size() ? std::to_integer<std::size_t>(bytes[i]) : 0U);
   return out;
-}
-
-Bytes without_first(Bytes bytes, std::size_t count) {
-  return bytes.subspan(std::min(count, bytes.size()));
 }
 
 // --- JPEG ---

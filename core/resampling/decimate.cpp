@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "core/base/infinity.h"
 #include "core/graph/explain.h"
 #include "core/resampling/internal/epsilon_words.h"
 #include "core/resampling/internal/sampled_curve.h"
@@ -12,7 +12,6 @@
 namespace mes {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 /// A loop keeps as many at least.
 constexpr std::size_t kSmallestLoop = 4;
 

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 #include <set>
 #include <string_view>
 
+#include "core/base/infinity.h"
 #include "core/curves/feature_field.h"
 #include "core/graph/explain.h"
 #include "core/resampling/internal/epsilon_words.h"
@@ -26,7 +26,6 @@ std::size_t most_samples(std::size_t given) {
   constexpr std::size_t kMostNew = 200'000;
   return given + std::min(kForEach * given, kMostNew);
 }
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A cubic through two samples with the tangents of the curve there.
 struct SplinePiece {

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shapes with corners: polygons, stars, gears, combs.
-#include <cmath>
-
 #include "core/shapes/internal/shape_parts.h"
 
 namespace mes {
 namespace {
-
-Vec2 at_angle(double radius, double angle) {
-  return {radius * std::cos(angle), radius * std::sin(angle)};
-}
 
 Expected<MadeShape> of_corners(const std::vector<Vec2>& corners) {
   return MadeShape{.curves = {{polygon_curve(corners)}, {}}};
@@ -73,9 +67,6 @@ Expected<MadeShape> comb(const ShapeValues& values) {
   return of_corners(corners);
 }
 
-constexpr ParameterDescriptor length(std::string_view id, std::string_view explanation, double value) {
-  return {id, explanation, "", 1e-6, 1e6, value};
-}
 constexpr ParameterDescriptor count(std::string_view id, std::string_view explanation, double low, double value) {
   return {id, explanation, "", low, 10000.0, value, true};
 }
@@ -88,32 +79,33 @@ std::vector<ShapeDescriptor> cornered_shapes() {
        "Polygon",
        "a regular polygon",
        {count("corners", "How many corners it has", 3.0, 5.0),
-        length("radius", "From its middle to its corners", 1.0)},
+        length_parameter("radius", "From its middle to its corners", 1.0)},
        {},
        0,
        polygon},
       {"star",
        "Star",
        "a star with straight sides",
-       {count("points", "How many points it has", 2.0, 5.0), length("outer", "From its middle to its points", 1.0),
-        length("inner", "From its middle to the corners between them", 0.4)},
+       {count("points", "How many points it has", 2.0, 5.0),
+        length_parameter("outer", "From its middle to its points", 1.0),
+        length_parameter("inner", "From its middle to the corners between them", 0.4)},
        {},
        0,
        star},
       {"gear",
        "Gear",
        "a wheel with teeth as wide as the gaps between them",
-       {count("teeth", "How many teeth it has", 2.0, 12.0), length("outer", "Radius of the teeth", 1.0),
-        length("inner", "Radius between them", 0.8)},
+       {count("teeth", "How many teeth it has", 2.0, 12.0), length_parameter("outer", "Radius of the teeth", 1.0),
+        length_parameter("inner", "Radius between them", 0.8)},
        {},
        0,
        gear},
       {"comb",
        "Comb",
        "a beam with teeth on its upper side",
-       {count("teeth", "How many teeth it has", 1.0, 8.0), length("tooth", "Width of a tooth", 0.2),
-        length("gap", "Width of a gap", 0.1), length("length", "Length of a tooth", 1.0),
-        length("beam", "Height of the beam", 0.4)},
+       {count("teeth", "How many teeth it has", 1.0, 8.0), length_parameter("tooth", "Width of a tooth", 0.2),
+        length_parameter("gap", "Width of a gap", 0.1), length_parameter("length", "Length of a tooth", 1.0),
+        length_parameter("beam", "Height of the beam", 0.4)},
        {},
        0,
        comb},

@@ -12,10 +12,6 @@ namespace {
 constexpr std::size_t kPieces = 2048;
 constexpr double kPiecesATurn = 512.0;
 
-Vec2 at_angle(double radius, double angle) {
-  return {radius * std::cos(angle), radius * std::sin(angle)};
-}
-
 Expected<MadeShape> of_function(const PointOf& at, double from, double to, std::size_t pieces, bool may_close) {
   auto curve = curve_of_function(at, from, to, pieces, may_close);
   if (!curve) return std::unexpected(curve.error());
@@ -74,9 +70,6 @@ Expected<MadeShape> polar(const ShapeValues& values) {
                      kPieces, true);
 }
 
-constexpr ParameterDescriptor length(std::string_view id, std::string_view explanation, double value) {
-  return {id, explanation, "", 1e-6, 1e6, value};
-}
 constexpr ParameterDescriptor kFrom{"from", "The first t", "", -1e6, 1e6, 0.0};
 constexpr ParameterDescriptor kTo{"to", "The last t", "", -1e6, 1e6, kTurn};
 
@@ -88,8 +81,8 @@ std::vector<ShapeDescriptor> formula_shapes() {
        "Spiral",
        "a stroke whose turns lie at one distance from each other",
        {{"turns", "How often it turns around", "", 0.1, 1000.0, 3.0},
-        length("inner", "Where it begins", 0.2),
-        length("gap", "Between its turns", 1.0)},
+        length_parameter("inner", "Where it begins", 0.2),
+        length_parameter("gap", "Between its turns", 1.0)},
        {},
        0,
        spiral},
@@ -97,7 +90,7 @@ std::vector<ShapeDescriptor> formula_shapes() {
        "Epicycloid",
        "the path of a point of a wheel that rolls around another",
        {{"cusps", "How many times as large the other wheel is", "", 1.0, 1000.0, 5.0, true},
-        length("radius", "Radius of the rolling wheel", 1.0),
+        length_parameter("radius", "Radius of the rolling wheel", 1.0),
         {"reach", "Where the point is, from the centre (0) to the rim (1)", "", 0.0, 1.0, 0.7}},
        {},
        0,
@@ -105,8 +98,8 @@ std::vector<ShapeDescriptor> formula_shapes() {
       {"superellipse",
        "Superellipse",
        "|x/a|^n + |y/b|^n = 1, between an ellipse (n = 2) and a rectangle",
-       {length("a", "Half its width", 2.0),
-        length("b", "Half its height", 1.0),
+       {length_parameter("a", "Half its width", 2.0),
+        length_parameter("b", "Half its height", 1.0),
         {"n", "The power: 1 is a rhombus", "", 0.3, 50.0, 4.0}},
        {},
        0,

@@ -193,10 +193,6 @@ Expected<MadeShape> balls_along_curve(const ShapeValues& values) {
   return out;
 }
 
-constexpr ParameterDescriptor length(std::string_view id, std::string_view explanation, double value) {
-  return {id, explanation, "", 1e-6, 1e6, value};
-}
-
 constexpr ParameterDescriptor whole(std::string_view id, std::string_view explanation, double value) {
   return {id, explanation, "", -1000.0, 1000.0, value, true};
 }
@@ -211,7 +207,7 @@ std::vector<ShapeDescriptor> point_shapes() {
       {"uniform",
        "Uniform points",
        "points anywhere in a rectangle",
-       {length("width", "Its width", 1.0), length("height", "Its height", 1.0)},
+       {length_parameter("width", "Its width", 1.0), length_parameter("height", "Its height", 1.0)},
        {},
        kUsual,
        uniform},
@@ -225,7 +221,7 @@ std::vector<ShapeDescriptor> point_shapes() {
       {"gaussian",
        "Gaussian points",
        "points around the origin, fewer and fewer outwards",
-       {length("sigma", "Standard deviation of each coordinate", 1.0)},
+       {length_parameter("sigma", "Standard deviation of each coordinate", 1.0)},
        {},
        kUsual,
        gaussian},
@@ -233,21 +229,21 @@ std::vector<ShapeDescriptor> point_shapes() {
        "Clustered points",
        "heaps of points about random places of the unit square",
        {{"clusters", "How many heaps there are", "", 1.0, 10000.0, 8.0, true},
-        length("sigma", "Standard deviation of each coordinate in a heap", 0.03)},
+        length_parameter("sigma", "Standard deviation of each coordinate in a heap", 0.03)},
        {},
        kUsual,
        clustered},
       {"square-lattice",
        "Square lattice",
        "rows and columns: every four points of a square are cocircular",
-       {length("step", "Between neighbours", 1.0)},
+       {length_parameter("step", "Between neighbours", 1.0)},
        {},
        kUsual,
        square_lattice},
       {"hexagonal-lattice",
        "Hexagonal lattice",
        "rows shifted by half a step, up to rounding",
-       {length("step", "Between neighbours", 1.0)},
+       {length_parameter("step", "Between neighbours", 1.0)},
        {},
        kUsual,
        hexagonal_lattice},

@@ -53,42 +53,45 @@ Expected<MadeShape> annulus(const ShapeValues& values) {
                               {}}};
 }
 
-constexpr ParameterDescriptor length(std::string_view id, std::string_view explanation, double value) {
-  return {id, explanation, "", 1e-6, 1e6, value};
-}
-
 }  // namespace
 
 std::vector<ShapeDescriptor> round_shapes() {
   return {
-      {"circle", "Circle", "a circle about the origin", {length("radius", "Its radius", 1.0)}, {}, 0, circle},
+      {"circle",
+       "Circle",
+       "a circle about the origin",
+       {length_parameter("radius", "Its radius", 1.0)},
+       {},
+       0,
+       circle},
       {"ellipse",
        "Ellipse",
        "an ellipse about the origin",
-       {length("a", "Half its width", 2.0), length("b", "Half its height", 1.0)},
+       {length_parameter("a", "Half its width", 2.0), length_parameter("b", "Half its height", 1.0)},
        {},
        0,
        ellipse},
       {"stadium",
        "Stadium",
        "the points at one distance from a segment",
-       {length("half-length", "Half the length of the segment", 1.5), length("radius", "The distance", 1.0)},
+       {length_parameter("half-length", "Half the length of the segment", 1.5),
+        length_parameter("radius", "The distance", 1.0)},
        {},
        0,
        stadium},
       {"rounded-rectangle",
        "Rounded rectangle",
        "a rectangle whose corners are quarters of circles",
-       {length("width", "Its width", 4.0), length("height", "Its height", 2.0),
-        length("radius", "The radius of the corners", 0.5)},
+       {length_parameter("width", "Its width", 4.0), length_parameter("height", "Its height", 2.0),
+        length_parameter("radius", "The radius of the corners", 0.5)},
        {},
        0,
        rounded_rectangle},
       {"annulus",
        "Annulus",
        "a disk with a round hole",
-       {length("outer", "Radius of the disk", 2.0),
-        length("inner", "Radius of the hole", 1.0),
+       {length_parameter("outer", "Radius of the disk", 2.0),
+        length_parameter("inner", "Radius of the hole", 1.0),
         {"shift", "Where the centre of the hole lies, to the right", "", -1e6, 1e6, 0.0}},
        {},
        0,

@@ -16,7 +16,7 @@
 namespace mes {
 namespace {
 
-constexpr double kTolerance = 1e-12;
+constexpr double kLengthTolerance = 1e-12;
 // A cusp is narrowed down to 2^-40 of its piece.
 constexpr int kMostDepth = 40;
 
@@ -132,7 +132,7 @@ PieceLength::PieceLength(const Piece& piece) : piece_(piece) {
     const Vec2 third = p[3] - p[2];
     velocity_ = {3.0 * first, 6.0 * (second - first), 3.0 * ((third - second) - (second - first))};
   }
-  const double tolerance = kTolerance * polygon_length(piece);
+  const double tolerance = kLengthTolerance * polygon_length(piece);
   constexpr std::size_t kUsual = 4;
   intervals_.reserve(kUsual);
   double begin = 0.0;

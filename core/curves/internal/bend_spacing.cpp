@@ -5,19 +5,19 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
-#include <limits>
 #include <utility>
+
+#include "core/base/infinity.h"
 
 namespace mes {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 // A cubic piece has at most two bends.
 constexpr std::size_t kParts = 6;
 // Of the mean length of the pieces of a curve: what is shorter has no direction of its own.
 constexpr double kNegligible = 0.02;
 
-double turn_between(Vec2 a, Vec2 b) {
+double angle_of_bend(Vec2 a, Vec2 b) {
   return std::abs(std::atan2(cross(a, b), dot(a, b)));
 }
 
@@ -63,7 +63,7 @@ class BendReader {
     double end = last;
     if (goes_on) {
       const double bend =
-          spacing_of(share_, 0.5 * (last_length_ + first_length_), turn_between(last_direction_, first_direction_));
+          spacing_of(share_, 0.5 * (last_length_ + first_length_), angle_of_bend(last_direction_, first_direction_));
       first = std::min(first, bend);
       last = std::min(last, bend);
       const double before = all - out_.at.back();
@@ -81,7 +81,7 @@ class BendReader {
   void join(Vec2 direction, double length) {
     pending_ = kInfinity;
     if (!out_.at.empty()) {
-      pending_ = spacing_of(share_, 0.5 * (last_length_ + length), turn_between(last_direction_, direction));
+      pending_ = spacing_of(share_, 0.5 * (last_length_ + length), angle_of_bend(last_direction_, direction));
       out_.spacing.back() = std::min(out_.spacing.back(), pending_);
     }
   }
@@ -109,7 +109,7 @@ class BendReader {
     if (sum > 0.0)
       for (std::size_t i = 0; i < kParts; ++i)
         if (const double part = length * (chords[i] / sum); part > 0.0)
-          add_node(part, spacing_of(share_, part, turn_between(directions[i], directions[i + 1])));
+          add_node(part, spacing_of(share_, part, angle_of_bend(directions[i], directions[i + 1])));
   }
 
   double share_;

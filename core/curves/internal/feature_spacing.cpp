@@ -33,8 +33,8 @@ constexpr double kSettled = 0.9;
 // Feature sizes are often less than bends are wide: to begin with samples are so much nearer to each other.
 constexpr double kDenser = 0.75;
 // Beyond so many times the finer epsilon an interval is still coarse.
-constexpr double kCoarse = 1.5;
-constexpr double kRounding = 1e-9;
+constexpr double kStillCoarse = 1.5;
+constexpr double kSpacingRounding = 1e-9;
 
 using Field = std::vector<std::vector<StretchSpacing>>;
 
@@ -275,7 +275,7 @@ class FeatureSampler {
     constexpr double kMost = 4.0;
     const double excess = samples.excess(a, b, epsilon);
     const double along = b.at - a.at;
-    if (!(excess > 1.0) || along <= finest(curve) * (1.0 + kRounding)) return 1;
+    if (!(excess > 1.0) || along <= finest(curve) * (1.0 + kSpacingRounding)) return 1;
     return static_cast<int>(std::clamp(std::ceil(std::min(excess, along / finest(curve))), 2.0, kMost));
   }
   /// The radius of curvature at increasing places of a stretch; it is at least the feature size there.
@@ -286,7 +286,7 @@ class FeatureSampler {
     return out;
   }
   bool may_halve(std::size_t curve, const StretchSample& a, const StretchSample& b) const {
-    return b.at - a.at > finest(curve) * (1.0 + kRounding);
+    return b.at - a.at > finest(curve) * (1.0 + kSpacingRounding);
   }
 
  private:
@@ -310,7 +310,7 @@ class FeatureSampler {
         ++out.intervals;
         const double excess = samples.excess(here[i - 1], here[i], limits_.share);
         const bool may_be_shorter = may_halve(c, here[i - 1], here[i]);
-        if (may_be_shorter && excess * limits_.share > kCoarse * finer(c, s)) ++out.coarse;
+        if (may_be_shorter && excess * limits_.share > kStillCoarse * finer(c, s)) ++out.coarse;
         if (may_be_shorter && excess > 1.0) {
           ++out.too_long;
           shorter = std::max(kMargin / excess, 1.0 / kMostGrowth);

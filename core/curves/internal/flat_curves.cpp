@@ -8,7 +8,7 @@
 namespace mes {
 namespace {
 
-constexpr double kTolerance = 1e-5;  // of the extent of a curve
+constexpr double kFlatness = 1e-5;  // of the extent of a curve
 
 Box2 control_box(const PlaneCurve& curve) {
   Box2 box;
@@ -40,7 +40,7 @@ int steps_of(const Piece& piece, double tolerance) {
   return static_cast<int>(steps >= kLeast ? std::min(steps, kMost) : kLeast);
 }
 
-Box2 box_of(const FlatSide& side) {
+Box2 side_box(const FlatSide& side) {
   Box2 box;
   box.add(as_vec(side.from));
   box.add(as_vec(side.to));
@@ -58,7 +58,7 @@ bool FlatCurves::fits(const PlaneCurve& curve, double grid) {
 
 GridPath FlatCurves::add(const PlaneCurve& curve, bool closes) {
   const Box2 box = control_box(curve);
-  const double tolerance = std::max(kTolerance * std::max(box.width(), box.height()), grid_);
+  const double tolerance = std::max(kFlatness * std::max(box.width(), box.height()), grid_);
   if (!curve.is_polyline()) tolerance_ = std::max(tolerance_, tolerance / grid_);
   const auto rounded = [&](Vec2 p) { return GridPoint{std::llround(p.x / grid_), std::llround(p.y / grid_)}; };
   GridPath out{rounded(curve.start())};
@@ -103,7 +103,7 @@ void FlatCurves::build() {
   std::vector<std::uint32_t> all(sides_.size());
   std::iota(all.begin(), all.end(), 0U);
   tree_.build(
-      all, [this](std::uint32_t side) { return TreeBounds{.box = box_of(sides_[side])}; },
+      all, [this](std::uint32_t side) { return TreeBounds{.box = side_box(sides_[side])}; },
       [](std::uint32_t, std::uint32_t) {});
 }
 
@@ -116,7 +116,7 @@ std::vector<SideAt> FlatCurves::sides_at(GridPoint corner, double reach) const {
   };
   tree_.visit_where(may_hold, [&](std::uint32_t number) {
     const FlatSide& side = sides_[number];
-    if (!may_hold(box_of(side), 0.0)) return;
+    if (!may_hold(side_box(side), 0.0)) return;
     const Vec2 along{static_cast<double>(side.to.X - side.from.X), static_cast<double>(side.to.Y - side.from.Y)};
     const Vec2 here{static_cast<double>(corner.X - side.from.X), static_cast<double>(corner.Y - side.from.Y)};
     const double share = std::clamp(dot(here, along) / dot(along, along), 0.0, 1.0);

@@ -18,8 +18,6 @@ namespace {
 
 using PointSlot = Slot<struct NetworkPointTag>;
 
-constexpr std::uint32_t kNone = CurveNetwork::kNoNode;
-
 /// A piece, or a part of one, between two points at which something may meet.
 struct Part {
   Piece piece{};
@@ -82,10 +80,10 @@ class NetworkMaker {
 
 // Two curves touch where a vertex lies on a piece of another, or is a vertex of another.
 bool NetworkMaker::has_contacts() const {
-  std::vector<std::uint32_t> curve_at(contacts_.vertices.size(), kNone);
+  std::vector<std::uint32_t> curve_at(contacts_.vertices.size(), CurveNetwork::kNoNode);
   for (const TouchingPiece& piece : contacts_.pieces)
     for (const std::uint32_t vertex : {piece.from, piece.to}) {
-      if (curve_at[vertex] != kNone && curve_at[vertex] != piece.curve) return true;
+      if (curve_at[vertex] != CurveNetwork::kNoNode && curve_at[vertex] != piece.curve) return true;
       curve_at[vertex] = piece.curve;
     }
   return std::ranges::any_of(contacts_.contacts, [&](const Contact& contact) {
@@ -103,11 +101,11 @@ void NetworkMaker::join_vertices() {
     if (contact.parameter == 1.0) sets.join(root(contact.vertex), root(piece.to));
   }
   // The first vertex stands for all.
-  std::vector<std::uint32_t> first(count, kNone);
+  std::vector<std::uint32_t> first(count, CurveNetwork::kNoNode);
   point_of_.resize(count);
   for (std::uint32_t v = 0; v < count; ++v) {
     std::uint32_t& point = first[root(v).index()];
-    if (point == kNone) point = v;
+    if (point == CurveNetwork::kNoNode) point = v;
     point_of_[v] = point;
   }
 }
@@ -149,7 +147,7 @@ void NetworkMaker::compare_parts() {
       part.kind = static_cast<std::uint32_t>(all.size());
       all.push_back(&part);
     }
-  arc_of_part_.assign(all.size(), kNone);
+  arc_of_part_.assign(all.size(), CurveNetwork::kNoNode);
   is_forward_in_arc_.assign(all.size(), true);
   std::vector<std::uint32_t> order(all.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -212,12 +210,12 @@ void NetworkMaker::find_breaks() {
   }
   for (std::size_t point = 0; point < count; ++point)
     if (ways[point] != 0 && ways[point] != 2) is_break_[point] = true;
-  node_of_point_.assign(count, kNone);
+  node_of_point_.assign(count, CurveNetwork::kNoNode);
 }
 
 std::uint32_t NetworkMaker::node_of(std::uint32_t point) {
   std::uint32_t& node = node_of_point_[point];
-  if (node == kNone) node = node_count_++;
+  if (node == CurveNetwork::kNoNode) node = node_count_++;
   return node;
 }
 
@@ -225,7 +223,7 @@ std::uint32_t NetworkMaker::node_of(std::uint32_t point) {
 void NetworkMaker::walk_alone(const PlaneCurve& curve) {
   const auto arc = static_cast<std::uint32_t>(out_.arcs.size());
   out_.arcs.push_back(curve);
-  std::array<std::uint32_t, 2> ends{kNone, kNone};
+  std::array<std::uint32_t, 2> ends{CurveNetwork::kNoNode, CurveNetwork::kNoNode};
   if (!curve.is_closed())
     for (std::uint32_t& end : ends) end = node_count_++;
   out_.nodes.push_back(ends);
@@ -247,7 +245,7 @@ void NetworkMaker::add_arc(const std::vector<Part>& parts, std::size_t first, st
   const std::uint32_t to = parts[(first + count - 1) % parts.size()].to;
   if (count == parts.size() && curve.is_closed()) {
     made.close();
-    const std::uint32_t node = is_break_[from] ? node_of(from) : kNone;
+    const std::uint32_t node = is_break_[from] ? node_of(from) : CurveNetwork::kNoNode;
     out_.nodes.push_back({node, node});
   } else {
     out_.nodes.push_back({node_of(from), node_of(to)});
@@ -269,7 +267,8 @@ void NetworkMaker::walk(std::uint32_t c) {
     const auto part = [&](std::size_t i) -> const Part& { return parts[(first + i) % parts.size()]; };
     while (done + count < parts.size() && !is_break_[part(done + count).from]) ++count;
     const Part& begin = part(done);
-    if (arc_of_part_[begin.kind] == kNone) add_arc(parts, (first + done) % parts.size(), count, curve);
+    if (arc_of_part_[begin.kind] == CurveNetwork::kNoNode)
+      add_arc(parts, (first + done) % parts.size(), count, curve);
     walk.steps.push_back({arc_of_part_[begin.kind], begin.is_forward != is_forward_in_arc_[begin.kind]});
     done += count;
   }

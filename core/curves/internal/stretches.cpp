@@ -9,7 +9,7 @@
 namespace mes {
 namespace {
 
-constexpr double kRounding = 1e-9;
+constexpr double kCornerRounding = 1e-9;
 // What is shorter is a point in every document (core/base/coordinate_range.h); a part of it may be no number of its own.
 constexpr double kLeastLength = 0x1p-500;
 static_assert(kLeastExponent == -500);
@@ -27,7 +27,7 @@ std::vector<bool> corners_of(const MeasuredCurve& curve, double corner_angle, do
   double longest = 0.0;
   for (const PieceLength& length : curve.lengths) longest = std::max(longest, length.total());
   // Something is left of every curve.
-  const double least = std::max(kRounding * longest, std::min(negligible, 0.5 * longest));
+  const double least = std::max(kCornerRounding * longest, std::min(negligible, 0.5 * longest));
   const auto counts = [&](std::size_t i) { return curve.lengths[i].total() > least; };
   std::size_t last = count;
   if (curve.is_closed)

@@ -8,15 +8,10 @@
 #include <string_view>
 
 #include "core/base/zlib.h"
+#include "core/raster/internal/bytes.h"
 
 namespace mes {
 namespace {
-
-using Bytes = std::span<const std::byte>;
-
-Bytes without_first(Bytes bytes, std::size_t count) {
-  return bytes.subspan(std::min(count, bytes.size()));
-}
 
 bool begins_with(Bytes bytes, std::string_view text) {
   return bytes.size() >= text.size() && std::memcmp(bytes.data(), text.data(), text.size()) == 0;

@@ -2,20 +2,30 @@
 // What the shapes are made of. Private to core/shapes.
 #pragma once
 
+#include <cmath>
 #include <functional>
-#include <numbers>
 #include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
+#include "core/base/turn.h"
 #include "core/shapes/shape.h"
 
 namespace mes {
 
-inline constexpr double kTurn = 2.0 * std::numbers::pi;
-
 std::unexpected<Error> impossible(std::string text);
+
+/// A positive length, in units of the plane.
+constexpr ParameterDescriptor length_parameter(std::string_view id, std::string_view explanation, double value) {
+  return {id, explanation, "", 1e-6, 1e6, value};
+}
+
+/// The point at this distance from the origin, counter-clockwise from the right.
+inline Vec2 at_angle(double radius, double angle) {
+  return {radius * std::cos(angle), radius * std::sin(angle)};
+}
 
 /// Counter-clockwise from the right; a hole goes the other way.
 PlaneCurve ellipse_curve(Vec2 center, double a, double b, bool is_hole = false);

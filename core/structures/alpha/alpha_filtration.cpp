@@ -6,16 +6,11 @@
 #include <utility>
 
 #include "core/structures/alpha/persistence.h"
+#include "core/structures/delaunay/sorted_ends.h"
 
 namespace mes {
 namespace {
 
-std::array<Vec2, 2> sorted_ends(const Delaunay& delaunay, EdgeSlot edge) {
-  const SiteSlot* const end = delaunay.edge(edge).v;
-  const Vec2 a = delaunay.site_position(end[0]);
-  const Vec2 b = delaunay.site_position(end[1]);
-  return lexicographically_less(b, a) ? std::array{b, a} : std::array{a, b};
-}
 std::array<Vec2, 3> sorted_corners(const Delaunay& delaunay, FaceSlot face) {
   const SiteSlot* const v = delaunay.face(face).v;
   std::array out{delaunay.site_position(v[0]), delaunay.site_position(v[1]), delaunay.site_position(v[2])};

@@ -12,7 +12,7 @@
 namespace mes {
 namespace {
 
-std::array<Vec2, 3> sorted_corners(const BallFamily& family, FamilySlot row) {
+std::array<Vec2, 3> corners_in_order(const BallFamily& family, FamilySlot row) {
   std::array<Vec2, 3> out = family.corners(row);
   std::ranges::sort(out, lexicographically_less);
   return out;
@@ -64,8 +64,8 @@ std::vector<FamilySlot> rows_by_place(const BallFamily& family) {
         if (p.center != q.center) return lexicographically_less(p.center, q.center);
         if (p.radius != q.radius) return p.radius < q.radius;
         // Circles that differ may be rounded to one disk; the first of the two then stands for both.
-        return std::ranges::lexicographical_compare(sorted_corners(family, a.slot), sorted_corners(family, b.slot),
-                                                    lexicographically_less);
+        return std::ranges::lexicographical_compare(corners_in_order(family, a.slot),
+                                                    corners_in_order(family, b.slot), lexicographically_less);
       });
     }
     begin = end;

@@ -9,22 +9,18 @@
 #include <span>
 #include <utility>
 
+#include "core/base/double_pair.h"
+#include "core/base/infinity.h"
 #include "core/base/parallel.h"
 
 namespace mes {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t kNone = 0xffffffffU;
 
 /// Samples that walk together, in pairs that a processor computes with at once.
 constexpr std::size_t kLanes = 4;
 constexpr std::size_t kPairs = kLanes / 2;
-using Pair = double __attribute__((vector_size(2 * sizeof(double))));
-using PairMask = decltype(Pair{} < Pair{});
-bool any(PairMask mask) {
-  return (mask[0] | mask[1]) != 0;
-}
 
 /// The group's samples are that near to each other, over the least distance of a sample of their block to the axis of its
 /// own cell.
@@ -73,9 +69,9 @@ inline double squared_distance(const Box2& a, const Box2& b) {
 }  // namespace
 
 struct CellWalk::Group {
-  std::array<Pair, kPairs> x, y;
-  std::array<Pair, kPairs> best;     // squared
-  std::array<Pair, kPairs> crossed;  // squared, of what is nearly as near
+  std::array<DoublePair, kPairs> x, y;
+  std::array<DoublePair, kPairs> best;     // squared
+  std::array<DoublePair, kPairs> crossed;  // squared, of what is nearly as near
   std::array<std::uint32_t, kLanes> line;
   std::size_t pairs = kPairs;  // the others are the same
   Box2 box;
@@ -344,22 +340,22 @@ bool CellWalk::walk(Group& group, std::uint32_t own, Trail& trail) const {
       if (entry.reach > group.far) break;
       if (++trail.line_count > trail.longest_in_lines) return false;
       const AxisLine& line = lines_[entry.line];
-      std::array<Pair, kPairs> squared;
-      PairMask is_crossed{};
+      std::array<DoublePair, kPairs> squared;
+      DoublePairMask is_crossed{};
       for (std::size_t i = 0; i < group.pairs; ++i) {
-        const Pair ux = group.x[i] - line.q.x;
-        const Pair uy = group.y[i] - line.q.y;
-        const Pair aside = ux * line.along.x + uy * line.along.y - line.half;
-        const Pair height = line.along.x * uy - line.along.y * ux;
-        const Pair low = line.low - Pair{};
-        const Pair high = line.high - Pair{};
-        Pair on = height < low ? low : height;
+        const DoublePair ux = group.x[i] - line.q.x;
+        const DoublePair uy = group.y[i] - line.q.y;
+        const DoublePair aside = ux * line.along.x + uy * line.along.y - line.half;
+        const DoublePair height = line.along.x * uy - line.along.y * ux;
+        const DoublePair low = line.low - DoublePair{};
+        const DoublePair high = line.high - DoublePair{};
+        DoublePair on = height < low ? low : height;
         on = on > high ? high : on;
-        const Pair rest = height - on;
+        const DoublePair rest = height - on;
         squared[i] = aside * aside + rest * rest;
         is_crossed |= squared[i] <= group.crossed[i];
       }
-      if (!any(is_crossed)) continue;
+      if (!is_any_set(is_crossed)) continue;
       bool is_nearer = false;
       for (std::size_t k = 0; k < 2 * group.pairs; ++k) {
         if (!(squared[k / 2][k % 2] < group.best[k / 2][k % 2])) continue;
@@ -411,8 +407,8 @@ bool CellWalk::search_group(std::uint32_t begin, std::uint32_t end, std::uint32_
     group.y[k / 2][k % 2] = p.y;
     group.box.add(p);
   }
-  group.best.fill(Pair{kInfinity, kInfinity});
-  group.crossed.fill(Pair{kInfinity, kInfinity});
+  group.best.fill(DoublePair{kInfinity, kInfinity});
+  group.crossed.fill(DoublePair{kInfinity, kInfinity});
   group.line.fill(kNone);
   if (!walk(group, block, trail)) return false;
   for (std::uint32_t cell = begin; cell < end; ++cell) {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <span>
 #include <string>
 #include <utility>
 
 #include "core/base/coordinate_range.h"
+#include "core/base/infinity.h"
 #include "core/base/parallel.h"
 #include "core/kernel/corner_angle.h"
 #include "core/structures/density/cell_walk.h"
@@ -19,14 +19,12 @@
 namespace mes {
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// By so much may coordinates be larger than those that the unit was chosen for, or smaller, before another one is.
 constexpr int kExponentsApart = 200;
 /// Sites that ask together at most, and the size of their box over the smallest distance that one of them has to begin
 /// with.
 constexpr std::size_t kGroup = 8;
-constexpr double kSpread = 0.5;
+constexpr double kGroupWidth = 0.5;
 
 }  // namespace
 
@@ -231,7 +229,7 @@ void FeatureSize::search_in_groups(std::span<const SiteSlot> sites) {
       larger.add(p);
       const double size = std::max(larger.width(), larger.height());
       room = std::min(room, found.squared);
-      if (group.count != 0 && size * size > kSpread * kSpread * room) break;
+      if (group.count != 0 && size * size > kGroupWidth * kGroupWidth * room) break;
       box = larger;
       group.at[group.count] = p;
       group.found[group.count++] = found;

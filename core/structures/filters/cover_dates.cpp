@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 #include <vector>
 
 #include "core/base/disk.h"
@@ -13,7 +12,6 @@
 namespace mes {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr double kNoNode = -1.0;
 
 }  // namespace
@@ -68,7 +66,7 @@ StatList CoverDates::statistics() const {
   std::int64_t never = 0;
   for (const FaceSlot face : date_.rows()) {
     if (!has_date(face)) continue;
-    if (date_[face] == kNever)
+    if (date_[face] == CoverSearch::kNever)
       ++never;
     else
       dates.push_back(date_[face]);

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 #include <optional>
 
+#include "core/base/infinity.h"
 #include "core/kernel/edge_predicates.h"
 #include "core/kernel/enclosing_circle.h"
 
@@ -107,7 +107,6 @@ void LambdaAxis::add_statistics(StatList& out) const {
   for (const FaceSlot node : delaunay_.face_slots())
     if (delaunay_.face(node).is_alive() && axis_.is_node(node)) largest = std::max(largest, value(node));
   const std::vector<double> critical = critical_values();
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   out.push_back({"largest", largest > 0.0 ? largest : kInfinity});
   out.push_back({"critical_values", static_cast<std::int64_t>(critical.size())});
   out.push_back({"weak_feature_size", critical.empty() ? kInfinity : critical.front()});

@@ -30,7 +30,7 @@ struct AxisTerms {
   Number power;
 };
 template <class Number>
-AxisTerms<Number> terms_of(const BallOf<Number>& a, const BallOf<Number>& b) {
+AxisTerms<Number> axis_terms(const BallOf<Number>& a, const BallOf<Number>& b) {
   AxisTerms<Number> out;
   out.x = b.x - a.x;
   out.y = b.y - a.y;
@@ -73,7 +73,7 @@ bool is_within(double power_error, double half, double tolerance) {
 
 /// Nothing where intervals are too wide.
 std::optional<RadicalAxis> quick_axis(const BallOf<Interval>& a, const BallOf<Interval>& b) {
-  const AxisTerms<Interval> terms = terms_of(a, b);
+  const AxisTerms<Interval> terms = axis_terms(a, b);
   const double radius = std::sqrt(std::max(0.0, std::min(a.w.inf(), b.w.inf())));
   const Vec2 way{middle(terms.x), middle(terms.y)};
   const RadicalAxis out =
@@ -91,7 +91,7 @@ std::optional<RadicalAxis> quick_axis(const BallOf<Interval>& a, const BallOf<In
 RadicalAxis exact_axis(const PipelineBall& first, const PipelineBall& second) {
   const BallOf<Rational> a = ball_in<Rational>(first);
   const BallOf<Rational> b = ball_in<Rational>(second);
-  const AxisTerms<Rational> exact = terms_of(a, b);
+  const AxisTerms<Rational> exact = axis_terms(a, b);
   const double power = rounded(exact.power);
   const double error = Rational(power) == exact.power ? 0.0 : 0x1p-53 * std::abs(power);
   return axis_of({rounded(exact.x), rounded(exact.y)}, rounded(exact.first), rounded(exact.last), {power, error},
@@ -140,7 +140,7 @@ double half_chord(const PipelineInput& input, const BallPair& pair, const Radica
   const Rational grown = Rational(growth) / Rational(std::ldexp(1.0, input.frame.exponent));
   const auto [first, second] = std::minmax(pair[0], pair[1]);
   const Rational power =
-      terms_of(ball_in<Rational>(input.balls[first]), ball_in<Rational>(input.balls[second])).power;
+      axis_terms(ball_in<Rational>(input.balls[first]), ball_in<Rational>(input.balls[second])).power;
   return std::sqrt(std::max(0.0, rounded(Rational(grown * grown - power))));
 }
 

@@ -9,18 +9,9 @@
 #include "core/base/parallel.h"
 #include "core/base/prefetch.h"
 #include "core/structures/crust/internal/length_limits.h"
+#include "core/structures/delaunay/sorted_ends.h"
 
 namespace mes {
-
-namespace {
-
-std::pair<Vec2, Vec2> sorted_ends(const Delaunay& delaunay, EdgeSlot edge) {
-  const Vec2 a = delaunay.site_position(delaunay.edge(edge).v[0]);
-  const Vec2 b = delaunay.site_position(delaunay.edge(edge).v[1]);
-  return lexicographically_less(b, a) ? std::pair(b, a) : std::pair(a, b);
-}
-
-}  // namespace
 
 void CertaintyOrder::clear() {
   forget_keys();
@@ -135,7 +126,7 @@ void CertaintyOrder::sort_run(std::span<Rank> run, JobControl& job) const {
   const std::vector<std::uint32_t> place = ambiguity_places(corners, [&job] { job.checkpoint(); });
   struct Entry {
     std::uint32_t place = 0;
-    std::pair<Vec2, Vec2> ends;
+    std::array<Vec2, 2> ends;
     Rank rank;
   };
   std::vector<Entry> entries;
@@ -144,8 +135,8 @@ void CertaintyOrder::sort_run(std::span<Rank> run, JobControl& job) const {
     entries.push_back({place[i], sorted_ends(delaunay_, run[i].edge), run[i]});
   std::ranges::sort(entries, [](const Entry& a, const Entry& b) {
     if (a.place != b.place) return a.place < b.place;
-    if (a.ends.first != b.ends.first) return lexicographically_less(a.ends.first, b.ends.first);
-    return lexicographically_less(a.ends.second, b.ends.second);
+    if (a.ends[0] != b.ends[0]) return lexicographically_less(a.ends[0], b.ends[0]);
+    return lexicographically_less(a.ends[1], b.ends[1]);
   });
   std::ranges::transform(entries, run.begin(), &Entry::rank);
 }

@@ -5,27 +5,21 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/double_pair.h"
 #include "core/base/parallel.h"
 
 namespace mes {
 namespace {
 
-constexpr double kNever = std::numeric_limits<double>::infinity();
-
 /// Balls of one leaf, in pairs that a processor computes with at once.
 constexpr std::uint32_t kLeaf = 8;
-constexpr std::size_t kPairs = kLeaf / 2;
-using Pair = double __attribute__((vector_size(2 * sizeof(double))));
-using PairMask = decltype(Pair{} < Pair{});
-bool any(PairMask mask) {
-  return (mask[0] | mask[1]) != 0;
-}
+constexpr std::size_t kLeafPairs = kLeaf / 2;
 
 /// Balls that search together: a few leaves.
-constexpr std::uint32_t kBlock = 32;
-constexpr std::size_t kLeaves = kBlock / kLeaf;
+constexpr std::uint32_t kBlockBalls = 32;
+constexpr std::size_t kLeaves = kBlockBalls / kLeaf;
 /// Blocks of one part of the searches.
-constexpr std::size_t kPart = 64;
+constexpr std::size_t kPartBlocks = 64;
 /// Of the tree at most, as nodes are halved.
 constexpr std::size_t kDepth = 64;
 /// Balls of a subtree that is built on one core.
@@ -34,7 +28,7 @@ constexpr std::uint32_t kSubtree = 8192;
 constexpr std::uint32_t kMostOfPlane = 2048;
 
 /// More than what rounding adds up to in the few operations on a plane, relative to the largest of their operands.
-constexpr double kRounding = 0x1p-46;
+constexpr double kPlaneRounding = 0x1p-46;
 /// Beyond this, values and their differences are not fitted with planes.
 constexpr double kWide = 0x1p400;
 
@@ -59,7 +53,7 @@ double squared_gap(const Box2& a, const Box2& b) {
 /// No date of a group of balls is larger.
 struct CoverSearch::Bound {
   Bound() = default;
-  explicit Bound(double most_) : most(most_), rate((1.0 - kRounding) * (1.0 - kRounding) / most_) {}
+  explicit Bound(double most_) : most(most_), rate((1.0 - kPlaneRounding) * (1.0 - kPlaneRounding) / most_) {}
 
   double most = kNever;
   double rate = 0.0;  // less than its inverse
@@ -67,8 +61,8 @@ struct CoverSearch::Bound {
 
 /// The balls of a leaf, and the least quotients that they have so far.
 struct CoverSearch::Lanes {
-  std::array<Pair, kPairs> x, y, radius;
-  std::array<Pair, kPairs> best;  // no date is larger
+  std::array<DoublePair, kLeafPairs> x, y, radius;
+  std::array<DoublePair, kLeafPairs> best;  // no date is larger
   std::array<double, kLeaf> date;
   // A ball that is better than all that `date` is of, whose date is not computed yet, but for rounding.
   std::array<double, kLeaf> quotient;
@@ -78,7 +72,7 @@ struct CoverSearch::Lanes {
 
   void find_bound() {
     double most = 0.0;
-    for (const Pair& pair : best) most = std::max({most, pair[0], pair[1]});
+    for (const DoublePair& pair : best) most = std::max({most, pair[0], pair[1]});
     bound = Bound(most);
   }
 };
@@ -210,7 +204,7 @@ void CoverSearch::fit_planes(Node& node) const {
     }
   }
   const std::size_t better = high[1] - low[1] < high[0] - low[0] ? 1 : 0;
-  const double room = kRounding * (node.most + 2.0 * (node.half.x + node.half.y));
+  const double room = kPlaneRounding * (node.most + 2.0 * (node.half.x + node.half.y));
   node.slope = slopes[better];
   node.low = low[better] - room;
   node.high = high[better] + room;
@@ -221,7 +215,7 @@ void CoverSearch::split(std::vector<Node>& nodes, std::uint32_t at, std::uint32_
   measure(nodes[at]);
   const Node node = nodes[at];
   if (node.last - node.first <= down_to) return;
-  const std::uint32_t full = node.last - node.first > kBlock ? kBlock : kLeaf;
+  const std::uint32_t full = node.last - node.first > kBlockBalls ? kBlockBalls : kLeaf;
   const std::uint32_t half = (node.last - node.first) / 2;
   const std::uint32_t middle = node.first + (half + full - 1) / full * full;
   const auto split_by = [&](auto number_of) {
@@ -246,7 +240,7 @@ void CoverSearch::split(std::vector<Node>& nodes, std::uint32_t at, std::uint32_
 
 void CoverSearch::find_blocks(std::uint32_t at) {
   const Node& node = tree_[at];
-  if (node.last - node.first <= kBlock) {
+  if (node.last - node.first <= kBlockBalls) {
     blocks_.push_back(at);
     return;
   }
@@ -255,7 +249,7 @@ void CoverSearch::find_blocks(std::uint32_t at) {
 }
 
 std::size_t CoverSearch::part_count() const {
-  return (blocks_.size() + kPart - 1) / kPart;
+  return (blocks_.size() + kPartBlocks - 1) / kPartBlocks;
 }
 
 /// The distance of the boxes over the largest difference of radii bounds every quotient.
@@ -272,8 +266,8 @@ CoverSearch::Direction CoverSearch::towards(const Node& asked, const Bound& boun
   const double far = std::sqrt(squared);
   out.up = (bound.rate / far) * away;
   out.way = dot(out.up, away);
-  out.rounding = kRounding * (std::abs(node.high) + std::abs(asked.low) +
-                              8.0 * (node.half.x + node.half.y + asked.half.x + asked.half.y + far));
+  out.rounding = kPlaneRounding * (std::abs(node.high) + std::abs(asked.low) +
+                                   8.0 * (node.half.x + node.half.y + asked.half.x + asked.half.y + far));
   out.is_known = true;
   return out;
 }
@@ -311,16 +305,16 @@ void CoverSearch::take(Lanes& lanes, std::size_t lane, std::uint32_t by) const {
 }
 
 bool CoverSearch::look_at(Lanes& lanes, std::uint32_t by) const {
-  std::array<PairMask, kPairs> can_be_better;
-  PairMask all{};
-  for (std::size_t i = 0; i < kPairs; ++i) {
-    const Pair more = radius_[by] - lanes.radius[i];
-    const Pair x = x_[by] - lanes.x[i];
-    const Pair y = y_[by] - lanes.y[i];
-    can_be_better[i] = (more > 0.0) & ~is_beyond<Pair>(x * x + y * y, lanes.best[i] * more);
+  std::array<DoublePairMask, kLeafPairs> can_be_better;
+  DoublePairMask all{};
+  for (std::size_t i = 0; i < kLeafPairs; ++i) {
+    const DoublePair more = radius_[by] - lanes.radius[i];
+    const DoublePair x = x_[by] - lanes.x[i];
+    const DoublePair y = y_[by] - lanes.y[i];
+    can_be_better[i] = (more > 0.0) & ~is_beyond<DoublePair>(x * x + y * y, lanes.best[i] * more);
     all |= can_be_better[i];
   }
-  if (!any(all)) return false;
+  if (!is_any_set(all)) return false;
   for (std::size_t lane = 0; lane < kLeaf; ++lane)
     if (can_be_better[lane / 2][lane % 2] != 0) take(lanes, lane, by);
   return true;
@@ -331,20 +325,21 @@ void CoverSearch::look_into(Lanes& lanes, const Node& leaf) const {
   if (is_apart(own, lanes.bound, leaf)) return;
   const Direction direction = towards(own, lanes.bound, leaf);
   if (is_below(own, leaf, direction)) return;
-  std::array<PairMask, kPairs> is_below{};
+  std::array<DoublePairMask, kLeafPairs> is_below{};
   if (direction.is_known) {
     const Vec2 up = direction.up;
-    Pair least = kNever - Pair{};
-    for (std::size_t i = 0; i < kPairs; ++i) {
-      const Pair height = lanes.radius[i] - (up.x * (lanes.x[i] - own.middle.x) + up.y * (lanes.y[i] - own.middle.y));
+    DoublePair least = kNever - DoublePair{};
+    for (std::size_t i = 0; i < kLeafPairs; ++i) {
+      const DoublePair height =
+          lanes.radius[i] - (up.x * (lanes.x[i] - own.middle.x) + up.y * (lanes.y[i] - own.middle.y));
       least = height < least ? height : least;
     }
     const double limit = std::min(least[0], least[1]) + direction.way - direction.rounding;
-    for (std::size_t i = 0; i < kPairs; ++i) {
+    for (std::size_t i = 0; i < kLeafPairs; ++i) {
       const std::size_t at = leaf.first + 2 * i;
-      const Pair x{x_[at], x_[at + 1]};
-      const Pair y{y_[at], y_[at + 1]};
-      const Pair radius{radius_[at], radius_[at + 1]};
+      const DoublePair x{x_[at], x_[at + 1]};
+      const DoublePair y{y_[at], y_[at + 1]};
+      const DoublePair radius{radius_[at], radius_[at + 1]};
       is_below[i] = radius - (up.x * (x - leaf.middle.x) + up.y * (y - leaf.middle.y)) <= limit;
     }
   }
@@ -439,7 +434,7 @@ void CoverSearch::search_block(const Node& block, Guesses& guesses, std::span<do
 
 void CoverSearch::search(std::size_t part, std::span<double> dates, JobControl& job) const {
   Guesses guesses;
-  for (std::size_t i = part * kPart; i < std::min((part + 1) * kPart, blocks_.size()); ++i) {
+  for (std::size_t i = part * kPartBlocks; i < std::min((part + 1) * kPartBlocks, blocks_.size()); ++i) {
     job.checkpoint();
     search_block(tree_[blocks_[i]], guesses, dates);
   }

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -28,6 +29,8 @@ namespace mes {
 /// Threads: building borrows other cores; searches may run side by side.
 class CoverSearch {
  public:
+  /// The date of a ball that no other one ever holds.
+  static constexpr double kNever = std::numeric_limits<double>::infinity();
   static constexpr std::uint32_t kNone = 0xffffffffU;
   /// For each ball a few others that may swallow it early; kNone where there are fewer.
   using Hints = std::array<std::uint32_t, 3>;
