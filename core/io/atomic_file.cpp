@@ -46,10 +46,6 @@ Expected<void> write_directly(const fs::path& path, std::string_view bytes) {
   return {};
 }
 
-fs::path folder_of(const fs::path& path) {
-  return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
 /// What stands at the target now.
 struct Target {
   fs::path path;  ///< links followed
@@ -58,7 +54,7 @@ struct Target {
   mode_t mode = 0;
 };
 
-Expected<Target> look_at(const fs::path& path) {
+Expected<Target> found_target(const fs::path& path) {
   Target target{path};
   if (path.empty()) return cannot_write(path, ENOENT);
   std::error_code error;
@@ -67,7 +63,7 @@ Expected<Target> look_at(const fs::path& path) {
     if (links == 40) return cannot_write(path, ELOOP);
     const fs::path next = fs::read_symlink(target.path, error);
     if (error) return cannot_write(path, error.value());
-    target.path = next.is_absolute() ? next : folder_of(target.path) / next;
+    target.path = next.is_absolute() ? next : folder_with(target.path) / next;
   }
   struct stat status {};
   if (::stat(target.path.c_str(), &status) != 0) {
@@ -135,14 +131,14 @@ int keep_mode(const PartFile& part, const Target& target) {
 
 // The new name is as durable as the folder; some file systems cannot sync one, and that is not an error.
 void sync_folder(const fs::path& path) {
-  const int folder = ::open(folder_of(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const int folder = ::open(folder_with(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return;
   static_cast<void>(::fsync(folder));
   ::close(folder);
 }
 
 Expected<Replaced> write(const fs::path& path, std::string_view bytes, const FileFingerprint* expected) {
-  const auto target = look_at(path);
+  const auto target = found_target(path);
   if (!target) return std::unexpected(target.error());
   if (target->exists && !target->is_regular) {
     if (expected != nullptr) return Replaced::changed;
@@ -165,7 +161,7 @@ Expected<Replaced> write(const fs::path& path, std::string_view bytes, const Fil
 }  // namespace
 
 Expected<void> check_writable(const fs::path& path) {
-  const auto target = look_at(path);
+  const auto target = found_target(path);
   if (!target) return std::unexpected(target.error());
   if (target->exists && !target->is_regular) return {};
   if (const auto part = PartFile::create_beside(target->path); !part) return cannot_write(path, part.error());
@@ -187,7 +183,7 @@ Expected<Replaced> replace_file(const fs::path& path, std::string_view bytes, co
 }
 
 Expected<OutsideWriting> OutsideWriting::begin(const fs::path& path) {
-  const auto target = look_at(path);
+  const auto target = found_target(path);
   if (!target) return std::unexpected(target.error());
   if (target->exists && !target->is_regular)
     return std::unexpected(Error{ErrorCode::cannot_write, "cannot be written: not a regular file", path.string()});

@@ -25,8 +25,7 @@ constexpr std::uint32_t kBundleToken = 0xB2;
 constexpr std::uint32_t kStateToken = 0xB1;
 constexpr std::uint32_t kNull = 0xFFFFFFFF;
 constexpr std::size_t kLongestText = 4096;
-constexpr std::size_t kMostBundles = 1000;
-constexpr std::size_t kMostLayers = 1000;
+constexpr std::size_t kMostBndLayers = 1000;
 
 struct Fault {
   std::string what;
@@ -228,7 +227,7 @@ class BundleReader {
     if (const auto good = stream.token(kBundleToken, 1, "a bundle"); !good) return std::unexpected(good.error());
     bool has_all_balls = false;
     for (std::size_t count = 0; !stream.is_at_end(); ++count) {
-      if (count == kMostLayers) return stream.fail("a bundle has too many layers");
+      if (count == kMostBndLayers) return stream.fail("a bundle has too many layers");
       const auto name = stream.text();
       if (!name) return std::unexpected(name.error());
       const auto state = stream.block();

@@ -20,8 +20,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uint64_t kSchema = 1;
 constexpr std::uintmax_t kLargestFile = 16U << 20U;
-constexpr std::size_t kMostBundles = 1000;
-constexpr std::size_t kLongestName = 1000;
+constexpr std::size_t kLongestBundleName = 1000;
 constexpr std::size_t kLongestDescription = 1000;
 
 std::unexpected<Error> refuse(std::string text, const std::string& file) {
@@ -29,7 +28,7 @@ std::unexpected<Error> refuse(std::string text, const std::string& file) {
 }
 
 /// 0: not a version at all.
-std::uint64_t schema_of(JsonView object) {
+std::uint64_t bundle_schema(JsonView object) {
   const JsonView schema = object.find("schema");
   const auto version = schema.is_number() ? schema.count() : std::nullopt;
   return version && *version < 1'000'000 ? *version : 0;
@@ -46,7 +45,7 @@ Expected<Bundle> bundle_from(JsonView object, std::size_t number, const std::str
   const auto [name, description] = object.pick<2>({"name", "description"});
   Bundle out{name.is_text() ? name.text() : std::string()};
   if (out.name.empty()) return refuse(where + " has no name", file);
-  if (out.name.size() > kLongestName) return refuse(where + " has a name that is too long", file);
+  if (out.name.size() > kLongestBundleName) return refuse(where + " has a name that is too long", file);
   auto layers = layer_configuration_from(object, style_of);
   if (!layers) return refuse(where + ": " + layers.error().text, file);
   out.layers = std::move(*layers);
@@ -67,7 +66,7 @@ Expected<LoadedBundles> read_json(std::string_view bytes, const std::string& fil
   if (auto good = check_json(bytes, file); !good) return std::unexpected(std::move(good.error()));
   const JsonView whole = JsonView::whole(bytes);
   if (!holds_bundles(whole)) return refuse("this is not a file of bundles", file);
-  const std::uint64_t schema = schema_of(whole);
+  const std::uint64_t schema = bundle_schema(whole);
   if (schema == 0) return refuse("this file of bundles has no version", file);
   if (schema > kSchema) return refuse("these bundles are of a later version of the program", file);
   const JsonView list = whole.find("bundles");
@@ -140,7 +139,7 @@ Expected<LoadedBundles> read_bundle_file(const fs::path& path, std::span<const K
 bool are_bundles_of_the_future(std::string_view bytes) {
   if (!check_json(bytes, {})) return false;
   const JsonView whole = JsonView::whole(bytes);
-  return holds_bundles(whole) && schema_of(whole) > kSchema;
+  return holds_bundles(whole) && bundle_schema(whole) > kSchema;
 }
 
 }  // namespace mes

@@ -2,6 +2,7 @@
 // Files of bundles: our own JSON, and the BND files of the Mesecina of 2007 and 2009.
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -12,6 +13,9 @@
 #include "core/document/bundle.h"
 
 namespace mes {
+
+/// Of one file.
+inline constexpr std::size_t kMostBundles = 1000;
 
 /// A layer that there is, with the style it has by itself.
 struct KnownLayer {

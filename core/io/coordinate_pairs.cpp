@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <cstring>
 
+#include "core/io/ascii_text.h"
 #include "core/io/short_decimal.h"
 
 #ifdef __SSE2__
@@ -65,10 +66,6 @@ Window window_at(const char* at, char letter) {
   const std::uint64_t unusual = second_points | lone_points | others | gaps;
   return {numeric & ~(numeric << 1U), ~numeric & (numeric << 1U), s.points,
           static_cast<unsigned>(std::countr_zero(unusual | std::uint64_t{1} << (kWindow - 1)))};
-}
-
-bool is_blank(char c) {
-  return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
 bool is_numeric(char c) {

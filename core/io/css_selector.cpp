@@ -15,7 +15,7 @@ namespace {
 using Kind = CssCondition::Kind;
 
 constexpr std::size_t kMostCompounds = 64;
-constexpr int kDeepest = 4;  // of selectors within selectors
+constexpr int kDeepestSelector = 4;  // of selectors within selectors
 
 class SelectorReader {
  public:
@@ -23,7 +23,7 @@ class SelectorReader {
 
   std::optional<std::vector<CssSelector>> read() {
     std::vector<CssSelector> out;
-    if (depth_ > kDeepest) return std::nullopt;
+    if (depth_ > kDeepestSelector) return std::nullopt;
     do {
       auto selector = read_one();
       if (!selector) return std::nullopt;

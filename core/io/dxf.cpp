@@ -27,9 +27,9 @@ namespace {
 
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180.0;
-constexpr std::size_t kDeepest = 32;
+constexpr std::size_t kDeepestBlock = 32;
 constexpr std::size_t kMostEntities = 1'000'000;  // those of blocks counted each time
-constexpr std::size_t kMostPieces = 1'000'000;
+constexpr std::size_t kMostDxfPieces = 1'000'000;
 constexpr std::size_t kMostPairs = 50'000'000;  // lines of entities, those of blocks counted each time
 constexpr std::string_view kBinary = "AutoCAD Binary DXF";
 
@@ -202,8 +202,8 @@ class DxfReader {
       if (looked_at_ > kMostPairs) return refuse(entity.front(), "blocks are inserted too often");
       if (is_hidden(entity)) continue;
       if (auto done = draw(entity, vertices, map, depth); !done) return done;
-      if (pieces_ > kMostPieces)
-        return refuse(entity.front(), fmt::format("there are more than {} lines and arcs", kMostPieces));
+      if (pieces_ > kMostDxfPieces)
+        return refuse(entity.front(), fmt::format("there are more than {} lines and arcs", kMostDxfPieces));
     }
     return {};
   }
@@ -258,7 +258,7 @@ class DxfReader {
   void add(PlaneCurve curve, const Affine& map) {
     if (curve.piece_count() == 0) return;
     pieces_ += curve.piece_count();
-    if (pieces_ > kMostPieces) return;
+    if (pieces_ > kMostDxfPieces) return;
     curve.transform(map);
     set_.curves.push_back(std::move(curve));
   }
@@ -434,9 +434,9 @@ class DxfReader {
                    .weights = *std::move(weights)};
     // Of a high degree a span may become as many pieces.
     constexpr std::size_t kPiecesOfASpan = 32;
-    if (spline.controls.size() * kPiecesOfASpan > kMostPieces)
+    if (spline.controls.size() * kPiecesOfASpan > kMostDxfPieces)
       return refuse(entity.front(),
-                    fmt::format("a spline has more than {} control points", kMostPieces / kPiecesOfASpan));
+                    fmt::format("a spline has more than {} control points", kMostDxfPieces / kPiecesOfASpan));
     std::vector<PlaneCurve> curves = curves_of_spline(std::move(spline));
     if (curves.empty()) leave_out(entity, "spline whose knots do not fit", "splines whose knots do not fit");
     for (PlaneCurve& curve : curves) {
@@ -472,7 +472,7 @@ class DxfReader {
       leave_out(entity, "block that is not there", "blocks that are not there");
       return {};
     }
-    if (depth >= kDeepest) return refuse(entity.front(), "blocks are nested too deeply");
+    if (depth >= kDeepestBlock) return refuse(entity.front(), "blocks are nested too deeply");
     const auto at = point(entity, 10);
     if (!at) return std::unexpected(at.error());
     constexpr int kCodes[]{41, 42, 50, 44, 45, 70, 71};
@@ -535,7 +535,7 @@ class DxfReader {
 };
 
 /// "0", "SECTION", perhaps after comments.
-Match match(std::string_view bytes) {
+Match match_dxf(std::string_view bytes) {
   if (bytes.starts_with(kBinary)) return Match::surely;
   static const std::string kNoName;
   constexpr std::size_t kLookedAt = std::size_t{1} << 12U;
@@ -549,7 +549,7 @@ Match match(std::string_view bytes) {
   return is_dxf ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+Expected<LoadedFile> read_dxf(std::string_view bytes, const std::string& name, ReadJob& job) {
   return DxfReader(without_bom(bytes), name, job).read();
 }
 
@@ -557,8 +557,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJ
 
 Format dxf_format() {
   return {.descriptor = {.id = "dxf", .name = "DXF drawing", .extensions = {".dxf"}, .can_read = true},
-          .match = match,
-          .read = read,
+          .match = match_dxf,
+          .read = read_dxf,
           .may_look_foreign = true};
 }
 

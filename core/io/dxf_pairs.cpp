@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kComment = 999;
 
-std::string_view trimmed(std::string_view text) {
+std::string_view trimmed_line(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\v\f\r";
   text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
   const std::size_t last = text.find_last_not_of(kBlanks);
@@ -20,9 +20,9 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// Goes through all lines, empty ones too.
-class Lines {
+class DxfLines {
  public:
-  explicit Lines(std::string_view bytes) : rest_(bytes) {}
+  explicit DxfLines(std::string_view bytes) : rest_(bytes) {}
   bool next() {
     if (rest_.empty()) return false;
     const std::size_t end = end_of_line(rest_);
@@ -44,10 +44,10 @@ class Lines {
 
 Expected<std::vector<DxfPair>> read_dxf_pairs(std::string_view bytes, const std::string& name, ReadJob* job) {
   std::vector<DxfPair> out;
-  Lines lines(bytes);
+  DxfLines lines(bytes);
   while (lines.next()) {
     if (job != nullptr) job->passed(lines.text().data());
-    const std::string_view word = trimmed(lines.text());
+    const std::string_view word = trimmed_line(lines.text());
     int code = 0;
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), code);
     if (fault != std::errc{} || end != word.data() + word.size()) {
@@ -57,7 +57,7 @@ Expected<std::vector<DxfPair>> read_dxf_pairs(std::string_view bytes, const std:
       return bad_input("expected a group code, found " + in_quotes(word), name, line, 1);
     }
     if (!lines.next()) return bad_input("the file ends within a pair", name, lines.number(), lines.text().size() + 1);
-    if (code != kComment) out.push_back({code, trimmed(lines.text()), lines.number()});
+    if (code != kComment) out.push_back({code, trimmed_line(lines.text()), lines.number()});
     if (code == 0 && out.back().value == "EOF") break;
   }
   return out;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kNumbers = 4;
 
-Match match(std::string_view bytes) {
+Match match_edg(std::string_view bytes) {
   static const std::string kNoName;
   constexpr std::size_t kLookedAt = std::size_t{1} << 12U;
   LineWords lines(bytes.substr(0, kLookedAt), kNoName);
@@ -24,7 +24,7 @@ Match match(std::string_view bytes) {
   return Match::maybe;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+Expected<LoadedFile> read_edg(std::string_view bytes, const std::string& name, ReadJob& job) {
   LineWords lines(bytes, name, &job);
   lines.next();
   const auto count = lines.whole(0, "the number of segments");
@@ -51,8 +51,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJ
 
 Format edg_format() {
   return {.descriptor = {.id = "edg", .name = "Segments of CGAL", .extensions = {".edg"}, .can_read = true},
-          .match = match,
-          .read = read};
+          .match = match_edg,
+          .read = read_edg};
 }
 
 }  // namespace mes

@@ -13,7 +13,7 @@
 namespace mes {
 namespace {
 
-constexpr std::size_t kWord = sizeof(std::uint64_t);
+constexpr std::size_t kHashWord = sizeof(std::uint64_t);
 
 /// Each step is a bijection of the state for a given word, and of the word for a given state.
 class Hash {
@@ -21,9 +21,9 @@ class Hash {
   /// A multiple of eight bytes, except for the last call.
   void add(std::string_view bytes) {
     size_ += bytes.size();
-    for (; bytes.size() >= kWord; bytes.remove_prefix(kWord)) {
+    for (; bytes.size() >= kHashWord; bytes.remove_prefix(kHashWord)) {
       std::uint64_t word = 0;
-      std::memcpy(&word, bytes.data(), kWord);
+      std::memcpy(&word, bytes.data(), kHashWord);
       step(word);
     }
     if (bytes.empty()) return;

@@ -21,20 +21,20 @@
 namespace mes {
 namespace {
 
-enum class Shape : std::uint8_t { point, line, ring };
+enum class GeoJsonShape : std::uint8_t { point, line, ring };
 
 /// `depth` lists around a position.
-struct GeometryType {
+struct GeoJsonType {
   std::string_view name;
   int depth;
-  Shape shape;
+  GeoJsonShape shape;
 };
-constexpr std::array<GeometryType, 6> kGeometries{{{"Point", 0, Shape::point},
-                                                   {"MultiPoint", 1, Shape::point},
-                                                   {"LineString", 1, Shape::line},
-                                                   {"MultiLineString", 2, Shape::line},
-                                                   {"Polygon", 2, Shape::ring},
-                                                   {"MultiPolygon", 3, Shape::ring}}};
+constexpr std::array<GeoJsonType, 6> kGeoJsonTypes{{{"Point", 0, GeoJsonShape::point},
+                                                    {"MultiPoint", 1, GeoJsonShape::point},
+                                                    {"LineString", 1, GeoJsonShape::line},
+                                                    {"MultiLineString", 2, GeoJsonShape::line},
+                                                    {"Polygon", 2, GeoJsonShape::ring},
+                                                    {"MultiPolygon", 3, GeoJsonShape::ring}}};
 constexpr std::array<std::string_view, 3> kContainers{"GeometryCollection", "Feature", "FeatureCollection"};
 
 class GeoJsonReader {
@@ -91,8 +91,8 @@ class GeoJsonReader {
     if (name == "FeatureCollection") return read_all(features, object, "features");
     if (name == "GeometryCollection") return read_all(geometries, object, "geometries");
     if (name == "Feature") return read_feature(geometry, properties);
-    const auto known = std::ranges::find(kGeometries, name, &GeometryType::name);
-    if (known == kGeometries.end()) return refuse(type, in_quotes(name) + " is not a type of GeoJSON");
+    const auto known = std::ranges::find(kGeoJsonTypes, name, &GeoJsonType::name);
+    if (known == kGeoJsonTypes.end()) return refuse(type, in_quotes(name) + " is not a type of GeoJSON");
     if (!coordinates.is_list()) return refuse(object, "expected a list of \"coordinates\"");
     return read_coordinates(coordinates, known->depth, known->shape);
   }
@@ -113,14 +113,14 @@ class GeoJsonReader {
   }
 
   /// A list around `depth` lists around positions. An empty one is a geometry without positions.
-  Expected<void> read_coordinates(JsonView list, int depth, Shape shape) {
+  Expected<void> read_coordinates(JsonView list, int depth, GeoJsonShape shape) {
     if (depth == 0) {
       if (list.size() == 0) return {};
       if (auto done = read_position(list); !done) return done;
       shapes_.end_points();
       return {};
     }
-    if (depth == 2 && shape == Shape::ring) shapes_.begin_polygon();
+    if (depth == 2 && shape == GeoJsonShape::ring) shapes_.begin_polygon();
     for (const JsonView element : list.elements()) {
       if (!element.is_list()) return refuse(element, "expected a list of coordinates");
       auto done = depth == 1 ? read_position(element) : read_coordinates(element, depth - 1, shape);
@@ -128,9 +128,9 @@ class GeoJsonReader {
     }
     if (depth > 1) return {};
     switch (shape) {
-      case Shape::point: shapes_.end_points(); break;
-      case Shape::line: shapes_.end_line(); break;
-      case Shape::ring: shapes_.end_ring(); break;
+      case GeoJsonShape::point: shapes_.end_points(); break;
+      case GeoJsonShape::line: shapes_.end_line(); break;
+      case GeoJsonShape::ring: shapes_.end_ring(); break;
     }
     return {};
   }
@@ -165,8 +165,8 @@ class GeoJsonReader {
     int depth = 0;
     for (JsonView inner = first_of(list); inner.is_list(); inner = first_of(inner)) ++depth;
     if (depth == 0) return refuse(list, "expected lists of positions");
-    if (depth > 1) return read_coordinates(list, depth, Shape::ring);
-    return read_coordinates(list, depth, Shape::point);
+    if (depth > 1) return read_coordinates(list, depth, GeoJsonShape::ring);
+    return read_coordinates(list, depth, GeoJsonShape::point);
   }
 
   std::string_view text_;
@@ -191,12 +191,12 @@ bool names_a_type(std::string_view bytes) {
     const std::string_view rest = begin.substr(value + 1);
     const std::string_view word = rest.substr(0, rest.find('"'));
     if (std::ranges::find(kContainers, word) != kContainers.end()) return true;
-    if (std::ranges::find(kGeometries, word, &GeometryType::name) != kGeometries.end()) return true;
+    if (std::ranges::find(kGeoJsonTypes, word, &GeoJsonType::name) != kGeoJsonTypes.end()) return true;
   }
   return false;
 }
 
-Match match(std::string_view bytes) {
+Match match_geojson(std::string_view bytes) {
   constexpr std::string_view kBlanks = " \t\r\n\x1e";
   bytes = without_bom(bytes);
   const std::size_t begin = bytes.find_first_not_of(kBlanks);
@@ -227,8 +227,8 @@ Expected<void> check_texts(std::string_view text, const std::string& name, ReadJ
   return {};
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDegrees degrees,
-                          const std::filesystem::path*, ReadJob& job) {
+Expected<LoadedFile> read_geojson(std::string_view bytes, const std::string& name, MapDegrees degrees,
+                                  const std::filesystem::path*, ReadJob& job) {
   const std::string_view text = without_bom(bytes);
   constexpr double kChecked = 0.4;  // of the time that reading takes
   job.begin(text, kChecked);
@@ -245,8 +245,8 @@ Format geojson_format() {
                          .extensions = {".geojson", ".geojsonl"},
                          .can_read = true,
                          .is_map = true},
-          .match = match,
-          .read_map = read};
+          .match = match_geojson,
+          .read_map = read_geojson};
 }
 
 }  // namespace mes

@@ -85,12 +85,12 @@ class GpxReader {
   std::optional<std::size_t> first_height_;
 };
 
-Match match(std::string_view bytes) {
+Match match_gpx(std::string_view bytes) {
   return xml_root_name(bytes) == "gpx" ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDegrees degrees,
-                          const std::filesystem::path*, ReadJob& job) {
+Expected<LoadedFile> read_gpx(std::string_view bytes, const std::string& name, MapDegrees degrees,
+                              const std::filesystem::path*, ReadJob& job) {
   return GpxReader(without_bom(bytes), name, degrees, job).read();
 }
 
@@ -98,8 +98,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDe
 
 Format gpx_format() {
   return {.descriptor = {.id = "gpx", .name = "GPX", .extensions = {".gpx"}, .can_read = true, .is_map = true},
-          .match = match,
-          .read_map = read,
+          .match = match_gpx,
+          .read_map = read_gpx,
           .may_look_foreign = true};
 }
 

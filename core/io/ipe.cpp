@@ -21,8 +21,8 @@ namespace {
 
 using pugi::xml_node;
 
-constexpr std::size_t kDeepest = 200;
-constexpr std::size_t kMostPieces = 4'000'000;
+constexpr std::size_t kDeepestGroup = 200;
+constexpr std::size_t kMostIpePieces = 4'000'000;
 
 /// Words between blanks, with their places.
 class PathWords {
@@ -115,7 +115,7 @@ class IpeReader {
   }
 
   Expected<void> read_objects(xml_node parent, const Affine& outer, std::size_t depth) {
-    if (depth > kDeepest) return source_.refuse(source_.place_of(parent), "groups are nested too deeply");
+    if (depth > kDeepestGroup) return source_.refuse(source_.place_of(parent), "groups are nested too deeply");
     for (const xml_node node : parent.children()) {
       const std::string_view kind = node.name();
       if (node.type() != pugi::node_element || !is_object(kind)) continue;
@@ -195,7 +195,8 @@ class IpeReader {
     while (words.next()) {
       path.place = words.place();
       job_.passed(source_.bytes().data() + source_.place_of(node, path.text, path.place));
-      if (++pieces_ > kMostPieces) return refuse(path, fmt::format("paths have more than {} words", kMostPieces));
+      if (++pieces_ > kMostIpePieces)
+        return refuse(path, fmt::format("paths have more than {} words", kMostIpePieces));
       const std::string_view word = words.word();
       const bool is_number = word.find_first_of("0123456789") != std::string_view::npos;
       if (!is_number) {
@@ -335,12 +336,12 @@ class IpeReader {
   CurveSet set_;
 };
 
-Match match(std::string_view bytes) {
+Match match_ipe(std::string_view bytes) {
   const std::string_view root = xml_root_name(bytes);
   return root == "ipe" || root == "ipeselection" ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+Expected<LoadedFile> read_ipe(std::string_view bytes, const std::string& name, ReadJob& job) {
   return IpeReader(without_bom(bytes), name, job).read();
 }
 
@@ -348,8 +349,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJ
 
 Format ipe_format() {
   return {.descriptor = {.id = "ipe", .name = "Ipe drawing", .extensions = {".ipe"}, .can_read = true},
-          .match = match,
-          .read = read,
+          .match = match_ipe,
+          .read = read_ipe,
           .may_look_foreign = true};
 }
 

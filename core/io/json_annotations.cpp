@@ -22,7 +22,7 @@ constexpr std::array<std::string_view, 3> role_names() {
   return {"itself", "origin", "product"};
 }
 
-json to_json(const Annotation& annotation) {
+json annotation_to_json(const Annotation& annotation) {
   json at = json::array();
   json follows = json::array();
   json balls = json::array();
@@ -65,7 +65,7 @@ json to_json(const Annotation& annotation) {
 }
 
 /// Reads one; the first fault stays.
-class Reader {
+class AnnotationReader {
  public:
   /// Nothing where there is a fault, such as a kind that is not known.
   std::optional<Annotation> read(JsonView object) {
@@ -225,7 +225,7 @@ class Reader {
 
 json to_json(const Annotations& annotations) {
   json out = json::array();
-  for (const Annotation& annotation : annotations) out.push_back(to_json(annotation));
+  for (const Annotation& annotation : annotations) out.push_back(annotation_to_json(annotation));
   return out;
 }
 
@@ -243,7 +243,7 @@ Expected<Annotations> annotations_from(JsonView value) {
   };
   if (!value.is_list()) return bad("the annotations are not a list");
   Annotations out;
-  Reader reader;
+  AnnotationReader reader;
   for (const JsonView element : value.elements()) {
     auto annotation = reader.read(element);
     if (!reader.fault().empty()) return bad(reader.fault());

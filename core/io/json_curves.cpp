@@ -17,23 +17,23 @@ using nlohmann::json;
 constexpr std::string_view kLetters = "LQCA";  // by kind
 constexpr std::size_t kNumbersOfAnArc = 8;
 
-std::unexpected<Error> bad(std::string text) {
+std::unexpected<Error> bad_curves(std::string text) {
   return std::unexpected(Error{ErrorCode::bad_input, "curves: " + std::move(text)});
 }
 
-void put(json& out, Vec2 p) {
+void put_point(json& out, Vec2 p) {
   out.push_back(p.x);
   out.push_back(p.y);
 }
 
-json flat(const std::vector<Vec2>& points) {
+json flat_points(const std::vector<Vec2>& points) {
   json out = json::array();
-  for (const Vec2 p : points) put(out, p);
+  for (const Vec2 p : points) put_point(out, p);
   return out;
 }
 
-json to_json(const PlaneCurve& curve) {
-  json out = {{"closed", curve.is_closed()}, {"points", flat(curve.points())}};
+json curve_to_json(const PlaneCurve& curve) {
+  json out = {{"closed", curve.is_closed()}, {"points", flat_points(curve.points())}};
   if (!curve.name.empty()) out["name"] = curve.name;
   if (curve.is_polyline()) return out;
   std::string kinds;
@@ -41,7 +41,7 @@ json to_json(const PlaneCurve& curve) {
   out["kinds"] = std::move(kinds);
   json arcs = json::array();
   for (const EllipticArc& arc : curve.arcs()) {
-    for (const Vec2 p : {arc.center, arc.u, arc.v}) put(arcs, p);
+    for (const Vec2 p : {arc.center, arc.u, arc.v}) put_point(arcs, p);
     arcs.push_back(arc.start);
     arcs.push_back(arc.sweep);
   }
@@ -55,7 +55,7 @@ Expected<std::vector<Thing>> things_of(JsonView list, std::size_t each, std::str
   std::vector<Thing> out;
   if (!list) return out;
   if (!list.is_list() || list.size() % each != 0)
-    return bad("\"" + std::string(key) + "\" is not a list of as many numbers as there must be");
+    return bad_curves("\"" + std::string(key) + "\" is not a list of as many numbers as there must be");
   bool are_numbers = true;
   auto at = list.elements().begin();
   const auto next = [&]() -> double {
@@ -67,7 +67,7 @@ Expected<std::vector<Thing>> things_of(JsonView list, std::size_t each, std::str
   };
   out.reserve(list.size() / each);
   for (std::size_t i = list.size() / each; i > 0; --i) out.push_back(take(next));
-  if (!are_numbers) return bad("\"" + std::string(key) + "\" holds something that is not a number");
+  if (!are_numbers) return bad_curves("\"" + std::string(key) + "\" holds something that is not a number");
   return out;
 }
 
@@ -79,18 +79,18 @@ Expected<std::vector<Vec2>> points_of(JsonView list) {
 }
 
 Expected<PlaneCurve> curve_from(JsonView object) {
-  if (!object.is_object()) return bad("one is not an object");
+  if (!object.is_object()) return bad_curves("one is not an object");
   const auto [closed, points, name, letters, arcs] = object.pick<5>({"closed", "points", "name", "kinds", "arcs"});
-  if (!closed.is_flag()) return bad("one does not say whether it is closed");
+  if (!closed.is_flag()) return bad_curves("one does not say whether it is closed");
   auto places = points_of(points);
   if (!places) return std::unexpected(places.error());
-  if (places->empty()) return bad("one has no points");
+  if (places->empty()) return bad_curves("one has no points");
   std::vector<PieceKind> kinds;
   if (letters) {
-    if (!letters.is_text()) return bad("\"kinds\" is not a text");
+    if (!letters.is_text()) return bad_curves("\"kinds\" is not a text");
     for (const char letter : letters.text()) {
       const std::size_t kind = kLetters.find(letter);
-      if (kind == std::string_view::npos) return bad("\"kinds\" has a letter other than L, Q, C and A");
+      if (kind == std::string_view::npos) return bad_curves("\"kinds\" has a letter other than L, Q, C and A");
       kinds.push_back(static_cast<PieceKind>(kind));
     }
   } else {
@@ -106,11 +106,11 @@ Expected<PlaneCurve> curve_from(JsonView object) {
   if (!ellipses) return std::unexpected(ellipses.error());
   constexpr double kTurn = 2.0 * std::numbers::pi * (1.0 + 1e-9);
   if (std::ranges::any_of(*ellipses, [](const EllipticArc& arc) { return std::abs(arc.sweep) > kTurn; }))
-    return bad("an arc goes around more than once");
+    return bad_curves("an arc goes around more than once");
   auto out = PlaneCurve::of_parts(*std::move(places), std::move(kinds), *std::move(ellipses), closed.flag());
-  if (!out) return bad("the points of one do not fit its pieces");
+  if (!out) return bad_curves("the points of one do not fit its pieces");
   if (name) {
-    if (!name.is_text()) return bad("\"name\" is not a text");
+    if (!name.is_text()) return bad_curves("\"name\" is not a text");
     out->name = name.text();
   }
   return *std::move(out);
@@ -120,17 +120,17 @@ Expected<PlaneCurve> curve_from(JsonView object) {
 
 json to_json(const CurveSet& curves) {
   json list = json::array();
-  for (const PlaneCurve& curve : curves.curves) list.push_back(to_json(curve));
+  for (const PlaneCurve& curve : curves.curves) list.push_back(curve_to_json(curve));
   json out = {{"curves", std::move(list)}};
-  if (!curves.points.empty()) out["points"] = flat(curves.points);
+  if (!curves.points.empty()) out["points"] = flat_points(curves.points);
   if (curves.resolution > 0.0) out["resolution"] = curves.resolution;
   return out;
 }
 
 Expected<CurveSet> curves_from(JsonView object) {
-  if (!object.is_object()) return bad("not an object");
+  if (!object.is_object()) return bad_curves("not an object");
   const auto [curves, points, resolution] = object.pick<3>({"curves", "points", "resolution"});
-  if (curves && !curves.is_list()) return bad("\"curves\" is not a list");
+  if (curves && !curves.is_list()) return bad_curves("\"curves\" is not a list");
   CurveSet out;
   auto alone = points_of(points);
   if (!alone) return std::unexpected(alone.error());
@@ -161,7 +161,7 @@ json to_json(const SamplingRequest& request) {
 }
 
 Expected<SamplingRequest> sampling_from(JsonView object) {
-  if (!object.is_object()) return bad("\"sampling\" is not an object");
+  if (!object.is_object()) return bad_curves("\"sampling\" is not an object");
   const auto [rule, spacing, number, least_each, share, turn, epsilon, corner_angle, corner_radius, jitter, seed] =
       object.pick<11>({"rule", "spacing", "number", "least_each", "share", "turn", "epsilon", "corner_angle",
                        "corner_radius", "jitter", "seed"});
@@ -174,7 +174,7 @@ Expected<SamplingRequest> sampling_from(JsonView object) {
     if (value.is_number()) to = std::clamp(value.number(), low, high) + 0.0;
   };
   take(spacing, 0.0, 1e300, out.spacing);
-  if (out.rule == SamplingRule::spacing && out.spacing == 0.0) return bad("the spacing of samples is zero");
+  if (out.rule == SamplingRule::spacing && out.spacing == 0.0) return bad_curves("the spacing of samples is zero");
   take(share, 1e-3, 10.0, out.share);
   take(turn, kLeastTurn, kMostTurn, out.turn);
   take(epsilon, kLeastEpsilon, kMostEpsilon, out.epsilon);
@@ -187,7 +187,7 @@ Expected<SamplingRequest> sampling_from(JsonView object) {
   };
   count(number, 0, out.most, out.count);
   if (out.count == 0 && (out.rule == SamplingRule::count || out.rule >= SamplingRule::adaptive))
-    return bad("the number of samples is zero");
+    return bad_curves("the number of samples is zero");
   count(least_each, 0, out.most, out.least_each);
   count(seed, 0, ~std::uint64_t{0}, out.seed);
   return out;

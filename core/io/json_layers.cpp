@@ -17,10 +17,10 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t kLongestName = 200;
+constexpr std::size_t kLongestLayerWord = 200;
 constexpr std::size_t kLongestPath = 4096;
 
-json to_json(const LayerStyle& style) {
+json style_to_json(const LayerStyle& style) {
   json out = {{"color", hexadecimal(style.color)}, {"opacity", style.opacity}, {"point_size", style.point_size_px},
               {"line_width", style.line_width_px}, {"dashed", style.dashed},   {"flat", style.flat}};
   if (!style.color_map.empty()) out["color_map"] = style.color_map;
@@ -33,9 +33,9 @@ json to_json(const LayerStyle& style) {
 constexpr double kAny = std::numeric_limits<double>::max();
 
 /// Reads one object; the first thing of the wrong kind is the fault.
-class Reader {
+class LayerReader {
  public:
-  Reader(JsonView object, std::string where, std::string& fault)
+  LayerReader(JsonView object, std::string where, std::string& fault)
       : object_(object), where_(std::move(where)), fault_(fault) {
     if (!object.is_object()) complain("not an object");
   }
@@ -87,7 +87,7 @@ class Reader {
   }
   void color(const char* key, Rgb& out) {
     std::string word = hexadecimal(out);
-    text(key, kLongestName, word);
+    text(key, kLongestLayerWord, word);
     if (const auto color = color_from(word))
       out = *color;
     else
@@ -104,14 +104,14 @@ class Reader {
 };
 
 LayerStyle style_from(JsonView object, LayerStyle out, const std::string& where, std::string& fault) {
-  Reader reader(object, where, fault);
+  LayerReader reader(object, where, fault);
   reader.color("color", out.color);
   reader.number("opacity", 0.0, 1.0, out.opacity);
   reader.number("point_size", 0.5, 64.0, out.point_size_px);
   reader.number("line_width", 0.1, 64.0, out.line_width_px);
   reader.flag("dashed", out.dashed);
   reader.flag("flat", out.flat);
-  reader.text("color_map", kLongestName, out.color_map);
+  reader.text("color_map", kLongestLayerWord, out.color_map);
   reader.flag("range_locked", out.range_locked);
   reader.flag("thin_when_dense", out.thin_when_dense);
   reader.numbers("range", out.range_low, out.range_high);
@@ -124,7 +124,7 @@ LayerStyle style_from(JsonView object, LayerStyle out, const std::string& where,
 json to_json(const LayerConfiguration& configuration) {
   json layers = json::array();
   for (const LayerConfiguration::Entry& entry : configuration.layers)
-    layers.push_back({{"layer", entry.layer}, {"visible", entry.visible}, {"style", to_json(entry.style)}});
+    layers.push_back({{"layer", entry.layer}, {"visible", entry.visible}, {"style", style_to_json(entry.style)}});
   json out = {{"layers", std::move(layers)}};
   if (const BackgroundImage& image = configuration.image; image != BackgroundImage{})
     out["image"] = {{"file", image.file},
@@ -137,7 +137,7 @@ json to_json(const LayerConfiguration& configuration) {
 Expected<LayerConfiguration> layer_configuration_from(JsonView value, const LayerStyleSource& style_of) {
   LayerConfiguration out;
   std::string fault;
-  Reader reader(value, "the layers", fault);
+  LayerReader reader(value, "the layers", fault);
   const JsonView layers = reader.find("layers");
   if (layers && !layers.is_list()) reader.complain("\"layers\" is not a list");
   std::size_t number = 0;
@@ -145,8 +145,8 @@ Expected<LayerConfiguration> layer_configuration_from(JsonView value, const Laye
     if (number == kMostLayers) reader.complain(fmt::format("more than {}", kMostLayers));
     if (!fault.empty()) break;
     LayerConfiguration::Entry entry;
-    Reader part(object, fmt::format("layer {}", ++number), fault);
-    part.text("layer", kLongestName, entry.layer);
+    LayerReader part(object, fmt::format("layer {}", ++number), fault);
+    part.text("layer", kLongestLayerWord, entry.layer);
     part.flag("visible", entry.visible);
     entry.style = style_of(entry.layer);
     if (const JsonView style = part.find("style"))
@@ -154,7 +154,7 @@ Expected<LayerConfiguration> layer_configuration_from(JsonView value, const Laye
     if (!entry.layer.empty()) out.layers.push_back(std::move(entry));
   }
   if (const JsonView image = reader.find("image")) {
-    Reader part(image, "the traced picture", fault);
+    LayerReader part(image, "the traced picture", fault);
     part.text("file", kLongestPath, out.image.file);
     part.numbers("center", out.image.center.x, out.image.center.y);
     part.number("width", 0.0, kAny, out.image.width);

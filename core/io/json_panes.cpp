@@ -20,7 +20,7 @@ using nlohmann::json;
 
 // In the order of `FamilyKind`.
 constexpr std::array<std::string_view, 3> kFamilies{"inner", "polar", "own"};
-constexpr std::size_t kLongestName = 1000;
+constexpr std::size_t kLongestPaneWord = 1000;
 
 json pane_to_json(Precision precision) {
   return {{"precision", id_of(precision)}};
@@ -84,10 +84,10 @@ class PaneReader {
   [[noreturn]] void fail(const std::string& text, JsonView at) const { throw PaneFault{where_ + ": " + text, at}; }
   std::string text_of(JsonView value, const char* key) const {
     // A letter takes six bytes at most where it is escaped.
-    if (!value.is_text() || value.text_length() > 6 * kLongestName)
+    if (!value.is_text() || value.text_length() > 6 * kLongestPaneWord)
       fail(fmt::format("\"{}\" is not a short text", key), value);
     std::string out = value.text();
-    if (out.size() > kLongestName) fail(fmt::format("\"{}\" is not a short text", key), value);
+    if (out.size() > kLongestPaneWord) fail(fmt::format("\"{}\" is not a short text", key), value);
     return out;
   }
 

@@ -13,7 +13,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr int kDeepest = 64;
+constexpr int kDeepestJson = 64;
 
 // Where it gets too deep, or the end. Looked for beforehand: a parser that asks at each value looks at all brothers
 // of a value each time, which takes hours for a long list.
@@ -32,7 +32,7 @@ std::size_t too_deep(std::string_view text, const ReadJob* job) {
     } else if (c == '"') {
       in_string = true;
     } else if (c == '[' || c == '{') {
-      if (++depth > kDeepest) return i;
+      if (++depth > kDeepestJson) return i;
     } else if (c == ']' || c == '}') {
       --depth;
     }

@@ -132,12 +132,12 @@ class KmlReader {
   std::optional<std::size_t> first_height_;
 };
 
-Match match(std::string_view bytes) {
+Match match_kml(std::string_view bytes) {
   return xml_root_name(bytes) == "kml" ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDegrees degrees,
-                          const std::filesystem::path*, ReadJob& job) {
+Expected<LoadedFile> read_kml(std::string_view bytes, const std::string& name, MapDegrees degrees,
+                              const std::filesystem::path*, ReadJob& job) {
   return KmlReader(without_bom(bytes), name, degrees, job).read();
 }
 
@@ -145,8 +145,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDe
 
 Format kml_format() {
   return {.descriptor = {.id = "kml", .name = "KML", .extensions = {".kml"}, .can_read = true, .is_map = true},
-          .match = match,
-          .read_map = read,
+          .match = match_kml,
+          .read_map = read_kml,
           .may_look_foreign = true};
 }
 

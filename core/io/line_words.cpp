@@ -5,14 +5,11 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/io/ascii_text.h"
 #include "core/io/line_end.h"
 
 namespace mes {
 namespace {
-
-constexpr bool is_blank(char c) {
-  return c == ' ' || (c >= '\t' && c <= '\r');
-}
 
 void append_words(std::string_view text, std::vector<std::string_view>& out) {
   const char* at = text.data();

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 
+#include "core/io/ascii_text.h"
 #include "core/io/format_registry.h"
 #include "core/io/line_words.h"
 #include "core/io/vertex_graph.h"
@@ -12,11 +13,6 @@
 
 namespace mes {
 namespace {
-
-template <std::size_t N>
-bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::ranges::find(words, word) != words.end();
-}
 
 // What says nothing about places, so that nothing is lost without it.
 constexpr std::array<std::string_view, 18> kSilent{
@@ -118,7 +114,7 @@ class ObjReader {
 };
 
 /// Words of OBJ only, with a vertex among the first lines.
-Match match(std::string_view bytes) {
+Match match_obj(std::string_view bytes) {
   static const std::string kNoName;
   constexpr std::size_t kLookedAt = std::size_t{1} << 16U;
   LineWords lines(bytes.substr(0, kLookedAt), kNoName, nullptr, LineWords::Lines::continued);
@@ -129,7 +125,7 @@ Match match(std::string_view bytes) {
   return Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+Expected<LoadedFile> read_obj(std::string_view bytes, const std::string& name, ReadJob& job) {
   return ObjReader(bytes, name, job).read();
 }
 
@@ -137,8 +133,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJ
 
 Format obj_format() {
   return {.descriptor = {.id = "obj", .name = "OBJ, from above", .extensions = {".obj"}, .can_read = true},
-          .match = match,
-          .read = read};
+          .match = match_obj,
+          .read = read_obj};
 }
 
 }  // namespace mes

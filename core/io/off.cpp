@@ -19,7 +19,7 @@ bool is_magic(std::string_view word) {
   return word == "OFF";
 }
 
-Match match(std::string_view bytes) {
+Match match_off(std::string_view bytes) {
   static const std::string kNoName;
   constexpr std::size_t kLookedAt = std::size_t{1} << 12U;
   LineWords lines(bytes.substr(0, kLookedAt), kNoName);
@@ -113,7 +113,7 @@ class OffMeshReader {
   std::uint64_t faces_ = 0;
 };
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+Expected<LoadedFile> read_off(std::string_view bytes, const std::string& name, ReadJob& job) {
   return OffMeshReader(bytes, name, job).read();
 }
 
@@ -121,8 +121,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJ
 
 Format off_format() {
   return {.descriptor = {.id = "off", .name = "OFF, from above", .extensions = {".off"}, .can_read = true},
-          .match = match,
-          .read = read};
+          .match = match_off,
+          .read = read_off};
 }
 
 }  // namespace mes

@@ -14,7 +14,7 @@
 namespace mes {
 namespace {
 
-Match match(std::string_view bytes) {
+Match match_picture(std::string_view bytes) {
   return looks_like_picture(bytes) ? Match::surely : Match::no;
 }
 
@@ -35,7 +35,7 @@ Expected<LoadedFile> read_traced(std::string_view bytes, const std::string& name
   return file;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+Expected<LoadedFile> read_picture(std::string_view bytes, const std::string& name, ReadJob& job) {
   return read_traced(bytes, name, {}, job);
 }
 
@@ -46,8 +46,8 @@ Format picture_format() {
                          .name = "Silhouette or photograph: PNG, JPEG, BMP, PGM",
                          .extensions = {std::begin(kPictureExtensions), std::end(kPictureExtensions)},
                          .can_read = true},
-          .match = match,
-          .read = read,
+          .match = match_picture,
+          .read = read_picture,
           .read_traced = read_traced,
           .may_look_foreign = true};
 }

@@ -17,34 +17,34 @@
 namespace mes {
 namespace {
 
-enum class Type : std::uint8_t { i8, u8, i16, u16, i32, u32, f32, f64 };
+enum class PlyType : std::uint8_t { i8, u8, i16, u16, i32, u32, f32, f64 };
 
-std::optional<Type> type_named(std::string_view word) {
-  using Entry = std::pair<std::string_view, Type>;
-  constexpr std::array<Entry, 16> kTypes{{{"char", Type::i8},
-                                          {"int8", Type::i8},
-                                          {"uchar", Type::u8},
-                                          {"uint8", Type::u8},
-                                          {"short", Type::i16},
-                                          {"int16", Type::i16},
-                                          {"ushort", Type::u16},
-                                          {"uint16", Type::u16},
-                                          {"int", Type::i32},
-                                          {"int32", Type::i32},
-                                          {"uint", Type::u32},
-                                          {"uint32", Type::u32},
-                                          {"float", Type::f32},
-                                          {"float32", Type::f32},
-                                          {"double", Type::f64},
-                                          {"float64", Type::f64}}};
+std::optional<PlyType> ply_type_named(std::string_view word) {
+  using Entry = std::pair<std::string_view, PlyType>;
+  constexpr std::array<Entry, 16> kTypes{{{"char", PlyType::i8},
+                                          {"int8", PlyType::i8},
+                                          {"uchar", PlyType::u8},
+                                          {"uint8", PlyType::u8},
+                                          {"short", PlyType::i16},
+                                          {"int16", PlyType::i16},
+                                          {"ushort", PlyType::u16},
+                                          {"uint16", PlyType::u16},
+                                          {"int", PlyType::i32},
+                                          {"int32", PlyType::i32},
+                                          {"uint", PlyType::u32},
+                                          {"uint32", PlyType::u32},
+                                          {"float", PlyType::f32},
+                                          {"float32", PlyType::f32},
+                                          {"double", PlyType::f64},
+                                          {"float64", PlyType::f64}}};
   const auto found = std::ranges::find(kTypes, word, &Entry::first);
   return found == kTypes.end() ? std::nullopt : std::optional(found->second);
 }
 
 struct Property {
   std::string name;
-  Type type = Type::f32;
-  std::optional<Type> count_type{};  // of a list
+  PlyType type = PlyType::f32;
+  std::optional<PlyType> count_type{};  // of a list
 };
 
 struct Element {
@@ -61,7 +61,7 @@ struct Element {
 
 enum class Encoding : std::uint8_t { text, little, big };
 
-struct Header {
+struct PlyHeader {
   Encoding encoding = Encoding::text;
   std::vector<Element> elements{};
 };
@@ -75,12 +75,12 @@ Expected<Property> read_property(const LineWords& lines) {
   Property out;
   std::size_t at = 1;
   if (lines.word(at) == "list") {
-    out.count_type = type_named(lines.word(2));
-    if (!out.count_type || *out.count_type == Type::f32 || *out.count_type == Type::f64)
+    out.count_type = ply_type_named(lines.word(2));
+    if (!out.count_type || *out.count_type == PlyType::f32 || *out.count_type == PlyType::f64)
       return expected_word(lines, 2, "a type of whole numbers");
     at = 3;
   }
-  const auto type = type_named(lines.word(at));
+  const auto type = ply_type_named(lines.word(at));
   if (!type) return expected_word(lines, at, "a type such as float");
   if (lines.count() <= at + 1) return expected_word(lines, at + 1, "the name of a property");
   out.type = *type;
@@ -89,8 +89,8 @@ Expected<Property> read_property(const LineWords& lines) {
 }
 
 /// Leaves the lines at "end_header".
-Expected<Header> read_header(LineWords& lines) {
-  Header out;
+Expected<PlyHeader> read_header(LineWords& lines) {
+  PlyHeader out;
   if (!lines.next() || lines.word(0) != "ply") return expected_word(lines, 0, "ply");
   const auto is_remark = [&] { return lines.word(0) == "comment" || lines.word(0) == "obj_info"; };
   bool has_more = lines.next();
@@ -141,7 +141,7 @@ class Values {
   }
 
   /// Nothing is refused but what is no number, or missing.
-  Expected<double> next(Type type) {
+  Expected<double> next(PlyType type) {
     if (encoding_ == Encoding::text) return next_word();
     constexpr std::array<std::size_t, 8> kSizes{1, 1, 2, 2, 4, 4, 4, 8};
     const std::size_t size = kSizes[static_cast<std::size_t>(type)];
@@ -149,14 +149,14 @@ class Values {
     const std::string_view value = bytes_.substr(0, size);
     bytes_.remove_prefix(size);
     switch (type) {
-      case Type::i8: return static_cast<double>(static_cast<std::int8_t>(value[0]));
-      case Type::u8: return static_cast<double>(static_cast<std::uint8_t>(value[0]));
-      case Type::i16: return static_cast<double>(static_cast<std::int16_t>(bits<std::uint16_t>(value)));
-      case Type::u16: return static_cast<double>(bits<std::uint16_t>(value));
-      case Type::i32: return static_cast<double>(static_cast<std::int32_t>(bits<std::uint32_t>(value)));
-      case Type::u32: return static_cast<double>(bits<std::uint32_t>(value));
-      case Type::f32: return static_cast<double>(std::bit_cast<float>(bits<std::uint32_t>(value)));
-      case Type::f64: return std::bit_cast<double>(bits<std::uint64_t>(value));
+      case PlyType::i8: return static_cast<double>(static_cast<std::int8_t>(value[0]));
+      case PlyType::u8: return static_cast<double>(static_cast<std::uint8_t>(value[0]));
+      case PlyType::i16: return static_cast<double>(static_cast<std::int16_t>(bits<std::uint16_t>(value)));
+      case PlyType::u16: return static_cast<double>(bits<std::uint16_t>(value));
+      case PlyType::i32: return static_cast<double>(static_cast<std::int32_t>(bits<std::uint32_t>(value)));
+      case PlyType::u32: return static_cast<double>(bits<std::uint32_t>(value));
+      case PlyType::f32: return static_cast<double>(std::bit_cast<float>(bits<std::uint32_t>(value)));
+      case PlyType::f64: return std::bit_cast<double>(bits<std::uint64_t>(value));
     }
     return 0.0;
   }
@@ -383,12 +383,12 @@ class PlyReader {
   std::vector<std::string> remarks_;
 };
 
-Match match(std::string_view bytes) {
+Match match_ply(std::string_view bytes) {
   const bool is_ply = bytes.starts_with("ply\n") || bytes.starts_with("ply\r");
   return is_ply ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+Expected<LoadedFile> read_ply(std::string_view bytes, const std::string& name, ReadJob& job) {
   return PlyReader(bytes, name, job).read();
 }
 
@@ -396,8 +396,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJ
 
 Format ply_format() {
   return {.descriptor = {.id = "ply", .name = "PLY, from above", .extensions = {".ply"}, .can_read = true},
-          .match = match,
-          .read = read,
+          .match = match_ply,
+          .read = read_ply,
           .may_look_foreign = true};
 }
 

@@ -24,12 +24,12 @@
 namespace mes {
 namespace {
 
-std::string_view what_else(std::size_t columns) {
+std::string_view other_than_points(std::size_t columns) {
   return columns == 3 ? "balls (WPOFF) or points in space" : "";
 }
 
-constexpr OffKind kPoints{
-    .magic = "POFF", .things = "points", .numbers = "coordinates", .numbers_each = 2, .guess = what_else};
+constexpr OffKind kPoffPoints{
+    .magic = "POFF", .things = "points", .numbers = "coordinates", .numbers_each = 2, .guess = other_than_points};
 
 /// Takes words off the front of a text.
 std::string_view take_word(std::string_view& text) {
@@ -105,12 +105,12 @@ Expected<std::optional<SampleData::Contour>> read_loop(const PoffScanner::Note& 
 }
 
 Match match_poff(std::string_view bytes) {
-  return has_off_magic(bytes, kPoints) ? Match::surely : Match::no;
+  return has_off_magic(bytes, kPoffPoints) ? Match::surely : Match::no;
 }
 
 Expected<LoadedFile> read_poff(std::string_view bytes, const std::string& name, ReadJob& job) {
   PoffScanner scanner(bytes);
-  OffReader reader(kPoints, scanner, bytes, name, job);
+  OffReader reader(kPoffPoints, scanner, bytes, name, job);
   const auto count = reader.read_header();
   if (!count) return std::unexpected(count.error());
 

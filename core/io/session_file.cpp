@@ -8,11 +8,11 @@
 namespace mes {
 namespace {
 
-Match match(std::string_view bytes) {
+Match match_session_file(std::string_view bytes) {
   return looks_like_session(bytes) ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+Expected<LoadedFile> read_session_file(std::string_view bytes, const std::string& name, ReadJob& job) {
   auto session = read_session(bytes, name, job.control(), job.done());
   if (!session) return std::unexpected(session.error());
   job.checkpoint();
@@ -33,8 +33,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJ
 Format session_file_format() {
   return {
       {.id = "session", .name = "Mesecina session", .extensions = {".json"}, .can_read = true, .can_write = false},
-      match,
-      read};
+      match_session_file,
+      read_session_file};
 }
 
 }  // namespace mes

@@ -347,19 +347,19 @@ Session session_from(JsonView object, Timelines where) {
   return out;
 }
 
-std::unexpected<Error> bad(const std::string& file, std::string text, std::uint64_t line = 0) {
+std::unexpected<Error> bad_session(const std::string& file, std::string text, std::uint64_t line = 0) {
   return std::unexpected(Error{ErrorCode::bad_input, std::move(text), file, line, 0});
 }
 
-Expected<Session> read(std::string_view text, Timelines where, const std::string& file, JobControl* control,
-                       double done) {
+Expected<Session> parsed_session(std::string_view text, Timelines where, const std::string& file, JobControl* control,
+                                 double done) {
   ReadJob job(control, done);
   job.begin(text);
   if (auto good = check_json(text, file, &job); !good) return std::unexpected(std::move(good.error()));
   try {
     return session_from(JsonView::whole(text), where);
   } catch (const Nonsense& nonsense) {
-    if (!nonsense.at) return bad(file, nonsense.text);
+    if (!nonsense.at) return bad_session(file, nonsense.text);
     return bad_json(text, nonsense.at.offset_in(text), nonsense.text, file);
   }
 }
@@ -367,7 +367,7 @@ Expected<Session> read(std::string_view text, Timelines where, const std::string
 }  // namespace
 
 Expected<Session> read_session(std::string_view text, const std::string& file, JobControl* job, double done) {
-  return read(text, Timelines::within, file, job, done);
+  return parsed_session(text, Timelines::within, file, job, done);
 }
 
 bool looks_like_session(std::string_view text) {
@@ -384,11 +384,11 @@ bool looks_like_session(std::string_view text) {
 Expected<void> replay_session(const Session& session, DocumentReplay& replay, const std::string& file,
                               JobControl* job) {
   if (job != nullptr) job->checkpoint();
-  if (auto begun = replay.begin(*session.data); !begun) return bad(file, begun.error().text);
+  if (auto begun = replay.begin(*session.data); !begun) return bad_session(file, begun.error().text);
   for (std::size_t i = 0; i < session.entries.size(); ++i) {
     if (job != nullptr) job->checkpoint(i, session.entries.size());
     if (const auto done = replay.apply(session.entries[i]); !done)
-      return bad(file, entry_name(i) + ": " + done.error().text);
+      return bad_session(file, entry_name(i) + ": " + done.error().text);
   }
   replay.finish();
   return {};
@@ -409,11 +409,11 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file,
     const std::string_view this_line = text.substr(0, end);
     text.remove_prefix(end + 1);
     if (is_first) {
-      auto session = read(this_line, Timelines::following, file, job, 0.0);
+      auto session = parsed_session(this_line, Timelines::following, file, job, 0.0);
       if (!session) return std::unexpected(session.error());
       out.session = std::move(*session);
       has_unsaved_lesson = !out.session.lesson.steps.empty();
-      if (auto begun = replay.begin(*out.session.data); !begun) return bad(file, begun.error().text, line);
+      if (auto begun = replay.begin(*out.session.data); !begun) return bad_session(file, begun.error().text, line);
       is_first = false;
       continue;
     }
@@ -441,7 +441,7 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file,
       break;
     }
   }
-  if (is_first) return bad(file, "the first line is missing");
+  if (is_first) return bad_session(file, "the first line is missing");
   if (has_unsaved_lesson && out.unsaved_edits == 0) out.unsaved_edits = 1;
   LayerFold layers_now(std::move(out.session.layers));
   for (const TimelineEntry& entry : out.session.entries) {

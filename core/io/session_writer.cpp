@@ -213,7 +213,7 @@ std::string head_text(const Session& session, std::uint64_t schema) {
   return fmt::format("{}{},", kHeadBegin, schema) + text_of(head_of(session)).substr(1);
 }
 
-std::uint64_t schema_of(const TimelineEntry& entry) {
+std::uint64_t entry_schema(const TimelineEntry& entry) {
   const auto* const edit = std::get_if<TimelineEdit>(&entry);
   return edit != nullptr && edit->annotations ? schema_of(*edit->annotations) : 1;
 }
@@ -229,7 +229,7 @@ std::string write_session(const Session& session) {
   out += ",\n\"timeline\":[";
   for (std::size_t i = 0; i < session.entries.size(); ++i) {
     const TimelineEntry entry = session.entries[i];
-    schema = std::max(schema, schema_of(entry));
+    schema = std::max(schema, entry_schema(entry));
     out += i == 0 ? "\n" : ",\n";
     out += text_of(to_json(entry));
   }

@@ -21,7 +21,7 @@
 namespace mes {
 namespace {
 
-constexpr std::size_t kHeader = 100;
+constexpr std::size_t kFileHeader = 100;
 constexpr std::size_t kRecordHeader = 8;
 constexpr std::uint32_t kCode = 9994;
 constexpr std::uint32_t kVersion = 1000;
@@ -40,7 +40,7 @@ std::uint32_t big(std::string_view bytes, std::size_t at) {
 }
 
 /// One that is cut within its header, too.
-Match match(std::string_view bytes) {
+Match match_shapefile(std::string_view bytes) {
   constexpr std::size_t kVersionPlace = 28;
   const bool has_code = bytes.size() >= 4 && big(bytes, 0) == kCode;
   const bool is_shape_file =
@@ -58,10 +58,10 @@ class ShapeFileReader {
 
   /// `unit` is what is known of the numbers.
   Expected<LoadedFile> read(std::optional<MapShapes::Unit> unit, MapDegrees degrees) {
-    if (bytes_.size() < kHeader)
+    if (bytes_.size() < kFileHeader)
       return fail(fmt::format("the file ends at byte {}, within its header", bytes_.size()));
-    if (match(bytes_) == Match::no) return fail("at byte 0: this is not the header of a shapefile");
-    for (at_ = kHeader; at_ < bytes_.size(); ++record_) {
+    if (match_shapefile(bytes_) == Match::no) return fail("at byte 0: this is not the header of a shapefile");
+    for (at_ = kFileHeader; at_ < bytes_.size(); ++record_) {
       if (auto done = read_record(); !done) return std::unexpected(done.error());
       pass_over_padding();
     }
@@ -226,8 +226,8 @@ MapShapes::Unit unit_of(std::string_view system) {
   return is_geographic && text.contains("degree") ? MapShapes::Unit::degrees : MapShapes::Unit::plane;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDegrees degrees,
-                          const std::filesystem::path* path, ReadJob& job) {
+Expected<LoadedFile> read_shapefile(std::string_view bytes, const std::string& name, MapDegrees degrees,
+                                    const std::filesystem::path* path, ReadJob& job) {
   if (path == nullptr) return ShapeFileReader(bytes, name, job).read(std::nullopt, degrees);
   std::optional<MapShapes::Unit> unit;
   std::optional<SourceFile> source;
@@ -251,8 +251,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDe
 Format shapefile_format() {
   return {.descriptor =
               {.id = "shapefile", .name = "Shapefile", .extensions = {".shp"}, .can_read = true, .is_map = true},
-          .match = match,
-          .read_map = read,
+          .match = match_shapefile,
+          .read_map = read_shapefile,
           .may_look_foreign = true};
 }
 

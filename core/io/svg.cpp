@@ -11,7 +11,7 @@
 namespace mes {
 namespace {
 
-Match match(std::string_view bytes) {
+Match match_svg(std::string_view bytes) {
   return looks_like_svg(bytes) ? Match::surely : Match::no;
 }
 
@@ -25,7 +25,7 @@ std::string with_reasons(std::string text, const std::vector<std::string>& warni
   return text;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+Expected<LoadedFile> read_svg(std::string_view bytes, const std::string& name, ReadJob& job) {
   auto drawing = read_svg_drawing(bytes, name, job);
   if (!drawing) return std::unexpected(drawing.error());
   if (drawing->curves.curves.empty())
@@ -40,8 +40,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJ
 
 Format svg_format() {
   return {.descriptor = {.id = "svg", .name = "SVG drawing", .extensions = {".svg"}, .can_read = true},
-          .match = match,
-          .read = read,
+          .match = match_svg,
+          .read = read_svg,
           .may_look_foreign = true};
 }
 

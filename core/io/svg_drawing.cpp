@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/lower_case.h"
+#include "core/io/ascii_text.h"
 #include "core/io/css_text.h"
 #include "core/io/svg_clip_paths.h"
 #include "core/io/svg_context.h"
@@ -26,16 +27,11 @@ namespace {
 
 constexpr std::size_t kMostElements = 1'000'000;
 constexpr std::size_t kMostClipElements = 100'000;  // a clip path takes longer than a shape
-constexpr std::size_t kMostPieces = 4'000'000;      // or as many as the file has bytes
-constexpr std::size_t kDeepest = 200;
+constexpr std::size_t kMostSvgPieces = 4'000'000;   // or as many as the file has bytes
+constexpr std::size_t kDeepestElement = 200;
 
 using pugi::xml_node;
 using P = SvgProperty;
-
-template <std::size_t N>
-bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::ranges::find(words, word) != words.end();
-}
 
 std::string_view prefix_of(std::string_view name) {
   const std::size_t colon = name.find(':');
@@ -89,7 +85,7 @@ class DrawingReader {
   DrawingReader(std::string_view bytes, const std::string& name, ReadJob& job)
       : source_(bytes, name),
         job_(job),
-        most_pieces_(std::max(kMostPieces, bytes.size())),
+        most_pieces_(std::max(kMostSvgPieces, bytes.size())),
         elements_(source_),
         queue_(source_, job, most_pieces_) {}
 
@@ -308,7 +304,7 @@ class DrawingReader {
     if (prefix_of(node.name()) != prefix_) return {};  // of another vocabulary
     ++elements_read_;
     if (auto good = check_bounds(node); !good) return good;
-    if (path_.size() > kDeepest) return refuse(place_of(node), "elements are nested too deeply");
+    if (path_.size() > kDeepestElement) return refuse(place_of(node), "elements are nested too deeply");
     const std::string_view kind = local_name(node.name());
     if (!is_drawn(kind)) return {};
     if (!is_chosen(node)) return {};
@@ -375,7 +371,7 @@ class DrawingReader {
                                size(P::height, SvgAxis::y, context.viewport.height)};
     ++elements_read_;
     if (auto good = check_bounds(target); !good) return good;
-    if (path_.size() > kDeepest) return refuse(place_of(target), "elements are nested too deeply");
+    if (path_.size() > kDeepestElement) return refuse(place_of(target), "elements are nested too deeply");
     auto inner = context_of(target, kind, style, context);
     if (!inner) return {};
     inner->map = inner->map * shift_of(target, style, *inner);

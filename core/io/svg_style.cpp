@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/lower_case.h"
+#include "core/io/ascii_text.h"
 #include "core/io/css_text.h"
 #include "core/io/svg_values.h"
 
@@ -51,11 +52,6 @@ static_assert(std::ranges::is_sorted(kProperties, {}, &Named::first));
 std::optional<SvgProperty> property_named(std::string_view name) {
   const auto found = std::ranges::lower_bound(kProperties, name, {}, &Named::first);
   return found != kProperties.end() && found->first == name ? std::optional(found->second) : std::nullopt;
-}
-
-template <std::size_t N>
-bool is_one_of(std::string_view word, const std::array<std::string_view, N>& words) {
-  return std::ranges::find(words, word) != words.end();
 }
 
 constexpr std::array<std::string_view, 5> kWide{"inherit", "initial", "unset", "revert", "revert-layer"};

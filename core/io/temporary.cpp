@@ -69,10 +69,6 @@ std::string part_name() {
   return fmt::format("{}{:0{}x}{}", kPartBegin, number, kPartDigits, kPartEnd);
 }
 
-fs::path folder_of(const fs::path& path) {
-  return path.has_parent_path() ? path.parent_path() : fs::path(".");
-}
-
 std::vector<std::string> names_in(DIR* folder) {
   std::vector<std::string> out;
   while (const dirent* entry = ::readdir(folder)) {
@@ -137,7 +133,7 @@ void look_once_for_abandoned_parts(const fs::path& folder) {
 }  // namespace
 
 std::expected<PartFile, int> PartFile::create_beside(const fs::path& target) {
-  const fs::path folder = folder_of(target);
+  const fs::path folder = folder_with(target);
   look_once_for_abandoned_parts(folder);
   const std::lock_guard lock(owned().mutex);
   if (owned().is_closed) return std::unexpected(ECANCELED);

@@ -19,6 +19,11 @@
 
 namespace mes {
 
+/// The folder that the file lies in; "." for a mere name.
+inline std::filesystem::path folder_with(const std::filesystem::path& file) {
+  return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
 /// A file beside the one it will become. The first one in a folder removes what killed processes left there.
 class PartFile {
  public:

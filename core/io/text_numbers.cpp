@@ -9,16 +9,13 @@
 #include <system_error>
 #include <utility>
 
+#include "core/io/ascii_text.h"
 #include "core/io/short_decimal.h"
 
 namespace mes {
 namespace {
 
 constexpr std::size_t kQuotedLength = 40;
-
-bool is_digit(char c) {
-  return c >= '0' && c <= '9';
-}
 
 // Whether an out-of-range number is too near zero rather than too large: the position of its first digit that is not
 // zero, plus its exponent. Exponents saturate, so that their own size does not matter.

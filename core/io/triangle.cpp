@@ -20,7 +20,7 @@ std::unexpected<Error> ends_early(const LineWords& lines, std::uint64_t read, st
   return lines.refuse(lines.count(), fmt::format("the file ends after {} of {} {}", read, announced, things));
 }
 
-struct Header {
+struct TriangleHeader {
   std::uint64_t vertices = 0;
   std::uint64_t attributes = 0;
 };
@@ -50,7 +50,7 @@ class TriangleReader {
   }
 
  private:
-  static Expected<Header> read_header(LineWords& lines) {
+  static Expected<TriangleHeader> read_header(LineWords& lines) {
     lines.next();
     const auto vertices = lines.whole(0, "the number of vertices");
     if (!vertices) return std::unexpected(vertices.error());
@@ -58,7 +58,7 @@ class TriangleReader {
     const auto dimension = lines.whole(1, "the dimension, 2");
     if (!dimension) return std::unexpected(dimension.error());
     if (*dimension != 2) return lines.refuse(1, fmt::format("expected the dimension 2, found {}", *dimension));
-    Header out{.vertices = *vertices};
+    TriangleHeader out{.vertices = *vertices};
     if (lines.count() > 2) {
       const auto attributes = lines.whole(2, "the number of attributes");
       if (!attributes) return std::unexpected(attributes.error());
@@ -67,7 +67,7 @@ class TriangleReader {
     return out;
   }
 
-  Expected<void> read_vertices(LineWords& lines, const Header& header) {
+  Expected<void> read_vertices(LineWords& lines, const TriangleHeader& header) {
     if (header.attributes != 0) remarks_.push_back(lines.remark(2, "attributes of vertices are left out"));
     for (std::uint64_t i = 0; i < header.vertices; ++i) {
       if (!lines.next()) return ends_early(lines, i, header.vertices, "vertices");
@@ -154,7 +154,7 @@ class TriangleReader {
 };
 
 /// "n 2 a m", and the first two vertices with as many numbers as that says.
-Match match(std::string_view bytes) {
+Match match_triangle(std::string_view bytes) {
   static const std::string kNoName;
   constexpr std::size_t kLookedAt = std::size_t{1} << 16U;
   LineWords lines(bytes.substr(0, kLookedAt), kNoName);
@@ -175,7 +175,7 @@ Match match(std::string_view bytes) {
   return Match::surely;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, ReadJob& job) {
+Expected<LoadedFile> read_triangle(std::string_view bytes, const std::string& name, ReadJob& job) {
   return TriangleReader(bytes, name, job).read(nullptr);
 }
 
@@ -193,8 +193,8 @@ Format triangle_format() {
                          .name = "Vertices and segments of Triangle",
                          .extensions = {".node", ".poly"},
                          .can_read = true},
-          .match = match,
-          .read = read,
+          .match = match_triangle,
+          .read = read_triangle,
           .read_beside = read_beside};
 }
 

@@ -18,10 +18,10 @@
 namespace mes {
 namespace {
 
-constexpr int kDeepest = 64;
-constexpr std::size_t kHeader = 5;  // the order of bytes and the type
+constexpr int kDeepestWkb = 64;
+constexpr std::size_t kGeometryHeader = 5;  // the order of bytes and the type
 
-enum class Type : std::uint32_t {
+enum class WkbType : std::uint32_t {
   point = 1,
   line = 2,
   polygon = 3,
@@ -40,17 +40,17 @@ enum class Type : std::uint32_t {
 };
 
 /// What the bytes of a type say.
-struct Kind {
-  Type type = Type::point;
+struct WkbKind {
+  WkbType type = WkbType::point;
   std::size_t numbers = 2;  ///< of a position
   bool has_system = false;
 };
 
-std::optional<Kind> kind_of(std::uint32_t code) {
+std::optional<WkbKind> kind_of(std::uint32_t code) {
   constexpr std::uint32_t kHeights = 0x80000000;
   constexpr std::uint32_t kMeasures = 0x40000000;
   constexpr std::uint32_t kSystem = 0x20000000;
-  Kind out{.has_system = (code & kSystem) != 0};
+  WkbKind out{.has_system = (code & kSystem) != 0};
   if ((code & kHeights) != 0) ++out.numbers;
   if ((code & kMeasures) != 0) ++out.numbers;
   const std::uint32_t number = code & ~(kHeights | kMeasures | kSystem);
@@ -59,10 +59,10 @@ std::optional<Kind> kind_of(std::uint32_t code) {
   constexpr std::array<std::size_t, 4> kMore{0, 1, 1, 2};
   const std::uint32_t type = number % kThousand;
   constexpr std::uint32_t kNoTypes[]{0, 13, 14};  // abstract ones
-  if (number / kThousand > kBoth || type > static_cast<std::uint32_t>(Type::triangle) ||
+  if (number / kThousand > kBoth || type > static_cast<std::uint32_t>(WkbType::triangle) ||
       std::ranges::find(kNoTypes, type) != std::end(kNoTypes))
     return std::nullopt;
-  out.type = static_cast<Type>(type);
+  out.type = static_cast<WkbType>(type);
   out.numbers = std::max(out.numbers, 2 + kMore[number / kThousand]);
   return out;
 }
@@ -105,8 +105,8 @@ class WkbReader {
   }
   std::size_t left() const { return bytes_.size() - at_; }
 
-  Expected<Kind> read_header() {
-    if (left() < kHeader) return ends_early();
+  Expected<WkbKind> read_header() {
+    if (left() < kGeometryHeader) return ends_early();
     const auto order = static_cast<unsigned char>(bytes_[at_]);
     if (order > 1) return fail(fmt::format("there is no order of bytes {}", order));
     ++at_;
@@ -132,7 +132,7 @@ class WkbReader {
   }
 
   /// Nothing for an empty point, whose numbers are none.
-  Expected<std::optional<Vec2>> read_position(const Kind& kind, bool may_be_empty = false) {
+  Expected<std::optional<Vec2>> read_position(const WkbKind& kind, bool may_be_empty = false) {
     if (left() < 8 * kind.numbers) return ends_early();
     job_.checkpoint();
     const std::size_t place = at_;
@@ -150,7 +150,7 @@ class WkbReader {
     return Vec2{x, y};
   }
 
-  Expected<void> read_positions(const Kind& kind) {
+  Expected<void> read_positions(const WkbKind& kind) {
     const auto count = read_count(8 * kind.numbers);
     if (!count) return std::unexpected(count.error());
     for (std::uint32_t i = 0; i < *count; ++i) {
@@ -161,7 +161,7 @@ class WkbReader {
     return {};
   }
 
-  Expected<void> read_arcs(const Kind& kind) {
+  Expected<void> read_arcs(const WkbKind& kind) {
     const auto count = read_count(8 * kind.numbers);
     if (!count) return std::unexpected(count.error());
     if (*count != 0 && (*count == 1 || *count % 2 == 0))
@@ -187,18 +187,18 @@ class WkbReader {
     if (!kind) return std::unexpected(kind.error());
     return read_curve(*kind, depth);
   }
-  Expected<void> read_curve(const Kind& kind, int depth) {
-    if (kind.type == Type::line) return read_positions(kind);
-    if (kind.type == Type::arcs) return read_arcs(kind);
-    if (kind.type != Type::compound || depth > kDeepest) return fail("this is no curve");
-    const auto count = read_count(kHeader + 4);
+  Expected<void> read_curve(const WkbKind& kind, int depth) {
+    if (kind.type == WkbType::line) return read_positions(kind);
+    if (kind.type == WkbType::arcs) return read_arcs(kind);
+    if (kind.type != WkbType::compound || depth > kDeepestWkb) return fail("this is no curve");
+    const auto count = read_count(kGeometryHeader + 4);
     if (!count) return std::unexpected(count.error());
     for (std::uint32_t i = 0; i < *count; ++i)
       if (auto done = read_curve(depth + 1); !done) return done;
     return {};
   }
 
-  Expected<void> read_rings(const Kind& kind) {
+  Expected<void> read_rings(const WkbKind& kind) {
     const auto count = read_count(4);
     if (!count) return std::unexpected(count.error());
     shapes_.begin_polygon();
@@ -210,27 +210,27 @@ class WkbReader {
   }
 
   Expected<void> read_geometry(int depth) {
-    if (depth > kDeepest) return fail("collections are nested too deeply");
+    if (depth > kDeepestWkb) return fail("collections are nested too deeply");
     const auto kind = read_header();
     if (!kind) return std::unexpected(kind.error());
     switch (kind->type) {
-      case Type::point: {
+      case WkbType::point: {
         const auto position = read_position(*kind, true);
         if (!position) return std::unexpected(position.error());
         if (*position) shapes_.add(**position);
         shapes_.end_points();
         return {};
       }
-      case Type::line:
-      case Type::arcs:
-      case Type::compound: {
+      case WkbType::line:
+      case WkbType::arcs:
+      case WkbType::compound: {
         auto done = read_curve(*kind, depth);
         shapes_.end_line();
         return done;
       }
-      case Type::polygon:
-      case Type::triangle: return read_rings(*kind);
-      case Type::curve_polygon:
+      case WkbType::polygon:
+      case WkbType::triangle: return read_rings(*kind);
+      case WkbType::curve_polygon:
         shapes_.begin_polygon();
         return read_parts([&]() -> Expected<void> {
           auto done = read_curve(depth + 1);
@@ -243,7 +243,7 @@ class WkbReader {
 
   template <class Read>
   Expected<void> read_parts(Read read_part) {
-    const auto count = read_count(kHeader + 4);
+    const auto count = read_count(kGeometryHeader + 4);
     if (!count) return std::unexpected(count.error());
     for (std::uint32_t i = 0; i < *count; ++i)
       if (Expected<void> done = read_part(); !done) return done;
@@ -270,7 +270,7 @@ int digit_of(char c) {
 }
 
 /// The digits of a line, without blanks, quotes and the prefixes that databases write.
-std::string_view digits_of(std::string_view line) {
+std::string_view hex_digits_of(std::string_view line) {
   constexpr std::string_view kAround = " \t\v\f\"'";
   line.remove_prefix(std::min(line.find_first_not_of(kAround), line.size()));
   line = line.substr(0, line.find_last_not_of(kAround) + 1);
@@ -281,24 +281,24 @@ std::string_view digits_of(std::string_view line) {
 
 /// A header that makes sense at the beginning, with room for what it announces.
 bool begins_geometry(std::string_view bytes, std::size_t size) {
-  if (bytes.size() < kHeader || static_cast<unsigned char>(bytes[0]) > 1) return false;
+  if (bytes.size() < kGeometryHeader || static_cast<unsigned char>(bytes[0]) > 1) return false;
   std::uint32_t code = 0;
   std::memcpy(&code, bytes.data() + 1, sizeof code);
   const bool is_little = bytes[0] == 1;
   if (is_little != (std::endian::native == std::endian::little)) code = std::byteswap(code);
   const auto kind = kind_of(code);
   if (!kind) return false;
-  const std::size_t head = kHeader + (kind->has_system ? 4 : 0);
-  return size >= head + (kind->type == Type::point ? 8 * kind->numbers : 4);
+  const std::size_t head = kGeometryHeader + (kind->has_system ? 4 : 0);
+  return size >= head + (kind->type == WkbType::point ? 8 * kind->numbers : 4);
 }
 
 bool is_hexadecimal(std::string_view text) {
-  const std::string_view digits = digits_of(text.substr(0, end_of_line(text)));
-  if (digits.size() < 2 * kHeader || digits.size() % 2 != 0 ||
+  const std::string_view digits = hex_digits_of(text.substr(0, end_of_line(text)));
+  if (digits.size() < 2 * kGeometryHeader || digits.size() % 2 != 0 ||
       !std::ranges::all_of(digits, [](char c) { return digit_of(c) >= 0; }))
     return false;
   std::string head;
-  for (std::size_t i = 0; i < kHeader; ++i)
+  for (std::size_t i = 0; i < kGeometryHeader; ++i)
     head += static_cast<char>(16 * digit_of(digits[2 * i]) + digit_of(digits[2 * i + 1]));
   return begins_geometry(head, digits.size() / 2);
 }
@@ -309,13 +309,13 @@ std::string_view without_blank_lines(std::string_view bytes) {
   return bytes;
 }
 
-Match match(std::string_view bytes) {
+Match match_wkb(std::string_view bytes) {
   return begins_geometry(bytes, bytes.size()) || is_hexadecimal(without_blank_lines(bytes)) ? Match::surely
                                                                                             : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDegrees degrees,
-                          const std::filesystem::path*, ReadJob& job) {
+Expected<LoadedFile> read_wkb(std::string_view bytes, const std::string& name, MapDegrees degrees,
+                              const std::filesystem::path*, ReadJob& job) {
   WkbReader reader(name, job);
   if (begins_geometry(bytes, bytes.size())) {
     if (auto done = reader.read(bytes, 0); !done) return std::unexpected(done.error());
@@ -328,7 +328,7 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDe
     const std::size_t end = end_of_line(rest);
     const std::string_view line = rest.substr(0, end);
     rest.remove_prefix(std::min(end + (rest.substr(end).starts_with("\r\n") ? 2 : 1), rest.size()));
-    const std::string_view digits = digits_of(line);
+    const std::string_view digits = hex_digits_of(line);
     geometry.clear();
     for (std::size_t i = 0; i < digits.size(); i += 2) {
       const std::size_t wrong = digit_of(digits[i]) < 0 ? i : i + 1;
@@ -352,8 +352,8 @@ Format wkb_format() {
                          .extensions = {".wkb"},
                          .can_read = true,
                          .is_map = true},
-          .match = match,
-          .read_map = read,
+          .match = match_wkb,
+          .read_map = read_wkb,
           .may_look_foreign = true};
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/lower_case.h"
+#include "core/io/ascii_text.h"
 #include "core/io/format_registry.h"
 #include "core/io/map_shapes.h"
 #include "core/io/text_numbers.h"
@@ -18,38 +19,31 @@
 namespace mes {
 namespace {
 
-constexpr int kDeepest = 64;
+constexpr int kDeepestWkt = 64;
 
-enum class Shape : std::uint8_t { point, line, ring, curve, curved_ring, surface, any };
+enum class WktShape : std::uint8_t { point, line, ring, curve, curved_ring, surface, any };
 
 /// `depth` pairs of parentheses around the list that holds positions.
-struct GeometryType {
+struct WktType {
   std::string_view name;
   int depth;
-  Shape shape;
+  WktShape shape;
 };
-constexpr std::array<GeometryType, 15> kGeometries{{{"point", 0, Shape::point},
-                                                    {"multipoint", 0, Shape::point},
-                                                    {"linestring", 0, Shape::line},
-                                                    {"multilinestring", 1, Shape::line},
-                                                    {"polygon", 1, Shape::ring},
-                                                    {"multipolygon", 2, Shape::ring},
-                                                    {"triangle", 1, Shape::ring},
-                                                    {"tin", 2, Shape::ring},
-                                                    {"polyhedralsurface", 2, Shape::ring},
-                                                    {"circularstring", 0, Shape::curve},
-                                                    {"compoundcurve", 0, Shape::curve},
-                                                    {"multicurve", 1, Shape::curve},
-                                                    {"curvepolygon", 1, Shape::curved_ring},
-                                                    {"multisurface", 1, Shape::surface},
-                                                    {"geometrycollection", 0, Shape::any}}};
-
-constexpr bool is_blank(char c) {
-  return c == ' ' || (c >= '\t' && c <= '\r');
-}
-constexpr bool is_letter(char c) {
-  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
-}
+constexpr std::array<WktType, 15> kWktTypes{{{"point", 0, WktShape::point},
+                                             {"multipoint", 0, WktShape::point},
+                                             {"linestring", 0, WktShape::line},
+                                             {"multilinestring", 1, WktShape::line},
+                                             {"polygon", 1, WktShape::ring},
+                                             {"multipolygon", 2, WktShape::ring},
+                                             {"triangle", 1, WktShape::ring},
+                                             {"tin", 2, WktShape::ring},
+                                             {"polyhedralsurface", 2, WktShape::ring},
+                                             {"circularstring", 0, WktShape::curve},
+                                             {"compoundcurve", 0, WktShape::curve},
+                                             {"multicurve", 1, WktShape::curve},
+                                             {"curvepolygon", 1, WktShape::curved_ring},
+                                             {"multisurface", 1, WktShape::surface},
+                                             {"geometrycollection", 0, WktShape::any}}};
 
 /// Goes through parentheses, commas and words.
 class Words {
@@ -87,14 +81,14 @@ class Words {
   std::size_t at_ = 0;
 };
 
-const GeometryType* type_named(std::string_view word) {
+const WktType* wkt_type_named(std::string_view word) {
   constexpr std::size_t kLongest = 32;
   std::string name = lower_case(word.substr(0, kLongest));
   const auto find = [](std::string_view wanted) {
-    const auto found = std::ranges::find(kGeometries, wanted, &GeometryType::name);
-    return found == kGeometries.end() ? nullptr : &*found;
+    const auto found = std::ranges::find(kWktTypes, wanted, &WktType::name);
+    return found == kWktTypes.end() ? nullptr : &*found;
   };
-  if (const GeometryType* found = find(name)) return found;
+  if (const WktType* found = find(name)) return found;
   // "POINTZ" is written as well.
   for (int i = 0; i < 2 && (name.ends_with('z') || name.ends_with('m')); ++i) name.pop_back();
   return find(name);
@@ -152,20 +146,20 @@ class WktReader {
   }
 
   Expected<void> read_geometry(int depth) {
-    const GeometryType* const type = type_named(words_.word());
+    const WktType* const type = wkt_type_named(words_.word());
     if (type == nullptr) return unexpected_here("a geometry such as POLYGON");
-    if (depth > kDeepest) return bad("collections are nested too deeply", words_.place());
-    if (type->shape == Shape::curve && type->depth == 0) {
+    if (depth > kDeepestWkt) return bad("collections are nested too deeply", words_.place());
+    if (type->shape == WktShape::curve && type->depth == 0) {
       if (auto done = read_curve(); !done) return done;
       shapes_.end_line();
       return {};
     }
     skip_type();
     switch (type->shape) {
-      case Shape::curve: return read_list([&] { return read_whole_curve(false); });
-      case Shape::curved_ring: shapes_.begin_polygon(); return read_list([&] { return read_whole_curve(true); });
-      case Shape::surface: return read_list([&] { return read_surface(depth + 1); });
-      case Shape::any: return read_list([&] { return read_geometry(depth + 1); });
+      case WktShape::curve: return read_list([&] { return read_whole_curve(false); });
+      case WktShape::curved_ring: shapes_.begin_polygon(); return read_list([&] { return read_whole_curve(true); });
+      case WktShape::surface: return read_list([&] { return read_surface(depth + 1); });
+      case WktShape::any: return read_list([&] { return read_geometry(depth + 1); });
       default: return read_lists(*type, type->depth);
     }
   }
@@ -189,7 +183,7 @@ class WktReader {
 
   /// A polygon of a set, which may be without a name.
   Expected<void> read_surface(int depth) {
-    constexpr GeometryType kPolygon{"polygon", 1, Shape::ring};
+    constexpr WktType kPolygon{"polygon", 1, WktShape::ring};
     return words_.sign() == '(' ? read_lists(kPolygon, kPolygon.depth) : read_geometry(depth);
   }
 
@@ -197,7 +191,7 @@ class WktReader {
   Expected<void> read_curve() {
     const std::string_view name = words_.word();
     if (name.empty()) return read_list([&] { return read_position(); });
-    const GeometryType* const type = type_named(name);
+    const WktType* const type = wkt_type_named(name);
     const std::string_view kind = type == nullptr ? std::string_view{} : type->name;
     if (kind != "linestring" && kind != "circularstring" && kind != "compoundcurve")
       return unexpected_here("a curve such as CIRCULARSTRING");
@@ -206,7 +200,7 @@ class WktReader {
     if (kind == "circularstring") return read_arcs();
     joins_ = true;
     auto done = read_list([&]() -> Expected<void> {
-      const GeometryType* const part = type_named(words_.word());
+      const WktType* const part = wkt_type_named(words_.word());
       if (part != nullptr && part->name == "compoundcurve")
         return unexpected_here("a line or CIRCULARSTRING, which are parts of a COMPOUNDCURVE,");
       return read_curve();
@@ -259,14 +253,14 @@ class WktReader {
     return {};
   }
 
-  Expected<void> read_lists(const GeometryType& type, int depth) {
-    if (depth == 1 && type.shape == Shape::ring) shapes_.begin_polygon();
+  Expected<void> read_lists(const WktType& type, int depth) {
+    if (depth == 1 && type.shape == WktShape::ring) shapes_.begin_polygon();
     if (depth > 0) return read_list([&] { return read_lists(type, depth - 1); });
-    auto done = read_list([&] { return type.shape == Shape::point ? read_point() : read_position(); });
+    auto done = read_list([&] { return type.shape == WktShape::point ? read_point() : read_position(); });
     if (!done) return done;
     switch (type.shape) {
-      case Shape::line: shapes_.end_line(); break;
-      case Shape::ring: shapes_.end_ring(); break;
+      case WktShape::line: shapes_.end_line(); break;
+      case WktShape::ring: shapes_.end_ring(); break;
       default: shapes_.end_points(); break;
     }
     return {};
@@ -320,21 +314,21 @@ class WktReader {
 };
 
 /// A geometry's name, and what can follow it.
-Match match(std::string_view bytes) {
+Match match_wkt(std::string_view bytes) {
   Words words(without_bom(bytes));
   if (lower_case(words.word().substr(0, 5)) == "srid") {
     words.skip_word();
     return words.sign() == '=' ? Match::surely : Match::no;
   }
-  if (words.is_at_end() || !is_letter(words.sign()) || type_named(words.word()) == nullptr) return Match::no;
+  if (words.is_at_end() || !is_letter(words.sign()) || wkt_type_named(words.word()) == nullptr) return Match::no;
   words.skip_word();
   const std::string next = lower_case(words.word().substr(0, 6));
   const bool follows = words.sign() == '(' || next == "empty" || next == "z" || next == "m" || next == "zm";
   return follows ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDegrees degrees,
-                          const std::filesystem::path*, ReadJob& job) {
+Expected<LoadedFile> read_wkt(std::string_view bytes, const std::string& name, MapDegrees degrees,
+                              const std::filesystem::path*, ReadJob& job) {
   return WktReader(without_bom(bytes), name, degrees, job).read();
 }
 
@@ -343,8 +337,8 @@ Expected<LoadedFile> read(std::string_view bytes, const std::string& name, MapDe
 Format wkt_format() {
   return {.descriptor =
               {.id = "wkt", .name = "WKT, well-known text", .extensions = {".wkt"}, .can_read = true, .is_map = true},
-          .match = match,
-          .read_map = read};
+          .match = match_wkt,
+          .read_map = read_wkt};
 }
 
 }  // namespace mes

@@ -10,12 +10,12 @@
 namespace mes {
 namespace {
 
-std::string_view what_else(std::size_t columns) {
+std::string_view other_than_balls(std::size_t columns) {
   return columns == 2 ? "points (POFF)" : (columns == 4 ? "balls in space" : "");
 }
 
 constexpr OffKind kBalls{
-    .magic = "WPOFF", .things = "balls", .numbers = "numbers", .numbers_each = 3, .guess = what_else};
+    .magic = "WPOFF", .things = "balls", .numbers = "numbers", .numbers_each = 3, .guess = other_than_balls};
 
 Match match_wpoff(std::string_view bytes) {
   return has_off_magic(bytes, kBalls) ? Match::surely : Match::no;

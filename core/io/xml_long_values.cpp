@@ -6,7 +6,7 @@
 namespace mes {
 namespace {
 
-constexpr bool is_blank(char c) {
+constexpr bool is_xml_blank(char c) {
   return c == ' ' || c == '\t' || c == '\r' || c == '\n';
 }
 
@@ -82,14 +82,14 @@ class Finder {
   /// Of the attribute whose value has this quotation mark; empty where none is.
   std::string_view name_before(std::size_t tag, std::size_t quote) const {
     const auto skip_blanks = [&](std::size_t at) {
-      while (at > tag && is_blank(bytes_[at - 1])) --at;
+      while (at > tag && is_xml_blank(bytes_[at - 1])) --at;
       return at;
     };
     std::size_t end = skip_blanks(quote);
     if (end <= tag || bytes_[end - 1] != '=') return {};
     end = skip_blanks(end - 1);
     std::size_t begin = end;
-    for (; begin > tag && !is_blank(bytes_[begin - 1]); --begin)
+    for (; begin > tag && !is_xml_blank(bytes_[begin - 1]); --begin)
       if (bytes_[begin - 1] == '"' || bytes_[begin - 1] == '\'') return {};  // no blank after the value before
     return bytes_.substr(begin, end - begin);
   }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/lower_case.h"
+#include "core/io/ascii_text.h"
 #include "core/io/line_end.h"
 #include "core/io/text_numbers.h"
 
@@ -21,20 +22,10 @@ constexpr std::size_t kMostSamples = 0xfffffffe;
 
 using Fields = std::vector<std::string_view>;
 
-bool is_blank(char c) {
-  return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
-std::string_view trimmed(std::string_view text) {
-  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 /// Goes through the lines that say something.
-class Lines {
+class TableLines {
  public:
-  explicit Lines(std::string_view bytes) : rest_(without_bom(bytes)) {}
+  explicit TableLines(std::string_view bytes) : rest_(without_bom(bytes)) {}
 
   bool next() {
     while (!rest_.empty()) {
@@ -122,11 +113,6 @@ std::string word_of(std::string_view field) {
   return lower_case(field.substr(0, 64));
 }
 
-template <std::size_t N>
-bool is_one_of(const std::string& word, const std::array<std::string_view, N>& words) {
-  return std::ranges::find(words, word) != words.end();
-}
-
 Columns columns_of(const Fields& header) {
   constexpr std::array<std::string_view, 6> kX{"x", "x1", "lon", "longitude", "easting", "x_coord"};
   constexpr std::array<std::string_view, 6> kY{"y", "y1", "lat", "latitude", "northing", "y_coord"};
@@ -198,7 +184,7 @@ constexpr std::array<TableKind, 6> kKinds{{{TableSeparator::semicolon, true},
                                            {TableSeparator::blanks, true}}};
 
 Plan make_plan(std::string_view bytes) {
-  Lines lines(bytes);
+  TableLines lines(bytes);
   if (!lines.next()) return {};
   const std::string_view first = lines.text();
   const bool has_second = lines.next();
@@ -360,7 +346,7 @@ Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& na
   LoadedFile file;
   Grouping grouping(columns);
   CoordinateReader coordinates;
-  Lines lines(bytes);
+  TableLines lines(bytes);
   Fields fields;
   std::uint64_t announced = 0;
   std::uint64_t announced_line = 0;
