@@ -40,7 +40,7 @@ int next_letter(std::string_view& text) {
 }
 
 /// The part of the interval from `at` to `at` + 1 that lies between two numbers.
-double overlap(int at, double low, double high) {
+double pixel_overlap(int at, double low, double high) {
   return std::clamp(std::min(high, at + 1.0) - std::max(low, static_cast<double>(at)), 0.0, 1.0);
 }
 
@@ -169,7 +169,7 @@ void fill_rectangle(Image& image, double left, double top, double width, double 
   top = std::max(top, 0.0);
   for (int y = static_cast<int>(top); y < bottom; ++y)
     for (int x = static_cast<int>(left); x < right; ++x)
-      blend(image, x, y, color, opacity * overlap(x, left, right) * overlap(y, top, bottom));
+      blend(image, x, y, color, opacity * pixel_overlap(x, left, right) * pixel_overlap(y, top, bottom));
 }
 
 void fill_disk(Image& image, double x, double y, double radius, Rgb color) {

@@ -32,7 +32,7 @@ const Bundle* named(const std::vector<Bundle>& bundles, const std::string& name)
   return similar;
 }
 
-Error unknown(const std::string& name, const std::vector<Bundle>& bundles, const std::string& where) {
+Error unknown_bundle(const std::string& name, const std::vector<Bundle>& bundles, const std::string& where) {
   std::vector<std::string_view> names;
   for (const Bundle& bundle : bundles) names.push_back(bundle.name);
   return {ErrorCode::usage,
@@ -49,7 +49,7 @@ Expected<Bundle> bundle_of_file(const std::string& file, const std::optional<std
   for (const std::string& warning : loaded->warnings) say(warning);
   if (name) {
     if (const Bundle* bundle = named(loaded->bundles, *name)) return *bundle;
-    return std::unexpected(unknown(*name, loaded->bundles, " in " + file));
+    return std::unexpected(unknown_bundle(*name, loaded->bundles, " in " + file));
   }
   if (loaded->bundles.size() > 1)
     say(fmt::format("{}: the first of its {} bundles is taken, {}; FILE:NAME takes another", file,
@@ -91,7 +91,7 @@ Expected<Bundle> find_bundle(const std::string& name_or_file, std::vector<Source
       return bundle_of_file(file, name_or_file.substr(colon + 1), sources);
   if (extension == ".json" || extension == ".bnd" || name_or_file.find('/') != std::string::npos)
     return bundle_of_file(name_or_file, {}, sources);
-  Error out = unknown(name_or_file, bundles, {});
+  Error out = unknown_bundle(name_or_file, bundles, {});
   out.text += " (mesecina list bundles)";
   return std::unexpected(std::move(out));
 }

@@ -21,7 +21,7 @@ std::vector<std::string> names_of(const CLI::Option& option) {
   return out;
 }
 
-OptionHelp help_of(const CLI::Option& option, std::string_view command) {
+OptionHelp option_help(const CLI::Option& option, std::string_view command) {
   OptionHelp out{.names = names_of(option), .text = option.get_description()};
   out.is_positional = !option.nonpositional();
   out.is_required = option.get_required();
@@ -33,9 +33,9 @@ OptionHelp help_of(const CLI::Option& option, std::string_view command) {
   return out;
 }
 
-CommandHelp help_of(const CLI::App& app, const std::string& name) {
+CommandHelp command_help(const CLI::App& app, const std::string& name) {
   CommandHelp out{.name = name, .summary = app.get_description(), .page = app.help(), .footer = app.get_footer()};
-  for (const CLI::Option* option : app.get_options()) out.options.push_back(help_of(*option, app.get_name()));
+  for (const CLI::Option* option : app.get_options()) out.options.push_back(option_help(*option, app.get_name()));
   return out;
 }
 
@@ -60,9 +60,9 @@ void name_values(CLI::App& app) {
 }
 
 std::vector<CommandHelp> help_of(const CLI::App& app) {
-  std::vector<CommandHelp> out{help_of(app, app.get_name())};
+  std::vector<CommandHelp> out{command_help(app, app.get_name())};
   for (const CLI::App* command : app.get_subcommands({})) {
-    out.push_back(help_of(*command, app.get_name() + ' ' + command->get_name()));
+    out.push_back(command_help(*command, app.get_name() + ' ' + command->get_name()));
     out.back().page = command->help(app.get_name());
   }
   return out;

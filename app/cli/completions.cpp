@@ -17,6 +17,12 @@ constexpr std::array<Shell, 3> kShells{
 
 }  // namespace
 
+std::string joined_words(const std::vector<std::string>& words) {
+  std::string out;
+  for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
+  return out;
+}
+
 std::span<const Shell> shells() {
   return kShells;
 }

@@ -5,10 +5,14 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/cli/command_help.h"
 
 namespace mes::cli {
+
+/// With spaces between them.
+std::string joined_words(const std::vector<std::string>& words);
 
 struct Shell {
   std::string_view name;

@@ -32,16 +32,10 @@ _mesecina() {
   COMPREPLY=()
 )";
 
-std::string words(const std::vector<std::string>& all) {
-  std::string out;
-  for (const std::string& word : all) out += (out.empty() ? "" : " ") + word;
-  return out;
-}
-
 std::string reply(const OptionValue& value) {
   switch (value.kind) {
-    case ValueKind::choice: return R"(_mesecina_choices "$current" ')" + words(value.offer()) + '\'';
-    case ValueKind::choices: return R"(_mesecina_list "$current" ')" + words(value.offer()) + '\'';
+    case ValueKind::choice: return R"(_mesecina_choices "$current" ')" + joined_words(value.offer()) + '\'';
+    case ValueKind::choices: return R"(_mesecina_list "$current" ')" + joined_words(value.offer()) + '\'';
     case ValueKind::file: return R"(_mesecina_files "$current" -f)";
     case ValueKind::folder: return R"(_mesecina_files "$current" -d)";
     case ValueKind::text: break;
@@ -70,7 +64,7 @@ std::string cases_of(const CommandHelp& command, std::string_view indent) {
     out += fmt::format("{}{}) {} ;;\n", indent, pattern, reply(*option.value));
   }
   return out + fmt::format("{}*) if [[ $current == -* ]]; then _mesecina_choices \"$current\" '{}'; else {}; fi ;;\n",
-                           indent, words(names), at_its_place);
+                           indent, joined_words(names), at_its_place);
 }
 
 }  // namespace
@@ -86,12 +80,12 @@ std::string bash_completions(std::span<const CommandHelp> commands) {
   for (const CommandHelp& command : commands.subspan(1))
     out += fmt::format("    {})\n      case $before in\n{}      esac ;;\n", last_word(command.name),
                        cases_of(command, "        "));
-  out += "    *)\n      _mesecina_choices \"$current\" '" + words(options) + "'\n" +
+  out += "    *)\n      _mesecina_choices \"$current\" '" + joined_words(options) + "'\n" +
          "      if [[ $current != -* ]]; then\n        local files=()\n" +
          "        mapfile -t files < <(compgen -f -- \"$current\")\n        compopt -o filenames\n        " +
          "COMPREPLY=(\"${files[@]}\")\n        if ((COMP_CWORD == 1)); then\n          mapfile -t -O ${#files[@]} " +
-         "COMPREPLY < <(compgen -W '" + words(names) + "' -- \"$current\")\n        fi\n      fi ;;\n  esac\n}\n" +
-         "complete -F _mesecina mesecina\n";
+         "COMPREPLY < <(compgen -W '" + joined_words(names) +
+         "' -- \"$current\")\n        fi\n      fi ;;\n  esac\n}\n" + "complete -F _mesecina mesecina\n";
   return out;
 }
 

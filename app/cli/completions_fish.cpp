@@ -6,7 +6,7 @@
 namespace mes::cli {
 namespace {
 
-std::string quoted(std::string_view text) {
+std::string quoted_for_fish(std::string_view text) {
   std::string out = "'";
   for (const char c : text) {
     if (c == '\'' || c == '\\') out += '\\';
@@ -15,34 +15,29 @@ std::string quoted(std::string_view text) {
   return out + '\'';
 }
 
-std::string offered(const OptionValue& value) {
-  std::string out;
-  for (const std::string& word : value.offer()) out += (out.empty() ? "" : " ") + word;
-  return out;
-}
-
 std::string argument(const OptionValue& value) {
   switch (value.kind) {
-    case ValueKind::choice: return " -x -a " + quoted(offered(value));
-    case ValueKind::choices: return " -x -a " + quoted("(__fish_append , " + offered(value) + ")");
+    case ValueKind::choice: return " -x -a " + quoted_for_fish(joined_words(value.offer()));
+    case ValueKind::choices:
+      return " -x -a " + quoted_for_fish("(__fish_append , " + joined_words(value.offer()) + ")");
     case ValueKind::file: return " -r -F";
-    case ValueKind::folder: return " -x -a " + quoted("(__fish_complete_directories)");
+    case ValueKind::folder: return " -x -a " + quoted_for_fish("(__fish_complete_directories)");
     case ValueKind::text: break;
   }
   return " -x";
 }
 
 std::string line(const std::string& condition, const OptionHelp& option) {
-  std::string out = "complete -c mesecina -n " + quoted(condition);
+  std::string out = "complete -c mesecina -n " + quoted_for_fish(condition);
   if (option.is_positional) {
     if (option.value->kind == ValueKind::file) return out + " -F\n";
     if (option.value->kind == ValueKind::text) return out + " -f\n";
-    return out + " -f -a " + quoted(offered(*option.value)) + '\n';
+    return out + " -f -a " + quoted_for_fish(joined_words(option.value->offer())) + '\n';
   }
   for (const std::string& name : option.names)
     out += name.starts_with("--") ? " -l " + name.substr(2) : " -s " + name.substr(1);
   if (option.value != nullptr) out += argument(*option.value);
-  return out + " -d " + quoted(brief(option.text)) + '\n';
+  return out + " -d " + quoted_for_fish(brief(option.text)) + '\n';
 }
 
 }  // namespace
@@ -53,7 +48,7 @@ std::string fish_completions(std::span<const CommandHelp> commands) {
   for (const OptionHelp& option : commands.front().options) out += line(first, option);
   for (const CommandHelp& command : commands.subspan(1)) {
     const std::string name = command.name.substr(command.name.rfind(' ') + 1);
-    out += fmt::format("complete -c mesecina -n {} -a {} -d {}\n", first, name, quoted(command.summary));
+    out += fmt::format("complete -c mesecina -n {} -a {} -d {}\n", first, name, quoted_for_fish(command.summary));
     for (const OptionHelp& option : command.options) out += line("__fish_seen_subcommand_from " + name, option);
   }
   return out;

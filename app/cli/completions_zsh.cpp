@@ -7,7 +7,7 @@ namespace mes::cli {
 namespace {
 
 // Within single quotes, where `special` has a meaning of its own.
-std::string quoted(std::string_view text, std::string_view special) {
+std::string quoted_for_zsh(std::string_view text, std::string_view special) {
   std::string out;
   for (const char c : text) {
     if (c == '\'') {
@@ -20,12 +20,6 @@ std::string quoted(std::string_view text, std::string_view special) {
   return out;
 }
 
-std::string offered(const OptionValue& value) {
-  std::string out;
-  for (const std::string& word : value.offer()) out += (out.empty() ? "" : " ") + word;
-  return out;
-}
-
 // ":NAME:ACTION"; what it is called, and how it is completed.
 std::string action(const OptionHelp& option) {
   const OptionValue& value = *option.value;
@@ -33,9 +27,10 @@ std::string action(const OptionHelp& option) {
   switch (value.kind) {
     case ValueKind::choice:
       // Nothing but a value follows the name of a parameter at once.
-      return value.name.ends_with("VALUE") ? fmt::format(":{}:{{compadd -S \"\" -- {}}}", name, offered(value))
-                                           : fmt::format(":{}:({})", name, offered(value));
-    case ValueKind::choices: return fmt::format(":{0}:_values -s , {0} {1}", name, offered(value));
+      return value.name.ends_with("VALUE")
+                 ? fmt::format(":{}:{{compadd -S \"\" -- {}}}", name, joined_words(value.offer()))
+                 : fmt::format(":{}:({})", name, joined_words(value.offer()));
+    case ValueKind::choices: return fmt::format(":{0}:_values -s , {0} {1}", name, joined_words(value.offer()));
     case ValueKind::file: return ':' + name + ":_files";
     case ValueKind::folder: return ':' + name + ":_files -/";
     case ValueKind::text: break;
@@ -45,7 +40,7 @@ std::string action(const OptionHelp& option) {
 
 std::string specification(const OptionHelp& option) {
   if (option.is_positional) return '\'' + (option.may_repeat ? "*" + action(option) : action(option)) + '\'';
-  const std::string text = '[' + quoted(brief(option.text), "[]:\\") + ']';
+  const std::string text = '[' + quoted_for_zsh(brief(option.text), "[]:\\") + ']';
   const std::string value = option.value == nullptr ? "" : action(option);
   if (option.names.size() == 1)
     return '\'' + std::string(option.may_repeat ? "*" : "") + option.names.front() + text + value + '\'';
@@ -72,7 +67,7 @@ std::string zsh_completions(std::span<const CommandHelp> commands) {
   std::string cases;
   for (const CommandHelp& command : commands.subspan(1)) {
     const std::string name = command.name.substr(command.name.rfind(' ') + 1);
-    out += fmt::format("    '{}:{}'\n", name, quoted(command.summary, ""));
+    out += fmt::format("    '{}:{}'\n", name, quoted_for_zsh(command.summary, ""));
     cases += fmt::format("    {})\n      shift words\n      ((CURRENT--))\n      {}\n      ;;\n", name,
                          arguments(command, "        "));
   }

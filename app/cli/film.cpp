@@ -66,7 +66,7 @@ Expected<Shard> parse_shard(const std::string& text) {
   return usage_error("--shard expects I/N with I from 1 to N, not " + in_quotes(text));
 }
 
-Expected<Film> understand(const FilmRequest& request) {
+Expected<Film> understood_film(const FilmRequest& request) {
   Film film;
   const auto size = parse_size(request.size);
   if (!size) return std::unexpected(size.error());
@@ -87,10 +87,6 @@ Expected<Film> understand(const FilmRequest& request) {
     if (film.shard.count > 1) return usage_error("a shard is not a video; make it of the frames of all shards");
   }
   return film;
-}
-
-std::unexpected<Error> cannot_write(const std::string& text, const fs::path& file) {
-  return std::unexpected(Error{ErrorCode::cannot_write, text, file.string()});
 }
 
 Expected<void> prepare(const fs::path& folder, const Shard& shard) {
@@ -267,7 +263,7 @@ class Studio {
 }  // namespace
 
 Expected<void> check(const FilmRequest& request) {
-  const auto film = understand(request);
+  const auto film = understood_film(request);
   if (!film) return std::unexpected(film.error());
   return request.video.empty() ? Expected<void>() : check_video(request.video);
 }
@@ -280,7 +276,7 @@ void carry(FrameWriter& writer, const Session& session) {
 }
 
 Expected<void> make_film(const Session& session, const std::string& name, const FilmRequest& request) {
-  const auto film = understand(request);
+  const auto film = understood_film(request);
   if (!film) return std::unexpected(film.error());
   std::optional<ScratchFolder> temporary;
   if (request.frames.empty()) {

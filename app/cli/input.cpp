@@ -13,11 +13,7 @@ namespace mes::cli {
 
 namespace {
 
-std::unexpected<Error> usage_error(std::string text) {
-  return std::unexpected(Error{ErrorCode::usage, std::move(text), {}, 0, 0});
-}
-
-Expected<ReadRequest> understand(const ReadingOptions& options) {
+Expected<ReadRequest> understood_reading(const ReadingOptions& options) {
   ReadRequest request;
   TraceRequest& out = request.trace;
   if (!options.threshold.empty()) {
@@ -54,7 +50,7 @@ std::vector<std::string> figure_sides() {
 }
 
 Expected<LoadedFile> read_input(const std::string& file, const std::string& format, const ReadingOptions& options) {
-  const auto request = understand(options);
+  const auto request = understood_reading(options);
   if (!request) return std::unexpected(request.error());
   auto loaded = file == "-" ? read_sample_stream(STDIN_FILENO, file, format, *request)
                             : read_sample_file(file, format, nullptr, *request);

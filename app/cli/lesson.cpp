@@ -188,10 +188,6 @@ Expected<Pixels> parse_pixels(const LessonRequest& request, const LessonLook& lo
   return out;
 }
 
-std::unexpected<Error> cannot_write(const std::string& text, const std::filesystem::path& file) {
-  return std::unexpected(Error{ErrorCode::cannot_write, text, file.string()});
-}
-
 Expected<void> prepare_frames(const std::filesystem::path& folder) {
   std::error_code error;
   std::filesystem::create_directories(folder, error);

@@ -46,7 +46,7 @@ std::string hex_of(Rgb color) {
   return out;
 }
 
-std::vector<Entry> layers() {
+std::vector<Entry> layer_entries() {
   std::vector<Entry> out;
   for (const LayerDescriptor& layer : layer_descriptors()) {
     Json kinds = Json::array();
@@ -75,7 +75,7 @@ std::vector<Entry> layers() {
   return out;
 }
 
-std::vector<Entry> structures() {
+std::vector<Entry> structure_entries() {
   std::vector<Entry> out;
   for (const std::string_view id : structure_ids()) {
     Json readers = Json::array();
@@ -88,7 +88,7 @@ std::vector<Entry> structures() {
   return out;
 }
 
-std::vector<Entry> formats() {
+std::vector<Entry> format_entries() {
   std::vector<Entry> out;
   for (const FormatDescriptor& format : format_descriptors()) {
     const bool is_exported = std::ranges::find(export_formats(), format.id) != export_formats().end();
@@ -148,7 +148,7 @@ Json readers_of(const ParameterDescriptor& parameter) {
   return out;
 }
 
-std::vector<Entry> parameters() {
+std::vector<Entry> parameter_entries() {
   std::vector<Entry> out;
   for (const ParameterDescriptor& parameter : parameter_descriptors())
     out.push_back(entry_of(parameter, Json::array()));
@@ -174,7 +174,7 @@ std::vector<Entry> evolution_entries() {
   return out;
 }
 
-std::vector<Entry> precisions() {
+std::vector<Entry> precision_entries() {
   std::vector<Entry> out;
   for (const PrecisionDescriptor& precision : kPrecisionDescriptors)
     out.push_back({std::string(precision.id),
@@ -183,7 +183,7 @@ std::vector<Entry> precisions() {
   return out;
 }
 
-std::vector<Entry> actions() {
+std::vector<Entry> action_entries() {
   std::vector<Entry> out;
   for (const ActionDescriptor& action : action_descriptors()) {
     std::string text(action.tooltip);
@@ -203,7 +203,7 @@ std::vector<Entry> actions() {
   return out;
 }
 
-std::vector<Entry> bundles() {
+std::vector<Entry> bundle_entries() {
   std::vector<Entry> out;
   for (const auto& [bundle, is_built_in] : available_bundles()) {
     Json shown = Json::array();
@@ -221,7 +221,7 @@ std::vector<Entry> bundles() {
   return out;
 }
 
-std::vector<Entry> color_maps() {
+std::vector<Entry> color_map_entries() {
   const LoadedColorMaps loaded = load_color_maps(find_assets({}), user_color_map_folder());
   for (const Error& problem : loaded.problems) say("a colour map is left out: " + problem.message());
   std::vector<Entry> out;
@@ -234,7 +234,7 @@ std::vector<Entry> color_maps() {
   return out;
 }
 
-std::vector<Entry> lessons() {
+std::vector<Entry> lesson_entries() {
   std::vector<Entry> out;
   for (const ShippedLesson& lesson : read_shipped_lessons(find_assets({}))) {
     const auto session = session_of(lesson, find_assets({}));
@@ -296,16 +296,16 @@ struct Listing {
   std::vector<Entry> (*entries)();
 };
 
-constexpr std::array<Listing, 12> kListings{{{"layers", layers},
-                                             {"structures", structures},
+constexpr std::array<Listing, 12> kListings{{{"layers", layer_entries},
+                                             {"structures", structure_entries},
                                              {"evolutions", evolution_entries},
-                                             {"formats", formats},
-                                             {"parameters", parameters},
-                                             {"precisions", precisions},
-                                             {"actions", actions},
-                                             {"bundles", bundles},
-                                             {"color-maps", color_maps},
-                                             {"lessons", lessons},
+                                             {"formats", format_entries},
+                                             {"parameters", parameter_entries},
+                                             {"precisions", precision_entries},
+                                             {"actions", action_entries},
+                                             {"bundles", bundle_entries},
+                                             {"color-maps", color_map_entries},
+                                             {"lessons", lesson_entries},
                                              {"shapes", shape_entries},
                                              {"fonts", font_entries}}};
 

@@ -13,7 +13,7 @@ namespace mes::cli {
 namespace {
 
 // Text in which nothing counts as markup: a hyphen is the character that users type.
-std::string plain(std::string_view text) {
+std::string in_roff(std::string_view text) {
   std::string out;
   bool is_line_start = true;
   for (const char c : text) {
@@ -30,11 +30,11 @@ std::string plain(std::string_view text) {
 }
 
 std::string bold(std::string_view text) {
-  return "\\fB" + plain(text) + "\\fR";
+  return "\\fB" + in_roff(text) + "\\fR";
 }
 
 std::string italic(std::string_view text) {
-  return "\\fI" + plain(text) + "\\fR";
+  return "\\fI" + in_roff(text) + "\\fR";
 }
 
 std::string section(std::string_view title) {
@@ -44,7 +44,7 @@ std::string section(std::string_view title) {
 }
 
 std::string item(const std::string& name, std::string_view text) {
-  return fmt::format(".TP\n{}\n{}\n", name, plain(text));
+  return fmt::format(".TP\n{}\n{}\n", name, in_roff(text));
 }
 
 std::string heading_of(const OptionHelp& option) {
@@ -52,7 +52,7 @@ std::string heading_of(const OptionHelp& option) {
   std::string out;
   for (const std::string& name : option.names) out += (out.empty() ? "" : ", ") + bold(name);
   if (option.value != nullptr) out += ' ' + italic(option.value->name);
-  if (!option.default_value.empty()) out += " (default: " + plain(option.default_value) + ')';
+  if (!option.default_value.empty()) out += " (default: " + in_roff(option.default_value) + ')';
   return option.is_required ? out + " (required)" : out;
 }
 
@@ -86,13 +86,13 @@ std::string sections_of(std::string_view footer) {
     const std::string_view text = paragraph.substr(colon + 1);
     out += section(paragraph.substr(0, colon));
     if (text.starts_with('\n')) {
-      out += ".nf\n" + plain(text.substr(1)) + "\n.fi\n";
+      out += ".nf\n" + in_roff(text.substr(1)) + "\n.fi\n";
       continue;
     }
     std::string line;
     for (const char c : text)
       if (c != ' ' || (!line.empty() && line.back() != '\n')) line += c;
-    out += plain(line) + '\n';
+    out += in_roff(line) + '\n';
   }
   return out;
 }
@@ -126,11 +126,11 @@ std::string man_page(std::span<const CommandHelp> commands) {
   out += section("Name") + "mesecina \\- sample\\-based geometry in the plane, live\n";
   out += section("Synopsis") + ".nf\n";
   for (const CommandHelp& command : commands) out += usage_of(command);
-  out += ".fi\n" + section("Description") + plain(program.summary) + '\n';
+  out += ".fi\n" + section("Description") + in_roff(program.summary) + '\n';
   out += section("Options") + options_of(program) + section("Commands");
   for (const CommandHelp& command : commands.subspan(1)) {
-    out += fmt::format(".SS {}\n{}.\n{}", plain(command.name), plain(command.summary), options_of(command));
-    if (!command.footer.empty()) out += ".PP\n" + plain(command.footer) + '\n';
+    out += fmt::format(".SS {}\n{}.\n{}", in_roff(command.name), in_roff(command.summary), options_of(command));
+    if (!command.footer.empty()) out += ".PP\n" + in_roff(command.footer) + '\n';
   }
   return out + sections_of(program.footer) + keys() + files();
 }

@@ -121,7 +121,7 @@ void write_color_maps(Markdown& page, const fs::path& assets) {
   page.table({"Map", "Colours", ""}, rows);
 }
 
-std::string number(double value) {
+std::string number_text(double value) {
   std::string out;
   append_number(out, value);
   return out;
@@ -131,9 +131,9 @@ Rows rows_of(std::span<const ParameterDescriptor> parameters) {
   Rows rows;
   for (const ParameterDescriptor& parameter : parameters)
     rows.push_back({code(parameter.id), plain(parameter.explanation),
-                    fmt::format("{} to {}{}", number(parameter.low), number(parameter.high),
+                    fmt::format("{} to {}{}", number_text(parameter.low), number_text(parameter.high),
                                 parameter.is_whole ? ", whole" : ""),
-                    plain(parameter.unit), number(parameter.default_value)});
+                    plain(parameter.unit), number_text(parameter.default_value)});
   return rows;
 }
 

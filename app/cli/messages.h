@@ -3,6 +3,7 @@
 // input, 4 output impossible, 130 interrupted.
 #pragma once
 
+#include <filesystem>
 #include <string>
 #include <string_view>
 
@@ -22,6 +23,10 @@ int report(const Error& error);
 
 inline std::unexpected<Error> usage_error(std::string text) {
   return std::unexpected(Error{ErrorCode::usage, std::move(text), {}, 0, 0});
+}
+
+inline std::unexpected<Error> cannot_write(std::string text, const std::filesystem::path& file) {
+  return std::unexpected(Error{ErrorCode::cannot_write, std::move(text), file.string()});
 }
 
 }  // namespace mes::cli

@@ -20,7 +20,7 @@ std::vector<std::string_view> layer_ids() {
   return ids;
 }
 
-std::string unknown(std::string_view what, std::string_view word, std::span<const std::string_view> names) {
+std::string unknown_word(std::string_view what, std::string_view word, std::span<const std::string_view> names) {
   return fmt::format("unknown {} {}; did you mean {}?", what, in_quotes(word), one_of(nearest_names(word, names)));
 }
 
@@ -85,7 +85,7 @@ std::string one_of(std::span<const std::string_view> names) {
 Expected<LayerIndex> select_layer(const std::string& id) {
   const LayerIndex layer = find_layer(id);
   if (layer != kNoLayer) return layer;
-  return usage_error(unknown("layer", id, layer_ids()) + " (mesecina list layers)");
+  return usage_error(unknown_word("layer", id, layer_ids()) + " (mesecina list layers)");
 }
 
 Expected<std::vector<LayerIndex>> select_layers(const std::string& ids) {
@@ -124,7 +124,8 @@ Expected<std::pair<std::size_t, double>> parse_setting(const std::string& settin
   std::vector<std::string_view> names;
   for (const ParameterDescriptor& parameter : parameters) names.push_back(parameter.id);
   const auto found = std::ranges::find(names, name);
-  if (found == names.end()) return usage_error(unknown("parameter", name, names) + " (mesecina list parameters)");
+  if (found == names.end())
+    return usage_error(unknown_word("parameter", name, names) + " (mesecina list parameters)");
   const auto index = static_cast<std::size_t>(found - names.begin());
   const ParameterDescriptor& parameter = parameters[index];
   const auto value = parse_number(text);

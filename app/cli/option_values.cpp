@@ -22,18 +22,18 @@
 namespace mes::cli {
 namespace {
 
-std::vector<std::string> ids_of(const auto& descriptors) {
+std::vector<std::string> id_list(const auto& descriptors) {
   std::vector<std::string> out;
   for (const auto& descriptor : descriptors) out.emplace_back(descriptor.id);
   return out;
 }
 
-std::vector<std::string> layers() {
-  return ids_of(layer_descriptors());
+std::vector<std::string> offered_layers() {
+  return id_list(layer_descriptors());
 }
 
-std::vector<std::string> formats() {
-  return ids_of(format_descriptors());
+std::vector<std::string> offered_formats() {
+  return id_list(format_descriptors());
 }
 
 std::vector<std::string> exported() {
@@ -46,19 +46,19 @@ std::vector<std::string> picture_format_names() {
   return {formats.begin(), formats.end()};
 }
 
-std::vector<std::string> precisions() {
-  return ids_of(kPrecisionDescriptors);
+std::vector<std::string> offered_precisions() {
+  return id_list(kPrecisionDescriptors);
 }
 
-std::vector<std::string> parameters() {
-  std::vector<std::string> out = ids_of(parameter_descriptors());
+std::vector<std::string> offered_parameters() {
+  std::vector<std::string> out = id_list(parameter_descriptors());
   for (const ParameterDescriptor& parameter : evolution_parameters()) out.emplace_back(parameter.id);
   for (std::string& name : out) name += '=';
   return out;
 }
 
 std::vector<std::string> swept() {
-  std::vector<std::string> out = ids_of(parameter_descriptors());
+  std::vector<std::string> out = id_list(parameter_descriptors());
   for (std::string& name : out) name += '=';
   return out;
 }
@@ -70,11 +70,11 @@ std::vector<std::string> evolution_ids() {
 }
 
 std::vector<std::string> shape_ids() {
-  return ids_of(shapes());
+  return id_list(shapes());
 }
 
 std::vector<std::string> sampling_rule_ids() {
-  return ids_of(sampling_rules());
+  return id_list(sampling_rules());
 }
 
 /// Of all shapes, each once: scripts of shells do not know which shape was named.
@@ -123,18 +123,18 @@ constexpr std::array<OptionValue, 55> kValues{{
     {"NAME", {}, ValueKind::choice, shape_ids},
     {"TEXT", {}},
     {"SHELL", {}, ValueKind::choice, shell_names},
-    {"--from", "FORMAT", ValueKind::choice, formats},
+    {"--from", "FORMAT", ValueKind::choice, offered_formats},
     {"--format", "FORMAT", ValueKind::choice, exported},
     {"--to", "FORMAT", ValueKind::choice, picture_format_names},
     {"--threshold", "N"},
     {"--specks", "AREA"},
     {"--figure-side", "SIDE", ValueKind::choice, figure_sides},
-    {"--precision", "TYPE", ValueKind::choice, precisions},
-    {"--set", "NAME=VALUE", ValueKind::choice, parameters},
+    {"--precision", "TYPE", ValueKind::choice, offered_precisions},
+    {"--set", "NAME=VALUE", ValueKind::choice, offered_parameters},
     {"--set", "KEY=VALUE", ValueKind::choice, shape_parameters, "shape"},
     {"--parameter", "NAME=FROM..TO", ValueKind::choice, swept},
-    {"--layers", "IDS", ValueKind::choices, layers},
-    {"--layer", "ID", ValueKind::choice, layers},
+    {"--layers", "IDS", ValueKind::choices, offered_layers},
+    {"--layer", "ID", ValueKind::choice, offered_layers},
     {"--evolution", "ID", ValueKind::choice, evolution_ids},
     {"--compare", "WHAT=VALUES", ValueKind::choice, compared_things},
     {"--output", "FILE", ValueKind::file},
@@ -148,7 +148,7 @@ constexpr std::array<OptionValue, 55> kValues{{
     {"--line-spacing", "FACTOR"},
     {"--figure-size", "SIZE", ValueKind::choice, page_sizes},
     {"--bounds", "BOUNDS", ValueKind::choice, bounds},
-    {"--rasterize", "IDS", ValueKind::choices, layers},
+    {"--rasterize", "IDS", ValueKind::choices, offered_layers},
     {"--dpi", "N"},
     {"--legend-at", "PLACE", ValueKind::choice, corners},
     {"--scale-bar-at", "PLACE", ValueKind::choice, corners},

@@ -21,7 +21,7 @@ namespace {
 constexpr double kRadians = std::numbers::pi / 180.0;
 
 /// Sets `to` where the option was given.
-Expected<void> number(std::string_view option, const std::string& text, double& to, double factor = 1.0) {
+Expected<void> read_number(std::string_view option, const std::string& text, double& to, double factor = 1.0) {
   if (text.empty()) return {};
   const auto value = parse_number(text);
   if (!value) return usage_error(fmt::format("{} expects a number, not {}", option, in_quotes(text)));
@@ -70,12 +70,12 @@ Expected<SamplingRequest> sampling_of(const SampleRequest& request) {
   const auto seed = whole_number("--seed", request.seed);
   if (!seed) return std::unexpected(seed.error());
   out.seed = *seed;
-  for (const auto& done :
-       {number("--spacing", request.spacing, out.spacing), number("--epsilon", request.epsilon, out.epsilon),
-        number("--turn", request.turn, out.turn, kRadians),
-        number("--corner-angle", request.corner_angle, out.corner_angle, kRadians),
-        number("--corner-radius", request.corner_radius, out.corner_radius),
-        number("--jitter", request.jitter, out.jitter)})
+  for (const auto& done : {read_number("--spacing", request.spacing, out.spacing),
+                           read_number("--epsilon", request.epsilon, out.epsilon),
+                           read_number("--turn", request.turn, out.turn, kRadians),
+                           read_number("--corner-angle", request.corner_angle, out.corner_angle, kRadians),
+                           read_number("--corner-radius", request.corner_radius, out.corner_radius),
+                           read_number("--jitter", request.jitter, out.jitter)})
     if (!done) return std::unexpected(done.error());
   if (*rule == SamplingRule::spacing && request.spacing.empty())
     return usage_error("the rule spacing needs --spacing");

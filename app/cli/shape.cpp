@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 
+#include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
@@ -13,10 +14,6 @@
 
 namespace mes::cli {
 namespace {
-
-std::unexpected<Error> usage_error(std::string text) {
-  return std::unexpected(Error{ErrorCode::usage, std::move(text), {}, 0, 0});
-}
 
 Expected<const ShapeDescriptor*> select_shape(const std::string& id) {
   if (const ShapeDescriptor* shape = find_shape(id); shape != nullptr) return shape;

@@ -44,7 +44,7 @@ constexpr auto kTitles = std::to_array<Title>({{"medial-sampling-angle", "Angle 
                                                {"growing-step", "Step"},
                                                {"alpha-step", "Step"},
                                                {"freeze-chains", "Keep the order of the beginning"}});
-constexpr auto kSpoken = std::to_array<Title>(
+constexpr auto kSpokenExplanations = std::to_array<Title>(
     {{"angle-mode", "What stands for an axis edge, along which the angle varies"},
      {"subdivide-scheme", "What the curve through the samples becomes"},
      {"noise-isotropic", "Where a sample may move"},
@@ -60,7 +60,7 @@ constexpr auto kSpoken = std::to_array<Title>(
      {"freeze-chains",
       "Where the document has no contours. On: the crust of the beginning says who follows whom; off: the crust of "
       "each step does"}});
-constexpr std::array<std::pair<Words, LayerGroup>, 3> kFamilies{
+constexpr std::array<std::pair<Words, LayerGroup>, 3> kFamilyGroups{
     {{"a-", LayerGroup::union_a}, {"p-", LayerGroup::union_p}, {"b-", LayerGroup::union_b}}};
 
 std::string words_of(Words id) {
@@ -78,7 +78,7 @@ void replace(std::string& text, Words what, Words by) {
 std::string title_of(const ParameterDescriptor& descriptor) {
   if (const auto found = std::ranges::find(kTitles, descriptor.id, &Title::id); found != kTitles.end())
     return std::string(found->title);
-  for (const auto& [prefix, group] : kFamilies)
+  for (const auto& [prefix, group] : kFamilyGroups)
     if (descriptor.id.starts_with(prefix))
       return std::string(title_of(group)) + ": " + words_of(descriptor.id.substr(prefix.size()));
   std::string out = words_of(descriptor.id);
@@ -99,7 +99,8 @@ std::string beyond_words(const std::string& title, double number, double low, do
 }
 
 std::string spoken_explanation(const ParameterDescriptor& descriptor) {
-  if (const auto found = std::ranges::find(kSpoken, descriptor.id, &Title::id); found != kSpoken.end())
+  if (const auto found = std::ranges::find(kSpokenExplanations, descriptor.id, &Title::id);
+      found != kSpokenExplanations.end())
     return std::string(found->title);
   std::string out(descriptor.explanation);
   if (!is_switch(descriptor)) return out;

@@ -67,7 +67,7 @@ struct Spoken {
   std::string_view several;
   std::string_view one;
 };
-constexpr auto kSpoken = std::to_array<Spoken>({
+constexpr auto kSpokenFindings = std::to_array<Spoken>({
     {"curve edges beyond which another inner ball shows: the sample is not dense enough there",
      "curve edges beyond which another inner ball shows: too few samples there",
      "curve edge beyond which another inner ball shows: too few samples there"},
@@ -147,7 +147,7 @@ std::string text_of(const Finding& finding, std::string_view structure) {
   const std::string prefix = std::string(structure) + ": ";
   const Name* const family = family_of(structure);
   if (text.starts_with(prefix)) text.remove_prefix(prefix.size());
-  if (const auto found = std::ranges::find(kSpoken, text, &Spoken::text); found != kSpoken.end())
+  if (const auto found = std::ranges::find(kSpokenFindings, text, &Spoken::text); found != kSpokenFindings.end())
     text = finding.count == 1 ? found->one : found->several;
   const std::string out = grouped(static_cast<std::size_t>(finding.count)) + ' ' + std::string(text);
   return family == nullptr ? out : out + " (union of " + std::string(family->name) + ')';

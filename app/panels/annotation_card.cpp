@@ -17,7 +17,7 @@
 namespace mes {
 namespace {
 
-constexpr float kWidth = 330.0F;
+constexpr float kAnnotationWidth = 330.0F;
 
 const char* name_of(AnnotationKind kind) {
   switch (kind) {
@@ -68,9 +68,9 @@ bool AnnotationCard::draw_words(const Gui& gui, Annotation& annotation, bool is_
   // What shows something by itself may need no words, and a key pressed next is one of the tools'.
   if (is_new && !shows_without_words(annotation.kind)) ImGui::SetKeyboardFocusHere();
   const std::string before = annotation.text;
-  const bool is_entered =
-      ImGui::InputTextMultiline("##words", &annotation.text, {kWidth * unit, 2.6F * ImGui::GetTextLineHeight()},
-                                ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CtrlEnterForNewLine);
+  const bool is_entered = ImGui::InputTextMultiline(
+      "##words", &annotation.text, {kAnnotationWidth * unit, 2.6F * ImGui::GetTextLineHeight()},
+      ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CtrlEnterForNewLine);
   // Dear ImGui puts back what the field began with: Esc ends the writing here, and undo takes words away.
   const bool is_left = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   if (is_left) annotation.text = before;
@@ -82,7 +82,7 @@ bool AnnotationCard::draw_words(const Gui& gui, Annotation& annotation, bool is_
                             annotation.kind != AnnotationKind::arrow;
   const std::string hint = is_dimension ? "Nothing for the number alone; \\value is the number, as in $d = \\value$"
                                         : "$r_i^2$, \\alpha, \\textbf{bold}; Ctrl+Enter: another line";
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + kWidth * unit);
+  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + kAnnotationWidth * unit);
   ImGui::TextDisabled("%s",
                       (words.complaint.empty() ? hint : words.complaint + "; it is shown as it stands").c_str());
   ImGui::PopTextWrapPos();
@@ -120,7 +120,7 @@ void AnnotationCard::draw(const Gui& gui, AnnotationDesk& desk, ImVec2 beside, c
   const float unit = gui.unit();
   const bool is_new = desk.choice_number() != choice_number_;
   choice_number_ = desk.choice_number();
-  const ImVec2 size{(kWidth + 24) * unit, 150 * unit};
+  const ImVec2 size{(kAnnotationWidth + 24) * unit, 150 * unit};
   if (is_new) {
     // Below the words, or above them if it would not fit below.
     const float below = beside.y + 30 * unit;
@@ -135,7 +135,7 @@ void AnnotationCard::draw(const Gui& gui, AnnotationDesk& desk, ImVec2 beside, c
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings);
   Annotation changed = *current;
   draw_kinds(gui, changed);
-  ImGui::SameLine((kWidth - 8) * unit);
+  ImGui::SameLine((kAnnotationWidth - 8) * unit);
   bool is_closed = icon_button("close", Icon::close, ImGui::GetTextLineHeight());
   tooltip(gui, "Close (Enter or Esc)");
   is_closed = draw_words(gui, changed, is_new) || is_closed;

@@ -8,7 +8,7 @@
 namespace mes {
 namespace {
 
-constexpr const char* kTitle = "##ask-conflict";
+constexpr const char* kConflictTitle = "##ask-conflict";
 
 void draw_number(const char* text, float right) {
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + right - ImGui::CalcTextSize(text).x);
@@ -96,7 +96,8 @@ AskConflict::Pressed AskConflict::draw_question(const Gui& gui) const {
   ImGui::SetNextWindowPos({0.5F * screen.x, 0.4F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * unit, 16 * unit});
   Pressed pressed = Pressed::none;
-  if (Gui::begin_dialog(kTitle, is_open(), ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
+  if (Gui::begin_dialog(kConflictTitle, is_open(),
+                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
     if (is_open()) {
       ImGui::PushFont(gui.bold());
       ImGui::Text("%s has been changed by another program", conflict_->file.filename().c_str());

@@ -5,7 +5,7 @@
 
 namespace mes {
 namespace {
-constexpr const char* kTitle = "##ask-unsaved";
+constexpr const char* kUnsavedTitle = "##ask-unsaved";
 }
 
 void AskUnsaved::ask(std::string title, Answers answers, std::string reason) {
@@ -26,7 +26,7 @@ void AskUnsaved::draw(const Gui& gui) {
   ImGui::SetNextWindowPos({0.5F * screen.x, 0.4F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * unit, 16 * unit});
   std::function<void()> answer;
-  if (Gui::begin_dialog(kTitle, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
+  if (Gui::begin_dialog(kUnsavedTitle, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
     // Names of files may be long.
     ImGui::PushTextWrapPos(0.6F * screen.x);
     ImGui::PushFont(gui.bold());

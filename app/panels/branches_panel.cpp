@@ -35,7 +35,7 @@ constexpr std::array<const char*, kBranchAxes.size()> kAxes{"Whole axis", "Lambd
 constexpr std::size_t kBins = 96;
 constexpr float kHistogramHeight = 64.0F;  // logical pixels
 constexpr float kLeastTable = 150.0F;
-constexpr std::size_t kMostSegments = 20'000;
+constexpr std::size_t kMostBranchSegments = 20'000;
 
 std::string cell_text(const AxisBranch& branch, std::size_t row, BranchColumn column) {
   switch (column) {
@@ -286,7 +286,7 @@ void BranchesPanel::draw_branch(std::size_t row, bool is_chosen) const {
       uses_.gui, {uses_.canvas.view().camera()}, uses_.canvas.content_scale(),
       {to_imgui(palette::blue, is_chosen ? 1.0 : 0.55), (is_chosen ? 5.0F : 4.0F) * unit, PenMark::ring});
   // A longer one is drawn with every other place, or fewer.
-  const std::size_t stride = line.size() / kMostSegments + 1;
+  const std::size_t stride = line.size() / kMostBranchSegments + 1;
   Vec2 from = line.front();
   for (std::size_t i = 1; i < line.size(); ++i) {
     if (i % stride != 0 && i + 1 != line.size()) continue;

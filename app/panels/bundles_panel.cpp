@@ -12,7 +12,7 @@
 namespace mes {
 namespace {
 
-constexpr const char* kDragKind = "mesecina-bundle";
+constexpr const char* kBundleDragKind = "mesecina-bundle";
 constexpr std::size_t kDigits = 9;
 constexpr float kRowHeight = 24.0F;
 constexpr float kHeadHeight = 34.0F;
@@ -60,7 +60,7 @@ void end_roomy_popup() {
 }
 
 /// A field for a name and a button with a verb. True: it was meant.
-bool draw_name(const Gui& gui, NameField& field, std::string& name, const char* verb) {
+bool draw_name_field(const Gui& gui, NameField& field, std::string& name, const char* verb) {
   const float unit = gui.unit();
   ImGui::SetNextItemWidth(200 * unit);
   if (ImGui::IsWindowAppearing()) field.focus();
@@ -135,7 +135,7 @@ void BundlesPanel::draw_save_popup() {
   ImGui::TextUnformatted("Save the layers as they are under a name");
   const auto checked = checked_bundle_name(name_);
   const bool is_taken = checked && uses_.bundles.has(*checked);
-  const bool is_meant = draw_name(uses_.gui, field_, name_, is_taken ? "Overwrite" : "Save");
+  const bool is_meant = draw_name_field(uses_.gui, field_, name_, is_taken ? "Overwrite" : "Save");
   ImGui::PushStyleColor(ImGuiCol_Text, uses_.gui.colors().warning);
   ImGui::TextUnformatted(is_taken ? "There is a bundle of this name" : " ");
   ImGui::PopStyleColor();
@@ -177,7 +177,7 @@ void BundlesPanel::draw_rename_popup() {
   place_beside_panel(uses_.gui);
   if (!begin_roomy_popup(uses_.gui, "rename-bundle")) return;
   ImGui::TextUnformatted("Rename the bundle");
-  if (renamed_ < bundles.size() && draw_name(uses_.gui, field_, name_, "Rename")) {
+  if (renamed_ < bundles.size() && draw_name_field(uses_.gui, field_, name_, "Rename")) {
     tell(uses_.bundles.rename(renamed_, name_));
     ImGui::CloseCurrentPopup();
   }
@@ -203,14 +203,14 @@ void BundlesPanel::draw_row(std::size_t index) {
   if (is_changed) explanation += "\n\nThe layers were changed since; click to have them back as saved";
   tooltip(uses_.gui, explanation + "\n\nDrag to reorder, right click for more");
   if (ImGui::BeginDragDropSource()) {
-    ImGui::SetDragDropPayload(kDragKind, &index, sizeof index);
+    ImGui::SetDragDropPayload(kBundleDragKind, &index, sizeof index);
     ImGui::TextUnformatted(name.c_str());
     ImGui::EndDragDropSource();
   }
   std::optional<std::size_t> dropped;
   if (ImGui::BeginDragDropTarget()) {
     const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(
-        kDragKind, ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
+        kBundleDragKind, ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
     if (payload != nullptr) {
       const std::size_t from = *static_cast<const std::size_t*>(payload->Data);
       const float y = from < index ? end.y : at.y;

@@ -12,12 +12,12 @@ namespace mes {
 namespace {
 
 // Logical pixels.
-constexpr float kGap = 6;
+constexpr float kChipGap = 6;
 constexpr float kGapAfter = 16;
-constexpr float kPadding = 7;
+constexpr float kChipPadding = 7;
 constexpr float kCross = 13;
 
-std::string explanation(Parameter parameter) {
+std::string chip_explanation(Parameter parameter) {
   const ParameterDescriptor& descriptor = descriptor_of(parameter);
   return spoken_explanation(descriptor) + "\n\nClick: back to the default, " +
          value_text(descriptor, descriptor.default_value);
@@ -37,7 +37,7 @@ ChangedChips::ChangedChips(const Gui& gui, ComputationControl& computation, Mess
 float ChangedChips::text_width(const std::string& text) const {
   const ImFont& font = *gui_.small();
   const float size = font.FontSize * ImGui::GetIO().FontGlobalScale;
-  return font.CalcTextSizeA(size, 1e9F, 0.0F, text.c_str()).x + 2 * kPadding * gui_.unit();
+  return font.CalcTextSizeA(size, 1e9F, 0.0F, text.c_str()).x + 2 * kChipPadding * gui_.unit();
 }
 
 std::string ChangedChips::rest_text(std::size_t shown) const {
@@ -47,14 +47,14 @@ std::string ChangedChips::rest_text(std::size_t shown) const {
 float ChangedChips::row_width(std::size_t shown) const {
   const float unit = gui_.unit();
   float out = kGapAfter * unit;
-  for (std::size_t i = 0; i < shown; ++i) out += widths_[i] + (i == 0 ? 0.0F : kGap * unit);
-  if (shown < changed_.size()) out += (shown == 0 ? 0.0F : kGap * unit) + text_width(rest_text(shown));
+  for (std::size_t i = 0; i < shown; ++i) out += widths_[i] + (i == 0 ? 0.0F : kChipGap * unit);
+  if (shown < changed_.size()) out += (shown == 0 ? 0.0F : kChipGap * unit) + text_width(rest_text(shown));
   return out;
 }
 
 std::size_t ChangedChips::shown_in(float room) const {
   const float unit = gui_.unit();
-  return how_many_fit(widths_, kGap * unit, text_width(rest_text(0)), room - kGapAfter * unit);
+  return how_many_fit(widths_, kChipGap * unit, text_width(rest_text(0)), room - kGapAfter * unit);
 }
 
 float ChangedChips::full_width() const {
@@ -86,7 +86,8 @@ bool ChangedChips::draw_chip(const char* id, const std::string& text, bool has_c
   list.AddRect(at, end, colors.accent, 0.5F * size.y, 0, unit);
   ImFont* const font = gui_.small();
   const float height = font->FontSize * ImGui::GetIO().FontGlobalScale;
-  list.AddText(font, height, {at.x + kPadding * unit, at.y + 0.5F * (size.y - height)}, colors.text, text.c_str());
+  list.AddText(font, height, {at.x + kChipPadding * unit, at.y + 0.5F * (size.y - height)}, colors.text,
+               text.c_str());
   if (has_cross)
     draw_icon(list, Icon::close, {end.x - (kCross + 5) * unit, at.y + 0.5F * (size.y - kCross * unit)}, kCross * unit,
               is_hovered ? colors.text : colors.text_quiet);
@@ -107,7 +108,7 @@ void ChangedChips::draw_rest(std::size_t shown) const {
     for (std::size_t i = shown; i < changed_.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
       if (draw_chip("chip", changed_[i].text, true)) reset(changed_[i].parameter);
-      tooltip(gui_, explanation(changed_[i].parameter));
+      tooltip(gui_, chip_explanation(changed_[i].parameter));
       ImGui::PopID();
     }
     ImGui::EndPopup();
@@ -121,14 +122,14 @@ void ChangedChips::draw(float room) const {
   const std::size_t shown = shown_in(room);
   ImGui::PushID("chips");
   for (std::size_t i = 0; i < shown; ++i) {
-    if (i > 0) ImGui::SameLine(0, kGap * unit);
+    if (i > 0) ImGui::SameLine(0, kChipGap * unit);
     ImGui::PushID(static_cast<int>(changed_[i].parameter));
     if (draw_chip("chip", changed_[i].text, true)) reset(changed_[i].parameter);
-    tooltip(gui_, explanation(changed_[i].parameter));
+    tooltip(gui_, chip_explanation(changed_[i].parameter));
     ImGui::PopID();
   }
   if (shown < changed_.size()) {
-    if (shown > 0) ImGui::SameLine(0, kGap * unit);
+    if (shown > 0) ImGui::SameLine(0, kChipGap * unit);
     draw_rest(shown);
   }
   ImGui::PopID();

@@ -12,7 +12,7 @@ namespace mes {
 namespace {
 
 constexpr float kPreviewWidth = 90.0F;
-constexpr float kFieldWidth = 78.0F;
+constexpr float kColorMapFieldWidth = 78.0F;
 constexpr std::size_t kCategoriesShown = 9;
 
 void set_range(LayerStyle& style, const render::ScalarRange& range) {
@@ -69,7 +69,7 @@ void ColorMapControls::draw_range(LayerIndex layer, LayerStyle& style) {
   render::ScalarRange range = style.range_locked ? render::ScalarRange{style.range_low, style.range_high} : now;
   if (range.is_empty()) range = {0.0, 1.0};
   const auto field = [&](const char* label, double& value) {
-    ImGui::SetNextItemWidth(kFieldWidth * unit);
+    ImGui::SetNextItemWidth(kColorMapFieldWidth * unit);
     return number_field(label, value, "%.5g");
   };
   double low = range.low;
@@ -113,7 +113,7 @@ void ColorMapControls::draw_selection(LayerIndex layer) {
   const auto typed = wanted_.find(layer);
   render::ScalarRange range = typed == wanted_.end() ? now : typed->second;
   const auto field = [&](const char* label, double& value) {
-    ImGui::SetNextItemWidth(kFieldWidth * unit);
+    ImGui::SetNextItemWidth(kColorMapFieldWidth * unit);
     return number_field(label, value, "%.5g");
   };
   const bool has_low = field("##from", range.low);

@@ -10,14 +10,14 @@
 namespace mes {
 namespace {
 
-constexpr float kWidth = 620.0F;  // logical pixels
+constexpr float kPaletteWidth = 620.0F;  // logical pixels
 constexpr float kRow = 28.0F;
 constexpr float kMostRows = 13.0F;
 constexpr float kKindWidth = 92.0F;
 
 // Letters that matched are bold and in the accent colour. What does not fit before `end` ends with dots.
-void draw_name(const Gui& gui, const PaletteEntry& entry, const std::vector<std::size_t>& letters, ImVec2 at,
-               float end, ImU32 color) {
+void draw_action_name(const Gui& gui, const PaletteEntry& entry, const std::vector<std::size_t>& letters, ImVec2 at,
+                      float end, ImU32 color) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const std::string& name = entry.name;
   const float dots = ImGui::CalcTextSize("\u2026").x;
@@ -120,7 +120,7 @@ bool CommandPalette::draw_row(const Gui& gui, std::size_t row) {
                  2 * unit);
     end -= 20 * unit;
   }
-  draw_name(gui, entry, hit.letters, {at.x + kKindWidth * unit, text_y}, end, color);
+  draw_action_name(gui, entry, hit.letters, {at.x + kKindWidth * unit, text_y}, end, color);
   return is_clicked;
 }
 
@@ -168,7 +168,7 @@ void CommandPalette::draw_foot(const Gui& gui) const {
 void CommandPalette::draw(const Gui& gui) {
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float width = std::min(kWidth * unit, screen.x - 24 * unit);
+  const float width = std::min(kPaletteWidth * unit, screen.x - 24 * unit);
   const float rows = kRow * unit * std::min(kMostRows, std::floor(0.62F * screen.y / (kRow * unit)));
   ImGui::SetNextWindowPos({0.5F * (screen.x - width), 0.1F * screen.y});
   ImGui::SetNextWindowSize({width, 0});

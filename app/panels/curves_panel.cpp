@@ -17,7 +17,7 @@ namespace {
 constexpr double kDegrees = 180.0 / std::numbers::pi;
 constexpr double kMostNumber = 100'000.0;
 
-std::string counted(std::size_t count, const char* one, const char* several) {
+std::string count_words(std::size_t count, const char* one, const char* several) {
   return fmt::format("{} {}", count, count == 1 ? one : several);
 }
 
@@ -64,7 +64,8 @@ void CurvesPanel::draw() {
     const std::size_t curves = sampler_.source()->curves->curves.size();
     const std::size_t corners = sampler_.corners().size();
     ImGui::TextUnformatted(
-        fmt::format("{} of {}", counted(curves, "curve", "curves"), counted(pieces_, "piece", "pieces")).c_str());
+        fmt::format("{} of {}", count_words(curves, "curve", "curves"), count_words(pieces_, "piece", "pieces"))
+            .c_str());
     tooltip(gui_, "As the file, the picture or the shape had them; they are saved with sessions");
     SamplingRequest request = sampler_.request();
     draw_rule(request);
@@ -146,7 +147,7 @@ void CurvesPanel::draw_density(SamplingRequest& request) {
 void CurvesPanel::draw_corners(SamplingRequest& request) {
   const float unit = gui_.unit();
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(counted(sampler_.corners().size(), "corner", "corners").c_str());
+  ImGui::TextUnformatted(count_words(sampler_.corners().size(), "corner", "corners").c_str());
   tooltip(gui_,
           fmt::format("Where the tangent turns by more than {:.0f} degrees. The local feature size is zero there: no "
                       "density of samples has an epsilon",
@@ -181,7 +182,7 @@ void CurvesPanel::draw_facts() {
   ImGui::Dummy({1, 2 * gui_.unit()});
   ImGui::PushTextWrapPos(0.0F);
   const std::string remark = sampler_.remark();
-  ImGui::TextDisabled("%s%s", counted(sampler_.source()->count, "sample", "samples").c_str(),
+  ImGui::TextDisabled("%s%s", count_words(sampler_.source()->count, "sample", "samples").c_str(),
                       sampler_.is_busy() ? ", others are being taken ..." : "");
   if (!remark.empty()) ImGui::TextDisabled("%s", remark.c_str());
   ImGui::PopTextWrapPos();

@@ -256,7 +256,7 @@ void hidden_layers(const EvolutionStrip& strip, Row& row) {
 }
 
 // Far steps only: for near ones it would flicker.
-void progress(const EvolutionStrip& strip, float width) {
+void draw_progress(const EvolutionStrip& strip, float width) {
   const EvolutionPlayer& player = strip.evolution;
   const bool is_far = player.is_waiting() && player.progress() > 0.0 && player.target() > player.position() + 10;
   const ImVec2 at = ImGui::GetWindowPos();
@@ -291,7 +291,7 @@ float EvolutionStrip::draw(ImVec2 at, float width) const {
     seed(*this);
   }
   hidden_layers(*this, row);
-  progress(*this, ImGui::GetWindowWidth());
+  draw_progress(*this, ImGui::GetWindowWidth());
   const float height = ImGui::GetWindowHeight();
   ImGui::End();
   ImGui::PopStyleVar();

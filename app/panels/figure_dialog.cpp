@@ -19,11 +19,11 @@
 namespace mes {
 namespace {
 
-constexpr float kWidth = 1080.0F;  // logical pixels
-constexpr float kHeight = 640.0F;
+constexpr float kFigureDialogWidth = 1080.0F;  // logical pixels
+constexpr float kFigureDialogHeight = 640.0F;
 constexpr float kSettings = 408.0F;
-constexpr float kTitle = 76.0F;
-constexpr const char* kId = "##figure";
+constexpr float kTitleWidth = 76.0F;
+constexpr const char* kFigureDialogId = "##figure";
 
 // In the order of `FigureExtent` and `FigurePaper`.
 constexpr std::array kExtents{std::pair{"View", "What the window shows between its panels"},
@@ -36,10 +36,10 @@ constexpr std::array kPapers{std::pair{"White", "White paper, on which black is 
 // In the order of `page_presets`.
 constexpr std::array kPresetTitles{"One column", "Two columns", "Slide", "Square"};
 
-void title(const Gui& gui, const char* text) {
+void row_title(const Gui& gui, const char* text) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text);
-  ImGui::SameLine(kTitle * gui.unit());
+  ImGui::SameLine(kTitleWidth * gui.unit());
 }
 
 /// On the same line as the last item where `label` fits there; otherwise below it, beside the titles.
@@ -50,7 +50,7 @@ void go_on(const Gui& gui, const std::string& label) {
   if (ImGui::GetItemRectMax().x + style.ItemSpacing.x + width <= right)
     ImGui::SameLine();
   else
-    ImGui::SetCursorPosX(kTitle * gui.unit());
+    ImGui::SetCursorPosX(kTitleWidth * gui.unit());
 }
 
 /// One of several words; `chosen` is its place.
@@ -134,7 +134,7 @@ void FigureDialog::press(const KeyChord& chord) {
 
 void FigureDialog::draw_size(const Gui& gui) const {
   FigureSettings& settings = uses_->settings;
-  title(gui, "Size");
+  row_title(gui, "Size");
   const auto presets = page_presets();
   for (std::size_t i = 0; i < presets.size() && i < kPresetTitles.size(); ++i) {
     if (i != 0) go_on(gui, kPresetTitles[i]);
@@ -151,7 +151,7 @@ void FigureDialog::draw_size(const Gui& gui) const {
     }
     tooltip(gui, std::string(presets[i].size));
   }
-  title(gui, "");
+  row_title(gui, "");
   length_field(gui, "##width", settings, settings.width_mm);
   tooltip(gui, "Width of the page");
   ImGui::SameLine();
@@ -180,7 +180,7 @@ void FigureDialog::draw_size(const Gui& gui) const {
 void FigureDialog::draw_panes(const Gui& gui) const {
   if (!uses_->desk.has_panes()) return;
   FigureSettings& settings = uses_->settings;
-  title(gui, "Panes");
+  row_title(gui, "Panes");
   if (choice_button("All", settings.all_panes)) settings.all_panes = true;
   tooltip(gui, "All panes of the window at one scale, each with its letter");
   ImGui::SameLine();
@@ -196,16 +196,16 @@ void FigureDialog::draw_panes(const Gui& gui) const {
 void FigureDialog::draw_look(const Gui& gui) const {
   FigureSettings& settings = uses_->settings;
   draw_panes(gui);
-  title(gui, "Show");
+  row_title(gui, "Show");
   // Panes have one size, so none is cut to what it draws.
   const bool is_sheet = uses_->desk.has_panes() && settings.all_panes;
   FigureExtent extent = is_sheet && settings.extent == FigureExtent::ink ? FigureExtent::view : settings.extent;
   const FigureExtent before = extent;
   choice<FigureExtent>(gui, std::span(kExtents).first(is_sheet ? 2 : kExtents.size()), extent);
   if (extent != before) settings.extent = extent;
-  title(gui, "Paper");
+  row_title(gui, "Paper");
   choice<FigurePaper>(gui, kPapers, settings.paper);
-  title(gui, "Lines");
+  row_title(gui, "Lines");
   if (choice_button("As on screen", settings.as_on_screen)) settings.as_on_screen = true;
   tooltip(gui, "Lines and points are to the page as they are to the canvas");
   ImGui::SameLine();
@@ -217,19 +217,19 @@ void FigureDialog::draw_look(const Gui& gui) const {
            {.format = "%.2f", .is_logarithmic = true, .width = 150 * gui.unit()});
     tooltip(gui, "Factor for the widths of lines and the sizes of points");
   }
-  title(gui, "Title");
+  row_title(gui, "Title");
   ImGui::SetNextItemWidth(-1.0F);
   ImGui::InputTextWithHint("##title", "Words above the drawing", &settings.title);
   tooltip(
       gui,
       "Text and a little LaTeX, as in annotations: $x_i^2 \\le \\varepsilon$, \\textbf{...}, \\\\ for a new line");
-  title(gui, "Legend");
+  row_title(gui, "Legend");
   ImGui::Checkbox("Of colour maps", &settings.with_legend);
   tooltip(gui, "Where it was dragged to on the canvas, or else in the corner where it hides least");
   ImGui::SameLine();
   ImGui::Checkbox("Of all layers", &settings.with_key);
   tooltip(gui, "The names of the layers, with a sample of how each is drawn");
-  title(gui, "Scale");
+  row_title(gui, "Scale");
   ImGui::Checkbox("Bar", &settings.marks.bar);
   tooltip(gui,
           "A line of a round length, with its length in units of the samples, where it was dragged to on the "
@@ -240,10 +240,10 @@ void FigureDialog::draw_look(const Gui& gui) const {
   ImGui::SameLine();
   ImGui::Checkbox("Grid", &settings.marks.grid);
   tooltip(gui, "Faint lines at round numbers, those of the axes");
-  title(gui, "Annotations");
+  row_title(gui, "Annotations");
   ImGui::Checkbox("Text, arrows, dimensions, highlights", &settings.with_annotations);
   tooltip(gui, "What the annotation tool has put on the drawing, as a layer of its own");
-  title(gui, "Source");
+  row_title(gui, "Source");
   const figure::Format* const format = figure::format_for(settings.extension);
   const bool can_carry = format != nullptr && format->carries_session;
   bool carries = can_carry && settings.with_source;
@@ -258,7 +258,7 @@ void FigureDialog::draw_look(const Gui& gui) const {
 
 void FigureDialog::draw_settings(const Gui& gui) const {
   FigureSettings& settings = uses_->settings;
-  title(gui, "Format");
+  row_title(gui, "Format");
   bool is_first = true;
   for (const figure::Format& format : figure::formats()) {
     const std::string name = short_name(format);
@@ -382,29 +382,30 @@ void FigureDialog::draw_preview(const Gui& gui) const {
 }
 
 void FigureDialog::draw(const Gui& gui) {
-  large_dialog(gui, kId, is_open_ && !is_covered_, {kWidth, kHeight}, [&](ImVec2 size) {
-    const float unit = gui.unit();
-    const float settings_width = std::min(kSettings * unit, 0.5F * size.x);
-    ImGui::BeginChild("settings", {settings_width, 0});
-    ImGui::PushFont(gui.bold());
-    ImGui::TextUnformatted("Export a figure");
-    ImGui::PopFont();
-    ImGui::Dummy({1, 2 * unit});
-    ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
-    draw_settings(gui);
-    draw_layers(gui);
-    draw_facts(gui);
-    ImGui::EndChild();
-    draw_buttons(gui);
-    ImGui::EndChild();
-    ImGui::SameLine(0, 16 * unit);
-    ImGui::BeginChild("preview");
-    draw_preview(gui);
-    ImGui::EndChild();
-    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
-    const float longest = std::max((size.x - settings_width) * scale.x, size.y * scale.y);
-    uses_->desk.want(uses_->settings, rasterized_, static_cast<int>(longest));
-  });
+  large_dialog(gui, kFigureDialogId, is_open_ && !is_covered_, {kFigureDialogWidth, kFigureDialogHeight},
+               [&](ImVec2 size) {
+                 const float unit = gui.unit();
+                 const float settings_width = std::min(kSettings * unit, 0.5F * size.x);
+                 ImGui::BeginChild("settings", {settings_width, 0});
+                 ImGui::PushFont(gui.bold());
+                 ImGui::TextUnformatted("Export a figure");
+                 ImGui::PopFont();
+                 ImGui::Dummy({1, 2 * unit});
+                 ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
+                 draw_settings(gui);
+                 draw_layers(gui);
+                 draw_facts(gui);
+                 ImGui::EndChild();
+                 draw_buttons(gui);
+                 ImGui::EndChild();
+                 ImGui::SameLine(0, 16 * unit);
+                 ImGui::BeginChild("preview");
+                 draw_preview(gui);
+                 ImGui::EndChild();
+                 const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+                 const float longest = std::max((size.x - settings_width) * scale.x, size.y * scale.y);
+                 uses_->desk.want(uses_->settings, rasterized_, static_cast<int>(longest));
+               });
 }
 
 }  // namespace mes

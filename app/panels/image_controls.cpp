@@ -12,11 +12,11 @@
 namespace mes {
 namespace {
 
-constexpr float kFieldWidth = 150.0F;
+constexpr float kImageFieldWidth = 150.0F;
 
 /// True when a number was typed that a document can hold; `is_length` ones are above 0.
 bool place_field(const Gui& gui, const char* label, double& value, bool is_length, const char* explanation) {
-  ImGui::SetNextItemWidth(kFieldWidth * gui.unit());
+  ImGui::SetNextItemWidth(kImageFieldWidth * gui.unit());
   const bool is_new = number_field(label, value, "%.6g", [&](double typed) -> std::optional<std::string> {
     if (const auto fault = range_fault_of(typed)) return describe(*fault, typed);
     if (is_length && !(typed > 0.0)) return "a width must be above zero";

@@ -10,7 +10,7 @@
 namespace mes {
 namespace {
 
-PenLook look_of(const Gui& gui, const ProvenanceLine& line, PrimitiveKind kind) {
+PenLook pen_look(const Gui& gui, const ProvenanceLine& line, PrimitiveKind kind) {
   const float unit = gui.unit();
   const PenMark mark = PenMark::dot;
   const bool goes = line.role == ProvenanceRole::origin;
@@ -57,7 +57,7 @@ void InsertionPreview::draw(const Gui& gui, const PanePart& pane, double content
     for (const ProvenanceLine& line : lines_) {
       if (line.role != role) continue;
       for (const ProvenanceShape& shape : line.shapes)
-        ShapePen(gui, pane, content_scale, look_of(gui, line, shape.kind)).draw(shape);
+        ShapePen(gui, pane, content_scale, pen_look(gui, line, shape.kind)).draw(shape);
     }
 }
 

@@ -19,7 +19,7 @@
 namespace mes {
 namespace {
 
-constexpr const char* kDragKind = "mesecina-layer";
+constexpr const char* kLayerDragKind = "mesecina-layer";
 constexpr const char* kSampleText = "12";
 
 bool has_kind(const LayerDescriptor& descriptor, std::initializer_list<PrimitiveKind> kinds) {
@@ -281,7 +281,7 @@ void LayersPanel::draw_drop_target(LayerIndex layer, ImVec2 at, ImVec2 end) {
   if (!ImGui::BeginDragDropTarget()) return;
   const bool above = ImGui::GetIO().MousePos.y < 0.5F * (at.y + end.y);
   const ImGuiPayload* payload = ImGui::AcceptDragDropPayload(
-      kDragKind, ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
+      kLayerDragKind, ImGuiDragDropFlags_AcceptBeforeDelivery | ImGuiDragDropFlags_AcceptNoDrawDefaultRect);
   if (payload != nullptr) {
     const float y = above ? at.y : end.y;
     ImGui::GetWindowDrawList()->AddLine({at.x, y}, {end.x, y}, gui_.colors().accent, 2 * gui_.unit());
@@ -334,7 +334,7 @@ void LayersPanel::draw_row(LayerIndex layer, const LayerSection& section) {
   tooltip(gui_, explanation(layer));
   draw_context_menu(layer);
   if (ImGui::BeginDragDropSource()) {
-    ImGui::SetDragDropPayload(kDragKind, &layer, sizeof layer);
+    ImGui::SetDragDropPayload(kLayerDragKind, &layer, sizeof layer);
     ImGui::TextUnformatted(descriptor.name.data(), descriptor.name.data() + descriptor.name.size());
     ImGui::EndDragDropSource();
   }

@@ -15,7 +15,7 @@ namespace {
 constexpr float kShare = 0.3F;    // of the room
 constexpr float kLeast = 220.0F;  // logical pixels
 constexpr float kMost = 520.0F;
-constexpr float kMargin = 22.0F;
+constexpr float kLessonMargin = 22.0F;
 
 }  // namespace
 
@@ -30,15 +30,15 @@ void LessonCard::draw_caption(const PanelArea& area) const {
   constexpr double kLargest = 26.0;
   constexpr double kFoot = 90.0;  // of the buttons
   const float unit = gui.unit();
-  const double column = static_cast<double>(area.size.x / unit) - 2.0 * static_cast<double>(kMargin);
-  const double height = static_cast<double>(area.size.y / unit) - 2.0 * static_cast<double>(kMargin) - kFoot;
+  const double column = static_cast<double>(area.size.x / unit) - 2.0 * static_cast<double>(kLessonMargin);
+  const double height = static_cast<double>(area.size.y / unit) - 2.0 * static_cast<double>(kLessonMargin) - kFoot;
   if (!(column > 0.0) || !(height > 0.0)) return;
   ImGui::GetBackgroundDrawList()->AddRectFilled(area.at, {area.at.x + area.size.x, area.at.y + area.size.y},
                                                 to_imgui(canvas));
   const CaptionLook look{
       .width = column, .letters = std::min(column / kLettersInAColumn, kLargest), .ink = paper_colors(canvas).ink};
   const FittedCaption fitted = fit_caption(caption_text(presenter.caption()), look, height, measure_on_canvas(gui));
-  paint_on_canvas(gui, fitted.drawing, {area.at.x + kMargin * unit, area.at.y + kMargin * unit});
+  paint_on_canvas(gui, fitted.drawing, {area.at.x + kLessonMargin * unit, area.at.y + kLessonMargin * unit});
 }
 
 LessonCard::Wish LessonCard::draw_buttons(const PanelArea& area) const {

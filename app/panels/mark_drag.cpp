@@ -11,7 +11,7 @@ namespace {
 constexpr double kSnapPx = 8.0;      // logical pixels
 constexpr float kUnsteadyPx = 3.0F;  // of a hand that clicks
 
-ImVec2 on_screen(const MarkDrag::Mark& mark, Vec2 px, float unit) {
+ImVec2 corner_on_screen(const MarkDrag::Mark& mark, Vec2 px, float unit) {
   return {std::round(mark.origin.x + static_cast<float>(px.x) * unit),
           std::round(mark.origin.y + static_cast<float>(px.y) * unit)};
 }
@@ -20,8 +20,8 @@ ImVec2 on_screen(const MarkDrag::Mark& mark, Vec2 px, float unit) {
 
 bool MarkDrag::follow(const Gui& gui, const Mark& mark, std::optional<PaperPlace>& place) {
   const float unit = gui.unit();
-  const ImVec2 low = on_screen(mark, mark.box.low, unit);
-  const ImVec2 high = on_screen(mark, mark.box.high, unit);
+  const ImVec2 low = corner_on_screen(mark, mark.box.low, unit);
+  const ImVec2 high = corner_on_screen(mark, mark.box.high, unit);
   const SplitterMove move =
       drag_handle(gui, mark.id, {low, {high.x - low.x, high.y - low.y}}, mark.explanation, "Back to its own place");
   if (move.is_reset) place.reset();

@@ -14,9 +14,9 @@
 namespace mes {
 namespace {
 
-constexpr float kMargin = 8.0F;
+constexpr float kHeaderMargin = 8.0F;
 
-ImVec2 on_screen(int x, int y, double pixel_ratio) {
+ImVec2 frame_on_screen(int x, int y, double pixel_ratio) {
   return {static_cast<float>(x / pixel_ratio), static_cast<float>(y / pixel_ratio)};
 }
 
@@ -27,8 +27,9 @@ void PaneHeaders::draw(const PanePlaces& places) const {
   const std::size_t before = panes.panes().size();
   for (std::size_t i = 0; i < places.places().size(); ++i) {
     const PanePlace& place = places.places()[i];
-    list.AddRect(on_screen(place.left, place.top, pixel_ratio),
-                 on_screen(place.left + place.width, place.top + place.height, pixel_ratio), gui.colors().border);
+    list.AddRect(frame_on_screen(place.left, place.top, pixel_ratio),
+                 frame_on_screen(place.left + place.width, place.top + place.height, pixel_ratio),
+                 gui.colors().border);
     draw_header(i, place);
     // The places are of the panes as they were.
     if (panes.panes().size() != before) return;
@@ -37,14 +38,15 @@ void PaneHeaders::draw(const PanePlaces& places) const {
 
 void PaneHeaders::draw_header(std::size_t pane, const PanePlace& place) const {
   const float unit = gui.unit();
-  const ImVec2 corner = on_screen(place.left, place.top + place.height, pixel_ratio);
-  ImGui::SetNextWindowPos({corner.x + kMargin * unit, corner.y - kMargin * unit}, ImGuiCond_Always, {0.0F, 1.0F});
+  const ImVec2 corner = frame_on_screen(place.left, place.top + place.height, pixel_ratio);
+  ImGui::SetNextWindowPos({corner.x + kHeaderMargin * unit, corner.y - kHeaderMargin * unit}, ImGuiCond_Always,
+                          {0.0F, 1.0F});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {6 * unit, 4 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   ImGui::Begin(fmt::format("##pane-{}", pane).c_str(), nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
-  const float room = std::max(40 * unit, static_cast<float>(place.width / pixel_ratio) - 6 * kMargin * unit);
+  const float room = std::max(40 * unit, static_cast<float>(place.width / pixel_ratio) - 6 * kHeaderMargin * unit);
   const std::string text = elided(pane_label(pane, words[pane]), room);
   if (pane == 0) {
     ImGui::TextUnformatted(text.c_str());

@@ -26,7 +26,7 @@ bool matches(const ParameterDescriptor& descriptor, const std::string& search) {
              .find(lower_case(search)) != std::string::npos;
 }
 
-std::string explanation(const ParameterDescriptor& descriptor) {
+std::string parameter_explanation(const ParameterDescriptor& descriptor) {
   if (descriptor.is_length)
     return fmt::format(
         "{}\n\nA length in units of the samples, {:.6g} by default. On the command line: --set {}=VALUE",
@@ -142,7 +142,7 @@ void ParametersPanel::draw_value(const ParameterDescriptor& descriptor, double& 
             .beyond = &beyond});
     if (beyond) take_within(descriptor, *beyond);
   }
-  tooltip(gui_, explanation(descriptor));
+  tooltip(gui_, parameter_explanation(descriptor));
 }
 
 // As wide as the slider above it is without its number.
@@ -283,11 +283,11 @@ void ParametersPanel::draw_parameter(Parameter parameter) {
   if (is_switch(descriptor)) {
     bool on = value != 0.0;
     if (ImGui::Checkbox(title.c_str(), &on)) value = on ? 1.0 : 0.0;
-    tooltip(gui_, explanation(descriptor));
+    tooltip(gui_, parameter_explanation(descriptor));
   } else {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(title.c_str());
-    tooltip(gui_, explanation(descriptor));
+    tooltip(gui_, parameter_explanation(descriptor));
   }
   ImGui::SameLine(buttons_at);
   const bool runs = computation_.animation().is_running() && computation_.animation().parameter == parameter;

@@ -15,12 +15,12 @@
 namespace mes {
 namespace {
 
-constexpr float kLeastSize = 120.0F;  // logical pixels
+constexpr float kLeastDiagram = 120.0F;  // logical pixels
 constexpr float kReach = 6.0F;
 constexpr int kLinesOfWords = 2;
-constexpr std::size_t kMostSegments = 20'000;
+constexpr std::size_t kMostDiagramSegments = 20'000;
 
-Rgb color_of(const PersistenceRow& row) {
+Rgb pair_color(const PersistenceRow& row) {
   return row.is_hole ? palette::purple : palette::green;
 }
 
@@ -155,7 +155,7 @@ void PersistencePanel::draw_diagram() {
   const ImVec2 room = ImGui::GetContentRegionAvail();
   // Below it are its ends and the words about what is chosen.
   const float below = (1 + kLinesOfWords) * ImGui::GetTextLineHeightWithSpacing();
-  const float size = std::max(kLeastSize * unit, std::min(room.x, room.y - below));
+  const float size = std::max(kLeastDiagram * unit, std::min(room.x, room.y - below));
   const ImVec2 at = ImGui::GetCursorScreenPos();
   hit_area("diagram", {size, size});
   const bool is_hovered = ImGui::IsItemHovered();
@@ -268,11 +268,11 @@ void PersistencePanel::draw_places(std::size_t row, bool is_chosen) {
     return ShapePen(uses_.gui, {uses_.canvas.view().camera()}, uses_.canvas.content_scale(),
                     {to_imgui(color, is_chosen ? 1.0 : 0.6), width * unit, PenMark::ring});
   };
-  const ShapePen pen = pen_of(color_of(one), is_chosen ? 4.0F : 3.0F);
+  const ShapePen pen = pen_of(pair_color(one), is_chosen ? 4.0F : 3.0F);
   const auto segment = [](const ShapePen& with, Vec2 a, Vec2 b) {
     with.draw({PrimitiveKind::segment, {a.x, a.y, b.x, b.y}});
   };
-  for (std::size_t i = 0; i < std::min(outline_.size(), kMostSegments); ++i)
+  for (std::size_t i = 0; i < std::min(outline_.size(), kMostDiagramSegments); ++i)
     segment(pen, outline_[i][0], outline_[i][1]);
   if (one.is_hole) {
     const auto& corner = table.triangles[one.triangle].corner;

@@ -14,7 +14,7 @@ namespace mes {
 namespace {
 
 // ImGui draws circles as polygons of corners all around; a far too large one is left to its layer.
-constexpr double kLargestCirclePx = 10'000.0;
+constexpr double kLargestMarkPx = 10'000.0;
 constexpr float kRing = 9.0F;
 
 /// Draws marks at places of the world and of the canvas.
@@ -34,7 +34,7 @@ class Pen {
   void dot(Vec2 world) const { list_.AddCircleFilled(at(to_px(world)), 3.0F * unit_, ink_); }
   void circle(const Disk& disk, float width) const {
     const double radius = disk.radius / (canvas_.content_scale() * camera_.units_per_pixel());
-    if (radius < kLargestCirclePx)
+    if (radius < kLargestMarkPx)
       list_.AddCircle(at(to_px(disk.center)), static_cast<float>(radius) * unit_, ink_, 0, width * unit_);
   }
   void segment(Vec2 a, Vec2 b) const { list_.AddLine(at(to_px(a)), at(to_px(b)), ink_, 1.5F * unit_); }
@@ -90,7 +90,7 @@ class Pen {
   }
   void faint_ring(Vec2 px, double radius_px) const {
     const double radius = radius_px * pointed().units_per_pixel() / camera_.units_per_pixel();
-    if (radius < kLargestCirclePx)
+    if (radius < kLargestMarkPx)
       list_.AddCircle(at(here(px)), static_cast<float>(radius) * unit_, to_imgui(color_, 0.56), 0, 1.2F * unit_);
   }
 

@@ -21,14 +21,14 @@ namespace {
 
 constexpr RecordSettings kFirstSize{.width = 1920, .height = 1080};
 
-void title(const char* text, float column) {
+void row_name(const char* text, float column) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(text);
   ImGui::SameLine(column);
 }
 
 void draw_size(const Gui& gui, RecordSettings& record, float column) {
-  title("Size", column);
+  row_name("Size", column);
   const bool is_canvas = record.width == 0 && record.height == 0;
   if (choice_button("Canvas", is_canvas)) record.width = record.height = 0;
   tooltip(gui, "As large as the canvas between the panels when the recording begins");
@@ -53,7 +53,7 @@ void draw_size(const Gui& gui, RecordSettings& record, float column) {
 }
 
 void draw_supersampling(const Gui& gui, RecordSettings& record, float column) {
-  title("Supersampling", column);
+  row_name("Supersampling", column);
   for (const int factor : {1, 2, 4}) {
     if (choice_button(fmt::format("{}x", factor).c_str(), record.supersampling == factor))
       record.supersampling = factor;
@@ -66,7 +66,7 @@ void draw_supersampling(const Gui& gui, RecordSettings& record, float column) {
 
 void draw_background(const RecordPopup& popup, RecordSettings& record, float column) {
   const Gui& gui = popup.gui;
-  title("Background", column);
+  row_name("Background", column);
   const bool is_canvas = !record.transparent && !record.background;
   if (choice_button("Canvas", is_canvas)) {
     record.transparent = false;
@@ -92,7 +92,7 @@ void draw_background(const RecordPopup& popup, RecordSettings& record, float col
 }
 
 void draw_panes(const Gui& gui, RecordSettings& record, float column) {
-  title("Panes", column);
+  row_name("Panes", column);
   if (choice_button("All", record.all_panes)) record.all_panes = true;
   tooltip(gui, "Frames, snapshots and copied pictures show all panes, each with its letter");
   ImGui::SameLine();
@@ -106,7 +106,7 @@ void draw_contents(const RecordPopup& popup) {
   const float column = 118 * unit;
   RecordSettings& record = popup.settings;
   ImGui::BeginDisabled(popup.record.is_recording());
-  title("Show", column);
+  row_name("Show", column);
   if (choice_button("Drawing", !record.with_panels)) record.with_panels = false;
   tooltip(gui, "The drawing alone");
   ImGui::SameLine();
@@ -118,29 +118,29 @@ void draw_contents(const RecordPopup& popup) {
   draw_background(popup, record, column);
   draw_panes(gui, record, column);
   ImGui::EndDisabled();
-  title("Pan and zoom", column);
+  row_name("Pan and zoom", column);
   if (choice_button("At rest", !record.each_motion)) record.each_motion = false;
   tooltip(gui, "One frame where a motion ends");
   ImGui::SameLine();
   if (choice_button("Each step", record.each_motion)) record.each_motion = true;
   tooltip(gui, "A frame of each step of a motion");
-  title("Folder", column);
+  row_name("Folder", column);
   ImGui::SetNextItemWidth(230 * unit);
   ImGui::InputTextWithHint("##folder", takes_folder().c_str(), &record.folder);
   tooltip(gui, "Snapshots go here, and each recording to a new folder in it");
-  title("Source", column);
+  row_name("Source", column);
   ImGui::Checkbox("Document in snapshots and takes", &record.with_source);
   tooltip(gui,
           "A snapshot holds samples, balls, view and layers, without the history; the manifest of a recording holds "
           "the session, with its history. Opened here again, it is the document");
   ImGui::EndDisabled();
-  title("Pace of video", column);
+  row_name("Pace of video", column);
   if (choice_button("Steady", !record.real_time)) record.real_time = false;
   tooltip(gui, "Each frame is seen equally long");
   ImGui::SameLine();
   if (choice_button("Real time", record.real_time)) record.real_time = true;
   tooltip(gui, "Each frame is seen as long as it was when it was recorded");
-  title("Video", column);
+  row_name("Video", column);
   slider(gui, "##fps", record.fps, 1.0, 60.0, {.format = "%.0f fps", .is_whole = true, .width = 170 * unit});
   tooltip(gui, "Frames per second");
   ImGui::SameLine();

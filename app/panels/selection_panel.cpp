@@ -11,7 +11,7 @@
 namespace mes {
 namespace {
 
-constexpr float kGap = 4.0F;  // logical pixels
+constexpr float kSelectionGap = 4.0F;  // logical pixels
 constexpr float kLabelWidth = 72.0F;
 
 void label(const Gui& gui, const char* text) {
@@ -57,14 +57,14 @@ void SelectionPanel::wish(const char* label, const char* hint, std::string& text
                           const char* explanation, const std::function<Expected<void>(double)>& use) {
   const float unit = gui_.unit();
   const float width = ImGui::CalcTextSize(button).x + 2 * ImGui::GetStyle().FramePadding.x;
-  ImGui::SetNextItemWidth(std::max(40 * unit, ImGui::GetContentRegionAvail().x - width - kGap * unit));
+  ImGui::SetNextItemWidth(std::max(40 * unit, ImGui::GetContentRegionAvail().x - width - kSelectionGap * unit));
   const auto act = [&] {
     const auto number = number_of(text);
     return number ? use(*number) : std::unexpected(number.error());
   };
   if (ImGui::InputTextWithHint(label, hint, &text, ImGuiInputTextFlags_EnterReturnsTrue)) enter(text, act());
   tooltip(gui_, explanation);
-  ImGui::SameLine(0, kGap * unit);
+  ImGui::SameLine(0, kSelectionGap * unit);
   if (ImGui::Button(button)) report(act());
   tooltip(gui_, explanation);
 }
@@ -101,12 +101,12 @@ void SelectionPanel::draw_place() {
   const float unit = gui_.unit();
   const bool is_one = numbers.samples + numbers.balls == 1;
   label(gui_, is_one ? "Place" : "Middle");
-  const float half = 0.5F * (ImGui::GetContentRegionAvail().x - kGap * unit);
+  const float half = 0.5F * (ImGui::GetContentRegionAvail().x - kSelectionGap * unit);
   number("##x", numbers.middle.x, half, "x; an expression such as 2/3 or sqrt(2) is computed when the field is left",
          [&](double x) {
            return desk_.move_middle_to({x, numbers.middle.y});
          });
-  ImGui::SameLine(0, kGap * unit);
+  ImGui::SameLine(0, kSelectionGap * unit);
   number("##y", numbers.middle.y, half, "y; an expression such as 2/3 or sqrt(2) is computed when the field is left",
          [&](double y) {
            return desk_.move_middle_to({numbers.middle.x, y});
@@ -123,7 +123,8 @@ void SelectionPanel::draw_motion() {
   const float unit = gui_.unit();
   label(gui_, "Move by");
   const float button = ImGui::CalcTextSize("Move").x + 2 * ImGui::GetStyle().FramePadding.x;
-  const float half = std::max(30 * unit, 0.5F * (ImGui::GetContentRegionAvail().x - button - 2 * kGap * unit));
+  const float half =
+      std::max(30 * unit, 0.5F * (ImGui::GetContentRegionAvail().x - button - 2 * kSelectionGap * unit));
   const auto move = [&]() -> Expected<void> {
     const auto dx = step_x_.empty() ? Expected<double>(0.0) : number_of(step_x_);
     if (!dx) return std::unexpected(dx.error());
@@ -135,7 +136,7 @@ void SelectionPanel::draw_motion() {
     ImGui::SetNextItemWidth(half);
     if (ImGui::InputTextWithHint(id, hint, &text, ImGuiInputTextFlags_EnterReturnsTrue)) enter(text, move());
     tooltip(gui_, explanation);
-    ImGui::SameLine(0, kGap * unit);
+    ImGui::SameLine(0, kSelectionGap * unit);
   };
   step("##dx", "dx", step_x_, "Step along x");
   step("##dy", "dy", step_y_, "Step along y");
@@ -156,7 +157,7 @@ void SelectionPanel::draw_arrangement() {
     bool is_first = true;
     for (const auto& [id, text] : buttons) {
       if (!is_first) {
-        ImGui::SameLine(0, kGap * unit);
+        ImGui::SameLine(0, kSelectionGap * unit);
         const float width = ImGui::CalcTextSize(text).x + 2 * ImGui::GetStyle().FramePadding.x;
         if (ImGui::GetCursorPosX() + width > ImGui::GetContentRegionMax().x) {
           ImGui::NewLine();

@@ -14,11 +14,11 @@
 namespace mes {
 namespace {
 
-constexpr float kWidth = 1040.0F;  // logical pixels
-constexpr float kHeight = 600.0F;
-constexpr float kListWidth = 190.0F;
-constexpr float kSettingsWidth = 300.0F;
-constexpr const char* kId = "##shape";
+constexpr float kShapeDialogWidth = 1040.0F;  // logical pixels
+constexpr float kShapeDialogHeight = 600.0F;
+constexpr float kShapeListWidth = 190.0F;
+constexpr float kShapeSettingsWidth = 300.0F;
+constexpr const char* kShapeDialogId = "##shape";
 
 /// Ranges of a slider: around the default where the parameter may be anything.
 struct SliderRange {
@@ -94,13 +94,13 @@ void ShapeDialog::follow_wish() {
 }
 
 void ShapeDialog::draw(const Gui& gui) {
-  large_dialog(gui, kId, is_open_, {kWidth, kHeight}, [&](ImVec2 size) {
+  large_dialog(gui, kShapeDialogId, is_open_, {kShapeDialogWidth, kShapeDialogHeight}, [&](ImVec2 size) {
     const float unit = gui.unit();
-    ImGui::BeginChild("shapes", {std::min(kListWidth * unit, 0.25F * size.x), 0});
+    ImGui::BeginChild("shapes", {std::min(kShapeListWidth * unit, 0.25F * size.x), 0});
     draw_list(gui);
     ImGui::EndChild();
     ImGui::SameLine(0, 12 * unit);
-    ImGui::BeginChild("settings", {std::min(kSettingsWidth * unit, 0.35F * size.x), 0});
+    ImGui::BeginChild("settings", {std::min(kShapeSettingsWidth * unit, 0.35F * size.x), 0});
     ImGui::PushFont(gui.bold());
     ImGui::TextUnformatted(std::string(shape().name).c_str());
     ImGui::PopFont();

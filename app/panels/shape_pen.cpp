@@ -10,13 +10,13 @@ namespace mes {
 namespace {
 
 // ImGui draws circles as polygons of corners all around; a far too large one is left out.
-constexpr double kLargestCirclePx = 2.0e4;
+constexpr double kLargestPenCirclePx = 2.0e4;
 
 /// The part of a + t d, low <= t <= high, within the rectangle from (0, 0) to `size` and somewhat more.
-struct Piece {
+struct PenPiece {
   Vec2 a, b;
 };
-std::optional<Piece> clipped(Vec2 a, Vec2 d, double low, double high, Vec2 size) {
+std::optional<PenPiece> clipped(Vec2 a, Vec2 d, double low, double high, Vec2 size) {
   constexpr double kMargin = 20.0;
   const auto cut = [&](double from, double along, double least, double most) {
     if (along == 0.0) return from >= least && from <= most;
@@ -27,14 +27,14 @@ std::optional<Piece> clipped(Vec2 a, Vec2 d, double low, double high, Vec2 size)
     return low <= high;
   };
   if (!cut(a.x, d.x, -kMargin, size.x + kMargin) || !cut(a.y, d.y, -kMargin, size.y + kMargin)) return std::nullopt;
-  return Piece{a + low * d, a + high * d};
+  return PenPiece{a + low * d, a + high * d};
 }
 
 ImVec2 to_im(Vec2 p) {
   return {static_cast<float>(p.x), static_cast<float>(p.y)};
 }
 
-void stroke(ImDrawList& list, const std::optional<Piece>& piece, const PenLook& look) {
+void stroke(ImDrawList& list, const std::optional<PenPiece>& piece, const PenLook& look) {
   if (piece) list.AddLine(to_im(piece->a), to_im(piece->b), look.color, look.width);
 }
 
@@ -89,13 +89,13 @@ void ShapePen::point(Vec2 world) const {
 void ShapePen::circle(Vec2 center, double radius) const {
   const double r = radius / camera_.units_per_pixel() * to_screen_;
   const int corners = static_cast<int>(std::clamp(r, 48.0, 720.0));
-  if (r < kLargestCirclePx)
+  if (r < kLargestPenCirclePx)
     list_.AddCircle(to_im(on_screen(center)), static_cast<float>(r), look_.color, corners, look_.width);
 }
 
 void ShapePen::arc(const Arc& arc) const {
   const double r = arc.radius / camera_.units_per_pixel() * to_screen_;
-  if (!(r < kLargestCirclePx)) return line(arc.from, arc.to);
+  if (!(r < kLargestPenCirclePx)) return line(arc.from, arc.to);
   // Angles of the screen run the other way.
   const Vec2 start = arc.from - arc.center;
   const auto from = static_cast<float>(-std::atan2(start.y, start.x));

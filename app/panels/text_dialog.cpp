@@ -14,14 +14,14 @@
 namespace mes {
 namespace {
 
-constexpr float kWidth = 1040.0F;  // logical pixels
-constexpr float kHeight = 600.0F;
-constexpr float kListWidth = 230.0F;
-constexpr float kSettingsWidth = 300.0F;
+constexpr float kTextDialogWidth = 1040.0F;  // logical pixels
+constexpr float kTextDialogHeight = 600.0F;
+constexpr float kFontListWidth = 230.0F;
+constexpr float kTextSettingsWidth = 300.0F;
 constexpr float kTextLines = 4.0F;
-constexpr const char* kId = "##text";
-constexpr double kLeastSize = 1.0;
-constexpr double kMostSize = 10'000.0;
+constexpr const char* kTextDialogId = "##text";
+constexpr double kLeastTextSize = 1.0;
+constexpr double kMostTextSize = 10'000.0;
 constexpr double kMostLineSpacing = 4.0;
 
 }  // namespace
@@ -66,7 +66,7 @@ void TextDialog::draw_settings(const Gui& gui) {
   ImGui::Checkbox("Kerning", &wish_.request.has_kerning);
   tooltip(gui, "Letters move together where the font says so, as A and V do");
   ImGui::TextUnformatted("Size");
-  slider(gui, "##size", wish_.request.size, kLeastSize, kMostSize,
+  slider(gui, "##size", wish_.request.size, kLeastTextSize, kMostTextSize,
          {.format = "%.4g", .is_logarithmic = true, .width = width});
   tooltip(gui, "Height of an em, in units of the samples");
   ImGui::TextUnformatted("Line spacing");
@@ -95,13 +95,13 @@ void TextDialog::follow_wish() {
 }
 
 void TextDialog::draw(const Gui& gui) {
-  large_dialog(gui, kId, is_open_, {kWidth, kHeight}, [&](ImVec2 size) {
+  large_dialog(gui, kTextDialogId, is_open_, {kTextDialogWidth, kTextDialogHeight}, [&](ImVec2 size) {
     const float unit = gui.unit();
-    ImGui::BeginChild("fonts", {std::min(kListWidth * unit, 0.25F * size.x), 0});
+    ImGui::BeginChild("fonts", {std::min(kFontListWidth * unit, 0.25F * size.x), 0});
     draw_fonts(gui);
     ImGui::EndChild();
     ImGui::SameLine(0, 12 * unit);
-    ImGui::BeginChild("settings", {std::min(kSettingsWidth * unit, 0.35F * size.x), 0});
+    ImGui::BeginChild("settings", {std::min(kTextSettingsWidth * unit, 0.35F * size.x), 0});
     ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
     draw_settings(gui);
     follow_wish();

@@ -12,9 +12,9 @@
 namespace mes {
 namespace {
 
-constexpr float kPadding = 5.0F;
-constexpr float kGap = 2.0F;
-constexpr float kLine = 4 * kGap;  // with what is around it
+constexpr float kToolbarPadding = 5.0F;
+constexpr float kButtonGap = 2.0F;
+constexpr float kLine = 4 * kButtonGap;  // with what is around it
 
 void action_button(const Toolbar& toolbar, ActionId id, Icon icon, float size) {
   const bool enabled = toolbar.actions.is_enabled(id);
@@ -54,17 +54,17 @@ float button_size(float room) {
   constexpr float kSmallInOne = 28.0F;
   constexpr float kSmallest = 24.0F;
   constexpr auto kCount = static_cast<float>(kButtons.size() + 1);
-  const float free = room - 2 * kPadding;
-  const float in_one = (free - 3 * kLine) / kCount - kGap;
+  const float free = room - 2 * kToolbarPadding;
+  const float in_one = (free - 3 * kLine) / kCount - kButtonGap;
   if (in_one >= kSmallInOne) return std::min(in_one, kLargest);
-  return std::clamp((free - 2 * kLine) / std::ceil(0.5F * kCount) - kGap, kSmallest, kLargest);
+  return std::clamp((free - 2 * kLine) / std::ceil(0.5F * kCount) - kButtonGap, kSmallest, kLargest);
 }
 
 /// Places one button below the other, and beside them what has no room below; lines between groups.
 class Columns {
  public:
   Columns(float size, float unit, float room)
-      : origin_(ImGui::GetCursorPos()), size_(size), gap_(kGap * unit), room_(room) {}
+      : origin_(ImGui::GetCursorPos()), size_(size), gap_(kButtonGap * unit), room_(room) {}
 
   void next(bool begins_group) {
     const float line = begins_group && y_ > 0.0F ? 4 * gap_ : 0.0F;
@@ -119,25 +119,25 @@ float Toolbar::draw(ImVec2 at, float room) const {
   const float unit = gui.unit();
   const float size = button_size(room / unit) * unit;
   ImGui::SetNextWindowPos(at);
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kPadding * unit, kPadding * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kToolbarPadding * unit, kToolbarPadding * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::Begin("##toolbar", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
-  Columns columns(size, unit, room - 2 * kPadding * unit);
+  Columns columns(size, unit, room - 2 * kToolbarPadding * unit);
   for (const Button& button : kButtons) {
     columns.next(button.begins_group);
     action_button(*this, button.action, button.icon, size);
   }
   columns.next(false);
   record.draw(size);
-  const float width = columns.width() + 2 * kPadding * unit;
+  const float width = columns.width() + 2 * kToolbarPadding * unit;
   ImGui::End();
   ImGui::PopStyleVar(2);
 
   const bool is_spray = canvas.tool_id() == ToolId::spray;
   if (is_spray || canvas.tool_id() == ToolId::brush) {
-    ImGui::SetNextWindowPos({at.x + width + 6 * unit, at.y + (is_spray ? 2.0F : 3.0F) * (size + kGap * unit)});
+    ImGui::SetNextWindowPos({at.x + width + 6 * unit, at.y + (is_spray ? 2.0F : 3.0F) * (size + kButtonGap * unit)});
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {8 * unit, 6 * unit});
     ImGui::Begin("##tool", nullptr,
                  ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |

@@ -16,10 +16,10 @@
 namespace mes {
 namespace {
 
-constexpr float kWidth = 900.0F;  // logical pixels
-constexpr float kHeight = 560.0F;
+constexpr float kTraceDialogWidth = 900.0F;  // logical pixels
+constexpr float kTraceDialogHeight = 560.0F;
 constexpr float kChoices = 300.0F;
-constexpr const char* kId = "##trace";
+constexpr const char* kTraceDialogId = "##trace";
 constexpr double kMostSpecks = 1e6;
 
 struct SideWord {
@@ -33,7 +33,7 @@ constexpr std::array kSides{
     SideWord{FigureSide::light, "Light", "What is lighter than the threshold"},
 };
 
-std::string counted(std::size_t count, const char* one) {
+std::string count_with_noun(std::size_t count, const char* one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
@@ -125,10 +125,10 @@ void TraceDialog::draw_facts(const Gui& gui) {
   ImGui::PushTextWrapPos(0.0F);
   if (outlines) {
     if (const auto counts = uses_->desk.counts(request())) {
-      ImGui::TextUnformatted(counted(counts->outlines, "outline").c_str());
+      ImGui::TextUnformatted(count_with_noun(counts->outlines, "outline").c_str());
       if (counts->specks + counts->pinholes != 0)
-        ImGui::TextDisabled("Left out: %s, %s", counted(counts->specks, "speck").c_str(),
-                            counted(counts->pinholes, "hole").c_str());
+        ImGui::TextDisabled("Left out: %s, %s", count_with_noun(counts->specks, "speck").c_str(),
+                            count_with_noun(counts->pinholes, "hole").c_str());
     } else {
       ImGui::TextDisabled("Counting outlines...");
     }
@@ -177,7 +177,7 @@ void TraceDialog::draw_preview(const Gui& gui) {
 }
 
 void TraceDialog::draw(const Gui& gui) {
-  large_dialog(gui, kId, is_open_, {kWidth, kHeight}, [&](ImVec2 size) {
+  large_dialog(gui, kTraceDialogId, is_open_, {kTraceDialogWidth, kTraceDialogHeight}, [&](ImVec2 size) {
     const float unit = gui.unit();
     begin_choices();
     ImGui::BeginChild("settings", {std::min(kChoices * unit, 0.5F * size.x), 0});

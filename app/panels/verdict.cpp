@@ -9,13 +9,14 @@
 
 #include "app/editing/neighborhood.h"
 #include "app/layers/verdict_word.h"
+#include "app/panels/work_in_progress.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 
 namespace mes {
 namespace {
 
-ImU32 color_of(const ThemeColors& colors, VerdictWord::Mood mood) {
+ImU32 mood_color(const ThemeColors& colors, VerdictWord::Mood mood) {
   switch (mood) {
     case VerdictWord::Mood::good: return colors.good;
     case VerdictWord::Mood::doubtful: return colors.doubtful;
@@ -25,9 +26,6 @@ ImU32 color_of(const ThemeColors& colors, VerdictWord::Mood mood) {
   }
   return colors.border;
 }
-
-// Shorter work leaves the answer before, which would only flicker.
-constexpr double kShownAfterMs = 100.0;
 
 Checking checking_of(const Verdict& verdict) {
   const EngineStatus status = verdict.engine.status();
@@ -100,7 +98,7 @@ void draw_reasons(const Verdict& verdict) {
       ImGui::PushID(static_cast<int>(i));
       const ImVec2 at = ImGui::GetCursorScreenPos();
       ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()},
-                                                  4 * unit, color_of(verdict.gui.colors(), mood_of(finding.level)));
+                                                  4 * unit, mood_color(verdict.gui.colors(), mood_of(finding.level)));
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
       ImGui::PushTextWrapPos(kWidth * unit);
       ImGui::TextUnformatted(text_of(finding, node.structure).c_str());
@@ -151,7 +149,7 @@ void Verdict::draw() const {
   }
   tooltip(gui, std::string(look.meaning));
   ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 9 * unit, at.y + 0.5F * height}, 5 * unit,
-                                              color_of(gui.colors(), look.mood));
+                                              mood_color(gui.colors(), look.mood));
   ImGui::GetWindowDrawList()->AddText({at.x + 20 * unit, at.y + 0.5F * (height - ImGui::GetTextLineHeight())},
                                       gui.colors().text, look.word.data(), look.word.data() + look.word.size());
   if (!summary.empty()) {

@@ -13,10 +13,7 @@
 namespace mes {
 namespace {
 
-// Shorter work would only flicker.
-constexpr double kShownAfterMs = 100.0;
-
-void progress(const Gui& gui, const std::string& what, double fraction) {
+void progress_bar(const Gui& gui, const std::string& what, double fraction) {
   const float unit = gui.unit();
   ImGui::TextUnformatted(what.c_str());
   ImGui::SameLine();
@@ -62,15 +59,15 @@ void WorkInProgress::draw_recording() const {
 
 bool WorkInProgress::draw() const {
   if (files.is_saving()) {
-    progress(gui, "Saving " + files.saving_name(), 0.0);
+    progress_bar(gui, "Saving " + files.saving_name(), 0.0);
   } else if (files.is_reading()) {
-    progress(gui, "Reading " + files.reading_name(), files.reading_progress());
+    progress_bar(gui, "Reading " + files.reading_name(), files.reading_progress());
     if (ImGui::SmallButton("Cancel")) files.cancel_reading();
     tooltip(gui, "Keep the present samples (Esc)");
     return true;
   }
   if (record.is_making_video()) {
-    progress(gui, "Making a video", 0.0);
+    progress_bar(gui, "Making a video", 0.0);
     if (ImGui::SmallButton("Cancel")) record.cancel_video();
     tooltip(gui, "Make no video; the frames stay");
     return true;
@@ -98,12 +95,12 @@ bool WorkInProgress::draw() const {
   if (!status.busy || status.busy_ms < kShownAfterMs) {
     // What it begins with may lie behind other panels by now.
     if (!sweep.is_under_way()) return false;
-    progress(gui, "Making a table", sweep.progress());
+    progress_bar(gui, "Making a table", sweep.progress());
     if (ImGui::SmallButton("Cancel")) sweep.give_up();
     tooltip(gui, "Make no table of the values of the parameter");
     return true;
   }
-  progress(gui, task_text(status.task), status.progress);
+  progress_bar(gui, task_text(status.task), status.progress);
   if (ImGui::SmallButton("Cancel")) actions.run(ActionId::cancel_computation);
   tooltip(gui, actions.tooltip_of(ActionId::cancel_computation));
   return true;

@@ -12,6 +12,9 @@
 
 namespace mes {
 
+/// Progress of shorter work would only flicker; until then what was shown before stays.
+inline constexpr double kShownAfterMs = 100.0;
+
 struct WorkInProgress {
   const Gui& gui;
   const ActionBindings& actions;

@@ -14,11 +14,11 @@
 namespace mes {
 namespace {
 
-constexpr double kLineHeight = 1.35;
+constexpr double kLineSpacing = 1.35;
 constexpr double kHead = 9.0;
 constexpr double kHeadHalf = 3.2;
 // Between a line and the element it leads to, which stays visible.
-constexpr double kGap = 6.0;
+constexpr double kLineGap = 6.0;
 constexpr double kWordsGap = 4.0;
 constexpr double kPi = std::numbers::pi;
 
@@ -27,9 +27,9 @@ Vec2 unit(Vec2 v) {
   return size > 0.0 ? (1.0 / size) * v : Vec2{};
 }
 
-class Layout {
+class AnnotationLayout {
  public:
-  Layout(const SeenPlane& plane, const MeasureText& measure, const std::optional<Rgb>& background)
+  AnnotationLayout(const SeenPlane& plane, const MeasureText& measure, const std::optional<Rgb>& background)
       : measure_(measure),
         ink_(paper_colors(background).ink),
         plane_(out_.drawing, plane),
@@ -99,7 +99,7 @@ class Layout {
   double words_height() const {
     return text_.lines.empty()
                ? 0.0
-               : annotation_->letters * (1.0 + kLineHeight * static_cast<double>(text_.lines.size() - 1));
+               : annotation_->letters * (1.0 + kLineSpacing * static_cast<double>(text_.lines.size() - 1));
   }
   /// With the beginning of the first baseline at `start`.
   void words_from(Vec2 start) {
@@ -111,7 +111,7 @@ class Layout {
     if (!plane_.reaches(corner)) return;
     for (const RichLine& line : text_.lines) {
       add_pieces(line, start, color_, out_.drawing.lines);
-      start.y += kLineHeight * letters;
+      start.y += kLineSpacing * letters;
     }
   }
   /// With their middle at `center`.
@@ -149,7 +149,7 @@ class Layout {
     else
       return;  // the words cover the place
     const double room = length(at - from);
-    if (room > kGap) line_with_head(from, at - kGap * unit(at - from));
+    if (room > kLineGap) line_with_head(from, at - kLineGap * unit(at - from));
   }
 
   void arrow(Vec2 from, Vec2 to) {
@@ -169,9 +169,9 @@ class Layout {
     const double aside = dot(annotation_->shift, normal);
     const Vec2 shift = aside * normal;
     const Vec2 out = aside >= 0.0 ? normal : -1.0 * normal;
-    if (std::abs(aside) > kGap + kWordsGap) {
-      line(a + kGap * out, a + shift + kWordsGap * out);
-      line(b + kGap * out, b + shift + kWordsGap * out);
+    if (std::abs(aside) > kLineGap + kWordsGap) {
+      line(a + kLineGap * out, a + shift + kWordsGap * out);
+      line(b + kLineGap * out, b + shift + kWordsGap * out);
     }
     const Vec2 from = a + shift;
     const Vec2 to = b + shift;
@@ -286,7 +286,7 @@ std::string measured_value(AnnotationKind kind, const std::vector<Vec2>& places)
 
 AnnotationDrawing layout_annotations(const PlacedAnnotations& placed, const SeenPlane& plane,
                                      const MeasureText& measure, const std::optional<Rgb>& background) {
-  Layout layout(plane, measure, background);
+  AnnotationLayout layout(plane, measure, background);
   for (std::size_t i = 0; i < placed.places.size(); ++i)
     layout.add((*placed.annotations)[i], placed.places[i], placed.highlighted[i]);
   AnnotationDrawing out = layout.take();

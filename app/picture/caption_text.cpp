@@ -5,6 +5,7 @@
 #include <array>
 #include <utility>
 
+#include "app/picture/internal/utf8_letter.h"
 #include "app/picture/rich_text.h"
 
 namespace mes {
@@ -106,12 +107,6 @@ Face face_of(const CaptionSpan& span, bool is_heading) {
 
 RichText mathematics(const CaptionSpan& span, double letters, const MeasureText& measure) {
   return rich_text('$' + span.text + '$', "", letters, measure);
-}
-
-std::size_t bytes_of_letter(std::string_view text) {
-  std::size_t end = 1;
-  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) ++end;
-  return end;
 }
 
 /// A part of a word, which lines are not broken within.

@@ -21,9 +21,9 @@ Vec2 along(Vec2 way) {
 }
 
 /// What anchors are at, one after the other.
-class Places {
+class HighlightPlaces {
  public:
-  Places(const Annotation& annotation, const Document& document)
+  HighlightPlaces(const Annotation& annotation, const Document& document)
       : next_(annotation.anchors.begin()), document_(document) {}
   const Anchor& anchor() { return *next_++; }
   Vec2 place() { return document_.place_of(anchor()); }
@@ -35,7 +35,7 @@ class Places {
   const Document& document_;
 };
 
-ProvenanceShape shape_of(const HighlightedElement& element, Places& places) {
+ProvenanceShape shape_of(const HighlightedElement& element, HighlightPlaces& places) {
   ProvenanceShape out{.kind = element.kind};
   auto& v = out.values;
   switch (element.kind) {
@@ -109,7 +109,7 @@ Rgb highlight_color(ProvenanceRole role) {
 
 std::vector<HighlightedShape> highlighted_shapes(const Annotation& annotation, const Document& document) {
   std::vector<HighlightedShape> out;
-  Places places(annotation, document);
+  HighlightPlaces places(annotation, document);
   for (const HighlightedElement& element : annotation.elements) {
     const ProvenanceShape shape = shape_of(element, places);
     if (std::ranges::all_of(shape.values, [](double x) { return std::isfinite(x); }))

@@ -8,6 +8,7 @@
 #include "app/picture/canvas_look.h"
 #include "app/picture/internal/legend_entries.h"
 #include "app/picture/internal/round_numbers.h"
+#include "app/picture/internal/small_text.h"
 
 namespace mes {
 namespace {
@@ -17,10 +18,8 @@ constexpr double kPadding = 12.0;
 constexpr double kBar = 12.0;
 constexpr double kTickLength = 4.0;
 constexpr double kTitleSize = 15.0;
-constexpr double kTextSize = 13.0;
-constexpr double kLineHeight = 17.0;
-constexpr double kGap = 12.0;  // between entries
-constexpr double kRow = 19.0;  // of a key
+constexpr double kEntryGap = 12.0;  // between entries
+constexpr double kRow = 19.0;       // of a key
 constexpr double kSample = 15.0;
 constexpr double kBesideSample = 9.0;
 constexpr double kDashGap = 2.0;
@@ -45,7 +44,7 @@ std::vector<std::string> wrapped(const std::string& text, double width, const Me
     std::string& line = lines.back();
     if (line.empty())
       line = word;
-    else if (measure(line + ' ' + word, kTextSize, Face::plain) <= width)
+    else if (measure(line + ' ' + word, kSmallTextSize, Face::plain) <= width)
       line += ' ' + word;
     else
       lines.push_back(word);
@@ -55,9 +54,9 @@ std::vector<std::string> wrapped(const std::string& text, double width, const Me
 }
 
 /// Places one entry below the other.
-class Layout {
+class LegendLayout {
  public:
-  Layout(const MeasureText& measure, const std::optional<Rgb>& background)
+  LegendLayout(const MeasureText& measure, const std::optional<Rgb>& background)
       : measure_(&measure), colors_(paper_colors(background)), background_(background) {}
 
   double y() const { return y_; }
@@ -72,13 +71,13 @@ class Layout {
 
   void text(const std::string& line, bool is_bold, Rgb color) {
     drawing_.lines.push_back(
-        {kPadding, y_, is_bold ? kTitleSize : kTextSize, is_bold ? Face::bold : Face::plain, color, line});
-    y_ += is_bold ? kLineHeight + 2.0 : kLineHeight;
+        {kPadding, y_, is_bold ? kTitleSize : kSmallTextSize, is_bold ? Face::bold : Face::plain, color, line});
+    y_ += is_bold ? kSmallLineHeight + 2.0 : kSmallLineHeight;
   }
 
   void entry(const LegendEntry& entry) {
     const bool is_row = entry.map == nullptr;
-    if (y_ > kPadding && !(is_row && after_row_)) y_ += kGap;
+    if (y_ > kPadding && !(is_row && after_row_)) y_ += kEntryGap;
     after_row_ = is_row;
     if (is_row) return row(entry);
     text(entry.title, true, colors_.ink);
@@ -97,8 +96,8 @@ class Layout {
     sample(entry.sample, {kPadding, y_ + 0.5 * (kRow - kSample), kSample, kSample, {}});
     for (const std::string& line :
          wrapped(entry.title, kWidth - 2.0 * kPadding - kSample - kBesideSample, *measure_)) {
-      drawing_.lines.push_back({kPadding + kSample + kBesideSample, y_ + 0.5 * (kRow - kLineHeight) + 1.0, kTextSize,
-                                Face::plain, colors_.ink, line});
+      drawing_.lines.push_back({kPadding + kSample + kBesideSample, y_ + 0.5 * (kRow - kSmallLineHeight) + 1.0,
+                                kSmallTextSize, Face::plain, colors_.ink, line});
       y_ += kRow;
     }
   }
@@ -109,7 +108,7 @@ class Layout {
     const Vec2 middle{place.left + 0.5 * place.width, place.top + 0.5 * place.height};
     const double thick = std::clamp(style.line_width_px, 1.0, 5.0);
     if (sample.is_text) {
-      const double size = std::clamp(style.point_size_px, 6.0, kTextSize);
+      const double size = std::clamp(style.point_size_px, 6.0, kSmallTextSize);
       const std::string number = "7";
       const double width = (*measure_)(number, size, Face::plain);
       drawing_.lines.push_back({middle.x - 0.5 * width, middle.y - 0.5 * size, size, Face::plain, color, number});
@@ -160,7 +159,7 @@ class Layout {
     for (const LegendTick& tick : ticks) {
       const double x = kPadding + tick.at * width;
       drawing_.boxes.push_back({std::min(x, kPadding + width - 1.0), y_, 1.0, kTickLength, colors_.quiet});
-      const double size = (*measure_)(tick.label, kTextSize, Face::plain);
+      const double size = (*measure_)(tick.label, kSmallTextSize, Face::plain);
       const double left = std::clamp(x - 0.5 * size, kPadding, std::max(kPadding, kPadding + width - size));
       constexpr double kApart = 8.0;
       const bool is_free = std::ranges::none_of(taken, [&](const auto& other) {
@@ -168,9 +167,9 @@ class Layout {
       });
       if (!is_free) continue;
       taken.emplace_back(left, left + size);
-      drawing_.lines.push_back({left, y_ + kTickLength + 1.0, kTextSize, Face::plain, colors_.ink, tick.label});
+      drawing_.lines.push_back({left, y_ + kTickLength + 1.0, kSmallTextSize, Face::plain, colors_.ink, tick.label});
     }
-    y_ += kTickLength + 1.0 + kLineHeight;
+    y_ += kTickLength + 1.0 + kSmallLineHeight;
   }
 
   // The whole numbers of the range with their colours, side by side as long as there is room.
@@ -186,22 +185,22 @@ class Layout {
     for (double value = low; value <= high; value += 1.0) {
       const bool is_left_out = shown == kMostSwatches;
       const std::string label = is_left_out ? "..." : shortest_text(value, 9);
-      const double size = (is_left_out ? 0.0 : kBar + 4.0) + (*measure_)(label, kTextSize, Face::plain);
+      const double size = (is_left_out ? 0.0 : kBar + 4.0) + (*measure_)(label, kSmallTextSize, Face::plain);
       if (x > kPadding && x + size > kWidth - kPadding) {
         x = kPadding;
-        y_ += kLineHeight + 2.0;
+        y_ += kSmallLineHeight + 2.0;
       }
       if (!is_left_out) {
         const std::optional<Rgb> color = entry.map->color_of(value, entry.range);
         drawing_.boxes.push_back({x, y_ + 2.0, kBar, kBar, *color});
       }
       drawing_.lines.push_back(
-          {x + (is_left_out ? 0.0 : kBar + 4.0), y_, kTextSize, Face::plain, colors_.ink, label});
+          {x + (is_left_out ? 0.0 : kBar + 4.0), y_, kSmallTextSize, Face::plain, colors_.ink, label});
       x += size + 12.0;
       if (is_left_out) break;
       ++shown;
     }
-    y_ += kLineHeight;
+    y_ += kSmallLineHeight;
   }
 
   const MeasureText* measure_;
@@ -249,12 +248,12 @@ PaperDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureTe
                            const std::optional<Rgb>& background) {
   if (entries.empty()) return {};
   const PaperColors colors = paper_colors(background);
-  Layout layout(measure, background);
+  LegendLayout layout(measure, background);
   std::size_t shown = 0;
   for (const LegendEntry& entry : entries) {
-    Layout with = layout;
+    LegendLayout with = layout;
     with.entry(entry);
-    const double rest = shown + 1 < entries.size() ? kGap + kLineHeight : 0.0;
+    const double rest = shown + 1 < entries.size() ? kEntryGap + kSmallLineHeight : 0.0;
     if (shown > 0 && with.y() + rest + kPadding > room) break;
     layout = std::move(with);
     ++shown;

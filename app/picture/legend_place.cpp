@@ -9,7 +9,7 @@
 namespace mes {
 namespace {
 
-constexpr double kApart = 6.0;  // from the scale bar, at least
+constexpr double kBarApart = 6.0;  // from the scale bar, at least
 
 bool overlap(const Box2& a, const Box2& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
@@ -20,9 +20,9 @@ bool is_within(const Box2& box, const Box2& room) {
 }
 
 /// Places of a box of one size.
-class Places {
+class LegendPlaces {
  public:
-  Places(const LegendSurroundings& around, Vec2 size, double margin)
+  LegendPlaces(const LegendSurroundings& around, Vec2 size, double margin)
       : around_(around), size_(size), margin_(margin) {}
 
   /// The place that was given, or next to the scale bar there; or else the best corner.
@@ -67,8 +67,8 @@ class Places {
     if (is_free(corner)) return corner;
     const Box2& bar = *around_.bar;
     std::optional<Vec2> out;
-    for (const Vec2 past : {Vec2{corner.x, bar.low.y - kApart - size_.y}, Vec2{corner.x, bar.high.y + kApart},
-                            Vec2{bar.low.x - kApart - size_.x, corner.y}, Vec2{bar.high.x + kApart, corner.y}})
+    for (const Vec2 past : {Vec2{corner.x, bar.low.y - kBarApart - size_.y}, Vec2{corner.x, bar.high.y + kBarApart},
+                            Vec2{bar.low.x - kBarApart - size_.x, corner.y}, Vec2{bar.high.x + kBarApart, corner.y}})
       if (is_free(past) && (!out || distance(past, corner) < distance(*out, corner))) out = past;
     return out;
   }
@@ -94,7 +94,7 @@ PlacedLegend place_legend(std::span<const LegendEntry> entries, const MeasureTex
   const auto at_most = [&](double height) -> std::optional<PlacedLegend> {
     PaperDrawing drawing = layout_legend(entries, measure, height / shrink, background);
     const Vec2 size = shrink * Vec2{drawing.width, drawing.height};
-    const auto corner = Places(around, size, margin).best();
+    const auto corner = LegendPlaces(around, size, margin).best();
     if (!corner) return std::nullopt;
     return PlacedLegend{std::move(drawing), shrink, *corner};
   };
@@ -102,7 +102,7 @@ PlacedLegend place_legend(std::span<const LegendEntry> entries, const MeasureTex
   // Only a scale bar leaves no place.
   const double above = around.bar->low.y - around.room.low.y;
   const double beneath = around.room.high.y - around.bar->high.y;
-  if (auto part = at_most(std::max(above, beneath) - kApart - margin)) return std::move(*part);
+  if (auto part = at_most(std::max(above, beneath) - kBarApart - margin)) return std::move(*part);
   if (auto first = at_most(0.0)) return std::move(*first);
   return {.lacks_room = true};
 }

@@ -12,10 +12,10 @@
 namespace mes {
 namespace {
 
-constexpr double kGap = 16.0;      // logical pixels
-constexpr double kBand = 30.0;     // height of a label with its surroundings
-constexpr double kLetters = 16.0;  // height of its letters
-constexpr double kSmallest = 8.0;  // where they have to be smaller
+constexpr double kPaneGap = 16.0;       // logical pixels
+constexpr double kBand = 30.0;          // height of a label with its surroundings
+constexpr double kLabelLetters = 16.0;  // height of its letters
+constexpr double kSmallest = 8.0;       // where they have to be smaller
 
 /// A picture of one colour; without one it is transparent.
 render::Image plain_image(int width, int height, const std::optional<Rgb>& color) {
@@ -86,7 +86,7 @@ PaneGrid lay_out_panes_of(double pane_width, double pane_height, std::size_t pan
           .rows = (panes + columns - 1) / columns,
           .pane_width = pane_width,
           .pane_height = pane_height,
-          .gap = kGap * unit,
+          .gap = kPaneGap * unit,
           .band = kBand * unit};
 }
 
@@ -106,9 +106,9 @@ PaperDrawing layout_pane_labels(std::span<const std::string> labels, const PaneG
     out.strokes.push_back(
         {{corner, corner + across, corner + across + down, corner + down, corner}, kPaneFrame, colors.frame});
     const std::string& label = labels[i];
-    const double natural = measure(label, kLetters, Face::plain);
+    const double natural = measure(label, kLabelLetters, Face::plain);
     const double size =
-        natural > grid.pane_width ? std::max(kSmallest, kLetters * grid.pane_width / natural) : kLetters;
+        natural > grid.pane_width ? std::max(kSmallest, kLabelLetters * grid.pane_width / natural) : kLabelLetters;
     const double width = measure(label, size, Face::plain);
     out.lines.push_back({.x = corner.x + 0.5 * (grid.pane_width - width),
                          .top = corner.y + grid.pane_height + 0.5 * (grid.band - size),

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
+
+#include "core/base/turn.h"
 
 namespace mes {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 // Circles that are larger are drawn as a chain of chords in reach; kFlat: how far chords may be from the circle.
 constexpr double kLargest = 50'000.0;
 constexpr double kFlat = 0.1;

@@ -6,6 +6,8 @@
 #include <optional>
 #include <utility>
 
+#include "app/picture/internal/utf8_letter.h"
+
 namespace mes {
 namespace {
 
@@ -32,12 +34,6 @@ constexpr int kDeepest = 8;
 
 bool is_letter(char c) {
   return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
-}
-
-std::size_t bytes_of_letter(std::string_view text, std::size_t at) {
-  std::size_t end = at + 1;
-  while (end < text.size() && (static_cast<unsigned char>(text[end]) & 0xC0U) == 0x80U) ++end;
-  return end - at;
 }
 
 /// How many bytes the letter at the beginning has; 0: they are not UTF-8 (RFC 3629).

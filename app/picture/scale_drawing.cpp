@@ -7,15 +7,14 @@
 #include <utility>
 
 #include "app/picture/internal/round_numbers.h"
+#include "app/picture/internal/small_text.h"
 
 namespace mes {
 namespace {
 
-constexpr double kTextSize = 13.0;
-constexpr double kLineHeight = 17.0;
 constexpr double kTick = 5.0;
 constexpr double kMargin = kUsualMarginPx;
-constexpr double kApart = 10.0;
+constexpr double kLabelsApart = 10.0;
 constexpr double kEnd = 8.0;  // height of the ends of a bar
 constexpr double kBarShare = 0.25;
 // Ticks are at least so far apart.
@@ -41,9 +40,9 @@ std::vector<Tick> ticks_along(double center, double length, double units_per_pix
   return out;
 }
 
-class Layout {
+class ScaleLayout {
  public:
-  Layout(const SeenPlane& plane, const MeasureText& measure, const std::optional<Rgb>& background)
+  ScaleLayout(const SeenPlane& plane, const MeasureText& measure, const std::optional<Rgb>& background)
       : plane_(plane), measure_(measure), colors_(paper_colors(background)), paper_(background) {
     drawing_.width = plane.width;
     drawing_.height = plane.height;
@@ -68,18 +67,18 @@ class Layout {
       const double y = plane_.height - tick.at;
       if (y > bottom) continue;
       line(0.0, y - 0.5, kTick, 1.0);
-      const double width = measure_(tick.label, kTextSize, Face::plain);
-      if (y - 0.5 * kLineHeight < 0.0 || y + 0.5 * kLineHeight > bottom - kAxisRoom) continue;
-      number(kTick + 4.0, y - 0.5 * kLineHeight, width, tick.label);
+      const double width = measure_(tick.label, kSmallTextSize, Face::plain);
+      if (y - 0.5 * kSmallLineHeight < 0.0 || y + 0.5 * kSmallLineHeight > bottom - kAxisRoom) continue;
+      number(kTick + 4.0, y - 0.5 * kSmallLineHeight, width, tick.label);
       left_room_ = std::max(left_room_, kTick + 4.0 + width);
     }
     double taken = 0.0;
     for (const Tick& tick : ticks_along(plane_.center.x, plane_.width, plane_.units_per_pixel)) {
       line(tick.at - 0.5, bottom - kTick, 1.0, kTick);
-      const double width = measure_(tick.label, kTextSize, Face::plain);
+      const double width = measure_(tick.label, kSmallTextSize, Face::plain);
       const double left = tick.at - 0.5 * width;
-      if (left < taken + kApart || left + width > plane_.width - 2.0) continue;
-      number(left, bottom - kTick - 2.0 - kLineHeight, width, tick.label);
+      if (left < taken + kLabelsApart || left + width > plane_.width - 2.0) continue;
+      number(left, bottom - kTick - 2.0 - kSmallLineHeight, width, tick.label);
       taken = left + width;
     }
     bottom_room_ = kAxisRoom;
@@ -91,8 +90,8 @@ class Layout {
     const double units = round_number_up_to(most);
     const double length = units / plane_.units_per_pixel;
     const std::string label = number_text(units, units);
-    const double width = measure_(label, kTextSize, Face::plain);
-    const Vec2 size{std::max(length, width), kEnd + kLineHeight};
+    const double width = measure_(label, kSmallTextSize, Face::plain);
+    const Vec2 size{std::max(length, width), kEnd + kSmallLineHeight};
     const Vec2 at = bar_corner(place, length, size);
     bar_box_ = Box2{at, at + size};
     const double left = at.x + 0.5 * (size.x - length);
@@ -108,7 +107,7 @@ class Layout {
     box(left, foot - kThick, length, kThick, colors_.ink);
     box(left, foot - kEnd, kThick, kEnd, colors_.ink);
     box(left + length - kThick, foot - kEnd, kThick, kEnd, colors_.ink);
-    drawing_.lines.push_back({at.x + 0.5 * (size.x - width), at.y, kTextSize, Face::plain, colors_.ink, label});
+    drawing_.lines.push_back({at.x + 0.5 * (size.x - width), at.y, kSmallTextSize, Face::plain, colors_.ink, label});
   }
 
   /// Within the axes, if they have been laid out.
@@ -131,8 +130,8 @@ class Layout {
   }
   void line(double left, double top, double width, double height) { box(left, top, width, height, colors_.quiet); }
   void number(double left, double top, double width, const std::string& text) {
-    box(left - 2.0, top + 1.0, width + 4.0, kLineHeight - 2.0, paper());
-    drawing_.lines.push_back({left, top + 1.0, kTextSize, Face::plain, colors_.quiet, text});
+    box(left - 2.0, top + 1.0, width + 4.0, kSmallLineHeight - 2.0, paper());
+    drawing_.lines.push_back({left, top + 1.0, kSmallTextSize, Face::plain, colors_.quiet, text});
   }
 
   const SeenPlane& plane_;
@@ -146,9 +145,9 @@ class Layout {
   std::optional<Box2> longest_bar_;
 };
 
-Layout laid_out(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure,
-                const std::optional<Rgb>& background) {
-  Layout layout(plane, measure, background);
+ScaleLayout laid_out(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure,
+                     const std::optional<Rgb>& background) {
+  ScaleLayout layout(plane, measure, background);
   if (marks.grid) layout.grid();
   if (marks.axes) layout.axes();
   if (marks.bar) layout.bar(marks.bar_at);
@@ -188,7 +187,7 @@ PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane,
 }
 
 MarksPlace place_of_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure) {
-  const Layout layout = laid_out(marks, plane, measure, std::nullopt);
+  const ScaleLayout layout = laid_out(marks, plane, measure, std::nullopt);
   return {layout.bar_box(), layout.longest_bar(), layout.room()};
 }
 

@@ -4,14 +4,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "core/base/infinity.h"
 #include "core/draw/primitive_values.h"
 
 namespace mes {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 bool meet(const Box2& a, const Box2& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;

@@ -10,8 +10,8 @@
 namespace mes {
 namespace {
 
-constexpr double kLetters = 20.0;
-constexpr double kLineHeight = 1.3;
+constexpr double kTitleLetters = 20.0;
+constexpr double kTitleSpacing = 1.3;
 constexpr double kAbove = 0.55;  // of the height of letters, as is what follows
 constexpr double kBelow = 0.35;
 constexpr double kBeside = 0.5;
@@ -26,7 +26,7 @@ double width_of(const RichText& text) {
 
 /// In letters.
 double lines_of(const RichText& text) {
-  return 1.0 + kLineHeight * static_cast<double>(text.lines.size() - 1);
+  return 1.0 + kTitleSpacing * static_cast<double>(text.lines.size() - 1);
 }
 
 }  // namespace
@@ -34,13 +34,13 @@ double lines_of(const RichText& text) {
 PictureTitle layout_title(std::string_view words, double width, double height, const MeasureText& measure,
                           const std::optional<Rgb>& background) {
   if (words.find_first_not_of(" \t\r\n") == std::string_view::npos) return {};
-  RichText text = rich_text(words, {}, kLetters, measure);
+  RichText text = rich_text(words, {}, kTitleLetters, measure);
   PictureTitle out{.drawing = {}, .complaint = text.complaint};
   if (text.lines.empty()) return out;
-  const double widest = width_of(text) + 2.0 * kBeside * kLetters;
-  const double band = (lines_of(text) + kAbove + kBelow) * kLetters;
+  const double widest = width_of(text) + 2.0 * kBeside * kTitleLetters;
+  const double band = (lines_of(text) + kAbove + kBelow) * kTitleLetters;
   const double smaller = std::min({1.0, kWidest * width / widest, kHighest * height / band});
-  const double letters = smaller * kLetters;
+  const double letters = smaller * kTitleLetters;
   if (smaller < 1.0) text = rich_text(words, {}, letters, measure);
   const PaperColors colors = paper_colors(background);
   PaperDrawing& drawing = out.drawing;
@@ -58,7 +58,7 @@ PictureTitle layout_title(std::string_view words, double width, double height, c
   double top = kAbove * letters;
   for (const RichLine& line : text.lines) {
     add_pieces(line, {0.5 * (width - line.width), top + kPaperAscent * letters}, colors.ink, drawing.lines);
-    top += kLineHeight * letters;
+    top += kTitleSpacing * letters;
   }
   return out;
 }

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <utility>
 
 #include "core/base/arc.h"
 #include "core/base/assert.h"
+#include "core/base/turn.h"
 #include "render/figure/internal/chains.h"
 #include "render/figure/internal/grid.h"
 #include "render/figure/internal/visible_part.h"
@@ -18,7 +18,6 @@
 namespace mes::figure {
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 // Beyond half a stroke's width: ends of what is cut stay out of sight, blurred ones too.
 constexpr double kBeyond = 1.0;

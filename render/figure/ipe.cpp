@@ -23,10 +23,6 @@
 namespace mes::figure {
 namespace {
 
-constexpr int kColorDecimals = 4;
-
-constexpr double kDotsPerInch = 300.0;
-
 /// Its shapes hide each other and are laid on the page with one opacity.
 bool is_flat_in_colors(const Group& group) {
   return group.opacity < 1.0 &&

@@ -27,7 +27,6 @@
 namespace mes::figure {
 namespace {
 
-constexpr int kColorDecimals = 4;
 constexpr int kSheetDecimals = 3;
 
 /// A string of PDF in UTF-16, so that any title can be said.

@@ -13,9 +13,7 @@
 namespace mes::figure {
 namespace {
 
-constexpr double kDotsPerInch = 300.0;
-
-cairo_status_t append(void* to, const unsigned char* bytes, unsigned int count) {
+cairo_status_t append_bytes(void* to, const unsigned char* bytes, unsigned int count) {
   static_cast<std::string*>(to)->append(reinterpret_cast<const char*>(bytes), count);
   return CAIRO_STATUS_SUCCESS;
 }
@@ -52,7 +50,8 @@ Expected<std::string> postscript(const Figure& figure, bool is_encapsulated) {
     return postscript(reduced, is_encapsulated);
   }
   std::string out;
-  cairo_surface_t* const surface = cairo_ps_surface_create_for_stream(append, &out, figure.width, figure.height);
+  cairo_surface_t* const surface =
+      cairo_ps_surface_create_for_stream(append_bytes, &out, figure.width, figure.height);
   cairo_ps_surface_set_eps(surface, is_encapsulated ? 1 : 0);
   cairo_surface_set_fallback_resolution(surface, kDotsPerInch, kDotsPerInch);
   cairo_t* const cairo = cairo_create(surface);

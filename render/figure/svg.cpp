@@ -16,7 +16,6 @@
 namespace mes::figure {
 namespace {
 
-constexpr int kOpacityDecimals = 4;
 constexpr const char* kClip = "page";
 
 class SvgWriter {

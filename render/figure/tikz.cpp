@@ -22,7 +22,6 @@ namespace {
 constexpr double kLongestSide = 1900.0;
 // Angles in TeX have five decimals, which place the end of an arc of this radius within a hundredth of a point.
 constexpr double kLargestArc = 500.0;
-constexpr int kOpacityDecimals = 4;
 constexpr int kAngleDecimals = 5;
 // TeX reads a path piece by piece but keeps all of it.
 constexpr std::size_t kShapesInAPath = 200;

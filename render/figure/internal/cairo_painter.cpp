@@ -4,18 +4,14 @@
 #include <cmath>
 #include <cstring>
 #include <memory>
-#include <numbers>
 #include <vector>
 
+#include "core/base/turn.h"
 #include "render/figure/internal/cairo_fonts.h"
 #include "render/figure/internal/chains.h"
 
 namespace mes::figure {
-namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
-
-}  // namespace
+namespace {}  // namespace
 
 CairoPainter::CairoPainter(cairo_t* cairo, const Figure& figure) : cairo_(cairo), figure_(figure) {
   cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);

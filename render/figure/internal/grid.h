@@ -42,6 +42,10 @@ class Grid {
   double steps_;
 };
 
+/// Decimals of the parts of a color, and of an opacity, from 0 to 1.
+inline constexpr int kColorDecimals = 4;
+inline constexpr int kOpacityDecimals = 4;
+
 /// The number to so many decimals, without zeros at the end; the same in every locale. Takes numbers below 10^9.
 void append_decimal(std::string& out, double value, int decimals);
 

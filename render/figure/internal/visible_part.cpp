@@ -3,12 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "core/base/turn.h"
 
 namespace mes::figure {
 namespace {
-
-constexpr double kTurn = 2.0 * std::numbers::pi;
 
 /// Turned by +90 degrees as seen, where y goes down: from the direction to the right to the one upwards.
 Vec2 turned(Vec2 v) {
