@@ -18,11 +18,11 @@ namespace {
 constexpr std::byte kUndefined{0xcd};
 
 template <int N>
-bool is_finite(const glm::vec<N, float>& values) {
+bool are_finite(const glm::vec<N, float>& values) {
   return !glm::any(glm::isnan(values)) && !glm::any(glm::isinf(values));
 }
 
-bool is_finite(std::initializer_list<float> values) {
+bool are_finite(std::initializer_list<float> values) {
   return std::ranges::all_of(values, [](float v) { return std::isfinite(v); });
 }
 
@@ -159,8 +159,8 @@ void RecordingDevice::draw(const DrawCall& call) {
   const std::size_t end = std::size_t{call.first} + call.instances;
   MES_ASSERT(end * layout_of(call.program.kind).bytes() <= bytes_of(call.buffer).size());
   const DrawUniforms& u = call.uniforms;
-  MES_ASSERT(is_finite(u.center_1) && is_finite(u.center_2) && is_finite(u.center_3));
-  MES_ASSERT(is_finite(
+  MES_ASSERT(are_finite(u.center_1) && are_finite(u.center_2) && are_finite(u.center_3));
+  MES_ASSERT(are_finite(
       {u.pixels_per_unit, u.half_width_px, u.view_radius_px, u.ring_px, u.dash_px, u.dash_period_px, u.arc_pieces}));
   MES_ASSERT(u.pixels_per_unit > 0.0F && u.half_view_px.x > 0.0F && u.half_view_px.y > 0.0F && u.one == 1.0F);
   MES_ASSERT(!call.program.dashed || u.dash_period_px > 0.0F);
@@ -169,8 +169,8 @@ void RecordingDevice::draw(const DrawCall& call) {
   if (call.program.mapped) {
     MES_ASSERT(end * sizeof(double) <= bytes_of(call.scalars).size());
     MES_ASSERT(textures_.contains(call.maps.value));
-    MES_ASSERT(is_finite(u.map_low));
-    MES_ASSERT(is_finite({u.map_factor, u.map_exponent, u.map_offset, u.map_row, u.map_categories}));
+    MES_ASSERT(are_finite(u.map_low));
+    MES_ASSERT(are_finite({u.map_factor, u.map_exponent, u.map_offset, u.map_row, u.map_categories}));
   }
   calls_.push_back(call);
   ++counters_.draw_calls;
@@ -180,7 +180,7 @@ void RecordingDevice::draw(const DrawCall& call) {
 void RecordingDevice::draw_picture(const PictureCall& call) {
   check_target(call.target, call.area);
   MES_ASSERT(textures_.contains(call.texture.value));
-  MES_ASSERT(is_finite(call.place) && is_finite(call.part));
+  MES_ASSERT(are_finite(call.place) && are_finite(call.part));
   MES_ASSERT(call.opacity >= 0.0F && call.opacity <= 1.0F);
   picture_calls_.push_back(call);
 }

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// The bundle of this name, ignoring case where that leaves a single one; empty when none matches.
-const Bundle* named(const std::vector<Bundle>& bundles, const std::string& name) {
+const Bundle* bundle_named(const std::vector<Bundle>& bundles, const std::string& name) {
   const Bundle* similar = nullptr;
   for (const Bundle& bundle : bundles) {
     if (bundle.name == name) return &bundle;
@@ -48,7 +48,7 @@ Expected<Bundle> bundle_of_file(const std::string& file, const std::optional<std
   if (!loaded) return std::unexpected(loaded.error());
   for (const std::string& warning : loaded->warnings) say(warning);
   if (name) {
-    if (const Bundle* bundle = named(loaded->bundles, *name)) return *bundle;
+    if (const Bundle* bundle = bundle_named(loaded->bundles, *name)) return *bundle;
     return std::unexpected(unknown_bundle(*name, loaded->bundles, " in " + file));
   }
   if (loaded->bundles.size() > 1)
@@ -80,7 +80,7 @@ std::vector<AvailableBundle> available_bundles() {
 Expected<Bundle> find_bundle(const std::string& name_or_file, std::vector<SourceFile>& sources) {
   std::vector<Bundle> bundles;
   for (AvailableBundle& each : available_bundles()) bundles.push_back(std::move(each.bundle));
-  if (const Bundle* bundle = named(bundles, name_or_file)) return *bundle;
+  if (const Bundle* bundle = bundle_named(bundles, name_or_file)) return *bundle;
   std::error_code error;
   const std::string extension = lower_case_extension(name_or_file);
   if (fs::exists(name_or_file, error)) return bundle_of_file(name_or_file, {}, sources);

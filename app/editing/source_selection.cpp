@@ -9,7 +9,7 @@ namespace mes {
 namespace {
 
 // The points of a shape that may be samples.
-std::vector<Vec2> corners_of(const ProvenanceShape& shape) {
+std::vector<Vec2> corners_of_shape(const ProvenanceShape& shape) {
   const auto& v = shape.values;
   switch (shape.kind) {
     case PrimitiveKind::point: return {{v[0], v[1]}};
@@ -37,7 +37,7 @@ std::size_t select_sources(Editor& editor, const Provenance& element) {
   for (const ProvenanceLine& line : element.lines) {
     if (line.role == ProvenanceRole::product) continue;
     for (const ProvenanceShape& shape : line.shapes) {
-      for (const Vec2 corner : corners_of(shape))
+      for (const Vec2 corner : corners_of_shape(shape))
         for (const SampleSlot slot : editor.index().in_box({corner, corner})) samples.push_back(slot);
       if (is_round(shape.kind)) disks.insert({shape.values[0], shape.values[1], shape.values[2]});
     }

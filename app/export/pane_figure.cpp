@@ -19,7 +19,7 @@ namespace mes {
 namespace {
 
 /// Of a page without a height, that with which panes fill it.
-PageSize page_for(const FigureRequest& request, std::size_t panes, double proportions, double unit) {
+PageSize pane_page(const FigureRequest& request, std::size_t panes, double proportions, double unit) {
   const auto* const natural = std::get_if<figure::Page>(&request.part);
   const PageSize own = natural != nullptr ? PageSize{natural->width, natural->height}
                                           : PageSize{figure::kPointsPerPixel * request.pixels[0],
@@ -134,7 +134,7 @@ Expected<DrawnFigure> draw_pane_figure(const FigureRequest& request, const Compa
   auto fonts = PaperFonts::read(find_assets({}));
   if (!fonts) return std::unexpected(fonts.error());
   DrawnFigure out;
-  PageSize page = page_for(request, count, proportions, unit);
+  PageSize page = pane_page(request, count, proportions, unit);
   const MeasureText measure = measure_with(*fonts, scale);
   const PictureTitle title =
       layout_title(request.title, page.width / unit, *page.height / unit, measure, request.shown.background);

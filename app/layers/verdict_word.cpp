@@ -103,7 +103,7 @@ constexpr auto kSpokenFindings = std::to_array<Spoken>({
      "difference of the axis from the dual complex in Euler characteristic"},
 });
 
-const Name* family_of(std::string_view structure) {
+const Name* named_family(std::string_view structure) {
   const auto found =
       std::ranges::find_if(kFamilies, [&](const Name& family) { return structure.starts_with(family.id); });
   return found == kFamilies.end() ? nullptr : found;
@@ -145,7 +145,7 @@ VerdictWord verdict_word(TheoremLight light, bool lacks_memory, Checking checkin
 std::string text_of(const Finding& finding, std::string_view structure) {
   std::string_view text = finding.text;
   const std::string prefix = std::string(structure) + ": ";
-  const Name* const family = family_of(structure);
+  const Name* const family = named_family(structure);
   if (text.starts_with(prefix)) text.remove_prefix(prefix.size());
   if (const auto found = std::ranges::find(kSpokenFindings, text, &Spoken::text); found != kSpokenFindings.end())
     text = finding.count == 1 ? found->one : found->several;
@@ -156,7 +156,7 @@ std::string text_of(const Finding& finding, std::string_view structure) {
 std::string structure_name(std::string_view id) {
   if (const auto found = std::ranges::find(kNames, id, &Name::id); found != kNames.end())
     return std::string(found->name);
-  if (const Name* const family = family_of(id)) {
+  if (const Name* const family = named_family(id)) {
     const auto made = std::ranges::find(kOfBalls, id.substr(family->id.size()), &Name::id);
     if (made != kOfBalls.end()) return std::string(made->name) + std::string(family->name);
   }

@@ -19,7 +19,7 @@ namespace {
 
 constexpr float kAnnotationWidth = 330.0F;
 
-const char* name_of(AnnotationKind kind) {
+const char* kind_name(AnnotationKind kind) {
   switch (kind) {
     case AnnotationKind::text: return "Text";
     case AnnotationKind::leader: return "Leader";
@@ -56,7 +56,7 @@ void draw_kinds(const Gui& gui, Annotation& annotation) {
                             : kind != AnnotationKind::highlight && anchor_count(kind) == annotation.anchors.size();
     if (!can_be) continue;
     if (!std::exchange(is_first, false)) ImGui::SameLine();
-    if (choice_button(name_of(kind), annotation.kind == kind)) annotation.kind = kind;
+    if (choice_button(kind_name(kind), annotation.kind == kind)) annotation.kind = kind;
     tooltip(gui, explanation_of(kind));
   }
 }

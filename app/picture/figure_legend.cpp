@@ -6,7 +6,7 @@
 namespace mes {
 namespace {
 
-std::vector<LegendEntry> legend_of(const figure::Drawing& drawing, LegendScope scope) {
+std::vector<LegendEntry> figure_legend_of(const figure::Drawing& drawing, LegendScope scope) {
   return entries_of(
       drawing.views, scope, [&](const render::LayerView& view) { return shown_map(drawing, view); },
       [&](LayerIndex layer, PrimitiveKind kind) { return !drawing.mirror.instances(layer, kind).empty(); });
@@ -15,13 +15,13 @@ std::vector<LegendEntry> legend_of(const figure::Drawing& drawing, LegendScope s
 }  // namespace
 
 bool has_legend(const figure::Drawing& drawing, LegendScope scope) {
-  return !legend_of(drawing, scope).empty();
+  return !figure_legend_of(drawing, scope).empty();
 }
 
 bool add_legend(figure::Figure& figure, const figure::Drawing& drawing, LegendScope scope,
                 const LegendSurroundings& around, const PaperFonts& fonts) {
   const PlacedLegend legend =
-      place_legend(legend_of(drawing, scope), fonts, drawing.scale, around, drawing.background);
+      place_legend(figure_legend_of(drawing, scope), fonts, drawing.scale, around, drawing.background);
   const double points = drawing.scale * figure::kPointsPerPixel;
   if (!legend.drawing.is_empty())
     add_to(figure, fonts, legend.drawing, points * legend.corner, drawing.scale * legend.shrink);

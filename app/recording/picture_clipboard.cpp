@@ -12,14 +12,15 @@
 namespace mes {
 namespace {
 
-std::unexpected<Error> failed(std::string text) {
+std::unexpected<Error> clipboard_error(std::string text) {
   return std::unexpected(Error{ErrorCode::cannot_write, std::move(text), {}, 0, 0});
 }
 
 }  // namespace
 
 Expected<void> copy_png(std::span<const std::byte> png, const std::stop_token& stop) {
-  if (!is_program_on_path("xclip")) return failed("copying pictures needs the program xclip, which is not installed");
+  if (!is_program_on_path("xclip"))
+    return clipboard_error("copying pictures needs the program xclip, which is not installed");
   const auto folder = ScratchFolder::make();
   if (!folder) return std::unexpected(folder.error());
   const std::filesystem::path file = folder->path() / "picture.png";
@@ -28,11 +29,11 @@ Expected<void> copy_png(std::span<const std::byte> png, const std::stop_token& s
   ChildProcess xclip;
   const int reason =
       xclip.start({"xclip", "-selection", "clipboard", "-target", "image/png", "-in", file.string()}, folder->path());
-  if (reason != 0) return failed("xclip cannot be started: " + std::generic_category().message(reason));
+  if (reason != 0) return clipboard_error("xclip cannot be started: " + std::generic_category().message(reason));
   // It reads the file and goes on in the background.
   if (!xclip.wait(stop)) {
     const std::string complaint = xclip.complaint();
-    return failed("xclip failed" + (complaint.empty() ? std::string() : ": " + complaint));
+    return clipboard_error("xclip failed" + (complaint.empty() ? std::string() : ": " + complaint));
   }
   return {};
 }

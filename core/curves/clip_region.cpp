@@ -23,7 +23,7 @@ struct GridBox {
   GridPoint high;
 };
 
-GridBox box_of(const GridPaths& paths) {
+GridBox grid_box(const GridPaths& paths) {
   GridBox out{paths.front().front(), paths.front().front()};
   for (const GridPath& path : paths)
     for (const GridPoint p : path) {
@@ -169,7 +169,7 @@ class CurveClipper {
   ClippedCurves area(FillRule rule) {
     GridPaths paths;
     for (const PlaneCurve& curve : curves_) paths.push_back(subject_.add(curve, true));
-    const GridBox box = box_of(paths);
+    const GridBox box = grid_box(paths);
     const GridPaths clip = cropped(outline_, box, 0.0);
     const double width =
         4.0 + std::min(2.0 * subject_.tolerance() + 2.0 * region_.tolerance(), 1e-3 * extent_of(box));
@@ -203,7 +203,7 @@ class CurveClipper {
       if (paths.back().size() < 2) paths.pop_back();
     }
     if (paths.empty()) return whole();  // a point on the grid
-    const GridBox box = box_of(paths);
+    const GridBox box = grid_box(paths);
     // What lies on the boundary is seen.
     const double wider = 4.0 + 2.0 * (subject_.tolerance() + region_.tolerance());
     ClipperLib::ClipperOffset offset;

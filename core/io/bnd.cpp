@@ -147,7 +147,7 @@ constexpr std::array<Alias, 13> kAliases{{{"local-crust", "curve"},
                                           {"p-v-crosssing-edges", "p-v-crossing-edges"},
                                           {"christophes-moebius", "moebius-diagram"}}};
 
-std::string id_of(std::string_view name) {
+std::string layer_id_of(std::string_view name) {
   std::string out;
   for (const char c : name) {
     if (c == '\'') continue;
@@ -238,7 +238,7 @@ class BundleReader {
         if (!with_doubles) return std::unexpected(entry.error());
         entry = std::move(with_doubles);
       }
-      entry->layer = id_of(*name);
+      entry->layer = layer_id_of(*name);
       has_all_balls = has_all_balls || entry->layer == "a-regular-triangulation";
       add(out, std::move(*entry), *name);
     }

@@ -11,7 +11,7 @@
 namespace mes {
 namespace {
 
-std::string_view name_of(SvgProperty property) {
+std::string_view property_name(SvgProperty property) {
   switch (property) {
     case SvgProperty::x: return "x";
     case SvgProperty::y: return "y";
@@ -55,7 +55,7 @@ std::optional<double> SvgElements::length_of(pugi::xml_node node, std::string_vi
 
 std::optional<double> SvgElements::length(pugi::xml_node node, const SvgStyle& style, SvgProperty property,
                                           SvgAxis axis, const SvgViewport& viewport) {
-  return length_of(node, name_of(property), style[property], axis, viewport);
+  return length_of(node, property_name(property), style[property], axis, viewport);
 }
 
 Affine SvgElements::transform(pugi::xml_node node, const SvgStyle& style) {

@@ -17,7 +17,7 @@ constexpr double kLassoStepPx = 3.0;
 constexpr double kHandleReachPx = 8.0;
 
 // As the window shows it beside the pointer.
-std::string words_of(Handle handle, const Dragged& result) {
+std::string drag_words(Handle handle, const Dragged& result) {
   if (handle == Handle::turn) return fmt::format("{:.1f} degrees", result.degrees);
   const bool is_side = result.factor.x != result.factor.y;
   const double factor = result.factor.x == 1.0 ? result.factor.y : result.factor.x;
@@ -162,7 +162,7 @@ void SelectTool::drag_handle(const Pointer& pointer) {
   for (std::size_t i = 0; i < from_balls_.size(); ++i)
     ball_targets_.emplace_back(from_balls_[i].first, Disk{result->places[from_.size() + i],
                                                           result->radius_factor * from_balls_[i].second.radius});
-  handle_words_ = words_of(handle_, *result);
+  handle_words_ = drag_words(handle_, *result);
   accepted(context_.editor.move(targets_, ball_targets_, {}));
 }
 

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kEdgesALook = 1024;
 
-OwnerSlot owner_of(EdgeSlot edge) {
+OwnerSlot edge_owner(EdgeSlot edge) {
   return same_row<OwnerSlot>(edge);
 }
 
@@ -80,7 +80,7 @@ bool AxisSampling::is_edge(EdgeSlot edge) const {
 
 // A ball about a place of the edge touches both samples; its radius is the distance to the one that comes first.
 void AxisSampling::remake(EdgeSlot edge) {
-  between_.drop(owner_of(edge));
+  between_.drop(edge_owner(edge));
   if (made_with_.angle == kNone || !is_edge(edge)) return;
   const EdgeRow& row = delaunay_.edge(edge);
   const Vec2 p = delaunay_.site_position(row.v[0]);
@@ -92,7 +92,7 @@ void AxisSampling::remake(EdgeSlot edge) {
   const auto shrunk = [&](Vec2 center) { return Disk{center, made_with_.shrinking * distance(center, sample)}; };
   if (!is_finite(ball_about(a)) || !is_finite(ball_about(b))) return;
   halving_.halve([&](double u) { return shrunk(place_between(a, b, u)); }, shrunk(a), shrunk(b),
-                 [&](const Disk& disk) { between_.add(owner_of(edge), ball_about(disk.center)); });
+                 [&](const Disk& disk) { between_.add(edge_owner(edge), ball_about(disk.center)); });
 }
 
 double AxisSampling::diameter() const {
