@@ -3,10 +3,12 @@
 add_library(mes_options INTERFACE)
 target_include_directories(mes_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(mes_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wsign-conversion -Wold-style-cast $<$<BOOL:${MESECINA_WERROR}>:-Werror>
+  -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wold-style-cast $<$<BOOL:${MESECINA_WERROR}>:-Werror>
   -ffp-contract=off)
 # Names of files count from the sources, so that the program has the same bytes wherever it is built.
 add_compile_options(-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)
+# A local name may be that of a constant of another source, which comes before it in a translation unit of several.
+target_compile_options(mes_options INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:MESECINA_UNITY>>>:-Wshadow>)
 target_compile_definitions(mes_options INTERFACE MESECINA_VERSION="${PROJECT_VERSION}")
 
 # What was compiled before, in another clone or after a change that was taken back, comes from a cache where there is one.
