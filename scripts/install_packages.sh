@@ -50,6 +50,7 @@ build          libpolyclipping-dev  polyclipping-devel  clipper       -
 test           ccache              ccache              ccache         ccache
 test           catch2              catch2-devel        catch2-v2      -
 test           xvfb                xorg-x11-server-Xvfb  xorg-server-xvfb  -
+test           libx11-dev          libX11-devel        libx11         -
 test           xdotool             xdotool             xdotool        -
 test           imagemagick         ImageMagick         imagemagick    imagemagick
 test           dbus-daemon         dbus-daemon         dbus           -

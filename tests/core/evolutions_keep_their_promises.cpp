@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <cmath>
 #include <numbers>
 #include <thread>
 
 #include "core/base/rng.h"
 #include "core/evolutions/evolution_run.h"
+#include "tests/support/bell.h"
 #include "tests/support/shapes.h"
 
 using namespace mes;
@@ -372,13 +372,13 @@ TEST_CASE("coordinates that leave their range are an error") {
 
 TEST_CASE("a run answers the last wish, on a thread of its own, and can be cancelled") {
   const SampleData data = regular_polygon(300, false);
-  EvolutionRun run({});
+  Bell bell;
+  EvolutionRun run({.wake = bell.ring()});
   run.begin(beginning_of(data), choice_of("smooth"));
-  const auto answer = [&run] {
-    for (;;) {
-      if (auto out = run.poll()) return *out;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+  const auto answer = [&] {
+    std::optional<EvolutionRun::Answer> out;
+    bell.wait_until([&] { return (out = run.poll()).has_value(); });
+    return *out;
   };
   run.want(1'000'000'000);
   run.want(5);
@@ -397,18 +397,15 @@ TEST_CASE("a run answers the last wish, on a thread of its own, and can be cance
 }
 
 TEST_CASE("a state reached after a farther one was requested does not answer the request") {
-  EvolutionRun run({});
+  Bell bell;
+  EvolutionRun run({.wake = bell.ring()});
   run.begin(beginning_of(regular_polygon(300, true)), choice_of("smooth"));
   run.want(20'000);
   while (run.reached() == 0) std::this_thread::yield();
   run.want(20'001);
-  for (;;) {
-    if (const auto answer = run.poll()) {
-      CHECK(answer->k == 20'001);
-      break;
-    }
-    std::this_thread::yield();
-  }
+  std::optional<EvolutionRun::Answer> answer;
+  bell.wait_until([&] { return (answer = run.poll()).has_value(); });
+  CHECK(answer->k == 20'001);
   CHECK_FALSE(run.is_busy());
 }
 

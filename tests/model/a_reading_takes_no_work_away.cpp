@@ -5,7 +5,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "app/editing/prepared_document.h"
@@ -48,7 +47,7 @@ TEST_CASE("a file that is read while the document is edited takes its place, wit
           bench.add_sample();
           revision = bench.editor.document().revision();
         }
-        while (!bench.desk.has_read()) std::this_thread::yield();
+        bench.wait_for_reading();
         outcome = bench.desk.poll();
         CHECK(bench.desk.would_lose_work() == (edit < edits));
         bench.desk.give_up_work();
@@ -78,7 +77,7 @@ TEST_CASE("what is done while a file is read is not lost unless that is wanted")
   const auto read_while = [&](const std::filesystem::path& opened, const auto& work) {
     bench.desk.open(opened);
     work();
-    while (!bench.desk.has_read()) std::this_thread::yield();
+    bench.wait_for_reading();
     return bench.desk.poll();
   };
   const auto is_held_back = [&](const auto& work) { return !read_while(file, work) && bench.desk.would_lose_work(); };
@@ -136,7 +135,7 @@ TEST_CASE("an evolution that plays on while a file is read is asked about once")
   const auto is_held_back = [&](const auto& work) {
     bench.desk.open(file);
     work();
-    while (!bench.desk.has_read()) std::this_thread::yield();
+    bench.wait_for_reading();
     const bool is_taken = bench.desk.poll().has_value();
     CHECK(is_taken != bench.desk.would_lose_work());
     return !is_taken;
@@ -167,7 +166,7 @@ TEST_CASE("what an evolution changes while a file is read is asked about where n
   REQUIRE_FALSE(bench.editor.is_modified());
   bench.desk.open(file);
   evolve(2);
-  while (!bench.desk.has_read()) std::this_thread::yield();
+  bench.wait_for_reading();
   CHECK_FALSE(bench.desk.poll());
   CHECK(bench.desk.would_lose_work());
   bench.desk.give_up_work();
@@ -186,7 +185,7 @@ TEST_CASE("samples that are added before each look do not put off for good what 
   for (; !outcome && looks < 10; ++looks) {
     REQUIRE(bench.editor.insert(many, "many"));
     bench.desk.give_up_work();
-    while (!bench.desk.has_read()) std::this_thread::yield();
+    bench.wait_for_reading();
     outcome = bench.desk.poll();
   }
   REQUIRE(outcome);
@@ -265,7 +264,7 @@ TEST_CASE("recovered work has no file and counts as unsaved") {
   CHECK_FALSE(bench.desk.poll());
   bench.desk.recover(work);
   bench.add_ball();
-  while (!bench.desk.has_read()) std::this_thread::yield();
+  bench.wait_for_reading();
   CHECK_FALSE(bench.desk.poll());
   CHECK(bench.desk.would_lose_work());
   CHECK(bench.editor.document().ball_count() == 1);

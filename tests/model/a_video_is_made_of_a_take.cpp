@@ -11,6 +11,7 @@
 #include "app/recording/frame_writer.h"
 #include "app/recording/video.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/support/bell.h"
 
 using namespace mes;
 using namespace mes::test;
@@ -109,13 +110,14 @@ TEST_CASE("a video being made can be cancelled") {
   studio.program(kOutput + "echo half > \"$out\"\nexec sleep 1000\n");
   const Path path(studio.folder.path().string() + ":/usr/bin:/bin");
   const std::size_t before = studio.folder.file_count();
-  VideoJob job([] {});
+  Bell bell;
+  VideoJob job(bell.ring());
   job.start(studio.take.folder, 30.0, studio.folder / "film.mp4");
   while (studio.folder.file_count() == before) std::this_thread::yield();
   CHECK_FALSE(job.take_result().has_value());
   job.cancel();
   std::optional<Expected<void>> result;
-  while (!(result = job.take_result())) std::this_thread::yield();
+  bell.wait_until([&] { return (result = job.take_result()).has_value(); });
   REQUIRE_FALSE(result->has_value());
   CHECK(result->error().code == ErrorCode::cancelled);
   CHECK_FALSE(job.is_running());

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <cmath>
-#include <thread>
 
 #include "app/playing/evolution_player.h"
+#include "tests/support/bell.h"
 
 using namespace mes;
+using mes::test::Bell;
 
 namespace {
 
@@ -39,19 +39,20 @@ struct Desk {
     ++changes;
   }};
   ComputationSettings computation;
+  Bell bell;
   EvolutionPlayer player{editor,
                          {[this](Parameter parameter) { return computation[parameter]; },
                           [this](Parameter parameter, double value) { computation[parameter] = value; }},
-                         [] {}};
+                         bell.ring()};
   double now = 0.0;
 
   explicit Desk(bool known = false) { REQUIRE(editor.load(wavy_loop(known))); }
   void settle() {
     player.follow(true, now);
-    while (player.is_waiting()) {
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-      player.follow(false, now);
-    }
+    bell.wait_until([&] {
+      if (player.is_waiting()) player.follow(false, now);
+      return !player.is_waiting();
+    });
     CHECK(heard.digest() == editor.document().digest());
   }
   std::vector<Vec2> at(std::uint64_t k) {

@@ -3,22 +3,24 @@
 // held; handles of the frame.
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <thread>
 
 #include "app/canvas/tools/select_tool.h"
 #include "app/editing/contour_desk.h"
 #include "app/editing/source_selection.h"
 #include "app/model/update_hold.h"
 #include "core/draw/layer_descriptor.h"
+#include "tests/support/bell.h"
 
 using namespace mes;
+using mes::test::Bell;
 
 namespace {
 
 struct Bench {
   LayerStack layers{layer_descriptors()};
   Editor editor{[](auto) {}, &layers};
-  ContourDesk desk{editor, layers, {}};
+  Bell bell;
+  ContourDesk desk{editor, layers, bell.ring()};
 
   // A circle of 24 samples without a contour, and an open contour of five far from it.
   Bench() {
@@ -36,13 +38,17 @@ struct Bench {
   }
   const std::vector<CurveOrder::Contour>& contours() const { return editor.document().curve_order()->contours; }
   std::string finish() {
-    while (true) {
+    std::string out;
+    bell.wait_until([&] {
       const auto made = desk.follow();
-      if (!made) return made.error().text;
-      if (*made) return **made;
-      REQUIRE(desk.is_under_way());
-      std::this_thread::yield();
-    }
+      if (made && !*made) {
+        REQUIRE(desk.is_under_way());
+        return false;
+      }
+      out = made ? **made : made.error().text;
+      return true;
+    });
+    return out;
   }
 };
 

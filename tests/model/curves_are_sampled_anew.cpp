@@ -4,13 +4,14 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
-#include <thread>
 
 #include "app/editing/curve_sampler.h"
 #include "core/document/taken_samples.h"
 #include "core/io/session.h"
+#include "tests/support/bell.h"
 
 using namespace mes;
+using mes::test::Bell;
 
 namespace {
 
@@ -41,14 +42,15 @@ std::vector<Vec2> places(const Document& document) {
 struct Bench {
   Document heard;  // by the deltas alone, as the engine does
   Editor editor{[this](const std::shared_ptr<const DocumentDelta>& delta) { heard.apply(*delta); }};
-  CurveSampler sampler{editor, {}};
+  Bell bell;
+  CurveSampler sampler{editor, bell.ring()};
 
   Bench() { REQUIRE(editor.load(data_of_circle(2, 40))); }
   void finish(bool is_held) {
-    while (sampler.is_busy()) {
-      REQUIRE(sampler.follow(is_held));
-      std::this_thread::yield();
-    }
+    bell.wait_until([&] {
+      if (sampler.is_busy()) REQUIRE(sampler.follow(is_held));
+      return !sampler.is_busy();
+    });
     REQUIRE(sampler.follow(is_held));
     CHECK(heard.digest() == editor.document().digest());
   }
@@ -220,10 +222,10 @@ TEST_CASE("a wish that cannot be fulfilled says why and changes nothing") {
   request.spacing = 1e-12;
   bench.sampler.want(request);
   Expected<void> done;
-  while (bench.sampler.is_busy()) {
-    done = bench.sampler.follow(false);
-    std::this_thread::yield();
-  }
+  bench.bell.wait_until([&] {
+    if (bench.sampler.is_busy()) done = bench.sampler.follow(false);
+    return !bench.sampler.is_busy();
+  });
   REQUIRE_FALSE(done);
   CHECK_THAT(done.error().text, Catch::Contains("as many as there may be"));
   CHECK(bench.editor.document().sample_count() == 40);

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <thread>
 
 #include "app/editing/curve_selector.h"
+#include "tests/support/bell.h"
 
 using namespace mes;
+using mes::test::Bell;
 
 namespace {
 
@@ -15,7 +16,8 @@ constexpr int kLine = 7;
 // Samples 0 to 23 are a circle, 24 to 30 a stroke far from it, 31 lies where 2 does.
 struct Bench {
   Editor editor{[](auto) {}};
-  CurveSelector selector{editor, {}};
+  Bell bell;
+  CurveSelector selector{editor, bell.ring()};
 
   Bench() {
     SampleData data;
@@ -38,10 +40,10 @@ struct Bench {
     return out;
   }
   void finish() {
-    while (selector.is_under_way()) {
-      REQUIRE(selector.follow());
-      std::this_thread::yield();
-    }
+    bell.wait_until([&] {
+      if (selector.is_under_way()) REQUIRE(selector.follow());
+      return !selector.is_under_way();
+    });
   }
 };
 

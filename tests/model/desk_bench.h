@@ -3,22 +3,22 @@
 #pragma once
 
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <filesystem>
-#include <thread>
 #include <vector>
 
 #include "app/store/file_desk.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/support/bell.h"
 
 namespace mes::test {
 
 struct DeskBench {
   TemporaryFolder folder;
+  Bell bell;
   Editor editor{{}};
   FileDesk desk{editor,
                 [this] { return Session{.data = editor.timeline().data(), .entries = editor.timeline().entries()}; },
-                {}};
+                bell.ring()};
 
   FileDesk::Outcome open(const std::filesystem::path& file) { return open(std::vector{file}); }
   FileDesk::Outcome open(const std::vector<std::filesystem::path>& files,
@@ -28,10 +28,12 @@ struct DeskBench {
   }
   /// Of what is being read.
   FileDesk::Outcome outcome() {
-    for (;;) {
-      if (auto outcome = desk.poll()) return *outcome;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
+    std::optional<FileDesk::Outcome> out;
+    bell.wait_until([&] { return (out = desk.poll()).has_value(); });
+    return *out;
+  }
+  void wait_for_reading() {
+    bell.wait_until([&] { return desk.has_read(); });
   }
   Expected<void> save() {
     desk.save();

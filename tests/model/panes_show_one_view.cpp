@@ -2,7 +2,6 @@
 // Panes beside the main one: what they ask the engine for, where they lie, and the pointer in them.
 #include <algorithm>
 #include <array>
-#include <atomic>
 #include <catch2/catch.hpp>
 
 #include "app/canvas/canvas.h"
@@ -17,8 +16,10 @@
 #include "core/draw/layer_mirror.h"
 #include "core/draw/variant.h"
 #include "core/evolutions/evolution_states.h"
+#include "tests/support/bell.h"
 
 using namespace mes;
+using mes::test::Bell;
 
 namespace {
 
@@ -343,13 +344,6 @@ Annotations without_followed_places(Annotations annotations) {
 
 /// A window's parts that show panes with documents of their own.
 struct Versions {
-  struct Bell {
-    std::atomic<int> rings = 0;
-    void ring() {
-      ++rings;
-      rings.notify_all();
-    }
-  };
   Bell bell;
   Engine engine{{}};
   Editor editor{[this](std::shared_ptr<const DocumentDelta> delta) { engine.post(std::move(delta)); }};
@@ -357,10 +351,10 @@ struct Versions {
   EvolutionPlayer evolution{editor,
                             {[this](Parameter parameter) { return settings[parameter]; },
                              [this](Parameter parameter, double value) { settings[parameter] = value; }},
-                            [this] { bell.ring(); }};
+                            bell.ring()};
   LayerStack layers = stack_of({"points", "medial-axis", "curve"});
   PaneList list;
-  PaneDocuments documents{editor, evolution, [this] { bell.ring(); }};
+  PaneDocuments documents{editor, evolution, bell.ring()};
   EngineDemand demand;
   LayerMirror mirror;
   bool is_held = false;
@@ -380,13 +374,11 @@ struct Versions {
   }
   /// As the window does, frame by frame, until all panes show what they are to.
   void settle() {
-    for (;;) {
-      const int seen = bell.rings;
+    bell.wait_until([&] {
       evolution.follow(true, 0.0);
       demand.follow(engine, wanted(), false, &documents);
-      if (documents.is_complete() && !evolution.is_waiting()) break;
-      bell.rings.wait(seen);
-    }
+      return documents.is_complete() && !evolution.is_waiting();
+    });
     CHECK_FALSE(documents.take_problem());
     for (VariantIndex variant = 1; variant <= demand.shown().variants.size(); ++variant) {
       const Document* const own = documents.document_of(variant);

@@ -19,9 +19,7 @@ std::shared_ptr<const SampleData> triangle() {
 FileDesk::Outcome make(Bench& bench, const std::string& title) {
   bench.desk.open_made(triangle(), title, "1 outline");
   CHECK(bench.desk.reading_name() == title);
-  std::optional<FileDesk::Outcome> outcome;
-  while (!(outcome = bench.desk.poll())) std::this_thread::yield();
-  return *outcome;
+  return bench.outcome();
 }
 
 }  // namespace
@@ -64,7 +62,7 @@ TEST_CASE("what is edited while something is made is not lost without a question
   Bench bench;
   bench.desk.open_made(triangle(), "Circle");
   bench.add_sample();
-  while (!bench.desk.has_read()) std::this_thread::yield();
+  bench.wait_for_reading();
   CHECK_FALSE(bench.desk.poll());
   CHECK(bench.desk.would_lose_work());
   bench.desk.cancel_reading();

@@ -18,6 +18,8 @@
 #include <thread>
 #include <utility>
 
+#include "tests/window/x_connection.h"
+
 namespace mes::test {
 namespace {
 
@@ -28,7 +30,7 @@ bool has_program(const std::string& name) {
 }
 
 void require_tools() {
-  for (const char* tool : {"Xvfb", "xdotool", "import", "convert"}) require_program(tool);
+  for (const char* tool : {"Xvfb", "xdotool", "convert"}) require_program(tool);
 }
 
 }  // namespace
@@ -222,16 +224,20 @@ VirtualScreen::VirtualScreen() {
   close(ends[0]);
   REQUIRE_FALSE(number.empty());
   display_ = ":" + number;
+  connection_ = std::make_shared<const XConnection>(display_);
+  REQUIRE(connection_->is_open());
 }
 
 Screenshot VirtualScreen::shoot() const {
-  return parse_ppm(output_of("DISPLAY=" + display_ + " import -silent -window root -depth 8 ppm:- 2>/dev/null"));
+  return connection_->shoot();
 }
 
 VirtualScreen::Window VirtualScreen::window() const {
+  const std::vector<std::string> names = connection_->window_names();
+  const auto named = std::ranges::find_if(names, [](const std::string& name) { return name.contains("Mesecina"); });
+  if (named == names.end()) return {};
   // "house.poff - Mesecina (2)": the second answer.
-  std::string words = xdotool("search --name Mesecina getwindowname");
-  while (!words.empty() && words.back() == '\n') words.pop_back();
+  std::string words = *named;
   const std::size_t bracket = words.rfind(" (");
   if (!words.ends_with(')') || bracket == std::string::npos) return {std::move(words), 0};
   return {words.substr(0, bracket), std::atoi(words.c_str() + bracket + 2)};
@@ -337,12 +343,12 @@ void DrivenProgram::save_as(const std::string& name) const {
 }
 
 bool eventually(const std::function<bool()>& condition) {
-  constexpr int kQuick = 10;
-  for (int i = 0; i < kQuick + 450; ++i) {
+  constexpr auto kPatience = 300s;
+  for (const auto end = std::chrono::steady_clock::now() + kPatience; std::chrono::steady_clock::now() < end;) {
     if (condition()) return true;
-    std::this_thread::sleep_for(i < kQuick ? 20ms : 200ms);
+    std::this_thread::sleep_for(10ms);
   }
-  return false;
+  return condition();
 }
 
 }  // namespace mes::test

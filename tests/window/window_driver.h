@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -90,6 +91,8 @@ Screenshot read_picture(const std::filesystem::path& file);
 /// Where the program is missing the test is skipped (exit code 77), on a build machine (CI set) it fails.
 void require_program(const std::string& name);
 
+class XConnection;
+
 /// A virtual screen of 1280 x 800 pixels, if the tools for it are there (`require_program`).
 class VirtualScreen {
  public:
@@ -118,6 +121,7 @@ class VirtualScreen {
 
   std::string display_;
   Child server_;
+  std::shared_ptr<const XConnection> connection_;
 };
 
 /// What of a window of the screen's size lies between toolbar and panels, without the status bar.
@@ -148,7 +152,7 @@ struct DrivenProgram {
   void save_as(const std::string& name) const;
 };
 
-/// Asks again until it is true; false after a minute and a half.
+/// Asks again until it is true; false after five minutes.
 bool eventually(const std::function<bool()>& condition);
 
 /// Standard output of a shell command.

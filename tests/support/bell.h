@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+#include <functional>
+
+namespace mes::test {
+
+/// What jobs of other threads wake, in place of the window.
+class Bell {
+ public:
+  /// To be called by the jobs. The bell outlives them.
+  std::function<void()> ring() {
+    return [this] {
+      ++rings_;
+      rings_.notify_all();
+    };
+  }
+  /// Waits until the condition holds, which is asked at first and after each ring.
+  template <class Condition>
+  void wait_until(Condition condition) {
+    for (std::uint64_t heard = rings_; !condition(); heard = rings_) rings_.wait(heard);
+  }
+
+ private:
+  std::atomic<std::uint64_t> rings_ = 0;
+};
+
+}  // namespace mes::test

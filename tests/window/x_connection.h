@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a test sees of an X server: its picture, and the names of its windows.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "tests/window/window_driver.h"
+
+struct _XDisplay;
+
+namespace mes::test {
+
+/// To a server that runs as long as this object.
+class XConnection {
+ public:
+  /// `display` as in the environment variable DISPLAY.
+  explicit XConnection(const std::string& display);
+
+  bool is_open() const { return display_ != nullptr; }
+  /// All of the screen; empty if the server does not answer.
+  Screenshot shoot() const;
+  /// Names of all windows that have one.
+  std::vector<std::string> window_names() const;
+
+ private:
+  std::shared_ptr<_XDisplay> display_;
+};
+
+}  // namespace mes::test
