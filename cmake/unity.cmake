@@ -7,14 +7,16 @@ option(MESECINA_UNITY "Compile the sources of each room together, some at a time
 set(mes_unity_batch 12)
 set(mes_unity_batch_of_cgal 4)
 
-# mes_unity_for(FOLDER): the targets of FOLDER and of the folders in it, unless they say themselves how they are compiled.
-# All translation units of a target get as many sources, or one less. What a source has options of its own for stays alone.
-function(mes_unity_for folder)
+# mes_unity_for(FOLDER TYPE): the targets of TYPE in FOLDER and in the folders below it, and those that are to be compiled
+# together, unless they say themselves how. The translation units of a target get about as many sources each. A source that
+# has options of its own stays alone.
+function(mes_unity_for folder wanted)
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
     get_target_property(is_unity ${target} UNITY_BUILD)
-    if(NOT type STREQUAL "STATIC_LIBRARY" OR is_unity)
+    get_target_property(is_together ${target} MESECINA_TOGETHER)
+    if(is_unity OR NOT (type STREQUAL wanted OR is_together))
       continue()
     endif()
     get_target_property(sources ${target} SOURCES)
@@ -40,7 +42,7 @@ function(mes_unity_for folder)
   endforeach()
   get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
   foreach(inner IN LISTS folders)
-    mes_unity_for(${inner})
+    mes_unity_for(${inner} "${wanted}")
   endforeach()
 endfunction()
 
@@ -48,7 +50,10 @@ endfunction()
 function(mes_unity)
   if(MESECINA_UNITY)
     foreach(room IN ITEMS core render app)
-      mes_unity_for(${PROJECT_SOURCE_DIR}/${room})
+      mes_unity_for(${PROJECT_SOURCE_DIR}/${room} STATIC_LIBRARY)
     endforeach()
+    if(MESECINA_TESTS)
+      mes_unity_for(${PROJECT_SOURCE_DIR}/tests "")
+    endif()
   endif()
 endfunction()

@@ -15,7 +15,7 @@ using namespace mes;
 
 namespace {
 
-struct Desk {
+struct NotedDocument {
   Document document;
   History history;
   Timeline timeline;
@@ -85,7 +85,7 @@ Annotation highlight_on_balls(std::uint32_t a, std::uint32_t b, double scale = 1
 }  // namespace
 
 TEST_CASE("anchors on balls are at centres, crossings, places of equal power, and between crossings") {
-  Desk desk;
+  NotedDocument desk;
   for (const Disk& disk : {Disk{{0, 0}, 5}, Disk{{6, 0}, 5}, Disk{{0, 8}, 1}}) desk.insert_ball(disk);
   const auto at = [&](std::vector<std::uint32_t> balls, double along = 0.0, double scale = 1.0) {
     return desk.document.place_of({.at = {77, 77}, .balls = std::move(balls), .along = along, .scale = scale});
@@ -122,7 +122,7 @@ TEST_CASE("anchors on balls are at centres, crossings, places of equal power, an
 }
 
 TEST_CASE("what is highlighted on balls goes with them, and comes back with them; words stay") {
-  Desk desk;
+  NotedDocument desk;
   desk.insert(std::array{Vec2{9, 9}});
   for (const Disk& disk : {Disk{{0, 0}, 5}, Disk{{6, 0}, 5}, Disk{{0, 8}, 1}}) desk.insert_ball(disk);
   const Annotation words{.kind = AnnotationKind::leader, .text = "here", .anchors = {{.at = {}, .balls = {1}}}};
@@ -151,7 +151,7 @@ TEST_CASE("what is highlighted on balls goes with them, and comes back with them
 }
 
 TEST_CASE("anchors that follow balls in a way that makes no sense are refused") {
-  Desk desk;
+  NotedDocument desk;
   desk.insert(std::array{Vec2{9, 9}});
   desk.insert_ball({{0, 0}, 5});
   const auto refused = [&](const Anchor& anchor) {
@@ -171,7 +171,7 @@ TEST_CASE("anchors that follow balls in a way that makes no sense are refused") 
 }
 
 TEST_CASE("what is highlighted goes with its samples, and comes back with them") {
-  Desk desk;
+  NotedDocument desk;
   desk.insert(std::array{Vec2{0, 0}, Vec2{4, 0}, Vec2{0, 4}, Vec2{5, 5}});
   Annotation fixed = highlight_on(0, 1, 2);
   for (Anchor& anchor : fixed.anchors) anchor = {.at = {1, 2}};
@@ -198,7 +198,7 @@ TEST_CASE("what is highlighted goes with its samples, and comes back with them")
 }
 
 TEST_CASE("highlights that make no sense are refused") {
-  Desk desk;
+  NotedDocument desk;
   desk.insert(std::array{Vec2{0, 0}, Vec2{4, 0}, Vec2{0, 4}});
   const auto refused = [&](auto change) {
     Annotation one = highlight_on(0, 1, 2);
@@ -227,7 +227,7 @@ TEST_CASE("highlights that make no sense are refused") {
 }
 
 TEST_CASE("an anchor follows its sample, and stays where that was removed") {
-  Desk desk;
+  NotedDocument desk;
   desk.insert(std::array{Vec2{0, 0}, Vec2{4, 0}, Vec2{0, 4}});
   desk.perform(annotate(desk.document, {note_on({1}, {4, 0}), note_on({0, 1, 2}, {2, 2}), note_on({}, {7, 8})}));
   CHECK(places(desk.document) == std::vector<Vec2>{{4, 0}, {2, 2}, {7, 8}});
@@ -249,7 +249,7 @@ TEST_CASE("an anchor follows its sample, and stays where that was removed") {
 TEST_CASE("undo, redo and the timeline bring annotations back, whatever happened to samples") {
   const int seed = GENERATE(range(1, 9));
   Rng rng(static_cast<std::uint64_t>(seed));
-  Desk desk;
+  NotedDocument desk;
   std::vector<Annotations> states{*desk.document.annotations()};
   std::vector<std::vector<Vec2>> place_states{places(desk.document)};
   const auto any = [&](std::size_t count) { return static_cast<std::uint32_t>(rng.below(count)); };
@@ -337,7 +337,7 @@ TEST_CASE("undo, redo and the timeline bring annotations back, whatever happened
 }
 
 TEST_CASE("an annotation being dragged is one step") {
-  Desk desk;
+  NotedDocument desk;
   desk.perform(annotate(desk.document, {note_on({}, {1, 1})}), "Annotate");
   desk.history.begin_gesture("Move annotation");
   for (int i = 1; i <= 20; ++i) {
@@ -373,7 +373,7 @@ TEST_CASE("an annotation being dragged is one step") {
 
 TEST_CASE("dragging one of many annotations does not fill the timeline") {
   for (const std::size_t count : {3U, 200U}) {
-    Desk desk;
+    NotedDocument desk;
     desk.perform(annotate(desk.document, Annotations(count, note_on({}, {1, 1}))), "Annotate");
     desk.timeline.note_gesture_begun("Move annotation");
     for (int i = 1; i <= 50; ++i) {
@@ -394,7 +394,7 @@ TEST_CASE("dragging one of many annotations does not fill the timeline") {
 
 TEST_CASE("dragging the words of a large highlight does not fill the timeline") {
   for (const std::size_t count : {3U, 2000U}) {
-    Desk desk;
+    NotedDocument desk;
     Annotation large{.kind = AnnotationKind::highlight};
     large.elements.assign(count, {PrimitiveKind::point, ProvenanceRole::origin});
     large.anchors.assign(count, {.at = {1, 1}});
@@ -415,7 +415,7 @@ TEST_CASE("dragging the words of a large highlight does not fill the timeline") 
 }
 
 TEST_CASE("what no document can hold is refused") {
-  Desk desk;
+  NotedDocument desk;
   desk.insert(std::array{Vec2{0, 0}, Vec2{4, 0}});
   const Annotation good = note_on({1}, {4, 0});
   const auto refused = [&](const Annotation& annotation) {

@@ -21,7 +21,7 @@ const ProvenanceLine* line_with(const Provenance& answer, ProvenanceRole role, s
     if (line.role == role && line.text.find(text) != std::string::npos) return &line;
   return nullptr;
 }
-std::size_t shapes_of(const Provenance& answer, ProvenanceRole role, std::string_view text) {
+std::size_t shapes_named(const Provenance& answer, ProvenanceRole role, std::string_view text) {
   const ProvenanceLine* line = line_with(answer, role, text);
   return line == nullptr ? 0 : line->shapes.size();
 }
@@ -42,11 +42,11 @@ TEST_CASE("an inner Voronoi vertex comes from its samples and makes axis and uni
     CHECK(answer.layer == find_layer("interior-voronoi-vertices"));
     CHECK(answer.lines.front().role == ProvenanceRole::itself);
     CHECK(answer.lines.front().text.starts_with("Inner Voronoi ball at ("));
-    CHECK(shapes_of(answer, ProvenanceRole::origin, "3 samples on its circle") == 3);
-    CHECK(shapes_of(answer, ProvenanceRole::origin, "1 Delaunay triangle") == 1);
-    CHECK(shapes_of(answer, ProvenanceRole::product, "medial axis edges end here") == 2);
-    CHECK(shapes_of(answer, ProvenanceRole::product, "of its power cell") >= 3);
-    CHECK(shapes_of(answer, ProvenanceRole::product, "on the boundary of the union") >= 1);
+    CHECK(shapes_named(answer, ProvenanceRole::origin, "3 samples on its circle") == 3);
+    CHECK(shapes_named(answer, ProvenanceRole::origin, "1 Delaunay triangle") == 1);
+    CHECK(shapes_named(answer, ProvenanceRole::product, "medial axis edges end here") == 2);
+    CHECK(shapes_named(answer, ProvenanceRole::product, "of its power cell") >= 3);
+    CHECK(shapes_named(answer, ProvenanceRole::product, "on the boundary of the union") >= 1);
   }
   CHECK(seen > 40);
 }
@@ -60,8 +60,8 @@ TEST_CASE("an axis edge comes from two samples and ends in two balls") {
     const Vec2 middle = 0.5 * (delaunay.circumcenter(row.f[0]) + delaunay.circumcenter(row.f[1]));
     const Provenance answer = bench.ask(middle, 1e-9, {"medial-axis"});
     CHECK(answer.lines.front().text.starts_with("Medial axis edge"));
-    CHECK(shapes_of(answer, ProvenanceRole::origin, "2 samples") == 2);
-    CHECK(shapes_of(answer, ProvenanceRole::product, "Voronoi balls at its ends") == 2);
+    CHECK(shapes_named(answer, ProvenanceRole::origin, "2 samples") == 2);
+    CHECK(shapes_named(answer, ProvenanceRole::product, "Voronoi balls at its ends") == 2);
   }
 }
 
@@ -73,7 +73,7 @@ TEST_CASE("a v-point names the balls whose circles cross there, and a circle all
     ++seen;
     const Provenance answer = bench.ask(v.position, 1e-9, {"a-v-points"});
     CHECK(answer.lines.front().text.ends_with("a sample"));
-    CHECK(shapes_of(answer, ProvenanceRole::origin, "balls whose circles cross here") >= 2);
+    CHECK(shapes_named(answer, ProvenanceRole::origin, "balls whose circles cross here") >= 2);
   }
   CHECK(seen > 40);
 
@@ -83,8 +83,8 @@ TEST_CASE("a v-point names the balls whose circles cross there, and a circle all
       if (x * x + y * y == 25) circle.push_back({static_cast<double>(x), static_cast<double>(y)});
   bench.replace(circle);
   const Provenance answer = bench.ask({0, 0}, 1e-9, {"interior-voronoi-vertices"});
-  CHECK(shapes_of(answer, ProvenanceRole::origin, "12 samples on its circle") == 12);
-  CHECK(shapes_of(answer, ProvenanceRole::origin, "triangles on one circle") == 10);
+  CHECK(shapes_named(answer, ProvenanceRole::origin, "12 samples on its circle") == 12);
+  CHECK(shapes_named(answer, ProvenanceRole::origin, "triangles on one circle") == 10);
 }
 
 TEST_CASE("points win over lines and lines over areas; the upper layer over the lower") {
@@ -104,13 +104,13 @@ TEST_CASE("alpha complexes say from which radius on their elements are there, an
   bench.choose(settings);
   bench.show({"alpha-disks", "alpha-edges", "alpha-triangles", "alpha-boundary", "alpha-components", "alpha-holes"});
   const Provenance edge = bench.ask({1, 0}, 1e-9, {"alpha-edges"});
-  CHECK(shapes_of(edge, ProvenanceRole::product, "in the alpha complex from radius 1 on: there") == 1);
+  CHECK(shapes_named(edge, ProvenanceRole::product, "in the alpha complex from radius 1 on: there") == 1);
   const Provenance disk = bench.ask({-0.5, -0.5}, 1e-9, {"alpha-disks"});
-  CHECK(shapes_of(disk, ProvenanceRole::product, "its alpha disk has radius 1.375") == 1);
+  CHECK(shapes_named(disk, ProvenanceRole::product, "its alpha disk has radius 1.375") == 1);
   const Provenance arc = bench.ask({-1.375, 0}, 1e-9, {"alpha-boundary"});
   REQUIRE_FALSE(arc.lines.empty());
   CHECK(arc.lines.front().text == "Arc on the boundary of the union of the alpha disks, radius 1.375");
-  CHECK(shapes_of(arc, ProvenanceRole::origin, "the sample that it goes around") == 1);
+  CHECK(shapes_named(arc, ProvenanceRole::origin, "the sample that it goes around") == 1);
   const Provenance component = bench.ask({0, 0}, 1e-9, {"alpha-components"});
   REQUIRE_FALSE(component.lines.empty());
   CHECK(component.lines.front().text == "Component of the alpha complex, born at radius 0, stays");
@@ -119,8 +119,8 @@ TEST_CASE("alpha complexes say from which radius on their elements are there, an
   const Provenance hole = bench.ask({circle[0] + circle[2], circle[1]}, 1e-9, {"alpha-holes"});
   REQUIRE_FALSE(hole.lines.empty());
   CHECK(hole.lines.front().text.starts_with("Hole of the alpha complex, closed at radius 1.25, filled at 1."));
-  CHECK(shapes_of(hole, ProvenanceRole::origin, "the edge that closes it") == 1);
-  CHECK(shapes_of(hole, ProvenanceRole::product, "the triangle that fills it") == 1);
+  CHECK(shapes_named(hole, ProvenanceRole::origin, "the edge that closes it") == 1);
+  CHECK(shapes_named(hole, ProvenanceRole::product, "the triangle that fills it") == 1);
 }
 
 TEST_CASE("balls that grow additively say how large they were, and when what joins them came") {
@@ -136,11 +136,11 @@ TEST_CASE("balls that grow additively say how large they were, and when what joi
   const Provenance disk = bench.ask({-1, -1}, 1e-9, {"b-alpha-disks"});
   REQUIRE_FALSE(disk.lines.empty());
   CHECK(disk.lines.front().text == "Ball of radius 1, grown additively to 2.34854");
-  CHECK(shapes_of(disk, ProvenanceRole::origin, "the ball as it is") == 1);
+  CHECK(shapes_named(disk, ProvenanceRole::origin, "the ball as it is") == 1);
   const Provenance edge = bench.ask({2, 0}, 1e-9, {"b-alpha-edges"});
   REQUIRE_FALSE(edge.lines.empty());
   CHECK(edge.lines.front().text == "Edge of the dual complex of the grown balls, there from growth 1.73205 on");
-  CHECK(shapes_of(edge, ProvenanceRole::origin, "2 balls that meet") == 2);
+  CHECK(shapes_named(edge, ProvenanceRole::origin, "2 balls that meet") == 2);
   const Provenance component = bench.ask({0, 0}, 1e-9, {"b-alpha-components"});
   REQUIRE_FALSE(component.lines.empty());
   CHECK(component.lines.front().text.starts_with("Component of the grown balls, born before balls grow, stays"));
@@ -163,9 +163,9 @@ TEST_CASE("a ball along the scale axis says how large it was in the grown union"
   const Provenance circle = bench.ask({circles[0] + circles[2], circles[1]}, 1e-9, {"scale-axis-circles"});
   REQUIRE_FALSE(circle.lines.empty());
   CHECK(circle.lines.front().text.starts_with("Ball about a point of the scale axis, radius "));
-  CHECK(shapes_of(circle, ProvenanceRole::origin, "in the grown union, 1.5 times as large") == 1);
+  CHECK(shapes_named(circle, ProvenanceRole::origin, "in the grown union, 1.5 times as large") == 1);
   const Provenance piece = bench.ask({0, 0}, 0.01, {"scale-axis"});
-  CHECK(shapes_of(piece, ProvenanceRole::product, "radii divided by 1.5 again") == 2);
+  CHECK(shapes_named(piece, ProvenanceRole::product, "radii divided by 1.5 again") == 2);
 }
 
 TEST_CASE("whatever is pointed at, after whatever edits, has an answer without dead rows") {

@@ -34,7 +34,8 @@ void show_filters(Workbench& bench) {
               "axis-nodes"});
 }
 
-ComputationSettings limits(double lambda, double angle, bool keep_topology, AngleMode mode = AngleMode::clip) {
+ComputationSettings limits_in_mode(double lambda, double angle, bool keep_topology,
+                                   AngleMode mode = AngleMode::clip) {
   ComputationSettings out;
   out[Parameter::lambda_limit] = lambda;
   out[Parameter::angle_limit] = angle;
@@ -186,7 +187,7 @@ TEST_CASE("values are those of the definitions, in plain loops over the samples"
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
       Workbench bench;
       show_filters(bench);
-      bench.choose(limits(0.0, 0.0, false, mode));
+      bench.choose(limits_in_mode(0.0, 0.0, false, mode));
       bench.replace(noisy_curve(90, 8.0, seed));
       REQUIRE(bench.count("medial-axis", "edges") > 20);
       check_values(bench);
@@ -196,7 +197,7 @@ TEST_CASE("values are those of the definitions, in plain loops over the samples"
       INFO(input.name);
       Workbench bench;
       show_filters(bench);
-      bench.choose(limits(0.0, 0.0, false, mode));
+      bench.choose(limits_in_mode(0.0, 0.0, false, mode));
       bench.replace(input.positions);
       check_finite(bench);
     }
@@ -212,9 +213,9 @@ TEST_CASE("a node with an acute triangle has its circumradius for lambda, an obt
   REQUIRE(disks().size() == stride_of(PrimitiveKind::disk));
   CHECK(disks()[3] == Approx(2.0 / height).epsilon(1e-14));
   // More than half the side, which is what the limit is compared with in the obtuse triangle.
-  bench.choose(limits(1.1, 0.0, false));
+  bench.choose(limits_in_mode(1.1, 0.0, false));
   CHECK(disks().size() == stride_of(PrimitiveKind::disk));
-  bench.choose(limits(1.2, 0.0, false));
+  bench.choose(limits_in_mode(1.2, 0.0, false));
   CHECK(disks().empty());
 }
 
@@ -229,7 +230,7 @@ TEST_CASE("samples on one circle are one node: its circle, and a right angle whe
   REQUIRE(angle.size() == 4);
   CHECK(lambda[3] == Approx(5.0).epsilon(1e-14));
   CHECK(angle[3] == Approx(90.0).epsilon(1e-12));
-  bench.choose(limits(5.5, 0.0, true));
+  bench.choose(limits_in_mode(5.5, 0.0, true));
   CHECK(bench.instances("lambda-medial-disks", PrimitiveKind::disk).size() == 4);
   CHECK(bench.count("lambda-axis", "isolated") == 1);
 }
@@ -241,7 +242,7 @@ TEST_CASE("the lambda axis of an ellipse is as long as the formula says") {
   show_filters(bench);
   bench.replace(ellipse(a, 1.0, 800, {0.3, 0.0, 1}).data.positions);
   for (const double limit : {0.3, 0.5, 0.8, 0.95}) {
-    bench.choose(limits(limit, 0.0, false));
+    bench.choose(limits_in_mode(limit, 0.0, false));
     const double expected = 2.0 * c2 / a * std::sqrt(1.0 - limit * limit);
     CHECK(bench.measure("lambda-axis", "length") == Approx(expected).margin(0.02));
     CHECK(length_of(bench, "lambda-medial-axis") == Approx(bench.measure("lambda-axis", "length")).epsilon(1e-12));
@@ -259,10 +260,10 @@ TEST_CASE("a rounded rectangle has an object angle of 45 degrees on its branches
     for (const AngleMode mode : {AngleMode::clip, AngleMode::largest, AngleMode::mean}) {
       INFO("mode " << static_cast<int>(mode) << " topology " << keep);
       // Where samples stop facing each other a corner's branch begins; the ends of the core are a little uncertain.
-      bench.choose(limits(0.0, 60.0, keep, mode));
+      bench.choose(limits_in_mode(0.0, 60.0, keep, mode));
       CHECK(bench.measure("angle-axis", "length") == Approx(core).margin(0.2));
       CHECK(bench.count("angle-axis", "components") == 1);
-      bench.choose(limits(0.0, 30.0, keep, mode));
+      bench.choose(limits_in_mode(0.0, 30.0, keep, mode));
       CHECK(bench.measure("angle-axis", "length") == Approx(core + branches).margin(0.3));
       CHECK(length_of(bench, "angle-medial-axis") == Approx(bench.measure("angle-axis", "length")).epsilon(1e-9));
     }
@@ -275,7 +276,7 @@ TEST_CASE("kept and removed parts are the medial axis together") {
       for (const double degrees : {0.0, 20.0, 50.0, 90.0}) {
         Workbench bench;
         show_filters(bench);
-        bench.choose(limits(limit, degrees, keep));
+        bench.choose(limits_in_mode(limit, degrees, keep));
         bench.replace(noisy_curve(160, 10.0, 5));
         const double whole = length_of(bench, "medial-axis");
         CHECK(length_of(bench, "lambda-medial-axis") + length_of(bench, "removed-by-lambda") ==
@@ -302,12 +303,12 @@ TEST_CASE("an edge exactly at the limit is kept, and one a unit in the last plac
     strip.push_back({10.0, y});
   }
   bench.replace(strip);
-  bench.choose(limits(1.0, 0.0, false));
+  bench.choose(limits_in_mode(1.0, 0.0, false));
   const std::int64_t at_limit = bench.count("lambda-axis", "edges");
   CHECK(at_limit > 10);
-  bench.choose(limits(std::nextafter(1.0, 2.0), 0.0, false));
+  bench.choose(limits_in_mode(std::nextafter(1.0, 2.0), 0.0, false));
   CHECK(bench.count("lambda-axis", "edges") < at_limit);
-  bench.choose(limits(std::nextafter(1.0, 0.0), 0.0, false));
+  bench.choose(limits_in_mode(std::nextafter(1.0, 0.0), 0.0, false));
   CHECK(bench.count("lambda-axis", "edges") == at_limit);
 }
 
@@ -327,7 +328,7 @@ TEST_CASE("pruning keeps components and cycles for every limit") {
     const double largest = components == 0 ? 1.0 : bench.measure("lambda-axis", "largest");
     for (const double share : {0.0, 0.02, 0.05, 0.1, 0.3, 0.7, 1.0, 1.5}) {
       for (const AngleMode mode : {AngleMode::clip, AngleMode::largest, AngleMode::mean}) {
-        bench.choose(limits(share * largest, std::min(90.0, 90.0 * share), true, mode));
+        bench.choose(limits_in_mode(share * largest, std::min(90.0, 90.0 * share), true, mode));
         for (const std::string_view filter : {"lambda-axis", "angle-axis"}) {
           INFO(filter << " at " << share << " mode " << static_cast<int>(mode));
           CHECK(bench.count(filter, "components") == components);
@@ -448,7 +449,7 @@ TEST_CASE(
   }
   double before = 1.0;
   for (const double limit : {5.0, 20.0, 40.0, 60.0}) {
-    bench.choose(limits(limit, limit, false));
+    bench.choose(limits_in_mode(limit, limit, false));
     const double share = bench.measure("lambda-union", "share_of_shape");
     CHECK(share <= before * (1.0 + 1e-12));
     CHECK(share > 0.0);
@@ -456,7 +457,7 @@ TEST_CASE(
   }
   CHECK(before < 0.9);
   // Below the angle at the ends of the kept parts, cuts are balls too: as much as points along the edges hold.
-  bench.choose(limits(0.0, 60.0, false));
+  bench.choose(limits_in_mode(0.0, 60.0, false));
   const auto& delaunay = bench.get<Delaunay>();
   const auto& angle = bench.get<AngleAxis>();
   std::vector<Disk> along;
@@ -501,7 +502,7 @@ TEST_CASE(
   const auto& lambda = bench.get<LambdaAxis>();
   const auto& balls = bench.get<InnerBalls>();
   for (const double limit : {0.0, 0.1, 0.5, 0.9}) {
-    bench.choose(limits(limit, 0.0, false));
+    bench.choose(limits_in_mode(limit, 0.0, false));
     // Points thrown at the triangles inside: how many lie in a kept ball.
     std::vector<FaceSlot> kept;
     for (const FaceSlot face : delaunay.face_slots())
@@ -539,7 +540,7 @@ TEST_CASE(
     if (limit == 0.0) CHECK(bench.measure("lambda-union", "share_of_shape") == Approx(1.0).epsilon(1e-9));
   }
   // Triangles without height: circles that no double holds.
-  bench.choose(limits(0.0, 0.0, false));
+  bench.choose(limits_in_mode(0.0, 0.0, false));
   for (const int exponent : {0, 430, -400}) {
     for (const double height : {1e-12, 1e-20, 1e-28}) {
       std::vector<Vec2> thin{{0, 0}, {1, height}, {2, 0}, {3, height}, {1.5, -height}, {1.5, 2 * height}};
@@ -570,7 +571,8 @@ TEST_CASE("where nothing is kept the statistics say why") {
   // The axis of a circle is its centre, which is kept until the limit is above its radius.
   CHECK(why({{0, 0}, {1, 0}, {0.5, 0.9}}, none).empty());
   CHECK(why(lattice_circle().positions, none).empty());
-  CHECK_THAT(why({{0, 0}, {1, 0}, {0.5, 0.9}}, limits(10.0, 0.0, false)), Catch::Contains("above every value"));
-  CHECK_THAT(why(noisy_curve(60, 1.0, 1), limits(1e5, 0.0, false)), Catch::Contains("above every value"));
+  CHECK_THAT(why({{0, 0}, {1, 0}, {0.5, 0.9}}, limits_in_mode(10.0, 0.0, false)),
+             Catch::Contains("above every value"));
+  CHECK_THAT(why(noisy_curve(60, 1.0, 1), limits_in_mode(1e5, 0.0, false)), Catch::Contains("above every value"));
   CHECK(why(noisy_curve(60, 1.0, 1), none).empty());
 }

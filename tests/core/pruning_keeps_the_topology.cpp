@@ -12,7 +12,7 @@ using namespace mes;
 
 namespace {
 
-struct Graph {
+struct AxisGraph {
   std::size_t nodes = 0;
   struct Edge {
     std::size_t a = 0;
@@ -24,26 +24,26 @@ struct Graph {
 
 /// A forest with some edges more, so that there are cycles, and hairs on all of it. Values are small whole numbers, of
 /// which many are equal.
-Graph random_graph(Rng& rng) {
-  Graph out;
+AxisGraph random_graph(Rng& rng) {
+  AxisGraph out;
   out.nodes = 1 + rng.below(40);
   for (std::size_t i = 1; i < out.nodes; ++i)
     if (rng.below(6) != 0) out.edges.push_back({rng.below(i), i, 0});
   for (std::size_t more = rng.below(5); more > 0; --more) {
     const std::size_t a = rng.below(out.nodes);
     const std::size_t b = rng.below(out.nodes);
-    const bool is_there = std::ranges::any_of(out.edges, [&](const Graph::Edge& edge) {
+    const bool is_there = std::ranges::any_of(out.edges, [&](const AxisGraph::Edge& edge) {
       return (edge.a == a && edge.b == b) || (edge.a == b && edge.b == a);
     });
     if (a != b && !is_there) out.edges.push_back({a, b, 0});
   }
   for (std::size_t i = out.edges.size(); i > 1; --i) std::swap(out.edges[i - 1], out.edges[rng.below(i)]);
   const std::uint64_t values = 1 + rng.below(12);
-  for (Graph::Edge& edge : out.edges) edge.value = static_cast<int>(rng.below(values));
+  for (AxisGraph::Edge& edge : out.edges) edge.value = static_cast<int>(rng.below(values));
   return out;
 }
 
-std::vector<std::size_t> degrees(const Graph& graph, const std::vector<bool>& is_kept) {
+std::vector<std::size_t> degrees(const AxisGraph& graph, const std::vector<bool>& is_kept) {
   std::vector<std::size_t> out(graph.nodes, 0);
   for (std::size_t e = 0; e < graph.edges.size(); ++e) {
     if (!is_kept[e]) continue;
@@ -54,7 +54,7 @@ std::vector<std::size_t> degrees(const Graph& graph, const std::vector<bool>& is
 }
 
 /// Takes leaf edges below the limit away until there is none, each time any of them.
-std::vector<bool> pruned(const Graph& graph, int limit, Rng& rng) {
+std::vector<bool> pruned(const AxisGraph& graph, int limit, Rng& rng) {
   std::vector<bool> is_kept(graph.edges.size(), true);
   for (;;) {
     const auto degree = degrees(graph, is_kept);
@@ -69,7 +69,7 @@ std::vector<bool> pruned(const Graph& graph, int limit, Rng& rng) {
 }
 
 /// Components by flooding, of the nodes that are there.
-std::size_t components(const Graph& graph, const std::vector<bool>& is_kept, const std::vector<bool>& has_node) {
+std::size_t components(const AxisGraph& graph, const std::vector<bool>& is_kept, const std::vector<bool>& has_node) {
   std::vector<std::size_t> name(graph.nodes);
   std::iota(name.begin(), name.end(), std::size_t{0});
   for (bool changed = true; changed;) {
@@ -98,7 +98,7 @@ std::size_t components(const Graph& graph, const std::vector<bool>& is_kept, con
 }
 
 /// In ascending order of the values; ties as they come.
-AxisPruning prune(const Graph& graph) {
+AxisPruning prune(const AxisGraph& graph) {
   std::vector<std::size_t> order(graph.edges.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::stable_sort(order, {}, [&](std::size_t e) { return graph.edges[e].value; });
@@ -114,7 +114,7 @@ AxisPruning prune(const Graph& graph) {
 TEST_CASE("for every limit, what is left is what remains when leaves below it are taken away in any order") {
   Rng rng(1);
   for (int round = 0; round < 3000; ++round) {
-    const Graph graph = random_graph(rng);
+    const AxisGraph graph = random_graph(rng);
     const AxisPruning pruning = prune(graph);
     const std::vector<bool> all_edges(graph.edges.size(), true);
     const std::vector<bool> all_nodes(graph.nodes, true);
@@ -148,12 +148,13 @@ TEST_CASE("for every limit, what is left is what remains when leaves below it ar
 TEST_CASE("a tree has one root, a component with a cycle none, and a root is an end of the edge that goes last") {
   Rng rng(2);
   for (int round = 0; round < 500; ++round) {
-    const Graph graph = random_graph(rng);
+    const AxisGraph graph = random_graph(rng);
     const AxisPruning pruning = prune(graph);
     std::vector<std::size_t> name(graph.nodes);
     std::iota(name.begin(), name.end(), std::size_t{0});
     for (std::size_t pass = 0; pass < graph.nodes; ++pass)
-      for (const Graph::Edge& edge : graph.edges) name[edge.a] = name[edge.b] = std::min(name[edge.a], name[edge.b]);
+      for (const AxisGraph::Edge& edge : graph.edges)
+        name[edge.a] = name[edge.b] = std::min(name[edge.a], name[edge.b]);
     for (std::size_t component = 0; component < graph.nodes; ++component) {
       std::size_t nodes = 0;
       std::size_t edges = 0;
@@ -164,8 +165,8 @@ TEST_CASE("a tree has one root, a component with a cycle none, and a root is an 
         roots += pruning.is_root(FaceSlot(node)) ? 1U : 0U;
       }
       int highest = -1;
-      for (const Graph::Edge& edge : graph.edges) edges += name[edge.a] == component ? 1U : 0U;
-      for (const Graph::Edge& edge : graph.edges)
+      for (const AxisGraph::Edge& edge : graph.edges) edges += name[edge.a] == component ? 1U : 0U;
+      for (const AxisGraph::Edge& edge : graph.edges)
         if (name[edge.a] == component) highest = std::max(highest, edge.value);
       if (edges == 0) continue;
       CHECK(roots == (edges + 1 == nodes ? 1U : 0U));

@@ -25,7 +25,7 @@ struct Family {
 constexpr std::array kFamilies{Family{'a', Parameter::a_scale}, Family{'p', Parameter::p_scale},
                                Family{'b', Parameter::b_scale}};
 
-ComputationSettings settings_of(Precision precision, double scale) {
+ComputationSettings settings_at_scale(Precision precision, double scale) {
   ComputationSettings out;
   out.precision = precision;
   for (const Family& family : kFamilies) out[family.scale] = scale;
@@ -91,7 +91,7 @@ TEST_CASE("the area of one ball grows with the square of the scale") {
   bench.insert_balls({{{1.0, 2.0}, 3.0}});
   for (const Precision precision : {Precision::fast, Precision::exact, Precision::exact_roots}) {
     for (const double scale : {0.01, 0.5, 1.0, 1.03, 2.0, 100.0}) {
-      bench.choose(settings_of(precision, scale));
+      bench.choose(settings_at_scale(precision, scale));
       CHECK(bench.measure("b-union", "area") == Approx(9.0 * std::numbers::pi * scale * scale).epsilon(1e-14));
     }
   }
@@ -104,8 +104,8 @@ TEST_CASE("scaled balls of one's own give the picture of balls with those radii"
       INFO(scale << " in " << id_of(precision));
       const std::vector<Disk> disks = integer_disks(7, 12);
       Workbench small, large;
-      small.choose(settings_of(precision, scale));
-      large.choose(settings_of(precision, 1.0));
+      small.choose(settings_at_scale(precision, scale));
+      large.choose(settings_at_scale(precision, 1.0));
       small.insert_balls(disks);
       large.insert_balls(scaled(disks, scale));
       check_same_picture(small.contents(), large.contents());
@@ -120,9 +120,9 @@ TEST_CASE("rationals with roots where they are needed agree with roots throughou
       Workbench bench;
       bench.show({"b-union-boundary", "b-ball-medial-axis"});
       bench.insert_balls(integer_disks(seed, 7));
-      bench.choose(settings_of(Precision::exact, scale));
+      bench.choose(settings_at_scale(Precision::exact, scale));
       const auto by_rationals = shape_of(bench, "b-union");
-      bench.choose(settings_of(Precision::exact_roots, scale));
+      bench.choose(settings_at_scale(Precision::exact_roots, scale));
       CHECK(shape_of(bench, "b-union") == by_rationals);
       CHECK(bench.count("b-union", "chi") == bench.count("b-union", "chi_dual"));
     }
@@ -136,10 +136,10 @@ TEST_CASE("scaled Voronoi balls are analysed alike in doubles and in exact numbe
     Workbench bench(std::vector<Vec2>{{0, 0}, {4, -1}, {8, 0}, {9, 3}, {7, 6}, {3, 7}, {-1, 4}});
     bench.show({"a-ball-medial-axis", "p-ball-medial-axis"});
     for (const std::string family : {"a-union", "p-union"}) {
-      bench.choose(settings_of(Precision::fast, scale));
+      bench.choose(settings_at_scale(Precision::fast, scale));
       const auto by_doubles = shape_of(bench, family);
       const double area = bench.measure(family, "area");
-      bench.choose(settings_of(Precision::exact, scale));
+      bench.choose(settings_at_scale(Precision::exact, scale));
       CHECK(shape_of(bench, family) == by_doubles);
       CHECK(bench.measure(family, "area") == Approx(area).epsilon(1e-12));
       CHECK(bench.count(family, "chi") == bench.count(family, "chi_dual"));
@@ -154,7 +154,7 @@ TEST_CASE("an edit with scaled balls ends in the picture of a rebuild") {
     Rng rng(5);
     Workbench bench(ellipse(40));
     bench.insert_balls(integer_disks(3, 8));
-    bench.choose(settings_of(Precision::fast, scale));
+    bench.choose(settings_at_scale(Precision::fast, scale));
     for (int step = 0; step < 25; ++step) {
       INFO("step " << step);
       const auto ids = bench.ids();
@@ -168,7 +168,7 @@ TEST_CASE("an edit with scaled balls ends in the picture of a rebuild") {
         default: bench.move(ids[rng.below(ids.size())], ellipse(40)[rng.below(40)] + offset); break;
       }
       Workbench fresh;
-      fresh.choose(settings_of(Precision::fast, scale));
+      fresh.choose(settings_at_scale(Precision::fast, scale));
       SampleData reversed{.positions = bench.positions(), .balls = bench.balls()};
       std::ranges::reverse(reversed.positions);
       std::ranges::reverse(reversed.balls);
@@ -184,9 +184,9 @@ TEST_CASE("back at scale 1 everything is as it was, shortcut and all") {
   const LayerContents before = bench.contents();
   REQUIRE(bench.get<AUnion>().rung() == UnionRung::shortcut);
   for (const double scale : {1.03, 1.0 / 1.03, 3.0}) {
-    bench.choose(settings_of(Precision::fast, scale));
+    bench.choose(settings_at_scale(Precision::fast, scale));
     CHECK(bench.get<AUnion>().rung() == UnionRung::mixed);
-    bench.choose(settings_of(Precision::fast, 1.0));
+    bench.choose(settings_at_scale(Precision::fast, 1.0));
     CHECK(bench.get<AUnion>().rung() == UnionRung::shortcut);
     check_same_picture(bench.contents(), before);
   }
@@ -218,10 +218,10 @@ TEST_CASE("no scale carries balls beyond doubles; those of radius zero take no p
   for (const Precision precision : {Precision::fast, Precision::exact}) {
     Workbench bench;
     bench.insert_balls({{{0.0, 0.0}, 0x1p499}, {{-0x1p499, 0.0}, 0x1p399}, {{0x1p420, 0.0}, 0.0}});
-    bench.choose(settings_of(precision, 100.0));
+    bench.choose(settings_at_scale(precision, 100.0));
     CHECK(bench.count("b-union", "balls") == 2);
     CHECK(bench.count("b-union", "ignored") == 1);
-    bench.choose(settings_of(precision, 0.01));
+    bench.choose(settings_at_scale(precision, 0.01));
     CHECK(bench.count("b-union", "balls") == 2);
     CHECK(bench.count("b-union", "ignored") == 1);
   }

@@ -47,7 +47,7 @@ std::uint64_t digest_from_scratch(const Document& document) {
   return copy.digest();
 }
 
-struct Desk {
+struct UndoneDocument {
   Document document;
   History history;
 
@@ -64,7 +64,7 @@ struct Desk {
   }
 };
 
-void some_change(Desk& desk, Rng& random) {
+void some_edit(UndoneDocument& desk, Rng& random) {
   const auto place = [&] { return Vec2{1.0 * static_cast<double>(random.below(9)), 0.5}; };
   std::vector<SampleId> samples;
   for (const SampleSlot slot : desk.document.slots_in_input_order()) samples.push_back(desk.document.id(slot));
@@ -90,11 +90,11 @@ TEST_CASE("the deltas of a step, and the edits of a delta, are undone from the l
   std::size_t most_deltas = 0;
   for (std::uint64_t seed = 1; seed <= 60; ++seed) {
     Rng random(seed);
-    Desk desk;
+    UndoneDocument desk;
     std::vector<State> states{state_of(desk.document)};
     while (states.size() < 12) {
       desk.history.begin_gesture("step");
-      for (std::uint64_t n = 1 + random.below(5); n > 0; --n) some_change(desk, random);
+      for (std::uint64_t n = 1 + random.below(5); n > 0; --n) some_edit(desk, random);
       desk.history.end_gesture();
       if (desk.history.step_count() == states.size()) states.push_back(state_of(desk.document));
     }
@@ -120,7 +120,7 @@ TEST_CASE("the deltas of a step, and the edits of a delta, are undone from the l
 }
 
 TEST_CASE("several deltas undone as one are undone from the last to the first") {
-  Desk desk;
+  UndoneDocument desk;
   desk.perform(insert_samples(desk.document, std::vector<Vec2>{{0, 0}, {1, 0}}));
   const State before = state_of(desk.document);
   desk.history.begin_gesture("step");

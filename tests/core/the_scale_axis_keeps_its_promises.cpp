@@ -29,20 +29,20 @@ void show_scale_axis(Workbench& bench) {
   bench.show({kLayers[0], kLayers[1], kLayers[2], kLayers[3], kLayers[4]});
 }
 
-ComputationSettings factor(double s, Precision precision = Precision::fast) {
+ComputationSettings factor_in(double s, Precision precision = Precision::fast) {
   ComputationSettings out;
   out.precision = precision;
   out[Parameter::scale_axis_factor] = s;
   return out;
 }
 
-struct Piece {
+struct ScalePiece {
   Vec2 a, b;
   double radius;
 };
 
-std::vector<Piece> pieces(const Workbench& bench, std::string_view layer) {
-  std::vector<Piece> out;
+std::vector<ScalePiece> scale_pieces(const Workbench& bench, std::string_view layer) {
+  std::vector<ScalePiece> out;
   const auto values = bench.instances(layer, PrimitiveKind::segment);
   for (std::size_t at = 0; at < values.size(); at += stride_of(PrimitiveKind::segment))
     out.push_back({{values[at], values[at + 1]}, {values[at + 2], values[at + 3]}, values[at + 4]});
@@ -113,7 +113,7 @@ TEST_CASE("the scale axis of an ellipse is shorter by a formula, with the radii 
       for (const Precision precision : {Precision::fast, Precision::exact}) {
         if (precision == Precision::exact && s != 1.3) continue;
         INFO("a " << a << " s " << s);
-        bench.choose(factor(s, precision));
+        bench.choose(factor_in(s, precision));
         CHECK(bench.count("scale-union", "components") == 1);
         CHECK(bench.count("scale-union", "cycles") == 0);
         CHECK(bench.count("scale-union", "contradictions") == 0);
@@ -121,7 +121,7 @@ TEST_CASE("the scale axis of an ellipse is shorter by a formula, with the radii 
         double low = 0.0;
         double high = 0.0;
         std::size_t wrong = 0;
-        for (const Piece& piece : pieces(bench, kAxis)) {
+        for (const ScalePiece& piece : scale_pieces(bench, kAxis)) {
           for (const Vec2 p : {piece.a, piece.b}) {
             low = std::min(low, p.x);
             high = std::max(high, p.x);
@@ -148,12 +148,12 @@ TEST_CASE("the scale axis of a stadium is that of the stadium, with its radius, 
   bench.replace(stadium(half, 1.0, 0.1, {0.3, 0.2, 5}).data.positions);
   for (const double s : {0.1, 0.4, 0.9, 1.05, 1.3, 2.0, 3.0}) {
     INFO("s " << s);
-    bench.choose(factor(s));
+    bench.choose(factor_in(s));
     CHECK(bench.count("scale-union", "components") == 1);
     CHECK(bench.count("scale-union", "cycles") == 0);
     CHECK(bench.count("scale-union", "leaves") == 2);
     Box2 box;
-    for (const Piece& piece : pieces(bench, kAxis)) {
+    for (const ScalePiece& piece : scale_pieces(bench, kAxis)) {
       box.add(piece.a);
       box.add(piece.b);
       CHECK(piece.radius == Approx(1.0).margin(0.02));
@@ -181,7 +181,7 @@ TEST_CASE("two disks merge at the factor that makes them touch, and a hole close
   bench.replace(two);
   for (const double s : {1.0, 1.2, 0.995 * touch, 1.005 * touch, 2.0}) {
     INFO("s " << s);
-    bench.choose(factor(s));
+    bench.choose(factor_in(s));
     CHECK(bench.count("scale-union", "components") == (s < touch ? 2 : 1));
   }
   // Closing of a hole: a ring of inner radius 1 and outer radius 3 has balls of radius 1 about a circle of radius 2.
@@ -190,7 +190,7 @@ TEST_CASE("two disks merge at the factor that makes them touch, and a hole close
   bench.replace(ring);
   for (const double s : {1.1, 1.9, 2.1, 3.0}) {
     INFO("s " << s);
-    bench.choose(factor(s));
+    bench.choose(factor_in(s));
     CHECK(bench.count("scale-union", "components") == 1);
     CHECK(bench.count("scale-union", "cycles") == (s < 2.0 ? 1 : 0));
   }
@@ -201,17 +201,17 @@ TEST_CASE("the scale axis is continuous at a factor of 1") {
   show_scale_axis(bench);
   const auto length = [&] {
     double out = 0.0;
-    for (const Piece& piece : pieces(bench, kAxis)) out += distance(piece.a, piece.b);
+    for (const ScalePiece& piece : scale_pieces(bench, kAxis)) out += distance(piece.a, piece.b);
     return out;
   };
   for (const TestShape& shape : oracle_shapes(0.25, {0.3, 0.2, 4})) {
     INFO(shape.name);
     bench.replace(shape.data.positions);
-    bench.choose(factor(1.0));
+    bench.choose(factor_in(1.0));
     const double whole = length();
     for (const double s : {1.0 - 1e-7, 1.0 + 1e-7}) {
       INFO("s " << s);
-      bench.choose(factor(s));
+      bench.choose(factor_in(s));
       CHECK(length() == Approx(whole).epsilon(0.01).margin(1e-3));
     }
   }
@@ -224,7 +224,7 @@ TEST_CASE("balls shrunk along an axis do not part, however coarsely it is sample
   for (const double angle : {90.0, 175.0}) {
     for (const double s : {0.1, 0.2, 0.5, 0.8}) {
       INFO("s " << s << " angle " << angle);
-      ComputationSettings settings = factor(s);
+      ComputationSettings settings = factor_in(s);
       settings[Parameter::medial_sampling_angle] = angle;
       bench.choose(settings);
       CHECK(bench.count("scale-union", "components") == 1);
@@ -237,18 +237,18 @@ TEST_CASE("hairs of a noisy outline go as the factor grows, and components and c
   Workbench bench;
   show_scale_axis(bench);
   bench.replace(noisy_curve(400, 1.0, 3));
-  bench.choose(factor(1.0));
+  bench.choose(factor_in(1.0));
   const std::int64_t leaves = bench.count("scale-union", "leaves");
-  bench.choose(factor(1.3));
+  bench.choose(factor_in(1.3));
   CHECK(bench.count("scale-union", "components") == 1);
   CHECK(bench.count("scale-union", "chi") == bench.count("scale-union", "chi_dual"));
   const auto length = [&] {
     double out = 0.0;
-    for (const Piece& piece : pieces(bench, kAxis)) out += distance(piece.a, piece.b);
+    for (const ScalePiece& piece : scale_pieces(bench, kAxis)) out += distance(piece.a, piece.b);
     return out;
   };
   const double grown = length();
-  bench.choose(factor(1.0));
+  bench.choose(factor_in(1.0));
   CHECK(leaves > 100);
   CHECK(grown < 0.5 * length());
 }
@@ -263,7 +263,7 @@ TEST_CASE("the scale axis follows random edits and changes of its factor as a fr
     for (int step = 0; step < 40; ++step) {
       INFO("seed " << seed << " step " << step);
       if (step % 5 == 0) {
-        settings = factor(std::array{1.0, 0.4, 1.1, 1.4, 3.0}[rng.below(5)]);
+        settings = factor_in(std::array{1.0, 0.4, 1.1, 1.4, 3.0}[rng.below(5)]);
         settings[Parameter::medial_sampling_angle] = std::array{120.0, 160.0, 175.0}[rng.below(3)];
         bench.choose(settings);
       }
@@ -294,7 +294,7 @@ TEST_CASE("fast and exact numbers give one scale axis as a graph, and inputs wit
   for (const double s : {1.05, 1.37}) {
     std::vector<std::int64_t> counts[2];
     for (const Precision precision : {Precision::fast, Precision::exact}) {
-      bench.choose(factor(s, precision));
+      bench.choose(factor_in(s, precision));
       for (const char* key : {"balls", "visible", "hidden", "dual_singular", "dual_regular", "dual_interior", "nodes",
                               "edges", "components", "cycles", "leaves"})
         counts[precision == Precision::fast ? 0 : 1].push_back(bench.count("scale-union", key));
@@ -304,14 +304,14 @@ TEST_CASE("fast and exact numbers give one scale axis as a graph, and inputs wit
   for (const std::vector<Vec2>& input : {std::vector<Vec2>{}, {{1, 2}}, {{1, 2}, {3, 4}}, {{0, 0}, {1, 1}, {2, 2}}}) {
     for (const double s : {1.0, 1.3}) {
       bench.replace(input);
-      bench.choose(factor(s));
-      CHECK(pieces(bench, kAxis).empty());
+      bench.choose(factor_in(s));
+      CHECK(scale_pieces(bench, kAxis).empty());
       CHECK(disks(bench, "scale-axis-disks").empty());
     }
   }
   // All samples on one circle: one ball, and an axis that is its centre.
   bench.replace(lattice_circle().positions);
-  bench.choose(factor(1.5));
+  bench.choose(factor_in(1.5));
   const auto points = bench.instances(kAxis, PrimitiveKind::point);
   REQUIRE(points.size() == stride_of(PrimitiveKind::point));
   CHECK(points[2] == Approx(65.0));

@@ -114,11 +114,11 @@ std::set<std::pair<AxisNodeSlot, AxisNodeSlot>> axis_between_balls(const BallUni
   return out;
 }
 
-struct Expected {
+struct ExpectedUnion {
   std::int64_t components, cycles, edges;
   double length, area;
 };
-void check_union(const std::string& name, const std::vector<Disk>& disks, const Expected& expected) {
+void check_union(const std::string& name, const std::vector<Disk>& disks, const ExpectedUnion& expected) {
   for (const Precision precision : {Precision::fast, Precision::exact, Precision::exact_roots}) {
     INFO(name << " in " << id_of(precision));
     const Analysis analysis(balls_of(disks), precision, true);

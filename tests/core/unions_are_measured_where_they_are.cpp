@@ -19,7 +19,7 @@ using namespace mes::test;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 
 struct Measured {
   double area = 0.0;
@@ -46,7 +46,7 @@ Measured measured_by_intervals(const std::vector<Disk>& disks) {
       } else if (square < (r + other) * (r + other) && !(r >= other && square <= (r - other) * (r - other))) {
         const double half = std::acos((square + r * r - other * other) / (2.0 * r * std::sqrt(square)));
         const double middle = std::atan2(d.y, d.x);
-        const double from = std::remainder(middle - half, 2.0 * kPi) + kPi;  // in [0, 2 pi]
+        const double from = std::remainder(middle - half, 2.0 * kHalfTurn) + kHalfTurn;  // in [0, 2 pi]
         covers.emplace_back(from, from + 2.0 * half);
       }
     }
@@ -58,14 +58,14 @@ Measured measured_by_intervals(const std::vector<Disk>& disks) {
           0.5 * r * (r * (to - from) - c.x * (std::sin(to) - std::sin(from)) + c.y * (std::cos(to) - std::cos(from)));
     };
     if (covers.empty()) {
-      add(0.0, 2.0 * kPi);
+      add(0.0, 2.0 * kHalfTurn);
       continue;
     }
     std::ranges::sort(covers);
     // Twice around: what the first round reaches beyond the start counts in the second.
     double reached = covers.front().second;
     for (std::size_t k = 1; k <= 2 * covers.size(); ++k) {
-      const double round = 2.0 * kPi * static_cast<double>(k / covers.size());
+      const double round = 2.0 * kHalfTurn * static_cast<double>(k / covers.size());
       const auto& [from, to] = covers[k % covers.size()];
       if (k > covers.size() && from + round > reached + 1e-9) add(reached, from + round);
       reached = std::max(reached, to + round);
@@ -140,9 +140,9 @@ TEST_CASE("a ball touched from outside in one point keeps its whole circle") {
     Workbench bench;
     show_boundary(bench, precision);
     bench.insert_balls({{{0, 0}, 5}, {{6, 8}, 5}, {{20, 0}, 1}});
-    CHECK(bench.measure("b-union", "perimeter") == Approx(22.0 * kPi).epsilon(1e-14));
-    CHECK(bench.measure("b-union", "area") == Approx(51.0 * kPi).epsilon(1e-14));
-    CHECK(length_of_arcs(bench, "b-union-boundary") == Approx(22.0 * kPi).epsilon(1e-13));
+    CHECK(bench.measure("b-union", "perimeter") == Approx(22.0 * kHalfTurn).epsilon(1e-14));
+    CHECK(bench.measure("b-union", "area") == Approx(51.0 * kHalfTurn).epsilon(1e-14));
+    CHECK(length_of_arcs(bench, "b-union-boundary") == Approx(22.0 * kHalfTurn).epsilon(1e-13));
   }
 }
 
@@ -154,9 +154,9 @@ TEST_CASE("ends of an arc that are rounded to one double leave it the circle or 
     Workbench bench;
     show_boundary(bench, precision);
     bench.insert_balls({{{0, 0}, 5}, {{3, 4}, tiny}});
-    CHECK(bench.measure("b-union", "area") == Approx(25.0 * kPi).epsilon(1e-14));
-    CHECK(bench.measure("b-union", "perimeter") == Approx(10.0 * kPi).epsilon(1e-14));
-    CHECK(length_of_arcs(bench, "b-union-boundary") == Approx(10.0 * kPi).epsilon(1e-14));
+    CHECK(bench.measure("b-union", "area") == Approx(25.0 * kHalfTurn).epsilon(1e-14));
+    CHECK(bench.measure("b-union", "perimeter") == Approx(10.0 * kHalfTurn).epsilon(1e-14));
+    CHECK(length_of_arcs(bench, "b-union-boundary") == Approx(10.0 * kHalfTurn).epsilon(1e-14));
   }
   // The circle in the middle is covered but for two arcs of some 1e-15; were the last radius 13, but for two points.
   for (const Precision precision : {Precision::fast, Precision::exact, Precision::exact_roots}) {

@@ -11,7 +11,7 @@ using namespace mes;
 
 namespace {
 
-struct Desk {
+struct RecordedDocument {
   Document document;
   History history;
 
@@ -46,7 +46,7 @@ History::Layers step_of(const std::string& layer, bool visible) {
 }  // namespace
 
 TEST_CASE("what was undone is gone after another edit, and after a gesture") {
-  Desk desk;
+  RecordedDocument desk;
   desk.insert({0, 0});
   desk.undo();
   desk.insert({1, 1});
@@ -70,7 +70,7 @@ TEST_CASE("what was undone is gone after another edit, and after a gesture") {
 }
 
 TEST_CASE("a revision is given to one state only") {
-  Desk desk;
+  RecordedDocument desk;
   desk.insert({0, 0});
   const std::uint64_t undone = desk.document.revision();
   desk.undo();
@@ -80,7 +80,7 @@ TEST_CASE("a revision is given to one state only") {
 }
 
 TEST_CASE("a step is extended by a motion of the same things under the same name, while it is the newest") {
-  Desk desk;
+  RecordedDocument desk;
   desk.insert({0, 0});
   desk.insert({5, 5});
   desk.perform(desk.moved(SampleSlot(0), {1, 0}), "Nudge");
@@ -97,7 +97,7 @@ TEST_CASE("a step is extended by a motion of the same things under the same name
 }
 
 TEST_CASE("moves with a change of the curve between them stay apart, and the curve comes back") {
-  Desk desk;
+  RecordedDocument desk;
   desk.perform(insert_samples(desk.document, std::array{Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}}));
   desk.history.begin_gesture("Arrange");
   desk.perform(desk.moved(SampleSlot(0), {0.5, 0}));
@@ -116,7 +116,7 @@ TEST_CASE("moves with a change of the curve between them stay apart, and the cur
 }
 
 TEST_CASE("layers that were changed twice in a step come back in reverse, and redo goes forward") {
-  Desk desk;
+  RecordedDocument desk;
   desk.insert({0, 0});
   REQUIRE(desk.history.join_layers({shown("curve", true), shown("curve", false)}));
   LayersChanged bold = shown("curve", true);
@@ -131,7 +131,7 @@ TEST_CASE("layers that were changed twice in a step come back in reverse, and re
 }
 
 TEST_CASE("after a change of layers, edits that were undone are redone without their own") {
-  Desk desk;
+  RecordedDocument desk;
   desk.insert({0, 0});
   REQUIRE(desk.history.join_layers(step_of("curve", true)));
   desk.history.record_layers(step_of("voronoi", true), "Show voronoi");

@@ -25,8 +25,8 @@ using test::TemporaryFolder;
 namespace {
 
 constexpr const char* kFormula = "αβ → Γ ≤ 5°";
-constexpr double kWidth = 240.0;
-constexpr double kHeight = 120.0;
+constexpr double kPageWidth = 240.0;
+constexpr double kPageHeight = 120.0;
 
 std::shared_ptr<const Fonts> fonts() {
   const auto read = [](const std::string& name) {
@@ -48,7 +48,7 @@ Text text_at(Vec2 start, double size, const std::string& text, bool is_bold = fa
 }
 
 Figure figure_of_texts(std::vector<Text> texts) {
-  Figure figure{.width = kWidth, .height = kHeight, .background = Rgb{255, 255, 255}};
+  Figure figure{.width = kPageWidth, .height = kPageHeight, .background = Rgb{255, 255, 255}};
   figure.layers.push_back({.id = "notes", .title = "Notes", .texts = std::move(texts)});
   figure.fonts = fonts();
   return figure;

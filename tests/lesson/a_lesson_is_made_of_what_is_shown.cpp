@@ -15,7 +15,7 @@ using namespace mes::test;
 
 namespace {
 
-struct Room {
+struct LessonRoom {
   LayerStack layers{layer_descriptors()};
   ComputationSettings settings{};
   Box2 view{};
@@ -56,7 +56,7 @@ TEST_CASE("a marked step shows its moment, whatever was done since") {
   };
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     INFO("seed " << seed);
-    Room room;
+    LessonRoom room;
     RandomEditing script(seed);
     REQUIRE(room.editor.load(script.data()));
     Rng random(seed);
@@ -94,7 +94,7 @@ TEST_CASE("a marked step shows its moment, whatever was done since") {
 }
 
 TEST_CASE("steps are put in order, written and removed, and each change is taken back") {
-  Room room;
+  LessonRoom room;
   REQUIRE(room.editor.load({.positions = {{0, 0}}}));
   LessonDesk& desk = room.desk;
   CHECK_FALSE(desk.chosen());
@@ -138,7 +138,7 @@ TEST_CASE("steps are put in order, written and removed, and each change is taken
 }
 
 TEST_CASE("a lesson is unsaved until it is saved, and another document has another lesson") {
-  Room room;
+  LessonRoom room;
   REQUIRE(room.editor.load({.positions = {{0, 0}}}));
   CHECK_FALSE(room.editor.is_modified());
   mark(room.desk, "one");
@@ -160,7 +160,7 @@ TEST_CASE("a lesson is unsaved until it is saved, and another document has anoth
 }
 
 TEST_CASE("lessons keep the bounds that their readers have") {
-  Room room;
+  LessonRoom room;
   REQUIRE(room.editor.load({.positions = {{0, 0}}}));
   for (std::size_t i = 0; i < kMostLessonSteps; ++i) {
     REQUIRE(room.desk.can_mark());

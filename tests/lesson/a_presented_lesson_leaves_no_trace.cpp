@@ -14,7 +14,7 @@ using namespace mes::test;
 namespace {
 
 /// What a window has of a lesson.
-struct Room {
+struct PresentingRoom {
   Document seen;                    // as the engine would know it
   std::uint64_t last_revision = 0;  // that it was given
   LayerStack layers{layer_descriptors()};
@@ -82,7 +82,7 @@ TEST_CASE("a lesson shows each of its steps, and gives back what was there") {
     INFO("seed " << seed);
     const auto session = random_lesson(seed, 120);
     LessonWalk walk(*session);
-    Room room;
+    PresentingRoom room;
     RandomEditing script(seed + 100);
     REQUIRE(room.editor.load(script.data()));
     for (int i = 0; i < 40; ++i) script.step(room.editor);
@@ -145,7 +145,7 @@ TEST_CASE("a lesson shows each of its steps, and gives back what was there") {
 }
 
 TEST_CASE("samples that were edited in a lesson are given back, or kept") {
-  Room room;
+  PresentingRoom room;
   REQUIRE(room.editor.load({.positions = {{7, 7}}}));
   REQUIRE(room.presenter.start(std::make_shared<const Session>(tidy_lesson()), 0));
   room.presenter.set_plays_edits(false);
@@ -175,7 +175,7 @@ TEST_CASE("samples that were edited in a lesson are given back, or kept") {
 }
 
 TEST_CASE("the edits between two steps are played, one at a time, each with a picture") {
-  Room room;
+  PresentingRoom room;
   REQUIRE(room.presenter.start(std::make_shared<const Session>(tidy_lesson()), 0));
   REQUIRE(room.presenter.go_on());
   CHECK(room.presenter.caption() == "two");
@@ -201,7 +201,7 @@ TEST_CASE("the edits between two steps are played, one at a time, each with a pi
 }
 
 TEST_CASE("a lesson that makes no sense is not begun") {
-  Room room;
+  PresentingRoom room;
   REQUIRE(room.editor.load({.positions = {{7, 7}}}));
   Session session = tidy_lesson();
   session.lesson.steps.clear();

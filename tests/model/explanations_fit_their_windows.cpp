@@ -11,9 +11,9 @@ using namespace mes;
 namespace {
 
 /// Dear ImGui without a window.
-class Frames {
+class ExplainedFrames {
  public:
-  Frames() {
+  ExplainedFrames() {
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr;
@@ -23,9 +23,9 @@ class Frames {
     int height = 0;
     io.Fonts->GetTexDataAsAlpha8(&pixels, &width, &height);
   }
-  ~Frames() { ImGui::DestroyContext(); }
-  Frames(const Frames&) = delete;
-  Frames& operator=(const Frames&) = delete;
+  ~ExplainedFrames() { ImGui::DestroyContext(); }
+  ExplainedFrames(const ExplainedFrames&) = delete;
+  ExplainedFrames& operator=(const ExplainedFrames&) = delete;
 
   struct Seen {
     ImVec2 room;   ///< within the margins
@@ -53,7 +53,7 @@ class Frames {
 }  // namespace
 
 TEST_CASE("an explanation has room for all of its words, however wide it may be") {
-  Frames frames;
+  ExplainedFrames frames;
   std::string text;
   for (const char* const word : {"Compute", "what", "is", "shown", "for", "each", "of", "these", "values,", "and",
                                  "write", "its", "counts", "and", "measures", "to", "a", "file"}) {
@@ -62,7 +62,7 @@ TEST_CASE("an explanation has room for all of its words, however wide it may be"
       ImGui::GetStyle().WindowPadding = {margin, 8.0F};
       for (float width = 80.0F; width < 500.0F; width += 7.0F) {
         INFO(text << " in " << width << " with a margin of " << margin);
-        const Frames::Seen seen = frames.show(text, width);
+        const ExplainedFrames::Seen seen = frames.show(text, width);
         REQUIRE(seen.words.x <= seen.room.x);
         REQUIRE(seen.words.y <= seen.room.y);
         REQUIRE_FALSE(seen.is_scrolled);

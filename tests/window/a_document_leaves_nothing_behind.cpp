@@ -13,12 +13,12 @@ using namespace mes::test;
 namespace {
 
 /// The program with a session whose inner balls are twice as large, and whose number type is exact.
-struct Window {
+struct ReplacedWindow {
   TemporaryFolder folder;
   VirtualScreen screen;
   Child program;
 
-  Window() {
+  ReplacedWindow() {
     Session session;
     session.data =
         std::make_shared<const SampleData>(SampleData{{{0, 0}, {4, 0}, {5, 3}, {2, 4}}, {{true, {0, 1, 2, 3}}}, {}});
@@ -70,7 +70,7 @@ struct Window {
 }  // namespace
 
 TEST_CASE("a changed parameter has a chip in the status bar, and a click on it gives the default back") {
-  const Window window;
+  const ReplacedWindow window;
   REQUIRE(eventually([&] { return window.has_chip(); }));
   window.screen.click(window.chip().middle());
   CHECK(eventually([&] { return !window.has_chip(); }));
@@ -80,7 +80,7 @@ TEST_CASE("a changed parameter has a chip in the status bar, and a click on it g
 }
 
 TEST_CASE("the scale of balls does not follow into a new document, the number type does") {
-  const Window window;
+  const ReplacedWindow window;
   REQUIRE(eventually([&] { return window.has_chip(); }));
   window.press("ctrl+n");
   CHECK(eventually([&] { return window.title().starts_with("Untitled"); }));

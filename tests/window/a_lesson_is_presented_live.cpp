@@ -26,8 +26,8 @@ std::string house_lesson() {
   return write_session(session);
 }
 
-struct Window : DrivenProgram {
-  Window() {
+struct PresentingWindow : DrivenProgram {
+  PresentingWindow() {
     folder.write("house.json", house_lesson());
     start("house.json");
   }
@@ -61,7 +61,7 @@ struct Window : DrivenProgram {
 }  // namespace
 
 TEST_CASE("a lesson is presented by the Page keys, and gives the document back with what was unsaved in it") {
-  Window window;
+  PresentingWindow window;
   const Screenshot before = window.drawn();
   window.press("i");
   window.screen.click({600, 420});
@@ -129,7 +129,7 @@ TEST_CASE("a lesson is made in the window, is unsaved work, and goes into a sess
 }
 
 TEST_CASE("saving ends a lesson first, and saves the document") {
-  const Window window;
+  const PresentingWindow window;
   const Screenshot before = window.drawn();
   window.press("i");
   window.screen.click({600, 420});

@@ -14,8 +14,8 @@ using namespace mes::test;
 
 namespace {
 
-struct Window : DrivenProgram {
-  explicit Window(const std::string& name) {
+struct StyledWindow : DrivenProgram {
+  explicit StyledWindow(const std::string& name) {
     folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
     start(name);
   }
@@ -33,7 +33,7 @@ struct Window : DrivenProgram {
 }  // namespace
 
 TEST_CASE("a bundle chosen by a key is undone and redone, and no file of samples asks to be saved for it") {
-  const Window window("house.poff");
+  const StyledWindow window("house.poff");
   const Screenshot first = window.drawn();
   window.press("2");
   const Screenshot second = window.other_than(first);
@@ -53,7 +53,7 @@ TEST_CASE("a bundle chosen by a key is undone and redone, and no file of samples
 }
 
 TEST_CASE("in a session changes of layers are unsaved work, and its file brings their undo back") {
-  Window window("house.poff");
+  StyledWindow window("house.poff");
   const Screenshot first = window.drawn();
   window.save_as("house.json");
   window.press("2");
@@ -76,7 +76,7 @@ TEST_CASE("in a session changes of layers are unsaved work, and its file brings 
 }
 
 TEST_CASE("a typed range of a colour map counts when Tab leaves its field") {
-  Window window("house.poff");
+  StyledWindow window("house.poff");
   Session session;
   session.data = std::make_shared<const SampleData>(SampleData{{{0, 0}, {4, 0}, {5, 3}, {2, 4}}, {}, {}});
   LayerStyle style;
@@ -120,7 +120,7 @@ TEST_CASE("a typed range of a colour map counts when Tab leaves its field") {
 }
 
 TEST_CASE("a legend lies where it was dragged, however fast the hand was") {
-  Window window("house.poff");
+  StyledWindow window("house.poff");
   Session session;
   session.data = std::make_shared<const SampleData>(SampleData{{{0, 0}, {4, 0}, {5, 3}, {2, 4}}, {}, {}});
   LayerStyle style;

@@ -12,8 +12,6 @@ using namespace mes::test;
 
 namespace {
 
-constexpr const char* kHouse = "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n";
-
 std::string disk() {
   std::string out = "P5 200 200 255\n";
   for (int y = 0; y < 200; ++y)

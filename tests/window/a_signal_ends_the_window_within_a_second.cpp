@@ -19,13 +19,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
-struct Window {
+struct SignalledWindow {
   TemporaryFolder home;
   VirtualScreen screen;
   fs::path pipe = home / "pipe.poff";
   Child program;
 
-  Window() { REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0); }
+  SignalledWindow() { REQUIRE(::mkfifo(pipe.c_str(), 0600) == 0); }
   void start(const std::vector<std::string>& files) {
     std::vector<std::string> words{MESECINA_BINARY};
     words.insert(words.end(), files.begin(), files.end());
@@ -59,7 +59,7 @@ struct Window {
 }  // namespace
 
 TEST_CASE("a window that waits for a pipe to be written to ends with a signal, and by its own key") {
-  Window window;
+  SignalledWindow window;
   window.start({window.pipe.string()});
   kill(window.program.pid(), SIGTERM);
   CHECK(window.program.wait() == 128 + SIGTERM);
@@ -71,7 +71,7 @@ TEST_CASE("a window that waits for a pipe to be written to ends with a signal, a
 }
 
 TEST_CASE("a window that waits for a pipe to be read from ends with a signal, and its work is offered later") {
-  Window window;
+  SignalledWindow window;
   std::ofstream(window.home / "a.poff") << "POFF 4 0 0\n0 0\n4 0\n4 3\n0 3\n";
   window.start({(window.home / "a.poff").string()});
   REQUIRE(eventually([&] { return window.title().starts_with("a.poff - Mesecina"); }));

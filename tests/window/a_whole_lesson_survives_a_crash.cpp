@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int kSamples = 64;
+constexpr int kCircleSamples = 64;
 // Colours that nothing else in the window has: rows of the panel are found by their swatches.
 constexpr Rgb kAxis{0xC8, 0x00, 0xC8};
 constexpr Rgb kCurve{0x00, 0xC8, 0x64};
@@ -68,10 +68,10 @@ struct LessonHour {
 
   LessonHour() {
     std::ofstream out(home / "ellipse.poff");
-    out << "POFF " << kSamples << " 0 0\n";
-    for (int i = 0; i < kSamples; ++i)
-      out << 200 * std::cos(2 * 3.14159265 * i / kSamples) << ' ' << 90 * std::sin(2 * 3.14159265 * i / kSamples)
-          << '\n';
+    out << "POFF " << kCircleSamples << " 0 0\n";
+    for (int i = 0; i < kCircleSamples; ++i)
+      out << 200 * std::cos(2 * 3.14159265 * i / kCircleSamples) << ' '
+          << 90 * std::sin(2 * 3.14159265 * i / kCircleSamples) << '\n';
     fs::create_directories(home / "data" / "mesecina");
     const Bundle bundle = plain_bundle();
     std::ofstream(bundles_file()) << write_bundles({&bundle, 1});
@@ -281,7 +281,7 @@ TEST_CASE("open, restack, restyle, bundle, evolve, record, crash and recover") {
   CHECK(std::equal(left.entries.begin(), left.entries.end(), after.entries.begin()));
   for (std::size_t i = left.entries.size(); i < after.entries.size(); ++i)
     CHECK(std::holds_alternative<ViewChanged>(after.entries[i]));
-  CHECK(document_of(after).sample_count() == kSamples + 1);
+  CHECK(document_of(after).sample_count() == kCircleSamples + 1);
   CHECK(after.layers == before.layers);
   CHECK(after.settings == before.settings);
   CHECK(after.view.center().x == Approx(before.view.center().x).margin(1e-6));

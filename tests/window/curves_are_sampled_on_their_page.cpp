@@ -14,7 +14,7 @@ using namespace mes::test;
 namespace {
 
 constexpr PixelBox kPanels{975, 40, 1280, 760};
-constexpr std::array<int, 2> kNumber{1222, 638};  // the field, in the panel at the lower right
+constexpr std::array<int, 2> kNumberField{1222, 638};  // the field, in the panel at the lower right
 
 /// Of the samples of a file that holds a circle about (5, 5) with a radius of 4.
 std::size_t samples_in(const DrivenProgram& window, const std::string& name) {
@@ -39,7 +39,7 @@ TEST_CASE("other samples are taken of a drawing on the page Curves, as one step 
   REQUIRE(page.changes(kPanels, dense) > 1000);
   CHECK(page.changes(kCanvas, dense) == 0);
 
-  screen.click(kNumber);
+  screen.click(kNumberField);
   static_cast<void>(screen.settled());
   screen.type_over("60");
   window.press("Return");

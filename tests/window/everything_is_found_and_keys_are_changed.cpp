@@ -12,8 +12,8 @@ using namespace mes::test;
 
 namespace {
 
-struct Window : DrivenProgram {
-  explicit Window(const std::string& keys = {}) {
+struct SearchedWindow : DrivenProgram {
+  explicit SearchedWindow(const std::string& keys = {}) {
     folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
     std::filesystem::create_directories(keys_file().parent_path());
     if (!keys.empty()) std::ofstream(keys_file()) << keys;
@@ -39,7 +39,7 @@ struct Window : DrivenProgram {
 }  // namespace
 
 TEST_CASE("a bundle and a layer are found by some letters and shown, and Esc leaves everything as it was") {
-  const Window window;
+  const SearchedWindow window;
   const Screenshot first = window.drawn();
   window.press("ctrl+shift+p");
   static_cast<void>(window.other_than(first));
@@ -59,7 +59,7 @@ TEST_CASE("a bundle and a layer are found by some letters and shown, and Esc lea
 }
 
 TEST_CASE("a layer that is found is shown, found again it is hidden, and each is one step") {
-  const Window window;
+  const SearchedWindow window;
   const Screenshot first = window.drawn();
   window.find("curve normals");
   const Screenshot with_normals = window.other_than(first);
@@ -72,7 +72,7 @@ TEST_CASE("a layer that is found is shown, found again it is hidden, and each is
 }
 
 TEST_CASE("a file gives commands other keys, bad lines are named, and the rest of it holds") {
-  const Window window("bundle-2 = W\nbundle-9 = W W\nno-such = Q\nundo = Ctrl+U\n");
+  const SearchedWindow window("bundle-2 = W\nbundle-9 = W W\nno-such = Q\nundo = Ctrl+U\n");
   // Its cross is beside its first line.
   const auto is_warning = [](Color c) { return c.r == 0xFD && c.g == 0xF1 && c.b == 0xE7; };
   REQUIRE(eventually([&] { return !window.screen.shoot().box_of(kCanvas, is_warning).is_empty(); }));
@@ -92,7 +92,7 @@ TEST_CASE("a file gives commands other keys, bad lines are named, and the rest o
 }
 
 TEST_CASE("the file of keys is written with every command, and never over one that is there") {
-  const Window window;
+  const SearchedWindow window;
   window.find("write or reread the file of keys");
   REQUIRE(eventually([&] { return std::filesystem::exists(window.keys_file()); }));
   CHECK(bytes_of(window.keys_file()).find("#tool-spray = S") != std::string::npos);
@@ -110,7 +110,7 @@ TEST_CASE("the file of keys is written with every command, and never over one th
 }
 
 TEST_CASE("a presentation hides the panels, steps through bundles, and Esc brings the panels back") {
-  const Window window;
+  const SearchedWindow window;
   const Screenshot first = window.drawn();
   CHECK_FALSE(first.is_white(1270, 700));
   window.press("2");
@@ -127,7 +127,7 @@ TEST_CASE("a presentation hides the panels, steps through bundles, and Esc bring
 }
 
 TEST_CASE("an edit of the demo's drawing interrupts the demo, and the demo goes on without it") {
-  Window window;
+  SearchedWindow window;
   static_cast<void>(window.drawn());
   const std::string before = window.title();
   window.press("i");

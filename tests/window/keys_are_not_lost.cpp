@@ -11,7 +11,6 @@ using namespace mes::test;
 
 namespace {
 
-constexpr const char* kHouse = "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n";
 constexpr PixelBox kStatus{0, 773, 700, 800};
 
 /// A house with some of its samples where they are on the screen.

@@ -9,8 +9,8 @@ using namespace mes::test;
 
 namespace {
 
-struct Window : DrivenProgram {
-  Window() {
+struct TypedWindow : DrivenProgram {
+  TypedWindow() {
     folder.write("square.poff", "POFF 4 0 0\n0 0\n4 0\n4 4\n0 4\n");
     start("square.poff");
     static_cast<void>(drawn());
@@ -31,7 +31,7 @@ constexpr std::array<int, 2> kMiddleX{1105, 588};  // the field, in the panel at
 }  // namespace
 
 TEST_CASE("the middle of what is selected is typed as an expression, and taken back as one step") {
-  const Window window;
+  const TypedWindow window;
   window.press("n");
   window.press("ctrl+a");
   static_cast<void>(window.screen.settled());
@@ -47,7 +47,7 @@ TEST_CASE("the middle of what is selected is typed as an expression, and taken b
 }
 
 TEST_CASE("a refused number keeps the keyboard and what was typed, until it is corrected or given up") {
-  const Window window;
+  const TypedWindow window;
   window.press("n");
   window.press("ctrl+a");
   static_cast<void>(window.screen.settled());
@@ -93,7 +93,7 @@ TEST_CASE("a number with more digits than its field has room for shows its expon
 
 TEST_CASE("a key whose action is not possible says why in the status bar") {
   constexpr PixelBox kRemark{0, 774, 600, 800};
-  const Window window;
+  const TypedWindow window;
   for (const char* key : {"j", "Delete", "shift+Left"}) {
     const Screenshot before = window.screen.settled();
     window.press(key);
@@ -103,7 +103,7 @@ TEST_CASE("a key whose action is not possible says why in the status bar") {
 }
 
 TEST_CASE("what is selected goes through the clipboard of the desktop") {
-  const Window window;
+  const TypedWindow window;
   window.press("ctrl+a");
   static_cast<void>(window.screen.settled());
   window.press("ctrl+c");
@@ -118,7 +118,7 @@ TEST_CASE("what is selected goes through the clipboard of the desktop") {
 }
 
 TEST_CASE("a double click on a sample selects its curve, a single one the sample alone") {
-  const Window window;
+  const TypedWindow window;
   const auto is_black = [](Color c) { return c.r < 40 && c.g < 40 && c.b < 40; };
   const PixelBox samples = window.screen.settled().box_of(kCanvas, is_black);
   REQUIRE_FALSE(samples.is_empty());

@@ -12,8 +12,8 @@ using namespace mes::test;
 
 namespace {
 
-struct Window : DrivenProgram {
-  explicit Window(const std::string& name) {
+struct BallWindow : DrivenProgram {
+  explicit BallWindow(const std::string& name) {
     folder.write("balls.wpoff", "WPOFF 5 0 0\n0 0 2\n2 1 1.5\n4 0 2\n5 3 1\n1 3 1.2\n");
     folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
     folder.write("square.poff", "POFF 4 0 0\n0 0\n4 0\n4 4\n0 4\n");
@@ -35,7 +35,7 @@ struct Window : DrivenProgram {
 }  // namespace
 
 TEST_CASE("the bundles of the union show one's own balls where they are all there is") {
-  const Window window("balls.wpoff");
+  const BallWindow window("balls.wpoff");
   static_cast<void>(window.screen.settled());
   CHECK(window.green() == 0);
   // The dual complex: faces and edges in green.
@@ -47,7 +47,7 @@ TEST_CASE("the bundles of the union show one's own balls where they are all ther
 }
 
 TEST_CASE("layers that have nothing to show say so, and a click shows what is there") {
-  const Window window("balls.wpoff");
+  const BallWindow window("balls.wpoff");
   const Screenshot first = window.screen.settled();
   // The one-step axis is of samples, and there are none.
   window.press("4");
@@ -66,7 +66,7 @@ TEST_CASE("layers that have nothing to show say so, and a click shows what is th
 }
 
 TEST_CASE("a file is found and opened by keyboard alone, and an old error goes") {
-  const Window window("house.poff");
+  const BallWindow window("house.poff");
   static_cast<void>(window.screen.settled());
   const auto ask = [&] {
     window.press("ctrl+o");

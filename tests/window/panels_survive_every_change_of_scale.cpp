@@ -22,13 +22,13 @@ int scaled(double length, double scale) {
   return static_cast<int>(length * scale);
 }
 
-struct Window {
+struct ScaledWindow {
   TemporaryFolder folder;
   VirtualScreen screen;
   Child program;
   std::map<std::string, Screenshot> seen;  // by the state of the window
 
-  Window() {
+  ScaledWindow() {
     const auto file = folder / "triangle.poff";
     std::ofstream(file) << "POFF 3 0 0\n0 0\n4 0\n0 3\n";
     program = Child({MESECINA_BINARY, file.string()},
@@ -109,7 +109,7 @@ struct Window {
 }  // namespace
 
 TEST_CASE("the panels are drawn after every change of scale and theme") {
-  Window window;
+  ScaledWindow window;
   constexpr Color kLight{0x00, 0x72, 0xB2};
   constexpr Color kDark{0x5A, 0xB4, 0xEA};
   constexpr Color kProjector{0x00, 0x56, 0x8A};

@@ -16,9 +16,9 @@ constexpr PixelBox kPanel{981, 25, 1280, 770};
 constexpr PixelBox kRemark{0, 773, 500, 800};
 // On a page that has the panel for itself.
 constexpr std::array<int, 2> kSearch{1090, 118};
-constexpr std::array<int, 2> kRun{1234, 147};     // of the one parameter that is found
-constexpr std::array<int, 2> kNumber{1230, 175};  // the field beside its slider
-constexpr std::array<int, 2> kSteps{1040, 249};   // in the popup of the button
+constexpr std::array<int, 2> kRun{1234, 147};             // of the one parameter that is found
+constexpr std::array<int, 2> kParameterField{1230, 175};  // the field beside its slider
+constexpr std::array<int, 2> kSteps{1040, 249};           // in the popup of the button
 constexpr std::array<int, 2> kMakeTable{1075, 336};
 constexpr std::array<int, 2> kPlay{405, 745};  // of the strip of evolutions, in one row
 
@@ -111,7 +111,7 @@ TEST_CASE("a number that is typed out of range is brought within it, and that is
   const Page page("p");
   page.find_parameter("scale axis: factor");
   const auto type = [&](const std::string& number) {
-    page.screen().click(kNumber);
+    page.screen().click(kParameterField);
     static_cast<void>(page.screen().settled());
     page.screen().type_over(number);
     page.window.press("Return");

@@ -34,11 +34,11 @@ class Bus {
   Child daemon_;
 };
 
-struct Window : DrivenProgram {
+struct PortalWindow : DrivenProgram {
   Bus bus{folder};
   Child portal;
 
-  Window() {
+  PortalWindow() {
     folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
     folder.write("square.poff", "POFF 4 0 0\n0 0\n4 0\n4 4\n0 4\n");
   }
@@ -72,7 +72,7 @@ struct Window : DrivenProgram {
 }  // namespace
 
 TEST_CASE("the dialog of the desktop opens and saves, and to cancel it changes nothing") {
-  Window window;
+  PortalWindow window;
   window.set_portal("choose " + (window.folder / "square.poff").string());
   window.open_house();
   window.press("ctrl+o");
@@ -96,7 +96,7 @@ TEST_CASE("the dialog of the desktop opens and saves, and to cancel it changes n
 }
 
 TEST_CASE("a name that the dialog of the desktop did not show is not overwritten without a question") {
-  Window window;
+  PortalWindow window;
   window.set_portal("choose " + (window.folder / "square").string());
   window.open_house();
   window.press("ctrl+shift+s");
@@ -114,7 +114,7 @@ TEST_CASE("a name that the dialog of the desktop did not show is not overwritten
 TEST_CASE("where the dialog of the desktop fails, refuses or does not answer, there is the own one") {
   const std::string words = GENERATE("fail", "refuse", "deaf", "none");
   CAPTURE(words);
-  Window window;
+  PortalWindow window;
   if (words != "none") window.set_portal(words);
   window.open_house();
   window.press("ctrl+o");
@@ -125,7 +125,7 @@ TEST_CASE("where the dialog of the desktop fails, refuses or does not answer, th
 }
 
 TEST_CASE("an unanswered dialog of the desktop is left by Esc, or for the own one, and the portal may end") {
-  Window window;
+  PortalWindow window;
   window.set_portal("silent");
   window.open_house();
   const Screenshot first = window.screen.settled();
@@ -144,7 +144,7 @@ TEST_CASE("an unanswered dialog of the desktop is left by Esc, or for the own on
 }
 
 TEST_CASE("the window ends in order while the desktop is asked") {
-  Window window;
+  PortalWindow window;
   window.set_portal("silent");
   window.open_house();
   window.press("ctrl+o");

@@ -9,8 +9,8 @@ using namespace mes::test;
 
 namespace {
 
-struct Window : DrivenProgram {
-  explicit Window(const std::string& samples) {
+struct EditedWindow : DrivenProgram {
+  explicit EditedWindow(const std::string& samples) {
     folder.write("shape.poff", samples);
     start("shape.poff");
     static_cast<void>(drawn());
@@ -49,7 +49,7 @@ PixelBox around(std::array<int, 2> at, int reach) {
 }  // namespace
 
 TEST_CASE("a sample under the pointer is marked in the middle of the canvas, too") {
-  const Window window(kSquare);
+  const EditedWindow window(kSquare);
   const auto middle = window.samples().middle();
   const Screenshot before = window.screen.settled();
   window.move_to({middle[0] + 2, middle[1] + 1});
@@ -57,7 +57,7 @@ TEST_CASE("a sample under the pointer is marked in the middle of the canvas, too
 }
 
 TEST_CASE("a handle of the frame widens what is selected, and what is opposite stays") {
-  const Window window(kSquare);
+  const EditedWindow window(kSquare);
   const PixelBox samples = window.samples();
   window.press("ctrl+a");
   static_cast<void>(window.screen.settled());
@@ -76,7 +76,7 @@ TEST_CASE("a handle of the frame widens what is selected, and what is opposite s
 }
 
 TEST_CASE("by how much a handle widens is said where no panel hides it") {
-  const Window window(kSquare);
+  const EditedWindow window(kSquare);
   const PixelBox samples = window.samples();
   window.press("ctrl+a");
   static_cast<void>(window.screen.settled());
@@ -92,7 +92,7 @@ TEST_CASE("by how much a handle widens is said where no panel hides it") {
 }
 
 TEST_CASE("contours made of the crust are cut and joined, and saved with the samples") {
-  const Window window(kOctagon);
+  const EditedWindow window(kOctagon);
   window.press("ctrl+k");
   static_cast<void>(window.screen.settled());
   window.screen.xdotool("type 'contours along'");
@@ -126,7 +126,7 @@ TEST_CASE("contours made of the crust are cut and joined, and saved with the sam
 }
 
 TEST_CASE("while Alt is held structures stay as they are, and follow when it is released") {
-  const Window window(kSquare);
+  const EditedWindow window(kSquare);
   const PixelBox samples = window.samples();
   window.screen.xdotool("keydown alt");
   window.drag({samples.left + 3, samples.top + 3}, {samples.left + 150, samples.top + 120});
@@ -139,7 +139,7 @@ TEST_CASE("while Alt is held structures stay as they are, and follow when it is 
 }
 
 TEST_CASE("Ctrl holds off snapping, and lets it go on, under a pointer that rests") {
-  const Window window(kSquare);
+  const EditedWindow window(kSquare);
   const PixelBox samples = window.samples();
   window.press("shift+s");
   window.press("b");

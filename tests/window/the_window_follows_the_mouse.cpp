@@ -26,13 +26,13 @@ struct Folder {
   ~Folder() { fs::remove_all(path); }
 };
 
-constexpr int kSamples = 60;
+constexpr int kDraggedSamples = 60;
 constexpr double kRadius = 100.0;
 // "Fit" shows the circle with 40 pixels of margin on a screen 800 pixels high.
 constexpr double kPxPerUnit = (800.0 - 2 * 40.0) / (2 * kRadius);
 
 Vec2 sample(int i) {
-  const double t = 2.0 * 3.14159265358979323846 * i / kSamples;
+  const double t = 2.0 * 3.14159265358979323846 * i / kDraggedSamples;
   // Rounded, so that what is written is what is meant, and the box is symmetric.
   return {std::round(kRadius * std::cos(t) * 1024) / 1024, std::round(kRadius * std::sin(t) * 1024) / 1024};
 }
@@ -64,8 +64,8 @@ struct Visit {
 
   Visit() {
     std::ofstream out(file);
-    out << std::setprecision(17) << "POFF " << kSamples << " 0 0\n";
-    for (int i = 0; i < kSamples; ++i) out << sample(i).x << ' ' << sample(i).y << '\n';
+    out << std::setprecision(17) << "POFF " << kDraggedSamples << " 0 0\n";
+    for (int i = 0; i < kDraggedSamples; ++i) out << sample(i).x << ' ' << sample(i).y << '\n';
     out.close();
     program = Child({MESECINA_BINARY, file.string()}, environment, folder.path / "errors");
   }
@@ -114,10 +114,10 @@ TEST_CASE("spray, drag, undo and save: the document and the picture follow") {
   REQUIRE(eventually([&] { return session.title().starts_with("* circle.poff"); }));
   session.save();
   std::vector<Vec2> samples = saved_samples(session.file);
-  REQUIRE(samples.size() == kSamples + 51);
-  for (int i = 0; i < kSamples; ++i) CHECK(samples[static_cast<std::size_t>(i)] == sample(i));
+  REQUIRE(samples.size() == kDraggedSamples + 51);
+  for (int i = 0; i < kDraggedSamples; ++i) CHECK(samples[static_cast<std::size_t>(i)] == sample(i));
   for (int i = 0; i <= 50; ++i) {
-    const Vec2 p = samples[static_cast<std::size_t>(kSamples + i)];
+    const Vec2 p = samples[static_cast<std::size_t>(kDraggedSamples + i)];
     CHECK(p.x == Approx((100 - 640) / kPxPerUnit).margin(1e-6));
     CHECK(p.y == Approx((400 - 100 - 12 * i) / kPxPerUnit).margin(1e-6));
   }
@@ -145,10 +145,10 @@ TEST_CASE("spray, drag, undo and save: the document and the picture follow") {
   CHECK(eventually([&] { return screen.shoot().is_dark(screen_x(kRadius) + 60, 370); }));
   const std::string dragged = session.save();
   samples = saved_samples(session.file);
-  REQUIRE(samples.size() == kSamples);
+  REQUIRE(samples.size() == kDraggedSamples);
   CHECK(samples[0].x == Approx(kRadius + 60 / kPxPerUnit).margin(1e-6));
   CHECK(samples[0].y == Approx(30 / kPxPerUnit).margin(1e-6));
-  for (int i = 1; i < kSamples; ++i) CHECK(samples[static_cast<std::size_t>(i)] == sample(i));
+  for (int i = 1; i < kDraggedSamples; ++i) CHECK(samples[static_cast<std::size_t>(i)] == sample(i));
 
   // What was updated piece by piece on screen is what a new program draws of the saved file.
   const fs::path reference = session.folder.path / "reference.png";
@@ -281,7 +281,7 @@ TEST_CASE("a ball is drawn, resized with the wheel, and saved to a file of its o
 
   // The samples have a file, the ball has none: saving says so, and the work counts as unsaved.
   session.save();
-  CHECK(saved_samples(session.file).size() == kSamples);
+  CHECK(saved_samples(session.file).size() == kDraggedSamples);
   const auto is_banner = [](Color c) {
     return std::abs(c.r - 0xFD) < 4 && std::abs(c.g - 0xF1) < 4 && std::abs(c.b - 0xE7) < 4;
   };
@@ -416,7 +416,7 @@ TEST_CASE("a sample that is dragged in a pane beside moves in all, and panes clo
   }));
   session.save();
   const std::vector<Vec2> samples = saved_samples(session.file);
-  REQUIRE(samples.size() == kSamples);
+  REQUIRE(samples.size() == kDraggedSamples);
   // The pointer took the sample up to a pixel beside its middle.
   CHECK(samples[0].x == Approx(kRadius - 50 / kScale).margin(1.0 / kScale));
   CHECK(samples[0].y == Approx(20 / kScale).margin(1.0 / kScale));

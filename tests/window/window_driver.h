@@ -19,6 +19,9 @@ namespace mes::test {
 
 using Environment = std::map<std::string, std::string>;
 
+/// Five samples, as a file.
+inline constexpr const char* kHouse = "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n";
+
 /// A program of its own process; killed with this object.
 class Child {
  public:
