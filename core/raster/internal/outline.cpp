@@ -195,20 +195,14 @@ bool lies_in(const Box2& picture, const PlaneCurve& curve) {
 class Outliner {
  public:
   Outliner(const PixelContour& contour, const EdgeNoise& noise, const JobControl* job)
-      : noise_(noise), job_(job), is_hole_(contour.area < 0.0), area_(contour.area) {
+      : contour_(contour), noise_(noise), job_(job), is_hole_(contour.area < 0.0) {
     edges_.reserve(contour.points.size());
     for (std::size_t i = 0; i < contour.points.size(); ++i)
       edges_.push_back({contour.points[i], contour.is_along_y[i] != 0, contour.variance[i]});
-    // Half the least stiffness apart.
-    Run start{.nodes = softened(contour.points, noise.least_stiffness), .is_closed = true};
-    const double apart = 0.5 * noise.least_stiffness;
-    const auto wanted = static_cast<std::size_t>(std::lround(static_cast<double>(start.nodes.size()) / apart));
-    start.nodes = respaced(start.nodes, true, std::max(kLeastNodes, wanted));
-    plain_ = start.nodes;
     ellipse_ = ellipse_of(edges_, noise_);
     if (ellipse_ && is_as_much((is_hole_ ? -2.0 : 2.0) * std::numbers::pi * cross(ellipse_->u, ellipse_->v))) return;
     ellipse_.reset();
-    whole_ = fitted(std::move(start), edges_, noise_, job_);
+    whole_ = fitted(softened(contour.points, noise.least_stiffness), true, edges_, noise_, job_);
     // What is thinner than a pixel, or winds within a few, may have no smooth curve near it.
     if (whole_.farthest <= kMostAway) return;
     use_plain();
@@ -216,7 +210,11 @@ class Outliner {
 
   PlaneCurve curve() {
     if (ellipse_) return in_arcs(*ellipse_);
-    std::vector<std::size_t> bends = sharp_bends(whole_, noise_.least_stiffness);
+    std::vector<std::size_t> bends;
+    if (!is_plain_) {
+      fine_ = evened(whole_);
+      bends = sharp_bends(fine_, noise_.least_stiffness);
+    }
     // Each round takes out what is no corner.
     while (!bends.empty()) {
       Cut cut;
@@ -255,7 +253,11 @@ class Outliner {
   }
 
   void use_plain() {
-    whole_.nodes = plain_;
+    // Half the least stiffness apart.
+    const double apart = 0.5 * noise_.least_stiffness;
+    const std::vector<Vec2> soft = softened(contour_.points, noise_.least_stiffness);
+    const auto wanted = static_cast<std::size_t>(std::lround(static_cast<double>(soft.size()) / apart));
+    whole_.nodes = respaced(soft, true, std::max(kLeastNodes, wanted));
     whole_.stiffness.assign(whole_.nodes.size(), noise_.least_stiffness);
     whole_.is_held.assign(whole_.nodes.size(), false);
     is_plain_ = true;
@@ -271,7 +273,8 @@ class Outliner {
   bool is_as_much(double twice_area) const {
     constexpr double kMostBeside = 0.1;  // pixels, in the mean along the contour
     constexpr double kOfCorners = 2.0;   // square pixels
-    return std::abs(0.5 * twice_area - area_) <= kMostBeside * static_cast<double>(edges_.size()) + kOfCorners;
+    return std::abs(0.5 * twice_area - contour_.area) <=
+           kMostBeside * static_cast<double>(edges_.size()) + kOfCorners;
   }
   bool encloses_as_much(const Cut& cut) const {
     double out = 0.0;
@@ -280,10 +283,10 @@ class Outliner {
   }
 
   bool cut_at(const std::vector<std::size_t>& bends, Cut& cut, std::vector<bool>& is_good) {
-    if (along_.empty()) along_ = places_along(whole_, edges_);
-    const std::size_t count = whole_.nodes.size();
+    if (along_.empty()) along_ = places_along(fine_, edges_);
+    const std::size_t count = fine_.nodes.size();
     const double all = static_cast<double>(count);
-    const double beside = kBesideCorner / spacing_of(whole_.nodes);
+    const double beside = kBesideCorner / spacing_of(fine_.nodes);
     for (const std::size_t node : bends) cut.corners.push_back({node, {}});
     // Edges are in the order of the nodes: from the first corner on.
     const auto from_first = [&](std::size_t i) {
@@ -307,12 +310,12 @@ class Outliner {
       const std::size_t next = bends[(i + 1) % bends.size()];
       const std::size_t nodes = next > bends[i] ? next - bends[i] : next + count - bends[i];
       constexpr std::size_t kLeastEdges = 2;
-      Run start{.nodes = stretched(whole_.nodes, bends[i], nodes), .is_closed = false};
-      if (of_run[i].size() < kLeastEdges || start.nodes.size() < kLeastRunNodes) {
+      const std::vector<Vec2> start = stretched(fine_.nodes, bends[i], nodes);
+      if (of_run[i].size() < kLeastEdges || start.size() < kLeastRunNodes) {
         is_good[i] = false;
         return false;
       }
-      Run found = fitted(std::move(start), of_run[i], noise_, job_);
+      Run found = fitted(start, false, of_run[i], noise_, job_);
       if (Run finer = refined(found, of_run[i], noise_, job_); finer.farthest <= kMostAway) found = std::move(finer);
       if (!(found.farthest <= kMostAway)) {
         is_good[i] = is_good[(i + 1) % bends.size()] = false;
@@ -320,7 +323,7 @@ class Outliner {
       }
       cut.runs.push_back(std::move(found));
     }
-    return join(cut, whole_.nodes, is_good);
+    return join(cut, fine_.nodes, is_good);
   }
 
   /// The run between the corners around a place on the closed run.
@@ -339,9 +342,9 @@ class Outliner {
   /// Whether the edges beside each corner lie no farther from the runs than from the curve without corners, or as near as
   /// their noise.
   bool judge(const Cut& cut, std::vector<bool>& is_good) const {
-    const std::size_t count = whole_.nodes.size();
+    const std::size_t count = fine_.nodes.size();
     const std::size_t corners = cut.corners.size();
-    const double spacing = spacing_of(whole_.nodes);
+    const double spacing = spacing_of(fine_.nodes);
     const double reach = kJudged / spacing;
     std::vector<std::size_t> bends;
     for (const Corner& corner : cut.corners) bends.push_back(corner.node);
@@ -359,8 +362,8 @@ class Outliner {
       const std::span last = std::span(before).last(std::min(nodes, before.size()));
       verdicts[c].with += std::min(square_to(p, first), square_to(p, last));
       const auto here = static_cast<std::size_t>(along_[i]);
-      double without = square_to(p, whole_.nodes[here % count], whole_.nodes[(here + 1) % count]);
-      without = std::min(without, square_to(p, whole_.nodes[(here + count - 1) % count], whole_.nodes[here % count]));
+      double without = square_to(p, fine_.nodes[here % count], fine_.nodes[(here + 1) % count]);
+      without = std::min(without, square_to(p, fine_.nodes[(here + count - 1) % count], fine_.nodes[here % count]));
       verdicts[c].without += without;
       verdicts[c].edges += 1.0;
     };
@@ -457,15 +460,15 @@ class Outliner {
     return std::ranges::all_of(nodes, [&](Vec2 p) { return std::abs(cross(along, p - nodes.front())) <= kStraight; });
   }
 
+  const PixelContour& contour_;
   EdgeNoise noise_;
   const JobControl* job_;
   bool is_hole_;
-  double area_;
-  std::vector<Vec2> plain_;
   std::vector<Edge> edges_;
   std::optional<Ellipse> ellipse_;
   bool is_plain_ = false;
   Run whole_;
+  Run fine_;  // with nodes at equal distances
   std::vector<double> along_;
 };
 

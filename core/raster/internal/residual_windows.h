@@ -63,8 +63,10 @@ void for_each_misfit(std::span<const Residual> residuals, bool is_closed, double
       const Residual& a = sums[i];
       const Residual& b = sums[i + window];
       const double weight = b.weight - a.weight;
+      const double left = std::abs(b.left - a.left);
+      if (left <= kSystematic * one * weight) continue;
       const double share = std::max(1.0 / (1.0 + b.jumps - a.jumps), kIndependent / std::sqrt(std::max(weight, 1.0)));
-      if (std::abs(b.left - a.left) > one * (kSystematic + share) * weight) use(i, window);
+      if (left > one * (kSystematic + share) * weight) use(i, window);
     }
   }
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "core/raster/internal/residual_windows.h"
@@ -14,112 +15,165 @@ namespace {
 
 // Beyond so many distances of nodes a stiffness is no longer told from a larger one in doubles.
 constexpr double kMostNodes = 32.0;
-constexpr std::size_t kLeastClosed = 16;
-constexpr std::size_t kLeastOpen = 6;
+constexpr std::size_t kLeastChordsClosed = 16;
+constexpr std::size_t kLeastChordsOpen = 5;
+constexpr double kCoarsest = 16.0;  // pixels between nodes
+constexpr int kTimes = 3;           // the curve, and twice what it has left out
+
 double size_of(Vec2 v) {
   return std::sqrt(dot(v, v));  // pixels neither overflow nor vanish
 }
 
-/// A curve of nodes: between two of them the parabola that is nearest to the circle with their tangents.
+/// What lies between two nodes: the parabola that is nearest to the circle with their mean curvature.
+struct Chord {
+  Vec2 from{};
+  Vec2 along{};  // of length one
+  double size = 0.0;
+  double bulge = 0.0;  // the tangent of a quarter of the turn, to the left
+  double bend = 0.0;   // curvature at both ends
+  double next_bend = 0.0;
+
+  /// How far the curve lies to the left of the chord.
+  double beside(double t) const { return -2.0 * t * (1.0 - t) * size * bulge; }
+  Vec2 at(double t) const { return from + (t * size) * along + beside(t) * perpendicular(along); }
+};
+
+/// A curve of nodes.
 class Frame {
  public:
+  Frame() = default;
   Frame(std::span<const Vec2> nodes, bool is_closed)
-      : nodes_(nodes),
-        is_closed_(is_closed),
-        turns_(nodes.size()),
-        lengths_(nodes.size()),
-        curvatures_(nodes.size()) {
+      : is_closed_(is_closed), chords_(nodes.size()), bends_(nodes.size()) {
     const std::size_t count = nodes.size();
-    for (std::size_t k = 0; k < chords(); ++k) lengths_[k] = size_of(chord(k));
+    if (!is_closed) chords_.pop_back();
+    for (std::size_t k = 0; k < chords_.size(); ++k) {
+      Chord& chord = chords_[k];
+      const Vec2 along = nodes[k + 1 < count ? k + 1 : 0] - nodes[k];
+      chord.from = nodes[k];
+      chord.size = size_of(along);
+      if (chord.size > 0.0) chord.along = (1.0 / chord.size) * along;
+    }
     const std::size_t first = is_closed ? 0 : 1;
     for (std::size_t k = first; k + first < count; ++k) {
-      const Vec2 in = nodes[k] - nodes[k == 0 ? count - 1 : k - 1];
-      const Vec2 on = chord(k);
-      const double sine = cross(in, on);
-      turns_[k] = std::atan2(sine, dot(in, on));
-      const double sizes = lengths_[k == 0 ? count - 1 : k - 1] * lengths_[k] * size_of(in + on);
-      curvatures_[k] = sizes > 0.0 ? 2.0 * sine / sizes : 0.0;
+      const Chord& in = before(k);
+      const Chord& on = chords_[k];
+      // Of the circle through the node and its neighbours.
+      const double across = size_of(in.size * in.along + on.size * on.along);
+      bends_[k] = across > 0.0 ? 2.0 * cross(in.along, on.along) / across : 0.0;
     }
     if (!is_closed) {
-      turns_.front() = turns_[1];
-      turns_.back() = turns_[count - 2];
-      curvatures_.front() = curvatures_[1];
-      curvatures_.back() = curvatures_[count - 2];
+      bends_.front() = bends_[1];
+      bends_.back() = bends_[count - 2];
+    }
+    for (std::size_t k = 0; k < chords_.size(); ++k) {
+      Chord& chord = chords_[k];
+      chord.bend = bends_[k];
+      chord.next_bend = bends_[k + 1 < count ? k + 1 : 0];
+      const double sine = std::clamp(0.25 * (chord.bend + chord.next_bend) * chord.size, -1.0, 1.0);
+      constexpr double kMostBulge = 0.4;
+      chord.bulge = std::clamp(sine / (1.0 + std::sqrt(1.0 - sine * sine)), -kMostBulge, kMostBulge);
     }
   }
 
-  std::size_t chords() const { return is_closed_ ? nodes_.size() : nodes_.size() - 1; }
-  std::size_t next(std::size_t k) const { return k + 1 < nodes_.size() ? k + 1 : 0; }
-  Vec2 chord(std::size_t k) const { return nodes_[next(k)] - nodes_[k]; }
-  double length_of(std::size_t k) const { return lengths_[k]; }
-  double turn(std::size_t k) const { return turns_[k]; }
-  /// Of the circle through the node and its neighbours; the first and last of an open one as at those.
-  double curvature(std::size_t k) const { return curvatures_[k]; }
-  /// How far the curve lies to the left of the chord.
-  double beside(std::size_t k, double t) const {
-    // The tangent of a quarter of the turn.
-    const double quarter = 0.125 * (turns_[k] + turns_[next(k)]);
-    const double tangent = quarter * (1.0 + quarter * quarter / 3.0);
-    return -2.0 * t * (1.0 - t) * lengths_[k] * std::clamp(tangent, -0.4, 0.4);
-  }
+  const std::vector<Chord>& chords() const { return chords_; }
+  double curvature(std::size_t k) const { return bends_[k]; }
+  /// Of the circle through the node and its neighbours; at both ends of an open curve of the chord.
   Vec2 normal(std::size_t k) const {
-    const std::size_t count = nodes_.size();
-    const std::size_t before = k > 0 ? k - 1 : is_closed_ ? count - 1 : 0;
-    const std::size_t after = k + 1 < count ? k + 1 : is_closed_ ? 0 : k;
-    const Vec2 along = nodes_[after] - nodes_[before];
+    if (!is_closed_ && k == 0) return perpendicular(chords_.front().along);
+    if (!is_closed_ && k == chords_.size()) return perpendicular(chords_.back().along);
+    const Vec2 along = chords_[k].size * before(k).along + before(k).size * chords_[k].along;
     return (1.0 / std::max(size_of(along), 1e-12)) * perpendicular(along);
-  }
-  Vec2 at(std::size_t k, double t) const {
-    const Vec2 along = chord(k);
-    if (lengths_[k] == 0.0) return nodes_[k];
-    return nodes_[k] + t * along + (beside(k, t) / lengths_[k]) * perpendicular(along);
   }
 
  private:
-  std::span<const Vec2> nodes_;
-  bool is_closed_;
-  std::vector<double> turns_;       // at the nodes, to the left
-  std::vector<double> lengths_;     // of the chords that begin there
-  std::vector<double> curvatures_;  // at the nodes
+  const Chord& before(std::size_t k) const { return chords_[k > 0 ? k - 1 : chords_.size() - 1]; }
+
+  bool is_closed_ = false;
+  std::vector<Chord> chords_;
+  std::vector<double> bends_;  // curvature at the nodes, to the left
 };
 
 /// An edge beside a frame.
 struct Placed {
-  std::size_t chord = 0;
   double t = 0.0;
-  double offset = 0.0;
+  double offset = 0.0;  // from the curve to the edge
   double weight = 0.0;
   double jumps = 0.0;  // pixel borders that the curve passes for each pixel of its length, or diagonals of them
+  std::uint32_t chord = 0;
 };
 
 double length_of(std::span<const Vec2> nodes, bool is_closed) {
   double out = 0.0;
-  for (std::size_t k = 1; k < nodes.size(); ++k) out += distance(nodes[k - 1], nodes[k]);
-  return is_closed ? out + distance(nodes.back(), nodes.front()) : out;
+  for (std::size_t k = 1; k < nodes.size(); ++k) out += size_of(nodes[k] - nodes[k - 1]);
+  return is_closed ? out + size_of(nodes.front() - nodes.back()) : out;
+}
+
+/// Where edges in the order of a curve are along it, in nodes.
+std::vector<double> walked(std::span<const Vec2> nodes, bool is_closed, std::span<const Edge> edges) {
+  std::vector<double> out;
+  if (edges.empty()) return out;
+  out.reserve(edges.size());
+  const std::size_t chords = is_closed ? nodes.size() : nodes.size() - 1;
+  const auto next = [&](std::size_t k) { return k + 1 < nodes.size() ? k + 1 : 0; };
+  const auto to_first = [&](Vec2 q) { return dot(q - edges.front().at, q - edges.front().at); };
+  std::size_t chord = 0;
+  if (is_closed) chord = static_cast<std::size_t>(std::ranges::min_element(nodes, {}, to_first) - nodes.begin());
+  // The next edge is about a share of a chord farther.
+  const double share = static_cast<double>(chords) / static_cast<double>(edges.size());
+  const int most = static_cast<int>(std::ceil(share)) + 3;
+  for (const Edge& edge : edges) {
+    bool was_forward = false;
+    double passed = 0.0;
+    double square = 0.0;
+    for (int steps = most;; --steps) {
+      const Vec2 along = nodes[next(chord)] - nodes[chord];
+      square = dot(along, along);
+      passed = square > 0.0 ? dot(edge.at - nodes[chord], along) : 0.5;
+      if (steps <= 0) break;
+      if (passed > square && (is_closed || chord + 1 < chords)) {
+        chord = chord + 1 < chords ? chord + 1 : 0;
+        was_forward = true;
+      } else if (passed < 0.0 && !was_forward && (is_closed || chord > 0)) {
+        chord = chord > 0 ? chord - 1 : chords - 1;
+      } else {
+        break;
+      }
+    }
+    out.push_back(static_cast<double>(chord) + std::clamp(square > 0.0 ? passed / square : passed, 0.0, 1.0));
+  }
+  return out;
 }
 
 class Fit {
  public:
-  Fit(Run start, std::span<const Edge> edges, const EdgeNoise& noise, const JobControl* job)
-      : run_(std::move(start)), edges_(edges), noise_(noise), job_(job), is_alone_(edges.size(), false) {
-    if (run_.stiffness.empty()) run_.stiffness.assign(run_.nodes.size(), noise.least_stiffness);
-    if (run_.is_held.empty()) run_.is_held.assign(run_.nodes.size(), false);
-    length_ = length_of(run_.nodes, run_.is_closed);
+  /// To nodes that are as near to each other as they may be.
+  Fit(std::vector<Vec2> fine, bool is_closed, double blur, std::span<const Edge> edges, const EdgeNoise& noise,
+      const JobControl* job)
+      : fine_(std::move(fine)), edges_(edges), noise_(noise), job_(job), blur_(blur), is_alone_(edges.size(), 0) {
+    run_.is_closed = is_closed;
+    cells_ = is_closed ? fine_.size() : fine_.size() - 1;
+    length_ = length_of(fine_, is_closed);
+    for (const double along : walked(fine_, is_closed, edges)) home_.push_back(cell_at(along));
   }
-
-  std::vector<double> places() {
-    place(run_);
-    std::vector<double> out;
-    out.reserve(placed_.size());
-    for (const Placed& edge : placed_) out.push_back(static_cast<double>(edge.chord) + edge.t);
-    return out;
+  /// To a run that was fitted.
+  Fit(Run run, std::span<const Edge> edges, const EdgeNoise& noise, const JobControl* job)
+      : run_(std::move(run)), edges_(edges), noise_(noise), job_(job), is_alone_(edges.size(), 0) {
+    if (noise_.is_blurred) blur_ = kVarianceOfPixel;
+    length_ = length_of(run_.nodes, run_.is_closed);
+    cells_ = run_.cells;
+    for (const double along : walked(run_.nodes, run_.is_closed, edges)) {
+      const auto k = static_cast<std::size_t>(along);
+      const std::size_t chord = std::min(k, chord_count() - 1);
+      const double part = (along - static_cast<double>(chord)) * static_cast<double>(cells_of(chord));
+      home_.push_back(cell_at(static_cast<double>(run_.at[chord]) + part));
+    }
+    begin();
   }
 
   Run result() && {
-    constexpr int kFirst = 2;
-    for (int i = 0; i < kFirst; ++i) solve(run_, true);
     measure_noise();
-    coarsen();
+    begin_coarse();
+    descend();
     stiffen();
     run_.farthest = farthest();
     return std::move(run_);
@@ -131,83 +185,146 @@ class Fit {
     return std::move(run_);
   }
 
+  /// What is left at the least stiffness.
+  void add_noise(std::vector<double>& sizes) {
+    begin_evenly(1);
+    constexpr int kFirst = 2;
+    for (int i = 0; i < kFirst; ++i) {
+      is_stale_.assign(chord_count(), 1);
+      place();
+      step(1);
+    }
+    for (const Placed& edge : placed_)
+      if (edge.weight > 0.0) sizes.push_back(std::abs(edge.offset));
+  }
+
  private:
   void look() const {
     if (job_ != nullptr && job_->stop_requested()) throw Cancelled{};
   }
-  double spacing(const Run& run) const {
-    return length_ / static_cast<double>(run.is_closed ? run.nodes.size() : run.nodes.size() - 1);
+  std::uint32_t cell_at(double along) const {
+    return static_cast<std::uint32_t>(std::min(static_cast<std::size_t>(along), cells_ - 1));
+  }
+  std::size_t chord_count() const { return run_.is_closed ? run_.nodes.size() : run_.nodes.size() - 1; }
+  std::size_t next(std::size_t k) const { return k + 1 < run_.nodes.size() ? k + 1 : 0; }
+  std::size_t cells_of(std::size_t chord) const {
+    return (chord + 1 < run_.at.size() ? run_.at[chord + 1] : cells_) - run_.at[chord];
+  }
+  double cell_size() const { return length_ / static_cast<double>(cells_); }
+  double apart(std::size_t chord) const { return cell_size() * static_cast<double>(cells_of(chord)); }
+  /// Of the chords at a node, the shorter.
+  double least_apart(std::size_t k) const {
+    const std::size_t chords = chord_count();
+    const std::size_t before = k > 0 ? k - 1 : run_.is_closed ? chords - 1 : 0;
+    return std::min(apart(before), apart(k < chords ? k : chords - 1));
   }
   /// Of a closed run nine tenths of the radius that it would have as a circle: it may still be an ellipse. Were it a circle
   /// up to rounding, each of its samples could be an end of the axis.
   double stiffest() const { return run_.is_closed ? length_ / 7.0 : 2.0 * length_; }
 
-  /// Where the edges are beside the nodes.
-  Frame place(const Run& run) {
-    const Frame frame(run.nodes, run.is_closed);
-    placed_.resize(edges_.size());
-    const std::size_t chords = frame.chords();
-    const double share = static_cast<double>(chords) / static_cast<double>(std::max<std::size_t>(edges_.size(), 1));
-    std::size_t chord = 0;
+  /// Stiffness grows by no more than the way.
+  void limit_growth(std::vector<double>& stiffness) const {
+    const std::size_t chords = chord_count();
+    for (int round = 0; round < (run_.is_closed ? 2 : 1); ++round) {
+      for (std::size_t k = 0; k < chords; ++k)
+        stiffness[next(k)] = std::min(stiffness[next(k)], stiffness[k] + apart(k));
+      for (std::size_t k = chords; k-- > 0;) stiffness[k] = std::min(stiffness[k], stiffness[next(k)] + apart(k));
+    }
+  }
+
+  /// Nodes so many cells apart.
+  void begin_evenly(std::size_t apart) {
+    for (std::size_t i = 0; i < fine_.size(); i += apart) {
+      run_.nodes.push_back(fine_[i]);
+      run_.at.push_back(i);
+    }
+    run_.cells = cells_;
+    run_.stiffness.assign(run_.nodes.size(),
+                          std::min(static_cast<double>(apart) * noise_.least_stiffness, stiffest()));
+    run_.is_held.assign(run_.nodes.size(), false);
+    begin();
+  }
+  void begin_coarse() {
+    const std::size_t least = run_.is_closed ? kLeastChordsClosed : kLeastChordsOpen;
+    std::size_t apart = 1;
+    while (cells_ % (2 * apart) == 0 && cells_ / (2 * apart) >= least &&
+           cell_size() * static_cast<double>(2 * apart) < 1.5 * kCoarsest)
+      apart *= 2;
+    begin_evenly(apart);
+    if (run_.is_closed) return;
+    // What comes after a corner is asked of the ends.
+    for (; apart > 1; apart /= 2) {
+      std::vector<char> split(chord_count(), 0);
+      split.front() = split.back() = 1;
+      remesh(std::move(split), true);
+    }
+  }
+  void begin() {
+    placed_.assign(edges_.size(), Placed{});
+    note_chords();
+    is_stale_.assign(chord_count(), 1);
+    frame_ = Frame(run_.nodes, run_.is_closed);
+  }
+  void note_chords() {
+    chord_of_.clear();
+    chord_of_.reserve(cells_);
+    for (std::size_t k = 0; k < chord_count(); ++k)
+      chord_of_.insert(chord_of_.end(), cells_of(k), static_cast<std::uint32_t>(k));
+  }
+
+  /// Where the edges are beside the chords that have changed; whether any have.
+  bool place() {
+    const bool are_all = std::ranges::all_of(is_stale_, [](char is_stale) { return is_stale != 0; });
+    if (!are_all && std::ranges::none_of(is_stale_, [](char is_stale) { return is_stale != 0; })) return false;
     double blurs = 0.0;
     double weights = 0.0;
     for (std::size_t i = 0; i < edges_.size(); ++i) {
-      if (i == 0 && !run.is_closed) chord = 0;
-      if (i == 0 && run.is_closed) chord = nearest_chord(run, edges_[0].at);
-      // The next edge is about a share of a chord farther.
-      if (i != 0) chord = placed_[i - 1].chord;
-      placed_[i] = beside(frame, run, edges_[i], chord, static_cast<int>(std::ceil(share)) + 3);
+      if (!are_all && is_stale_[placed_[i].chord] == 0) continue;
+      placed_[i] = beside(edges_[i], chord_of_[home_[i]]);
       const double weight = placed_[i].weight;
       if (edges_[i].variance < 0.0F || weight < kLeastAcross) continue;
       // A pixel counts twice in what is seen of a transition: as the mean of what it covers, and as a step.
       blurs += weight * (edges_[i].variance - kVarianceOfPixel) * weight * weight;
       weights += weight;
     }
-    if (noise_.is_blurred) blur_ = std::max(kVarianceOfPixel, weights > 0.0 ? blurs / weights : 0.0);
-    return frame;
+    if (noise_.is_blurred && are_all) blur_ = std::max(kVarianceOfPixel, weights > 0.0 ? blurs / weights : 0.0);
+    is_stale_.assign(is_stale_.size(), 0);
+    return true;
   }
 
-  static std::size_t nearest_chord(const Run& run, Vec2 p) {
-    const auto found = std::ranges::min_element(run.nodes, {}, [&](Vec2 q) { return dot(q - p, q - p); });
-    const auto k = static_cast<std::size_t>(found - run.nodes.begin());
-    return run.is_closed ? k : std::min(k, run.nodes.size() - 2);
-  }
-
-  Placed beside(const Frame& frame, const Run& run, const Edge& edge, std::size_t chord, int steps) const {
-    const std::size_t chords = frame.chords();
+  Placed beside(const Edge& edge, std::size_t at) const {
+    constexpr int kMostSteps = 6;
+    const std::vector<Chord>& chords = frame_.chords();
     Placed out;
-    Vec2 along{};
-    double size = 0.0;
     bool was_forward = false;
-    for (;; --steps) {
-      along = frame.chord(chord);
-      size = frame.length_of(chord);
-      out.t = size > 0.0 ? dot(edge.at - run.nodes[chord], along) / (size * size) : 0.5;
+    const Chord* chord = nullptr;
+    double passed = 0.0;
+    for (int steps = kMostSteps;; --steps) {
+      chord = &chords[at];
+      passed = dot(edge.at - chord->from, chord->along);
       if (steps <= 0) break;
-      if (out.t > 1.0 && (run.is_closed || chord + 1 < chords)) {
-        chord = chord + 1 < chords ? chord + 1 : 0;
+      if (passed > chord->size && (run_.is_closed || at + 1 < chords.size())) {
+        at = at + 1 < chords.size() ? at + 1 : 0;
         was_forward = true;
-      } else if (out.t < 0.0 && !was_forward && (run.is_closed || chord > 0)) {
-        chord = chord > 0 ? chord - 1 : chords - 1;
+      } else if (passed < 0.0 && !was_forward && (run_.is_closed || at > 0)) {
+        at = at > 0 ? at - 1 : chords.size() - 1;
       } else {
         break;
       }
     }
-    const bool is_within = out.t >= -0.5 && out.t <= 1.5;
-    const double t = std::clamp(out.t, 0.0, 1.0);
-    out.chord = chord;
-    out.t = t;
-    if (size == 0.0 || !is_within) return out;
-    const Vec2 unit = (1.0 / size) * along;
-    const double share = std::abs(edge.is_along_y ? unit.x : unit.y);
-    const double most = std::max(std::abs(unit.x), std::abs(unit.y));
-    const double least = std::min(std::abs(unit.x), std::abs(unit.y));
-    out.jumps = std::min(least, most - least);
-    const double curvature =
-        frame.curvature(chord) + t * (frame.curvature(frame.next(chord)) - frame.curvature(chord));
-    out.offset = cross(unit, edge.at - run.nodes[chord]) - frame.beside(chord, t);
+    const double size = chord->size;
+    out.chord = static_cast<std::uint32_t>(at);
+    out.t = size > 0.0 ? std::clamp(passed / size, 0.0, 1.0) : 0.5;
+    if (size == 0.0 || passed < -0.5 * size || passed > 1.5 * size) return out;
+    const double along_x = std::abs(chord->along.x);
+    const double along_y = std::abs(chord->along.y);
+    const double share = edge.is_along_y ? along_x : along_y;
+    const double least = std::min(along_x, along_y);
+    out.jumps = std::min(least, std::max(along_x, along_y) - least);
+    out.offset = cross(chord->along, edge.at - chord->from) - chord->beside(out.t);
     if (blur_ > 0.0) {
       const double across = std::max(share, kLeastAcross);
+      const double curvature = chord->bend + out.t * (chord->next_bend - chord->bend);
       out.offset -= 0.5 * curvature * blur_ / (across * across);
     }
     out.weight = share >= kLeastShare ? share : 0.0;
@@ -215,255 +332,392 @@ class Fit {
   }
 
   double farthest() {
-    place(run_);
+    is_stale_.assign(chord_count(), 1);
+    place();
     double out = 0.0;
     for (std::size_t i = 0; i < placed_.size(); ++i) {
-      const Placed& edge = placed_[i];
-      const std::size_t next = edge.chord + 1 < run_.nodes.size() ? edge.chord + 1 : 0;
-      const Vec2 near = run_.nodes[edge.chord] + edge.t * (run_.nodes[next] - run_.nodes[edge.chord]);
-      const double away = distance(near, edges_[i].at);
+      const Chord& chord = frame_.chords()[placed_[i].chord];
+      const double away = size_of(chord.from + (placed_[i].t * chord.size) * chord.along - edges_[i].at);
       // Not a number stays so.
       if (!(away <= out)) out = away;
     }
     return out;
   }
 
-  /// One step of Gauss and Newton. Leaves what remains of each edge in `left_`.
-  void solve(Run& run, bool is_first) {
+  /// Squares of what edges beside a chord are off by, as a form of the offsets of its two nodes.
+  struct Sums {
+    double here = 0.0;
+    double both = 0.0;
+    double there = 0.0;
+    double right = 0.0;
+    double next_right = 0.0;
+  };
+
+  /// One step of Gauss and Newton; and so often again what it has left out: so a bend loses little of itself, and waves
+  /// little more are let through. Offsets are small, so that all of it is linear.
+  void step(int times) {
     look();
-    const Frame frame = place(run);
-    const std::size_t count = run.nodes.size();
-    StiffSystem system(count, run.is_closed);
+    const std::size_t count = run_.nodes.size();
+    sums_.assign(chord_count(), {});
     for (std::size_t i = 0; i < placed_.size(); ++i) {
       const Placed& edge = placed_[i];
-      if (edge.weight == 0.0 || is_alone_[i]) continue;
-      system.add(edge.chord, std::array{1.0 - edge.t, edge.t}, edge.offset, edge.weight);
+      if (edge.weight == 0.0 || is_alone_[i] != 0) continue;
+      Sums& sums = sums_[edge.chord];
+      const double here = edge.weight * (1.0 - edge.t);
+      const double there = edge.weight * edge.t;
+      sums.here += here * (1.0 - edge.t);
+      sums.both += here * edge.t;
+      sums.there += there * edge.t;
+      sums.right += here * edge.offset;
+      sums.next_right += there * edge.offset;
     }
-    const std::size_t rows = run.is_closed ? count : count - 3;
-    for (std::size_t k = 0; k < rows; ++k) {
-      // From the curvature at one node to that at the next.
-      const std::size_t before = run.is_closed ? (k == 0 ? count - 1 : k - 1) : k;
-      const std::size_t here = before + 1 < count ? before + 1 : 0;
-      const std::size_t after = here + 1 < count ? here + 1 : 0;
-      const double size = std::max(frame.length_of(here), 1e-3);
-      const double bend = frame.curvature(here);
-      const double next_bend = frame.curvature(after);
-      const double per_square = 1.0 / (size * size);
-      const double stiffness = std::min(run.stiffness[here], run.stiffness[after]);
-      const double square = stiffness * stiffness;
-      const double weight = square * square * square / size;
-      system.add(before,
-                 std::array{-per_square, 3.0 * per_square - bend * bend, next_bend * next_bend - 3.0 * per_square,
-                            per_square},
-                 is_first ? bend - next_bend : 0.0, weight);
-    }
+    StiffSystem system(count, run_.is_closed);
+    for (std::size_t k = 0; k < sums_.size(); ++k) system.add_pair(k, sums_[k].here, sums_[k].both, sums_[k].there);
+    add_penalty(system);
     // Where no edge says anything, nodes stay.
     constexpr double kHold = 1e-6;
     for (std::size_t k = 0; k < count; ++k) system.add(k, std::array{1.0}, 0.0, kHold);
-    const std::vector<double> offsets = std::move(system).solved();
-    left_.resize(placed_.size());
-    for (std::size_t i = 0; i < placed_.size(); ++i) {
-      const Placed& edge = placed_[i];
-      left_[i] = edge.offset - (1.0 - edge.t) * offsets[edge.chord] - edge.t * offsets[frame.next(edge.chord)];
+    system.factor();
+    std::vector<double> offsets(count, 0.0);
+    std::vector<double> right = system.right();
+    for (int time = 0; time < times; ++time) {
+      if (time > 0) right.assign(count, 0.0);
+      for (std::size_t k = 0; k < sums_.size(); ++k) {
+        const Sums& sums = sums_[k];
+        const double here = offsets[k];
+        const double there = offsets[next(k)];
+        right[k] += sums.right - sums.here * here - sums.both * there;
+        right[next(k)] += sums.next_right - sums.both * here - sums.there * there;
+      }
+      const std::vector<double> more = system.solved(right);
+      for (std::size_t k = 0; k < count; ++k) offsets[k] += more[k];
     }
-    std::vector<Vec2> moved(count);
     // A step of more than a few pixels is beyond what is linear.
     constexpr double kMostStep = 4.0;
-    for (std::size_t k = 0; k < count; ++k)
-      moved[k] = run.nodes[k] + std::clamp(offsets[k], -kMostStep, kMostStep) * frame.normal(k);
-    run.nodes = std::move(moved);
+    for (double& offset : offsets) offset = std::clamp(offset, -kMostStep, kMostStep);
+    for (Placed& edge : placed_)
+      edge.offset -= (1.0 - edge.t) * offsets[edge.chord] + edge.t * offsets[next(edge.chord)];
+    // Beside what has moved by more, edges are placed again.
+    constexpr double kMoved = 0.02;
+    for (std::size_t k = 0; k < count; ++k) {
+      run_.nodes[k] = run_.nodes[k] + offsets[k] * frame_.normal(k);
+      // Not a number has moved.
+      if (!(std::abs(offsets[k]) <= kMoved)) make_stale(k);
+    }
+    frame_ = Frame(run_.nodes, run_.is_closed);
   }
 
-  /// A step, and another without what stands alone, if there is anything.
-  void solve_without_specks(Run& run) {
-    solve(run);
-    if (find_alone()) solve(run);
+  /// The chords that bend otherwise when a node moves.
+  void make_stale(std::size_t node) {
+    const std::size_t chords = chord_count();
+    for (std::size_t i = 0; i < 4; ++i) {
+      const std::size_t k = node + i;
+      if (run_.is_closed)
+        is_stale_[(k + chords - 2) % chords] = 1;
+      else if (k >= 2 && k - 2 < chords)
+        is_stale_[k - 2] = 1;
+    }
   }
 
-  /// The curve, and twice what it has left out: so a bend loses little of itself, and waves little more are let through.
-  void solve(Run& run) {
-    solve(run, true);
-    constexpr int kAgain = 2;
-    for (int i = 0; i < kAgain; ++i) solve(run, false);
+  /// From the curvature at each node to that at the next.
+  void add_penalty(StiffSystem& system) const {
+    const std::size_t count = run_.nodes.size();
+    const std::size_t rows = run_.is_closed ? count : count - 3;
+    const std::vector<Chord>& chords = frame_.chords();
+    for (std::size_t k = 0; k < rows; ++k) {
+      const std::size_t before = run_.is_closed ? (k == 0 ? count - 1 : k - 1) : k;
+      const std::size_t here = before + 1 < count ? before + 1 : 0;
+      const std::size_t after = here + 1 < count ? here + 1 : 0;
+      constexpr double kLeast = 1e-3;
+      const double a = std::max(chords[before].size, kLeast);
+      const double b = std::max(chords[here].size, kLeast);
+      const double c = std::max(chords[after].size, kLeast);
+      const double bend = frame_.curvature(here);
+      const double next_bend = frame_.curvature(after);
+      const double in = 2.0 / (a + b);
+      const double on = 2.0 / (b + c);
+      const double stiffness = std::min(run_.stiffness[here], run_.stiffness[after]);
+      const double square = stiffness * stiffness;
+      // Of three nodes the curvature is that in their mean.
+      const double weight = square * square * square * 3.0 / (a + b + c);
+      system.add(before,
+                 std::array{-in / a, on / b + 2.0 / (a * b) - bend * bend,
+                            next_bend * next_bend - 2.0 / (b * c) - in / b, on / c},
+                 bend - next_bend, weight);
+    }
+  }
+
+  /// The fit at the stiffness that the nodes have.
+  void settle() {
+    place();
+    // New nodes may move far.
+    step(is_remeshed_ ? 1 : kTimes);
+    // What the parabolas between the nodes have wrong.
+    if (place() || is_remeshed_) step(kTimes);
+    is_remeshed_ = false;
+    // Another without what stands alone, if there is anything.
+    if (!find_alone()) return;
+    place();
+    step(kTimes);
   }
 
   /// Edges of single pixels that stand out from the curve or into it.
   bool find_alone() {
     residuals_.clear();
-    for (std::size_t i = 0; i < left_.size(); ++i) residuals_.push_back({left_[i], placed_[i].weight, 0.0});
+    for (const Placed& edge : placed_) residuals_.push_back({edge.offset, edge.weight, 0.0});
     bool is_changed = false;
     for_each_stray(residuals_, noise_.one, [&](std::size_t first, std::size_t end, bool are_alone) {
+      const char value = are_alone ? 1 : 0;
       for (std::size_t k = first; k < end; ++k) {
-        is_changed = is_changed || is_alone_[k] != are_alone;
-        is_alone_[k] = are_alone;
+        is_changed = is_changed || is_alone_[k] != value;
+        is_alone_[k] = value;
       }
     });
     return is_changed;
   }
 
-  /// What a single edge may be off by, from what is left at the least stiffness. Corners leave much more, so that the
-  /// quarter of the edges that lie best is asked.
+  /// What a single edge may be off by, from what is left at the least stiffness, of long curves in some parts. Corners leave
+  /// much more, so that the quarter of the edges that lie best is asked.
   void measure_noise() {
     constexpr double kPerDeviation = 5.0;
     constexpr double kNormal = 1.0 / 0.3186;  // from that quarter of magnitudes to the deviation
     constexpr double kMost = 0.45;
+    if (noise_.one >= kMost) return;
     std::vector<double> sizes;
-    for (std::size_t i = 0; i < left_.size(); ++i)
-      if (placed_[i].weight > 0.0) sizes.push_back(std::abs(left_[i]));
+    constexpr std::size_t kParts = 8;
+    constexpr std::size_t kPart = 256;  // cells
+    if (cells_ <= 2 * kParts * kPart) {
+      Fit(fine_, run_.is_closed, blur_, edges_, noise_, job_).add_noise(sizes);
+    } else {
+      for (std::size_t part = 0; part < kParts; ++part) {
+        const std::size_t from = part * cells_ / kParts;
+        const auto is_before = [](std::size_t end) { return [end](std::uint32_t cell) { return cell < end; }; };
+        // A closed one begins in some cell.
+        const auto begin = home_.begin() + (std::ranges::min_element(home_) - home_.begin());
+        const auto first = std::partition_point(begin, home_.end(), is_before(from));
+        const auto last = std::partition_point(first, home_.end(), is_before(from + kPart));
+        const std::span nodes = std::span<const Vec2>(fine_).subspan(from, kPart + 1);
+        Fit({nodes.begin(), nodes.end()}, false, blur_,
+            edges_.subspan(static_cast<std::size_t>(first - home_.begin()), static_cast<std::size_t>(last - first)),
+            noise_, job_)
+            .add_noise(sizes);
+      }
+    }
     if (sizes.empty()) return;
     const auto quarter = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 4);
     std::ranges::nth_element(sizes, quarter);
-    noise_.one = std::clamp(kPerDeviation * kNormal * *quarter, noise_.one, std::max(noise_.one, kMost));
+    noise_.one = std::clamp(kPerDeviation * kNormal * *quarter, noise_.one, kMost);
   }
 
-  /// Nodes within windows whose mean is more than noise.
-  bool find_misfits(const Run& run, std::vector<bool>& misfits) {
-    misfits.assign(run.nodes.size(), false);
-    residuals_.clear();
-    for (std::size_t i = 0; i < left_.size(); ++i)
-      residuals_.push_back({left_[i], is_alone_[i] ? 0.0 : placed_[i].weight, placed_[i].jumps});
+  /// Chords within windows whose mean is more than noise.
+  bool find_misfits(std::vector<char>& misfits) {
+    misfits.assign(chord_count(), 0);
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+      residuals_[i].weight = is_alone_[i] != 0 ? 0.0 : placed_[i].weight;
+      residuals_[i].left = placed_[i].offset;
+      residuals_[i].jumps = placed_[i].jumps;
+    }
     bool out = false;
-    for_each_misfit(residuals_, run.is_closed, noise_.one, [&](std::size_t first, std::size_t window) {
-      note_misfit(run, first, window, misfits);
+    for_each_misfit(residuals_, run_.is_closed, noise_.one, [&](std::size_t first, std::size_t window) {
+      const std::size_t count = edges_.size();
+      const std::size_t from = placed_[first % count].chord;
+      const std::size_t to = placed_[(first + window - 1) % count].chord;
+      const std::size_t chords = misfits.size();
+      const std::size_t all = (to >= from ? to - from : to + chords - from) + 1;
+      // What a smaller window has found already.
+      for (std::size_t i = 0; i < all; ++i)
+        if (misfits[(from + i) % chords] != 0) return;
+      for (std::size_t i = 0; i < all; ++i) misfits[(from + i) % chords] = 1;
       out = true;
     });
     return out;
   }
 
-  void note_misfit(const Run& run, std::size_t first, std::size_t window, std::vector<bool>& misfits) const {
-    const std::size_t count = edges_.size();
-    // Both ends, on the nodes.
-    std::size_t node = placed_[first % count].chord;
-    const std::size_t last = placed_[(first + window - 1) % count].chord;
-    const std::size_t nodes = run.nodes.size();
-    // What a smaller window has found already.
-    bool is_known = false;
-    std::size_t passed = 0;
-    for (std::size_t k = node; passed <= nodes; k = k + 1 < nodes ? k + 1 : 0, ++passed) {
-      is_known = is_known || misfits[k];
-      if (k == last) break;
+  /// Nodes half as far from each other where that is said, and beside it so that no two chords are followed by one of more
+  /// than twice their length.
+  void remesh(std::vector<char> split, bool are_fine) {
+    is_remeshed_ = true;
+    const std::size_t chords = chord_count();
+    const auto size_after = [&](std::size_t k) { return split[k] != 0 ? cells_of(k) / 2 : cells_of(k); };
+    for (bool is_changed = true; is_changed;) {
+      is_changed = false;
+      for (std::size_t k = 0; k < chords; ++k)
+        for (std::size_t i = 1; i <= 2; ++i) {
+          if (!run_.is_closed && k + i >= chords) continue;
+          const std::size_t other = (k + i) % chords;
+          const std::size_t here = size_after(k);
+          const std::size_t there = size_after(other);
+          if (here > 2 * there || there > 2 * here) {
+            split[here > there ? k : other] = 1;
+            is_changed = true;
+          }
+        }
     }
-    if (is_known) return;
-    passed = 0;
-    for (;; node = node + 1 < nodes ? node + 1 : 0, ++passed) {
-      misfits[node] = true;
-      if (node == last || passed > nodes) break;
+    Run finer{.cells = cells_, .is_closed = run_.is_closed};
+    std::vector<std::uint32_t> became(chords);
+    std::vector<char> stale;
+    const std::size_t count = run_.nodes.size();
+    for (std::size_t k = 0; k < count; ++k) {
+      const bool is_split = k < chords && split[k] != 0;
+      const bool was_split = k > 0 ? split[k - 1] != 0 : run_.is_closed && split[chords - 1] != 0;
+      const bool is_anew = are_fine && is_split && was_split;
+      finer.nodes.push_back(is_anew ? fine_[run_.at[k]] : run_.nodes[k]);
+      finer.at.push_back(run_.at[k]);
+      finer.stiffness.push_back(run_.stiffness[k]);
+      finer.is_held.push_back(run_.is_held[k]);
+      if (k == chords) continue;
+      became[k] = static_cast<std::uint32_t>(stale.size());
+      const bool will_be = k + 1 < chords ? split[k + 1] != 0 : run_.is_closed && split[0] != 0;
+      stale.push_back(is_split || was_split || will_be || is_stale_[k] != 0 ? 1 : 0);
+      if (!is_split) continue;
+      const std::size_t middle = run_.at[k] + cells_of(k) / 2;
+      finer.nodes.push_back(are_fine ? fine_[middle] : frame_.chords()[k].at(0.5));
+      finer.at.push_back(middle);
+      finer.stiffness.push_back(std::min(run_.stiffness[k], run_.stiffness[next(k)]));
+      finer.is_held.push_back(run_.is_held[k] && run_.is_held[next(k)]);
+      stale.push_back(1);
     }
-    misfits[last + 1 < nodes ? last + 1 : run.is_closed ? 0 : last] = true;
+    run_ = std::move(finer);
+    for (Placed& edge : placed_) edge.chord = became[edge.chord];
+    is_stale_ = std::move(stale);
+    note_chords();
+    frame_ = Frame(run_.nodes, run_.is_closed);
   }
 
-  /// Half as many nodes, twice as stiff, while all of it fits.
-  void coarsen() {
-    const std::size_t least = run_.is_closed ? kLeastClosed : kLeastOpen;
-    std::vector<bool> misfits;
-    while (run_.nodes.size() / 2 >= least && 1.01 * run_.stiffness.front() < stiffest()) {
-      Run wider{.is_closed = run_.is_closed};
-      const std::size_t count = run_.is_closed ? run_.nodes.size() / 2 : (run_.nodes.size() + 1) / 2;
-      wider.nodes = respaced(run_.nodes, run_.is_closed, count);
-      wider.stiffness.assign(count, std::min(2.0 * run_.stiffness.front(), stiffest()));
-      wider.is_held.assign(count, false);
-      const std::vector<bool> alone = is_alone_;
-      solve_without_specks(wider);
-      if (find_misfits(wider, misfits)) {
-        is_alone_ = alone;
-        return;
+  /// Half as stiff where that does not fit, with nodes half that apart, until it fits or is the least.
+  void descend() {
+    std::vector<char> misfits;
+    for (;;) {
+      settle();
+      if (!find_misfits(misfits)) return;
+      std::vector<double> halved = run_.stiffness;
+      bool is_less = false;
+      for (std::size_t k = 0; k < misfits.size(); ++k) {
+        if (misfits[k] == 0) continue;
+        for (const std::size_t node : {k, next(k)}) {
+          halved[node] = std::min(halved[node], std::max(noise_.least_stiffness, 0.5 * run_.stiffness[node]));
+          is_less = is_less || halved[node] < run_.stiffness[node];
+        }
       }
-      run_ = std::move(wider);
+      if (!is_less) return;
+      limit_growth(halved);
+      run_.stiffness = std::move(halved);
+      std::vector<char> split(chord_count(), 0);
+      for (std::size_t k = 0; k < split.size(); ++k) {
+        const double wanted = 1.01 * std::min(run_.stiffness[k], run_.stiffness[next(k)]);
+        split[k] = cells_of(k) > 1 && noise_.least_stiffness * static_cast<double>(cells_of(k)) > wanted ? 1 : 0;
+      }
+      remesh(std::move(split), true);
     }
   }
 
   /// The stiffness that the nodes would have, where those that are held allow it.
   std::vector<double> doubled() const {
-    const double distance_of_nodes = spacing(run_);
-    const double most = std::min(kMostNodes * distance_of_nodes, stiffest());
-    const std::size_t count = run_.nodes.size();
-    std::vector<double> out(count);
-    for (std::size_t k = 0; k < count; ++k)
-      out[k] =
-          run_.is_held[k] ? run_.stiffness[k] : std::max(run_.stiffness[k], std::min(2.0 * run_.stiffness[k], most));
-    const auto follow = [&](std::size_t k, std::size_t before) {
-      out[k] = std::min(out[k], out[before] + distance_of_nodes);
-    };
-    for (int round = 0; round < (run_.is_closed ? 2 : 1); ++round) {
-      for (std::size_t k = 1; k < count; ++k) follow(k, k - 1);
-      if (run_.is_closed) follow(0, count - 1);
-      for (std::size_t k = count - 1; k > 0; --k) follow(k - 1, k);
-      if (run_.is_closed) follow(count - 1, 0);
-    }
+    std::vector<double> out = run_.stiffness;
+    for (std::size_t k = 0; k < out.size(); ++k)
+      if (!run_.is_held[k])
+        out[k] = std::max(out[k], std::min({2.0 * out[k], kMostNodes * least_apart(k), stiffest()}));
+    limit_growth(out);
     return out;
   }
 
-  /// As many nodes, twice as stiff where that fits, until it fits nowhere.
+  /// As many nodes, twice as stiff where that fits, until it fits nowhere. Each stretch that becomes stiffer is judged by
+  /// itself: what is left over beside places that are held already says nothing against it.
   void stiffen() {
     constexpr int kRounds = 16;
-    std::vector<bool> misfits;
-    Run wider = run_;
+    std::vector<char> misfits;
+    const std::size_t count = run_.nodes.size();
     for (int round = 0; round < kRounds; ++round) {
-      const std::vector<double> next = doubled();
-      bool is_more = false;
-      for (std::size_t k = 0; k < next.size(); ++k) is_more = is_more || next[k] > 1.01 * run_.stiffness[k];
-      if (!is_more) return;
-      wider.nodes = run_.nodes;
-      wider.stiffness = next;
-      solve_without_specks(wider);
-      bool is_new = false;
-      if (find_misfits(wider, misfits))
-        for (std::size_t k = 0; k < misfits.size(); ++k) {
-          is_new = is_new || (misfits[k] && !run_.is_held[k]);
-          run_.is_held[k] = run_.is_held[k] || misfits[k];
-        }
-      if (is_new) continue;
-      // What is left over is beside places that are held already.
-      run_.nodes = wider.nodes;
-      run_.stiffness = wider.stiffness;
+      std::vector<double> before = doubled();
+      std::swap(before, run_.stiffness);
+      const auto is_stiffer = [&](std::size_t k) { return run_.stiffness[k] > 1.01 * before[k]; };
+      std::size_t first = 0;  // where no stretch goes on
+      while (first < count && run_.is_closed && is_stiffer(first)) ++first;
+      bool is_more = first == count;
+      for (std::size_t k = 0; k < count && !is_more; ++k) is_more = is_stiffer(k);
+      if (!is_more) break;
+      settle();
+      if (!find_misfits(misfits)) continue;
+      std::vector<char> is_new(count, 0);
+      for (std::size_t k = 0; k < misfits.size(); ++k)
+        if (misfits[k] != 0)
+          for (const std::size_t node : {k, next(k)}) {
+            if (run_.is_held[node]) continue;
+            run_.is_held[node] = true;
+            is_new[node] = 1;
+          }
+      for (std::size_t passed = 0; passed < count;) {
+        const std::size_t begin = passed;
+        bool fits = true;
+        for (; passed < count && is_stiffer((first + passed) % count); ++passed)
+          fits = fits && is_new[(first + passed) % count] == 0;
+        for (std::size_t i = begin; i < passed && !fits; ++i)
+          run_.stiffness[(first + i) % count] = before[(first + i) % count];
+        if (passed == begin) ++passed;
+      }
     }
+    is_stale_.assign(chord_count(), 1);
+    settle();
   }
 
   /// Nodes as near to each other as pieces of cubics need them that lie on a circle: what they are off by grows with the
   /// fourth power of the turn from node to node.
   void refine() {
-    constexpr double kFew = 32.0;
-    const double stiffest = *std::ranges::max_element(run_.stiffness);
-    const Frame frame(run_.nodes, run_.is_closed);
-    double most = 0.0;
-    for (std::size_t k = 0; k < run_.nodes.size(); ++k) most = std::max(most, std::abs(frame.turn(k)));
-    const double parts =
-        std::min({std::ceil(most / most_turn(length_)),
-                  std::floor((static_cast<double>(edges_.size()) + kFew) / static_cast<double>(run_.nodes.size())),
-                  std::floor(2.0 * kMostNodes * spacing(run_) / stiffest)});
-    if (parts < 2.0) return;
-    const auto times = static_cast<std::size_t>(parts);
-    const std::size_t chords = run_.is_closed ? run_.nodes.size() : run_.nodes.size() - 1;
-    Run finer{.nodes = respaced(run_.nodes, run_.is_closed, times * chords + (run_.is_closed ? 0 : 1)),
-              .is_closed = run_.is_closed};
-    for (std::size_t k = 0; k < finer.nodes.size(); ++k) {
-      const std::size_t from = std::min(k / times, run_.nodes.size() - 1);
-      finer.stiffness.push_back(run_.stiffness[from]);
-      finer.is_held.push_back(run_.is_held[from]);
+    constexpr std::size_t kFew = 32;
+    const double most = most_turn(length_);
+    bool is_finer = false;
+    for (;;) {
+      std::vector<char> split(chord_count(), 0);
+      bool is_any = false;
+      for (std::size_t k = 0; k < split.size(); ++k) {
+        const double stiffness = std::max(run_.stiffness[k], run_.stiffness[next(k)]);
+        const bool is_turned = 4.0 * std::abs(frame_.chords()[k].bulge) > most;
+        if (!is_turned || cells_of(k) == 1 || stiffness > kMostNodes * apart(k)) continue;
+        split[k] = 1;
+        is_any = true;
+      }
+      if (!is_any || run_.nodes.size() > edges_.size() + kFew) break;
+      remesh(std::move(split), false);
+      for (std::size_t k = 0; k < run_.nodes.size(); ++k)
+        run_.stiffness[k] = std::min(run_.stiffness[k], 2.0 * kMostNodes * least_apart(k));
+      is_finer = true;
     }
     // What the parabolas between the nodes have wrong is taken out first.
-    solve(finer, true);
-    solve(finer, true);
-    solve(finer);
-    run_ = std::move(finer);
+    if (is_finer) settle();
   }
 
   Run run_;
+  std::vector<Vec2> fine_;
+  std::size_t cells_ = 0;  // finest distances
   std::span<const Edge> edges_;
   EdgeNoise noise_;
   const JobControl* job_;
   double length_ = 0.0;
-  double blur_ = 0.0;  // square pixels, of edges that are blurred
+  double blur_ = 0.0;                    // square pixels, of edges that are blurred
+  std::vector<std::uint32_t> home_;      // of edges: the cell beside which they are
+  std::vector<std::uint32_t> chord_of_;  // of cells
+  Frame frame_;
+  bool is_remeshed_ = true;
+  std::vector<char> is_stale_;  // of chords: they have changed since edges were placed beside them
   std::vector<Placed> placed_;
-  std::vector<double> left_;
-  std::vector<bool> is_alone_;
+  std::vector<Sums> sums_;
+  std::vector<char> is_alone_;
   std::vector<Residual> residuals_;
 };
 
 }  // namespace
 
-Run fitted(Run start, std::span<const Edge> edges, const EdgeNoise& noise, const JobControl* job) {
-  return Fit(std::move(start), edges, noise, job).result();
+Run fitted(std::span<const Vec2> start, bool is_closed, std::span<const Edge> edges, const EdgeNoise& noise,
+           const JobControl* job) {
+  const std::size_t least = is_closed ? kLeastChordsClosed : kLeastChordsOpen;
+  const double apart = 0.5 * noise.least_stiffness;
+  // A multiple of a power of two, so that nodes can be halved and halved again.
+  auto cells = std::max(least, static_cast<std::size_t>(std::lround(length_of(start, is_closed) / apart)));
+  std::size_t together = 1;
+  while (cells / (2 * together) >= least && apart * static_cast<double>(2 * together) <= kCoarsest) together *= 2;
+  cells = (cells + together / 2) / together * together;
+  const double blur = noise.is_blurred ? kVarianceOfPixel : 0.0;
+  return Fit(respaced(start, is_closed, is_closed ? cells : cells + 1), is_closed, blur, edges, noise, job).result();
 }
 
 double most_turn(double length) {
@@ -476,16 +730,33 @@ Run refined(Run run, std::span<const Edge> edges, const EdgeNoise& noise, const 
   return Fit(std::move(run), edges, noise, job).refined();
 }
 
+Run evened(const Run& run) {
+  Run out{.cells = run.cells, .is_closed = run.is_closed, .farthest = run.farthest};
+  const Frame frame(run.nodes, run.is_closed);
+  for (std::size_t k = 0; k < run.nodes.size(); ++k) {
+    const std::size_t next = k + 1 < run.nodes.size() ? k + 1 : 0;
+    const bool is_last = next == 0;
+    const std::size_t parts = is_last ? (run.is_closed ? run.cells - run.at[k] : 1) : run.at[next] - run.at[k];
+    for (std::size_t i = 0; i < parts; ++i) {
+      const double t = static_cast<double>(i) / static_cast<double>(parts);
+      out.nodes.push_back(i == 0 ? run.nodes[k] : frame.chords()[k].at(t));
+      out.at.push_back(run.at[k] + i);
+      out.stiffness.push_back(run.stiffness[k] + t * (run.stiffness[next] - run.stiffness[k]));
+      out.is_held.push_back(run.is_held[k] && (i == 0 || run.is_held[next]));
+    }
+  }
+  return out;
+}
+
 std::vector<double> places_along(const Run& run, std::span<const Edge> edges) {
-  return Fit(run, edges, {}, nullptr).places();
+  return walked(run.nodes, run.is_closed, edges);
 }
 
 std::vector<Vec2> respaced(std::span<const Vec2> nodes, bool is_closed, std::size_t count) {
   const Frame frame(nodes, is_closed);
-  const std::size_t chords = frame.chords();
-  std::vector<double> lengths(chords);
+  const std::vector<Chord>& chords = frame.chords();
   double all = 0.0;
-  for (std::size_t k = 0; k < chords; ++k) all += lengths[k] = frame.length_of(k);
+  for (const Chord& chord : chords) all += chord.size;
   std::vector<Vec2> out;
   out.reserve(count);
   std::size_t k = 0;
@@ -493,9 +764,9 @@ std::vector<Vec2> respaced(std::span<const Vec2> nodes, bool is_closed, std::siz
   const double intervals = static_cast<double>(is_closed ? count : count - 1);
   for (std::size_t i = 0; i < count; ++i) {
     const double wanted = all * (static_cast<double>(i) / intervals);
-    while (k + 1 < chords && passed + lengths[k] < wanted) passed += lengths[k++];
-    const double t = lengths[k] > 0.0 ? std::clamp((wanted - passed) / lengths[k], 0.0, 1.0) : 0.0;
-    out.push_back(frame.at(k, t));
+    while (k + 1 < chords.size() && passed + chords[k].size < wanted) passed += chords[k++].size;
+    const double t = chords[k].size > 0.0 ? std::clamp((wanted - passed) / chords[k].size, 0.0, 1.0) : 0.0;
+    out.push_back(chords[k].at(t));
   }
   return out;
 }

@@ -5,9 +5,11 @@
 // Gauss and Newton: along the normals of the nodes move offsets u that minimise the squares of what is measured minus u,
 // weighted by how much of a pixel's side an edge takes, plus the sixth power of a length, the stiffness, times the square of
 // the change of curvature along the curve. Lines and circles cost nothing, so they stay where they are whatever the
-// stiffness. It begins at one or two pixels and is doubled, with half as many nodes, as long as what is left over could be noise:
-// the mean over each window of 4, 8, 16 ... edges is compared with what pixels can hide there. Where it is more, the
-// stiffness stays as it was, and grows beside that place by no more than the way.
+// stiffness. What is left over is compared with noise: the mean over each window of 4, 8, 16 ... edges with what pixels can
+// hide there. It begins with nodes some 16 pixels apart and twice that as the stiffness; where that does not fit, both are
+// halved, down to a stiffness of one or two pixels. So long smooth stretches have few nodes, and only corners and narrow
+// bends have many. After that the stiffness is doubled where it can be, with the same nodes, as long as what is left over
+// could be noise. Where it is more, the stiffness stays as it was, and grows beside that place by no more than the way.
 //
 // The idea of testing residuals in all windows: Davies and Kovac, "Local extremes, runs, strings and multiresolution",
 // 2001. The penalty: Moreton and Sequin, "Functional optimization for fair surface design", 1992.
@@ -46,17 +48,20 @@ struct EdgeNoise {
 };
 
 struct Run {
-  std::vector<Vec2> nodes{};        ///< at about equal distances, of an open run both ends
+  std::vector<Vec2> nodes{};        ///< of an open run both ends
+  std::vector<std::size_t> at{};    ///< where the nodes are, in the finest distances, from the first
+  std::size_t cells = 0;            ///< of the whole run, in the same
   std::vector<double> stiffness{};  ///< at the nodes, pixels
   std::vector<bool> is_held{};      ///< a larger stiffness was tried there, and did not fit
   bool is_closed = false;
   double farthest = 0.0;  ///< of all edges from the curve, pixels; not a number where the fit went wrong
 };
 
-/// The fit to edges in the order of the curve, from a curve near to it of nodes about a pixel apart: at least eight nodes of
-/// a closed one, six of an open one. Cost: O(edges) for each doubling of the stiffness, of which there are at most as many
-/// as of two pixels to the length of the run. Throws `Cancelled` if there is a job.
-Run fitted(Run start, std::span<const Edge> edges, const EdgeNoise& noise, const JobControl* job = nullptr);
+/// The fit to edges in the order of the curve, from a curve near to it of nodes about a pixel apart. The finest distance of
+/// its nodes is half the least stiffness. Cost: O(edges + nodes) a step, of which there are a few for each doubling of the
+/// stiffness. Throws `Cancelled` if there is a job.
+Run fitted(std::span<const Vec2> start, bool is_closed, std::span<const Edge> edges, const EdgeNoise& noise,
+           const JobControl* job = nullptr);
 
 /// How much a piece of a cubic may turn. It leaves a circle by waves whose curvature is 0.003 times the fourth power of the
 /// turn, relative to that of the circle; they should be less than what the edges leave of a circle with that circumference.
@@ -65,6 +70,9 @@ double most_turn(double length);
 /// The same fit with nodes so near to each other that the curve turns by at most that between two of them, as far as there
 /// are edges for them.
 Run refined(Run run, std::span<const Edge> edges, const EdgeNoise& noise, const JobControl* job = nullptr);
+
+/// The same curve with all nodes at the finest distance.
+Run evened(const Run& run);
 
 /// Where the edges are along a closed run, in nodes from 0 to their number. O(edges + nodes).
 std::vector<double> places_along(const Run& run, std::span<const Edge> edges);

@@ -9,7 +9,8 @@
 
 namespace mes {
 
-/// Symmetric and positive definite, built up as a sum of squares. At least six unknowns, eight if closed.
+/// Symmetric and positive definite, built up as a sum of squares. At least six unknowns, eight if closed. Factored once, it
+/// is solved for any number of right sides.
 class StiffSystem {
  public:
   StiffSystem(std::size_t count, bool is_closed) : rows_(count), right_(count, 0.0), is_closed_(is_closed) {}
@@ -18,25 +19,42 @@ class StiffSystem {
   template <std::size_t N>
   void add(std::size_t first, const std::array<double, N>& coefficients, double value, double weight) {
     static_assert(N <= 4);
-    const std::size_t count = rows_.size();
     for (std::size_t i = 0; i < N; ++i) {
-      const std::size_t row = first + i < count ? first + i : first + i - count;
+      const std::size_t row = around(first + i);
       right_[row] += weight * coefficients[i] * value;
       for (std::size_t k = i; k < N; ++k) rows_[row][k - i] += weight * coefficients[i] * coefficients[k];
     }
   }
+  /// Adds a sum of squares of two unknowns in a row by its matrix.
+  void add_pair(std::size_t first, double diagonal, double beside, double next_diagonal) {
+    rows_[first][0] += diagonal;
+    rows_[first][1] += beside;
+    rows_[around(first + 1)][0] += next_diagonal;
+  }
 
-  /// O(unknowns). The system is used up.
-  std::vector<double> solved() &&;
+  /// Of what was added with values.
+  const std::vector<double>& right() const { return right_; }
+
+  /// O(unknowns). After it nothing can be added.
+  void factor();
+  /// The unknowns for a right side. O(unknowns). After `factor`.
+  std::vector<double> solved(std::vector<double> right) const;
 
  private:
-  /// Of the first unknowns, without those that join the end to the beginning.
-  void factor(std::size_t count);
-  void solve(std::vector<double>& x, std::size_t count) const;
+  static constexpr std::size_t kReach = 3;
+  using Row = std::array<double, kReach>;
 
-  std::vector<std::array<double, 4>> rows_;  // of the matrix, from the diagonal to the right, around
+  std::size_t around(std::size_t i) const { return i < rows_.size() ? i : i - rows_.size(); }
+  void factor_first(std::size_t count);
+
+  std::vector<std::array<double, 4>>
+      rows_;  // of the matrix, from the diagonal to the right, around; factored: of that
   std::vector<double> right_;
   bool is_closed_;
+  // The last three unknowns of a closed system join its ends: the others are solved for them first.
+  std::vector<Row> border_;   // columns of the last, in the rows of the others
+  std::vector<Row> reduced_;  // what the others are for each of the last
+  std::array<Row, kReach> corner_{};
 };
 
 }  // namespace mes
