@@ -9,6 +9,7 @@
 #include <span>
 #include <utility>
 
+#include "core/base/parallel.h"
 #include "core/raster/internal/ellipse_fit.h"
 #include "core/raster/internal/smoothing.h"
 #include "core/raster/trace.h"
@@ -22,6 +23,7 @@ constexpr double kCornerReach = 3.0;   // what a corner has rounded before it is
 constexpr double kBesideCorner = 1.2;  // edges nearer to a corner see both of its sides
 constexpr double kJudged = 7.0;        // from a corner, edges that tell whether it is one
 constexpr double kFarthestCorner = 4.0;
+constexpr double kClear = 32.0;     // from a corner the curve without it is as stiff as with it
 constexpr double kStraight = 0.03;  // a run that leaves its chord by less is a line
 constexpr std::size_t kLeastNodes = 16;
 constexpr std::size_t kLeastRunNodes = 6;
@@ -51,12 +53,11 @@ double spacing_of(std::span<const Vec2> nodes) {
 }
 
 /// Nodes where corners may be: where the largest turn within reach is.
-std::vector<std::size_t> sharp_bends(const Run& run, double least_stiffness) {
+std::vector<std::size_t> sharp_bends(const Run& run, double spacing, double least_stiffness) {
   std::vector<std::size_t> out;
   const std::size_t count = run.nodes.size();
   // Where twice the least stiffness was too much, or four times.
   constexpr double kTight = 2.02;
-  const double spacing = spacing_of(run.nodes);
   const auto reach = static_cast<std::size_t>(std::max(1L, std::lround(kTurnReach / spacing)));
   if (2 * reach + 1 >= count) return out;
   // For each node, how many nodes that are held so are among it and those before.
@@ -89,10 +90,9 @@ std::vector<std::size_t> sharp_bends(const Run& run, double least_stiffness) {
 }
 
 /// Straight on from both ends of what lies clear of the corners, to where the corners were and a little farther.
-std::vector<Vec2> stretched(std::span<const Vec2> nodes, std::size_t from, std::size_t count) {
+std::vector<Vec2> stretched(std::span<const Vec2> nodes, double spacing, std::size_t from, std::size_t count) {
   const std::size_t all = nodes.size();
   const auto at = [&](std::size_t i) { return nodes[(from + i) % all]; };
-  const double spacing = spacing_of(nodes);
   auto cut = static_cast<std::size_t>(std::lround(kCornerReach / spacing));
   cut = std::min(cut, count / 3);
   std::vector<Vec2> out;
@@ -213,7 +213,8 @@ class Outliner {
     std::vector<std::size_t> bends;
     if (!is_plain_) {
       fine_ = evened(whole_);
-      bends = sharp_bends(fine_, noise_.least_stiffness);
+      spacing_ = spacing_of(fine_.nodes);
+      bends = sharp_bends(fine_, spacing_, noise_.least_stiffness);
     }
     // Each round takes out what is no corner.
     while (!bends.empty()) {
@@ -286,7 +287,7 @@ class Outliner {
     if (along_.empty()) along_ = places_along(fine_, edges_);
     const std::size_t count = fine_.nodes.size();
     const double all = static_cast<double>(count);
-    const double beside = kBesideCorner / spacing_of(fine_.nodes);
+    const double beside = kBesideCorner / spacing_;
     for (const std::size_t node : bends) cut.corners.push_back({node, {}});
     // Edges are in the order of the nodes: from the first corner on.
     const auto from_first = [&](std::size_t i) {
@@ -306,24 +307,43 @@ class Outliner {
       const double to_end = end > along_[i] ? end - along_[i] : end + all - along_[i];
       if (from_begin > beside && to_end > beside) of_run[run].push_back(edges_[i]);
     }
-    for (std::size_t i = 0; i < bends.size(); ++i) {
+    std::vector<Fitted> fits(bends.size());
+    run_tasks(bends.size(), [&](std::size_t i) {
       const std::size_t next = bends[(i + 1) % bends.size()];
-      const std::size_t nodes = next > bends[i] ? next - bends[i] : next + count - bends[i];
-      constexpr std::size_t kLeastEdges = 2;
-      const std::vector<Vec2> start = stretched(fine_.nodes, bends[i], nodes);
-      if (of_run[i].size() < kLeastEdges || start.size() < kLeastRunNodes) {
-        is_good[i] = false;
-        return false;
-      }
-      Run found = fitted(start, false, of_run[i], noise_, job_);
-      if (Run finer = refined(found, of_run[i], noise_, job_); finer.farthest <= kMostAway) found = std::move(finer);
-      if (!(found.farthest <= kMostAway)) {
+      const auto known =
+          std::ranges::find_if(fitted_, [&](const Fitted& fit) { return fit.from == bends[i] && fit.to == next; });
+      fits[i] = known != fitted_.end() ? *known : fitted_between(bends[i], next, of_run[i]);
+    });
+    fitted_ = fits;
+    for (std::size_t i = 0; i < bends.size(); ++i) {
+      if (fits[i].run.nodes.empty()) is_good[i] = false;
+      if (fits[i].run.nodes.empty()) return false;
+      if (!(fits[i].run.farthest <= kMostAway)) {
         is_good[i] = is_good[(i + 1) % bends.size()] = false;
         return false;
       }
-      cut.runs.push_back(std::move(found));
+      cut.runs.push_back(std::move(fits[i].run));
     }
     return join(cut, fine_.nodes, is_good);
+  }
+
+  /// From one corner to the next, both nodes of the closed run.
+  struct Fitted {
+    std::size_t from = 0;
+    std::size_t to = 0;
+    Run run{};  // without nodes: there are too few edges
+  };
+
+  Fitted fitted_between(std::size_t from, std::size_t to, std::span<const Edge> edges) const {
+    Fitted out{.from = from, .to = to};
+    const std::size_t count = fine_.nodes.size();
+    const std::size_t nodes = to > from ? to - from : to + count - from;
+    constexpr std::size_t kLeastEdges = 2;
+    const std::vector<Vec2> start = stretched(fine_.nodes, spacing_, from, nodes);
+    if (edges.size() < kLeastEdges || start.size() < kLeastRunNodes) return out;
+    out.run = fitted(start, false, edges, noise_, job_);
+    if (Run finer = refined(out.run, edges, noise_, job_); finer.farthest <= kMostAway) out.run = std::move(finer);
+    return out;
   }
 
   /// The run between the corners around a place on the closed run.
@@ -344,8 +364,7 @@ class Outliner {
   bool judge(const Cut& cut, std::vector<bool>& is_good) const {
     const std::size_t count = fine_.nodes.size();
     const std::size_t corners = cut.corners.size();
-    const double spacing = spacing_of(fine_.nodes);
-    const double reach = kJudged / spacing;
+    const double reach = kJudged / spacing_;
     std::vector<std::size_t> bends;
     for (const Corner& corner : cut.corners) bends.push_back(corner.node);
     std::vector<Verdict> verdicts(corners);
@@ -469,6 +488,8 @@ class Outliner {
   bool is_plain_ = false;
   Run whole_;
   Run fine_;  // with nodes at equal distances
+  double spacing_ = 0.0;
+  std::vector<Fitted> fitted_;  // of the last round
   std::vector<double> along_;
 };
 

@@ -43,36 +43,49 @@ class Frame {
  public:
   Frame() = default;
   Frame(std::span<const Vec2> nodes, bool is_closed)
-      : is_closed_(is_closed), chords_(nodes.size()), bends_(nodes.size()) {
+      : is_closed_(is_closed), chords_(is_closed ? nodes.size() : nodes.size() - 1), bends_(nodes.size()) {
+    renew(nodes, 0, nodes.size());
+  }
+
+  /// After so many nodes in a row have moved, around if it is closed.
+  void renew(std::span<const Vec2> nodes, std::size_t first, std::size_t moved) {
+    const auto each = [&](std::size_t before, std::size_t after, std::size_t size, auto use) {
+      const std::size_t all = moved + before + after;
+      if (!is_closed_) {
+        for (std::size_t k = first - std::min(first, before); k < std::min(first + moved + after, size); ++k) use(k);
+      } else {
+        std::size_t k = (first + size - before % size) % size;
+        for (std::size_t i = 0; i < std::min(all, size); ++i, k = k + 1 < size ? k + 1 : 0) use(k);
+      }
+    };
     const std::size_t count = nodes.size();
-    if (!is_closed) chords_.pop_back();
-    for (std::size_t k = 0; k < chords_.size(); ++k) {
+    each(1, 0, chords_.size(), [&](std::size_t k) {
       Chord& chord = chords_[k];
       const Vec2 along = nodes[k + 1 < count ? k + 1 : 0] - nodes[k];
       chord.from = nodes[k];
       chord.size = size_of(along);
-      if (chord.size > 0.0) chord.along = (1.0 / chord.size) * along;
-    }
-    const std::size_t first = is_closed ? 0 : 1;
-    for (std::size_t k = first; k + first < count; ++k) {
+      chord.along = chord.size > 0.0 ? (1.0 / chord.size) * along : Vec2{};
+    });
+    each(1, 1, count, [&](std::size_t k) {
+      if (!is_closed_ && (k == 0 || k + 1 == count)) return;
       const Chord& in = before(k);
       const Chord& on = chords_[k];
       // Of the circle through the node and its neighbours.
       const double across = size_of(in.size * in.along + on.size * on.along);
       bends_[k] = across > 0.0 ? 2.0 * cross(in.along, on.along) / across : 0.0;
-    }
-    if (!is_closed) {
+    });
+    if (!is_closed_) {
       bends_.front() = bends_[1];
       bends_.back() = bends_[count - 2];
     }
-    for (std::size_t k = 0; k < chords_.size(); ++k) {
+    each(3, 3, chords_.size(), [&](std::size_t k) {
       Chord& chord = chords_[k];
       chord.bend = bends_[k];
       chord.next_bend = bends_[k + 1 < count ? k + 1 : 0];
       const double sine = std::clamp(0.25 * (chord.bend + chord.next_bend) * chord.size, -1.0, 1.0);
       constexpr double kMostBulge = 0.4;
       chord.bulge = std::clamp(sine / (1.0 + std::sqrt(1.0 - sine * sine)), -kMostBulge, kMostBulge);
-    }
+    });
   }
 
   const std::vector<Chord>& chords() const { return chords_; }
@@ -261,6 +274,10 @@ class Fit {
   }
   void begin() {
     placed_.assign(edges_.size(), Placed{});
+    has_changed_.assign(edges_.size(), 1);
+    solved_.assign(run_.nodes.size(), 0.0);
+    is_active_.assign(run_.nodes.size(), 1);
+    misfits_.assign(chord_count(), 0);
     note_chords();
     is_stale_.assign(chord_count(), 1);
     frame_ = Frame(run_.nodes, run_.is_closed);
@@ -275,12 +292,16 @@ class Fit {
   /// Where the edges are beside the chords that have changed; whether any have.
   bool place() {
     const bool are_all = std::ranges::all_of(is_stale_, [](char is_stale) { return is_stale != 0; });
-    if (!are_all && std::ranges::none_of(is_stale_, [](char is_stale) { return is_stale != 0; })) return false;
+    if (!are_all && std::ranges::none_of(is_stale_, [](char is_stale) { return is_stale != 0; })) {
+      was_stale_.assign(is_stale_.size(), 0);
+      return false;
+    }
     double blurs = 0.0;
     double weights = 0.0;
     for (std::size_t i = 0; i < edges_.size(); ++i) {
       if (!are_all && is_stale_[placed_[i].chord] == 0) continue;
       placed_[i] = beside(edges_[i], chord_of_[home_[i]]);
+      has_changed_[i] = 1;
       const double weight = placed_[i].weight;
       if (edges_[i].variance < 0.0F || weight < kLeastAcross) continue;
       // A pixel counts twice in what is seen of a transition: as the mean of what it covers, and as a step.
@@ -288,7 +309,7 @@ class Fit {
       weights += weight;
     }
     if (noise_.is_blurred && are_all) blur_ = std::max(kVarianceOfPixel, weights > 0.0 ? blurs / weights : 0.0);
-    is_stale_.assign(is_stale_.size(), 0);
+    was_stale_ = std::exchange(is_stale_, std::vector<char>(is_stale_.size(), 0));
     return true;
   }
 
@@ -354,14 +375,16 @@ class Fit {
   };
 
   /// One step of Gauss and Newton; and so often again what it has left out: so a bend loses little of itself, and waves
-  /// little more are let through. Offsets are small, so that all of it is linear.
+  /// little more are let through. Offsets are small, so that all of it is linear. Nodes that are not active stay.
   void step(int times) {
     look();
     const std::size_t count = run_.nodes.size();
+    const std::vector<Stretch> stretches = find_active();
     sums_.assign(chord_count(), {});
     for (std::size_t i = 0; i < placed_.size(); ++i) {
       const Placed& edge = placed_[i];
       if (edge.weight == 0.0 || is_alone_[i] != 0) continue;
+      if (!is_active_[edge.chord] && !is_active_[next(edge.chord)]) continue;
       Sums& sums = sums_[edge.chord];
       const double here = edge.weight * (1.0 - edge.t);
       const double there = edge.weight * edge.t;
@@ -371,40 +394,121 @@ class Fit {
       sums.right += here * edge.offset;
       sums.next_right += there * edge.offset;
     }
-    StiffSystem system(count, run_.is_closed);
-    for (std::size_t k = 0; k < sums_.size(); ++k) system.add_pair(k, sums_[k].here, sums_[k].both, sums_[k].there);
-    add_penalty(system);
+    offsets_.assign(count, 0.0);
+    for (const Stretch& stretch : stretches) solve(stretch, times);
+    // A step of more than a few pixels is beyond what is linear.
+    constexpr double kMostStep = 4.0;
+    for (double& offset : offsets_) offset = std::clamp(offset, -kMostStep, kMostStep);
+    for (std::size_t i = 0; i < placed_.size(); ++i) {
+      Placed& edge = placed_[i];
+      const std::size_t there = next(edge.chord);
+      if (!is_active_[edge.chord] && !is_active_[there]) continue;
+      edge.offset -= (1.0 - edge.t) * offsets_[edge.chord] + edge.t * offsets_[there];
+      has_changed_[i] = 1;
+    }
+    // Beside what has moved by more than a part of the noise, edges are placed again.
+    constexpr double kMoved = 0.25;
+    for (const Stretch& stretch : stretches) {
+      for (std::size_t i = 0, k = stretch.first; i < stretch.count; ++i, k = next(k)) {
+        run_.nodes[k] = run_.nodes[k] + offsets_[k] * frame_.normal(k);
+        solved_[k] = run_.stiffness[k];
+        // Not a number has moved.
+        if (!(std::abs(offsets_[k]) <= kMoved * noise_.one)) make_stale(k);
+      }
+    }
+    for (const Stretch& stretch : stretches) frame_.renew(run_.nodes, stretch.first, stretch.count);
+  }
+
+  /// Nodes in a row, around if the run is closed.
+  struct Stretch {
+    std::size_t first = 0;
+    std::size_t count = 0;
+  };
+
+  /// Nodes near to what has changed: farther away than so many times the stiffness nothing moves.
+  std::vector<Stretch> find_active() {
+    constexpr double kReach = 6.0;
+    const std::size_t count = run_.nodes.size();
+    const std::size_t chords = chord_count();
+    std::vector<double> reach(count, 0.0);
+    for (std::size_t k = 0; k < count; ++k)
+      if (run_.stiffness[k] != solved_[k]) reach[k] = kReach;
+    for (std::size_t k = 0; k < chords; ++k)
+      if (was_stale_[k] != 0) reach[k] = reach[next(k)] = kReach;
+    for (int round = 0; round < (run_.is_closed ? 2 : 1); ++round) {
+      const auto follow = [&](std::size_t k, std::size_t from, std::size_t chord) {
+        if (reach[from] > reach[k]) reach[k] = std::max(reach[k], reach[from] - apart(chord) / run_.stiffness[from]);
+      };
+      for (std::size_t k = 0; k < chords; ++k) follow(next(k), k, k);
+      for (std::size_t k = chords; k-- > 0;) follow(k, next(k), k);
+    }
+    std::size_t active = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+      is_active_[k] = reach[k] > 0.0 ? 1 : 0;
+      active += reach[k] > 0.0 ? 1U : 0U;
+    }
+    if (2 * active > count) {
+      is_active_.assign(count, 1);
+      return {{0, count}};
+    }
+    std::vector<Stretch> out;
+    std::size_t first = 0;
+    while (run_.is_closed && is_active_[first] != 0) ++first;
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::size_t k = (first + i) % count;
+      if (is_active_[k] == 0) continue;
+      const bool goes_on = i > 0 && is_active_[(first + i - 1) % count] != 0;
+      if (!goes_on) out.push_back({k, 0});
+      ++out.back().count;
+    }
+    return out;
+  }
+
+  void solve(const Stretch& stretch, int times) {
+    const std::size_t count = stretch.count;
+    const bool is_around = run_.is_closed && count == run_.nodes.size();
+    const std::size_t nodes = run_.nodes.size();
+    StiffSystem system(count, is_around);
+    const auto node = [&](std::ptrdiff_t i) {
+      const auto k = static_cast<std::ptrdiff_t>(stretch.first) + i;
+      const auto all = static_cast<std::ptrdiff_t>(nodes);
+      return static_cast<std::size_t>(k < 0 ? k + all : k >= all ? k - all : k);
+    };
+    // Chords and rows that begin before the stretch end in it.
+    const auto size = static_cast<std::ptrdiff_t>(count);
+    const bool is_first = !run_.is_closed && stretch.first == 0;
+    const std::ptrdiff_t chords_end = !run_.is_closed && stretch.first + count == nodes ? size - 1 : size;
+    const std::ptrdiff_t chords_begin = is_around || is_first ? 0 : -1;
+    for (std::ptrdiff_t i = chords_begin; i < chords_end; ++i) {
+      const Sums& sums = sums_[node(i)];
+      system.add_pair(i, sums.here, sums.both, sums.there);
+    }
+    const std::ptrdiff_t least =
+        run_.is_closed ? -3 : std::max<std::ptrdiff_t>(-3, -static_cast<std::ptrdiff_t>(stretch.first));
+    for (std::ptrdiff_t i = is_around ? 0 : least; i < size; ++i) {
+      if (!run_.is_closed && static_cast<std::ptrdiff_t>(stretch.first) + i + 3 >= static_cast<std::ptrdiff_t>(nodes))
+        break;
+      add_penalty(system, i, node(i));
+    }
     // Where no edge says anything, nodes stay.
     constexpr double kHold = 1e-6;
-    for (std::size_t k = 0; k < count; ++k) system.add(k, std::array{1.0}, 0.0, kHold);
+    for (std::ptrdiff_t i = 0; i < size; ++i) system.add(i, std::array{1.0}, 0.0, kHold);
     system.factor();
-    std::vector<double> offsets(count, 0.0);
     std::vector<double> right = system.right();
     for (int time = 0; time < times; ++time) {
       if (time > 0) right.assign(count, 0.0);
-      for (std::size_t k = 0; k < sums_.size(); ++k) {
-        const Sums& sums = sums_[k];
-        const double here = offsets[k];
-        const double there = offsets[next(k)];
-        right[k] += sums.right - sums.here * here - sums.both * there;
-        right[next(k)] += sums.next_right - sums.both * here - sums.there * there;
+      for (std::ptrdiff_t i = chords_begin; i < chords_end; ++i) {
+        const Sums& sums = sums_[node(i)];
+        const double here = offsets_[node(i)];
+        const double there = offsets_[node(i + 1)];
+        if (i >= 0) right[static_cast<std::size_t>(i)] += sums.right - sums.here * here - sums.both * there;
+        const std::ptrdiff_t after = is_around && i + 1 == size ? 0 : i + 1;
+        if (after < size)
+          right[static_cast<std::size_t>(after)] += sums.next_right - sums.both * here - sums.there * there;
       }
-      const std::vector<double> more = system.solved(right);
-      for (std::size_t k = 0; k < count; ++k) offsets[k] += more[k];
+      right = system.solved(std::move(right));
+      for (std::ptrdiff_t i = 0; i < size; ++i) offsets_[node(i)] += right[static_cast<std::size_t>(i)];
     }
-    // A step of more than a few pixels is beyond what is linear.
-    constexpr double kMostStep = 4.0;
-    for (double& offset : offsets) offset = std::clamp(offset, -kMostStep, kMostStep);
-    for (Placed& edge : placed_)
-      edge.offset -= (1.0 - edge.t) * offsets[edge.chord] + edge.t * offsets[next(edge.chord)];
-    // Beside what has moved by more, edges are placed again.
-    constexpr double kMoved = 0.02;
-    for (std::size_t k = 0; k < count; ++k) {
-      run_.nodes[k] = run_.nodes[k] + offsets[k] * frame_.normal(k);
-      // Not a number has moved.
-      if (!(std::abs(offsets[k]) <= kMoved)) make_stale(k);
-    }
-    frame_ = Frame(run_.nodes, run_.is_closed);
   }
 
   /// The chords that bend otherwise when a node moves.
@@ -419,46 +523,48 @@ class Fit {
     }
   }
 
-  /// From the curvature at each node to that at the next.
-  void add_penalty(StiffSystem& system) const {
-    const std::size_t count = run_.nodes.size();
-    const std::size_t rows = run_.is_closed ? count : count - 3;
+  /// From the curvature at the node after `before` to that at the next, of unknowns that begin with `before` as `first`.
+  void add_penalty(StiffSystem& system, std::ptrdiff_t first, std::size_t before) const {
     const std::vector<Chord>& chords = frame_.chords();
-    for (std::size_t k = 0; k < rows; ++k) {
-      const std::size_t before = run_.is_closed ? (k == 0 ? count - 1 : k - 1) : k;
-      const std::size_t here = before + 1 < count ? before + 1 : 0;
-      const std::size_t after = here + 1 < count ? here + 1 : 0;
-      constexpr double kLeast = 1e-3;
-      const double a = std::max(chords[before].size, kLeast);
-      const double b = std::max(chords[here].size, kLeast);
-      const double c = std::max(chords[after].size, kLeast);
-      const double bend = frame_.curvature(here);
-      const double next_bend = frame_.curvature(after);
-      const double in = 2.0 / (a + b);
-      const double on = 2.0 / (b + c);
-      const double stiffness = std::min(run_.stiffness[here], run_.stiffness[after]);
-      const double square = stiffness * stiffness;
-      // Of three nodes the curvature is that in their mean.
-      const double weight = square * square * square * 3.0 / (a + b + c);
-      system.add(before,
-                 std::array{-in / a, on / b + 2.0 / (a * b) - bend * bend,
-                            next_bend * next_bend - 2.0 / (b * c) - in / b, on / c},
-                 bend - next_bend, weight);
-    }
+    const std::size_t here = next(before);
+    const std::size_t after = next(here);
+    constexpr double kLeast = 1e-3;
+    const double a = std::max(chords[before].size, kLeast);
+    const double b = std::max(chords[here].size, kLeast);
+    const double c = std::max(chords[after].size, kLeast);
+    const double bend = frame_.curvature(here);
+    const double next_bend = frame_.curvature(after);
+    const double in = 2.0 / (a + b);
+    const double on = 2.0 / (b + c);
+    const double stiffness = std::min(run_.stiffness[here], run_.stiffness[after]);
+    const double square = stiffness * stiffness;
+    // Of three nodes the curvature is that in their mean.
+    const double weight = square * square * square * 3.0 / (a + b + c);
+    system.add(first,
+               std::array{-in / a, on / b + 2.0 / (a * b) - bend * bend,
+                          next_bend * next_bend - 2.0 / (b * c) - in / b, on / c},
+               bend - next_bend, weight);
   }
 
   /// The fit at the stiffness that the nodes have.
   void settle() {
+    // What does not come to rest, as a corner at the least stiffness, is left until its surroundings change.
     place();
+    was_stale_.assign(chord_count(), 0);
     // New nodes may move far.
-    step(is_remeshed_ ? 1 : kTimes);
+    const bool is_first = std::exchange(is_remeshed_, false);
+    step(is_first ? 1 : kTimes);
     // What the parabolas between the nodes have wrong.
-    if (place() || is_remeshed_) step(kTimes);
-    is_remeshed_ = false;
+    if (place() || is_first) step(kTimes);
     // Another without what stands alone, if there is anything.
-    if (!find_alone()) return;
-    place();
-    step(kTimes);
+    was_stale_.assign(chord_count(), 0);
+    if (find_alone()) step(kTimes);
+  }
+
+  void settle_all() {
+    is_stale_.assign(chord_count(), 1);
+    solved_.assign(run_.nodes.size(), 0.0);
+    settle();
   }
 
   /// Edges of single pixels that stand out from the curve or into it.
@@ -469,8 +575,11 @@ class Fit {
     for_each_stray(residuals_, noise_.one, [&](std::size_t first, std::size_t end, bool are_alone) {
       const char value = are_alone ? 1 : 0;
       for (std::size_t k = first; k < end; ++k) {
-        is_changed = is_changed || is_alone_[k] != value;
+        if (is_alone_[k] == value) continue;
+        is_changed = true;
         is_alone_[k] = value;
+        was_stale_[placed_[k].chord] = 1;
+        has_changed_[k] = 1;
       }
     });
     return is_changed;
@@ -510,24 +619,24 @@ class Fit {
   }
 
   /// Chords within windows whose mean is more than noise.
-  bool find_misfits(std::vector<char>& misfits) {
-    misfits.assign(chord_count(), 0);
+  bool find_misfits() {
     for (std::size_t i = 0; i < placed_.size(); ++i) {
-      residuals_[i].weight = is_alone_[i] != 0 ? 0.0 : placed_[i].weight;
-      residuals_[i].left = placed_[i].offset;
-      residuals_[i].jumps = placed_[i].jumps;
+      const Placed& edge = placed_[i];
+      residuals_[i] = {edge.offset, is_alone_[i] != 0 ? 0.0 : edge.weight, edge.jumps, has_changed_[i] != 0};
+      if (has_changed_[i] != 0) misfits_[edge.chord] = 0;
     }
+    has_changed_.assign(has_changed_.size(), 0);
     bool out = false;
     for_each_misfit(residuals_, run_.is_closed, noise_.one, [&](std::size_t first, std::size_t window) {
       const std::size_t count = edges_.size();
       const std::size_t from = placed_[first % count].chord;
       const std::size_t to = placed_[(first + window - 1) % count].chord;
-      const std::size_t chords = misfits.size();
+      const std::size_t chords = misfits_.size();
       const std::size_t all = (to >= from ? to - from : to + chords - from) + 1;
       // What a smaller window has found already.
       for (std::size_t i = 0; i < all; ++i)
-        if (misfits[(from + i) % chords] != 0) return;
-      for (std::size_t i = 0; i < all; ++i) misfits[(from + i) % chords] = 1;
+        if (misfits_[(from + i) % chords] != 0) return;
+      for (std::size_t i = 0; i < all; ++i) misfits_[(from + i) % chords] = 1;
       out = true;
     });
     return out;
@@ -556,6 +665,8 @@ class Fit {
     Run finer{.cells = cells_, .is_closed = run_.is_closed};
     std::vector<std::uint32_t> became(chords);
     std::vector<char> stale;
+    std::vector<char> misfits;
+    std::vector<double> solved;
     const std::size_t count = run_.nodes.size();
     for (std::size_t k = 0; k < count; ++k) {
       const bool is_split = k < chords && split[k] != 0;
@@ -565,7 +676,9 @@ class Fit {
       finer.at.push_back(run_.at[k]);
       finer.stiffness.push_back(run_.stiffness[k]);
       finer.is_held.push_back(run_.is_held[k]);
+      solved.push_back(solved_[k]);
       if (k == chords) continue;
+      misfits.push_back(misfits_[k]);
       became[k] = static_cast<std::uint32_t>(stale.size());
       const bool will_be = k + 1 < chords ? split[k + 1] != 0 : run_.is_closed && split[0] != 0;
       stale.push_back(is_split || was_split || will_be || is_stale_[k] != 0 ? 1 : 0);
@@ -576,24 +689,28 @@ class Fit {
       finer.stiffness.push_back(std::min(run_.stiffness[k], run_.stiffness[next(k)]));
       finer.is_held.push_back(run_.is_held[k] && run_.is_held[next(k)]);
       stale.push_back(1);
+      misfits.push_back(misfits_[k]);
+      solved.push_back(0.0);
     }
     run_ = std::move(finer);
     for (Placed& edge : placed_) edge.chord = became[edge.chord];
     is_stale_ = std::move(stale);
+    solved_ = std::move(solved);
+    misfits_ = std::move(misfits);
+    is_active_.assign(run_.nodes.size(), 1);
     note_chords();
     frame_ = Frame(run_.nodes, run_.is_closed);
   }
 
   /// Half as stiff where that does not fit, with nodes half that apart, until it fits or is the least.
   void descend() {
-    std::vector<char> misfits;
     for (;;) {
       settle();
-      if (!find_misfits(misfits)) return;
+      if (!find_misfits()) return;
       std::vector<double> halved = run_.stiffness;
       bool is_less = false;
-      for (std::size_t k = 0; k < misfits.size(); ++k) {
-        if (misfits[k] == 0) continue;
+      for (std::size_t k = 0; k < misfits_.size(); ++k) {
+        if (misfits_[k] == 0) continue;
         for (const std::size_t node : {k, next(k)}) {
           halved[node] = std::min(halved[node], std::max(noise_.least_stiffness, 0.5 * run_.stiffness[node]));
           is_less = is_less || halved[node] < run_.stiffness[node];
@@ -625,7 +742,6 @@ class Fit {
   /// itself: what is left over beside places that are held already says nothing against it.
   void stiffen() {
     constexpr int kRounds = 16;
-    std::vector<char> misfits;
     const std::size_t count = run_.nodes.size();
     for (int round = 0; round < kRounds; ++round) {
       std::vector<double> before = doubled();
@@ -637,10 +753,10 @@ class Fit {
       for (std::size_t k = 0; k < count && !is_more; ++k) is_more = is_stiffer(k);
       if (!is_more) break;
       settle();
-      if (!find_misfits(misfits)) continue;
+      if (!find_misfits()) continue;
       std::vector<char> is_new(count, 0);
-      for (std::size_t k = 0; k < misfits.size(); ++k)
-        if (misfits[k] != 0)
+      for (std::size_t k = 0; k < misfits_.size(); ++k)
+        if (misfits_[k] != 0)
           for (const std::size_t node : {k, next(k)}) {
             if (run_.is_held[node]) continue;
             run_.is_held[node] = true;
@@ -656,8 +772,7 @@ class Fit {
         if (passed == begin) ++passed;
       }
     }
-    is_stale_.assign(chord_count(), 1);
-    settle();
+    settle_all();
   }
 
   /// Nodes as near to each other as pieces of cubics need them that lie on a circle: what they are off by grows with the
@@ -682,8 +797,7 @@ class Fit {
         run_.stiffness[k] = std::min(run_.stiffness[k], 2.0 * kMostNodes * least_apart(k));
       is_finer = true;
     }
-    // What the parabolas between the nodes have wrong is taken out first.
-    if (is_finer) settle();
+    if (is_finer) settle_all();
   }
 
   Run run_;
@@ -698,7 +812,13 @@ class Fit {
   std::vector<std::uint32_t> chord_of_;  // of cells
   Frame frame_;
   bool is_remeshed_ = true;
-  std::vector<char> is_stale_;  // of chords: they have changed since edges were placed beside them
+  std::vector<char> is_stale_;     // of chords: they have changed since edges were placed beside them
+  std::vector<char> was_stale_;    // of chords: edges were placed beside them anew
+  std::vector<char> misfits_;      // of chords: beside them is more than noise
+  std::vector<double> solved_;     // the stiffness of nodes when they were moved last
+  std::vector<char> is_active_;    // of nodes: they are moved
+  std::vector<double> offsets_;    // of nodes
+  std::vector<char> has_changed_;  // of edges, since windows were looked at
   std::vector<Placed> placed_;
   std::vector<Sums> sums_;
   std::vector<char> is_alone_;

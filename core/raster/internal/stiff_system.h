@@ -9,27 +9,36 @@
 
 namespace mes {
 
-/// Symmetric and positive definite, built up as a sum of squares. At least six unknowns, eight if closed. Factored once, it
-/// is solved for any number of right sides.
+/// Symmetric and positive definite, built up as a sum of squares. At least eight unknowns if closed. Factored once, it is
+/// solved for any number of right sides.
 class StiffSystem {
  public:
   StiffSystem(std::size_t count, bool is_closed) : rows_(count), right_(count, 0.0), is_closed_(is_closed) {}
 
-  /// Adds weight * (sum of coefficient[i] * unknown[first + i] - value)^2, at most four unknowns in a row, around.
+  /// Adds weight * (sum of coefficient[i] * unknown[first + i] - value)^2, at most four unknowns in a row: around if they
+  /// are closed, otherwise those that are none are zero.
   template <std::size_t N>
-  void add(std::size_t first, const std::array<double, N>& coefficients, double value, double weight) {
+  void add(std::ptrdiff_t first, const std::array<double, N>& coefficients, double value, double weight) {
     static_assert(N <= 4);
+    const auto count = static_cast<std::ptrdiff_t>(rows_.size());
     for (std::size_t i = 0; i < N; ++i) {
-      const std::size_t row = around(first + i);
-      right_[row] += weight * coefficients[i] * value;
-      for (std::size_t k = i; k < N; ++k) rows_[row][k - i] += weight * coefficients[i] * coefficients[k];
+      std::ptrdiff_t row = first + static_cast<std::ptrdiff_t>(i);
+      if (is_closed_ && row >= count) row -= count;
+      if (row < 0 || row >= count) continue;
+      const auto at = static_cast<std::size_t>(row);
+      right_[at] += weight * coefficients[i] * value;
+      for (std::size_t k = i; k < N; ++k) rows_[at][k - i] += weight * coefficients[i] * coefficients[k];
     }
   }
   /// Adds a sum of squares of two unknowns in a row by its matrix.
-  void add_pair(std::size_t first, double diagonal, double beside, double next_diagonal) {
-    rows_[first][0] += diagonal;
-    rows_[first][1] += beside;
-    rows_[around(first + 1)][0] += next_diagonal;
+  void add_pair(std::ptrdiff_t first, double diagonal, double beside, double next_diagonal) {
+    const auto count = static_cast<std::ptrdiff_t>(rows_.size());
+    if (first >= 0) {
+      rows_[static_cast<std::size_t>(first)][0] += diagonal;
+      rows_[static_cast<std::size_t>(first)][1] += beside;
+    }
+    if (first + 1 < count) rows_[static_cast<std::size_t>(first + 1)][0] += next_diagonal;
+    if (first + 1 == count && is_closed_) rows_[0][0] += next_diagonal;
   }
 
   /// Of what was added with values.
@@ -44,7 +53,6 @@ class StiffSystem {
   static constexpr std::size_t kReach = 3;
   using Row = std::array<double, kReach>;
 
-  std::size_t around(std::size_t i) const { return i < rows_.size() ? i : i - rows_.size(); }
   void factor_first(std::size_t count);
 
   std::vector<std::array<double, 4>>
