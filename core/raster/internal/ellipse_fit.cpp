@@ -123,7 +123,8 @@ class EllipseFit {
     if (!conic_.is_ellipse()) return std::nullopt;
     measure();
     bool is_noise = true;
-    for_each_misfit(residuals_, true, noise_.one, [&](std::size_t, std::size_t) { is_noise = false; });
+    std::vector<ResidualSum> sums;
+    for_each_misfit(residuals_, true, noise_.one, sums, [&](std::size_t, std::size_t) { is_noise = false; });
     return is_noise ? std::optional(axes()) : std::nullopt;
   }
 

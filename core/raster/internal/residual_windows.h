@@ -18,6 +18,14 @@ struct Residual {
   bool is_new = true;   ///< it has changed since windows were looked at
 };
 
+/// Of the edges before one.
+struct ResidualSum {
+  double left = 0.0;
+  double weight = 0.0;
+  double jumps = 0.0;
+  std::size_t fresh = 0;
+};
+
 /// What stands alone: so many edges at most, that enclose so little beside the curve.
 inline constexpr std::size_t kMostAlone = 3;
 inline constexpr double kMostAloneArea = 1.6;  ///< square pixels
@@ -43,33 +51,28 @@ void for_each_stray(std::span<const Residual> residuals, double one, Use use) {
 /// Calls `use(first, count)` for windows of 4, 8, 16 ... edges, around if they are closed, of which any is new and whose mean
 /// is more than noise
 /// where single edges are off by `one` at most: what independent ones leave of that, or what the grid does to a straight
-/// line that passes so many borders, whichever is more, and 0.3 of it that is the same all along. O(n log n).
+/// line that passes so many borders, whichever is more, and 0.3 of it that is the same all along. `sums` is memory to work in. O(n log n).
 template <class Use>
-void for_each_misfit(std::span<const Residual> residuals, bool is_closed, double one, Use use) {
+void for_each_misfit(std::span<const Residual> residuals, bool is_closed, double one, std::vector<ResidualSum>& sums,
+                     Use use) {
   constexpr std::size_t kFirstWindow = 4;
   constexpr double kSystematic = 0.3;
   constexpr double kIndependent = 0.8;
   const std::size_t count = residuals.size();
-  struct Sum {
-    double left = 0.0;
-    double weight = 0.0;
-    double jumps = 0.0;
-    std::size_t fresh = 0;
-  };
-  std::vector<Sum> sums(1);
+  sums.assign(1, {});
   sums.reserve(2 * count + 1);
   const std::size_t around = is_closed ? 2 * count : count;
   for (std::size_t k = 0; k < around; ++k) {
     const Residual& here = residuals[k < count ? k : k - count];
-    const Sum& sum = sums.back();
+    const ResidualSum& sum = sums.back();
     sums.push_back({sum.left + here.weight * here.left, sum.weight + here.weight,
                     sum.jumps + here.weight * here.jumps, sum.fresh + (here.is_new ? 1U : 0U)});
   }
   for (std::size_t window = kFirstWindow; window <= count; window *= 2) {
     const std::size_t step = window / kFirstWindow;
     for (std::size_t i = 0; i < count && i + window <= around; i += step) {
-      const Sum& a = sums[i];
-      const Sum& b = sums[i + window];
+      const ResidualSum& a = sums[i];
+      const ResidualSum& b = sums[i + window];
       if (a.fresh == b.fresh) continue;
       const double weight = b.weight - a.weight;
       const double left = std::abs(b.left - a.left);

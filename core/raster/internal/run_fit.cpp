@@ -380,6 +380,7 @@ class Fit {
     look();
     const std::size_t count = run_.nodes.size();
     const std::vector<Stretch> stretches = find_active();
+    if (stretches.empty()) return;
     sums_.assign(chord_count(), {});
     for (std::size_t i = 0; i < placed_.size(); ++i) {
       const Placed& edge = placed_[i];
@@ -430,11 +431,22 @@ class Fit {
     constexpr double kReach = 6.0;
     const std::size_t count = run_.nodes.size();
     const std::size_t chords = chord_count();
-    std::vector<double> reach(count, 0.0);
+    std::vector<double>& reach = reach_;
+    reach.assign(count, 0.0);
+    std::size_t touched = 0;
     for (std::size_t k = 0; k < count; ++k)
-      if (run_.stiffness[k] != solved_[k]) reach[k] = kReach;
-    for (std::size_t k = 0; k < chords; ++k)
-      if (was_stale_[k] != 0) reach[k] = reach[next(k)] = kReach;
+      if (run_.stiffness[k] != solved_[k] || (k < chords && was_stale_[k] != 0)) {
+        reach[k] = reach[k < chords ? next(k) : k] = kReach;
+        ++touched;
+      }
+    if (3 * touched > count) {
+      is_active_.assign(count, 1);
+      return {{0, count}};
+    }
+    if (touched == 0) {
+      is_active_.assign(count, 0);
+      return {};
+    }
     for (int round = 0; round < (run_.is_closed ? 2 : 1); ++round) {
       const auto follow = [&](std::size_t k, std::size_t from, std::size_t chord) {
         if (reach[from] > reach[k]) reach[k] = std::max(reach[k], reach[from] - apart(chord) / run_.stiffness[from]);
@@ -468,7 +480,7 @@ class Fit {
     const std::size_t count = stretch.count;
     const bool is_around = run_.is_closed && count == run_.nodes.size();
     const std::size_t nodes = run_.nodes.size();
-    StiffSystem system(count, is_around);
+    system_.clear(count, is_around);
     const auto node = [&](std::ptrdiff_t i) {
       const auto k = static_cast<std::ptrdiff_t>(stretch.first) + i;
       const auto all = static_cast<std::ptrdiff_t>(nodes);
@@ -481,20 +493,20 @@ class Fit {
     const std::ptrdiff_t chords_begin = is_around || is_first ? 0 : -1;
     for (std::ptrdiff_t i = chords_begin; i < chords_end; ++i) {
       const Sums& sums = sums_[node(i)];
-      system.add_pair(i, sums.here, sums.both, sums.there);
+      system_.add_pair(i, sums.here, sums.both, sums.there);
     }
     const std::ptrdiff_t least =
         run_.is_closed ? -3 : std::max<std::ptrdiff_t>(-3, -static_cast<std::ptrdiff_t>(stretch.first));
     for (std::ptrdiff_t i = is_around ? 0 : least; i < size; ++i) {
       if (!run_.is_closed && static_cast<std::ptrdiff_t>(stretch.first) + i + 3 >= static_cast<std::ptrdiff_t>(nodes))
         break;
-      add_penalty(system, i, node(i));
+      add_penalty(system_, i, node(i));
     }
     // Where no edge says anything, nodes stay.
     constexpr double kHold = 1e-6;
-    for (std::ptrdiff_t i = 0; i < size; ++i) system.add(i, std::array{1.0}, 0.0, kHold);
-    system.factor();
-    std::vector<double> right = system.right();
+    for (std::ptrdiff_t i = 0; i < size; ++i) system_.add(i, std::array{1.0}, 0.0, kHold);
+    system_.factor();
+    std::vector<double>& right = system_.right();
     for (int time = 0; time < times; ++time) {
       if (time > 0) right.assign(count, 0.0);
       for (std::ptrdiff_t i = chords_begin; i < chords_end; ++i) {
@@ -506,7 +518,7 @@ class Fit {
         if (after < size)
           right[static_cast<std::size_t>(after)] += sums.next_right - sums.both * here - sums.there * there;
       }
-      right = system.solved(std::move(right));
+      system_.solve();
       for (std::ptrdiff_t i = 0; i < size; ++i) offsets_[node(i)] += right[static_cast<std::size_t>(i)];
     }
   }
@@ -627,7 +639,7 @@ class Fit {
     }
     has_changed_.assign(has_changed_.size(), 0);
     bool out = false;
-    for_each_misfit(residuals_, run_.is_closed, noise_.one, [&](std::size_t first, std::size_t window) {
+    for_each_misfit(residuals_, run_.is_closed, noise_.one, window_sums_, [&](std::size_t first, std::size_t window) {
       const std::size_t count = edges_.size();
       const std::size_t from = placed_[first % count].chord;
       const std::size_t to = placed_[(first + window - 1) % count].chord;
@@ -668,6 +680,14 @@ class Fit {
     std::vector<char> misfits;
     std::vector<double> solved;
     const std::size_t count = run_.nodes.size();
+    const std::size_t most = 2 * count;
+    finer.nodes.reserve(most);
+    finer.at.reserve(most);
+    finer.stiffness.reserve(most);
+    finer.is_held.reserve(most);
+    stale.reserve(most);
+    misfits.reserve(most);
+    solved.reserve(most);
     for (std::size_t k = 0; k < count; ++k) {
       const bool is_split = k < chords && split[k] != 0;
       const bool was_split = k > 0 ? split[k - 1] != 0 : run_.is_closed && split[chords - 1] != 0;
@@ -823,6 +843,9 @@ class Fit {
   std::vector<Sums> sums_;
   std::vector<char> is_alone_;
   std::vector<Residual> residuals_;
+  std::vector<ResidualSum> window_sums_;
+  std::vector<double> reach_;
+  StiffSystem system_;
 };
 
 }  // namespace
@@ -830,7 +853,9 @@ class Fit {
 Run fitted(std::span<const Vec2> start, bool is_closed, std::span<const Edge> edges, const EdgeNoise& noise,
            const JobControl* job) {
   const std::size_t least = is_closed ? kLeastChordsClosed : kLeastChordsOpen;
-  const double apart = 0.5 * noise.least_stiffness;
+  // Where a curve is short, its ends and corners are much of it, and its nodes cost little.
+  constexpr double kShort = 512.0;  // pixels
+  const double apart = (length_of(start, is_closed) < kShort ? 0.5 : 0.75) * noise.least_stiffness;
   // A multiple of a power of two, so that nodes can be halved and halved again.
   auto cells = std::max(least, static_cast<std::size_t>(std::lround(length_of(start, is_closed) / apart)));
   std::size_t together = 1;

@@ -85,12 +85,13 @@ void StiffSystem::factor() {
   }
 }
 
-std::vector<double> StiffSystem::solved(std::vector<double> right) const {
+void StiffSystem::solve() {
+  std::vector<double>& right = right_;
   const std::size_t inner = is_closed_ ? rows_.size() - kReach : rows_.size();
   substitute(
       rows_, right, inner, [](double& x, double factor, double y) { x -= factor * y; },
       [](double& x, double factor) { x *= factor; });
-  if (!is_closed_) return right;
+  if (!is_closed_) return;
   Row last{right[inner], right[inner + 1], right[inner + 2]};
   for (std::size_t k = 0; k < inner; ++k) {
     if (k == kReach && inner > 2 * kReach) k = inner - kReach;
@@ -100,7 +101,6 @@ std::vector<double> StiffSystem::solved(std::vector<double> right) const {
   for (std::size_t k = 0; k < inner; ++k)
     for (std::size_t j = 0; j < kReach; ++j) right[k] -= reduced_[k][j] * last[j];
   for (std::size_t j = 0; j < kReach; ++j) right[inner + j] = last[j];
-  return right;
 }
 
 }  // namespace mes

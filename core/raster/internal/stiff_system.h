@@ -13,7 +13,13 @@ namespace mes {
 /// solved for any number of right sides.
 class StiffSystem {
  public:
-  StiffSystem(std::size_t count, bool is_closed) : rows_(count), right_(count, 0.0), is_closed_(is_closed) {}
+  /// With nothing added. It keeps its memory.
+  void clear(std::size_t count, bool is_closed) {
+    rows_.assign(count, {});
+    right_.assign(count, 0.0);
+    corner_ = {};
+    is_closed_ = is_closed;
+  }
 
   /// Adds weight * (sum of coefficient[i] * unknown[first + i] - value)^2, at most four unknowns in a row: around if they
   /// are closed, otherwise those that are none are zero.
@@ -41,13 +47,13 @@ class StiffSystem {
     if (first + 1 == count && is_closed_) rows_[0][0] += next_diagonal;
   }
 
-  /// Of what was added with values.
-  const std::vector<double>& right() const { return right_; }
+  /// The right side: of what was added with values, until it is solved for.
+  std::vector<double>& right() { return right_; }
 
   /// O(unknowns). After it nothing can be added.
   void factor();
-  /// The unknowns for a right side. O(unknowns). After `factor`.
-  std::vector<double> solved(std::vector<double> right) const;
+  /// Makes the right side the unknowns. O(unknowns). After `factor`.
+  void solve();
 
  private:
   static constexpr std::size_t kReach = 3;
@@ -58,7 +64,7 @@ class StiffSystem {
   std::vector<std::array<double, 4>>
       rows_;  // of the matrix, from the diagonal to the right, around; factored: of that
   std::vector<double> right_;
-  bool is_closed_;
+  bool is_closed_ = false;
   // The last three unknowns of a closed system join its ends: the others are solved for them first.
   std::vector<Row> border_;   // columns of the last, in the rows of the others
   std::vector<Row> reduced_;  // what the others are for each of the last
