@@ -11,6 +11,7 @@
 
 #include "core/base/parallel.h"
 #include "core/raster/internal/ellipse_fit.h"
+#include "core/raster/internal/node_curve.h"
 #include "core/raster/internal/smoothing.h"
 #include "core/raster/trace.h"
 

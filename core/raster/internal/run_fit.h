@@ -58,8 +58,9 @@ struct Run {
 };
 
 /// The fit to edges in the order of the curve, from a curve near to it of nodes about a pixel apart. The finest distance of
-/// its nodes is half the least stiffness, or three quarters of it along a curve of more than 512 pixels. Cost: O(edges + nodes) a step, of which there are a few for each doubling of the
-/// stiffness. Throws `Cancelled` if there is a job.
+/// its nodes is half the least stiffness, or three quarters of it along a curve of more than 512 pixels. Cost: O(edges +
+/// nodes) a round, of which there are a few for each doubling of the stiffness; equations are solved only for nodes near to
+/// a change. Throws `Cancelled` if there is a job.
 Run fitted(std::span<const Vec2> start, bool is_closed, std::span<const Edge> edges, const EdgeNoise& noise,
            const JobControl* job = nullptr);
 
@@ -76,8 +77,5 @@ Run evened(const Run& run);
 
 /// Where the edges are along a closed run, in nodes from 0 to their number. O(edges + nodes).
 std::vector<double> places_along(const Run& run, std::span<const Edge> edges);
-
-/// The same curve by so many nodes at equal distances, which lie on circles through neighbouring nodes.
-std::vector<Vec2> respaced(std::span<const Vec2> nodes, bool is_closed, std::size_t count);
 
 }  // namespace mes
