@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <utility>
 
 #include "core/raster/internal/node_curve.h"
@@ -28,12 +29,14 @@ class Fit : private Settling {
     descend();
     stiffen();
     run_.farthest = farthest();
+    for (std::size_t k = 0; k < run_.nodes.size(); ++k)
+      if (is_astray(k)) run_.farthest = std::numeric_limits<double>::infinity();
     return std::move(run_);
   }
 
   Run refined() && {
-    refine();
-    run_.farthest = farthest();
+    const bool is_near = refine();
+    run_.farthest = is_near ? farthest() : std::numeric_limits<double>::infinity();
     return std::move(run_);
   }
 
@@ -174,8 +177,8 @@ class Fit : private Settling {
   }
 
   /// Nodes as near to each other as pieces of cubics need them that lie on a circle: what they are off by grows with the
-  /// fourth power of the turn from node to node.
-  void refine() {
+  /// fourth power of the turn from node to node. Whether they stay near to where they were.
+  bool refine() {
     constexpr std::size_t kFew = 32;
     const double most = most_turn(length_);
     bool is_finer = false;
@@ -195,7 +198,11 @@ class Fit : private Settling {
         run_.stiffness[k] = std::min(run_.stiffness[k], 2.0 * kMostNodes * least_apart(k));
       is_finer = true;
     }
-    if (is_finer) settle_all();
+    if (!is_finer) return true;
+    const std::vector<Vec2> before = run_.nodes;
+    settle_all();
+    constexpr double kMostMoved = 1.0;  // pixels
+    return std::ranges::equal(before, run_.nodes, [](Vec2 a, Vec2 b) { return size_of(b - a) <= kMostMoved; });
   }
 };
 

@@ -10,6 +10,8 @@ namespace mes {
 namespace {
 
 constexpr int kTimes = 3;  // the curve, and twice what it has left out
+// Pixels: what is farther from the curve that the fit starts from has lost its edges.
+constexpr double kMostAstray = 2.0;
 
 }  // namespace
 
@@ -369,6 +371,26 @@ bool Settling::find_alone() {
   return is_changed;
 }
 
+bool Settling::is_astray(std::size_t node) const {
+  const double away = size_of(run_.nodes[node] - fine_[run_.at[node]]);
+  return !(away <= kMostAstray);
+}
+
+bool Settling::call_back() {
+  bool out = false;
+  for (std::size_t k = 0; k < run_.nodes.size(); ++k) {
+    if (!is_astray(k)) continue;
+    run_.nodes[k] = fine_[run_.at[k]];
+    solved_[k] = 0.0;
+    make_stale(k);
+    if (k < chord_count()) misfits_[k] = 1;
+    if (k > 0 || run_.is_closed) misfits_[k > 0 ? k - 1 : chord_count() - 1] = 1;
+    out = true;
+  }
+  if (out) frame_.reset(run_.nodes, run_.is_closed);
+  return out;
+}
+
 bool Settling::find_misfits() {
   for (std::size_t i = 0; i < placed_.size(); ++i) {
     const Placed& edge = placed_[i];
@@ -376,7 +398,7 @@ bool Settling::find_misfits() {
     if (has_changed_[i] != 0) misfits_[edge.chord] = 0;
   }
   has_changed_.assign(has_changed_.size(), 0);
-  bool out = false;
+  bool out = call_back();
   for_each_misfit(residuals_, run_.is_closed, noise_.one, window_sums_, [&](std::size_t first, std::size_t window) {
     const std::size_t count = edges_.size();
     const std::size_t from = placed_[first % count].chord;

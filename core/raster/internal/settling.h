@@ -60,8 +60,10 @@ class Settling {
   void settle();
   /// From all edges anew.
   void settle_all();
-  /// Chords within windows whose mean is more than noise.
+  /// Chords within windows whose mean is more than noise, and beside nodes that went astray, which begin again.
   bool find_misfits();
+  /// Far from the curve that the fit starts from, or nowhere.
+  bool is_astray(std::size_t node) const;
   /// Nodes half as far from each other where that is said, and beside it so that no two chords are followed by one of more
   /// than twice their length.
   void remesh(std::vector<char> split, bool are_fine);
@@ -113,6 +115,8 @@ class Settling {
   void make_stale(std::size_t node);
   /// From the curvature at the node after `before` to that at the next, of unknowns that begin with `before` as `first`.
   void add_penalty(StiffSystem& system, std::ptrdiff_t first, std::size_t before) const;
+  /// What went astray, to where it began; whether anything did.
+  bool call_back();
   /// Edges of single pixels that stand out from the curve or into it.
   bool find_alone();
 
