@@ -30,10 +30,10 @@ struct Placed {
 /// A run, its edges, and what is known of both from round to round.
 class Settling {
  public:
-  /// To nodes that are as near to each other as they may be.
+  /// From nodes at the finest distance, of which `begin_evenly` takes some.
   Settling(std::vector<Vec2> fine, bool is_closed, double blur, std::span<const Edge> edges, const EdgeNoise& noise,
            const JobControl* job);
-  /// To a run that was fitted.
+  /// From a run that was fitted.
   Settling(Run run, std::span<const Edge> edges, const EdgeNoise& noise, const JobControl* job);
 
  protected:
