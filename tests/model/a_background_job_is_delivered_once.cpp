@@ -19,7 +19,7 @@ namespace {
 
 /// A job, and the way to wait until its call has ended.
 template <class Result>
-struct Desk {
+struct JobBench {
   std::counting_semaphore<> woken{0};
   BackgroundJob<Result> job{[this] { woken.release(); }};
 };
@@ -36,7 +36,7 @@ void wait_for(const std::stop_token& stop) {
 
 TEST_CASE("what a call returns is delivered once, when it has ended") {
   std::binary_semaphore may_end{0};
-  Desk<std::string> desk;
+  JobBench<std::string> desk;
   CHECK_FALSE(desk.job.is_under_way());
   CHECK_FALSE(desk.job.poll());
   CHECK_FALSE(desk.job.finish());
@@ -56,7 +56,7 @@ TEST_CASE("what a call returns is delivered once, when it has ended") {
 }
 
 TEST_CASE("finish waits for the end of the call") {
-  Desk<std::thread::id> desk;
+  JobBench<std::thread::id> desk;
   desk.job.begin([](const std::stop_token&) { return std::this_thread::get_id(); });
   const auto id = desk.job.finish();
   REQUIRE(id);
@@ -66,7 +66,7 @@ TEST_CASE("finish waits for the end of the call") {
 }
 
 TEST_CASE("what a call throws is thrown where its result is asked for, and the next call is not touched by it") {
-  Desk<int> desk;
+  JobBench<int> desk;
   desk.job.begin([](const std::stop_token&) -> int { throw std::bad_alloc(); });
   desk.woken.acquire();
   CHECK_THROWS_AS(desk.job.poll(), std::bad_alloc);
@@ -83,7 +83,7 @@ TEST_CASE("what a call throws is thrown where its result is asked for, and the n
 
 TEST_CASE("of calls begun in a row only the last is delivered, and it waits for none of them") {
   std::binary_semaphore may_end{0};
-  Desk<int> desk;
+  JobBench<int> desk;
   desk.job.begin([&](const std::stop_token&) {
     may_end.acquire();
     return 1;
@@ -98,7 +98,7 @@ TEST_CASE("of calls begun in a row only the last is delivered, and it waits for 
 
 TEST_CASE("a call that is given up is asked to stop, and delivers nothing") {
   std::latch has_stopped(1);
-  Desk<int> desk;
+  JobBench<int> desk;
   desk.job.give_up();
   desk.job.begin([&](const std::stop_token& stop) {
     wait_for(stop);
@@ -151,7 +151,7 @@ TEST_CASE("what a call returned is not destroyed by the thread that gives it up"
     destroyed.acquire();
     return destroyed_by != std::this_thread::get_id();
   };
-  Desk<std::shared_ptr<Large>> desk;
+  JobBench<std::shared_ptr<Large>> desk;
   // It had ended, and nothing is begun in its place.
   desk.job.begin(large);
   desk.woken.acquire();

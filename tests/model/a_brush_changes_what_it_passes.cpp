@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kSamples = 80;
 
-struct Bench {
+struct BrushBench {
   Editor editor{[](auto) {}};
   AnnotationDesk annotations{editor};
   double spacing = 12.0;
@@ -25,7 +25,7 @@ struct Bench {
                       .brush = &brush};
   BrushTool tool{context};
 
-  Bench() {
+  BrushBench() {
     SampleData data;
     for (int i = 0; i < kSamples; ++i) {
       const double angle = 2 * std::numbers::pi * i / kSamples;
@@ -58,7 +58,7 @@ struct Bench {
 }  // namespace
 
 TEST_CASE("the eraser takes what the ring passes over, samples and balls, and one undo brings it back") {
-  Bench bench;
+  BrushBench bench;
   const std::vector<Vec2> before = bench.places();
   // The system reports two places of the way through the middle.
   bench.stroke({{154, 0}, {60, 0}});
@@ -79,7 +79,7 @@ TEST_CASE("the eraser takes what the ring passes over, samples and balls, and on
 
 TEST_CASE("thinning takes every other sample once, however often the brush passes") {
   for (const int times : {1, 3}) {
-    Bench bench;
+    BrushBench bench;
     bench.brush.mode = BrushMode::thin;
     bench.around(times);
     const std::size_t left = bench.editor.document().sample_count();
@@ -100,7 +100,7 @@ TEST_CASE("thinning takes every other sample once, however often the brush passe
     CHECK_FALSE(bench.editor.can_undo());
   }
   // Another stroke takes half of what is left.
-  Bench bench;
+  BrushBench bench;
   bench.brush.mode = BrushMode::thin;
   bench.around(1);
   const std::size_t first = bench.editor.document().sample_count();
@@ -109,7 +109,7 @@ TEST_CASE("thinning takes every other sample once, however often the brush passe
 }
 
 TEST_CASE("a small loop is left as it is, and too many samples are said to be too many, once a stroke") {
-  Bench bench;
+  BrushBench bench;
   REQUIRE(bench.editor.load({.positions = {{-10, 0}, {0, -10}, {10, 0}, {0, 10}}}));
   bench.brush.mode = BrushMode::thin;
   bench.stroke({{0, 0}, {3, 0}});
@@ -128,7 +128,7 @@ TEST_CASE("a small loop is left as it is, and too many samples are said to be to
 
 TEST_CASE("refining puts one sample between neighbours, on the curve") {
   for (const int times : {1, 3}) {
-    Bench bench;
+    BrushBench bench;
     bench.brush.mode = BrushMode::refine;
     bench.around(times);
     CHECK(bench.editor.document().sample_count() == 2 * kSamples);
@@ -143,7 +143,7 @@ TEST_CASE("refining puts one sample between neighbours, on the curve") {
 TEST_CASE("refining reaches neighbours that are farther apart than the brush is wide") {
   // Samples are 7.9 apart.
   for (const double radius : {6.0, 3.0}) {
-    Bench bench;
+    BrushBench bench;
     bench.brush.mode = BrushMode::refine;
     bench.brush.radius_px = radius;
     bench.around(1);
@@ -151,7 +151,7 @@ TEST_CASE("refining reaches neighbours that are farther apart than the brush is 
     for (const Vec2 p : bench.places()) CHECK(std::abs(length(p) - 100) < 1e-3);
   }
   // Beside the curve, and across the middle of the shape, it meets nothing.
-  Bench bench;
+  BrushBench bench;
   bench.brush.mode = BrushMode::refine;
   bench.brush.radius_px = 3.0;
   bench.stroke({{-90, 0}, {90, 0}});
@@ -161,7 +161,7 @@ TEST_CASE("refining reaches neighbours that are farther apart than the brush is 
 
 TEST_CASE("samples that refine a contour are on it, between their neighbours, and one undo takes them off") {
   for (const bool is_closed : {true, false}) {
-    Bench bench;
+    BrushBench bench;
     SampleData data = data_of(bench.editor.document());
     SampleData::Contour& contour = data.contours.emplace_back();
     contour.closed = is_closed;
@@ -199,13 +199,13 @@ TEST_CASE("samples that refine a contour are on it, between their neighbours, an
 }
 
 TEST_CASE("a brush on nothing, on one sample and on two does no harm, and a cancelled stroke leaves nothing") {
-  Bench bench;
+  BrushBench bench;
   for (const BrushMode mode : {BrushMode::erase, BrushMode::thin, BrushMode::refine}) {
     bench.brush.mode = mode;
     bench.stroke({{500, 500}, {520, 500}});
     CHECK_FALSE(bench.editor.can_undo());
-    bench.tool.press(Bench::at({100, 0}));
-    bench.tool.drag(Bench::at({80, 40}));
+    bench.tool.press(BrushBench::at({100, 0}));
+    bench.tool.drag(BrushBench::at({80, 40}));
     bench.tool.cancel();
     CHECK(bench.editor.document().sample_count() == kSamples);
     CHECK_FALSE(bench.editor.can_undo());

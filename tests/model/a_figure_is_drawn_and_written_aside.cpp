@@ -18,7 +18,7 @@ using test::TemporaryFolder;
 
 namespace {
 
-SampleData circle(int n) {
+SampleData samples_of_circle(int n) {
   SampleData out;
   for (int i = 0; i < n; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / n;
@@ -41,7 +41,7 @@ FigureSubject subject_of(SampleData data) {
 }
 
 /// Waits as the window does, frame by frame.
-struct Desk {
+struct FigureBench {
   std::atomic<int> wakes = 0;
   FigureDesk desk{[this] {
     ++wakes;
@@ -70,8 +70,8 @@ std::string content(const std::filesystem::path& file) {
 }  // namespace
 
 TEST_CASE("a figure is previewed as it is written, with the size asked for") {
-  Desk test;
-  test.desk.begin(subject_of(circle(60)));
+  FigureBench test;
+  test.desk.begin(subject_of(samples_of_circle(60)));
   const FigureSettings settings{.extension = ".svg", .width_mm = 254.0};
   test.desk.want(settings, {}, 400);
   CHECK(test.desk.is_drawing());
@@ -94,8 +94,8 @@ TEST_CASE("a figure is previewed as it is written, with the size asked for") {
 }
 
 TEST_CASE("everything is seen where the view shows a part, and paper and lines are as chosen") {
-  Desk test;
-  FigureSubject subject = subject_of(circle(60));
+  FigureBench test;
+  FigureSubject subject = subject_of(samples_of_circle(60));
   subject.view.units_per_point = 0.001;
   test.desk.begin(std::move(subject));
   test.desk.want({.extension = ".svg"}, {}, 200);
@@ -118,8 +118,8 @@ TEST_CASE("everything is seen where the view shows a part, and paper and lines a
 }
 
 TEST_CASE("a layer that is to be a picture is one, in formats that hold pictures") {
-  Desk test;
-  test.desk.begin(subject_of(circle(60)));
+  FigureBench test;
+  test.desk.begin(subject_of(samples_of_circle(60)));
   test.desk.want({.extension = ".pdf"}, {"delaunay"}, 200);
   test.until_written();
   REQUIRE(test.desk.preview() != nullptr);
@@ -132,8 +132,8 @@ TEST_CASE("a layer that is to be a picture is one, in formats that hold pictures
 
 TEST_CASE("a file has the bytes that were shown, and what cannot be written is said") {
   TemporaryFolder folder;
-  Desk test;
-  test.desk.begin(subject_of(circle(30)));
+  FigureBench test;
+  test.desk.begin(subject_of(samples_of_circle(30)));
   test.desk.want({.extension = ".svg"}, {}, 100);
   // Asked for before it is drawn.
   test.desk.save(folder / "a.svg");
@@ -154,8 +154,8 @@ TEST_CASE("a file has the bytes that were shown, and what cannot be written is s
 }
 
 TEST_CASE("what a figure cannot be is said, and the next settings are tried") {
-  Desk test;
-  FigureSubject subject = subject_of(circle(30));
+  FigureBench test;
+  FigureSubject subject = subject_of(samples_of_circle(30));
   test.desk.begin(subject);
   test.desk.want({.extension = ".gif"}, {}, 100);
   test.until_written();
@@ -173,8 +173,8 @@ TEST_CASE("what a figure cannot be is said, and the next settings are tried") {
 
 TEST_CASE("a figure of nothing is an empty page") {
   for (const int n : {0, 1, 2}) {
-    Desk test;
-    test.desk.begin(subject_of(circle(n)));
+    FigureBench test;
+    test.desk.begin(subject_of(samples_of_circle(n)));
     for (const FigureExtent extent : {FigureExtent::view, FigureExtent::everything, FigureExtent::ink})
       for (const figure::Format& format : figure::formats()) {
         test.desk.want({.extension = std::string(format.extension), .extent = extent}, {"points"}, 64);
@@ -187,13 +187,13 @@ TEST_CASE("a figure of nothing is an empty page") {
 }
 
 TEST_CASE("what is given up leaves nothing behind, and the next one is another") {
-  Desk test;
-  test.desk.begin(subject_of(circle(2000)));
+  FigureBench test;
+  test.desk.begin(subject_of(samples_of_circle(2000)));
   test.desk.want({.extension = ".svg"}, {}, 100);
   test.desk.end();
   CHECK_FALSE(test.desk.is_open());
   CHECK(test.desk.preview() == nullptr);
-  test.desk.begin(subject_of(circle(7)));
+  test.desk.begin(subject_of(samples_of_circle(7)));
   test.until_written();
   CHECK(test.desk.preview()->layers[1].shapes == 7);
 }
@@ -207,7 +207,7 @@ std::shared_ptr<const SampleData> with_first_at(SampleData data, Vec2 place) {
 }
 
 FigureSubject subject_of_panes(int n) {
-  FigureSubject out = subject_of(circle(n));
+  FigureSubject out = subject_of(samples_of_circle(n));
   out.shown.layers = {find_layer("points")};
   const auto data = std::make_shared<const SampleData>(out.data);
   out.panes = {{"here", out.shown, out.settings, data},
@@ -231,7 +231,7 @@ std::size_t occurrences(const std::string& text, const std::string& what) {
 }  // namespace
 
 TEST_CASE("a figure of panes has all of them beside each other, or the main one as it is alone") {
-  Desk test;
+  FigureBench test;
   const FigureSettings settings{.extension = ".svg", .width_mm = 254.0, .with_source = false};
   test.desk.begin(subject_of_panes(60));
   CHECK(test.desk.has_panes());
@@ -267,7 +267,7 @@ TEST_CASE("a figure of panes has all of them beside each other, or the main one 
 }
 
 TEST_CASE("what only some of the panes have is marked where that is wanted") {
-  Desk test;
+  FigureBench test;
   test.desk.begin(subject_of_panes(60));
   FigureSettings settings{.extension = ".svg", .width_mm = 254.0, .with_source = false};
   test.desk.want(settings, {}, 100);
@@ -281,7 +281,7 @@ TEST_CASE("what only some of the panes have is marked where that is wanted") {
 }
 
 TEST_CASE("a layer of all panes becomes a picture in each of them") {
-  Desk test;
+  FigureBench test;
   test.desk.begin(subject_of_panes(60));
   test.desk.want({.extension = ".svg", .with_source = false}, {"points"}, 100);
   test.until_written();
@@ -291,14 +291,14 @@ TEST_CASE("a layer of all panes becomes a picture in each of them") {
 }
 
 TEST_CASE("panes that a page has no room for are refused, and panes of nothing are empty") {
-  Desk test;
+  FigureBench test;
   test.desk.begin(subject_of_panes(60));
   test.desk.want({.extension = ".svg", .width_mm = 5.0}, {}, 100);
   test.until_written();
   REQUIRE(test.desk.problem());
   CHECK(test.desk.problem()->code == ErrorCode::usage);
   CHECK(test.desk.problem()->text == "the picture is too small for 2 panes");
-  FigureSubject nothing = subject_of(circle(0));
+  FigureSubject nothing = subject_of(samples_of_circle(0));
   const auto data = std::make_shared<const SampleData>();
   nothing.panes = {{"a", nothing.shown, nothing.settings, data}, {"b", nothing.shown, nothing.settings, data}};
   test.desk.begin(std::move(nothing));

@@ -4,10 +4,12 @@
 #include <cmath>
 
 #include "app/playing/evolution_player.h"
+#include "tests/model/positions_of.h"
 #include "tests/support/bell.h"
 
 using namespace mes;
 using mes::test::Bell;
+using mes::test::positions_of;
 
 namespace {
 
@@ -24,13 +26,7 @@ SampleData wavy_loop(bool known) {
   return out;
 }
 
-std::vector<Vec2> places(const Document& document) {
-  std::vector<Vec2> out;
-  for (const SampleSlot slot : document.slots_in_input_order()) out.push_back(document.position(slot));
-  return out;
-}
-
-struct Desk {
+struct EvolutionBench {
   // Follows the deltas alone, as the engine does.
   Document heard;
   std::size_t changes = 0;
@@ -46,7 +42,7 @@ struct Desk {
                          bell.ring()};
   double now = 0.0;
 
-  explicit Desk(bool known = false) { REQUIRE(editor.load(wavy_loop(known))); }
+  explicit EvolutionBench(bool known = false) { REQUIRE(editor.load(wavy_loop(known))); }
   void settle() {
     player.follow(true, now);
     bell.wait_until([&] {
@@ -59,7 +55,7 @@ struct Desk {
     player.step_to(k);
     settle();
     REQUIRE(player.position() == k);
-    return places(editor.document());
+    return positions_of(editor.document());
   }
   void insert() { REQUIRE(editor.insert(std::array{Vec2{9, 9}}, "Insert")); }
 };
@@ -70,7 +66,7 @@ TEST_CASE("moving the slider to and fro gives the same states, and the beginning
   for (EvolutionIndex evolution = 0; evolution < evolutions().size(); ++evolution) {
     if (evolutions()[evolution].moved_parameter() != nullptr) continue;  // moves no samples
     for (const bool known : {false, true}) {
-      Desk desk(known);
+      EvolutionBench desk(known);
       desk.player.choose(evolution);
       const std::uint64_t digest = desk.editor.document().digest();
       const auto curve = desk.editor.document().curve_order();
@@ -94,8 +90,8 @@ TEST_CASE("moving the slider to and fro gives the same states, and the beginning
 }
 
 TEST_CASE("an evolution is one step of undo, named by its last state") {
-  Desk desk;
-  const std::vector<Vec2> beginning = places(desk.editor.document());
+  EvolutionBench desk;
+  const std::vector<Vec2> beginning = positions_of(desk.editor.document());
   desk.at(1);
   CHECK(desk.editor.undo_name() == "Smooth, 1 step");
   const std::vector<Vec2> twelve = desk.at(12);
@@ -103,13 +99,13 @@ TEST_CASE("an evolution is one step of undo, named by its last state") {
   desk.insert();
   CHECK(desk.player.position() == 0);
   desk.editor.undo();
-  CHECK(places(desk.editor.document()) == twelve);
+  CHECK(positions_of(desk.editor.document()) == twelve);
   CHECK(desk.player.position() == 12);
   desk.editor.undo();
-  CHECK(places(desk.editor.document()) == beginning);
+  CHECK(positions_of(desk.editor.document()) == beginning);
   CHECK_FALSE(desk.editor.can_undo());
   desk.editor.redo();
-  CHECK(places(desk.editor.document()) == twelve);
+  CHECK(positions_of(desk.editor.document()) == twelve);
   CHECK(desk.player.position() == 12);
   desk.editor.redo();
   CHECK(desk.editor.document().sample_count() == beginning.size() + 1);
@@ -117,26 +113,26 @@ TEST_CASE("an evolution is one step of undo, named by its last state") {
 }
 
 TEST_CASE("an edit at a later state begins a new evolution there") {
-  Desk desk;
+  EvolutionBench desk;
   desk.at(5);
   desk.insert();
-  const std::vector<Vec2> edited = places(desk.editor.document());
+  const std::vector<Vec2> edited = positions_of(desk.editor.document());
   desk.at(2);
   CHECK(desk.editor.undo_name() == "Smooth, 2 steps");
   desk.editor.undo();
-  CHECK(places(desk.editor.document()) == edited);
+  CHECK(positions_of(desk.editor.document()) == edited);
   CHECK(desk.editor.undo_name() == "Insert");
 }
 
 TEST_CASE("another evolution begins from what is shown, and each is a step of undo of its own") {
-  Desk desk;
-  const std::vector<Vec2> beginning = places(desk.editor.document());
+  EvolutionBench desk;
+  const std::vector<Vec2> beginning = positions_of(desk.editor.document());
   const std::vector<Vec2> smooth = desk.at(3);
   desk.player.choose(*find_evolution("subdivide"));
   CHECK(desk.player.position() == 0);
   CHECK(desk.player.take_kept() == "Smooth, 3 steps: kept; Subdivide begins from there");
   CHECK(desk.player.take_kept().empty());
-  CHECK(places(desk.editor.document()) == smooth);
+  CHECK(positions_of(desk.editor.document()) == smooth);
   CHECK(desk.editor.undo_name() == "Smooth, 3 steps");
   const std::vector<Vec2> fine = desk.at(1);
   CHECK(fine.size() > smooth.size());
@@ -146,16 +142,16 @@ TEST_CASE("another evolution begins from what is shown, and each is a step of un
   CHECK(desk.at(0) == smooth);
   CHECK(desk.at(1) == fine);
   desk.player.choose_next(1);
-  CHECK(places(desk.editor.document()) == fine);
+  CHECK(positions_of(desk.editor.document()) == fine);
   desk.editor.undo();
-  CHECK(places(desk.editor.document()) == smooth);
+  CHECK(positions_of(desk.editor.document()) == smooth);
   CHECK(desk.player.position() == 0);
   desk.editor.undo();
-  CHECK(places(desk.editor.document()) == beginning);
+  CHECK(positions_of(desk.editor.document()) == beginning);
   CHECK_FALSE(desk.editor.can_undo());
   desk.editor.redo();
   desk.editor.redo();
-  CHECK(places(desk.editor.document()) == fine);
+  CHECK(positions_of(desk.editor.document()) == fine);
   CHECK_FALSE(desk.editor.can_redo());
   DocumentReplay replay;
   REQUIRE(replay.begin(*desk.editor.timeline().data()));
@@ -164,14 +160,14 @@ TEST_CASE("another evolution begins from what is shown, and each is a step of un
 }
 
 TEST_CASE("choosing another evolution while steps are computed keeps those that are shown") {
-  Desk desk;
+  EvolutionBench desk;
   const std::vector<Vec2> smooth = desk.at(2);
   desk.player.step_to(1'000'000'000);
   desk.player.choose_next(-1);
   CHECK(desk.player.descriptor().id == evolutions().back().descriptor.id);
   desk.settle();
   CHECK_FALSE(desk.player.is_waiting());
-  CHECK(places(desk.editor.document()) == smooth);
+  CHECK(positions_of(desk.editor.document()) == smooth);
   // Nothing was done, so that nothing is kept.
   desk.player.choose_next(1);
   CHECK_FALSE(desk.player.take_kept().empty());
@@ -180,8 +176,8 @@ TEST_CASE("choosing another evolution while steps are computed keeps those that 
 }
 
 TEST_CASE("another seed or parameter keeps the beginning") {
-  Desk desk;
-  const std::vector<Vec2> beginning = places(desk.editor.document());
+  EvolutionBench desk;
+  const std::vector<Vec2> beginning = positions_of(desk.editor.document());
   const std::vector<Vec2> smooth = desk.at(4);
   desk.at(0);
   desk.player.choose(*find_evolution("noise"));
@@ -189,31 +185,31 @@ TEST_CASE("another seed or parameter keeps the beginning") {
   desk.player.set_seed(8);
   desk.settle();
   CHECK(desk.player.position() == 4);
-  CHECK(places(desk.editor.document()) != noise);
+  CHECK(positions_of(desk.editor.document()) != noise);
   desk.player.set_seed(1);
   desk.settle();
-  CHECK(places(desk.editor.document()) == noise);
+  CHECK(positions_of(desk.editor.document()) == noise);
   desk.at(0);
   desk.player.choose(*find_evolution("smooth"));
   desk.player.set_value("smooth-mu", 0.25);
   CHECK(desk.at(4) != smooth);
   desk.player.set_value("smooth-mu", 0.5);
   desk.settle();
-  CHECK(places(desk.editor.document()) == smooth);
+  CHECK(positions_of(desk.editor.document()) == smooth);
   desk.at(0);
-  CHECK(places(desk.editor.document()) == beginning);
+  CHECK(positions_of(desk.editor.document()) == beginning);
   CHECK_FALSE(desk.editor.can_undo());
 }
 
 TEST_CASE("each state reaches those who follow the document as one change") {
-  Desk desk;
+  EvolutionBench desk;
   const std::size_t before = desk.changes;
   for (const std::uint64_t k : {1U, 2U, 7U, 3U}) desk.at(k);
   CHECK(desk.changes == before + 4);
 }
 
 TEST_CASE("playing waits for complete pictures and for its time, and stops at the beginning") {
-  Desk desk;
+  EvolutionBench desk;
   desk.player.set_speed(10.0);
   desk.player.play(EvolutionPlayer::Direction::forward);
   desk.now = 1.0;
@@ -237,13 +233,13 @@ TEST_CASE("playing waits for complete pictures and for its time, and stops at th
 }
 
 TEST_CASE("what is being computed can be given up, by hand or by an edit") {
-  Desk desk;
-  const std::vector<Vec2> beginning = places(desk.editor.document());
+  EvolutionBench desk;
+  const std::vector<Vec2> beginning = positions_of(desk.editor.document());
   desk.player.step_to(1'000'000'000);
   CHECK(desk.player.is_waiting());
   desk.player.cancel();
   CHECK_FALSE(desk.player.is_waiting());
-  CHECK(places(desk.editor.document()) == beginning);
+  CHECK(positions_of(desk.editor.document()) == beginning);
   desk.player.step_to(1'000'000'000);
   desk.insert();
   desk.settle();
@@ -252,7 +248,7 @@ TEST_CASE("what is being computed can be given up, by hand or by an edit") {
 }
 
 TEST_CASE("a step that is refused stops the playing with a reason and leaves the last state") {
-  Desk desk;
+  EvolutionBench desk;
   desk.player.choose(*find_evolution("subdivide"));
   desk.at(2);
   desk.player.play(EvolutionPlayer::Direction::forward);
@@ -267,7 +263,7 @@ TEST_CASE("a step that is refused stops the playing with a reason and leaves the
 }
 
 TEST_CASE("a timeline keeps each state of a small evolution and the last of a large one") {
-  Desk desk;
+  EvolutionBench desk;
   for (std::uint64_t k = 1; k <= 10; ++k) desk.at(k);
   CHECK(desk.editor.timeline().entries().size() == 10);
   SampleData many;
@@ -286,10 +282,10 @@ TEST_CASE("a timeline keeps each state of a small evolution and the last of a la
 }
 
 TEST_CASE("growing moves the scale of a family and nothing else, and goes back exactly") {
-  Desk desk;
+  EvolutionBench desk;
   desk.computation[Parameter::b_scale] = 1.7;
   const ComputationSettings before = desk.computation;
-  const auto samples = places(desk.editor.document());
+  const auto samples = positions_of(desk.editor.document());
   desk.player.choose(*find_evolution("b-growing"));
   CHECK(desk.at(10) == samples);
   CHECK(desk.computation[Parameter::b_scale] == Approx(1.7 * 1.3));
@@ -321,7 +317,7 @@ TEST_CASE("growing moves the scale of a family and nothing else, and goes back e
 }
 
 TEST_CASE("a step that is a length follows the size of the document until it is set by hand") {
-  Desk desk;
+  EvolutionBench desk;
   const auto step = [&desk] { return desk.player.choice().values["alpha-step"]; };
   const auto resize = [&desk](double size) {
     SampleData data = wavy_loop(false);
@@ -364,7 +360,7 @@ TEST_CASE("a step that is a length follows the size of the document until it is 
 }
 
 TEST_CASE("growing ends where the parameter does") {
-  Desk desk;
+  EvolutionBench desk;
   desk.player.choose(*find_evolution("a-growing"));
   desk.at(3300);
   desk.player.play(EvolutionPlayer::Direction::forward);
@@ -379,7 +375,7 @@ TEST_CASE("growing ends where the parameter does") {
 
 TEST_CASE("an evolution goes on where a session left it") {
   for (const bool known : {false, true}) {
-    Desk before(known);
+    EvolutionBench before(known);
     before.insert();
     EvolutionChoice choice{.evolution = *find_evolution("noise"), .seed = 7};
     before.player.resume(choice, 0);
@@ -387,7 +383,7 @@ TEST_CASE("an evolution goes on where a session left it") {
     const auto second = before.at(2);
     const auto fifth = before.at(5);
 
-    Desk after(known);
+    EvolutionBench after(known);
     DocumentReplay replay(after.editor.document());
     REQUIRE(replay.begin(*before.editor.timeline().data()));
     const TimelineLog& entries = before.editor.timeline().entries();
@@ -395,7 +391,7 @@ TEST_CASE("an evolution goes on where a session left it") {
     after.editor.restore(std::move(replay), before.editor.timeline().data(), {entries.begin(), entries.end()});
     after.player.resume(choice, 5);
     CHECK(after.player.position() == 5);
-    CHECK(places(after.editor.document()) == fifth);
+    CHECK(positions_of(after.editor.document()) == fifth);
     CHECK(after.at(2) == second);
     CHECK(after.at(0) == start);
     CHECK(after.at(5) == fifth);
@@ -410,7 +406,7 @@ TEST_CASE("an evolution goes on where a session left it") {
 }
 
 TEST_CASE("growing goes on where a session left it") {
-  Desk desk;
+  EvolutionBench desk;
   const EvolutionChoice choice{.evolution = *find_evolution("a-growing")};
   desk.computation[Parameter::a_scale] = 1.3;
   desk.player.resume(choice, 10);

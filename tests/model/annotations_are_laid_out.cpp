@@ -10,21 +10,18 @@
 #include "app/store/sample_shapes.h"
 #include "core/base/rng.h"
 #include "core/document/commands.h"
+#include "tests/model/letters_of_one_width.h"
 
 using namespace mes;
+using mes::test::half_size_a_byte;
 
 namespace {
 
-/// Half a size a byte.
-double measure(const std::string& text, double size, Face /*face*/) {
-  return 0.5 * size * static_cast<double>(text.size());
-}
-
 RichText words(std::string_view source) {
-  return rich_text(source, "7.5", 10.0, measure);
+  return rich_text(source, "7.5", 10.0, half_size_a_byte);
 }
 
-std::string shown(const RichText& text) {
+std::string text_shown(const RichText& text) {
   std::string out;
   for (const RichLine& line : text.lines)
     for (const RichPiece& piece : line.pieces) out += piece.text;
@@ -58,8 +55,8 @@ Document document_with(std::vector<Vec2> samples, Annotations annotations) {
 // 100 pixels a unit, the origin at the lower left corner.
 constexpr SeenPlane kPlane{.center = {4.0, 3.0}, .units_per_pixel = 0.01, .width = 800.0, .height = 600.0};
 
-AnnotationDrawing drawn(const Annotation& annotation, std::vector<Vec2> samples = {}) {
-  return layout_annotations(place(document_with(std::move(samples), {annotation})), kPlane, measure,
+AnnotationDrawing drawing_of(const Annotation& annotation, std::vector<Vec2> samples = {}) {
+  return layout_annotations(place(document_with(std::move(samples), {annotation})), kPlane, half_size_a_byte,
                             Rgb{255, 255, 255});
 }
 
@@ -69,7 +66,7 @@ Annotation of_kind(AnnotationKind kind, std::vector<Vec2> places, std::string te
   return out;
 }
 
-std::string text_of(const AnnotationDrawing& drawing) {
+std::string text_drawn(const AnnotationDrawing& drawing) {
   std::string out;
   for (const PaperDrawing::Line& line : drawing.drawing.lines) out += line.text;
   return out;
@@ -83,7 +80,7 @@ TEST_CASE("words are plain, bold, italic, raised and lowered, as a small part of
   REQUIRE(plain.lines[0].pieces.size() == 1);
   CHECK(plain.complaint.empty());
   CHECK(plain.lines[0].latex == "crust \\& co, 5\\% of\\_it");
-  CHECK(plain.lines[0].width == measure("crust & co, 5% of_it", 10.0, Face::plain));
+  CHECK(plain.lines[0].width == half_size_a_byte("crust & co, 5% of_it", 10.0, Face::plain));
 
   const RichText radius = words("ball $r_i^2 = 3$");
   REQUIRE(radius.lines.size() == 1);
@@ -100,10 +97,10 @@ TEST_CASE("words are plain, bold, italic, raised and lowered, as a small part of
   CHECK(pieces[3].size < pieces[1].size);
   // One above the other, and what follows begins after both.
   CHECK(pieces[2].x == pieces[3].x);
-  CHECK(pieces[4].x >= pieces[3].x + measure("2", pieces[3].size, Face::plain));
+  CHECK(pieces[4].x >= pieces[3].x + half_size_a_byte("2", pieces[3].size, Face::plain));
   CHECK(radius.lines[0].latex == "ball $r_{i}^{2} = 3$");
 
-  CHECK(shown(words("\\alpha and $\\Omega$, $90^\\circ$")) == "αand Ω, 90°");
+  CHECK(text_shown(words("\\alpha and $\\Omega$, $90^\\circ$")) == "αand Ω, 90°");
   CHECK(words("$-x$").lines[0].pieces[0].text == "−");
   CHECK(words("\\textbf{b} \\emph{i}").lines[0].pieces.front().face == Face::bold);
   CHECK(words("\\textbf{b} \\emph{i}").lines[0].pieces.back().face == Face::italic);
@@ -123,7 +120,7 @@ TEST_CASE("what is not understood is shown, and said") {
     CHECK(text.complaint.find('\n') == std::string::npos);
     for (const RichLine& line : text.lines) CHECK(is_balanced(line.latex));
   }
-  CHECK(shown(words("\\unknown")) == "\\unknown");
+  CHECK(text_shown(words("\\unknown")) == "\\unknown");
   // Nothing reaches TeX but what is listed: a command stands there as its letters.
   CHECK(words("\\input{/etc/passwd}").lines[0].latex.find("\\input") == std::string::npos);
   CHECK(words("$\\write18{x}$").lines[0].latex.find("\\write") == std::string::npos);
@@ -144,7 +141,7 @@ TEST_CASE("any bytes give words, in time and with closed braces") {
       REQUIRE(std::isfinite(line.width));
     }
   }
-  CHECK(shown(words("a\xff\xc3z\x01\xed\xa0\x80")) == "a??z ???");
+  CHECK(text_shown(words("a\xff\xc3z\x01\xed\xa0\x80")) == "a??z ???");
   CHECK(words(std::string(4000, '{')).lines.size() == 1);
   CHECK_FALSE(words("$" + std::string(4000, '{')).complaint.empty());
 }
@@ -168,11 +165,11 @@ TEST_CASE("dimensions measure what their places are") {
   CHECK(measured_value(AnnotationKind::angle, {{1, 0}, {1, 0}, {0, 2}}).empty());
   CHECK(measured_value(AnnotationKind::radius, {{1, 0}, {0, 1}, {-1, 0}}) == "1");
   CHECK(measured_value(AnnotationKind::radius, {{1, 0}, {2, 0}, {3, 0}}).empty());
-  CHECK(text_of(drawn(of_kind(AnnotationKind::distance, {{1, 1}, {4, 5}}))) == "5");
-  CHECK(text_of(drawn(of_kind(AnnotationKind::distance, {{1, 1}, {4, 5}}, "d = \\value m"))) == "d = 5 m");
-  CHECK(text_of(drawn(of_kind(AnnotationKind::distance, {{1, 1}, {4, 5}}, "long"))) == "long");
+  CHECK(text_drawn(drawing_of(of_kind(AnnotationKind::distance, {{1, 1}, {4, 5}}))) == "5");
+  CHECK(text_drawn(drawing_of(of_kind(AnnotationKind::distance, {{1, 1}, {4, 5}}, "d = \\value m"))) == "d = 5 m");
+  CHECK(text_drawn(drawing_of(of_kind(AnnotationKind::distance, {{1, 1}, {4, 5}}, "long"))) == "long");
 
-  const AnnotationDrawing angle = drawn(of_kind(AnnotationKind::angle, {{3, 1}, {1, 1}, {1, 3}}));
+  const AnnotationDrawing angle = drawing_of(of_kind(AnnotationKind::angle, {{3, 1}, {1, 1}, {1, 3}}));
   REQUIRE(angle.drawing.arcs.size() == 1);
   CHECK(std::abs(angle.drawing.arcs[0].sweep - 0.5 * std::numbers::pi) < 1e-12);
   CHECK(angle.drawing.arcs[0].center == Vec2{100, 500});
@@ -181,14 +178,14 @@ TEST_CASE("dimensions measure what their places are") {
   CHECK(words.x > 100.0);
   CHECK(words.y < 500.0);
 
-  const AnnotationDrawing circle = drawn(of_kind(AnnotationKind::radius, {{3, 2}, {2, 3}, {1, 2}}));
+  const AnnotationDrawing circle = drawing_of(of_kind(AnnotationKind::radius, {{3, 2}, {2, 3}, {1, 2}}));
   REQUIRE(circle.drawing.arcs.size() == 1);
   CHECK(circle.drawing.arcs[0].center == Vec2{200, 400});
   CHECK(std::abs(circle.drawing.arcs[0].radius - 100.0) < 1e-9);
 }
 
 TEST_CASE("lines end where they lead to") {
-  const AnnotationDrawing arrow = drawn(of_kind(AnnotationKind::arrow, {{1, 1}, {5, 1}}, "tail"));
+  const AnnotationDrawing arrow = drawing_of(of_kind(AnnotationKind::arrow, {{1, 1}, {5, 1}}, "tail"));
   REQUIRE(arrow.drawing.triangles.size() == 1);
   CHECK(arrow.drawing.triangles[0].corners[0] == Vec2{500, 500});
   CHECK(arrow.words[0].high.x < 100.0);
@@ -197,7 +194,7 @@ TEST_CASE("lines end where they lead to") {
   Annotation leader = of_kind(AnnotationKind::leader, {{1, 1}}, "here");
   leader.anchors[0].samples = {1};
   leader.shift = {60, -80};
-  const AnnotationDrawing led = drawn(leader, {{0, 0}, {2, 2}});
+  const AnnotationDrawing led = drawing_of(leader, {{0, 0}, {2, 2}});
   REQUIRE(led.drawing.triangles.size() == 1);
   const double gap = distance(led.drawing.triangles[0].corners[0], {200, 400});
   CHECK(gap > 2.0);
@@ -205,7 +202,7 @@ TEST_CASE("lines end where they lead to") {
   CHECK(led.words[0].low.x == 260.0);
   // Words over the element need no line.
   leader.shift = {};
-  CHECK(drawn(leader, {{0, 0}, {2, 2}}).drawing.triangles.empty());
+  CHECK(drawing_of(leader, {{0, 0}, {2, 2}}).drawing.triangles.empty());
 }
 
 TEST_CASE("whatever the places and the view, what is drawn has a place near the picture") {
@@ -231,7 +228,7 @@ TEST_CASE("whatever the places and the view, what is drawn has a place near the 
     SeenPlane plane = kPlane;
     plane.units_per_pixel = std::exp2(random.uniform(-50.0, 20.0));
     const AnnotationDrawing out =
-        layout_annotations(place(document_with({}, {annotation})), plane, measure, std::nullopt);
+        layout_annotations(place(document_with({}, {annotation})), plane, half_size_a_byte, std::nullopt);
     const auto is_near = [](Vec2 p) { return std::abs(p.x) < 1e5 && std::abs(p.y) < 1e5; };
     for (const PaperDrawing* const each : {&out.drawing, &out.highlights}) {
       for (const PaperDrawing::Stroke& stroke : each->strokes)
@@ -248,7 +245,7 @@ TEST_CASE("an annotation is hit by its words and by its line, the topmost first"
   Annotation low = of_kind(AnnotationKind::text, {{1, 1}}, "below");
   Annotation high = of_kind(AnnotationKind::distance, {{1, 1}, {5, 1}});
   const AnnotationDrawing both =
-      layout_annotations(place(document_with({}, {low, high})), kPlane, measure, Rgb{255, 255, 255});
+      layout_annotations(place(document_with({}, {low, high})), kPlane, half_size_a_byte, Rgb{255, 255, 255});
   CHECK(annotation_at(both, {300, 503}, 5.0) == 1);
   CHECK(annotation_at(both, {110, 495}, 5.0) == 1);
   CHECK(annotation_at(both, {110, 490}, 5.0) == 0);

@@ -6,17 +6,14 @@
 #include "app/canvas/tools/annotate_tool.h"
 #include "app/canvas/tools/measure_tool.h"
 #include "core/io/session.h"
+#include "tests/model/tool_hand.h"
 
 using namespace mes;
+using mes::test::at_pixel;
 
 namespace {
 
-// A view in which a pixel is half a unit.
-Pointer at(double x, double y) {
-  return {{x, y}, {0.5 * x, -0.5 * y}, 0.5, {}};
-}
-
-struct Bench {
+struct AnnotationBench {
   Editor editor{{}};
   double spacing = 10.0;
   int refused = 0;
@@ -27,12 +24,15 @@ struct Bench {
   AnnotateTool tool{context};
 
   // Two samples on a horizontal line, one below: the centre of their circle is at (150, 150).
-  Bench() { REQUIRE(editor.load({.positions = {at(100, 100).world, at(200, 100).world, at(200, 200).world}})); }
+  AnnotationBench() {
+    REQUIRE(
+        editor.load({.positions = {at_pixel(100, 100).world, at_pixel(200, 100).world, at_pixel(200, 200).world}}));
+  }
   void drag(const Pointer& from, const Pointer& to) {
     tool.hover(from);
     tool.press(from);
     for (int i = 1; i <= 4; ++i)
-      tool.drag(at(from.px.x + 0.25 * i * (to.px.x - from.px.x), from.px.y + 0.25 * i * (to.px.y - from.px.y)));
+      tool.drag(at_pixel(from.px.x + 0.25 * i * (to.px.x - from.px.x), from.px.y + 0.25 * i * (to.px.y - from.px.y)));
     tool.release(to);
     CHECK_FALSE(tool.is_active());
     CHECK_FALSE(editor.in_gesture());
@@ -57,8 +57,8 @@ struct Bench {
 }  // namespace
 
 TEST_CASE("a click is where words begin, and writing them is one step") {
-  Bench bench;
-  bench.click(at(400, 300));
+  AnnotationBench bench;
+  bench.click(at_pixel(400, 300));
   REQUIRE(bench.desk.is_draft());
   CHECK(bench.all().empty());
   CHECK_FALSE(bench.editor.can_undo());
@@ -66,7 +66,7 @@ TEST_CASE("a click is where words begin, and writing them is one step") {
   REQUIRE(bench.all().size() == 1);
   CHECK(bench.all()[0].text == "crust");
   CHECK(bench.all()[0].kind == AnnotationKind::text);
-  CHECK(bench.place(0) == at(400, 300).world);
+  CHECK(bench.place(0) == at_pixel(400, 300).world);
   CHECK(bench.desk.close());
   CHECK(bench.editor.undo_name() == "Annotate");
   bench.editor.undo();
@@ -85,18 +85,18 @@ TEST_CASE("a click is where words begin, and writing them is one step") {
 }
 
 TEST_CASE("words that are taken back leave nothing") {
-  Bench bench;
-  bench.click(at(400, 300));
+  AnnotationBench bench;
+  bench.click(at_pixel(400, 300));
   bench.desk.close();
   CHECK(bench.all().empty());
-  bench.click(at(400, 300));
+  bench.click(at_pixel(400, 300));
   bench.write("a");
   bench.write("");
   bench.desk.close();
   CHECK(bench.all().empty());
   CHECK_FALSE(bench.editor.can_undo());
   // Of an older one, deleting is a step of its own.
-  bench.click(at(400, 300));
+  bench.click(at_pixel(400, 300));
   bench.write("older");
   bench.desk.close();
   bench.desk.select(0);
@@ -109,10 +109,10 @@ TEST_CASE("words that are taken back leave nothing") {
 }
 
 TEST_CASE("what begins on a sample or a vertex follows it") {
-  Bench bench;
-  bench.click(at(103, 101));
+  AnnotationBench bench;
+  bench.click(at_pixel(103, 101));
   bench.write("sample");
-  bench.drag(at(150, 152), at(300, 40));
+  bench.drag(at_pixel(150, 152), at_pixel(300, 40));
   bench.write("vertex");
   bench.desk.close();
   REQUIRE(bench.all().size() == 2);
@@ -121,62 +121,62 @@ TEST_CASE("what begins on a sample or a vertex follows it") {
   CHECK(bench.all()[1].kind == AnnotationKind::leader);
   CHECK(bench.all()[1].anchors[0].samples.size() == 3);
   CHECK(bench.all()[1].shift == Vec2{150, -112});
-  CHECK(bench.place(1) == at(150, 150).world);
-  bench.move_sample(0, at(100, 200).world);
-  CHECK(bench.place(0) == at(100, 200).world);
-  CHECK(bench.place(1) == at(150, 150).world);
-  bench.move_sample(1, at(200, 400).world);
-  CHECK(bench.place(1) == at(150, 300).world);
+  CHECK(bench.place(1) == at_pixel(150, 150).world);
+  bench.move_sample(0, at_pixel(100, 200).world);
+  CHECK(bench.place(0) == at_pixel(100, 200).world);
+  CHECK(bench.place(1) == at_pixel(150, 150).world);
+  bench.move_sample(1, at_pixel(200, 400).world);
+  CHECK(bench.place(1) == at_pixel(150, 300).world);
 }
 
 TEST_CASE("a circle with a sample inside has no vertex at its centre") {
-  Bench bench;
-  CHECK(bench.desk.anchor_at(at(152, 149).world, 4.5, true).samples.size() == 3);
-  CHECK(bench.desk.anchor_at(at(152, 149).world, 4.5, false).samples.empty());
-  REQUIRE(bench.editor.insert(std::array{at(150, 90).world}, "Insert"));
-  CHECK(bench.desk.anchor_at(at(152, 149).world, 4.5, true).samples.empty());
+  AnnotationBench bench;
+  CHECK(bench.desk.anchor_at(at_pixel(152, 149).world, 4.5, true).samples.size() == 3);
+  CHECK(bench.desk.anchor_at(at_pixel(152, 149).world, 4.5, false).samples.empty());
+  REQUIRE(bench.editor.insert(std::array{at_pixel(150, 90).world}, "Insert"));
+  CHECK(bench.desk.anchor_at(at_pixel(152, 149).world, 4.5, true).samples.empty());
   // Nothing is near, and nothing is there at all.
   CHECK(bench.desk.anchor_at({1e30, 1e30}, 4.5, true).samples.empty());
   // Among more samples than can be searched while the pointer moves there are none either.
-  SampleData many{.positions = {at(100, 100).world, at(200, 100).world, at(200, 200).world}};
+  SampleData many{.positions = {at_pixel(100, 100).world, at_pixel(200, 100).world, at_pixel(200, 200).world}};
   for (int i = 0; i <= 20'000; ++i) many.positions.push_back({1e4 + i, 1e4});
   REQUIRE(bench.editor.load(many));
-  CHECK(bench.desk.anchor_at(at(152, 149).world, 4.5, true).samples.empty());
-  CHECK(bench.desk.anchor_at(at(102, 99).world, 4.5, true).samples.size() == 1);
+  CHECK(bench.desk.anchor_at(at_pixel(152, 149).world, 4.5, true).samples.empty());
+  CHECK(bench.desk.anchor_at(at_pixel(102, 99).world, 4.5, true).samples.size() == 1);
   REQUIRE(bench.editor.load({}));
   CHECK(bench.desk.anchor_at({0, 0}, 4.5, true).samples.empty());
 }
 
 TEST_CASE("the element that a line will be on is ringed") {
-  Bench bench;
-  bench.tool.hover(at(103, 101));
-  CHECK(bench.tool.feedback().ringed == at(100, 100).world);
-  bench.tool.hover(at(152, 149));
-  CHECK(bench.tool.feedback().ringed == at(150, 150).world);
-  bench.tool.hover(at(400, 300));
+  AnnotationBench bench;
+  bench.tool.hover(at_pixel(103, 101));
+  CHECK(bench.tool.feedback().ringed == at_pixel(100, 100).world);
+  bench.tool.hover(at_pixel(152, 149));
+  CHECK(bench.tool.feedback().ringed == at_pixel(150, 150).world);
+  bench.tool.hover(at_pixel(400, 300));
   CHECK_FALSE(bench.tool.feedback().ringed.has_value());
   // Of words dragged off a sample, that sample; of an arrow, where its tip is.
-  bench.tool.press(at(103, 101));
-  bench.tool.drag(at(201, 199));
-  CHECK(bench.tool.feedback().ringed == at(100, 100).world);
+  bench.tool.press(at_pixel(103, 101));
+  bench.tool.drag(at_pixel(201, 199));
+  CHECK(bench.tool.feedback().ringed == at_pixel(100, 100).world);
   REQUIRE(bench.tool.feedback().line.has_value());
-  CHECK(bench.tool.feedback().line->second == at(201, 199).world);
+  CHECK(bench.tool.feedback().line->second == at_pixel(201, 199).world);
   bench.tool.cancel();
-  bench.tool.press(at(400, 300));
-  bench.tool.drag(at(201, 199));
-  CHECK(bench.tool.feedback().ringed == at(200, 200).world);
+  bench.tool.press(at_pixel(400, 300));
+  bench.tool.drag(at_pixel(201, 199));
+  CHECK(bench.tool.feedback().ringed == at_pixel(200, 200).world);
   bench.tool.cancel();
   CHECK(bench.all().empty());
   // What lies under an annotation is not taken.
   bench.under_pointer = 0;
-  bench.tool.hover(at(103, 101));
+  bench.tool.hover(at_pixel(103, 101));
   CHECK_FALSE(bench.tool.feedback().ringed.has_value());
   CHECK(bench.tool.feedback().annotation == 0);
 }
 
 TEST_CASE("a drag over free space is an arrow, which needs no words") {
-  Bench bench;
-  bench.drag(at(400, 300), at(202, 199));
+  AnnotationBench bench;
+  bench.drag(at_pixel(400, 300), at_pixel(202, 199));
   REQUIRE(bench.all().size() == 1);
   CHECK(bench.all()[0].kind == AnnotationKind::arrow);
   CHECK(bench.all()[0].anchors[1].samples == std::vector<std::uint32_t>{2});
@@ -186,24 +186,24 @@ TEST_CASE("a drag over free space is an arrow, which needs no words") {
 }
 
 TEST_CASE("a drag of an annotation is one step, and Esc takes it back") {
-  Bench bench;
-  bench.click(at(400, 300));
+  AnnotationBench bench;
+  bench.click(at_pixel(400, 300));
   bench.write("words");
   bench.desk.close();
   bench.under_pointer = 0;
-  bench.drag(at(410, 298), at(450, 338));
-  CHECK(bench.place(0) == at(440, 340).world);
+  bench.drag(at_pixel(410, 298), at_pixel(450, 338));
+  CHECK(bench.place(0) == at_pixel(440, 340).world);
   CHECK(bench.editor.undo_name() == "Move annotation");
   bench.editor.undo();
-  CHECK(bench.place(0) == at(400, 300).world);
-  bench.tool.press(at(410, 298));
-  bench.tool.drag(at(600, 600));
+  CHECK(bench.place(0) == at_pixel(400, 300).world);
+  bench.tool.press(at_pixel(410, 298));
+  bench.tool.drag(at_pixel(600, 600));
   CHECK(bench.editor.in_gesture());
   bench.tool.cancel();
   CHECK_FALSE(bench.editor.in_gesture());
-  CHECK(bench.place(0) == at(400, 300).world);
+  CHECK(bench.place(0) == at_pixel(400, 300).world);
   // A click chooses it; the key that deletes it works on the desk.
-  bench.click(at(410, 298));
+  bench.click(at_pixel(410, 298));
   REQUIRE(bench.desk.current() != nullptr);
   CHECK(bench.desk.current()->text == "words");
   REQUIRE(bench.desk.erase());
@@ -211,18 +211,18 @@ TEST_CASE("a drag of an annotation is one step, and Esc takes it back") {
 }
 
 TEST_CASE("an end of an arrow is taken to another element") {
-  Bench bench;
-  bench.drag(at(400, 300), at(300, 300));
+  AnnotationBench bench;
+  bench.drag(at_pixel(400, 300), at_pixel(300, 300));
   bench.desk.close();
   bench.under_pointer = 0;
-  bench.drag(at(301, 300), at(200, 101));
-  CHECK(bench.all()[0].anchors[0].at == at(400, 300).world);
+  bench.drag(at_pixel(301, 300), at_pixel(200, 101));
+  CHECK(bench.all()[0].anchors[0].at == at_pixel(400, 300).world);
   CHECK(bench.all()[0].anchors[1].samples == std::vector<std::uint32_t>{1});
 }
 
 TEST_CASE("whatever else changes annotations ends the choice") {
-  Bench bench;
-  bench.click(at(400, 300));
+  AnnotationBench bench;
+  bench.click(at_pixel(400, 300));
   bench.write("first");
   bench.desk.close();
   bench.desk.select(0);
@@ -233,19 +233,19 @@ TEST_CASE("whatever else changes annotations ends the choice") {
   REQUIRE(bench.desk.erase());
   CHECK_FALSE(bench.desk.close());
   // Deleting a sample changes the places of what follows it, and nothing else.
-  bench.click(at(100, 100));
+  bench.click(at_pixel(100, 100));
   bench.write("on a sample");
   const SampleId id{bench.editor.document().first_id().value};
   REQUIRE(bench.editor.remove(std::array{id}, "Delete"));
   bench.desk.follow();
   bench.write("where a sample was");
   CHECK(bench.all()[0].text == "where a sample was");
-  CHECK(bench.place(0) == at(100, 100).world);
+  CHECK(bench.place(0) == at_pixel(100, 100).world);
 }
 
 TEST_CASE("a draft does not reach another document") {
-  Bench bench;
-  bench.click(at(100, 100));
+  AnnotationBench bench;
+  bench.click(at_pixel(100, 100));
   REQUIRE(bench.desk.is_draft());
   bench.desk.forget();
   CHECK(bench.desk.current() == nullptr);
@@ -253,7 +253,7 @@ TEST_CASE("a draft does not reach another document") {
   REQUIRE(bench.desk.change({.text = "late", .anchors = {{.samples = {2}}}}));
   CHECK(bench.all().empty());
   // Nor does a choice.
-  bench.click(at(400, 300));
+  bench.click(at_pixel(400, 300));
   bench.write("words");
   REQUIRE(bench.editor.load({}));
   CHECK(bench.desk.current() == nullptr);
@@ -261,10 +261,10 @@ TEST_CASE("a draft does not reach another document") {
 }
 
 TEST_CASE("a measurement becomes a dimension that follows its samples") {
-  Bench bench;
+  AnnotationBench bench;
   MeasureTool measure(bench.context);
   CHECK_FALSE(measure.measurement().has_value());
-  for (const Pointer& p : {at(100, 100), at(200, 100)}) {
+  for (const Pointer& p : {at_pixel(100, 100), at_pixel(200, 100)}) {
     measure.press(p);
     measure.release(p);
   }
@@ -273,23 +273,23 @@ TEST_CASE("a measurement becomes a dimension that follows its samples") {
   CHECK(kept->kind == AnnotationKind::distance);
   REQUIRE(bench.desk.begin(*kept));
   REQUIRE(bench.all().size() == 1);
-  bench.move_sample(1, at(300, 100).world);
+  bench.move_sample(1, at_pixel(300, 100).world);
   CHECK(distance(bench.place(0, 0), bench.place(0, 1)) == 100.0);
-  measure.press(at(200, 200));
-  measure.release(at(200, 200));
+  measure.press(at_pixel(200, 200));
+  measure.release(at_pixel(200, 200));
   kept = measure.measurement();
   REQUIRE(kept.has_value());
   CHECK(kept->kind == AnnotationKind::angle);
 }
 
 TEST_CASE("a session brings annotations back with all that can be undone") {
-  Bench bench;
-  bench.click(at(100, 100));
+  AnnotationBench bench;
+  bench.click(at_pixel(100, 100));
   bench.write("on $p_0$");
   bench.desk.close();
-  bench.drag(at(400, 300), at(300, 300));
+  bench.drag(at_pixel(400, 300), at_pixel(300, 300));
   bench.desk.close();
-  bench.move_sample(0, at(120, 90).world);
+  bench.move_sample(0, at_pixel(120, 90).world);
   const Session session{.data = bench.editor.timeline().data(), .entries = bench.editor.timeline().entries()};
   const auto read = read_session(write_session(session), "a.json");
   REQUIRE(read.has_value());

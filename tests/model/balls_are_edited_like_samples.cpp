@@ -6,19 +6,18 @@
 #include "app/canvas/tools/ball_tool.h"
 #include "app/canvas/tools/select_tool.h"
 #include "app/editing/ball_pick.h"
+#include "tests/model/tool_hand.h"
 
 using namespace mes;
+using mes::test::at_pixel;
+using mes::test::click;
+using mes::test::drag;
+using mes::test::kCtrlShift;
+using mes::test::kShift;
 
 namespace {
 
-// A view in which a pixel is half a unit.
-Pointer at(double x, double y, Modifiers modifiers = {}) {
-  return {{x, y}, {0.5 * x, -0.5 * y}, 0.5, modifiers};
-}
-constexpr Modifiers kShift{.shift = true};
-constexpr Modifiers kCtrlShift{.ctrl = true, .shift = true};
-
-struct Bench {
+struct BallBench {
   Editor editor{{}};
   double spacing = 10.0;
   int refused = 0;
@@ -27,10 +26,10 @@ struct Bench {
 
   // Balls with 40 pixels of radius around the pixels (100, 100), (300, 100) and (500, 100), and a sample between each
   // two.
-  Bench() {
+  BallBench() {
     SampleData data;
-    for (const double x : {100.0, 300.0, 500.0}) data.balls.push_back({at(x, 100).world, 20.0});
-    for (const double x : {200.0, 400.0}) data.positions.push_back(at(x, 100).world);
+    for (const double x : {100.0, 300.0, 500.0}) data.balls.push_back({at_pixel(x, 100).world, 20.0});
+    for (const double x : {200.0, 400.0}) data.positions.push_back(at_pixel(x, 100).world);
     REQUIRE(editor.load(data));
   }
   const Document& document() const { return editor.document(); }
@@ -46,37 +45,23 @@ std::vector<Row> rows(std::initializer_list<std::size_t> numbers) {
   return out;
 }
 
-void click(Tool& tool, const Pointer& pointer) {
-  tool.hover(pointer);
-  tool.press(pointer);
-  tool.release(pointer);
-}
-
-void drag(Tool& tool, const Pointer& from, const Pointer& to) {
-  tool.hover(from);
-  tool.press(from);
-  tool.drag({0.5 * (from.px + to.px), 0.5 * (from.world + to.world), from.units_per_px, from.modifiers});
-  tool.drag(to);
-  tool.release(to);
-}
-
 }  // namespace
 
 TEST_CASE("the ball tool draws a ball from its centre to the pointer, in one step") {
-  Bench bench;
+  BallBench bench;
   BallTool tool(bench.context);
-  tool.hover(at(10, 300));
-  tool.press(at(10, 300));
-  tool.drag(at(12, 300));
+  tool.hover(at_pixel(10, 300));
+  tool.press(at_pixel(10, 300));
+  tool.drag(at_pixel(12, 300));
   CHECK(bench.document().ball_count() == 3);
-  tool.drag(at(30, 300));
+  tool.drag(at_pixel(30, 300));
   REQUIRE(bench.document().ball_count() == 4);
-  CHECK(bench.document().disk(BallSlot(3)) == Disk{at(10, 300).world, 10.0});
+  CHECK(bench.document().disk(BallSlot(3)) == Disk{at_pixel(10, 300).world, 10.0});
   REQUIRE(tool.feedback().ball);
-  CHECK(*tool.feedback().ball == Disk{at(10, 300).world, 10.0});
-  tool.drag(at(40, 340));
-  tool.release(at(40, 340));
-  CHECK(bench.document().disk(BallSlot(3)) == Disk{at(10, 300).world, 25.0});
+  CHECK(*tool.feedback().ball == Disk{at_pixel(10, 300).world, 10.0});
+  tool.drag(at_pixel(40, 340));
+  tool.release(at_pixel(40, 340));
+  CHECK(bench.document().disk(BallSlot(3)) == Disk{at_pixel(10, 300).world, 25.0});
   CHECK_FALSE(tool.feedback().ball);
   CHECK(bench.editor.undo_name() == "Insert ball");
   bench.editor.undo();
@@ -87,20 +72,20 @@ TEST_CASE("the ball tool draws a ball from its centre to the pointer, in one ste
 }
 
 TEST_CASE("a click of the ball tool makes nothing, nor does a drag that comes back or is cancelled") {
-  Bench bench;
+  BallBench bench;
   const auto digest = bench.document().digest();
   BallTool tool(bench.context);
-  click(tool, at(10, 300));
+  click(tool, at_pixel(10, 300));
   CHECK_FALSE(bench.editor.in_gesture());
-  tool.press(at(10, 300));
-  tool.drag(at(60, 300));
-  tool.release(at(11, 301));
+  tool.press(at_pixel(10, 300));
+  tool.drag(at_pixel(60, 300));
+  tool.release(at_pixel(11, 301));
   CHECK(bench.document().digest() == digest);
-  tool.press(at(10, 300));
-  tool.drag(at(60, 300));
+  tool.press(at_pixel(10, 300));
+  tool.drag(at_pixel(60, 300));
   CHECK(bench.document().ball_count() == 4);
   tool.cancel();
-  tool.release(at(60, 300));
+  tool.release(at_pixel(60, 300));
   CHECK(bench.document().digest() == digest);
   CHECK_FALSE(bench.editor.can_undo());
   CHECK_FALSE(tool.is_active());
@@ -108,7 +93,7 @@ TEST_CASE("a click of the ball tool makes nothing, nor does a drag that comes ba
 }
 
 TEST_CASE("a ball that no double can hold is refused once, and nothing is left open") {
-  Bench bench;
+  BallBench bench;
   BallTool tool(bench.context);
   const double most = std::numeric_limits<double>::max();
   tool.press({{0, 0}, {-most, 0}, 1.0, {}});
@@ -121,65 +106,65 @@ TEST_CASE("a ball that no double can hold is refused once, and nothing is left o
 }
 
 TEST_CASE("a ball is taken at its centre and at its circle, but not in between") {
-  Bench bench;
+  BallBench bench;
   SelectTool tool(bench.context);
-  click(tool, at(104, 97));
+  click(tool, at_pixel(104, 97));
   CHECK(bench.balls() == rows<BallSlot>({0}));
-  click(tool, at(120, 100));
+  click(tool, at_pixel(120, 100));
   CHECK(bench.balls().empty());
-  click(tool, at(300, 143));
+  click(tool, at_pixel(300, 143));
   CHECK(bench.balls() == rows<BallSlot>({1}));
-  click(tool, at(457, 100, kShift));
+  click(tool, at_pixel(457, 100, kShift));
   CHECK(bench.balls() == rows<BallSlot>({1, 2}));
-  click(tool, at(200, 100, kShift));
+  click(tool, at_pixel(200, 100, kShift));
   CHECK(bench.samples() == rows<SampleSlot>({0}));
   CHECK(bench.editor.selection().size() == 3);
-  click(tool, at(300, 60, kCtrlShift));
+  click(tool, at_pixel(300, 60, kCtrlShift));
   CHECK(bench.balls() == rows<BallSlot>({2}));
-  click(tool, at(200, 100));
+  click(tool, at_pixel(200, 100));
   CHECK(bench.samples() == rows<SampleSlot>({0}));
   CHECK(bench.balls().empty());
 }
 
 TEST_CASE("of a sample and a ball the nearer one is taken, and the sample when both are as near") {
-  Bench bench;
+  BallBench bench;
   SelectTool tool(bench.context);
   // On the circle of the first ball.
-  REQUIRE(bench.editor.insert(std::vector{at(140, 100).world}, "sample"));
-  click(tool, at(143, 100));
+  REQUIRE(bench.editor.insert(std::vector{at_pixel(140, 100).world}, "sample"));
+  click(tool, at_pixel(143, 100));
   CHECK(bench.samples() == rows<SampleSlot>({2}));
   CHECK(bench.balls().empty());
   // Six pixels along the circle from the sample, right on it.
   const double t = 6.0 / 40.0;
-  click(tool, at(100 + 40 * std::cos(t), 100 + 40 * std::sin(t)));
+  click(tool, at_pixel(100 + 40 * std::cos(t), 100 + 40 * std::sin(t)));
   CHECK(bench.samples().empty());
   CHECK(bench.balls() == rows<BallSlot>({0}));
 }
 
 TEST_CASE("a box selects the balls whose centre it holds") {
-  Bench bench;
+  BallBench bench;
   SelectTool tool(bench.context);
-  drag(tool, at(150, 60), at(320, 120));
+  drag(tool, at_pixel(150, 60), at_pixel(320, 120));
   CHECK(bench.balls() == rows<BallSlot>({1}));
   CHECK(bench.samples() == rows<SampleSlot>({0}));
-  drag(tool, at(400, 0, kShift), at(600, 200, kShift));
+  drag(tool, at_pixel(400, 0, kShift), at_pixel(600, 200, kShift));
   CHECK(bench.balls() == rows<BallSlot>({1, 2}));
-  drag(tool, at(290, 80, kCtrlShift), at(600, 200, kCtrlShift));
+  drag(tool, at_pixel(290, 80, kCtrlShift), at_pixel(600, 200, kCtrlShift));
   CHECK(bench.balls().empty());
   CHECK(bench.samples() == rows<SampleSlot>({0}));
 }
 
 TEST_CASE("dragging moves the whole selection, samples and balls, in one step") {
-  Bench bench;
+  BallBench bench;
   const auto digest = bench.document().digest();
   SelectTool tool(bench.context);
   bench.editor.selection().add(SampleSlot(1));
   bench.editor.selection().add_ball(BallSlot(0));
-  drag(tool, at(60, 100), at(90, 140));
-  CHECK(bench.document().disk(BallSlot(0)) == Disk{at(130, 140).world, 20.0});
-  CHECK(bench.document().disk(BallSlot(1)) == Disk{at(300, 100).world, 20.0});
-  CHECK(bench.document().position(SampleSlot(1)) == at(430, 140).world);
-  CHECK(bench.document().position(SampleSlot(0)) == at(200, 100).world);
+  drag(tool, at_pixel(60, 100), at_pixel(90, 140));
+  CHECK(bench.document().disk(BallSlot(0)) == Disk{at_pixel(130, 140).world, 20.0});
+  CHECK(bench.document().disk(BallSlot(1)) == Disk{at_pixel(300, 100).world, 20.0});
+  CHECK(bench.document().position(SampleSlot(1)) == at_pixel(430, 140).world);
+  CHECK(bench.document().position(SampleSlot(0)) == at_pixel(200, 100).world);
   CHECK(bench.editor.undo_name() == "Move sample and ball");
   bench.editor.undo();
   CHECK(bench.document().digest() == digest);
@@ -187,30 +172,30 @@ TEST_CASE("dragging moves the whole selection, samples and balls, in one step") 
 }
 
 TEST_CASE("the wheel on a selected ball changes its radius, one step until the pointer moves on") {
-  Bench bench;
+  BallBench bench;
   SelectTool tool(bench.context);
-  tool.hover(at(100, 140));
-  CHECK_FALSE(tool.wheel(at(100, 140), 1));  // not selected: the view zooms
-  click(tool, at(100, 140));
-  for (int i = 0; i < 5; ++i) CHECK(tool.wheel(at(100, 140), 1));
+  tool.hover(at_pixel(100, 140));
+  CHECK_FALSE(tool.wheel(at_pixel(100, 140), 1));  // not selected: the view zooms
+  click(tool, at_pixel(100, 140));
+  for (int i = 0; i < 5; ++i) CHECK(tool.wheel(at_pixel(100, 140), 1));
   CHECK(bench.document().disk(BallSlot(0)).radius == Approx(20.0 * std::pow(1.1, 5)));
-  CHECK(bench.document().disk(BallSlot(0)).center == at(100, 100).world);
+  CHECK(bench.document().disk(BallSlot(0)).center == at_pixel(100, 100).world);
   CHECK(bench.document().disk(BallSlot(1)).radius == 20.0);
-  tool.hover(at(100, 141));
-  CHECK(tool.wheel(at(100, 141), -5));
+  tool.hover(at_pixel(100, 141));
+  CHECK(tool.wheel(at_pixel(100, 141), -5));
   CHECK(bench.document().disk(BallSlot(0)).radius == Approx(20.0));
-  CHECK(tool.wheel(at(100, 141), -1));
+  CHECK(tool.wheel(at_pixel(100, 141), -1));
   CHECK(bench.editor.undo_name() == "Change radius");
   bench.editor.undo();
   CHECK(bench.document().disk(BallSlot(0)).radius == 20.0);
   CHECK_FALSE(bench.editor.can_undo());
 
   // The pointer moved on and came back: a step of its own.
-  CHECK(tool.wheel(at(100, 140), 1));
-  tool.hover(at(100, 200));
-  CHECK_FALSE(tool.wheel(at(100, 200), 1));
-  tool.hover(at(100, 100));
-  CHECK(tool.wheel(at(100, 100), 1));
+  CHECK(tool.wheel(at_pixel(100, 140), 1));
+  tool.hover(at_pixel(100, 200));
+  CHECK_FALSE(tool.wheel(at_pixel(100, 200), 1));
+  tool.hover(at_pixel(100, 100));
+  CHECK(tool.wheel(at_pixel(100, 100), 1));
   CHECK(bench.document().disk(BallSlot(0)).radius == Approx(20.0 * 1.1 * 1.1));
   bench.editor.undo();
   CHECK(bench.document().disk(BallSlot(0)).radius == Approx(20.0 * 1.1));
@@ -220,29 +205,29 @@ TEST_CASE("the wheel on a selected ball changes its radius, one step until the p
 }
 
 TEST_CASE("the wheel changes all selected balls, a step between two turns parts them, and zero grows") {
-  Bench bench;
-  REQUIRE(bench.editor.insert_balls(std::vector{Disk{at(100, 300).world, 0.0}}, "ball"));
+  BallBench bench;
+  REQUIRE(bench.editor.insert_balls(std::vector{Disk{at_pixel(100, 300).world, 0.0}}, "ball"));
   SelectTool tool(bench.context);
   bench.editor.selection().select_all(bench.document());
-  CHECK(tool.wheel(at(100, 300), 1));
+  CHECK(tool.wheel(at_pixel(100, 300), 1));
   CHECK(bench.document().disk(BallSlot(3)).radius == Approx(0.5 * 1.1));
   CHECK(bench.document().disk(BallSlot(0)).radius == Approx(22.0));
   CHECK(bench.editor.undo_name() == "Change radii");
   REQUIRE(bench.editor.nudge_selection({1, 0}));
-  CHECK(tool.wheel(at(100, 300), 1));
+  CHECK(tool.wheel(at_pixel(100, 300), 1));
   bench.editor.undo();
   CHECK(bench.editor.undo_name() == "Nudge");
   // After an undo the turning begins a new step, and what was undone is gone.
-  CHECK(tool.wheel(at(100, 300), 1));
+  CHECK(tool.wheel(at_pixel(100, 300), 1));
   CHECK_FALSE(bench.editor.can_redo());
   CHECK(bench.document().disk(BallSlot(0)).radius == Approx(24.2));
   // Deleted balls take no turns.
   REQUIRE(bench.editor.remove_selection());
-  CHECK_FALSE(tool.wheel(at(100, 300), 1));
+  CHECK_FALSE(tool.wheel(at_pixel(100, 300), 1));
 }
 
 TEST_CASE("the canvas zooms unless the wheel is on a selected ball") {
-  Bench bench;
+  BallBench bench;
   Canvas canvas(bench.context);
   canvas.view().set_viewport(800, 600);
   canvas.view().fit({{0, -300}, {400, 0}}, 0.0, true);
@@ -266,17 +251,17 @@ TEST_CASE("the canvas zooms unless the wheel is on a selected ball") {
 }
 
 TEST_CASE("deleting, nudging, selecting all and inverting take balls and samples alike") {
-  Bench bench;
+  BallBench bench;
   Editor& editor = bench.editor;
   editor.selection().select_all(bench.document());
   CHECK(editor.selection().sample_count() == 2);
   CHECK(editor.selection().ball_count() == 3);
   REQUIRE(editor.nudge_selection({1, 2}));
-  CHECK(bench.document().disk(BallSlot(1)) == Disk{at(300, 100).world + Vec2{1, 2}, 20.0});
-  CHECK(bench.document().position(SampleSlot(0)) == at(200, 100).world + Vec2{1, 2});
+  CHECK(bench.document().disk(BallSlot(1)) == Disk{at_pixel(300, 100).world + Vec2{1, 2}, 20.0});
+  CHECK(bench.document().position(SampleSlot(0)) == at_pixel(200, 100).world + Vec2{1, 2});
   editor.undo();
-  CHECK(bench.document().disk(BallSlot(1)).center == at(300, 100).world);
-  CHECK(bench.document().position(SampleSlot(0)) == at(200, 100).world);
+  CHECK(bench.document().disk(BallSlot(1)).center == at_pixel(300, 100).world);
+  CHECK(bench.document().position(SampleSlot(0)) == at_pixel(200, 100).world);
   editor.selection().remove_ball(BallSlot(1));
   editor.selection().remove(SampleSlot(0));
   editor.selection().invert(bench.document());

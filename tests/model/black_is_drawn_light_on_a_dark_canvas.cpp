@@ -23,7 +23,7 @@ double contrast(Rgb a, Rgb b) {
   return x > y ? x / y : y / x;
 }
 
-Rgb drawn(Rgb color, const std::optional<Rgb>& background) {
+Rgb color_drawn(Rgb color, const std::optional<Rgb>& background) {
   LayerStyle style;
   style.color = color;
   return drawn_on(style, background).color;
@@ -34,8 +34,8 @@ Rgb drawn(Rgb color, const std::optional<Rgb>& background) {
 TEST_CASE("every layer is seen on the dark canvases as it comes") {
   for (const LayerDescriptor& layer : layer_descriptors()) {
     CAPTURE(layer.id);
-    CHECK(contrast(drawn(layer.style.color, kDarkCanvas), kDarkCanvas) > 3.0);
-    CHECK(contrast(drawn(layer.style.color, kBlackCanvas), kBlackCanvas) > 3.0);
+    CHECK(contrast(color_drawn(layer.style.color, kDarkCanvas), kDarkCanvas) > 3.0);
+    CHECK(contrast(color_drawn(layer.style.color, kBlackCanvas), kBlackCanvas) > 3.0);
   }
 }
 
@@ -43,12 +43,12 @@ TEST_CASE("nothing changes on a light canvas, or on none") {
   for (const Rgb color : {palette::black, palette::blue, palette::yellow, Rgb{255, 255, 255}})
     for (const std::optional<Rgb>& background :
          {std::optional(kWhiteCanvas), std::optional(kLightGreyCanvas), std::optional<Rgb>()})
-      CHECK(drawn(color, background) == color);
+      CHECK(color_drawn(color, background) == color);
 }
 
 TEST_CASE("only black and what is close to it is drawn light, and all else of the style stays") {
   for (const Rgb color : {palette::blue, palette::vermilion, palette::grey, Rgb{0, 0, 0x41}})
-    CHECK(drawn(color, kDarkCanvas) == color);
+    CHECK(color_drawn(color, kDarkCanvas) == color);
   LayerStyle style;
   style.color = {0x40, 0x40, 0x40};
   style.opacity = 0.3;

@@ -19,7 +19,7 @@ namespace {
 LayerConfiguration look(const std::string& layer) {
   return {{{layer, true, {}}}, {}};
 }
-std::string names(std::span<const Bundle> bundles) {
+std::string names_of_bundles(std::span<const Bundle> bundles) {
   std::string out;
   for (const Bundle& bundle : bundles) out += bundle.name + (bundle.layers.layers.empty() ? "" : "!") + ' ';
   return out;
@@ -29,7 +29,7 @@ std::string names(std::span<const Bundle> bundles) {
 
 TEST_CASE("every change of the list of bundles can be undone") {
   BundleList list({{"a"}, {"b"}, {"c"}, {"a"}, {""}});
-  CHECK(names(list.bundles()) == "a b c ");
+  CHECK(names_of_bundles(list.bundles()) == "a b c ");
   CHECK(list.undo_name().empty());
   list.undo();
   REQUIRE(list.save(" d ", look("points")));
@@ -38,14 +38,14 @@ TEST_CASE("every change of the list of bundles can be undone") {
   CHECK(list.undo_name() == "Overwrote \"a\"");
   REQUIRE(list.rename(1, "B"));
   list.move(0, 2);
-  CHECK(names(list.bundles()) == "B c a! d! ");
+  CHECK(names_of_bundles(list.bundles()) == "B c a! d! ");
   list.move(3, 0);
-  CHECK(names(list.bundles()) == "d! B c a! ");
+  CHECK(names_of_bundles(list.bundles()) == "d! B c a! ");
   list.remove(1);
   CHECK(list.undo_name() == "Deleted \"B\"");
-  CHECK(names(list.bundles()) == "d! c a! ");
+  CHECK(names_of_bundles(list.bundles()) == "d! c a! ");
   for (int i = 0; i < 6; ++i) list.undo();
-  CHECK(names(list.bundles()) == "a b c ");
+  CHECK(names_of_bundles(list.bundles()) == "a b c ");
   CHECK(list.undo_name().empty());
 }
 
@@ -74,12 +74,12 @@ TEST_CASE("imported bundles take no name that is in use, and come once") {
   BundleList list({{"a"}});
   const std::vector<Bundle> more{{"a", look("points")}, {"a", look("curve")}, {"b"}, {"a"}};
   CHECK(list.import(more) == std::vector<std::string>{"a (2)", "a (3)", "b", "a"});
-  CHECK(names(list.bundles()) == "a a (2)! a (3)! b ");
+  CHECK(names_of_bundles(list.bundles()) == "a a (2)! a (3)! b ");
   const std::uint64_t revision = list.revision();
   CHECK(list.import(more).size() == 4);
   CHECK(list.revision() == revision);
   list.undo();
-  CHECK(names(list.bundles()) == "a ");
+  CHECK(names_of_bundles(list.bundles()) == "a ");
 }
 
 TEST_CASE("what two windows made of the bundles is put together") {
@@ -89,13 +89,13 @@ TEST_CASE("what two windows made of the bundles is put together") {
   const std::vector<Bundle> theirs{{"kept"}, {"mine"}, {"theirs", look("y")}, {"mine gone"}, {"both", look("y")},
                                    {"newer"}};
   const std::vector<Bundle> merged = merge_bundles(base, mine, theirs);
-  CHECK(names(merged) == "kept mine! theirs! both! new both (2)! newer ");
+  CHECK(names_of_bundles(merged) == "kept mine! theirs! both! new both (2)! newer ");
   CHECK(merged[3].layers == look("x"));
   CHECK(merged[5].layers == look("y"));
   // Changed alike, or changed by one and removed by the other.
-  CHECK(names(merge_bundles({{{"a"}}}, {{{"a", look("x")}}}, {{{"a", look("x")}}})) == "a! ");
-  CHECK(names(merge_bundles({{{"a"}}}, {}, {{{"a", look("y")}}})) == "a! ");
-  CHECK(names(merge_bundles({{{"a"}}}, {{{"a", look("x")}}}, {})) == "a! ");
+  CHECK(names_of_bundles(merge_bundles({{{"a"}}}, {{{"a", look("x")}}}, {{{"a", look("x")}}})) == "a! ");
+  CHECK(names_of_bundles(merge_bundles({{{"a"}}}, {}, {{{"a", look("y")}}})) == "a! ");
+  CHECK(names_of_bundles(merge_bundles({{{"a"}}}, {{{"a", look("x")}}}, {})) == "a! ");
   CHECK(merge_bundles(base, base, theirs) != base);
   CHECK(merge_bundles(base, mine, base) == mine);
 }
@@ -108,16 +108,16 @@ TEST_CASE("bundles outlive the window, and two windows lose nothing") {
   const std::vector<Bundle> starting{{"start", look("points")}};
   BundleList first(one.load(starting).bundles);
   BundleList second(two.load(starting).bundles);
-  CHECK(names(first.bundles()) == "start! ");
+  CHECK(names_of_bundles(first.bundles()) == "start! ");
   CHECK_FALSE(std::filesystem::exists(file));
   REQUIRE(first.save("first", {}));
   REQUIRE(one.write(first.bundles()));
   REQUIRE(second.save("second", {}));
   const auto both = two.write(second.bundles());
   REQUIRE(both);
-  CHECK(names(both->bundles) == "start! second first ");
+  CHECK(names_of_bundles(both->bundles) == "start! second first ");
   CHECK(both->message.empty());
-  CHECK(names(BundleStore(file).load({}).bundles) == "start! second first ");
+  CHECK(names_of_bundles(BundleStore(file).load({}).bundles) == "start! second first ");
   second.replace({});
   REQUIRE(two.write(second.bundles()));
   CHECK(BundleStore(file).load(starting).bundles.empty());
@@ -134,13 +134,13 @@ TEST_CASE("undo takes back what was done here and nothing that another window di
   BundleDesk other(file, {}, layers);
   REQUIRE(other.save("other's"));
   REQUIRE(one.remove(0));
-  CHECK(names(one.bundles()) == "b! other's! ");
+  CHECK(names_of_bundles(one.bundles()) == "b! other's! ");
   CHECK(one.undo_offer() == "Deleted \"a\"");
   REQUIRE(one.undo());
-  CHECK(names(one.bundles()) == "a! b! other's! ");
+  CHECK(names_of_bundles(one.bundles()) == "a! b! other's! ");
   REQUIRE(one.undo());
-  CHECK(names(one.bundles()) == "a! other's! ");
-  CHECK(names(BundleStore(file).load({}).bundles) == "a! other's! ");
+  CHECK(names_of_bundles(one.bundles()) == "a! other's! ");
+  CHECK(names_of_bundles(BundleStore(file).load({}).bundles) == "a! other's! ");
 }
 
 TEST_CASE("a program that has the lock and goes no further stops no other") {
@@ -152,7 +152,7 @@ TEST_CASE("a program that has the lock and goes no further stops no other") {
   REQUIRE(::flock(held, LOCK_EX) == 0);
   CHECK(store.write(std::vector<Bundle>{{"a"}}));
   ::close(held);
-  CHECK(names(BundleStore(file).load({}).bundles) == "a ");
+  CHECK(names_of_bundles(BundleStore(file).load({}).bundles) == "a ");
 }
 
 TEST_CASE("a file of bundles that cannot be used is set aside") {
@@ -163,7 +163,7 @@ TEST_CASE("a file of bundles that cannot be used is set aside") {
     folder.write("bundles.json", bytes);
     BundleStore store(file);
     const auto loaded = store.load({{"start"}});
-    CHECK(names(loaded.bundles) == "start ");
+    CHECK(names_of_bundles(loaded.bundles) == "start ");
     CHECK(loaded.message.find("they were set aside as") != std::string::npos);
     CHECK_FALSE(std::filesystem::exists(file));
   }
@@ -176,7 +176,7 @@ TEST_CASE("a file of bundles that cannot be used is set aside") {
   const auto written = store.write(std::vector<Bundle>{{"a"}});
   REQUIRE(written);
   CHECK(contents_of(folder / "bundles.json.later-2") == future);
-  CHECK(names(BundleStore(file).load({}).bundles) == "a ");
+  CHECK(names_of_bundles(BundleStore(file).load({}).bundles) == "a ");
 }
 
 TEST_CASE("a pipe in the place of the bundles is set aside") {
@@ -184,14 +184,14 @@ TEST_CASE("a pipe in the place of the bundles is set aside") {
   const auto file = folder / "bundles.json";
   REQUIRE(mkfifo(file.c_str(), 0600) == 0);
   const auto loaded = BundleStore(file).load({{"start"}});
-  CHECK(names(loaded.bundles) == "start ");
+  CHECK(names_of_bundles(loaded.bundles) == "start ");
   CHECK(loaded.message.find("this is not a file") != std::string::npos);
   CHECK(std::filesystem::is_fifo(folder / "bundles.json.broken"));
 }
 
 TEST_CASE("without a home bundles live as long as the window") {
   BundleStore store({});
-  CHECK(names(store.load({{"start"}}).bundles) == "start ");
+  CHECK(names_of_bundles(store.load({{"start"}}).bundles) == "start ");
   CHECK(store.write(std::vector<Bundle>{{"a"}}));
 }
 
@@ -273,7 +273,7 @@ TEST_CASE("starting bundles that are broken or missing are reported, and the oth
 TEST_CASE("what the window does to bundles is on disk at once and can be undone") {
   const TemporaryFolder folder;
   const auto file = folder / "bundles.json";
-  const auto on_disk = [&] { return names(BundleStore(file).load({}).bundles); };
+  const auto on_disk = [&] { return names_of_bundles(BundleStore(file).load({}).bundles); };
   const std::vector<LayerDescriptor> descriptors{{.id = "points", .visible_at_start = true}, {.id = "curve"}};
   LayerStack layers(descriptors);
   BundleDesk desk(file, {}, layers);

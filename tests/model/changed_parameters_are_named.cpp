@@ -8,7 +8,7 @@ using namespace mes;
 
 namespace {
 
-std::string names(const ComputationSettings& settings) {
+std::string names_of_changed(const ComputationSettings& settings) {
   std::string out;
   for (const ChangedParameter& changed : changed_parameters(settings)) out += '[' + changed.text + ']';
   return out;
@@ -18,27 +18,27 @@ std::string names(const ComputationSettings& settings) {
 
 TEST_CASE("each parameter that is not at its default is named with its value, the document's first") {
   ComputationSettings settings;
-  CHECK(names(settings).empty());
+  CHECK(names_of_changed(settings).empty());
   settings[Parameter::union_shortcut] = 0.0;
   settings[Parameter::medial_sampling_angle] = 150.25;
-  CHECK(names(settings) == "[Certified shortcut for unions off][Angle of sampled balls 150.2\u00b0]");
+  CHECK(names_of_changed(settings) == "[Certified shortcut for unions off][Angle of sampled balls 150.2\u00b0]");
   settings[Parameter::b_scale] = 0.5;
   settings[Parameter::a_scale] = 2.14;
   settings[Parameter::pole_propagation] = 1.0;
-  CHECK(names(settings) ==
+  CHECK(names_of_changed(settings) ==
         "[Inner balls: scale 2.14 \u00d7][Own balls: scale 0.5 \u00d7][Certified shortcut for unions off][Pole "
         "labels by propagation on]"
         "[Angle of sampled balls 150.2\u00b0]");
   // The number type is not a parameter, and has its own place.
   settings = {};
   settings.precision = Precision::exact;
-  CHECK(names(settings).empty());
+  CHECK(names_of_changed(settings).empty());
 }
 
 TEST_CASE("a value next to its default is not written like the default") {
   ComputationSettings settings;
   settings[Parameter::a_scale] = 1.0000001;
-  CHECK(names(settings) == "[Inner balls: scale 1.0000001 \u00d7]");
+  CHECK(names_of_changed(settings) == "[Inner balls: scale 1.0000001 \u00d7]");
 }
 
 TEST_CASE("another document begins with its own parameters and the number type and methods in use") {

@@ -28,12 +28,12 @@ constexpr LayerIndex kCurve = 1;
 constexpr LayerIndex kVoronoi = 2;
 constexpr LayerIndex kDelaunay = 3;
 
-struct Desk {
+struct LayerBench {
   std::vector<LayerDescriptor> descriptors = some_layers();
   LayerStack layers{descriptors};
   Editor editor{{}, &layers};
 
-  Desk() {
+  LayerBench() {
     REQUIRE(editor.load({{{0, 0}, {1, 0}, {0, 1}}, {}, {}}));
     editor.note_layers();
   }
@@ -53,7 +53,7 @@ struct State {
   std::string undo{};
   friend bool operator==(const State&, const State&) = default;
 };
-std::vector<State> reachable(Editor& editor, const LayerStack& layers) {
+std::vector<State> reachable_states(Editor& editor, const LayerStack& layers) {
   std::vector<State> out;
   const auto look = [&] { out.push_back({editor.document().digest(), layers.configuration(), editor.undo_name()}); };
   look();
@@ -92,7 +92,7 @@ void change_something(LayerStack& layers, Rng& random) {
 }  // namespace
 
 TEST_CASE("a change of the layers is a step of undo with a name, among the edits") {
-  Desk desk;
+  LayerBench desk;
   CHECK_FALSE(desk.editor.can_undo());
   desk.layers.set_visible(kVoronoi, true);
   desk.editor.note_layers();
@@ -121,7 +121,7 @@ TEST_CASE("a change of the layers is a step of undo with a name, among the edits
 }
 
 TEST_CASE("what happens before the layers are at rest is one step, and an edit or undo ends it") {
-  Desk desk;
+  LayerBench desk;
   for (int i = 1; i <= 50; ++i) desk.widen(kCurve, i);
   desk.editor.note_layers();
   CHECK(desk.editor.timeline().entries().size() == 2);
@@ -143,7 +143,7 @@ TEST_CASE("what happens before the layers are at rest is one step, and an edit o
 }
 
 TEST_CASE("steps are called what they do") {
-  Desk desk;
+  LayerBench desk;
   const auto name = [&](auto change) {
     change();
     desk.editor.note_layers();
@@ -172,7 +172,7 @@ TEST_CASE("steps are called what they do") {
 }
 
 TEST_CASE("a style made by hand is back after one undo of a bundle") {
-  Desk desk;
+  LayerBench desk;
   desk.widen(kCurve, 12.0);
   const LayerConfiguration by_hand = desk.layers.configuration();
   desk.editor.change_layers("Bundle", [&] { desk.layers.set_configuration({{{"voronoi", true, {}}}, {}}); });
@@ -183,7 +183,7 @@ TEST_CASE("a style made by hand is back after one undo of a bundle") {
 }
 
 TEST_CASE("a change of the layers leaves edits that can be redone as they are") {
-  Desk desk;
+  LayerBench desk;
   desk.insert();
   desk.layers.set_visible(kVoronoi, true);
   desk.editor.note_layers();
@@ -202,7 +202,7 @@ TEST_CASE("a change of the layers leaves edits that can be redone as they are") 
 }
 
 TEST_CASE("states of an evolution take each other's place below changes of layers") {
-  Desk desk;
+  LayerBench desk;
   const auto evolve = [&](double x) {
     REQUIRE(desk.editor.evolve(std::array{Vec2{x, 0}, Vec2{1, 0}, Vec2{0, 1}}, {}, "Evolve"));
   };
@@ -225,7 +225,7 @@ TEST_CASE("states of an evolution take each other's place below changes of layer
 }
 
 TEST_CASE("what an edit shows is part of its step") {
-  Desk desk;
+  LayerBench desk;
   desk.insert();
   desk.layers.set_visible(kDelaunay, true);
   desk.editor.join_layers();
@@ -241,7 +241,7 @@ TEST_CASE("what an edit shows is part of its step") {
 }
 
 TEST_CASE("a gesture that is cancelled leaves what was done to the layers meanwhile") {
-  Desk desk;
+  LayerBench desk;
   desk.editor.begin_gesture("Drag");
   desk.insert();
   desk.layers.set_visible(kDelaunay, true);
@@ -256,7 +256,7 @@ TEST_CASE("a gesture that is cancelled leaves what was done to the layers meanwh
 }
 
 TEST_CASE("changes of layers count as unsaved where a file holds them") {
-  Desk desk;
+  LayerBench desk;
   desk.layers.set_visible(kVoronoi, true);
   desk.editor.note_layers();
   CHECK_FALSE(desk.editor.is_modified());
@@ -279,7 +279,7 @@ TEST_CASE("changes of layers count as unsaved where a file holds them") {
 }
 
 TEST_CASE("solo stays while styles are undone, and ends where a visibility is") {
-  Desk desk;
+  LayerBench desk;
   desk.layers.set_visible(kVoronoi, true);
   desk.editor.note_layers();
   desk.widen(kCurve, 5.0);
@@ -293,7 +293,7 @@ TEST_CASE("solo stays while styles are undone, and ends where a visibility is") 
 
 TEST_CASE("a session brings changes of layers back with edits, for any order of them") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    Desk desk;
+    LayerBench desk;
     test::RandomEditing script(seed);
     Rng random(seed + 100);
     REQUIRE(desk.editor.load(script.data()));
@@ -322,14 +322,14 @@ TEST_CASE("a session brings changes of layers back with edits, for any order of 
       if (const auto* change = std::get_if<LayersChanged>(&entry)) apply(*change, folded);
     CHECK(folded == session.layers);
 
-    Desk other;
+    LayerBench other;
     DocumentReplay replay(other.editor.document());
     REQUIRE(replay_session(*read, replay, "a.json"));
     other.editor.restore(std::move(replay), read->data, read->entries);
     other.layers.set_configuration(read->layers);
     other.editor.take_layers_as_noted();
-    const auto there = reachable(other.editor, other.layers);
-    const auto here = reachable(desk.editor, desk.layers);
+    const auto there = reachable_states(other.editor, other.layers);
+    const auto here = reachable_states(desk.editor, desk.layers);
     REQUIRE(there.size() == here.size());
     for (std::size_t i = 0; i < here.size(); ++i) {
       INFO("seed " << seed << ", state " << i << ": " << here[i].undo << " and " << there[i].undo);
@@ -340,7 +340,7 @@ TEST_CASE("a session brings changes of layers back with edits, for any order of 
 }
 
 TEST_CASE("a journal of nothing but changes of layers is work that was left") {
-  Desk desk;
+  LayerBench desk;
   Session head;
   head.data = desk.editor.timeline().data();
   desk.editor.change_layers("Bundle", [&] { desk.layers.set_visible(kVoronoi, true); });

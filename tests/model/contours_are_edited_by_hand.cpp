@@ -16,14 +16,14 @@ using mes::test::Bell;
 
 namespace {
 
-struct Bench {
+struct ContourBench {
   LayerStack layers{layer_descriptors()};
   Editor editor{[](auto) {}, &layers};
   Bell bell;
   ContourDesk desk{editor, layers, bell.ring()};
 
   // A circle of 24 samples without a contour, and an open contour of five far from it.
-  Bench() {
+  ContourBench() {
     SampleData data;
     for (int i = 0; i < 24; ++i)
       data.positions.push_back({std::cos(i * 2 * 3.14159265358979 / 24), std::sin(i * 2 * 3.14159265358979 / 24)});
@@ -55,7 +55,7 @@ struct Bench {
 }  // namespace
 
 TEST_CASE("a contour is closed in one step, with its layer, and undone with it") {
-  Bench bench;
+  ContourBench bench;
   const LayerIndex layer = find_layer("contours");
   REQUIRE_FALSE(bench.layers.is_visible(layer));
   bench.select({26});
@@ -76,7 +76,7 @@ TEST_CASE("a contour is closed in one step, with its layer, and undone with it")
 }
 
 TEST_CASE("chains of the crust become contours, in the place of those that share a sample") {
-  Bench bench;
+  ContourBench bench;
   bench.desk.begin_along_crust();
   CHECK(bench.finish() == "2 contours along the crust");
   REQUIRE(bench.contours().size() == 2);
@@ -98,7 +98,7 @@ TEST_CASE("chains of the crust become contours, in the place of those that share
 }
 
 TEST_CASE("contours that were edited come back with the timeline") {
-  Bench bench;
+  ContourBench bench;
   bench.select({24, 25});
   REQUIRE(bench.desk.change(ContourChange::cut));
   bench.select({0, 25});

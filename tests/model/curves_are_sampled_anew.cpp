@@ -8,14 +8,16 @@
 #include "app/editing/curve_sampler.h"
 #include "core/document/taken_samples.h"
 #include "core/io/session.h"
+#include "tests/model/positions_of.h"
 #include "tests/support/bell.h"
 
 using namespace mes;
 using mes::test::Bell;
+using mes::test::positions_of;
 
 namespace {
 
-std::shared_ptr<const CurveSet> circle(double radius) {
+std::shared_ptr<const CurveSet> curve_of_circle(double radius) {
   PlaneCurve curve({radius, 0});
   curve.arc_to({{0, 0}, {radius, 0}, {0, radius}, 0.0, 2 * std::numbers::pi}, {radius, 0});
   curve.close();
@@ -24,7 +26,7 @@ std::shared_ptr<const CurveSet> circle(double radius) {
 }
 
 SampleData data_of_circle(double radius, std::size_t count) {
-  const auto curves = circle(radius);
+  const auto curves = curve_of_circle(radius);
   const SamplingRequest request{.rule = SamplingRule::count, .count = count};
   auto samples = sample(*curves, request);
   REQUIRE(samples);
@@ -33,19 +35,13 @@ SampleData data_of_circle(double radius, std::size_t count) {
   return *std::move(data);
 }
 
-std::vector<Vec2> places(const Document& document) {
-  std::vector<Vec2> out;
-  for (const SampleSlot slot : document.slots_in_input_order()) out.push_back(document.position(slot));
-  return out;
-}
-
-struct Bench {
+struct SamplerBench {
   Document heard;  // by the deltas alone, as the engine does
   Editor editor{[this](const std::shared_ptr<const DocumentDelta>& delta) { heard.apply(*delta); }};
   Bell bell;
   CurveSampler sampler{editor, bell.ring()};
 
-  Bench() { REQUIRE(editor.load(data_of_circle(2, 40))); }
+  SamplerBench() { REQUIRE(editor.load(data_of_circle(2, 40))); }
   void finish(bool is_held) {
     bell.wait_until([&] {
       if (sampler.is_busy()) REQUIRE(sampler.follow(is_held));
@@ -73,25 +69,25 @@ struct Bench {
 }  // namespace
 
 TEST_CASE("other samples of the curves are one step of undo, and come back with redo") {
-  Bench bench;
-  const std::vector<Vec2> before = places(bench.editor.document());
+  SamplerBench bench;
+  const std::vector<Vec2> before = positions_of(bench.editor.document());
   bench.want(100, false);
   CHECK(bench.editor.document().sample_count() == 100);
   CHECK(bench.editor.document().source()->sampling.count == 100);
   CHECK(bench.editor.undo_name() == "Take samples of curves");
-  const std::vector<Vec2> after = places(bench.editor.document());
+  const std::vector<Vec2> after = positions_of(bench.editor.document());
   CHECK(bench.editor.document().curve_order()->contours.size() == 1);
   bench.editor.undo();
-  CHECK(places(bench.editor.document()) == before);
+  CHECK(positions_of(bench.editor.document()) == before);
   CHECK(bench.editor.document().source()->sampling.count == 40);
   CHECK_FALSE(bench.editor.can_undo());
   bench.editor.redo();
-  CHECK(places(bench.editor.document()) == after);
+  CHECK(positions_of(bench.editor.document()) == after);
   CHECK(bench.heard.digest() == bench.editor.document().digest());
 }
 
 TEST_CASE("while a control is held all samplings are one step, and two controls are two") {
-  Bench bench;
+  SamplerBench bench;
   for (const std::size_t count : {50U, 60U, 30U, 70U}) bench.want(count, true);
   CHECK(bench.editor.document().sample_count() == 70);
   bench.finish(false);
@@ -112,7 +108,7 @@ TEST_CASE("while a control is held all samplings are one step, and two controls 
 }
 
 TEST_CASE("samples set by hand stay, and those of the curves go, moved or not") {
-  Bench bench;
+  SamplerBench bench;
   Editor& editor = bench.editor;
   REQUIRE(editor.insert(std::array{Vec2{0.5, 0.5}}, "Insert"));
   const SampleId first = editor.document().id(editor.document().slots_in_input_order().front());
@@ -120,7 +116,7 @@ TEST_CASE("samples set by hand stay, and those of the curves go, moved or not") 
   const SampleId second = editor.document().id(editor.document().slots_in_input_order()[1]);
   REQUIRE(editor.remove(std::array{second}, "Delete"));
   bench.want(12, false);
-  std::vector<Vec2> now = places(editor.document());
+  std::vector<Vec2> now = positions_of(editor.document());
   REQUIRE(now.size() == 13);
   CHECK(std::ranges::count(now, Vec2{0.5, 0.5}) == 1);
   CHECK(std::ranges::count(now, Vec2{9, 9}) == 0);
@@ -128,7 +124,7 @@ TEST_CASE("samples set by hand stay, and those of the curves go, moved or not") 
     if (p != Vec2{0.5, 0.5}) CHECK(length(p) == Approx(2.0));
   // Whatever happened, the timeline tells of it.
   const DocumentReplay replay = bench.replayed();
-  CHECK(places(replay.document()) == now);
+  CHECK(positions_of(replay.document()) == now);
   CHECK(replay.document().digest() == editor.document().digest());
   REQUIRE(replay.document().source());
   CHECK(*replay.document().source() == *editor.document().source());
@@ -137,7 +133,7 @@ TEST_CASE("samples set by hand stay, and those of the curves go, moved or not") 
 }
 
 TEST_CASE("curves are saved with sessions and samples can be taken of them when they are read") {
-  Bench bench;
+  SamplerBench bench;
   bench.want(30, false);
   REQUIRE(bench.editor.resample(data_of_circle(5, 20), "Shape", false));
   bench.want(25, true);
@@ -158,19 +154,19 @@ TEST_CASE("curves are saved with sessions and samples can be taken of them when 
   editor.restore(std::move(replay), read->data, read->entries);
   CHECK(*editor.document().source() == *bench.editor.document().source());
   CHECK(editor.document().source()->curves->curves[0].name == "round");
-  CHECK(places(editor.document()) == places(bench.editor.document()));
+  CHECK(positions_of(editor.document()) == positions_of(bench.editor.document()));
   while (editor.can_undo()) editor.undo();
   CHECK(editor.document().sample_count() == 40);
-  CHECK(*editor.document().source()->curves == *circle(2));
+  CHECK(*editor.document().source()->curves == *curve_of_circle(2));
   // What a picture carries has the curves, too, without the history.
   const SampleData now = data_of(bench.editor.document());
   REQUIRE(now.source);
   CHECK(now.source->count == 35);
-  CHECK(*now.source->curves == *circle(5));
+  CHECK(*now.source->curves == *curve_of_circle(5));
 }
 
 TEST_CASE("another document drops what is under way") {
-  Bench bench;
+  SamplerBench bench;
   SamplingRequest request = bench.sampler.request();
   request.count = 77;
   bench.sampler.want(request);
@@ -182,7 +178,7 @@ TEST_CASE("another document drops what is under way") {
 }
 
 TEST_CASE("an undo while samples are taken drops them, so that redo is there") {
-  Bench bench;
+  SamplerBench bench;
   bench.want(60, false);
   SamplingRequest request = bench.sampler.request();
   request.count = 77;
@@ -197,7 +193,7 @@ TEST_CASE("an undo while samples are taken drops them, so that redo is there") {
 
 TEST_CASE("the epsilon that is asked for stays the one that is asked for") {
   // Not proved at 1, so that a smaller epsilon is taken.
-  Bench bench;
+  SamplerBench bench;
   PlaneCurve ellipse({3, 0});
   ellipse.arc_to({{0, 0}, {3, 0}, {0, 0.2}, 0.0, 2 * std::numbers::pi}, {3, 0});
   ellipse.close();
@@ -216,7 +212,7 @@ TEST_CASE("the epsilon that is asked for stays the one that is asked for") {
 }
 
 TEST_CASE("a wish that cannot be fulfilled says why and changes nothing") {
-  Bench bench;
+  SamplerBench bench;
   SamplingRequest request = bench.sampler.request();
   request.rule = SamplingRule::spacing;
   request.spacing = 1e-12;
@@ -234,7 +230,7 @@ TEST_CASE("a wish that cannot be fulfilled says why and changes nothing") {
 }
 
 TEST_CASE("curves are laid through samples that have none, and nothing moves") {
-  Bench bench;
+  SamplerBench bench;
   SampleData plain = data_of_circle(3, 24);
   plain.source.reset();
   REQUIRE(bench.editor.load(plain));
@@ -242,7 +238,7 @@ TEST_CASE("curves are laid through samples that have none, and nothing moves") {
   bench.sampler.want_curves_of_samples();
   bench.finish(false);
   REQUIRE(bench.sampler.source() != nullptr);
-  CHECK(places(bench.editor.document()) == plain.positions);
+  CHECK(positions_of(bench.editor.document()) == plain.positions);
   CHECK(bench.sampler.source()->curves->curves.size() == 1);
   CHECK(bench.sampler.take_notice() ==
         "1 curve was laid through the samples; others can be taken on the page Curves");
@@ -251,12 +247,12 @@ TEST_CASE("curves are laid through samples that have none, and nothing moves") {
   bench.editor.undo();
   bench.editor.undo();
   CHECK(bench.sampler.source() == nullptr);
-  CHECK(places(bench.editor.document()) == plain.positions);
+  CHECK(positions_of(bench.editor.document()) == plain.positions);
   CHECK(bench.replayed().document().digest() == bench.editor.document().digest());
 }
 
 TEST_CASE("corners are marked with their angles in one step") {
-  Bench bench;
+  SamplerBench bench;
   CHECK(bench.sampler.corners().empty());
   PlaneCurve square({0, 0});
   for (const Vec2 p : {Vec2{4, 0}, Vec2{4, 4}, Vec2{0, 4}}) square.line_to(p);

@@ -14,12 +14,12 @@ constexpr int kRound = 24;
 constexpr int kLine = 7;
 
 // Samples 0 to 23 are a circle, 24 to 30 a stroke far from it, 31 lies where 2 does.
-struct Bench {
+struct SelectorBench {
   Editor editor{[](auto) {}};
   Bell bell;
   CurveSelector selector{editor, bell.ring()};
 
-  Bench() {
+  SelectorBench() {
     SampleData data;
     for (int i = 0; i < kRound; ++i)
       data.positions.push_back(
@@ -50,7 +50,7 @@ struct Bench {
 }  // namespace
 
 TEST_CASE("the curve of what is selected is selected, and no other") {
-  Bench bench;
+  SelectorBench bench;
   using enum CurveSelector::Wish;
   bench.select({5});
   std::vector<std::uint32_t> circle;
@@ -67,7 +67,7 @@ TEST_CASE("the curve of what is selected is selected, and no other") {
 }
 
 TEST_CASE("a selection grows along the curve and shrinks back, around a closed one and to the ends of an open one") {
-  Bench bench;
+  SelectorBench bench;
   using enum CurveSelector::Wish;
   bench.select({10});
   CHECK(bench.after(grow) == std::vector<std::uint32_t>{9, 10, 11});
@@ -85,14 +85,14 @@ TEST_CASE("a selection grows along the curve and shrinks back, around a closed o
 }
 
 TEST_CASE("wishes that come while the curve is being found are all fulfilled") {
-  Bench bench;
+  SelectorBench bench;
   bench.select({10});
   for (int i = 0; i < 3; ++i) bench.selector.begin(CurveSelector::Wish::grow);
   CHECK(bench.after(CurveSelector::Wish::shrink) == std::vector<std::uint32_t>{8, 9, 10, 11, 12});
 }
 
 TEST_CASE("a document that changes meanwhile drops the wish") {
-  Bench bench;
+  SelectorBench bench;
   bench.select({5});
   bench.selector.begin(CurveSelector::Wish::whole);
   const std::vector<Vec2> one{{0.5, 0.25}};
@@ -102,7 +102,7 @@ TEST_CASE("a document that changes meanwhile drops the wish") {
 }
 
 TEST_CASE("what was selected along the curve is said, and why nothing changed") {
-  Bench bench;
+  SelectorBench bench;
   using enum CurveSelector::Wish;
   CHECK(bench.selector.take_remark().empty());
   bench.select({10});
@@ -123,7 +123,7 @@ TEST_CASE("what was selected along the curve is said, and why nothing changed") 
 }
 
 TEST_CASE("a selection that is another one of the same size is said to be selected") {
-  Bench bench;
+  SelectorBench bench;
   const std::vector<Vec2> twin{bench.editor.document().position(SampleSlot(24))};
   REQUIRE(bench.editor.insert(twin, "Insert"));
   bench.select({25, 32});

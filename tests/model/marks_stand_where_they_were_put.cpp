@@ -7,17 +7,15 @@
 #include "app/model/paper_place.h"
 #include "app/picture/scale_drawing.h"
 #include "core/base/rng.h"
+#include "tests/model/letters_of_one_width.h"
 
 using namespace mes;
+using mes::test::six_px_a_byte;
 
 namespace {
 
 constexpr Box2 kPage{{0, 0}, {800, 600}};
 constexpr double kMm = kMillimetersPerPixel;
-
-double measure(const std::string& text, double, Face) {
-  return 6.0 * static_cast<double>(text.size());
-}
 
 bool is_near(Vec2 a, Vec2 b) {
   return length(a - b) < 1e-9;
@@ -96,10 +94,10 @@ TEST_CASE("places are read as they are written, and nothing else is") {
 TEST_CASE("a scale bar with a place is there, apart from axes, title and caption") {
   const SeenPlane plane{.units_per_pixel = 0.01, .width = 800, .height = 600, .covered = 30, .covered_above = 40};
   const auto bar = [&](const ScaleMarks& marks) {
-    const MarksPlace out = place_of_marks(marks, plane, measure);
+    const MarksPlace out = place_of_marks(marks, plane, six_px_a_byte);
     REQUIRE(out.bar.has_value());
     // The line is where the place says: the drawing has a box that ends at its foot.
-    const PaperDrawing drawing = layout_scale_marks(marks, plane, measure, Rgb{255, 255, 255});
+    const PaperDrawing drawing = layout_scale_marks(marks, plane, six_px_a_byte, Rgb{255, 255, 255});
     CHECK(std::ranges::any_of(drawing.boxes, [&](const PaperDrawing::Box& box) {
       return box.height == 2.0 && box.left == Approx(out.bar->low.x) && box.top + 2.0 == Approx(out.bar->high.y);
     }));
@@ -114,7 +112,7 @@ TEST_CASE("a scale bar with a place is there, apart from axes, title and caption
   const Box2 beside = bar({.bar = true, .axes = true, .bar_at = PaperPlace{PaperCorner::bottom_left, mm}});
   CHECK(beside.high.y == Approx(600 - 30 - kAxisRoom - 5));
   CHECK(beside.low.x > 10 + 6);  // the numbers of the axis
-  const MarksPlace none = place_of_marks({.axes = true}, plane, measure);
+  const MarksPlace none = place_of_marks({.axes = true}, plane, six_px_a_byte);
   CHECK_FALSE(none.bar.has_value());
   CHECK(none.room.low.x > 6);
 }

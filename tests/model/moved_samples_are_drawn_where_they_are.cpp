@@ -14,7 +14,7 @@ using namespace mes;
 namespace {
 
 /// A document, a graph that follows when it is run, and the picture that is drawn of both.
-struct Bench {
+struct MovedPointsBench {
   Document document;
   Graph graph;
   FramePatch patch;
@@ -22,7 +22,7 @@ struct Bench {
   LayerMirror picture;
   MovedPoints moved{find_layer("points")};
 
-  explicit Bench(const std::vector<Vec2>& points) {
+  explicit MovedPointsBench(const std::vector<Vec2>& points) {
     graph.set_demand(std::vector{find_layer("points")});
     post(*replace_all(document, {.positions = points}));
     run();
@@ -66,7 +66,7 @@ std::vector<Vec2> random_points(Rng& rng, std::size_t n) {
 
 TEST_CASE("samples that were moved are drawn where they are before the engine has followed, and stay there") {
   Rng rng(7);
-  Bench bench(random_points(rng, 40));
+  MovedPointsBench bench(random_points(rng, 40));
   const std::vector<SampleSlot> slots = bench.document.slots_in_input_order();
   const std::vector<SampleSlot> held{slots[3], slots[17], slots[39]};
   for (int step = 0; step < 5; ++step) {
@@ -84,7 +84,7 @@ TEST_CASE("samples that were moved are drawn where they are before the engine ha
 
 TEST_CASE("whichever samples come and go, those that are held are found") {
   Rng rng(11);
-  Bench bench(random_points(rng, 30));
+  MovedPointsBench bench(random_points(rng, 30));
   for (int round = 0; round < 60; ++round) {
     const std::vector<SampleSlot> slots = bench.document.slots_in_input_order();
     if (rng.below(2) == 0)
@@ -105,7 +105,7 @@ TEST_CASE("whichever samples come and go, those that are held are found") {
 
 TEST_CASE("a sample that the engine has not seen yet is not drawn by the window") {
   Rng rng(3);
-  Bench bench(random_points(rng, 5));
+  MovedPointsBench bench(random_points(rng, 5));
   bench.post(*insert_samples(bench.document, std::vector<Vec2>{{3.0, 3.0}}));
   const SampleSlot newest = bench.document.slots_in_input_order().back();
   CHECK_FALSE(bench.catch_up({newest}));

@@ -29,7 +29,7 @@ std::vector<Vec2> random_positions(std::size_t count, double extent) {
   return out;
 }
 
-std::set<std::uint32_t> shown(const Editor& editor, const TextPart& part, bool with_index = true) {
+std::set<std::uint32_t> numbers_shown(const Editor& editor, const TextPart& part, bool with_index = true) {
   std::set<std::uint32_t> out;
   for (const SampleSlot sample :
        numbers_with_room({editor.document(), with_index ? &editor.index() : nullptr}, part, kRoom))
@@ -69,7 +69,7 @@ std::set<std::uint32_t> by_definition(const std::vector<Vec2>& at, double units_
 }
 
 /// The square from the origin, so many pixels wide, and enough around it for each number.
-TextPart square(double extent, double px) {
+TextPart part_with_square(double extent, double px) {
   const double margin = 100.0 * extent / px;
   return {{{-margin, -margin}, {extent + margin, extent + margin}}, extent / px};
 }
@@ -82,10 +82,10 @@ TEST_CASE("numbers are shown as the rule says, with an index or without") {
   load(editor, at);
   std::size_t before = 0;
   for (const double px : {1.0, 30.0, 200.0, 800.0, 3000.0, 1e5, 1e9}) {
-    const TextPart part = square(1.0, px);
+    const TextPart part = part_with_square(1.0, px);
     const std::set<std::uint32_t> expected = by_definition(at, part.units_per_px);
-    CHECK(shown(editor, part) == expected);
-    CHECK(shown(editor, part, false) == expected);
+    CHECK(numbers_shown(editor, part) == expected);
+    CHECK(numbers_shown(editor, part, false) == expected);
     CHECK(expected.contains(0));
     // Magnifying only adds.
     CHECK(expected.size() >= before);
@@ -99,14 +99,14 @@ TEST_CASE("a number stays while the view is moved, and when it is magnified") {
   load(editor, random_positions(5000, 1.0));
   const double units = 1.0 / 900.0;
   const auto part_at = [&](Vec2 low) { return TextPart{{low, low + Vec2{0.4, 0.4}}, units}; };
-  const std::set<std::uint32_t> here = shown(editor, part_at({0.3, 0.3}));
-  const std::set<std::uint32_t> there = shown(editor, part_at({0.31234, 0.29}));
+  const std::set<std::uint32_t> here = numbers_shown(editor, part_at({0.3, 0.3}));
+  const std::set<std::uint32_t> there = numbers_shown(editor, part_at({0.31234, 0.29}));
   REQUIRE(here.size() > 100);
   // Of samples well within both, the same.
   const Box2 both{{0.4, 0.4}, {0.6, 0.6}};
   TextPart larger = part_at({0.3, 0.3});
   larger.units_per_px /= 1.7;
-  const std::set<std::uint32_t> magnified = shown(editor, larger);
+  const std::set<std::uint32_t> magnified = numbers_shown(editor, larger);
   std::size_t compared = 0;
   std::size_t added = 0;
   for (const SampleSlot sample : editor.index().in_box(both)) {
@@ -127,7 +127,7 @@ TEST_CASE("samples along a curve show the multiples of one number") {
   load(editor, line);
   const auto steps = [&](double px) {
     std::set<std::uint32_t> out;
-    const std::set<std::uint32_t> all = shown(editor, {{{-1.0, -50.0}, {250.0, 50.0}}, 1.0 / px});
+    const std::set<std::uint32_t> all = numbers_shown(editor, {{{-1.0, -50.0}, {250.0, 50.0}}, 1.0 / px});
     // Those of three digits take the same room.
     for (auto it = all.lower_bound(100); std::next(it) != all.end(); ++it) out.insert(*std::next(it) - *it);
     return out;
@@ -142,9 +142,9 @@ TEST_CASE("very many samples are not all looked at, and none of their numbers ov
   Editor editor({});
   const std::vector<Vec2> at = random_positions(60'000, 1.0);
   load(editor, at);
-  const TextPart all = square(1.0, 1000.0);
-  const std::set<std::uint32_t> few = shown(editor, all);
-  CHECK(few == shown(editor, all, false));
+  const TextPart all = part_with_square(1.0, 1000.0);
+  const std::set<std::uint32_t> few = numbers_shown(editor, all);
+  CHECK(few == numbers_shown(editor, all, false));
   CHECK(few.contains(0));
   CHECK(few.size() > 500);
   // What is left out is not round; all others are as the rule says.
@@ -156,37 +156,37 @@ TEST_CASE("very many samples are not all looked at, and none of their numbers ov
     }
   // Near enough, every number is seen.
   const TextPart near{{{0.5, 0.5}, {0.51, 0.51}}, 1e-7};
-  CHECK(shown(editor, near).size() == editor.index().in_box(near.box).size());
-  CHECK_FALSE(shown(editor, near).empty());
+  CHECK(numbers_shown(editor, near).size() == editor.index().in_box(near.box).size());
+  CHECK_FALSE(numbers_shown(editor, near).empty());
 }
 
 TEST_CASE("numbers count from the data that are open, and follow edits") {
   Editor editor({});
   load(editor, random_positions(20, 1.0));
   load(editor, {{0.0, 0.0}, {1.0, 0.0}, {1.0, 0.0}});
-  const TextPart part = square(1.0, 500.0);
+  const TextPart part = part_with_square(1.0, 500.0);
   // Of two samples in one place the lower number.
-  CHECK(shown(editor, part) == std::set<std::uint32_t>{0, 1});
+  CHECK(numbers_shown(editor, part) == std::set<std::uint32_t>{0, 1});
   std::vector<SampleId> ids;
   for (const SampleSlot sample : editor.document().slots_in_input_order())
     ids.push_back(editor.document().id(sample));
   REQUIRE(editor.remove(ids, "Delete"));
-  CHECK(shown(editor, part).empty());
+  CHECK(numbers_shown(editor, part).empty());
   editor.undo();
-  CHECK(shown(editor, part) == std::set<std::uint32_t>{0, 1});
+  CHECK(numbers_shown(editor, part) == std::set<std::uint32_t>{0, 1});
 }
 
 TEST_CASE("extreme views have numbers or none") {
   Editor editor({});
   load(editor, {{0.0, 0.0}, {1e-10, 0.0}, {1e10, 1e10}});
-  CHECK(shown(editor, {{{-1e-13, -1e-13}, {1e-13, 1e-13}}, 1e-16}) == std::set<std::uint32_t>{0});
-  CHECK(shown(editor, {{{-1e12, -1e12}, {1e12, 1e12}}, 1e10}) == std::set<std::uint32_t>{0});
-  CHECK(shown(editor, {{{-1e200, -1e200}, {1e200, 1e200}}, 1e190}) == std::set<std::uint32_t>{0});
-  CHECK(shown(editor, {{}, 1.0}).empty());
-  CHECK(shown(editor, {{{0.0, 0.0}, {1.0, 1.0}}, 0.0}).empty());
-  CHECK(shown(editor, {{{0.0, 0.0}, {1.0, 1.0}}, std::nan("")}).empty());
+  CHECK(numbers_shown(editor, {{{-1e-13, -1e-13}, {1e-13, 1e-13}}, 1e-16}) == std::set<std::uint32_t>{0});
+  CHECK(numbers_shown(editor, {{{-1e12, -1e12}, {1e12, 1e12}}, 1e10}) == std::set<std::uint32_t>{0});
+  CHECK(numbers_shown(editor, {{{-1e200, -1e200}, {1e200, 1e200}}, 1e190}) == std::set<std::uint32_t>{0});
+  CHECK(numbers_shown(editor, {{}, 1.0}).empty());
+  CHECK(numbers_shown(editor, {{{0.0, 0.0}, {1.0, 1.0}}, 0.0}).empty());
+  CHECK(numbers_shown(editor, {{{0.0, 0.0}, {1.0, 1.0}}, std::nan("")}).empty());
   Editor empty({});
-  CHECK(shown(empty, square(1.0, 100.0)).empty());
+  CHECK(numbers_shown(empty, part_with_square(1.0, 100.0)).empty());
 }
 
 TEST_CASE("a view of the layer has its numbers, clear of the dots that are shown") {
@@ -202,7 +202,7 @@ TEST_CASE("a view of the layer has its numbers, clear of the dots that are shown
     std::vector<render::LayerView> views;
     for (const LayerIndex layer : layers)
       views.push_back({layer, layer == points ? LayerStyle{.point_size_px = dot} : letters});
-    add_texts(views, {editor.document(), &editor.index()}, square(1.0, 300.0), with);
+    add_texts(views, {editor.document(), &editor.index()}, part_with_square(1.0, 300.0), with);
     for (const render::LayerView& view : views) CHECK((view.texts != nullptr) == (view.layer == indices));
     return views.back().texts;
   };

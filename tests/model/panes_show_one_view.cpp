@@ -23,7 +23,7 @@ using mes::test::Bell;
 
 namespace {
 
-LayerStack stack_of(std::initializer_list<std::string_view> shown) {
+LayerStack stack_with_only(std::initializer_list<std::string_view> shown) {
   LayerStack layers(layer_descriptors());
   for (const LayerIndex layer : std::vector<LayerIndex>(layers.order().begin(), layers.order().end()))
     layers.set_visible(layer, false);
@@ -40,14 +40,14 @@ std::vector<LayerIndex> layers_of(const ShownPanes::Layers& pane) {
   return out;
 }
 
-struct Bench {
+struct PaneBench {
   Editor editor{{}};
   double spacing = 10.0;
   AnnotationDesk annotations{editor};
   ToolContext context{editor, annotations, spacing, [](const Error&) {}};
   Canvas canvas{context};
 
-  Bench() {
+  PaneBench() {
     canvas.view().set_viewport(800, 600);
     canvas.set_panes(PanePlaces::divide({100, 50, 602, 400}, 2, 2, 50));
   }
@@ -57,7 +57,7 @@ struct Bench {
 }  // namespace
 
 TEST_CASE("panes with settings of their own share the layers that do not depend on these") {
-  const LayerStack layers = stack_of({"points", "curve", "a-union-boundary"});
+  const LayerStack layers = stack_with_only({"points", "curve", "a-union-boundary"});
   const LayerIndex boundary = find_layer("a-union-boundary");
   ComputationSettings settings;
   PaneList list;
@@ -83,14 +83,14 @@ TEST_CASE("panes with settings of their own share the layers that do not depend 
 }
 
 TEST_CASE("panes of another family or a bundle show other layers of the same computation") {
-  LayerStack layers = stack_of({"points", "a-union-boundary"});
+  LayerStack layers = stack_with_only({"points", "a-union-boundary"});
   LayerStyle style = layers.style(find_layer("points"));
   style.point_size_px = 11.0;
   layers.set_style(find_layer("points"), style);
   PaneList list;
   list.add(FamilyKind::polar);
   Bundle bundle{.name = "Axis"};
-  bundle.layers = stack_of({"medial-axis"}).configuration();
+  bundle.layers = stack_with_only({"medial-axis"}).configuration();
   list.add(bundle);
   const ShownPanes shown = shown_panes(list, layers, {});
   CHECK(shown.variants.empty());
@@ -130,7 +130,7 @@ TEST_CASE("the list has three panes at most, and each number type once") {
 
 TEST_CASE("the engine follows panes as they come, change and go") {
   Engine engine({});
-  LayerStack layers = stack_of({"points", "a-union-boundary"});
+  LayerStack layers = stack_with_only({"points", "a-union-boundary"});
   PaneList list;
   ComputationSettings settings;
   EngineDemand demand;
@@ -195,7 +195,7 @@ TEST_CASE("panes divide what is free into equal parts") {
 }
 
 TEST_CASE("whichever pane the pointer is in, tools meet the plane as in the main one") {
-  Bench bench;
+  PaneBench bench;
   bench.canvas.choose_tool(ToolId::insert);
   for (const double shift : {0.0, 302.0}) {
     bench.canvas.press(PointerButton::left, {200 + shift, 150}, {});
@@ -226,7 +226,7 @@ TEST_CASE("whichever pane the pointer is in, tools meet the plane as in the main
 }
 
 TEST_CASE("a pane with a camera of its own is moved alone, and tools work at its view") {
-  Bench bench;
+  PaneBench bench;
   PaneList list;
   list.add(Precision::exact);
   const auto follow = [&] { bench.canvas.views().follow(list.keys(), list.has_free_cameras()); };
@@ -352,7 +352,7 @@ struct Versions {
                             {[this](Parameter parameter) { return settings[parameter]; },
                              [this](Parameter parameter, double value) { settings[parameter] = value; }},
                             bell.ring()};
-  LayerStack layers = stack_of({"points", "medial-axis", "curve"});
+  LayerStack layers = stack_with_only({"points", "medial-axis", "curve"});
   PaneList list;
   PaneDocuments documents{editor, evolution, bell.ring()};
   EngineDemand demand;

@@ -6,28 +6,25 @@
 #include "app/canvas/canvas.h"
 #include "app/canvas/tools/measure_tool.h"
 #include "app/editing/measurement.h"
+#include "tests/model/tool_hand.h"
 
 using namespace mes;
+using mes::test::at_pixel;
 
 namespace {
 
 using Words = std::vector<std::string>;
 
-// A view in which a pixel is half a unit.
-Pointer at(double x, double y) {
-  return {{x, y}, {0.5 * x, -0.5 * y}, 0.5, {}};
-}
-
-struct Bench {
+struct MeasureBench {
   Editor editor{{}};
   double spacing = 10.0;
   AnnotationDesk annotations{editor};
   ToolContext context{editor, annotations, spacing, [](const Error&) {}};
   MeasureTool tool{context};
 
-  Bench() {
+  MeasureBench() {
     SampleData data;
-    data.positions = {at(100, 100).world, at(200, 100).world};
+    data.positions = {at_pixel(100, 100).world, at_pixel(200, 100).world};
     REQUIRE(editor.load(data));
   }
   void click(const Pointer& pointer) {
@@ -73,21 +70,22 @@ TEST_CASE("places that coincide or are on one line are said to be that") {
 }
 
 TEST_CASE("three clicks are three places, a fourth begins anew, and the last one follows the pointer") {
-  Bench bench;
-  bench.tool.hover(at(10, 10));
+  MeasureBench bench;
+  bench.tool.hover(at_pixel(10, 10));
   CHECK(bench.measured().empty());
-  bench.click(at(10, 10));
-  bench.tool.hover(at(50, 10));
-  CHECK(bench.measured() == std::vector<Vec2>{at(10, 10).world, at(50, 10).world});
+  bench.click(at_pixel(10, 10));
+  bench.tool.hover(at_pixel(50, 10));
+  CHECK(bench.measured() == std::vector<Vec2>{at_pixel(10, 10).world, at_pixel(50, 10).world});
   bench.tool.leave();
   CHECK(bench.measured().size() == 1);
-  bench.click(at(50, 10));
-  bench.click(at(50, 60));
+  bench.click(at_pixel(50, 10));
+  bench.click(at_pixel(50, 60));
   CHECK(bench.measured().size() == 3);
-  bench.tool.hover(at(300, 300));
-  CHECK(bench.measured() == std::vector<Vec2>{at(10, 10).world, at(50, 10).world, at(50, 60).world});
-  bench.click(at(70, 70));
-  CHECK(bench.measured().front() == at(70, 70).world);
+  bench.tool.hover(at_pixel(300, 300));
+  CHECK(bench.measured() ==
+        std::vector<Vec2>{at_pixel(10, 10).world, at_pixel(50, 10).world, at_pixel(50, 60).world});
+  bench.click(at_pixel(70, 70));
+  CHECK(bench.measured().front() == at_pixel(70, 70).world);
   CHECK(bench.tool.clear());
   CHECK_FALSE(bench.tool.clear());
   CHECK(bench.measured().empty());
@@ -96,28 +94,28 @@ TEST_CASE("three clicks are three places, a fourth begins anew, and the last one
 }
 
 TEST_CASE("what a drag has measured is shown until the pointer leaves the second place") {
-  Bench bench;
-  bench.tool.press(at(10, 10));
-  bench.tool.drag(at(40, 10));
-  bench.tool.release(at(40, 10));
-  CHECK(bench.measured() == std::vector<Vec2>{at(10, 10).world, at(40, 10).world});
-  bench.tool.hover(at(40, 10));
+  MeasureBench bench;
+  bench.tool.press(at_pixel(10, 10));
+  bench.tool.drag(at_pixel(40, 10));
+  bench.tool.release(at_pixel(40, 10));
+  CHECK(bench.measured() == std::vector<Vec2>{at_pixel(10, 10).world, at_pixel(40, 10).world});
+  bench.tool.hover(at_pixel(40, 10));
   CHECK(bench.measured().size() == 2);
-  bench.tool.hover(at(40, 90));
+  bench.tool.hover(at_pixel(40, 90));
   CHECK(bench.measured().size() == 3);
-  bench.tool.hover(at(40, 10));
+  bench.tool.hover(at_pixel(40, 10));
   CHECK(bench.measured().size() == 2);
 }
 
 TEST_CASE("a drag measures from where it began, and Esc in the middle of it takes it back") {
-  Bench bench;
-  bench.tool.press(at(10, 10));
-  bench.tool.drag(at(30, 10));
-  CHECK(bench.measured() == std::vector<Vec2>{at(10, 10).world, at(30, 10).world});
-  bench.tool.release(at(40, 10));
+  MeasureBench bench;
+  bench.tool.press(at_pixel(10, 10));
+  bench.tool.drag(at_pixel(30, 10));
+  CHECK(bench.measured() == std::vector<Vec2>{at_pixel(10, 10).world, at_pixel(30, 10).world});
+  bench.tool.release(at_pixel(40, 10));
   bench.tool.leave();
-  CHECK(bench.measured() == std::vector<Vec2>{at(10, 10).world, at(40, 10).world});
-  bench.tool.press(at(40, 80));
+  CHECK(bench.measured() == std::vector<Vec2>{at_pixel(10, 10).world, at_pixel(40, 10).world});
+  bench.tool.press(at_pixel(40, 80));
   bench.tool.cancel();
   bench.tool.leave();
   CHECK(bench.measured().empty());
@@ -125,25 +123,25 @@ TEST_CASE("a drag measures from where it began, and Esc in the middle of it take
 }
 
 TEST_CASE("a place on a sample follows it, and is where it was clicked once the sample is deleted") {
-  Bench bench;
+  MeasureBench bench;
   // Some pixels beside the samples.
-  bench.click(at(103, 102));
-  bench.click(at(196, 99));
+  bench.click(at_pixel(103, 102));
+  bench.click(at_pixel(196, 99));
   bench.tool.leave();
   CHECK(measured_words(bench.measured()).front() == "distance 50");
   const SampleId first = bench.editor.document().id(SampleSlot(0));
-  const std::array<std::pair<SampleId, Vec2>, 1> target{{{first, at(100, 200).world}}};
+  const std::array<std::pair<SampleId, Vec2>, 1> target{{{first, at_pixel(100, 200).world}}};
   REQUIRE(bench.editor.move(target, {}));
-  CHECK(bench.measured().front() == at(100, 200).world);
+  CHECK(bench.measured().front() == at_pixel(100, 200).world);
   bench.editor.undo();
-  CHECK(bench.measured().front() == at(100, 100).world);
+  CHECK(bench.measured().front() == at_pixel(100, 100).world);
   bench.editor.selection().select_all(bench.editor.document());
   REQUIRE(bench.editor.remove_selection());
-  CHECK(bench.measured() == std::vector<Vec2>{at(100, 100).world, at(200, 100).world});
+  CHECK(bench.measured() == std::vector<Vec2>{at_pixel(100, 100).world, at_pixel(200, 100).world});
 }
 
 TEST_CASE("measurements are discarded with the document") {
-  Bench bench;
+  MeasureBench bench;
   Canvas canvas(bench.context);
   canvas.view().set_viewport(800, 600);
   canvas.choose_tool(ToolId::measure);

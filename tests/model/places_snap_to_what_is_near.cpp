@@ -13,18 +13,20 @@
 #include "core/base/rng.h"
 #include "core/document/taken_samples.h"
 #include "core/kernel/circumcircle.h"
+#include "tests/model/tool_hand.h"
 
 using namespace mes;
+using mes::test::click;
 
 namespace {
 
 // A pixel is a hundredth of a unit, so what is within 0.08 is near.
-Pointer at(double x, double y, Modifiers modifiers = {}) {
+Pointer at_unit(double x, double y, Modifiers modifiers = {}) {
   return {{100 * x, -100 * y}, {x, y}, 0.01, modifiers};
 }
 constexpr Modifiers kCtrl{.ctrl = true};
 
-struct Bench {
+struct SnapBench {
   Editor editor{[](auto) {}};
   AnnotationDesk annotations{editor};
   SnapSettings settings{.is_on = true};
@@ -33,23 +35,17 @@ struct Bench {
   double spacing = 10.0;
   ToolContext context{editor, annotations, spacing, [](const Error& error) { FAIL(error.message()); }};
 
-  Bench() {
+  SnapBench() {
     REQUIRE(editor.load({.positions = {{0.013, 0.017}, {3.1, 0.02}, {1.4, 2.3}}, .balls = {{{7.03, 3.07}, 1.31}}}));
     context.snapper = &snapper;
   }
   std::optional<Snap> snap(Vec2 p, double reach = 0.08) const { return snapper.at(p, reach, {}); }
 };
 
-void click(Tool& tool, const Pointer& pointer) {
-  tool.hover(pointer);
-  tool.press(pointer);
-  tool.release(pointer);
-}
-
 }  // namespace
 
 TEST_CASE("a curve that samples were taken from is meant before the grid, and after points") {
-  Bench bench;
+  SnapBench bench;
   PlaneCurve line({0, 0});
   line.line_to({4, 2});
   const auto curves = std::make_shared<const CurveSet>(CurveSet{.curves = {line}});
@@ -67,7 +63,7 @@ TEST_CASE("a curve that samples were taken from is meant before the grid, and af
 }
 
 TEST_CASE("the nearest point is meant, then a circle, then the grid") {
-  Bench bench;
+  SnapBench bench;
   const auto sample = bench.snap({0.05, 0.0});
   REQUIRE(sample);
   CHECK(sample->place == Vec2{0.013, 0.017});
@@ -91,7 +87,7 @@ TEST_CASE("the nearest point is meant, then a circle, then the grid") {
 }
 
 TEST_CASE("a vertex is the centre of the circle through its three samples") {
-  const Bench bench;
+  const SnapBench bench;
   const Vec2 vertex{1.5565, 0.8};
   const auto snap = bench.snap(vertex, 0.2);
   REQUIRE(snap);
@@ -103,7 +99,7 @@ TEST_CASE("a vertex is the centre of the circle through its three samples") {
 }
 
 TEST_CASE("what is switched off is no target") {
-  Bench bench;
+  SnapBench bench;
   bench.settings.samples = false;
   bench.settings.grid = false;
   CHECK_FALSE(bench.snap({0.05, 0.0}));
@@ -115,7 +111,7 @@ TEST_CASE("what is switched off is no target") {
 }
 
 TEST_CASE("coordinates on the grid are the doubles that decimal numbers are read as") {
-  Bench bench;
+  SnapBench bench;
   for (const auto& [step, place, expected] : {std::tuple{0.1, 0.3001, 0.3},
                                               {0.1, 0.7, 0.7},
                                               {0.02, 1.1399, 1.14},
@@ -132,14 +128,14 @@ TEST_CASE("coordinates on the grid are the doubles that decimal numbers are read
 }
 
 TEST_CASE("tools put things where they snap, and Ctrl holds that off") {
-  Bench bench;
+  SnapBench bench;
   bench.settings.samples = false;
   InsertTool insert(bench.context);
-  click(insert, at(5.04, -1.52));
+  click(insert, at_unit(5.04, -1.52));
   const Document& document = bench.editor.document();
   CHECK(document.position(SampleSlot(3)) == Vec2{5.0, -1.5});
   CHECK(insert.feedback().snap);
-  click(insert, at(6.04, -1.52, kCtrl));
+  click(insert, at_unit(6.04, -1.52, kCtrl));
   CHECK(document.position(SampleSlot(4)) == Vec2{6.04, -1.52});
   CHECK_FALSE(insert.feedback().snap);
   insert.leave();
@@ -148,14 +144,14 @@ TEST_CASE("tools put things where they snap, and Ctrl holds that off") {
   // A sample on another one would change nothing.
   bench.settings.samples = true;
   bench.settings.grid = false;
-  insert.hover(at(3.12, 0.03));
+  insert.hover(at_unit(3.12, 0.03));
   CHECK_FALSE(insert.feedback().snap);
   const auto vertex = bench.snap({1.5565, 0.8}, 0.2);
   REQUIRE(vertex);
-  insert.hover(at(vertex->place.x + 0.01, vertex->place.y));
+  insert.hover(at_unit(vertex->place.x + 0.01, vertex->place.y));
   REQUIRE(insert.feedback().snap);
   CHECK(insert.feedback().snap->place == vertex->place);
-  click(insert, at(vertex->place.x + 0.01, vertex->place.y));
+  click(insert, at_unit(vertex->place.x + 0.01, vertex->place.y));
   CHECK(document.position(SampleSlot(5)) == vertex->place);
   bench.editor.undo();
   bench.settings.grid = true;
@@ -165,29 +161,29 @@ TEST_CASE("tools put things where they snap, and Ctrl holds that off") {
   SelectTool select(bench.context);
   bench.editor.selection().add(SampleSlot(3));
   bench.editor.selection().add(SampleSlot(4));
-  select.hover(at(5.0, -1.5));
-  select.press(at(5.0, -1.5));
-  select.drag(at(4.0, -1.0));
-  select.drag(at(3.07, 0.0));
+  select.hover(at_unit(5.0, -1.5));
+  select.press(at_unit(5.0, -1.5));
+  select.drag(at_unit(4.0, -1.0));
+  select.drag(at_unit(3.07, 0.0));
   REQUIRE(select.feedback().snap);
   CHECK(select.feedback().snap->name == "sample");
-  select.release(at(3.07, 0.0));
+  select.release(at_unit(3.07, 0.0));
   CHECK(document.position(SampleSlot(3)) == Vec2{3.1, 0.02});
   CHECK(document.position(SampleSlot(4)).x == Approx(3.1 + 1.04));
   CHECK_FALSE(select.feedback().snap);
 
   BallTool ball(bench.context);
-  ball.hover(at(-2.02, -3.03));
-  ball.press(at(-2.02, -3.03));
-  ball.drag(at(-1.0, -1.0));
-  ball.drag(at(0.0, 0.0));
-  ball.release(at(0.0, 0.0));
+  ball.hover(at_unit(-2.02, -3.03));
+  ball.press(at_unit(-2.02, -3.03));
+  ball.drag(at_unit(-1.0, -1.0));
+  ball.drag(at_unit(0.0, 0.0));
+  ball.release(at_unit(0.0, 0.0));
   CHECK(document.disk(BallSlot(1)).center == Vec2{-2.0, -3.0});
   CHECK(document.disk(BallSlot(1)).radius == distance({-2.0, -3.0}, {0.013, 0.017}));
 }
 
 TEST_CASE("where nothing else is near, coordinates have as few digits as pixels need") {
-  Bench bench;
+  SnapBench bench;
   CHECK_FALSE(bench.snap({2.2313, 1.1987}));
   bench.settings.pixels = true;
   const auto pixel = bench.snap({2.2313, 1.1987});
@@ -233,7 +229,7 @@ TEST_CASE("the vertex that is found is the nearest of all empty circles through 
 }
 
 TEST_CASE("vertices are snapped to where hundreds of samples are as near as those that make them") {
-  Bench bench;
+  SnapBench bench;
   std::vector<Vec2> circle;
   for (int i = 0; i < 1000; ++i) {
     const double t = 2.0 * std::numbers::pi * i / 1000.0;

@@ -14,7 +14,7 @@ SampleMaking::Made samples(std::size_t count) {
   return {.data = SampleData{.positions = std::vector<Vec2>(count, Vec2{1, 2})}};
 }
 
-struct Desk {
+struct MakingBench {
   std::counting_semaphore<> woken{0};
   SampleMaking making{[this] { woken.release(); }};
   void next() {
@@ -27,7 +27,7 @@ struct Desk {
 
 TEST_CASE("of several wishes the last counts, and what is accepted waits for it") {
   std::binary_semaphore may_end{0};
-  Desk desk;
+  MakingBench desk;
   CHECK_FALSE(desk.making.is_possible());
   desk.making.want([&](JobControl&) {
     may_end.acquire();
@@ -53,7 +53,7 @@ TEST_CASE("of several wishes the last counts, and what is accepted waits for it"
 }
 
 TEST_CASE("what cannot be made says why, and is not taken") {
-  Desk desk;
+  MakingBench desk;
   desk.making.want([](JobControl&) -> SampleMaking::Made { throw std::bad_alloc(); });
   desk.making.accept();
   desk.next();
@@ -70,7 +70,7 @@ TEST_CASE("what cannot be made says why, and is not taken") {
 
 TEST_CASE("what was given up is not delivered") {
   std::binary_semaphore may_end{0};
-  Desk desk;
+  MakingBench desk;
   desk.making.want([&](JobControl&) {
     may_end.acquire();
     return samples(1);
@@ -86,7 +86,7 @@ TEST_CASE("what was given up is not delivered") {
 
 TEST_CASE("what was given up ends at its next look") {
   std::binary_semaphore has_begun{0};
-  Desk desk;
+  MakingBench desk;
   desk.making.want([&](JobControl& job) {
     has_begun.release();
     // Without the stop this has no end.

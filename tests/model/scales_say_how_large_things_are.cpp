@@ -10,18 +10,15 @@
 #include "app/picture/scale_drawing.h"
 #include "app/store/sample_shapes.h"
 #include "core/base/rng.h"
+#include "tests/model/letters_of_one_width.h"
 
 using namespace mes;
+using mes::test::six_px_a_byte;
 
 namespace {
 
-// Six logical pixels a letter.
-double measure(const std::string& text, double, Face) {
-  return 6.0 * static_cast<double>(text.size());
-}
-
 PaperDrawing laid_out(const ScaleMarks& marks, const SeenPlane& plane) {
-  return layout_scale_marks(marks, plane, measure, Rgb{255, 255, 255});
+  return layout_scale_marks(marks, plane, six_px_a_byte, Rgb{255, 255, 255});
 }
 
 // The bar itself: the longest of its boxes that is as thin as a line.
@@ -72,7 +69,7 @@ TEST_CASE("numbers along the axes are where they say, apart from each other, and
     int of_columns = 0;
     for (const PaperDrawing::Line& line : drawing.lines) {
       const double said = std::atof(line.text.c_str());
-      const double width = measure(line.text, 0.0, Face::plain);
+      const double width = six_px_a_byte(line.text, 0.0, Face::plain);
       CAPTURE(plane.units_per_pixel, plane.center.x, plane.center.y, line.text);
       if (is_number_of_a_row(line, plane)) {
         const double at = (said - plane.center.x) / plane.units_per_pixel + 0.5 * plane.width;

@@ -20,7 +20,7 @@ std::string write_picture(const test::TemporaryFolder& folder, const std::string
 }
 
 /// A loader, and the way to wait for what it reads.
-struct Desk {
+struct LoaderBench {
   std::counting_semaphore<> woken{0};
   BackgroundLoader loader{[this] { woken.release(); }};
 
@@ -37,7 +37,7 @@ struct Desk {
 TEST_CASE("each file that is followed is delivered once, a missing one as an error") {
   const test::TemporaryFolder folder;
   const std::string small = write_picture(folder, "small.png", 3, 2);
-  Desk desk;
+  LoaderBench desk;
   CHECK_FALSE(desk.loader.follow({}));
   CHECK(desk.loader.follow({.file = small}));
   CHECK_FALSE(desk.loader.follow({.file = small}));
@@ -60,7 +60,7 @@ TEST_CASE("of pictures asked for in a row only the last comes") {
   const test::TemporaryFolder folder;
   const std::string large = write_picture(folder, "large.png", 1500, 1200);
   const std::string small = write_picture(folder, "small.png", 3, 2);
-  Desk desk;
+  LoaderBench desk;
   desk.loader.follow({.file = large});
   desk.loader.follow({.file = small});
   CHECK(desk.next().file == small);
@@ -74,7 +74,7 @@ TEST_CASE("of pictures asked for in a row only the last comes") {
 TEST_CASE("a picture that is turned in another way is read again") {
   const test::TemporaryFolder folder;
   const std::string file = write_picture(folder, "a.png", 3, 2);
-  Desk desk;
+  LoaderBench desk;
   CHECK(desk.loader.follow({.file = file, .is_upright = false}));
   CHECK(desk.next().file == file);
   CHECK_FALSE(desk.loader.follow({.file = file, .center = {1, 2}, .is_upright = false}));

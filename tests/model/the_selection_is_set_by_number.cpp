@@ -13,11 +13,11 @@ using namespace mes;
 
 namespace {
 
-struct Desk {
+struct SelectionBench {
   Editor editor{[](auto) {}};
   SelectionDesk desk{editor};
 
-  explicit Desk(SampleData data) { REQUIRE(editor.load(data)); }
+  explicit SelectionBench(SampleData data) { REQUIRE(editor.load(data)); }
   const Document& document() const { return editor.document(); }
   void select_all() { editor.selection().select_all(document()); }
   std::vector<Vec2> positions() const {
@@ -56,7 +56,7 @@ SampleData square_and_ball() {
 }  // namespace
 
 TEST_CASE("one sample is put exactly where it is to be") {
-  Desk d({.positions = {{0.1, 0.2}, {5, 6}}});
+  SelectionBench d({.positions = {{0.1, 0.2}, {5, 6}}});
   d.editor.selection().add(SampleSlot(0));
   CHECK(d.desk.numbers().middle == Vec2{0.1, 0.2});
   REQUIRE(d.desk.move_middle_to({1.0 / 3.0, 0.7}));
@@ -69,7 +69,7 @@ TEST_CASE("one sample is put exactly where it is to be") {
 TEST_CASE("samples and balls are moved, turned, scaled and mirrored together, each as one step") {
   const SampleData data = square_and_ball();
   SECTION("moved by their middle") {
-    Desk d(data);
+    SelectionBench d(data);
     d.select_all();
     CHECK(d.desk.numbers().middle == Vec2{5, 2});
     CHECK(d.desk.numbers().radius == 1.5);
@@ -79,7 +79,7 @@ TEST_CASE("samples and balls are moved, turned, scaled and mirrored together, ea
     d.is_one_step(data.positions, data.balls);
   }
   SECTION("turned") {
-    Desk d(data);
+    SelectionBench d(data);
     d.select_all();
     REQUIRE(d.desk.turn(90));
     CHECK(d.positions() == std::vector<Vec2>{{7, -3}, {7, 1}, {3, 1}, {3, -3}});
@@ -87,7 +87,7 @@ TEST_CASE("samples and balls are moved, turned, scaled and mirrored together, ea
     d.is_one_step(data.positions, data.balls);
   }
   SECTION("scaled, with the radius") {
-    Desk d(data);
+    SelectionBench d(data);
     d.select_all();
     REQUIRE(d.desk.scale(2));
     CHECK(d.positions().front() == Vec2{-5, -2});
@@ -98,7 +98,7 @@ TEST_CASE("samples and balls are moved, turned, scaled and mirrored together, ea
     CHECK_FALSE(d.desk.scale(std::nan("")));
   }
   SECTION("mirrored") {
-    Desk d(data);
+    SelectionBench d(data);
     d.select_all();
     REQUIRE(d.desk.mirror(Axis::x));
     CHECK(d.positions().front() == Vec2{10, 0});
@@ -106,7 +106,7 @@ TEST_CASE("samples and balls are moved, turned, scaled and mirrored together, ea
     d.is_one_step(data.positions, data.balls);
   }
   SECTION("radii set") {
-    Desk d(data);
+    SelectionBench d(data);
     d.select_all();
     REQUIRE(d.desk.set_radius(0.25));
     CHECK(d.balls() == std::vector<Disk>{{{10, 2}, 0.25}});
@@ -116,7 +116,7 @@ TEST_CASE("samples and balls are moved, turned, scaled and mirrored together, ea
 }
 
 TEST_CASE("formulas place each by itself") {
-  Desk d({.positions = std::vector<Vec2>(8), .balls = {{{1, 1}, 2}}});
+  SelectionBench d({.positions = std::vector<Vec2>(8), .balls = {{{1, 1}, 2}}});
   d.select_all();
   REQUIRE(d.desk.place_each({.x = "3 * cos(2*pi*i/8)", .y = "3 * sin(2*pi*i/8)", .r = "r / 2"}));
   const std::vector<Vec2> circle = d.positions();
@@ -144,7 +144,7 @@ TEST_CASE("formulas place each by itself") {
 TEST_CASE("places become exactly degenerate as one step, and it is said by how much they moved") {
   std::vector<Vec2> ring;
   for (int i = 0; i < 6; ++i) ring.push_back({std::cos(i + 0.3), std::sin(i + 0.3)});
-  Desk d({.positions = ring});
+  SelectionBench d({.positions = ring});
   d.select_all();
   const auto circle = d.desk.put_on_circle();
   REQUIRE(circle);
@@ -156,14 +156,14 @@ TEST_CASE("places become exactly degenerate as one step, and it is said by how m
   CHECK(again->ends_with("moved by 0 at most"));
   const auto line = d.desk.put_on_line();
   REQUIRE(line);
-  Desk straight({.positions = {{0, 0}, {1, 1}, {2, 2}, {3, 3}}});
+  SelectionBench straight({.positions = {{0, 0}, {1, 1}, {2, 2}, {3, 3}}});
   straight.select_all();
   CHECK_FALSE(straight.desk.put_on_circle());
   CHECK_FALSE(straight.editor.can_undo());
 }
 
 TEST_CASE("a circle goes through three, and is selected") {
-  Desk d({.positions = {{1, 0}, {0, 1}, {-1, 0}}});
+  SelectionBench d({.positions = {{1, 0}, {0, 1}, {-1, 0}}});
   d.select_all();
   REQUIRE(d.desk.add_circle());
   REQUIRE(d.balls().size() == 1);
@@ -171,7 +171,7 @@ TEST_CASE("a circle goes through three, and is selected") {
   CHECK(d.editor.selection().sample_count() == 0);
   CHECK(d.editor.selection().ball_count() == 1);
   d.is_one_step({{1, 0}, {0, 1}, {-1, 0}}, {});
-  Desk flat({.positions = {{1, 0}, {2, 0}, {3, 0}}});
+  SelectionBench flat({.positions = {{1, 0}, {2, 0}, {3, 0}}});
   flat.select_all();
   CHECK_FALSE(flat.desk.add_circle());
   flat.editor.selection().remove(SampleSlot(0));
@@ -188,9 +188,9 @@ TEST_CASE("text goes from one window to another with every digit") {
         data.positions.push_back({random.uniform(), random.uniform(-1e9, 1e9)});
       for (int i = 0; i < 5 && has_balls; ++i)
         data.balls.push_back({{random.uniform(), random.uniform()}, random.uniform()});
-      Desk from(data);
+      SelectionBench from(data);
       from.select_all();
-      Desk to({.positions = {{100, 100}}});
+      SelectionBench to({.positions = {{100, 100}}});
       REQUIRE(to.desk.paste(from.desk.text(), {1, -1}));
       std::vector<Vec2> expected = data.positions;
       expected.insert(expected.begin(), {100, 100});
@@ -204,7 +204,7 @@ TEST_CASE("text goes from one window to another with every digit") {
 }
 
 TEST_CASE("what is pasted twice does not lie on itself, and what is duplicated neither") {
-  Desk d({.positions = {{0, 0}, {1, 0}}});
+  SelectionBench d({.positions = {{0, 0}, {1, 0}}});
   d.select_all();
   const std::string text = d.desk.text();
   CHECK(text == "0\t0\n1\t0\n");
@@ -219,8 +219,8 @@ TEST_CASE("what is pasted twice does not lie on itself, and what is duplicated n
 }
 
 TEST_CASE("a contour that is selected as a whole is duplicated as a contour, in one step") {
-  Desk d({.positions = {{0, 0}, {4, 0}, {4, 4}, {9, 9}, {8, 9}, {7, 7}},
-          .contours = {{true, {2, 0, 1}}, {false, {3, 4}}}});
+  SelectionBench d({.positions = {{0, 0}, {4, 0}, {4, 4}, {9, 9}, {8, 9}, {7, 7}},
+                    .contours = {{true, {2, 0, 1}}, {false, {3, 4}}}});
   // Of the second contour one sample is not selected.
   for (const std::uint32_t i : {0U, 1U, 2U, 3U, 5U}) d.editor.selection().add(d.document().slots_in_input_order()[i]);
   const SampleData before = data_of(d.document());
@@ -241,7 +241,7 @@ TEST_CASE("a contour that is selected as a whole is duplicated as a contour, in 
 }
 
 TEST_CASE("text that holds no samples is refused in one line, and nothing changes") {
-  Desk d({.positions = {{1, 2}}});
+  SelectionBench d({.positions = {{1, 2}}});
   for (const std::string& text :
        {std::string(), std::string("hello world"), std::string("1 2\n3"), std::string("POFF 5 0 0\n1 2"),
         std::string(3, '\0'), std::string("nan 1"), std::string("1e400 2")}) {
@@ -260,7 +260,7 @@ TEST_CASE("text that holds no samples is refused in one line, and nothing change
 }
 
 TEST_CASE("what is pasted lies on nothing that is there, whichever of its places is taken") {
-  Desk d({.positions = {{0, 0}, {1, 0}, {2, 0}}, .balls = {{{5, 5}, 1}}});
+  SelectionBench d({.positions = {{0, 0}, {1, 0}, {2, 0}}, .balls = {{{5, 5}, 1}}});
   d.select_all();
   const std::string text = d.desk.text();
   d.editor.selection().clear();
@@ -274,7 +274,7 @@ TEST_CASE("what is pasted lies on nothing that is there, whichever of its places
 }
 
 TEST_CASE("what a pasted text has besides is said") {
-  Desk d({.positions = {{1, 2}}});
+  SelectionBench d({.positions = {{1, 2}}});
   const auto table = d.desk.paste("0\t0\n5\t6\n", {1, 1});
   REQUIRE(table);
   CHECK(table->warnings.empty());
@@ -293,7 +293,7 @@ TEST_CASE("what a pasted text has besides is said") {
 }
 
 TEST_CASE("a clipboard without text is said to have none") {
-  Desk d({.positions = {{1, 2}}});
+  SelectionBench d({.positions = {{1, 2}}});
   for (const std::string text : {"", " \t\r\n"}) {
     const auto done = d.desk.paste(text, {1, 1});
     REQUIRE_FALSE(done);
@@ -302,7 +302,7 @@ TEST_CASE("a clipboard without text is said to have none") {
 }
 
 TEST_CASE("with nothing selected nothing happens") {
-  Desk d(square_and_ball());
+  SelectionBench d(square_and_ball());
   CHECK(d.desk.numbers().samples + d.desk.numbers().balls == 0);
   CHECK(d.desk.move_middle_to({1, 1}));
   CHECK(d.desk.move_by({1, 1}));

@@ -24,7 +24,7 @@ bool same_source(const Document& a, const Document& b) {
 }
 
 // Every state that undo and redo can reach, as differences of numbers: ids may begin elsewhere.
-std::vector<std::vector<Vec2>> reachable(Editor& editor) {
+std::vector<std::vector<Vec2>> reachable_places(Editor& editor) {
   std::vector<std::vector<Vec2>> out;
   const auto look = [&] {
     auto& state = out.emplace_back();
@@ -80,7 +80,7 @@ TEST_CASE("replaying a timeline gives the document, its rows and its history") {
     CHECK(copy.digest() == other.document().digest());
     CHECK(other.index().nearest(Vec2{0.3, 0.4}, 10.0) == editor.index().nearest(Vec2{0.3, 0.4}, 10.0));
     CHECK(other.document().digest() == editor.document().digest());
-    CHECK(reachable(other) == reachable(editor));
+    CHECK(reachable_places(other) == reachable_places(editor));
     CHECK(copy.digest() == other.document().digest());
     // And once more: what is noted after a restore fits to what was before.
     for (int i = 0; i < 50; ++i) script.step(other);

@@ -8,7 +8,7 @@ using namespace mes;
 
 namespace {
 
-struct Bench {
+struct ViewBench {
   Editor editor{{}};
   double spacing = 10.0;
   AnnotationDesk annotations{editor};
@@ -16,7 +16,7 @@ struct Bench {
   Canvas canvas{context};
   ViewMotion& view = canvas.view();
 
-  Bench() {
+  ViewBench() {
     view.set_viewport(1000, 800);
     view.fit({{-100, -100}, {100, 100}}, 0.0, true);
   }
@@ -29,7 +29,7 @@ struct Bench {
 }  // namespace
 
 TEST_CASE("while zooming the point under the cursor stays there in every frame") {
-  Bench bench;
+  ViewBench bench;
   const Vec2 cursor{730, 120};
   const Vec2 world = bench.view.camera().to_world(cursor);
   const double before = bench.view.camera().units_per_pixel();
@@ -45,7 +45,7 @@ TEST_CASE("while zooming the point under the cursor stays there in every frame")
 }
 
 TEST_CASE("fitting stays clear of the panels and ends exactly there") {
-  Bench bench;
+  ViewBench bench;
   bench.view.set_insets({.left = 100, .top = 50, .right = 300, .bottom = 30});
   const Box2 box{{10, 20}, {50, 40}};
   bench.view.fit(box, 20.0);
@@ -59,7 +59,7 @@ TEST_CASE("fitting stays clear of the panels and ends exactly there") {
 }
 
 TEST_CASE("a view is as fitted until somebody moves it") {
-  Bench bench;
+  ViewBench bench;
   const auto fit = [&] {
     bench.view.fit({{10, 20}, {50, 40}}, 20.0);
     bench.settle();
@@ -80,7 +80,7 @@ TEST_CASE("a view is as fitted until somebody moves it") {
 }
 
 TEST_CASE("previous view returns to what was left") {
-  Bench bench;
+  ViewBench bench;
   const render::Camera first = bench.view.camera();
   CHECK_FALSE(bench.view.can_go_back());
   bench.canvas.advance(5.0);
@@ -99,14 +99,14 @@ TEST_CASE("previous view returns to what was left") {
 }
 
 TEST_CASE("resizing the window leaves the drawing in its place") {
-  Bench bench;
+  ViewBench bench;
   const Vec2 before = bench.view.camera().to_screen({17, 23});
   bench.view.set_viewport(1400, 700);
   CHECK(distance(bench.view.camera().to_screen({17, 23}), before) < 1e-9);
 }
 
 TEST_CASE("middle, right and Space drags pan, and change nothing else") {
-  Bench bench;
+  ViewBench bench;
   REQUIRE(bench.editor.insert(std::array{Vec2{0, 0}}, "insert"));
   const auto digest = bench.editor.document().digest();
   const auto drag = [&](PointerButton button) {
@@ -129,7 +129,7 @@ TEST_CASE("middle, right and Space drags pan, and change nothing else") {
 }
 
 TEST_CASE("a view that moves under a held sample takes the sample along with the pointer") {
-  Bench bench;
+  ViewBench bench;
   REQUIRE(bench.editor.insert(std::array{Vec2{0, 0}}, "insert"));
   const Vec2 at = bench.view.camera().to_screen({0, 0});
   bench.canvas.press(PointerButton::left, at, {});
@@ -144,7 +144,7 @@ TEST_CASE("a view that moves under a held sample takes the sample along with the
 }
 
 TEST_CASE("a second button during a gesture does not disturb it") {
-  Bench bench;
+  ViewBench bench;
   bench.canvas.choose_tool(ToolId::insert);
   bench.canvas.press(PointerButton::left, {100, 100}, {});
   bench.canvas.press(PointerButton::right, {100, 100}, {});

@@ -13,21 +13,21 @@ namespace {
 
 const double kMost = std::nextafter(0x1p500, 0.0);
 
-struct Bench {
+struct RangeBench {
   Editor editor{{}};
   double spacing = 10.0;
   std::vector<std::string> refused;
   AnnotationDesk annotations{editor};
   ToolContext context{editor, annotations, spacing, [this](const Error& error) { refused.push_back(error.text); }};
 
-  explicit Bench(const SampleData& data = {{{1.0, 2.0}, {-3.0, 0.0}}, {}, {{{1.0, 1.0}, 0.5}}}) {
+  explicit RangeBench(const SampleData& data = {{{1.0, 2.0}, {-3.0, 0.0}}, {}, {{{1.0, 1.0}, 0.5}}}) {
     REQUIRE(editor.load(data));
   }
   const Document& document() const { return editor.document(); }
 };
 
 // Pixels do not matter to these tools.
-Pointer at(Vec2 world) {
+Pointer at_point(Vec2 world) {
   return {{0, 0}, world, 1e-3, {}};
 }
 
@@ -38,44 +38,44 @@ static_assert(without_traces(1.0, Magnitudes{}.most) == 1.0);
 static_assert(without_traces(0x1p-120, 0) == 0.0);
 
 TEST_CASE("a click that is nothing beside the drawing is a click on the axis") {
-  Bench bench;
+  RangeBench bench;
   InsertTool tool(bench.context);
-  tool.press(at({1e-40, 2.0}));
-  tool.drag(at({-1e-31, 0x1p-99}));
-  tool.release(at({-1e-31, 0x1p-99}));
+  tool.press(at_point({1e-40, 2.0}));
+  tool.drag(at_point({-1e-31, 0x1p-99}));
+  tool.release(at_point({-1e-31, 0x1p-99}));
   CHECK(bench.refused.empty());
   CHECK(bench.document().position(SampleSlot(2)) == Vec2{0.0, 0x1p-99});
   CHECK_FALSE(std::signbit(bench.document().position(SampleSlot(2)).x));
   SprayTool spray(bench.context);
-  spray.press(at({3.0, -1e-300}));
-  spray.release(at({3.0, -1e-300}));
+  spray.press(at_point({3.0, -1e-300}));
+  spray.release(at_point({3.0, -1e-300}));
   CHECK(bench.document().position(SampleSlot(3)) == Vec2{3.0, 0.0});
   CHECK(bench.refused.empty());
 }
 
 TEST_CASE("among small things small clicks are what they are, and those below the range are zero") {
-  Bench bench(SampleData{.positions = {{1e-120, 0.0}}});
+  RangeBench bench(SampleData{.positions = {{1e-120, 0.0}}});
   InsertTool tool(bench.context);
-  tool.press(at({1e-140, 3e-121}));
-  tool.release(at({1e-140, 3e-121}));
+  tool.press(at_point({1e-140, 3e-121}));
+  tool.release(at_point({1e-140, 3e-121}));
   CHECK(bench.document().position(SampleSlot(1)) == Vec2{1e-140, 3e-121});
-  tool.press(at({5e-324, 1e-130}));
-  tool.release(at({5e-324, 1e-130}));
+  tool.press(at_point({5e-324, 1e-130}));
+  tool.release(at_point({5e-324, 1e-130}));
   CHECK(bench.document().position(SampleSlot(2)) == Vec2{0.0, 1e-130});
   CHECK(bench.refused.empty());
 }
 
 TEST_CASE("what is too large is refused in one line, and nothing is lost") {
-  Bench bench;
+  RangeBench bench;
   const std::uint64_t before = bench.document().digest();
   InsertTool insert(bench.context);
-  insert.press(at({1e40, 0.0}));
-  insert.release(at({1e40, 0.0}));
+  insert.press(at_point({1e40, 0.0}));
+  insert.release(at_point({1e40, 0.0}));
   REQUIRE(bench.refused.size() == 1);
   CHECK(bench.refused[0].starts_with("1e+40 is too large beside numbers of about 0.5: the largest may be 2^100"));
   SprayTool spray(bench.context);
-  spray.press(at({0.0, 1e200}));
-  spray.release(at({0.0, 1e200}));
+  spray.press(at_point({0.0, 1e200}));
+  spray.release(at_point({0.0, 1e200}));
   REQUIRE(bench.refused.size() == 2);
   CHECK(bench.refused[1].starts_with("1e+200 is too large: coordinates and radii are 0, or"));
   CHECK(bench.document().digest() == before);
@@ -84,7 +84,7 @@ TEST_CASE("what is too large is refused in one line, and nothing is lost") {
 }
 
 TEST_CASE("a radius too small beside the drawing is refused, not made zero") {
-  Bench bench;
+  RangeBench bench;
   const std::uint64_t before = bench.document().digest();
   CHECK_FALSE(bench.editor.insert_balls(std::vector<Disk>{{{1, 1}, 1e-40}}, "Insert ball"));
   bench.editor.selection().add_ball(BallSlot(0));
@@ -95,7 +95,7 @@ TEST_CASE("a radius too small beside the drawing is refused, not made zero") {
 }
 
 TEST_CASE("a drag of everything to another size is judged as a whole") {
-  Bench bench;
+  RangeBench bench;
   const Document& document = bench.document();
   const std::vector<std::pair<SampleId, Vec2>> samples{{document.id(SampleSlot(0)), {1e60, 0.0}},
                                                        {document.id(SampleSlot(1)), {0.0, 1e60}}};
@@ -117,7 +117,7 @@ TEST_CASE("a drag of everything to another size is judged as a whole") {
 }
 
 TEST_CASE("taking the smallest away makes room for the largest") {
-  Bench bench(SampleData{.positions = {{1.0, 0x1p-100}, {1.5, 0.0}, {0.0, 0x1p-100}}});
+  RangeBench bench(SampleData{.positions = {{1.0, 0x1p-100}, {1.5, 0.0}, {0.0, 0x1p-100}}});
   const std::vector<Vec2> large{{4.0, 0.0}};
   const std::vector<Vec2> larger{{0x1p3, 0x1p3}};
   CHECK_FALSE(bench.editor.insert(large, "Insert"));
@@ -128,7 +128,7 @@ TEST_CASE("taking the smallest away makes room for the largest") {
 }
 
 TEST_CASE("a nudge onto an axis ends on the axis, a nudge out of range where it began") {
-  Bench bench(SampleData{.positions = {{0.3, 1.0}, {2.0, 5.0}}});
+  RangeBench bench(SampleData{.positions = {{0.3, 1.0}, {2.0, 5.0}}});
   bench.editor.selection().add(SampleSlot(0));
   for (int i = 0; i < 3; ++i) REQUIRE(bench.editor.nudge_selection({-0.1, 0.0}));
   // What rounding leaves of 0.3 - 0.1 - 0.1 - 0.1 is a number among others.
@@ -145,7 +145,7 @@ TEST_CASE("a nudge onto an axis ends on the axis, a nudge out of range where it 
 }
 
 TEST_CASE("a state of an evolution out of range is refused, and the state before stays") {
-  Bench bench(SampleData{.positions = {{1.0, 0.0}, {2.0, 5.0}}});
+  RangeBench bench(SampleData{.positions = {{1.0, 0.0}, {2.0, 5.0}}});
   REQUIRE(bench.editor.evolve(std::vector<Vec2>{{3.0, 0.0}, {2.0, 5.0}}, {}, "Smooth: step 1"));
   const std::uint64_t before = bench.document().digest();
   CHECK_FALSE(bench.editor.evolve(std::vector<Vec2>{{1e-40, 0.0}, {2.0, 5.0}}, {}, "Smooth: step 2"));
@@ -156,7 +156,7 @@ TEST_CASE("a state of an evolution out of range is refused, and the state before
 }
 
 TEST_CASE("a timeline of edits in range replays, one of edits out of range does not") {
-  Bench bench;
+  RangeBench bench;
   CHECK_FALSE(bench.editor.perform(TimelineEdit{.name = "Insert", .inserted = {{1e-40, 0.0}}}));
   CHECK(bench.editor.timeline().entries().empty());
   DocumentReplay replay;

@@ -7,18 +7,15 @@
 #include "app/picture/title_drawing.h"
 #include "core/document/commands.h"
 #include "core/draw/layer_descriptor.h"
+#include "tests/model/letters_of_one_width.h"
 
 using namespace mes;
+using mes::test::half_size_a_byte;
 
 namespace {
 
-/// Half a size a byte.
-double measure(const std::string& text, double size, Face /*face*/) {
-  return 0.5 * size * static_cast<double>(text.size());
-}
-
 PictureTitle title(std::string_view words, double width = 800.0, double height = 600.0) {
-  return layout_title(words, width, height, measure, Rgb{255, 255, 255});
+  return layout_title(words, width, height, half_size_a_byte, Rgb{255, 255, 255});
 }
 
 struct Extent {
@@ -29,12 +26,12 @@ Extent extent_of(const PaperDrawing& drawing) {
   Extent out;
   for (const PaperDrawing::Line& line : drawing.lines) {
     out.left = std::min(out.left, line.x);
-    out.right = std::max(out.right, line.x + measure(line.text, line.size, line.face));
+    out.right = std::max(out.right, line.x + half_size_a_byte(line.text, line.size, line.face));
   }
   return out;
 }
 
-Document square() {
+Document square_of_samples() {
   Document document;
   const auto all = replace_all(document, {.positions = {{0, 0}, {1, 0}, {1, 1}, {0, 1}}});
   REQUIRE(all.has_value());
@@ -46,8 +43,8 @@ struct Drawn {
   figure::Figure figure;
   std::vector<std::string> remarks;
 };
-Drawn drawn(FigureRequest request, PlacedAnnotations annotations = {}) {
-  const Document document = square();
+Drawn figure_drawn(FigureRequest request, PlacedAnnotations annotations = {}) {
+  const Document document = square_of_samples();
   const LayerMirror mirror;
   const Box2 bounds = document.bounding_box();
   request.shown.layers = {find_layer("indices")};
@@ -141,7 +138,7 @@ TEST_CASE("what is fitted is kept clear of title and axes at any scale") {
 
 TEST_CASE("samples of a figure lie above and beside its axes, and what was asked to be seen is not moved for them") {
   const auto with_axes = [](bool has_axes, const ShownPart& part, std::optional<PageSize> page) {
-    return drawn({.shown = {}, .part = part, .page = page, .marks = {.axes = has_axes}}).figure;
+    return figure_drawn({.shown = {}, .part = part, .page = page, .marks = {.axes = has_axes}}).figure;
   };
   for (const auto& page : {std::optional(PageSize{240.0, std::nullopt}), std::optional(PageSize{240.0, 100.0}),
                            std::optional<PageSize>()}) {
@@ -157,9 +154,9 @@ TEST_CASE("samples of a figure lie above and beside its axes, and what was asked
 }
 
 TEST_CASE("a figure with a title has it in its legend, as text, above the drawing") {
-  const Drawn bare = drawn({.shown = {}, .part = Everything{}, .page = PageSize{240.0, std::nullopt}});
+  const Drawn bare = figure_drawn({.shown = {}, .part = Everything{}, .page = PageSize{240.0, std::nullopt}});
   const Drawn titled =
-      drawn({.shown = {}, .part = Everything{}, .page = PageSize{240.0, std::nullopt}, .title = "Four"});
+      figure_drawn({.shown = {}, .part = Everything{}, .page = PageSize{240.0, std::nullopt}, .title = "Four"});
   REQUIRE(titled.figure.legend.texts.size() == 1);
   CHECK(titled.figure.legend.texts[0].text == "Four");
   CHECK(titled.remarks.empty());
@@ -177,7 +174,7 @@ TEST_CASE("a figure with a title has it in its legend, as text, above the drawin
   // A page of a given size stays, and the drawing gets what is left.
   for (const std::optional<PageSize>& page :
        {std::optional<PageSize>(PageSize{240.0, 180.0}), std::optional<PageSize>()}) {
-    const Drawn fixed = drawn({.shown = {}, .part = Everything{}, .page = page, .title = "Four"});
+    const Drawn fixed = figure_drawn({.shown = {}, .part = Everything{}, .page = page, .title = "Four"});
     CHECK(fixed.figure.width == Approx(page ? 240.0 : 1200.0));
     CHECK(fixed.figure.height == Approx(page ? 180.0 : 900.0).margin(1e-6));
     const double upper = numbers(fixed.figure).second.y - fixed.figure.layers[0].texts[0].size;
@@ -187,7 +184,7 @@ TEST_CASE("a figure with a title has it in its legend, as text, above the drawin
 }
 
 TEST_CASE("a page that is cut to the drawing has its title beside that") {
-  const Drawn titled = drawn({.shown = {}, .part = Everything{}, .is_tight = true, .title = "Four"});
+  const Drawn titled = figure_drawn({.shown = {}, .part = Everything{}, .is_tight = true, .title = "Four"});
   const auto [low, high] = numbers(titled.figure);
   REQUIRE(titled.figure.legend.texts.size() == 1);
   const figure::Text& words = titled.figure.legend.texts[0];
@@ -204,7 +201,7 @@ TEST_CASE("a page that is cut to the drawing has annotations and numbers where t
   annotations.places = {{{1.0, 1.0}}};
   annotations.highlighted = {{}};
   for (const bool is_tight : {false, true}) {
-    const Drawn out = drawn({.shown = {}, .part = Everything{}, .is_tight = is_tight}, annotations);
+    const Drawn out = figure_drawn({.shown = {}, .part = Everything{}, .is_tight = is_tight}, annotations);
     REQUIRE(out.figure.layers.size() == 2);
     REQUIRE(out.figure.layers[1].texts.size() == 1);
     const Vec2 apart = numbers(out.figure).second - out.figure.layers[1].texts[0].start;
