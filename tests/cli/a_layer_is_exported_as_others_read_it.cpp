@@ -7,14 +7,15 @@
 #include <sstream>
 
 #include "run_binary.h"
+#include "tests/cli/inputs.h"
 
+using mes::test::kDude;
 using mes::test::run;
 using mes::test::RunResult;
 using Json = nlohmann::json;
 
 namespace {
 
-constexpr const char* kDude = "tests/data/earcut_dude.poff";
 constexpr const char* kHawaii = "tests/data/ne_hawaii.poff";
 
 std::string exported(const std::string& file, const std::string& layer, const std::string& format,

@@ -6,9 +6,11 @@
 #include <nlohmann/json.hpp>
 
 #include "run_binary.h"
+#include "tests/cli/output_of.h"
 #include "tests/io/temporary_folder.h"
 
 using mes::test::contents_of;
+using mes::test::output_of;
 using mes::test::run;
 using mes::test::RunOptions;
 using mes::test::RunResult;
@@ -17,14 +19,6 @@ using mes::test::TemporaryFolder;
 namespace {
 
 constexpr const char* kCrust = "assets/lessons/crust.json";
-
-std::string out_of(const std::vector<std::string>& arguments, const RunOptions& options = {}) {
-  const RunResult result = run(arguments, options);
-  INFO(result.err);
-  REQUIRE(result.exit_code == 0);
-  CHECK(result.err.empty());
-  return result.out;
-}
 
 void require_refused(const std::vector<std::string>& arguments, int code, const std::string& says,
                      const RunOptions& options = {}) {
@@ -42,7 +36,7 @@ std::string with_steps(const std::string& steps) {
 }
 
 std::size_t pages_of(const std::string& file) {
-  const std::string said = out_of({file}, {.program = "pdfinfo"});
+  const std::string said = output_of({file}, {.program = "pdfinfo"});
   return std::stoul(said.substr(said.find("Pages:") + 6));
 }
 
@@ -50,37 +44,38 @@ std::size_t pages_of(const std::string& file) {
 
 TEST_CASE("every lesson that comes with the program is listed, found by its name, and drawn without a remark") {
   const TemporaryFolder folder;
-  const auto lessons = nlohmann::json::parse(out_of({"list", "lessons", "--json"}));
+  const auto lessons = nlohmann::json::parse(output_of({"list", "lessons", "--json"}));
   REQUIRE(lessons.size() == 6);
-  const std::string table = out_of({"list", "lessons"});
+  const std::string table = output_of({"list", "lessons"});
   RunOptions headless;
   headless.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
   for (const auto& lesson : lessons) {
     const std::string name = lesson["id"];
     INFO(name);
     CHECK_THAT(table, Catch::Contains(name) && Catch::Contains(std::string(lesson["title"])));
-    const std::string steps = out_of({"lesson", name});
+    const std::string steps = output_of({"lesson", name});
     CHECK(std::ranges::count(steps, '\n') == lesson["steps"]);
     const std::string pdf = folder / (name + ".pdf");
-    CHECK(out_of({"lesson", name, "--pdf", pdf}, headless).empty());
+    CHECK(output_of({"lesson", name, "--pdf", pdf}, headless).empty());
     CHECK(pages_of(pdf) == lesson["steps"]);
-    const std::string words = out_of({pdf, "-"}, {.program = "pdftotext"});
+    const std::string words = output_of({pdf, "-"}, {.program = "pdftotext"});
     CHECK_THAT(words, Catch::Contains(std::string(lesson["title"])));
     // The PDF is the lesson: given as one it says the same.
-    CHECK(out_of({"lesson", pdf}) == steps);
+    CHECK(output_of({"lesson", pdf}) == steps);
   }
 }
 
 TEST_CASE("steps are chosen, in their order") {
-  const std::string all = out_of({"lesson", kCrust});
+  const std::string all = output_of({"lesson", kCrust});
   const auto lines_of = [](const std::string& text) { return std::ranges::count(text, '\n'); };
   REQUIRE(lines_of(all) == 8);
-  CHECK(out_of({"lesson", kCrust, "--steps", "1-8"}) == all);
-  CHECK(out_of({"lesson", kCrust, "--steps", "3,1-2,3"}) == out_of({"lesson", kCrust, "--steps", "1-3"}));
-  CHECK_THAT(out_of({"lesson", kCrust, "--steps", "2"}), Catch::Contains("2 ") && Catch::Contains("Who is nearest"));
+  CHECK(output_of({"lesson", kCrust, "--steps", "1-8"}) == all);
+  CHECK(output_of({"lesson", kCrust, "--steps", "3,1-2,3"}) == output_of({"lesson", kCrust, "--steps", "1-3"}));
+  CHECK_THAT(output_of({"lesson", kCrust, "--steps", "2"}),
+             Catch::Contains("2 ") && Catch::Contains("Who is nearest"));
   const TemporaryFolder folder;
   const std::string pdf = folder / "some.pdf";
-  out_of({"lesson", kCrust, "--steps", "2,7-8", "--pdf", pdf});
+  output_of({"lesson", kCrust, "--steps", "2,7-8", "--pdf", pdf});
   CHECK(pages_of(pdf) == 3);
   for (const char* steps : {"0", "a", "3-2", "1,,2", ",", "1-", "-1", "1,", "1-2-3", "99999999999999999999"})
     require_refused({"lesson", kCrust, "--steps", steps}, 2, "--steps");
@@ -92,10 +87,10 @@ TEST_CASE("steps are chosen, in their order") {
 TEST_CASE("pages have the size, the background and the explanations that are asked for") {
   const TemporaryFolder folder;
   const std::string pdf = folder / "a4.pdf";
-  out_of({"lesson", "crust", "--steps", "5", "--figure-size", "210mmx297mm", "--background", "102030", "--scale", "2",
-          "--key", "--scale-bar", "--axes", "--grid", "--no-annotations", "--no-source", "--pdf", pdf});
-  CHECK_THAT(out_of({pdf}, {.program = "pdfinfo"}), Catch::Contains("A4"));
-  CHECK_THAT(out_of({pdf, "-"}, {.program = "pdftotext"}), Catch::Contains("Delaunay"));
+  output_of({"lesson", "crust", "--steps", "5", "--figure-size", "210mmx297mm", "--background", "102030", "--scale",
+             "2", "--key", "--scale-bar", "--axes", "--grid", "--no-annotations", "--no-source", "--pdf", pdf});
+  CHECK_THAT(output_of({pdf}, {.program = "pdfinfo"}), Catch::Contains("A4"));
+  CHECK_THAT(output_of({pdf, "-"}, {.program = "pdftotext"}), Catch::Contains("Delaunay"));
   require_refused({"lesson", pdf}, 3, "a4.pdf");
   for (const char* size : {"0x1", "10", "1000mmx100mm", "big"})
     require_refused({"lesson", "crust", "--pdf", pdf, "--figure-size", size}, 2, "--figure-size");
@@ -128,9 +123,9 @@ TEST_CASE("lessons without samples, without words or with an odd caption are dra
   for (const char* samples : {"[]", "[1,2]", "[1,2,3,4]"}) {
     const std::string session = std::string(R"({"mesecina":"session","schema":1,"data":{"samples":)") + samples +
                                 R"(},"lesson":{"steps":[{},{"caption":"# <b> ( \\ ) \u0000\u0007"}]}})";
-    out_of({"lesson", "-", "--pdf", pdf}, {.input = session});
+    output_of({"lesson", "-", "--pdf", pdf}, {.input = session});
     CHECK(pages_of(pdf) == 2);
-    CHECK(out_of({"lesson", "-"}, {.input = session}).starts_with("  1    4 s\n  2    4 s  <b> ( \\ )"));
+    CHECK(output_of({"lesson", "-"}, {.input = session}).starts_with("  1    4 s\n  2    4 s  <b> ( \\ )"));
   }
   const RunResult odd = run({"lesson", "-", "--pdf", pdf}, {.input = with_steps(R"([{"caption":"$\\nonsense$"}])")});
   CHECK(odd.exit_code == 0);
@@ -141,13 +136,13 @@ TEST_CASE("a PDF is not written over the lesson it is made of once that has chan
   const TemporaryFolder folder;
   const std::string file = folder.write("lesson.json", contents_of(kCrust));
   // Nothing changes it in between, so this is allowed; the PDF carries the lesson.
-  out_of({"lesson", file, "--pdf", file});
+  output_of({"lesson", file, "--pdf", file});
   CHECK(contents_of(file).starts_with("%PDF"));
-  CHECK(std::ranges::count(out_of({"lesson", file}), '\n') == 8);
+  CHECK(std::ranges::count(output_of({"lesson", file}), '\n') == 8);
 }
 
 TEST_CASE("a lesson is one file for a browser, with nothing from elsewhere and nothing that is not escaped") {
-  const std::string html = out_of({"lesson", "crust", "--html", "-"});
+  const std::string html = output_of({"lesson", "crust", "--html", "-"});
   const auto count = [&](std::string_view part) {
     std::size_t out = 0;
     for (std::size_t at = html.find(part); at != std::string::npos; at = html.find(part, at + 1)) ++out;
@@ -169,7 +164,7 @@ TEST_CASE("a lesson is one file for a browser, with nothing from elsewhere and n
   ids.erase(std::ranges::unique(ids).begin(), ids.end());
   CHECK(ids.size() == all);
   const std::string evil = R"([{"caption":"# </section><script>alert(1)</script>\n\n\"'&"}])";
-  const std::string escaped = out_of({"lesson", "-", "--html", "-"}, {.input = with_steps(evil)});
+  const std::string escaped = output_of({"lesson", "-", "--html", "-"}, {.input = with_steps(evil)});
   CHECK_THAT(escaped, !Catch::Contains("alert(1)</script>") &&
                           Catch::Contains("&lt;/section&gt;&lt;script&gt;alert(1)") &&
                           Catch::Contains("&quot;&#39;&amp;"));
@@ -179,7 +174,7 @@ TEST_CASE("a lesson is one file for a browser, with nothing from elsewhere and n
 TEST_CASE("a lesson is a picture a step, and captions with their times") {
   const TemporaryFolder folder;
   const std::string frames = folder / "frames";
-  out_of({"lesson", "crust", "--steps", "6-8", "--frames", frames, "--size", "321x180"});
+  output_of({"lesson", "crust", "--steps", "6-8", "--frames", frames, "--size", "321x180"});
   const auto manifest = nlohmann::json::parse(contents_of(frames + "/manifest.json"));
   REQUIRE(manifest["frames"].size() == 3);
   CHECK(manifest["complete"] == true);
@@ -197,7 +192,7 @@ TEST_CASE("a lesson is a picture a step, and captions with their times") {
   for (const char* size : {"0x1", "x", "1000x100"})
     require_refused({"lesson", "crust", "--frames", frames, "--size", size}, 2, "--size");
   const std::string steps = R"([{"caption":"# A < B\n\n- c --> d","seconds":2.5},{"seconds":3600},{"caption":"e"}])";
-  CHECK(out_of({"lesson", "-", "--vtt", "-"}, {.input = with_steps(steps)}) ==
+  CHECK(output_of({"lesson", "-", "--vtt", "-"}, {.input = with_steps(steps)}) ==
         "WEBVTT\n\n1\n00:00:00.000 --> 00:00:02.500\n<b>A &lt; B</b>\n- c --&gt; d\n"
         "\n3\n00:10:02.500 --> 00:10:06.500\ne\n");
 }

@@ -9,37 +9,33 @@
 #include "core/base/zlib.h"
 #include "core/io/session.h"
 #include "run_binary.h"
+#include "tests/cli/inputs.h"
+#include "tests/cli/output_of.h"
 #include "tests/io/temporary_folder.h"
 
 using mes::test::contents_of;
+using mes::test::kBean;
+using mes::test::output_of;
 using mes::test::run;
 using mes::test::RunResult;
 using mes::test::TemporaryFolder;
 
 namespace {
 
-constexpr const char* kBean = "assets/shapes/bean.poff";
 constexpr const char* kCarriers[] = {"png", "svg", "pdf", "ipe"};
 
-std::string out_of(const std::vector<std::string>& arguments) {
-  const RunResult result = run(arguments);
-  INFO(result.err);
-  REQUIRE(result.exit_code == 0);
-  CHECK(result.err.empty());
-  return result.out;
-}
-
 /// In a file, or to standard output.
-std::string render(const std::string& file, const std::string& format, const std::vector<std::string>& more = {},
-                   const std::string& output = "-") {
+std::string render_picture(const std::string& file, const std::string& format,
+                           const std::vector<std::string>& more = {}, const std::string& output = "-") {
   std::vector<std::string> arguments{"render", file, "--size", "300x200", "--to", format, "-o", output};
   arguments.insert(arguments.end(), more.begin(), more.end());
-  return out_of(arguments);
+  return output_of(arguments);
 }
 
 /// Of what `compute` says of a file, all but its name and format.
-nlohmann::json computed(const std::string& file) {
-  nlohmann::json out = nlohmann::json::parse(out_of({"compute", file, "--layers", "all", "--no-timing", "--digest"}));
+nlohmann::json all_computed(const std::string& file) {
+  nlohmann::json out =
+      nlohmann::json::parse(output_of({"compute", file, "--layers", "all", "--no-timing", "--digest"}));
   out.erase("input");
   return out;
 }
@@ -86,33 +82,33 @@ std::string in_base64(const std::string& bytes) {
 
 TEST_CASE("a picture of a document is that document, to every command") {
   const TemporaryFolder folder;
-  const nlohmann::json expected = computed(kBean);
+  const nlohmann::json expected = all_computed(kBean);
   for (const std::string format : kCarriers) {
     INFO(format);
     const std::string file = (folder / ("a." + format)).string();
-    render(kBean, format, {}, file);
-    CHECK(computed(file) == expected);
-    CHECK(out_of({"export", file, "--layer", "points", "--format", "poff"}) ==
-          out_of({"export", kBean, "--layer", "points", "--format", "poff"}));
+    render_picture(kBean, format, {}, file);
+    CHECK(all_computed(file) == expected);
+    CHECK(output_of({"export", file, "--layer", "points", "--format", "poff"}) ==
+          output_of({"export", kBean, "--layer", "points", "--format", "poff"}));
     // Under a name that says nothing, too.
     const std::string other = (folder / "unnamed").string();
     std::filesystem::copy_file(file, other, std::filesystem::copy_options::overwrite_existing);
-    CHECK(computed(other) == expected);
+    CHECK(all_computed(other) == expected);
   }
 }
 
 TEST_CASE("a picture of a picture is the same picture, whatever kind of file that is") {
   const TemporaryFolder folder;
-  const std::string picture = render(kBean, "png", kLook);
-  CHECK(picture != render(kBean, "png"));
+  const std::string picture = render_picture(kBean, "png", kLook);
+  CHECK(picture != render_picture(kBean, "png"));
   for (const std::string format : kCarriers) {
     INFO(format);
     const std::string file = (folder / ("a." + format)).string();
-    render(kBean, format, kLook, file);
-    CHECK(render(file, "png") == picture);
-    CHECK(render(file, format) == contents_of(file));
+    render_picture(kBean, format, kLook, file);
+    CHECK(render_picture(file, "png") == picture);
+    CHECK(render_picture(file, format) == contents_of(file));
     // What is asked for goes before what the session has.
-    CHECK(render(file, "png", {"--view", "0,0,1,1"}) != picture);
+    CHECK(render_picture(file, "png", {"--view", "0,0,1,1"}) != picture);
   }
 }
 
@@ -121,7 +117,7 @@ TEST_CASE("without its source a figure is as before, and no document") {
   for (const std::string format : kCarriers) {
     INFO(format);
     const std::string file = (folder / ("a." + format)).string();
-    render(kBean, format, {"--no-source"}, file);
+    render_picture(kBean, format, {"--no-source"}, file);
     CHECK(contents_of(file).find(mes::kCarriedSession) == std::string::npos);
     if (format != "pdf") {
       // The drawing itself can be read, as any other, and the picture traced, which is said.
@@ -135,7 +131,7 @@ TEST_CASE("without its source a figure is as before, and no document") {
   }
   for (const std::string format : {"eps", "ps", "tex"}) {
     INFO(format);
-    CHECK(render(kBean, format) == render(kBean, format, {"--no-source"}));
+    CHECK(render_picture(kBean, format) == render_picture(kBean, format, {"--no-source"}));
   }
 }
 
@@ -144,18 +140,18 @@ TEST_CASE("a picture holds neither the history of a session nor the folders of i
   const std::string session = "tests/data/edited_bean.json";
   for (const std::string format : kCarriers) {
     const std::string file = (folder / ("a." + format)).string();
-    render(session, format, {}, file);
-    CHECK(computed(file) == computed(session));
+    render_picture(session, format, {}, file);
+    CHECK(all_computed(file) == all_computed(session));
     CHECK(contents_of(file).find(folder.path().string()) == std::string::npos);
   }
-  const std::string svg = render(session, "svg");
-  CHECK(svg.size() < contents_of(session).size() + render(session, "svg", {"--no-source"}).size());
+  const std::string svg = render_picture(session, "svg");
+  CHECK(svg.size() < contents_of(session).size() + render_picture(session, "svg", {"--no-source"}).size());
 }
 
 TEST_CASE("a session that is cut, broken, foreign or too long is refused in one line") {
   const TemporaryFolder folder;
   for (const std::string format : kCarriers) {
-    const std::string whole = render(kBean, format);
+    const std::string whole = render_picture(kBean, format);
     // A PDF names the file before it holds it.
     const std::string mark = std::string(mes::kCarriedSession) + (format == "pdf" ? " true" : "");
     const std::size_t begin = whole.find(mark);

@@ -15,8 +15,6 @@ using nlohmann::json;
 
 namespace {
 
-constexpr const char* kSession = "tests/data/edited_bean.json";
-
 std::set<std::string> names_in(const std::filesystem::path& folder) {
   std::set<std::string> out;
   for (const auto& entry : std::filesystem::directory_iterator(folder)) out.insert(entry.path().filename().string());
@@ -28,7 +26,8 @@ std::set<std::string> names_in(const std::filesystem::path& folder) {
 TEST_CASE("each step of a session is a picture, the same in every run, and shards are those of the whole") {
   const TemporaryFolder folder;
   const auto film = [&](const std::string& name, const std::vector<std::string>& extra = {}) {
-    std::vector<std::string> arguments{"play", kSession, "--frames", (folder / name).string(), "--size", "320x200"};
+    std::vector<std::string> arguments{"play",   kEditedBean, "--frames", (folder / name).string(),
+                                       "--size", "320x200"};
     arguments.insert(arguments.end(), extra.begin(), extra.end());
     return run(arguments);
   };
@@ -62,8 +61,8 @@ TEST_CASE("each step of a session is a picture, the same in every run, and shard
     REQUIRE(played.exit_code == 0);
     return played.out;
   };
-  CHECK(digests((folder / "whole" / "manifest.json").string()) == digests(kSession));
-  CHECK(digests((folder / "parts" / "manifest-2-of-3.json").string()) == digests(kSession));
+  CHECK(digests((folder / "whole" / "manifest.json").string()) == digests(kEditedBean));
+  CHECK(digests((folder / "parts" / "manifest-2-of-3.json").string()) == digests(kEditedBean));
   REQUIRE(film("bare", {"--no-source"}).exit_code == 0);
   const std::string bare = (folder / "bare" / "manifest.json").string();
   CHECK(contents_of(bare).find("mesecina-session") == std::string::npos);
@@ -208,14 +207,14 @@ TEST_CASE("films that make no sense are refused before any work") {
                                                                                      {"--shard", "4/3"},
                                                                                      {"--shard", "1"},
                                                                                      {"--video", "x.avi"}}) {
-    std::vector<std::string> arguments{"play", kSession, "--frames", frames};
+    std::vector<std::string> arguments{"play", kEditedBean, "--frames", frames};
     arguments.insert(arguments.end(), extra.begin(), extra.end());
     const RunResult result = run(arguments);
     CHECK(result.exit_code == 2);
     CHECK(std::ranges::count(result.err, '\n') == 1);
   }
   CHECK(folder.file_count() == 0);
-  CHECK(run({"play", kSession, "--frames", "/proc/no/such"}).exit_code == 4);
+  CHECK(run({"play", kEditedBean, "--frames", "/proc/no/such"}).exit_code == 4);
 }
 
 TEST_CASE("the demo is computed without a display, with captions and every scene") {
@@ -247,11 +246,12 @@ TEST_CASE("a video that cannot be written is refused before the first frame is d
   std::filesystem::permissions(program, std::filesystem::perms::owner_all);
   const std::vector<std::string> path{"PATH=" + (folder / "bin").string() + ":/usr/bin:/bin"};
   const std::string frames = (folder / "frames").string();
-  const RunResult nowhere = run({"play", kSession, "--frames", frames, "--video", (folder / "no" / "a.mp4").string()},
-                                {.environment = path});
+  const RunResult nowhere =
+      run({"play", kEditedBean, "--frames", frames, "--video", (folder / "no" / "a.mp4").string()},
+          {.environment = path});
   CHECK(nowhere.exit_code == 4);
   CHECK(nowhere.err.find("no/a.mp4: cannot be written: No such file or directory") != std::string::npos);
-  const RunResult without = run({"play", kSession, "--frames", frames, "--video", (folder / "a.mp4").string()},
+  const RunResult without = run({"play", kEditedBean, "--frames", frames, "--video", (folder / "a.mp4").string()},
                                 {.environment = {"PATH=" + (folder / "frames").string()}});
   CHECK(without.exit_code == 4);
   CHECK(without.err.find("ffmpeg") != std::string::npos);

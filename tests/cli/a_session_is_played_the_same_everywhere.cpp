@@ -11,9 +11,7 @@ using nlohmann::json;
 
 namespace {
 
-constexpr const char* kSession = "tests/data/edited_bean.json";
-
-std::vector<json> lines_of(const std::string& text) {
+std::vector<json> json_lines_of(const std::string& text) {
   std::vector<json> out;
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) out.push_back(json::parse(line));
@@ -23,18 +21,18 @@ std::vector<json> lines_of(const std::string& text) {
 }  // namespace
 
 TEST_CASE("a session is played from standard input") {
-  const RunResult result = run({"play", "-"}, {.input = contents_of(kSession)});
+  const RunResult result = run({"play", "-"}, {.input = contents_of(kEditedBean)});
   CHECK(result.exit_code == 0);
   CHECK(result.out == contents_of("tests/data/edited_bean.digests"));
   CHECK(run({"play", "-"}, {.input = "{"}).exit_code == 3);
 }
 
 TEST_CASE("each step of a session has the same digests in every run and build") {
-  const RunResult result = run({"play", kSession});
+  const RunResult result = run({"play", kEditedBean});
   REQUIRE(result.exit_code == 0);
   CHECK(result.err.empty());
   CHECK(result.out == contents_of("tests/data/edited_bean.digests"));
-  const auto lines = lines_of(result.out);
+  const auto lines = json_lines_of(result.out);
   REQUIRE(lines.size() == 12);
   CHECK(lines[0]["what"] == "open");
   // The undo leads back to the document before the drag.
@@ -46,8 +44,8 @@ TEST_CASE("each step of a session has the same digests in every run and build") 
 }
 
 TEST_CASE("what is played has the digests that the same document has when it is computed afresh") {
-  const std::vector<json> whole = lines_of(run({"play", kSession}).out);
-  json session = json::parse(contents_of(kSession));
+  const std::vector<json> whole = json_lines_of(run({"play", kEditedBean}).out);
+  json session = json::parse(contents_of(kEditedBean));
   const json timeline = session["timeline"];
   const TemporaryFolder folder;
   // With the session cut off after each of its entries in turn.
@@ -55,7 +53,7 @@ TEST_CASE("what is played has the digests that the same document has when it is 
   for (std::size_t length = 4; length <= timeline.size(); ++length) {
     session["timeline"] = json(timeline.begin(), timeline.begin() + static_cast<std::ptrdiff_t>(length));
     const std::string file = folder.write("cut.json", session.dump()).string();
-    const std::vector<json> played = lines_of(run({"play", file}).out);
+    const std::vector<json> played = json_lines_of(run({"play", file}).out);
     REQUIRE(!played.empty());
     const json& last = played.back();
     REQUIRE(played.size() <= whole.size());
@@ -90,5 +88,5 @@ TEST_CASE("what cannot be played is bad input, said in one line") {
   CHECK(run({"play"}).exit_code == 2);
   const RunResult empty = run({"play", folder.write("s.json", R"({"mesecina":"session","schema":1})").string()});
   CHECK(empty.exit_code == 0);
-  CHECK(lines_of(empty.out).size() == 1);
+  CHECK(json_lines_of(empty.out).size() == 1);
 }

@@ -3,13 +3,13 @@
 #include <catch2/catch.hpp>
 
 #include "run_binary.h"
+#include "tests/cli/inputs.h"
 
+using mes::test::kDude;
 using mes::test::run;
 using mes::test::RunResult;
 
 namespace {
-
-constexpr const char* kDude = "tests/data/earcut_dude.poff";
 
 void require_usage_error(const std::vector<std::string>& arguments, const std::vector<std::string>& says) {
   const RunResult result = run(arguments);

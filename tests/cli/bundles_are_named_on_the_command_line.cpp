@@ -22,7 +22,7 @@ RunOptions at_home(const TemporaryFolder& folder) {
   return options;
 }
 
-RunResult render(const TemporaryFolder& folder, const std::vector<std::string>& more) {
+RunResult render_bean(const TemporaryFolder& folder, const std::vector<std::string>& more) {
   std::vector<std::string> arguments{"render", "assets/shapes/bean.poff", "--size", "90x80", "-o", "-"};
   arguments.insert(arguments.end(), more.begin(), more.end());
   return run(arguments, at_home(folder));
@@ -60,34 +60,34 @@ TEST_CASE("a broken file of bundles is reported and left alone") {
 
 TEST_CASE("a picture is drawn as a bundle has it") {
   const TemporaryFolder folder;
-  const RunResult built_in = render(folder, {"--bundle", "Inner disks"});
+  const RunResult built_in = render_bean(folder, {"--bundle", "Inner disks"});
   CHECK(built_in.exit_code == 0);
   CHECK(built_in.err.empty());
-  CHECK(built_in.out == render(folder, {"--bundle", "inner DISKS"}).out);
+  CHECK(built_in.out == render_bean(folder, {"--bundle", "inner DISKS"}).out);
   const std::string file = folder.write("two.json", kTwo).string();
-  const RunResult red = render(folder, {"--bundle", file});
+  const RunResult red = render_bean(folder, {"--bundle", file});
   CHECK(red.exit_code == 0);
   CHECK_THAT(red.err, Catch::Contains("the first of its 2 bundles is taken, \"mine\""));
-  CHECK(red.out != render(folder, {"--layers", "points"}).out);
-  const RunResult second = render(folder, {"--bundle", file + ":CRUST"});
+  CHECK(red.out != render_bean(folder, {"--layers", "points"}).out);
+  const RunResult second = render_bean(folder, {"--bundle", file + ":CRUST"});
   CHECK(second.exit_code == 0);
   CHECK_THAT(second.err, !Catch::Contains("the first"));
-  CHECK(second.out == render(folder, {"--layers", "points"}).out);
-  const RunResult changed = render(folder, {"--bundle", file, "--set-style", "points:color=00ff00"});
+  CHECK(second.out == render_bean(folder, {"--layers", "points"}).out);
+  const RunResult changed = render_bean(folder, {"--bundle", file, "--set-style", "points:color=00ff00"});
   CHECK(changed.exit_code == 0);
   CHECK(changed.out != red.out);
 }
 
 TEST_CASE("a bundle that is not there is refused with the nearest names") {
   const TemporaryFolder folder;
-  const RunResult unknown = render(folder, {"--bundle", "Inner dsks"});
+  const RunResult unknown = render_bean(folder, {"--bundle", "Inner dsks"});
   CHECK(unknown.exit_code == 2);
   CHECK_THAT(unknown.err, Catch::Contains("did you mean Inner disks"));
-  CHECK(render(folder, {"--bundle", "Inner disks", "--layers", "points"}).exit_code == 2);
-  CHECK(render(folder, {"--bundle", "none.bnd"}).exit_code == 3);
-  const RunResult of_file = render(folder, {"--bundle", "assets/bundles/starting.json:Crsut"});
+  CHECK(render_bean(folder, {"--bundle", "Inner disks", "--layers", "points"}).exit_code == 2);
+  CHECK(render_bean(folder, {"--bundle", "none.bnd"}).exit_code == 3);
+  const RunResult of_file = render_bean(folder, {"--bundle", "assets/bundles/starting.json:Crsut"});
   CHECK(of_file.exit_code == 2);
   CHECK_THAT(of_file.err, Catch::Contains("starting.json") && Catch::Contains("did you mean Crust"));
-  CHECK(render(folder, {"--bundle", "tests/data/earcut_dude.poff"}).exit_code == 3);
-  CHECK(render(folder, {"--bundle", folder.path().string()}).exit_code == 3);
+  CHECK(render_bean(folder, {"--bundle", "tests/data/earcut_dude.poff"}).exit_code == 3);
+  CHECK(render_bean(folder, {"--bundle", folder.path().string()}).exit_code == 3);
 }

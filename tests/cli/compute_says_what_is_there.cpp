@@ -5,26 +5,26 @@
 #include <numbers>
 
 #include "run_binary.h"
+#include "tests/cli/inputs.h"
 #include "tests/io/temporary_folder.h"
 
 using mes::test::contents_of;
+using mes::test::kDude;
 using mes::test::run;
 using mes::test::RunResult;
 using mes::test::TemporaryFolder;
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 namespace {
 
-constexpr const char* kDude = "tests/data/earcut_dude.poff";
-
-Json json_of(const RunResult& result) {
+OrderedJson json_of(const RunResult& result) {
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   CHECK(result.err.empty());
-  return Json::parse(result.out);
+  return OrderedJson::parse(result.out);
 }
 
-std::vector<std::string> keys_of(const Json& object) {
+std::vector<std::string> keys_of(const OrderedJson& object) {
   std::vector<std::string> keys;
   for (const auto& [key, value] : object.items()) keys.push_back(key);
   return keys;
@@ -44,14 +44,14 @@ std::string annulus(int n) {
 }  // namespace
 
 TEST_CASE("compute answers with the promised keys") {
-  const Json out = json_of(run({"compute", kDude, "--layers", "medial-axis,interior-voronoi-disks"}));
+  const OrderedJson out = json_of(run({"compute", kDude, "--layers", "medial-axis,interior-voronoi-disks"}));
   CHECK(keys_of(out) ==
         std::vector<std::string>{"schema", "version", "input", "precision", "structures", "layers", "diagnostics"});
   CHECK(out["schema"] == 1);
   CHECK(out["precision"] == "fast");
-  CHECK(
-      out["input"] ==
-      Json{{"file", kDude}, {"format", "poff"}, {"samples", 104}, {"distinct", 104}, {"contours", 3}, {"balls", 0}});
+  CHECK(out["input"] ==
+        OrderedJson{
+            {"file", kDude}, {"format", "poff"}, {"samples", 104}, {"distinct", 104}, {"contours", 3}, {"balls", 0}});
   CHECK(keys_of(out["layers"]) == std::vector<std::string>{"medial-axis", "interior-voronoi-disks"});
   CHECK(out["diagnostics"]["theorem"] == "yellow");
   REQUIRE(out["diagnostics"]["reasons"].size() >= 1);
@@ -63,10 +63,10 @@ TEST_CASE("compute answers with the promised keys") {
   }
   CHECK_FALSE(out["structures"].contains("curve"));
   CHECK(out["structures"]["delaunay"]["vertices"] == 104);
-  const Json& axis = out["layers"]["medial-axis"];
+  const OrderedJson& axis = out["layers"]["medial-axis"];
   CHECK(axis["segments"].get<int>() + axis["zero_length"].get<int>() > 0);
   CHECK(axis["length"].get<double>() == Approx(out["structures"]["medial-axis"]["length"].get<double>()));
-  const Json& disks = out["layers"]["interior-voronoi-disks"];
+  const OrderedJson& disks = out["layers"]["interior-voronoi-disks"];
   CHECK(disks["disks"] == out["structures"]["labels"]["inside"]);
   CHECK(disks["radius_sum"].get<double>() > 0.0);
 }
@@ -77,14 +77,14 @@ TEST_CASE("balls of a WPOFF file are counted, and one of radius zero has a centr
   REQUIRE(result.exit_code == 0);
   CHECK_THAT(result.err, Catch::StartsWith("mesecina: tests/data/balls.wpoff:8:7: a ball has radius zero"));
   CHECK(std::count(result.err.begin(), result.err.end(), '\n') == 1);
-  const Json out = Json::parse(result.out);
-  CHECK(out["input"] == Json{{"file", "tests/data/balls.wpoff"},
-                             {"format", "wpoff"},
-                             {"samples", 0},
-                             {"distinct", 0},
-                             {"contours", 0},
-                             {"balls", 6}});
-  const Json& balls = out["structures"]["balls"];
+  const OrderedJson out = OrderedJson::parse(result.out);
+  CHECK(out["input"] == OrderedJson{{"file", "tests/data/balls.wpoff"},
+                                    {"format", "wpoff"},
+                                    {"samples", 0},
+                                    {"distinct", 0},
+                                    {"contours", 0},
+                                    {"balls", 6}});
+  const OrderedJson& balls = out["structures"]["balls"];
   CHECK(balls["balls"] == 6);
   CHECK(balls["zero_radius"] == 1);
   CHECK(balls["radius_min"] == 0.0);
@@ -96,16 +96,16 @@ TEST_CASE("balls of a WPOFF file are counted, and one of radius zero has a centr
 }
 
 TEST_CASE("the boundary of a union has as many arcs as pieces, and a length") {
-  const Json out =
+  const OrderedJson out =
       json_of(run({"compute", "-", "--layers", "b-union-boundary"}, {.input = "WPOFF 2 0 0\n0 0 5\n20 1 2\n"}));
-  const Json& layer = out["layers"]["b-union-boundary"];
+  const OrderedJson& layer = out["layers"]["b-union-boundary"];
   CHECK(layer["arcs"] == 2);
   CHECK(layer["length"].get<double>() == Approx(14.0 * std::numbers::pi));
   CHECK_FALSE(layer.contains("zero_length"));
 }
 
 TEST_CASE("without balls there are no radii to tell") {
-  const Json out = json_of(run({"compute", kDude, "--layers", "b-inner-disks"}));
+  const OrderedJson out = json_of(run({"compute", kDude, "--layers", "b-inner-disks"}));
   CHECK(out["structures"]["balls"]["balls"] == 0);
   CHECK(out["structures"]["balls"]["radius_min"].is_null());
   CHECK(out["layers"]["b-inner-disks"]["disks"] == 0);
@@ -117,11 +117,11 @@ TEST_CASE("without times the same command gives the same bytes") {
   CHECK(first.exit_code == 0);
   CHECK(first.out == run(command).out);
   CHECK_THAT(first.out, !Catch::Contains("\"ms\""));
-  CHECK(Json::parse(first.out)["layers"].size() > 15);
+  CHECK(OrderedJson::parse(first.out)["layers"].size() > 15);
 }
 
 TEST_CASE("the axis of an annulus is one component with one cycle") {
-  const Json out = json_of(run({"compute", "-", "--layers", "medial-axis"}, {.input = annulus(60)}));
+  const OrderedJson out = json_of(run({"compute", "-", "--layers", "medial-axis"}, {.input = annulus(60)}));
   CHECK(out["input"]["file"] == "-");
   CHECK(out["input"]["format"] == "pairs");
   CHECK(out["structures"]["medial-axis"]["components"] == 1);
@@ -132,19 +132,19 @@ TEST_CASE("the axis of an annulus is one component with one cycle") {
 
 TEST_CASE("an open star of segments, rays and lines is counted by kind") {
   // Two samples: their Voronoi diagram is one line.
-  const Json two = json_of(run({"compute", "-", "--layers", "voronoi,delaunay"}, {.input = "0 0\n1 0\n"}));
+  const OrderedJson two = json_of(run({"compute", "-", "--layers", "voronoi,delaunay"}, {.input = "0 0\n1 0\n"}));
   CHECK(two["layers"]["voronoi"]["lines"] == 1);
   CHECK(two["layers"]["delaunay"]["segments"] == 1);
   CHECK(two["layers"]["delaunay"]["length"] == 1.0);
   // A unit square: cocircular, so one Voronoi edge has no length.
-  const Json square = json_of(run({"compute", "-", "--layers", "voronoi"}, {.input = "0 0\n1 0\n1 1\n0 1\n"}));
+  const OrderedJson square = json_of(run({"compute", "-", "--layers", "voronoi"}, {.input = "0 0\n1 0\n1 1\n0 1\n"}));
   CHECK(square["layers"]["voronoi"]["rays"] == 4);
   CHECK(square["layers"]["voronoi"]["segments"] == 0);
   CHECK(square["layers"]["voronoi"]["zero_length"] == 1);
 }
 
 TEST_CASE("duplicates count as samples and once as distinct") {
-  const Json out = json_of(run({"compute", "-"}, {.input = "0 0\n1 0\n0 0\n-0 0\n0 1\n"}));
+  const OrderedJson out = json_of(run({"compute", "-"}, {.input = "0 0\n1 0\n0 0\n-0 0\n0 1\n"}));
   CHECK(out["input"]["samples"] == 5);
   CHECK(out["input"]["distinct"] == 3);
 }
@@ -156,7 +156,7 @@ TEST_CASE("degenerate samples give numbers or null, never NaN") {
     const RunResult result = run({"compute", "-", "--layers", "all"}, {.input = input});
     INFO(result.err);
     CHECK(result.exit_code == 0);
-    CHECK(Json::accept(result.out));
+    CHECK(OrderedJson::accept(result.out));
     CHECK_THAT(result.out, !Catch::Contains("nan", Catch::CaseSensitive::No));
     CHECK_THAT(result.out, !Catch::Contains("infinity", Catch::CaseSensitive::No));
   }

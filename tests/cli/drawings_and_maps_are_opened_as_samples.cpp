@@ -9,7 +9,7 @@ using namespace mes::test;
 
 namespace {
 
-nlohmann::json computed(const std::string& file) {
+nlohmann::json axis_computed(const std::string& file) {
   const RunResult result = run({"compute", file, "--layers", "curve,curve-defects,medial-axis"});
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
@@ -25,7 +25,7 @@ TEST_CASE("the crust of a drawing is the drawing, where it is narrow too") {
     <path d="M0 0H100V60C100 70 90 70 90 60V3H88V60C88 70 78 70 78 60V3H76V60C76 70 66 70 66 60V40H0z"/>
     <circle cx="30" cy="20" r="19"/>
     <path d="M120 10 q60 0 60 40 t-40 40 a3 3 0 010-6 q30-10 30-30 t-50-38z"/></svg>)");
-  const nlohmann::json out = computed(file);
+  const nlohmann::json out = axis_computed(file);
   CHECK(out["input"]["format"] == "svg");
   CHECK(out["input"]["contours"] == 3);
   CHECK(out["layers"]["curve"]["segments"] == out["input"]["samples"]);
@@ -47,7 +47,7 @@ TEST_CASE("a map is opened with what was done to it on standard error") {
   CHECK(nlohmann::json::parse(corners.out)["input"]["samples"] == 4);
   CHECK_FALSE(corners.err.contains("were added"));
   CHECK(out["structures"]["samples"]["height"].get<double>() == Approx(111.195).epsilon(1e-4));
-  CHECK(computed(folder.write("a.wkt", "POLYGON ((0 0, 4 0, 4 2, 0 2, 0 0))"))["layers"]["curve"]["length"]
+  CHECK(axis_computed(folder.write("a.wkt", "POLYGON ((0 0, 4 0, 4 2, 0 2, 0 0))"))["layers"]["curve"]["length"]
             .get<double>() == Approx(12.0));
 }
 

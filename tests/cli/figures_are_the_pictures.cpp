@@ -8,11 +8,14 @@
 #include <string_view>
 
 #include "run_binary.h"
+#include "tests/cli/inputs.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/support/golden_image.h"
 
 using mes::render::Image;
 using mes::test::contents_of;
+using mes::test::kBean;
+using mes::test::kDude;
 using mes::test::read_png;
 using mes::test::run;
 using mes::test::RunOptions;
@@ -21,10 +24,7 @@ using mes::test::TemporaryFolder;
 
 namespace {
 
-constexpr const char* kDude = "tests/data/earcut_dude.poff";
-constexpr const char* kBean = "assets/shapes/bean.poff";
-
-void render(std::vector<std::string> arguments, const std::string& file) {
+void render_figure(std::vector<std::string> arguments, const std::string& file) {
   arguments.insert(arguments.begin(), "render");
   arguments.insert(arguments.end(), {"-o", file});
   RunOptions headless;
@@ -155,8 +155,8 @@ void compare_all(const std::string& extension, double factor = 1.0) {
     arguments.insert(arguments.end(), {"--size", "640x480"});
     const std::string pixels = (folder / "pixels.png").string();
     const std::string figure = (folder / ("figure" + extension)).string();
-    render(arguments, pixels);
-    render(arguments, figure);
+    render_figure(arguments, pixels);
+    render_figure(arguments, figure);
     INFO(each.name);
     const Image shown = read_png(pixels);
     CHECK(difference(shown, rasterised(figure, 640, 480)) < factor * each.tolerance);
@@ -192,7 +192,7 @@ TEST_CASE("a TikZ picture compiles, by itself and within a document") {
   compare_all(".tex", 2.0);
   const TemporaryFolder folder;
   const std::string alone = (folder / "alone.tex").string();
-  render({kBean, "--title", "Beans of $r_i^2$", "--figure-size", "60mmx45mm"}, alone);
+  render_figure({kBean, "--title", "Beans of $r_i^2$", "--figure-size", "60mmx45mm"}, alone);
   const std::string page = (folder / "page.tex").string();
   std::ofstream(page) << "\\documentclass{article}\\usepackage[paperwidth=60mm,paperheight=45mm,margin=0pt]{geometry}"
                          "\\usepackage{tikz}\\pagestyle{empty}\\setlength{\\topskip}{0pt}\\begin{document}\\noindent"
@@ -213,7 +213,7 @@ TEST_CASE("a TikZ picture of more shapes than TeX keeps of a page compiles, and 
   const std::string tex = (folder / "many.tex").string();
   const std::string svg = (folder / "many.svg").string();
   for (const std::string& file : {tex, svg})
-    render({samples, "--layers", "points", "--figure-size", "60mmx45mm"}, file);
+    render_figure({samples, "--layers", "points", "--figure-size", "60mmx45mm"}, file);
   CHECK(difference(rasterised(tex, 480, 360), rasterised(svg, 480, 360)) < 0.02);
 }
 
@@ -262,34 +262,34 @@ TEST_CASE("annotations are in every picture and every figure, or in none") {
     if (!more.empty()) out.push_back(more);
     return out;
   };
-  render(looking(""), with);
-  render(looking("--no-annotations"), without);
+  render_figure(looking(""), with);
+  render_figure(looking("--no-annotations"), without);
   const Image shown = read_png(with);
   const Image bare = read_png(without);
   CHECK(difference(shown, bare) > 0.011);
   for (const char* extension : {".svg", ".pdf"}) {
     INFO(extension);
     const std::string figure = (folder / ("figure" + std::string(extension))).string();
-    render(looking(""), figure);
+    render_figure(looking(""), figure);
     // As measured: less than half of what is missing without them, of which another font takes the most.
     CHECK(difference(shown, rasterised(figure, 640, 480)) < 0.0045);
-    render(looking("--no-annotations"), figure);
+    render_figure(looking("--no-annotations"), figure);
     CHECK(difference(bare, rasterised(figure, 640, 480)) < 0.005);
   }
   for (const char* extension : {".svg", ".ipe", ".tex"}) {
     INFO(extension);
     const std::string figure = (folder / ("source" + std::string(extension))).string();
-    render(looking(""), figure);
+    render_figure(looking(""), figure);
     const std::string text = contents_of(figure);
     CHECK(text.find("annotations") != std::string::npos);
     CHECK(text.find("highlights") != std::string::npos);
     if (extension != std::string(".svg")) CHECK(text.find("varepsilon_{i}^{2}") != std::string::npos);
-    render(looking("--no-annotations"), figure);
+    render_figure(looking("--no-annotations"), figure);
     CHECK(contents_of(figure).find("annotations") == std::string::npos);
   }
   // A picture carries them, and a file that is made of it has them again.
   const std::string again = (folder / "again.png").string();
-  render({with, "--layers", "points,curve", "--size", "640x480"}, again);
+  render_figure({with, "--layers", "points,curve", "--size", "640x480"}, again);
   CHECK(difference(shown, read_png(again)) == 0.0);
 }
 
@@ -316,7 +316,7 @@ TEST_CASE("a legend and a scale bar stand where they are asked to, in pixels and
     std::vector<std::string> arguments = empty;
     arguments.insert(arguments.end(), more.begin(), more.end());
     const std::string file = (folder / ("a" + extension)).string();
-    render(arguments, file);
+    render_figure(arguments, file);
     return extent(extension == ".png" ? read_png(file) : rasterised(file, 640, 480));
   };
   for (const char* extension : {".png", ".svg", ".pdf"}) {
@@ -338,7 +338,7 @@ TEST_CASE("a legend and a scale bar stand where they are asked to, in pixels and
 TEST_CASE("a PDF carries the fonts of its legend and its marks") {
   const TemporaryFolder folder;
   const std::string file = (folder / "key.pdf").string();
-  render({kBean, "--key", "--axes", "--layers", "curve,medial-axis"}, file);
+  render_figure({kBean, "--key", "--axes", "--layers", "curve,medial-axis"}, file);
   const RunResult fonts = run({file}, {.program = "pdffonts"});
   CHECK(fonts.out.find("+Inter-Regular ") != std::string::npos);
   CHECK(fonts.out.find("Helvetica") == std::string::npos);
@@ -351,11 +351,11 @@ TEST_CASE("each layer that a picture shows is missed in a figure without it") {
   const std::vector<std::string> layers{"interior-voronoi-disks", "curve", "medial-axis", "points"};
   const auto drawn = [&](const std::string& ids) {
     const std::string file = (folder / "part.svg").string();
-    render({kDude, "--size", "320x240", "--layers", ids}, file);
+    render_figure({kDude, "--size", "320x240", "--layers", ids}, file);
     return rasterised(file, 320, 240);
   };
   const std::string pixels = (folder / "pixels.png").string();
-  render({kDude, "--size", "320x240", "--layers", "interior-voronoi-disks,curve,medial-axis,points"}, pixels);
+  render_figure({kDude, "--size", "320x240", "--layers", "interior-voronoi-disks,curve,medial-axis,points"}, pixels);
   const Image shown = read_png(pixels);
   const double whole = difference(shown, drawn("interior-voronoi-disks,curve,medial-axis,points"));
   for (const std::string& left_out : layers) {
@@ -373,7 +373,7 @@ TEST_CASE("a figure has the size on paper that was asked for") {
     std::vector<std::string> arguments{kDude};
     arguments.insert(arguments.end(), more.begin(), more.end());
     const std::string file = (folder / "a.svg").string();
-    render(arguments, file);
+    render_figure(arguments, file);
     return contents_of(file);
   };
   CHECK_THAT(svg({"--figure-size", "84mmx60mm"}),
@@ -395,7 +395,7 @@ TEST_CASE("a figure has the size on paper that was asked for") {
 TEST_CASE("a tight figure is cut to what is drawn") {
   const TemporaryFolder folder;
   const std::string file = (folder / "a.svg").string();
-  render({kDude, "--layers", "curve", "--size", "400x400", "--background", "none", "--bounds", "tight"}, file);
+  render_figure({kDude, "--layers", "curve", "--size", "400x400", "--background", "none", "--bounds", "tight"}, file);
   const Image image = rasterised(file, 300);
   // The square was not filled.
   CHECK(image.height > 400);
@@ -427,14 +427,14 @@ TEST_CASE("a figure goes to standard output, and its format can be named") {
   for (const std::string format : {"svg", "pdf", "ipe", "tex", "png"}) {
     INFO(format);
     const std::string file = (folder / ("named." + format)).string();
-    render({kBean, "--size", "300x200"}, file);
+    render_figure({kBean, "--size", "300x200"}, file);
     const RunResult piped = run({"render", kBean, "--size", "300x200", "--to", format, "-o", "-"});
     CHECK(piped.exit_code == 0);
     CHECK(piped.err.empty());
     CHECK(piped.out == contents_of(file));
     // The name that is given goes before that of the file.
     const std::string other = (folder / "named.figure").string();
-    render({kBean, "--size", "300x200", "--to", format}, other);
+    render_figure({kBean, "--size", "300x200", "--to", format}, other);
     CHECK(contents_of(other) == contents_of(file));
   }
   const RunResult refused = run({"render", kBean, "--to", "gif", "-o", "-"});
@@ -477,7 +477,7 @@ TEST_CASE("numbers of samples are text in every format, in the layer's group, co
   const auto drawn = [&](const std::string& name, std::vector<std::string> arguments) {
     const std::string file = (folder / name).string();
     arguments.insert(arguments.begin(), square);
-    render(arguments, file);
+    render_figure(arguments, file);
     return contents_of(file);
   };
   const std::vector<std::string> numbered{"--layers", "indices,points", "--set-style",
@@ -516,8 +516,8 @@ TEST_CASE("few samples or none have their numbers or none") {
     std::string samples = "POFF " + std::to_string(count) + " 0 0\n";
     for (int i = 0; i < count; ++i) samples += std::to_string(i) + " 1\n";
     const std::string file = folder.write("few.poff", samples).string();
-    render({file, "--layers", "indices"}, (folder / "few.png").string());
-    render({file, "--layers", "indices", "--bounds", "tight"}, (folder / "few.svg").string());
+    render_figure({file, "--layers", "indices"}, (folder / "few.png").string());
+    render_figure({file, "--layers", "indices", "--bounds", "tight"}, (folder / "few.svg").string());
     CHECK((contents_of(folder / "few.svg").find(">0</text>") != std::string::npos) == (count > 0));
   }
 }

@@ -8,6 +8,7 @@
 
 #include "core/base/box2.h"
 #include "run_binary.h"
+#include "tests/cli/inputs.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/support/golden_image.h"
 
@@ -15,19 +16,14 @@ using mes::Box2;
 using mes::Vec2;
 using mes::render::Image;
 using mes::test::contents_of;
+using mes::test::kDude;
 using mes::test::read_png;
 using mes::test::run;
 using mes::test::RunResult;
 using mes::test::TemporaryFolder;
+using mes::test::with;
 
 namespace {
-
-constexpr const char* kDude = "tests/data/earcut_dude.poff";
-
-std::vector<std::string> with(std::vector<std::string> arguments, const std::vector<std::string>& more) {
-  arguments.insert(arguments.end(), more.begin(), more.end());
-  return arguments;
-}
 
 class Pictures {
  public:

@@ -9,16 +9,16 @@
 
 #include "core/io/text_numbers.h"
 #include "run_binary.h"
+#include "tests/cli/inputs.h"
 #include "tests/io/temporary_folder.h"
 
 using mes::test::contents_of;
+using mes::test::kDude;
 using mes::test::run;
 using mes::test::RunResult;
 using mes::test::TemporaryFolder;
 
 namespace {
-
-constexpr const char* kDude = "tests/data/earcut_dude.poff";
 
 using Table = std::vector<std::vector<std::string>>;
 

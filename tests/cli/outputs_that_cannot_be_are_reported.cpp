@@ -3,19 +3,15 @@
 #include <cstdlib>
 
 #include "run_binary.h"
+#include "tests/cli/inputs.h"
 #include "tests/io/temporary_folder.h"
 
 using mes::test::contents_of;
+using mes::test::kDude;
 using mes::test::run;
 using mes::test::RunOptions;
 using mes::test::RunResult;
 using mes::test::TemporaryFolder;
-
-namespace {
-
-constexpr const char* kDude = "tests/data/earcut_dude.poff";
-
-}  // namespace
 
 TEST_CASE("an output that cannot be written is exit code 4 and leaves nothing") {
   const TemporaryFolder folder;

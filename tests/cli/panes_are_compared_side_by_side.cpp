@@ -9,11 +9,14 @@
 #include "core/io/format.h"
 #include "core/io/session.h"
 #include "run_binary.h"
+#include "tests/cli/inputs.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/support/golden_image.h"
 
 using mes::render::Image;
 using mes::test::contents_of;
+using mes::test::kBean;
+using mes::test::kDude;
 using mes::test::read_png;
 using mes::test::run;
 using mes::test::RunOptions;
@@ -22,10 +25,7 @@ using mes::test::TemporaryFolder;
 
 namespace {
 
-constexpr const char* kDude = "tests/data/earcut_dude.poff";
-constexpr const char* kBean = "assets/shapes/bean.poff";
-
-RunResult render(std::vector<std::string> arguments) {
+RunResult render_panes(std::vector<std::string> arguments) {
   arguments.insert(arguments.begin(), "render");
   RunOptions headless;
   headless.environment = {"DISPLAY=", "WAYLAND_DISPLAY="};
@@ -33,7 +33,7 @@ RunResult render(std::vector<std::string> arguments) {
 }
 
 void drawn(const std::vector<std::string>& arguments) {
-  const RunResult result = render(arguments);
+  const RunResult result = render_panes(arguments);
   INFO(result.err);
   REQUIRE(result.exit_code == 0);
   CHECK(result.err.empty());
@@ -177,8 +177,8 @@ TEST_CASE("differences mark what only some panes have, and nothing else") {
     CHECK(occurrences(svg, "<g id=\"" + pane + "p-union-boundary\"") == 1);
     CHECK(occurrences(svg, "<g id=\"" + pane + "p-union-boundary-only-here\"") == 1);
   }
-  const RunResult same =
-      render({kBean, "--layers", "points,curve", "--compare", "precision=fast,exact", "--differences", "-o", file});
+  const RunResult same = render_panes(
+      {kBean, "--layers", "points,curve", "--compare", "precision=fast,exact", "--differences", "-o", file});
   CHECK(same.exit_code == 0);
   CHECK(same.err == "mesecina: the panes show no differences\n");
 }
@@ -214,7 +214,7 @@ TEST_CASE("what cannot be compared is a usage error, and nothing is written") {
     std::vector<std::string> arguments = each.arguments;
     arguments.insert(arguments.begin(), kBean);
     arguments.insert(arguments.end(), {"-o", file});
-    const RunResult result = render(arguments);
+    const RunResult result = render_panes(arguments);
     INFO(each.arguments[0] << ' ' << (each.arguments.size() > 1 ? each.arguments[1] : "") << ": " << result.err);
     CHECK(result.exit_code == 2);
     CHECK(result.err.find(each.complaint) != std::string::npos);

@@ -7,17 +7,17 @@
 #include <sstream>
 
 #include "run_binary.h"
+#include "tests/cli/inputs.h"
 #include "tests/io/temporary_folder.h"
 
 using mes::test::contents_of;
+using mes::test::kDude;
 using mes::test::run;
 using mes::test::RunOptions;
 using mes::test::RunResult;
 using mes::test::TemporaryFolder;
 
 namespace {
-
-constexpr const char* kDude = "tests/data/earcut_dude.poff";
 
 std::uint32_t big_endian(const std::string& bytes, std::size_t at) {
   std::uint32_t value = 0;
