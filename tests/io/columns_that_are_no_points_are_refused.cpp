@@ -15,7 +15,7 @@ struct Refused {
   std::string says;
 };
 
-void require_refusal(const std::string& name, const Refused& test) {
+void require_refused_columns(const std::string& name, const Refused& test) {
   INFO(test.bytes);
   const auto read = read_sample_bytes(test.bytes, name);
   REQUIRE_FALSE(read.has_value());
@@ -24,7 +24,7 @@ void require_refusal(const std::string& name, const Refused& test) {
   CHECK_THAT(read.error().text, Catch::Contains(test.says));
 }
 
-SampleData read_good(const std::string& bytes, const std::string& name, std::size_t warnings = 0) {
+SampleData read_columns(const std::string& bytes, const std::string& name, std::size_t warnings = 0) {
   auto read = read_sample_bytes(bytes, name);
   INFO(bytes);
   if (!read) FAIL(read.error().message());
@@ -54,7 +54,7 @@ TEST_CASE("three columns are no points") {
            // What stands there need not be a number.
            {"POFF 2 0 0\n0 0 a\n1 0 b\n", 2, 5, guess},
        })
-    require_refusal("a.poff", test);
+    require_refused_columns("a.poff", test);
 }
 
 TEST_CASE("two or four columns are no balls") {
@@ -64,14 +64,15 @@ TEST_CASE("two or four columns are no balls") {
            {"WPOFF 2 0 0\n1 2 # c\n4 5\n", 2, 4, "probably points (POFF)"},
            {"WPOFF 2 0 0\n1 2 3 4\n4 5 -6 4\n", 2, 7, "4 numbers a line, but balls have 3: probably balls in space"},
        })
-    require_refusal("a.wpoff", test);
+    require_refused_columns("a.wpoff", test);
 }
 
 TEST_CASE("a line that stands out among as many lines as points is refused") {
-  require_refusal("a.poff",
-                  {"POFF 4 0 0\n0 0\n1 0 6\n1 1\n0 1\n", 3, 5, "3 numbers on this line, but points have 2"});
-  require_refusal("a.poff", {"POFF 4 0 0\n0 0\n1\n1 1\n0 1\n", 3, 2, "1 number on this line, but points have 2"});
-  require_refusal("a.wpoff", {"WPOFF 3 0 0\n0 0 1\n1 0 6 7\n1 1 2\n", 3, 7, "4 numbers on this line"});
+  require_refused_columns("a.poff",
+                          {"POFF 4 0 0\n0 0\n1 0 6\n1 1\n0 1\n", 3, 5, "3 numbers on this line, but points have 2"});
+  require_refused_columns("a.poff",
+                          {"POFF 4 0 0\n0 0\n1\n1 1\n0 1\n", 3, 2, "1 number on this line, but points have 2"});
+  require_refused_columns("a.wpoff", {"WPOFF 3 0 0\n0 0 1\n1 0 6 7\n1 1 2\n", 3, 7, "4 numbers on this line"});
 }
 
 TEST_CASE("numbers are spread freely where no line contradicts it") {
@@ -81,15 +82,15 @@ TEST_CASE("numbers are spread freely where no line contradicts it") {
         "POFF 4 0 0\n0 0 1 0\n1 1 0 1\n", "POFF\n4 0 0\n0\n0\n1\n0\n1\n1\n0\n1\n", "POFF 4 0 0\n0 0 1\n0\n1 1 0 1\n",
         // Wrapped after so many numbers.
         "POFF 4 0 0\n0 0 1\n0 1 1\n0 1\n", "POFF 4 0 0 0 0 1\n0 1 1\n0 1\n", "POFF 4 0 0\n0\n0 1 0\n1 1 0\n1\n"})
-    CHECK(read_good(bytes, "a.poff").positions == square);
+    CHECK(read_columns(bytes, "a.poff").positions == square);
   const std::vector<Disk> balls{{{0, 0}, 1}, {{2, 0}, 3}};
   for (const char* bytes :
        {"WPOFF 2 0 0\n0 0 1\n2 0 3\n", "WPOFF 2 0 0\n0 0 1 2 0 3\n", "WPOFF 2 0 0\n0 0\n1\n2 0\n3\n",
         "WPOFF 2 0 0 0 0\n1 2\n0 3\n", "WPOFF 2 0 0\n0 0 1 2\n0 3\n"})
-    CHECK(read_good(bytes, "a.wpoff").balls == balls);
+    CHECK(read_columns(bytes, "a.wpoff").balls == balls);
 }
 
 TEST_CASE("a header that announces too few is believed, with a warning") {
-  CHECK(read_good("POFF 2 0 0\n0 0\n1 0\n1 1\n", "a.poff", 1).positions.size() == 2);
-  CHECK(read_good("POFF 1 0 0\n0 0 1 1\n", "a.poff", 1).positions.size() == 1);
+  CHECK(read_columns("POFF 2 0 0\n0 0\n1 0\n1 1\n", "a.poff", 1).positions.size() == 2);
+  CHECK(read_columns("POFF 1 0 0\n0 0 1 1\n", "a.poff", 1).positions.size() == 1);
 }

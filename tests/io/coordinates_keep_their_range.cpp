@@ -28,7 +28,7 @@ struct Refusal {
   std::string says;
 };
 
-void require_refusal(const std::string& name, const std::string& bytes, const Refusal& expected) {
+void require_refused_coordinates(const std::string& name, const std::string& bytes, const Refusal& expected) {
   INFO(name << ": " << bytes);
   const auto read = read_sample_bytes(bytes, name);
   REQUIRE_FALSE(read.has_value());
@@ -87,28 +87,32 @@ TEST_CASE("the ends of the range are read, and nothing beyond, in every format")
     require_good(form.name, with(kLeast, 0x1.fffffffffffffp-400));
     const Refusal small{form.line, form.column, " is too small: coordinates and radii are 0, or from 2^-500"};
     const Refusal large{form.line, form.column, " is too large: coordinates and radii are 0, or from 2^-500"};
-    require_refusal(form.name, with(0, std::nextafter(kLeast, 0.0)), small);
-    require_refusal(form.name, with(0, 5e-324), small);
-    require_refusal(form.name, with(0, 0x1p500), large);
-    require_refusal(form.name, with(1, std::nextafter(0x1p-100, 0.0)),
-                    {form.line, form.column, "too small beside numbers of about 1: the largest may be 2^100"});
-    require_refusal(form.name, with(1, 0x1p101),
-                    {form.line, form.column, "too large beside numbers of about 1: the largest may be 2^100"});
+    require_refused_coordinates(form.name, with(0, std::nextafter(kLeast, 0.0)), small);
+    require_refused_coordinates(form.name, with(0, 5e-324), small);
+    require_refused_coordinates(form.name, with(0, 0x1p500), large);
+    require_refused_coordinates(
+        form.name, with(1, std::nextafter(0x1p-100, 0.0)),
+        {form.line, form.column, "too small beside numbers of about 1: the largest may be 2^100"});
+    require_refused_coordinates(
+        form.name, with(1, 0x1p101),
+        {form.line, form.column, "too large beside numbers of about 1: the largest may be 2^100"});
   }
 }
 
 TEST_CASE("a number that no double is near enough to is out of range, and no zero") {
-  require_refusal("a.poff", "POFF 1 0 0\n1 1e-400\n", {2, 3, "\"1e-400\" is too small"});
-  require_refusal("a.poff", "POFF 1 0 0\n1 -0.0000001E-99999999999999999999\n", {2, 3, "is too small"});
-  require_refusal("a.csv", "1;0,5e-400\n", {1, 3, "\"0,5e-400\" is too small"});
-  require_refusal("a.poff", "POFF 1 0 0\n1 1e400\n", {2, 3, "\"1e400\" is too large: coordinates"});
+  require_refused_coordinates("a.poff", "POFF 1 0 0\n1 1e-400\n", {2, 3, "\"1e-400\" is too small"});
+  require_refused_coordinates("a.poff", "POFF 1 0 0\n1 -0.0000001E-99999999999999999999\n", {2, 3, "is too small"});
+  require_refused_coordinates("a.csv", "1;0,5e-400\n", {1, 3, "\"0,5e-400\" is too small"});
+  require_refused_coordinates("a.poff", "POFF 1 0 0\n1 1e400\n", {2, 3, "\"1e400\" is too large: coordinates"});
   require_good("a.poff", "POFF 1 0 0\n1 0e-400\n");
   require_good("a.poff", "POFF 1 0 0\n1 -0.000\n");
 }
 
 TEST_CASE("centres and radii of balls keep the range together") {
-  require_refusal("a.wpoff", "WPOFF 2 0 0\n1e20 0 1\n0 0 1e-20\n", {3, 5, "too small beside numbers of about"});
-  require_refusal("a.wpoff", "WPOFF 2 0 0\n0 0 1e-20\n1e20 0 1\n", {3, 1, "too large beside numbers of about"});
+  require_refused_coordinates("a.wpoff", "WPOFF 2 0 0\n1e20 0 1\n0 0 1e-20\n",
+                              {3, 5, "too small beside numbers of about"});
+  require_refused_coordinates("a.wpoff", "WPOFF 2 0 0\n0 0 1e-20\n1e20 0 1\n",
+                              {3, 1, "too large beside numbers of about"});
 }
 
 TEST_CASE("the inputs that ended the program are refused with their place") {
@@ -131,20 +135,21 @@ TEST_CASE("the inputs that ended the program are refused with their place") {
 
 TEST_CASE("the data of a session keep the range, with line and column") {
   require_good("s.json", session_with("\"samples\":[1,1e-30],\"balls\":[0,0,1]", ""));
-  require_refusal("s.json", session_with("\"samples\":[0,1,\n 2, 1e160]", ""),
-                  {3, 5, "data \"samples\": 1e+160 is too large"});
-  require_refusal("s.json", session_with("\"balls\":[0,1,1e-160]", ""),
-                  {2, 22, "data \"balls\": 1e-160 is too small"});
+  require_refused_coordinates("s.json", session_with("\"samples\":[0,1,\n 2, 1e160]", ""),
+                              {3, 5, "data \"samples\": 1e+160 is too large"});
+  require_refused_coordinates("s.json", session_with("\"balls\":[0,1,1e-160]", ""),
+                              {2, 22, "data \"balls\": 1e-160 is too small"});
   // Each by itself is in range; keys may come in any order, and strings hold anything.
-  require_refusal("s.json", session_with("\"x\\\"]}\":\"],[}\\\\\",\"balls\":[0,1,1e-40],\"samples\":[1,2]", ""),
-                  {2, 39, "data \"balls\": 1e-40 is too small beside numbers of about 2"});
+  require_refused_coordinates("s.json",
+                              session_with("\"x\\\"]}\":\"],[}\\\\\",\"balls\":[0,1,1e-40],\"samples\":[1,2]", ""),
+                              {2, 39, "data \"balls\": 1e-40 is too small beside numbers of about 2"});
 }
 
 TEST_CASE("every entry of a timeline keeps the range") {
   const std::string data = "\"samples\":[1,1],\"balls\":[0,0,1]";
   const auto refused = [&](const std::string& edit, const Refusal& expected) {
-    require_refusal("s.json", session_with(data, "\n{\"begin\":\"a\"},{\"end\":true},\n{\"edit\":{" + edit + "}}\n"),
-                    expected);
+    require_refused_coordinates(
+        "s.json", session_with(data, "\n{\"begin\":\"a\"},{\"end\":true},\n{\"edit\":{" + edit + "}}\n"), expected);
   };
   refused("\"insert\":[0,1e200]", {5, 22, "entry 3 of the timeline: edit \"insert\": 1e+200 is too large"});
   refused("\"move\":[0,1,1e-200]", {5, 22, "edit \"move\": 1e-200 is too small"});
@@ -169,6 +174,8 @@ TEST_CASE("a view may be anywhere, a picture to trace may not") {
            center + ",\"width\":" + width + "}}}";
   };
   require_good("s.json", with_picture("[0,3e150]", "1e-150"));
-  require_refusal("s.json", with_picture("[0,4e150]", "1"), {0, 0, "the traced picture: 4e+150 is too large"});
-  require_refusal("s.json", with_picture("[0,1]", "1e-200"), {0, 0, "the traced picture: 1e-200 is too small"});
+  require_refused_coordinates("s.json", with_picture("[0,4e150]", "1"),
+                              {0, 0, "the traced picture: 4e+150 is too large"});
+  require_refused_coordinates("s.json", with_picture("[0,1]", "1e-200"),
+                              {0, 0, "the traced picture: 1e-200 is too small"});
 }

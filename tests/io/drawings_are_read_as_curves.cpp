@@ -7,12 +7,12 @@
 
 #include "core/io/format.h"
 #include "core/io/svg_drawing.h"
+#include "tests/support/pi.h"
 
 using namespace mes;
+using mes::test::kPi;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 std::string drawing(const std::string& content, const std::string& attributes = "") {
   return R"(<svg xmlns="http://www.w3.org/2000/svg" width="100" height="100" overflow="visible" )" + attributes +
@@ -24,7 +24,7 @@ Expected<SvgDrawing> read_drawing(const std::string& text) {
   return read_svg_drawing(text, "a.svg", job);
 }
 
-SvgDrawing read_good(const std::string& text) {
+SvgDrawing good_drawing(const std::string& text) {
   auto read = read_drawing(text);
   INFO((read ? std::string() : read.error().message()));
   REQUIRE(read.has_value());
@@ -32,7 +32,7 @@ SvgDrawing read_good(const std::string& text) {
 }
 
 std::vector<PlaneCurve> curves_of(const std::string& content, const std::string& attributes = "") {
-  SvgDrawing read = read_good(drawing(content, attributes));
+  SvgDrawing read = good_drawing(drawing(content, attributes));
   for (const std::string& warning : read.warnings) UNSCOPED_INFO(warning);
   CHECK(read.warnings.empty());
   return std::move(read.curves.curves);
@@ -185,7 +185,7 @@ TEST_CASE("lengths have units, and percentages are of the viewport") {
   CHECK(distance(point_on("<circle r='10%'/>", 0.5), {-10, 0}) < 1e-12);
   // A page in millimetres, with a millimetre for a unit.
   const SvgDrawing page =
-      read_good("<svg width='210mm' height='297mm' viewBox='0 0 210 297'><rect width='210' height='297'/></svg>");
+      good_drawing("<svg width='210mm' height='297mm' viewBox='0 0 210 297'><rect width='210' height='297'/></svg>");
   CHECK(distance(page.curves.curves.at(0).start(), {0, 297 * 96 / 25.4}) < 1e-9);
 }
 
@@ -210,12 +210,12 @@ TEST_CASE("what is hidden or not drawn by itself is left out") {
     CHECK(curves_of("<" + element + ">" + line + "</" + element + ">").empty());
   CHECK(curves_of("<switch>" + line + line + "</switch>").size() == 1);
   CHECK(curves_of("<other:line xmlns:other='x' x2='1'/>").empty());
-  CHECK(read_good("<svg:svg xmlns:svg='s'><svg:line stroke='red' x2='1'/><line stroke='red' x2='1'/></svg:svg>")
+  CHECK(good_drawing("<svg:svg xmlns:svg='s'><svg:line stroke='red' x2='1'/><line stroke='red' x2='1'/></svg:svg>")
             .curves.curves.size() == 1);
 }
 
 TEST_CASE("what is left out is said once a kind, with the place of the first") {
-  const SvgDrawing read = read_good(
+  const SvgDrawing read = good_drawing(
       "<svg>\n <text>a</text>\n <text>b</text>\n <image/>\n <line stroke='red' x2='1'/>\n"
       " <use href='#nowhere'/>\n <path d='M0 0\nL1 1 x'/>\n <circle r='many'/>\n <g transform='turn(3)'/></svg>");
   REQUIRE(read.warnings.size() == 6);
@@ -229,7 +229,7 @@ TEST_CASE("what is left out is said once a kind, with the place of the first") {
 }
 
 TEST_CASE("a use of what it is part of is left out") {
-  const SvgDrawing read = read_good(
+  const SvgDrawing read = good_drawing(
       "<svg><g id='a'><line stroke='red' x2='1'/><use href='#a'/></g>"
       "<g id='b'><use href='#c'/></g><g id='c'><use href='#b'/></g>"
       "<use id='u' href='#u'/></svg>");
@@ -257,7 +257,7 @@ TEST_CASE("a drawing that grows without bounds is refused in one line") {
   CHECK_THAT(nested.error().text, Catch::Contains("nested too deeply"));
 
   // Entities are not expanded, however they are defined.
-  const SvgDrawing laughs = read_good(
+  const SvgDrawing laughs = good_drawing(
       "<!DOCTYPE svg [<!ENTITY a 'M0 0'><!ENTITY b '&a;&a;'>]>\n<svg><path d='&b;L1 1'/><line stroke='red' "
       "x2='1'/></svg>");
   CHECK(laughs.curves.curves.size() == 1);
@@ -268,7 +268,7 @@ TEST_CASE("a drawing may have as many pieces as its file spells out") {
   constexpr std::size_t kSteps = 2'100'000;
   std::string path = "M0 0";
   for (std::size_t i = 0; i < kSteps; ++i) path += "h1v1";
-  const SvgDrawing read = read_good("<svg><path fill='none' stroke='red' d='" + path + "'/></svg>");
+  const SvgDrawing read = good_drawing("<svg><path fill='none' stroke='red' d='" + path + "'/></svg>");
   REQUIRE(read.curves.curves.size() == 1);
   CHECK(read.curves.curves[0].piece_count() >= 2 * kSteps);
 }

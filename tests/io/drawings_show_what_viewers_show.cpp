@@ -8,14 +8,14 @@
 
 #include "core/curves/clip_region.h"
 #include "core/io/svg_drawing.h"
+#include "tests/support/pi.h"
 
 using namespace mes;
+using mes::test::kPi;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
-SvgDrawing read_drawing(const std::string& content, const std::string& attributes = "") {
+SvgDrawing drawing_shown(const std::string& content, const std::string& attributes = "") {
   ReadJob job;
   auto read = read_svg_drawing(
       "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100' " + attributes + ">" + content + "</svg>",
@@ -28,7 +28,7 @@ SvgDrawing read_drawing(const std::string& content, const std::string& attribute
 /// The ids of the curves that are read.
 std::string seen(const std::string& content) {
   std::string out;
-  for (const PlaneCurve& curve : read_drawing(content).curves.curves) out += curve.name;
+  for (const PlaneCurve& curve : drawing_shown(content).curves.curves) out += curve.name;
   return out;
 }
 
@@ -38,7 +38,7 @@ std::string square(const std::string& id, const std::string& attributes = "") {
 }
 
 std::vector<std::string> warnings_of(const std::string& content) {
-  return read_drawing(content).warnings;
+  return drawing_shown(content).warnings;
 }
 
 /// Of curves that are closed, holes counted as they turn.
@@ -54,18 +54,18 @@ double area_of(const std::vector<PlaneCurve>& curves) {
   return std::abs(0.5 * twice);
 }
 
-std::vector<PlaneCurve> curves_of(const std::string& content) {
-  return read_drawing(content).curves.curves;
+std::vector<PlaneCurve> curves_shown(const std::string& content) {
+  return drawing_shown(content).curves.curves;
 }
 
-Box2 box_of(const std::string& content) {
-  const Box2 box = bounds_of(curves_of(content));
+Box2 box_shown(const std::string& content) {
+  const Box2 box = bounds_of(curves_shown(content));
   return {{box.low.x, 100.0 - box.high.y}, {box.high.x, 100.0 - box.low.y}};
 }
 
 void require_box(const std::string& content, Vec2 low, Vec2 high) {
   INFO(content);
-  const Box2 box = box_of(content);
+  const Box2 box = box_shown(content);
   CHECK(distance(box.low, low) < 1e-9);
   CHECK(distance(box.high, high) < 1e-9);
 }
@@ -159,7 +159,7 @@ TEST_CASE("of declarations the weightier one wins, then the later") {
 TEST_CASE("rules under conditions hold where a screen is meant, and are said where they may hold") {
   const std::string hide = "rect{display:none}";
   const auto read = [&](const std::string& sheet) {
-    return read_drawing("<style>" + sheet + "</style>" + square("a"));
+    return drawing_shown("<style>" + sheet + "</style>" + square("a"));
   };
   CHECK(read("@media screen{" + hide + "}").curves.is_empty());
   CHECK(read("@media print, all{" + hide + "}").curves.is_empty());
@@ -247,7 +247,7 @@ TEST_CASE("a switch shows the first alternative that a viewer takes") {
 
 TEST_CASE("a clip path cuts areas to what it encloses, and keeps the pieces of both curves") {
   const std::vector<PlaneCurve> disk =
-      curves_of(kDisk + "<g clip-path='url(#c)'><rect x='30' y='30' width='40' height='40'/></g>");
+      curves_shown(kDisk + "<g clip-path='url(#c)'><rect x='30' y='30' width='40' height='40'/></g>");
   REQUIRE(disk.size() == 1);
   CHECK(disk[0].is_closed());
   for (const PieceKind kind : disk[0].kinds()) CHECK(kind == PieceKind::arc);
@@ -257,7 +257,7 @@ TEST_CASE("a clip path cuts areas to what it encloses, and keeps the pieces of b
   CHECK(area_of(disk) == Approx(100 * kPi).epsilon(1e-5));
   // A quarter: an arc and two lines, which meet where they should.
   const std::vector<PlaneCurve> quarter =
-      curves_of(kDisk + "<rect x='50' y='50' width='40' height='40' clip-path='url(#c)'/>");
+      curves_shown(kDisk + "<rect x='50' y='50' width='40' height='40' clip-path='url(#c)'/>");
   REQUIRE(quarter.size() == 1);
   CHECK(quarter[0].piece_count() == 3);
   CHECK(quarter[0].arcs().size() == 1);
@@ -270,10 +270,10 @@ TEST_CASE("what no clip path cuts is what it was, to the last bit") {
   const std::string inside =
       "<path id='a' d='M47 47C48 40 55 52 52 55S46 54 47 47zM49 50a1 1 0 002 0 1 1 0 00-2 0z'/>"
       "<ellipse id='b' cx='51' cy='49' rx='3' ry='2'/><path fill='none' stroke='red' d='M45 45Q50 55 55 46'/>";
-  CHECK(curves_of(kDisk + "<g clip-path='url(#c)'>" + inside + "</g>") == curves_of(inside));
+  CHECK(curves_shown(kDisk + "<g clip-path='url(#c)'>" + inside + "</g>") == curves_shown(inside));
   CHECK(warnings_of(kDisk + "<g clip-path='url(#c)'>" + inside + "</g>").empty());
   // One part of a path is cut, the other is not.
-  const std::vector<PlaneCurve> both = curves_of(
+  const std::vector<PlaneCurve> both = curves_shown(
       kDisk + "<path clip-path='url(#c)' d='M45 45h2v2h-2zM50 50a2 2 0 004 0 2 2 0 00-4 0zM55 40h20v20h-20z'/>");
   REQUIRE(both.size() == 3);
   CHECK(std::ranges::count_if(both, [](const PlaneCurve& curve) {
@@ -281,19 +281,19 @@ TEST_CASE("what no clip path cuts is what it was, to the last bit") {
         }) == 1);
   // The same curve as clip path and as shape.
   const std::string egg = "d='M40 50C40 30 60 30 60 50S40 70 40 50z'";
-  CHECK(curves_of("<clipPath id='e'><path " + egg + "/></clipPath><path clip-path='url(#e)' " + egg + "/>") ==
-        curves_of("<path " + egg + "/>"));
+  CHECK(curves_shown("<clipPath id='e'><path " + egg + "/></clipPath><path clip-path='url(#e)' " + egg + "/>") ==
+        curves_shown("<path " + egg + "/>"));
 }
 
 TEST_CASE("lines are cut where they leave their clip path, and go on over their start") {
   const std::string stroke = "fill='none' stroke='red' clip-path='url(#c)'";
-  const std::vector<PlaneCurve> line = curves_of(kDisk + "<path " + stroke + " d='M0 50H100M0 44H100M0 5H9'/>");
+  const std::vector<PlaneCurve> line = curves_shown(kDisk + "<path " + stroke + " d='M0 50H100M0 44H100M0 5H9'/>");
   REQUIRE(line.size() == 2);
   CHECK(distance(line[0].start(), {40, 50}) < 1e-12);
   CHECK(distance(line[0].end(), {60, 50}) < 1e-12);
   CHECK(distance(line[1].start(), {42, 56}) < 1e-12);
   const std::vector<PlaneCurve> round =
-      curves_of(kDisk + "<rect " + stroke + " x='50' y='50' width='40' height='40'/>");
+      curves_shown(kDisk + "<rect " + stroke + " x='50' y='50' width='40' height='40'/>");
   REQUIRE(round.size() == 1);
   CHECK_FALSE(round[0].is_closed());
   CHECK(round[0].piece_count() == 2);
@@ -301,14 +301,14 @@ TEST_CASE("lines are cut where they leave their clip path, and go on over their 
   // Along its boundary a line is seen.
   const std::string box = "x='40' y='40' width='20' height='10'";
   const std::string frame = "<rect " + box + " fill='none' stroke='red'";
-  CHECK(curves_of("<clipPath id='r'><rect " + box + "/></clipPath>" + frame + " clip-path='url(#r)'/>") ==
-        curves_of(frame + "/>"));
+  CHECK(curves_shown("<clipPath id='r'><rect " + box + "/></clipPath>" + frame + " clip-path='url(#r)'/>") ==
+        curves_shown(frame + "/>"));
 }
 
 TEST_CASE("clip paths have rules, transforms, boxes and clip paths of their own") {
   const std::string page = "<rect id='a' x='10' y='10' width='80' height='80' clip-path='url(#c)'/>";
   const auto area = [&](const std::string& clip, const std::string& shape) {
-    return area_of(curves_of(clip + shape));
+    return area_of(curves_shown(clip + shape));
   };
   require_box(
       "<clipPath id='c' transform='translate(20 30)'><rect width='5' height='6' transform='scale(2)'/></clipPath>" +
@@ -373,7 +373,7 @@ TEST_CASE("what is not seen within a clip path clips nothing in") {
 
 TEST_CASE("clip paths and masks that are not applied are said") {
   const auto warning = [](const std::string& content, const std::string& attributes) {
-    const SvgDrawing read = read_drawing(content + square("a", attributes));
+    const SvgDrawing read = drawing_shown(content + square("a", attributes));
     CHECK(read.curves.curves.size() == 1);
     REQUIRE(read.warnings.size() == 1);
     return read.warnings[0];
@@ -412,7 +412,7 @@ TEST_CASE("viewports within a drawing cut what goes beyond them, unless they are
       {5, 5}, {25, 25});
   require_box("<svg width='30' height='40' viewBox='0 0 3 4'><rect width='1' height='1'/></svg>", {0, 0}, {10, 10});
   // The page itself cuts nothing: what lies outside it is said.
-  const SvgDrawing off = read_drawing("<rect x='-9' y='3' width='5' height='5'/><circle r='9'/>");
+  const SvgDrawing off = drawing_shown("<rect x='-9' y='3' width='5' height='5'/><circle r='9'/>");
   CHECK(off.curves.curves.size() == 2);
   CHECK_THAT(off.warnings.at(0), Catch::Contains("1 shape lies outside the page, and is read"));
 }

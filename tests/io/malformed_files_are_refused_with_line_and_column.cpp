@@ -9,7 +9,7 @@ using namespace mes;
 
 namespace {
 
-struct Case {
+struct MalformedFile {
   std::string name;  ///< of the file: its extension counts
   std::string bytes;
   std::uint64_t line;
@@ -17,7 +17,7 @@ struct Case {
   std::string says;  ///< part of the message
 };
 
-void require_refusal(const Case& test) {
+void require_refused_file(const MalformedFile& test) {
   INFO(test.name << ", expected to say: " << test.says);
   const auto read = read_sample_bytes(test.bytes, test.name);
   REQUIRE_FALSE(read.has_value());
@@ -42,7 +42,7 @@ std::string with_nul(const char* before, const char* after) {
 TEST_CASE("POFF files that are wrong are refused where they are wrong") {
   const std::string long_word(1'000'000, 'x');
   const std::string long_digits(1'000'000, '7');
-  const std::vector<Case> cases{
+  const std::vector<MalformedFile> cases{
       {"a.poff", "", 1, 1, "empty"},
       {"a.poff", " \n\t\r\n", 1, 1, "empty"},
       {"a.poff", "# only this\n", 2, 1, "expected \"POFF\", found the end"},
@@ -87,12 +87,12 @@ TEST_CASE("POFF files that are wrong are refused where they are wrong") {
       {"a.poff", std::string("\0\0O\0F\0F\0", 8), 1, 1, "binary data"},
       {"a.poff", std::string(64, '\0'), 1, 1, "binary data"},
   };
-  for (const Case& test : cases) require_refusal(test);
+  for (const MalformedFile& test : cases) require_refused_file(test);
 }
 
 TEST_CASE("WPOFF files that are wrong are refused where they are wrong") {
   const std::string long_word(1'000'000, 'x');
-  const std::vector<Case> cases{
+  const std::vector<MalformedFile> cases{
       {"a.wpoff", "", 1, 1, "empty"},
       {"a.wpoff", "# only this\n", 2, 1, "expected \"WPOFF\", found the end"},
       {"a.wpoff", "wpoff 1 0 0\n1 2 3\n", 1, 1, "found \"wpoff\""},
@@ -115,12 +115,12 @@ TEST_CASE("WPOFF files that are wrong are refused where they are wrong") {
       {"a.wpoff", "WPOFF 1 0 0\n1 2 " + long_word, 2, 5, "(1000000 characters)"},
       {"a.wpoff", with_nul("WPOFF 1 0 0\n1 2 ", " 3\n"), 1, 1, "binary data"},
   };
-  for (const Case& test : cases) require_refusal(test);
+  for (const MalformedFile& test : cases) require_refused_file(test);
 }
 
 TEST_CASE("tables that are wrong are refused where they are wrong") {
   const std::string long_word(1'000'000, 'x');
-  const std::vector<Case> cases{
+  const std::vector<MalformedFile> cases{
       {"a.csv", "", 1, 1, "empty"},
       {"a.csv", "# nothing\n", 1, 1, "no samples"},
       {"a.csv", "x,y\n1,2\n3\n", 3, 2, "number for y, found the end of the line"},
@@ -146,13 +146,13 @@ TEST_CASE("tables that are wrong are refused where they are wrong") {
       {"a.txt", "1 2\n3 4,5\n", 2, 3, "found \"4,5\""},
       {"notes", "Dear all,\nplease find enclosed\n", 1, 1, "none of the formats"},
   };
-  for (const Case& test : cases) require_refusal(test);
+  for (const MalformedFile& test : cases) require_refused_file(test);
 }
 
 TEST_CASE("maps that are wrong are refused where they are wrong") {
   std::string deep;
   for (int i = 0; i < 100; ++i) deep += "GEOMETRYCOLLECTION(";
-  const std::vector<Case> cases{
+  const std::vector<MalformedFile> cases{
       {"a.wkt", "POINT", 1, 6, "expected \"(\" or EMPTY, found the end"},
       {"a.wkt", "POINT (", 1, 8, "expected a number, found the end"},
       {"a.wkt", "POINT (1)", 1, 9, "expected a number, found \")\""},
@@ -188,11 +188,11 @@ TEST_CASE("maps that are wrong are refused where they are wrong") {
       {"a.json", "[[[]]]", 1, 3, "two numbers"},
       {"a.json", std::string(100, '['), 1, 65, "nested too deeply"},
   };
-  for (const Case& test : cases) require_refusal(test);
+  for (const MalformedFile& test : cases) require_refused_file(test);
 }
 
 TEST_CASE("drawings that are wrong are refused where they are wrong") {
-  const std::vector<Case> cases{
+  const std::vector<MalformedFile> cases{
       {"a.svg", "<html/>", 1, 1, "XML"},
       {"a.svg", "<svg/>", 1, 1, "no shape is drawn in it"},
       {"a.svg", "<svg><text/></svg>", 1, 1, "no shape is drawn in it; 1 text element is left out"},
@@ -204,7 +204,7 @@ TEST_CASE("drawings that are wrong are refused where they are wrong") {
       {"a.svg", "<svg><path d=\"M0 0L1e999 1\"/></svg>", 1, 1, "no shape"},
       {"a.svg", "<svg><g transform=\"scale(1e300) scale(1e300)\"><path d=\"M0 0L1 1\"/></g></svg>", 1, 1, "range"},
   };
-  for (const Case& test : cases) require_refusal(test);
+  for (const MalformedFile& test : cases) require_refused_file(test);
 }
 
 TEST_CASE("files that cannot be read say why") {

@@ -5,18 +5,12 @@
 
 #include "core/document/curve_source.h"
 #include "core/io/format.h"
+#include "tests/io/checked_reading.h"
 
 using namespace mes;
+using mes::test::read_map;
 
 namespace {
-
-LoadedFile read_good(std::string_view bytes, const std::string& name = "map", ReadRequest request = {}) {
-  request.keeps_vertices = true;  // samples are the positions of the file
-  auto read = read_sample_bytes(bytes, name, {}, request);
-  INFO((read ? std::string() : read.error().message()));
-  REQUIRE(read.has_value());
-  return *std::move(read);
-}
 
 using Indices = std::vector<std::uint32_t>;
 using Contours = std::vector<SampleData::Contour>;
@@ -26,7 +20,7 @@ constexpr double kKilometresADegree = 6371.0088 * 3.14159265358979323846 / 180.0
 }  // namespace
 
 TEST_CASE("every geometry of WKT gives its positions in order") {
-  const LoadedFile file = read_good(
+  const LoadedFile file = read_map(
       "POINT (1 2)\n"
       "LINESTRING(3 4, 5 6)\n"
       "Polygon ((0 0, 10 0, 10 10, 0 10, 0 0), (2 2, 4 2, 4 4, 2 2))\n"
@@ -53,7 +47,7 @@ TEST_CASE("every geometry of WKT gives its positions in order") {
 }
 
 TEST_CASE("triangles and surfaces of WKT are read by their rings") {
-  const LoadedFile file = read_good(
+  const LoadedFile file = read_map(
       "POINT (9 9)\n"
       "TRIANGLE Z ((0 0 1, 4 0 1, 0 3 1, 0 0 1))\n"
       "TIN (((10 0, 14 0, 10 3, 10 0)), ((20 0, 24 0, 20 3, 20 0)))\n"
@@ -70,7 +64,7 @@ TEST_CASE("triangles and surfaces of WKT are read by their rings") {
 TEST_CASE("heights and measures of WKT are left out with a warning") {
   for (const char* text : {"LINESTRING Z (1 2 3, 4 5 6)", "linestring zm(1 2 3 nan, 4 5 6 7)",
                            "LINESTRINGM(1 2 3,4 5 6)", "LINESTRING (1 2 3, 4 5 6)"}) {
-    const LoadedFile file = read_good(text);
+    const LoadedFile file = read_map(text);
     CHECK(file.data.positions == std::vector<Vec2>{{1, 2}, {4, 5}});
     REQUIRE(file.warnings.size() == 1);
     CHECK_THAT(file.warnings[0], Catch::StartsWith("map:1:") && Catch::Contains("heights and measures"));
@@ -78,14 +72,14 @@ TEST_CASE("heights and measures of WKT are left out with a warning") {
 }
 
 TEST_CASE("a line that ends where it begins is a ring") {
-  CHECK(read_good("LINESTRING (0 0, 1 0, 1 1, 0 0)").data.contours == Contours{{true, {0, 1, 2}}});
-  CHECK(read_good("LINESTRING (0 0, 1 0, 0 0)").data.contours == Contours{{false, {0, 1}}});
+  CHECK(read_map("LINESTRING (0 0, 1 0, 1 1, 0 0)").data.contours == Contours{{true, {0, 1, 2}}});
+  CHECK(read_map("LINESTRING (0 0, 1 0, 0 0)").data.contours == Contours{{false, {0, 1}}});
 }
 
 TEST_CASE("WKT is in the plane unless it names degrees") {
-  CHECK(read_good("POINT (30 60)").data.positions == std::vector<Vec2>{{30, 60}});
-  CHECK(read_good("SRID=3857;POINT (30 60)").warnings.empty());
-  const LoadedFile file = read_good("SRID=4326;LINESTRING (29 60, 31 60)");
+  CHECK(read_map("POINT (30 60)").data.positions == std::vector<Vec2>{{30, 60}});
+  CHECK(read_map("SRID=3857;POINT (30 60)").warnings.empty());
+  const LoadedFile file = read_map("SRID=4326;LINESTRING (29 60, 31 60)");
   REQUIRE(file.warnings.size() == 1);
   CHECK_THAT(file.warnings[0], Catch::Contains("kilometres about 30 E, 60 N"));
   // At 60 degrees a degree of longitude is half as long as one of latitude.
@@ -94,7 +88,7 @@ TEST_CASE("WKT is in the plane unless it names degrees") {
 }
 
 TEST_CASE("every geometry of GeoJSON gives its positions in order") {
-  const LoadedFile file = read_good(R"({"features": [
+  const LoadedFile file = read_map(R"({"features": [
     {"type": "Feature", "geometry": {"type": "Point", "coordinates": [1000, 2]}, "properties": null},
     {"type": "Feature", "geometry": null, "properties": {}},
     {"type": "Feature", "geometry": {"type": "GeometryCollection", "geometries": [
@@ -120,7 +114,7 @@ TEST_CASE("every geometry of GeoJSON gives its positions in order") {
 }
 
 TEST_CASE("degrees become kilometres about the middle of the map") {
-  const LoadedFile file = read_good(R"({"type": "LineString", "coordinates": [[10, 59, 8.5], [14, 61, 9]]})");
+  const LoadedFile file = read_map(R"({"type": "LineString", "coordinates": [[10, 59, 8.5], [14, 61, 9]]})");
   REQUIRE(file.warnings.size() == 2);
   CHECK_THAT(file.warnings[0], Catch::Contains("kilometres about 12 E, 60 N"));
   CHECK_THAT(file.warnings[1], Catch::StartsWith("map:1:49: ") && Catch::Contains("heights"));
@@ -129,8 +123,7 @@ TEST_CASE("degrees become kilometres about the middle of the map") {
   CHECK(file.data.positions[1].y == Approx(kKilometresADegree).epsilon(1e-12));
   CHECK(file.data.positions[0].x == Approx(-file.data.positions[1].x).epsilon(1e-12));
 
-  const LoadedFile fiji =
-      read_good(R"({"type": "MultiPoint", "coordinates": [[179, -17], [-179, -17], [177, -17]]})");
+  const LoadedFile fiji = read_map(R"({"type": "MultiPoint", "coordinates": [[179, -17], [-179, -17], [177, -17]]})");
   CHECK_THAT(fiji.warnings[0], Catch::Contains("about 179 E, 17 S"));
   CHECK(fiji.data.positions[1].x - fiji.data.positions[0].x ==
         Approx(2 * kKilometresADegree * std::cos(17 * 3.14159265358979323846 / 180)).epsilon(1e-12));
@@ -141,11 +134,11 @@ TEST_CASE("degrees are kept bit for bit where that is asked for") {
   const std::vector<Vec2> positions{{179.1, -17.3}, {-179.7, -17}, {177, -16.9}};
   for (const char* text : {R"({"type": "LineString", "coordinates": [[179.1, -17.3], [-179.7, -17], [177, -16.9]]})",
                            "SRID=4326;LINESTRING (179.1 -17.3, -179.7 -17, 177 -16.9)"}) {
-    const LoadedFile file = read_good(text, "map", kept);
+    const LoadedFile file = read_map(text, "map", kept);
     CHECK(file.data.positions == positions);
     CHECK(file.degrees == MapDegrees::kept);
     CHECK(file.warnings == std::vector<std::string>{"map: degrees are kept as coordinates of the plane"});
-    const LoadedFile projected = read_good(text);
+    const LoadedFile projected = read_map(text);
     CHECK(projected.degrees == MapDegrees::projected);
     CHECK(projected.data.positions != positions);
     CHECK(projected.data.contours == file.data.contours);
@@ -156,7 +149,7 @@ TEST_CASE("what is kept or projected is longitude and latitude alone") {
   const ReadRequest kept{.degrees = MapDegrees::kept};
   for (const char* text : {R"({"type": "Point", "coordinates": [181, 2]})", "POINT (181 2)", "181 2\n"}) {
     for (const ReadRequest& request : {kept, ReadRequest{}}) {
-      const LoadedFile file = read_good(text, "map", request);
+      const LoadedFile file = read_map(text, "map", request);
       CHECK(file.data.positions == std::vector<Vec2>{{181, 2}});
       CHECK(file.degrees == std::nullopt);
       CHECK(file.warnings.empty());
@@ -165,20 +158,20 @@ TEST_CASE("what is kept or projected is longitude and latitude alone") {
 }
 
 TEST_CASE("coordinates of the plane stay as they are") {
-  const LoadedFile other = read_good(
+  const LoadedFile other = read_map(
       R"({"type": "Point", "crs": {"type": "name", "properties": {"name": "EPSG:3857"}}, "coordinates": [1, 2]})");
   CHECK(other.data.positions == std::vector<Vec2>{{1, 2}});
-  const LoadedFile ours = read_good(
+  const LoadedFile ours = read_map(
       R"({"type":"Feature","properties":{"layer":"points","kind":"point"},"geometry":{"type":"Point","coordinates":[1,2]}})");
   CHECK(ours.data.positions == std::vector<Vec2>{{1, 2}});
   CHECK(ours.warnings.empty());
 }
 
 TEST_CASE("lists of rings in JSON are read, and a list of points") {
-  const LoadedFile rings = read_good("[\n[[0.5, 0], [9, 0], [9, 9]],\n[[1, 1], [2, 1], [2, 2], [1, 1]]\n]", "a.json");
+  const LoadedFile rings = read_map("[\n[[0.5, 0], [9, 0], [9, 9]],\n[[1, 1], [2, 1], [2, 2], [1, 1]]\n]", "a.json");
   CHECK(rings.data.positions == std::vector<Vec2>{{0.5, 0}, {9, 0}, {9, 9}, {1, 1}, {2, 1}, {2, 2}});
   CHECK(rings.data.contours == Contours{{true, {0, 1, 2}}, {true, {3, 4, 5}}});
-  const LoadedFile points = read_good("[[0, 0], [9, 0], [9, 9]]", "a.json");
+  const LoadedFile points = read_map("[[0, 0], [9, 0], [9, 9]]", "a.json");
   CHECK(points.data.positions == std::vector<Vec2>{{0, 0}, {9, 0}, {9, 9}});
   CHECK(points.data.contours.empty());
 }
@@ -191,10 +184,10 @@ TEST_CASE("a number of GeoJSON that no double holds is refused with its place") 
 }
 
 TEST_CASE("what looks like a map by its name only is read as what it is") {
-  CHECK(read_good("POFF 1 0 0 1 2", "a.wkt").format == "poff");
-  CHECK(read_good("point,x,y\n1,2,3\n2,4,5\n", "a.csv").format == "csv");
-  CHECK(read_good("POINT (1 2)", "a.csv").format == "wkt");
-  CHECK(read_good(R"([[1, 2]])", "a.txt").format == "geojson");
+  CHECK(read_map("POFF 1 0 0 1 2", "a.wkt").format == "poff");
+  CHECK(read_map("point,x,y\n1,2,3\n2,4,5\n", "a.csv").format == "csv");
+  CHECK(read_map("POINT (1 2)", "a.csv").format == "wkt");
+  CHECK(read_map(R"([[1, 2]])", "a.txt").format == "geojson");
 }
 
 TEST_CASE("GeoJSON texts may follow each other, on lines or after record separators") {
@@ -206,12 +199,12 @@ TEST_CASE("GeoJSON texts may follow each other, on lines or after record separat
        {first + "\n" + second + "\n", first + "\r\n\r\n" + second, "\x1e" + first + "\n\x1e" + second + "\n",
         first + second, "\xEF\xBB\xBF" + first + "\n" + second}) {
     INFO(text);
-    const LoadedFile file = read_good(text);
+    const LoadedFile file = read_map(text);
     CHECK(file.format == "geojson");
     CHECK(file.data.positions == positions);
     CHECK(file.data.contours == Contours{{false, {0, 1}}});
   }
-  CHECK(read_good("\x1e" + second).data.positions.size() == 2);
+  CHECK(read_map("\x1e" + second).data.positions.size() == 2);
   // Errors have the place in the file.
   const auto refused = [](const std::string& text) {
     const auto read = read_sample_bytes(text, "a.geojson");
@@ -230,17 +223,17 @@ TEST_CASE("reference systems in degrees are known by their names and numbers") {
            name + R"("}}})";
   };
   for (const char* name : {"urn:ogc:def:crs:OGC:1.3:CRS84", "EPSG:4326", "urn:ogc:def:crs:EPSG::4258", "EPSG:4269"})
-    CHECK(read_good(with(name)).degrees == MapDegrees::projected);
+    CHECK(read_map(with(name)).degrees == MapDegrees::projected);
   for (const char* name : {"EPSG:3857", "urn:ogc:def:crs:EPSG::25832", "local", "EPSG:43260"})
-    CHECK_FALSE(read_good(with(name)).degrees.has_value());
-  CHECK(read_good("SRID=4258;POINT (9 50)").degrees == MapDegrees::projected);
-  CHECK_FALSE(read_good("SRID=25832;POINT (9 50)").degrees.has_value());
+    CHECK_FALSE(read_map(with(name)).degrees.has_value());
+  CHECK(read_map("SRID=4258;POINT (9 50)").degrees == MapDegrees::projected);
+  CHECK_FALSE(read_map("SRID=25832;POINT (9 50)").degrees.has_value());
   // What this program exports lies in the plane, unless it says that these are degrees.
   const std::string feature =
       R"({"type":"Feature","properties":{"layer":"points","kind":"point"},"geometry":{"type":"Point","coordinates":[9,50]}})";
-  CHECK_FALSE(read_good(R"({"type":"FeatureCollection","features":[)" + feature + "]}").degrees.has_value());
+  CHECK_FALSE(read_map(R"({"type":"FeatureCollection","features":[)" + feature + "]}").degrees.has_value());
   CHECK(
-      read_good(
+      read_map(
           R"({"type":"FeatureCollection","crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}},"features":[)" +
           feature + "]}")
           .degrees == MapDegrees::projected);
@@ -248,7 +241,7 @@ TEST_CASE("reference systems in degrees are known by their names and numbers") {
 
 TEST_CASE("curves of WKT are arcs of circles") {
   const auto curves_of = [](const std::string& text) {
-    const LoadedFile file = read_good(text);
+    const LoadedFile file = read_map(text);
     CHECK(file.format == "wkt");
     REQUIRE(file.data.source);
     return file.data.source->curves->curves;
@@ -295,7 +288,7 @@ TEST_CASE("curves of WKT are arcs of circles") {
             .size() == 3);
   CHECK(curves_of("GEOMETRYCOLLECTION (MULTICURVE EMPTY, CURVEPOLYGON (" + slot + "), POINT (9 9))").size() == 1);
   // In degrees a circle of the file becomes an ellipse of the plane.
-  const LoadedFile degrees = read_good("SRID=4326;CIRCULARSTRING (21 60, 20 61, 19 60)");
+  const LoadedFile degrees = read_map("SRID=4326;CIRCULARSTRING (21 60, 20 61, 19 60)");
   const PlaneCurve& arc = degrees.data.source->curves->curves.at(0);
   const Vec2 top = arc.arcs().at(0).center + arc.arcs().at(0).v;
   CHECK(degrees.data.map->degrees_of(top).x == Approx(20.0));

@@ -7,18 +7,12 @@
 
 #include "core/document/curve_source.h"
 #include "core/io/format.h"
+#include "tests/io/checked_reading.h"
 
 using namespace mes;
+using mes::test::read_map;
 
 namespace {
-
-LoadedFile read_good(std::string_view bytes, const std::string& name = "map") {
-  // Samples are the positions of the file.
-  auto read = read_sample_bytes(bytes, name, {}, {.keeps_vertices = true});
-  INFO((read ? std::string() : read.error().message()));
-  REQUIRE(read.has_value());
-  return *std::move(read);
-}
 
 std::string refusal(std::string_view bytes, const std::string& name = "a") {
   const auto read = read_sample_bytes(bytes, name);
@@ -76,7 +70,7 @@ constexpr std::uint32_t kEwkbSystem = 0x20000000;
 }  // namespace
 
 TEST_CASE("every geometry of KML is read as GeoJSON has it") {
-  const LoadedFile kml = read_good(
+  const LoadedFile kml = read_map(
       kKml +
       "<Placemark><Point><coordinates> 23.9,35.5,0 </coordinates></Point></Placemark>\n"
       "<Folder><Placemark><MultiGeometry><LineString><tessellate>1</tessellate><coordinates>\n24,35 24.5,35.25\n25,35"
@@ -90,7 +84,7 @@ TEST_CASE("every geometry of KML is read as GeoJSON has it") {
   CHECK(kml.format == "kml");
   CHECK(kml.degrees == MapDegrees::projected);
   CHECK(kml.warnings.size() == 1);
-  check_same(kml, read_good(R"({"type":"GeometryCollection","geometries":[
+  check_same(kml, read_map(R"({"type":"GeometryCollection","geometries":[
     {"type":"Point","coordinates":[23.9,35.5]},
     {"type":"LineString","coordinates":[[24,35],[24.5,35.25],[25,35]]},
     {"type":"Polygon","coordinates":[[[26,35],[27,35],[27,36],[26,35]],[[26.5,35.1],[26.8,35.1],[26.8,35.3],[26.5,35.1]]]},
@@ -98,7 +92,7 @@ TEST_CASE("every geometry of KML is read as GeoJSON has it") {
 }
 
 TEST_CASE("prefixes, heights and what KML has no geometry for are dealt with") {
-  const LoadedFile file = read_good(
+  const LoadedFile file = read_map(
       "<kml:kml xmlns:kml=\"http://www.opengis.net/kml/2.2\"><kml:Placemark><kml:LineString><kml:coordinates>1,2,30 "
       "3,4,0</kml:coordinates></kml:LineString></kml:Placemark>\n<GroundOverlay/><NetworkLink/><GroundOverlay/></"
       "kml:kml>");
@@ -119,7 +113,7 @@ TEST_CASE("prefixes, heights and what KML has no geometry for are dealt with") {
 }
 
 TEST_CASE("tracks and routes of GPX are lines, and waypoints are points") {
-  const LoadedFile gpx = read_good(
+  const LoadedFile gpx = read_map(
       "<?xml version=\"1.0\"?>\n<gpx version=\"1.1\" xmlns=\"http://www.topografix.com/GPX/1/1\"><metadata/>\n"
       "<wpt lat=\"35.5\" lon=\"23.9\"><name>start</name></wpt>\n"
       "<rte><name>r</name><rtept lat=\"35\" lon=\"24\"/><rtept lat=\"35.25\" lon=\"24.5\"/></rte>\n"
@@ -129,7 +123,7 @@ TEST_CASE("tracks and routes of GPX are lines, and waypoints are points") {
   CHECK(gpx.format == "gpx");
   REQUIRE(gpx.warnings.size() == 2);
   CHECK(gpx.warnings[1] == "map:5:39: heights are left out");
-  check_same(gpx, read_good(R"({"type":"GeometryCollection","geometries":[
+  check_same(gpx, read_map(R"({"type":"GeometryCollection","geometries":[
     {"type":"Point","coordinates":[23.9,35.5]},
     {"type":"LineString","coordinates":[[24,35],[24.5,35.25]]},
     {"type":"LineString","coordinates":[[26,35],[27,35],[27,36],[26,35]]},
@@ -152,7 +146,7 @@ TEST_CASE("every geometry of WKB is read as WKT has it, in both orders of bytes 
     wkb.type(9).count(2).type(2).count(2).at({50, 0, 51, 0}).type(8).count(3).at({51, 0, 52, 1, 53, 0});
     wkb.type(10).count(1).type(8).count(3).at({60, 0, 62, 0, 60, 0});
     wkb.type(17).count(1).count(4).at({70, 0, 74, 0, 70, 3, 70, 0});
-    const LoadedFile wkt = read_good(
+    const LoadedFile wkt = read_map(
         "GEOMETRYCOLLECTION (POINT (9 8), LINESTRING (3 4, 5 6), POLYGON ((0 0, 10 0, 10 10, 0 0), (5 1, 6 1, 6 2, 5 "
         "1)), "
         "MULTIPOINT (20 20, 21 21), MULTIPOLYGON (((30 0, 34 0, 30 3, 30 0))), CIRCULARSTRING (41 0, 40 1, 39 0), "
@@ -163,7 +157,7 @@ TEST_CASE("every geometry of WKB is read as WKT has it, in both orders of bytes 
     std::ranges::transform(upper, upper.begin(), [](char c) { return c >= 'a' ? static_cast<char>(c - 32) : c; });
     for (const std::string& text : {wkb.text(), wkb.hex(), wkb.hex() + "\n", "\\x" + wkb.hex() + "\r\n\r\n",
                                     "0x" + upper, "\"" + upper + "\""}) {
-      const LoadedFile file = read_good(text);
+      const LoadedFile file = read_map(text);
       CHECK(file.format == "wkb");
       CHECK(file.warnings.empty());
       check_same(file, wkt);
@@ -174,18 +168,18 @@ TEST_CASE("every geometry of WKB is read as WKT has it, in both orders of bytes 
 
 TEST_CASE("heights, measures and reference systems of EWKB and ISO WKB are understood") {
   const std::vector<Vec2> line{{1, 2}, {4, 5}};
-  CHECK(read_good(Bytes().type(1002).count(2).at({1, 2, 3, 4, 5, 6}).text()).data.positions == line);
-  CHECK(read_good(Bytes().type(3002).count(2).at({1, 2, 3, NAN, 4, 5, 6, 7}).hex()).data.positions == line);
-  const LoadedFile high = read_good(Bytes().type(kEwkbZ | 2U).count(2).at({1, 2, 3, 4, 5, 6}).hex());
+  CHECK(read_map(Bytes().type(1002).count(2).at({1, 2, 3, 4, 5, 6}).text()).data.positions == line);
+  CHECK(read_map(Bytes().type(3002).count(2).at({1, 2, 3, NAN, 4, 5, 6, 7}).hex()).data.positions == line);
+  const LoadedFile high = read_map(Bytes().type(kEwkbZ | 2U).count(2).at({1, 2, 3, 4, 5, 6}).hex());
   CHECK(high.data.positions == line);
   CHECK(high.warnings == std::vector<std::string>{"map: heights and measures are left out"});
   const std::string degrees = Bytes().type(kEwkbSystem | 2U).count(4326).count(2).at({29, 60, 31, 60}).hex();
-  check_same(read_good(degrees), read_good("SRID=4326;LINESTRING (29 60, 31 60)"));
-  CHECK_FALSE(read_good(Bytes().type(kEwkbSystem | 1U).count(3857).at({29, 60}).hex()).degrees.has_value());
+  check_same(read_map(degrees), read_map("SRID=4326;LINESTRING (29 60, 31 60)"));
+  CHECK_FALSE(read_map(Bytes().type(kEwkbSystem | 1U).count(3857).at({29, 60}).hex()).degrees.has_value());
   // One geometry a line, some of them empty.
   const std::string lines = Bytes().type(1).at({1, 2}).hex() + "\n" + Bytes(true).type(1).at({NAN, NAN}).hex() +
                             "\n\n" + Bytes(true).type(1).at({3, 4}).hex() + "\n" + Bytes().type(7).count(0).hex();
-  CHECK(read_good(lines).data.positions == std::vector<Vec2>{{1, 2}, {3, 4}});
+  CHECK(read_map(lines).data.positions == std::vector<Vec2>{{1, 2}, {3, 4}});
 }
 
 TEST_CASE("WKB that is wrong is refused where it is wrong") {
@@ -248,9 +242,9 @@ TEST_CASE("a hole that another polygon fills is a border of both, whichever way 
                                 wkb.text()};
     for (const std::string& map : maps) {
       INFO(map);
-      CHECK(read_good(map).data.contours.size() == 3);
+      CHECK(read_map(map).data.contours.size() == 3);
     }
   }
   // What is there twice is there once.
-  CHECK(read_good("POLYGON ((0 0, 9 0, 0 9, 0 0)), POLYGON ((9 0, 0 9, 0 0, 9 0))").data.contours.size() == 1);
+  CHECK(read_map("POLYGON ((0 0, 9 0, 0 9, 0 0)), POLYGON ((9 0, 0 9, 0 0, 9 0))").data.contours.size() == 1);
 }

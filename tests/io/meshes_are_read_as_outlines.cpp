@@ -7,29 +7,17 @@
 
 #include "core/io/format.h"
 #include "temporary_folder.h"
+#include "tests/io/checked_reading.h"
 
 using namespace mes;
+using mes::test::check_refused;
+using mes::test::good;
+using mes::test::kAtVertices;
 
 namespace {
 
-LoadedFile good(const Expected<LoadedFile>& read) {
-  INFO((read ? std::string() : read.error().message()));
-  REQUIRE(read.has_value());
-  return *read;
-}
-// Samples are the positions of the file.
-constexpr ReadRequest kAtVertices{.keeps_vertices = true};
-
-LoadedFile read_good(std::string_view bytes, const std::string& name = "a") {
+LoadedFile read_mesh(std::string_view bytes, const std::string& name = "a") {
   return good(read_sample_bytes(bytes, name, {}, kAtVertices));
-}
-
-void check_refused(std::string_view bytes, const std::string& message, const std::string& name = "a") {
-  const auto read = read_sample_bytes(bytes, name);
-  INFO(bytes);
-  REQUIRE_FALSE(read.has_value());
-  CHECK(read.error().code == ErrorCode::bad_input);
-  CHECK(read.error().message() == name + ":" + message);
 }
 
 using Contours = std::vector<SampleData::Contour>;
@@ -79,7 +67,7 @@ std::string binary_ply(bool is_big) {
 TEST_CASE("vertices of Triangle are samples in their order, whatever number is the first") {
   for (const std::string first : {"0", "1"}) {
     const std::string second = first == "0" ? "1" : "2";
-    const LoadedFile file = read_good(
+    const LoadedFile file = read_mesh(
         "# by hand\n2 2 1 1\n" + first + " 0.5 1e2 7 0 # attribute, marker\n\n" + second + "  -3 4  8 1\r\n",
         "a.txt");
     CHECK(file.format == "triangle");
@@ -90,7 +78,7 @@ TEST_CASE("vertices of Triangle are samples in their order, whatever number is t
 }
 
 TEST_CASE("segments of Triangle become curves where they follow each other, and end where they branch") {
-  const LoadedFile file = read_good(
+  const LoadedFile file = read_mesh(
       "13 2 0 0\n1 0 0\n2 4 0\n3 4 4\n4 0 4\n5 10 0\n6 11 0\n7 12 1\n8 20 0\n9 21 0\n10 22 0\n11 21 1\n12 30 30\n"
       "13 40 40\n"
       "12 0\n1 1 2\n2 3 2\n3 3 4\n4 4 1\n5 7 6\n6 6 5\n7 8 9\n8 9 10\n9 9 11\n10 13 13\n11 2 1\n12 1 2\n"
@@ -152,30 +140,30 @@ TEST_CASE("files of Triangle that are wrong are refused where they are wrong") {
 
 TEST_CASE("segments of CGAL meet where their ends are equal") {
   const std::string bytes = "4\n0 0 1 0\n1 1 1 0\n1 1 -0 0\n5 5 6 6\n";
-  const LoadedFile file = read_good(bytes, "a.edg");
+  const LoadedFile file = read_mesh(bytes, "a.edg");
   CHECK(file.format == "edg");
   CHECK(file.data.positions == Positions{{5, 5}, {6, 6}, {0, 0}, {1, 0}, {1, 1}});
   CHECK(file.data.contours == Contours{{false, {0, 1}}, {true, {2, 3, 4}}});
-  CHECK(read_good(bytes).format == "edg");
-  CHECK(read_good(bytes, "a.pts").format == "pairs");
-  CHECK(read_good("1\n0 0 1 0\n7\n", "a.edg").warnings ==
+  CHECK(read_mesh(bytes).format == "edg");
+  CHECK(read_mesh(bytes, "a.pts").format == "pairs");
+  CHECK(read_mesh("1\n0 0 1 0\n7\n", "a.edg").warnings ==
         std::vector<std::string>{"a.edg:3:1: everything after the 1 announced segments is ignored"});
   check_refused("3\n0 0 1 0\n", "2:8: the file ends after 1 of 3 segments", "a.edg");
   check_refused("2\n0 0 1 0\n0 0 1\n", "3:6: expected a coordinate, found the end of the line", "a.edg");
 }
 
 TEST_CASE("points of CGAL are pairs") {
-  CHECK(read_good("0 1\n2 3\n", "a.pts").data.positions == Positions{{0, 1}, {2, 3}});
+  CHECK(read_mesh("0 1\n2 3\n", "a.pts").data.positions == Positions{{0, 1}, {2, 3}});
 }
 
 TEST_CASE("faces give the outline around them, and what is inside it is left out") {
-  const LoadedFile square = read_good(kTwoTriangles);
+  const LoadedFile square = read_mesh(kTwoTriangles);
   CHECK(square.format == "off");
   CHECK(square.data.positions == Positions{{0, 0}, {1, 0}, {1, 1}, {0, 1}});
   CHECK(square.data.contours.size() == 1);
   CHECK(square.warnings.empty());
 
-  const LoadedFile fan = read_good(
+  const LoadedFile fan = read_mesh(
       "COFF 6 4 0\n0 0 0 1 1 1 1\n2 0 0\n2 2 0\n0 2 0\n1 1 0\n9 9 0\n3 0 1 4\n3 1 2 4 0.5\n"
       "3 2 3 4\n3 3 0 4\n");
   CHECK(fan.data.positions == Positions{{0, 0}, {2, 0}, {2, 2}, {0, 2}, {9, 9}});
@@ -185,7 +173,7 @@ TEST_CASE("faces give the outline around them, and what is inside it is left out
 }
 
 TEST_CASE("a surface without an outline gives all its vertices, and heights are mentioned") {
-  const LoadedFile file = read_good("OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
+  const LoadedFile file = read_mesh("OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 1 2\n3 0 1 3\n3 1 2 3\n3 2 0 3\n");
   CHECK(file.data.positions == Positions{{0, 0}, {1, 0}, {0, 1}, {0, 0}});
   CHECK(file.data.contours.empty());
   CHECK(file.warnings == std::vector<std::string>{"a:3:5: heights are left out"});
@@ -203,7 +191,7 @@ TEST_CASE("OFF files that are wrong are refused where they are wrong") {
 }
 
 TEST_CASE("OBJ has lines, outlines of faces, and vertices counted from either end") {
-  const LoadedFile file = read_good(
+  const LoadedFile file = read_mesh(
       "# by hand\nmtllib a.mtl\no thing\nv 0 0 5\nv 1 0 5\nv 1 1 5 1.0\nv 0 1 5\nvt 0 0\nvn 0 0 1\n"
       "f 1/1/1 2//1 3/1 -1\nv 5 5 5\nv 6 5 5\nv 7 6 5\nl -3 -2 -1\nv 8 8 5\np 8\ncurv 0 1 1 2\n",
       "a.obj");
@@ -230,7 +218,7 @@ TEST_CASE("PLY is the same as text and in both orders of bytes") {
       "vertex_indices\nelement edge 1\nproperty int vertex1\nproperty ushort vertex2\nend_header\n"
       "255 0 0 -7\n255 0.1 0 -7\n255 0.1 0.5 -7\n255 0 0.5 -7\n255 0.05 0.25 -7\n255 3 3 -7\n255 4 3 -7\n"
       "0\n2 0.5 0.5\n3 0 1 4\n3 1 2 4\n3 2 3 4\n3 3 0 4\n6 5\n";
-  const LoadedFile file = read_good(text);
+  const LoadedFile file = read_mesh(text);
   CHECK(file.format == "ply");
   CHECK(file.data.positions == Positions{{4, 3}, {3, 3}, {0, 0}, {0.1, 0}, {0.1, 0.5}, {0, 0.5}});
   CHECK(file.data.contours == Contours{{false, {0, 1}}, {true, {2, 3, 4, 5}}});
@@ -238,7 +226,7 @@ TEST_CASE("PLY is the same as text and in both orders of bytes") {
         std::vector<std::string>{"a: 1 vertex inside faces is left out, for the outlines of the faces are read",
                                  "a: 2 elements \"material\" are left out"});
   for (const bool is_big : {false, true}) {
-    const LoadedFile binary = read_good(binary_ply(is_big));
+    const LoadedFile binary = read_mesh(binary_ply(is_big));
     CHECK(binary.data.positions == file.data.positions);
     CHECK(binary.data.contours == file.data.contours);
     CHECK(binary.warnings == file.warnings);
@@ -260,10 +248,10 @@ TEST_CASE("PLY files that are wrong are refused where they are wrong") {
   check_refused(head + "end_header\n0 0\n1e400 2\n", "8:1: vertex 1: \"1e400\" is too large");
   check_refused(head + faces + "3 0 1 1e400\n", "11:7: face 0: \"1e400\" is too large");
   // A line that lacks a number takes one from the next, and then there is more than was announced.
-  CHECK(read_good(head + "end_header\n0 0\n1 1\n7\n").warnings ==
+  CHECK(read_mesh(head + "end_header\n0 0\n1 1\n7\n").warnings ==
         std::vector<std::string>{"a:9:1: everything after the announced elements is ignored"});
-  CHECK(read_good(head + "end_header\n0 0\n1 1 7\n").warnings.size() == 1);
-  CHECK(read_good(head + "end_header\n0 0\n1 1\n\n").warnings.empty());
+  CHECK(read_mesh(head + "end_header\n0 0\n1 1 7\n").warnings.size() == 1);
+  CHECK(read_mesh(head + "end_header\n0 0\n1 1\n\n").warnings.empty());
   check_refused(head + faces + "3 0 1 2\n", "11:7: face 0: there is no vertex 2 before it");
   check_refused(head + faces + "4000000000 0 1 2\n", "11:17: the file ends within face 0");
   check_refused(head + faces + "-3 0 1 2\n", "11:1: face 0: a list has no such length");
@@ -284,14 +272,14 @@ TEST_CASE("PLY files that are wrong are refused where they are wrong") {
   check_refused(floats + std::string(9, '\0') + nan,
                 " at byte " + std::to_string(floats.size() + 9) + ": vertex 1: nan is not a finite number");
   // Elements without properties take no time, however many there are.
-  CHECK(read_good("ply\nformat ascii 1.0\nelement nothing 9999999999999999999\nelement vertex 1\nproperty int x\n"
+  CHECK(read_mesh("ply\nformat ascii 1.0\nelement nothing 9999999999999999999\nelement vertex 1\nproperty int x\n"
                   "property int y\nend_header\n1 2\n")
             .data.positions == Positions{{1, 2}});
 }
 
 TEST_CASE("a line of OBJ that ends with a backslash goes on in the next") {
   for (const std::string end : {"\n", "\r\n", "\r"}) {
-    const LoadedFile file = read_good("v 0 0 0" + end + "v 2 \\" + end + "0 0" + end + "v 2 1 0 # all of it \\" +
+    const LoadedFile file = read_mesh("v 0 0 0" + end + "v 2 \\" + end + "0 0" + end + "v 2 1 0 # all of it \\" +
                                       end + "v 0 1 0" + end + "f 1 2 \\" + end + "\\" + end + "  3 4" + end);
     CHECK(file.format == "obj");
     CHECK(file.data.positions == Positions{{0, 0}, {2, 0}, {2, 1}, {0, 1}});
@@ -302,17 +290,17 @@ TEST_CASE("a line of OBJ that ends with a backslash goes on in the next") {
     check_refused("v 0 0 0" + end + "f 1 \\" + end + " 1 2 \\" + end + "1 1" + end, "3:4: there is no vertex \"2\"");
   }
   // The last line has none to go on in.
-  CHECK(read_good("v 0 0 0\nv 1 0 0\nl 1 2 \\", "a.obj").data.contours == Contours{{false, {0, 1}}});
+  CHECK(read_mesh("v 0 0 0\nv 1 0 0\nl 1 2 \\", "a.obj").data.contours == Contours{{false, {0, 1}}});
 }
 
 TEST_CASE("vertices that all lie in one plane are read in that plane") {
   const std::string face = "f 1 2 3 4\n";
-  const LoadedFile upright = read_good("v 0 0 0\nv 2 0 0\nv 2 0 1\nv 0 0 1\n" + face);
+  const LoadedFile upright = read_mesh("v 0 0 0\nv 2 0 0\nv 2 0 1\nv 0 0 1\n" + face);
   CHECK(upright.data.positions == Positions{{0, 0}, {2, 0}, {2, 1}, {0, 1}});
   CHECK(upright.data.contours.size() == 1);
   CHECK(upright.warnings ==
         std::vector<std::string>{"a:1:1: all vertices lie in one plane, of which x and z are read"});
-  const LoadedFile sideways = read_good("v 5 0 0\nv 5 2 0\nv 5 2 1\nv 5 0 1\n" + face);
+  const LoadedFile sideways = read_mesh("v 5 0 0\nv 5 2 0\nv 5 2 1\nv 5 0 1\n" + face);
   CHECK(sideways.data.positions == Positions{{0, 0}, {2, 0}, {2, 1}, {0, 1}});
   CHECK(sideways.warnings ==
         std::vector<std::string>{"a:1:1: all vertices lie in one plane, of which y and z are read"});
@@ -336,7 +324,7 @@ TEST_CASE("vertices that all lie in one plane are read in that plane") {
         ply += line;
       }
       for (const std::string& mesh : {obj + face, off + "4 0 1 2 3\n", ply + "4 0 1 2 3\n"}) {
-        const LoadedFile file = read_good(mesh);
+        const LoadedFile file = read_mesh(mesh);
         REQUIRE(file.data.contours.size() == 1);
         REQUIRE(file.data.positions.size() == 4);
         REQUIRE(file.warnings.size() == 1);
@@ -351,17 +339,17 @@ TEST_CASE("vertices that all lie in one plane are read in that plane") {
 }
 
 TEST_CASE("vertices that lie in no common plane are seen from above, and a few places in a row are no plane") {
-  const LoadedFile relief = read_good("v 0 0 0\nv 2 0 0\nv 2 2 1\nv 0 2 0\nf 1 2 3\nf 1 3 4\n");
+  const LoadedFile relief = read_mesh("v 0 0 0\nv 2 0 0\nv 2 2 1\nv 0 2 0\nf 1 2 3\nf 1 3 4\n");
   CHECK(relief.data.positions == Positions{{0, 0}, {2, 0}, {2, 2}, {0, 2}});
   CHECK(relief.warnings == std::vector<std::string>{"a:1:1: heights are left out"});
   // A line has its length; one that goes straight up, too.
-  const LoadedFile slope = read_good("v 0 0 0\nv 3 0 4\nl 1 2\n");
+  const LoadedFile slope = read_mesh("v 0 0 0\nv 3 0 4\nl 1 2\n");
   CHECK(distance(slope.data.positions[0], slope.data.positions[1]) == Approx(5.0));
-  CHECK(read_good("v 1 1 0\nv 1 1 4\nl 1 2\n").data.positions == Positions{{1, 0}, {1, 4}});
-  const LoadedFile oblique = read_good("v 0 0 0\nv 1 2 2\nv 2 4 4\nl 1 2 3\n");
+  CHECK(read_mesh("v 1 1 0\nv 1 1 4\nl 1 2\n").data.positions == Positions{{1, 0}, {1, 4}});
+  const LoadedFile oblique = read_mesh("v 0 0 0\nv 1 2 2\nv 2 4 4\nl 1 2 3\n");
   CHECK(distance(oblique.data.positions[0], oblique.data.positions[2]) == Approx(6.0));
   // Rounding errors do not count as heights.
-  CHECK(read_good("v 0 0 1e-9\nv 2 0 0\nv 2 2 0\nv 0 2 -1e-9\nf 1 2 3 4\n").data.positions ==
+  CHECK(read_mesh("v 0 0 1e-9\nv 2 0 0\nv 2 2 0\nv 0 2 -1e-9\nf 1 2 3 4\n").data.positions ==
         Positions{{0, 0}, {2, 0}, {2, 2}, {0, 2}});
   // Of single precision, far from the origin.
   std::string ply =
@@ -372,17 +360,17 @@ TEST_CASE("vertices that lie in no common plane are seen from above, and a few p
       append_bytes(ply, static_cast<float>(value), false);
   append_bytes(ply, std::uint8_t{4}, false);
   for (std::int32_t i = 0; i < 4; ++i) append_bytes(ply, i, false);
-  const LoadedFile single = read_good(ply);
+  const LoadedFile single = read_mesh(ply);
   CHECK(distance(single.data.positions[0], single.data.positions[1]) == Approx(2.0).epsilon(1e-4));
   CHECK(distance(single.data.positions[1], single.data.positions[2]) == Approx(1.0).epsilon(1e-4));
 }
 
 TEST_CASE("legal forms of meshes that are rare are read") {
   // OFF without its word; PLY with a comment before its format; OBJ with a Fortran exponent and words of renderers.
-  CHECK(read_good("4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "a.off").data.contours.size() == 1);
-  CHECK(read_good("ply\ncomment first\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+  CHECK(read_mesh("4 1 0\n0 0 0\n1 0 0\n1 1 0\n0 1 0\n4 0 1 2 3\n", "a.off").data.contours.size() == 1);
+  CHECK(read_mesh("ply\ncomment first\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
                   "y\nend_header\n1 2\n")
             .data.positions == Positions{{1, 2}});
-  CHECK(read_good("shadow_obj a.obj\nd_interp on\nv 1.5D+1 2d0 0\nv 1 0 0\nl 1 2\n").data.positions ==
+  CHECK(read_mesh("shadow_obj a.obj\nd_interp on\nv 1.5D+1 2d0 0\nv 1 0 0\nl 1 2\n").data.positions ==
         Positions{{15, 2}, {1, 0}});
 }

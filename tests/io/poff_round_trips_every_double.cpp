@@ -6,18 +6,14 @@
 #include <random>
 
 #include "core/io/format.h"
+#include "tests/io/document_of.h"
 
 using namespace mes;
+using mes::test::document_of;
 
 namespace {
 
-Document document_of(const SampleData& data) {
-  Document document;
-  document.apply(replace_all(document, data).value());
-  return document;
-}
-
-void require_round_trip(const SampleData& data) {
+void require_poff_round_trip(const SampleData& data) {
   const auto read = read_sample_bytes(write_poff(document_of(data)), "test.poff");
   REQUIRE(read.has_value());
   CHECK(read->format == "poff");
@@ -51,7 +47,7 @@ TEST_CASE("the ends of the range survive writing and reading bit for bit") {
     SampleData data;
     for (const double value : values)
       for (const double sign : {1.0, -1.0}) data.positions.push_back({sign * value + 0.0, values.back()});
-    require_round_trip(data);
+    require_poff_round_trip(data);
   }
 }
 
@@ -68,7 +64,7 @@ TEST_CASE("random bit patterns survive writing and reading bit for bit") {
       const double x = number();
       data.positions.push_back({x, number()});
     }
-    require_round_trip(data);
+    require_poff_round_trip(data);
   }
 }
 
@@ -76,7 +72,7 @@ TEST_CASE("the curve order is written as loops and comes back") {
   SampleData data;
   for (int i = 0; i < 9; ++i) data.positions.push_back({0.5 * i, 0.25 * i * i});
   data.contours = {{true, {2, 1, 0}}, {false, {3, 4, 5, 8}}, {true, {7}}};
-  require_round_trip(data);
+  require_poff_round_trip(data);
 }
 
 TEST_CASE("loops leave out samples that are gone, and follow the numbering of what is left") {

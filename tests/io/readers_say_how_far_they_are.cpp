@@ -38,7 +38,7 @@ void append_double(std::string& out, double value) {
   out.append(reinterpret_cast<const char*>(&value), sizeof value);
 }
 
-std::string binary_ply() {
+std::string ply_of_vertices() {
   std::string out = fmt::format(
       "ply\nformat binary_little_endian 1.0\nelement vertex {}\nproperty double x\nproperty double y\nend_header\n",
       kVertices);
@@ -104,7 +104,7 @@ std::vector<Example> examples() {
                                 "\nproperty double x\nproperty double y\nend_header\n")
                                    .c_str(),
                                "\n", "\n", pair)});
-  out.push_back({"ply", binary_ply()});
+  out.push_back({"ply", ply_of_vertices()});
   out.push_back({"triangle", of_all((count + " 2 0 0\n").c_str(), "\n", "\n", numbered)});
   out.push_back({"edg", of_all((count + "\n").c_str(), "\n", "\n", [](auto to, int i, double x, double y) {
                    fmt::format_to(to, "{} {} {} {}", x, y, x + 1.0 + i, y);

@@ -6,13 +6,13 @@
 
 #include "core/io/format.h"
 #include "temporary_folder.h"
+#include "tests/io/checked_reading.h"
 
 using namespace mes;
+using mes::test::good;
+using mes::test::kAtVertices;
 
 namespace {
-
-// Samples are the positions of the file.
-constexpr ReadRequest kAtVertices{.keeps_vertices = true};
 
 using Positions = std::vector<Vec2>;
 using Contours = std::vector<SampleData::Contour>;
@@ -62,13 +62,7 @@ std::string file_of(const std::vector<std::string>& records) {
   return out;
 }
 
-LoadedFile good(const Expected<LoadedFile>& read) {
-  INFO((read ? std::string() : read.error().message()));
-  REQUIRE(read.has_value());
-  return *read;
-}
-
-void check_refused(const std::string& bytes, const std::string& message) {
+void check_refused_shapes(const std::string& bytes, const std::string& message) {
   const auto read = read_sample_bytes(bytes, "a", {}, kAtVertices);
   REQUIRE_FALSE(read.has_value());
   CHECK(read.error().code == ErrorCode::bad_input);
@@ -188,25 +182,25 @@ TEST_CASE("a shapefile that is wrong is refused with its record and byte") {
     REQUIRE_FALSE(read);
     CHECK(read.error().message() == "a.shp: the file ends at byte " + std::to_string(size) + ", within its header");
   }
-  check_refused(good_file.substr(0, 130), "record 2 at byte 128: the file ends within its header");
-  check_refused(good_file.substr(0, 200), "record 2 at byte 128: the file ends within it");
-  check_refused(file_of({number(7)}), "record 1 at byte 100: there is no type 7");
-  check_refused(file_of({number(10)}), "record 1 at byte 100: there is no type 10");
-  check_refused(file_of({number(20)}), "record 1 at byte 100: there is no type 20");
-  check_refused(file_of({""}), "record 1 at byte 100: it has no type");
-  check_refused(file_of({number(1)}), "record 1 at byte 100: it is too short for a point");
-  check_refused(file_of({point(1, {NAN, 1})}), "record 1 at byte 112: nan is not a finite number");
-  check_refused(file_of({parts(5, {{{0, 0}, {1, 0}, {1, NAN}, {0, 0}}})}),
-                "record 1 at byte 196: nan is not a finite number");
+  check_refused_shapes(good_file.substr(0, 130), "record 2 at byte 128: the file ends within its header");
+  check_refused_shapes(good_file.substr(0, 200), "record 2 at byte 128: the file ends within it");
+  check_refused_shapes(file_of({number(7)}), "record 1 at byte 100: there is no type 7");
+  check_refused_shapes(file_of({number(10)}), "record 1 at byte 100: there is no type 10");
+  check_refused_shapes(file_of({number(20)}), "record 1 at byte 100: there is no type 20");
+  check_refused_shapes(file_of({""}), "record 1 at byte 100: it has no type");
+  check_refused_shapes(file_of({number(1)}), "record 1 at byte 100: it is too short for a point");
+  check_refused_shapes(file_of({point(1, {NAN, 1})}), "record 1 at byte 112: nan is not a finite number");
+  check_refused_shapes(file_of({parts(5, {{{0, 0}, {1, 0}, {1, NAN}, {0, 0}}})}),
+                       "record 1 at byte 196: nan is not a finite number");
   std::string many = points({{1, 1}});
   many.replace(36, 4, number(0xFFFFFFFF));
-  check_refused(file_of({many}), "record 1 at byte 100: it is too short for 4294967295 points");
+  check_refused_shapes(file_of({many}), "record 1 at byte 100: it is too short for 4294967295 points");
   std::string huge = parts(3, {kSquare});
   huge.replace(36, 4, number(0xFFFFFFFF));
-  check_refused(file_of({huge}), "record 1 at byte 100: it is too short for 4294967295 parts of 5 points");
+  check_refused_shapes(file_of({huge}), "record 1 at byte 100: it is too short for 4294967295 parts of 5 points");
   std::string crossed = parts(3, {kSquare, kHole});
   crossed.replace(48, 4, number(7777));
-  check_refused(file_of({crossed}), "record 1 at byte 100: part 0 does not follow the one before");
+  check_refused_shapes(file_of({crossed}), "record 1 at byte 100: part 0 does not follow the one before");
   CHECK_FALSE(read_sample_bytes(file_of({}), "a").has_value());
   CHECK_FALSE(read_sample_bytes("no shapefile", "a.shp").has_value());
 }

@@ -8,7 +8,7 @@ using namespace std::string_literals;
 
 namespace {
 
-struct Case {
+struct GoodTable {
   std::string bytes;
   std::string format;
 };
@@ -17,33 +17,34 @@ struct Case {
 
 TEST_CASE("the same two points in many ways") {
   const std::vector<Vec2> expected{{1.5, -2}, {3, 4.25}};
-  for (const Case& test : std::vector<Case>{{"1.5,-2\n3,4.25\n", "csv"},
-                                            {"1.5,-2\n3,4.25", "csv"},
-                                            {"1.5 , -2\r\n3 , 4.25\r\n", "csv"},
-                                            {"1.5,-2\r3,4.25\r", "csv"},
-                                            {"x,y\n1.5,-2\n3,4.25\n", "csv"},
-                                            {"\xEF\xBB\xBFx,y\n1.5,-2\n3,4.25\n", "csv"},
-                                            {"# made by hand\n\nX , Y\n# really\n1.5,-2\n\n3,4.25\n", "csv"},
-                                            {"\"x\",\"y\"\n\"1.5\",\"-2\"\n\"3\",\"4.25\"\n", "csv"},
-                                            {"name,x,y\n\"a, b\",1.5,-2\n\"say \"\"c\"\"\",3,4.25\n", "csv"},
-                                            {"lat,lon\n-2,1.5\n4.25,3\n", "csv"},
-                                            {"y,z,x\n-2,9,1.5\n4.25,9,3\n", "csv"},
-                                            {"east,north,height\n1.5,-2,100\n3,4.25,100\n", "csv"},
-                                            {"1.5,-2,first,2024-01-01\n3,4.25,,\n", "csv"},
-                                            {"1.5;-2\n3;4.25\n", "csv"},
-                                            {"1,5;-2\n3;4,25\n", "csv"},
-                                            {"x;y;Bemerkung\n1,5;-2;a\n3;4,25;b,c\n", "csv"},
-                                            {"1.5\t-2\n3\t4.25\n", "tsv"},
-                                            {"x\ty\n1,5\t-2\n3\t4,25\n", "tsv"},
-                                            {"1.5 -2\n3 4.25\n", "pairs"},
-                                            {"  1.5   -2\n\t3 4.25  \n", "pairs"},
-                                            {"x y\n1.5 -2\n3 4.25\n", "pairs"},
-                                            {"1,5 -2,0\n3,0 4,25\n", "pairs"},
-                                            {"2\n1.5 -2\n3 4.25\n", "pairs"},
-                                            {"+1.5e0 -2.\n.3e1 425E-2\n", "pairs"},
-                                            {"1.5 -2 7\n3 4.25 8\n", "xyz"},
-                                            {"x y z\n1.5 -2 7\n3 4.25 8\n", "xyz"},
-                                            {"1.5 -2 # the first\n3 4.25 # the second\n", "xyz"}}) {
+  for (const GoodTable& test :
+       std::vector<GoodTable>{{"1.5,-2\n3,4.25\n", "csv"},
+                              {"1.5,-2\n3,4.25", "csv"},
+                              {"1.5 , -2\r\n3 , 4.25\r\n", "csv"},
+                              {"1.5,-2\r3,4.25\r", "csv"},
+                              {"x,y\n1.5,-2\n3,4.25\n", "csv"},
+                              {"\xEF\xBB\xBFx,y\n1.5,-2\n3,4.25\n", "csv"},
+                              {"# made by hand\n\nX , Y\n# really\n1.5,-2\n\n3,4.25\n", "csv"},
+                              {"\"x\",\"y\"\n\"1.5\",\"-2\"\n\"3\",\"4.25\"\n", "csv"},
+                              {"name,x,y\n\"a, b\",1.5,-2\n\"say \"\"c\"\"\",3,4.25\n", "csv"},
+                              {"lat,lon\n-2,1.5\n4.25,3\n", "csv"},
+                              {"y,z,x\n-2,9,1.5\n4.25,9,3\n", "csv"},
+                              {"east,north,height\n1.5,-2,100\n3,4.25,100\n", "csv"},
+                              {"1.5,-2,first,2024-01-01\n3,4.25,,\n", "csv"},
+                              {"1.5;-2\n3;4.25\n", "csv"},
+                              {"1,5;-2\n3;4,25\n", "csv"},
+                              {"x;y;Bemerkung\n1,5;-2;a\n3;4,25;b,c\n", "csv"},
+                              {"1.5\t-2\n3\t4.25\n", "tsv"},
+                              {"x\ty\n1,5\t-2\n3\t4,25\n", "tsv"},
+                              {"1.5 -2\n3 4.25\n", "pairs"},
+                              {"  1.5   -2\n\t3 4.25  \n", "pairs"},
+                              {"x y\n1.5 -2\n3 4.25\n", "pairs"},
+                              {"1,5 -2,0\n3,0 4,25\n", "pairs"},
+                              {"2\n1.5 -2\n3 4.25\n", "pairs"},
+                              {"+1.5e0 -2.\n.3e1 425E-2\n", "pairs"},
+                              {"1.5 -2 7\n3 4.25 8\n", "xyz"},
+                              {"x y z\n1.5 -2 7\n3 4.25 8\n", "xyz"},
+                              {"1.5 -2 # the first\n3 4.25 # the second\n", "xyz"}}) {
     INFO(test.bytes);
     const auto read = read_sample_bytes(test.bytes, "standard input");
     REQUIRE(read.has_value());

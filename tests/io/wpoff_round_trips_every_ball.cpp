@@ -7,18 +7,14 @@
 
 #include "core/io/format.h"
 #include "temporary_folder.h"
+#include "tests/io/document_of.h"
 
 using namespace mes;
+using mes::test::document_of;
 
 namespace {
 
-Document document_of(const SampleData& data) {
-  Document document;
-  document.apply(replace_all(document, data).value());
-  return document;
-}
-
-void require_round_trip(const std::vector<Disk>& balls) {
+void require_wpoff_round_trip(const std::vector<Disk>& balls) {
   const auto read = read_sample_bytes(write_wpoff(document_of({.balls = balls})), "test.wpoff");
   REQUIRE(read.has_value());
   CHECK(read->format == "wpoff");
@@ -47,7 +43,7 @@ TEST_CASE("the ends of the range survive as centre and as radius") {
                                         {0.1, 1.0 / 3.0, 9007199254740993.0, 1.0 + Limits::epsilon(), 1e22, 1e23}}) {
     std::vector<Disk> balls;
     for (const double value : values) balls.push_back({{value, -value}, value});
-    require_round_trip(balls);
+    require_wpoff_round_trip(balls);
   }
 }
 
@@ -65,7 +61,7 @@ TEST_CASE("balls of random bit patterns survive writing and reading bit for bit"
       const double y = number();
       balls.push_back({{x, y}, std::abs(number())});
     }
-    require_round_trip(balls);
+    require_wpoff_round_trip(balls);
   }
 }
 
