@@ -11,6 +11,7 @@
 #include "render/png.h"
 #include "render/recording_device.h"
 #include "tests/render/drawing.h"
+#include "tests/render/images.h"
 
 using namespace mes;
 using namespace mes::test;
@@ -32,11 +33,6 @@ Image three_fields(int width, int height) {
     }
   }
   return image;
-}
-
-Rgb pixel(const Image& image, int x, int y) {
-  const std::size_t at = image.offset(x, y);
-  return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2]};
 }
 
 constexpr Rgb kRed{255, 0, 0};

@@ -13,7 +13,7 @@ using namespace mes::test;
 
 namespace {
 
-LayerStyle style(Rgb color, double width = 3.0) {
+LayerStyle thick_style(Rgb color, double width = 3.0) {
   LayerStyle out;
   out.color = color;
   out.line_width_px = width;
@@ -22,13 +22,13 @@ LayerStyle style(Rgb color, double width = 3.0) {
   return out;
 }
 
-void fill(Drawing& drawing) {
+void fill_both_layers(Drawing& drawing) {
   drawing.set(0, PrimitiveKind::disk, {60, 50, 30, 90, 60, 25});
   drawing.set(1, PrimitiveKind::segment, {3, 4, 140, 92, 10, 90, 150, 10});
 }
 
 std::vector<render::LayerView> views() {
-  return {{0, style({0xD5, 0x5E, 0x00})}, {1, style({0x00, 0x72, 0xB2})}};
+  return {{0, thick_style({0xD5, 0x5E, 0x00})}, {1, thick_style({0x00, 0x72, 0xB2})}};
 }
 
 int most_different(const render::Image& first, const render::Image& second) {
@@ -122,7 +122,7 @@ class ShortOfMemory final : public render::Device {
 
 TEST_CASE("a captured frame is the picture that is drawn, in tiles or not, on a colour or on nothing") {
   Drawing drawing;
-  fill(drawing);
+  fill_both_layers(drawing);
   const render::Camera camera = pixel_camera(161, 103);
   render::FrameCapture capture(drawing.device());
   for (const std::optional<Rgb> background : {std::optional<Rgb>(kWhite), std::optional<Rgb>()}) {
@@ -139,7 +139,7 @@ TEST_CASE("a captured frame is the picture that is drawn, in tiles or not, on a 
 
 TEST_CASE("supersampling gives the means of a larger picture") {
   Drawing drawing;
-  fill(drawing);
+  fill_both_layers(drawing);
   const render::Camera camera = pixel_camera(160, 100);
   render::FrameCapture capture(drawing.device());
   for (const int factor : {2, 4}) {
@@ -176,7 +176,7 @@ TEST_CASE("frames come in order, each as it was when asked for, however many are
 
 TEST_CASE("a frame comes without being waited for") {
   Drawing drawing;
-  fill(drawing);
+  fill_both_layers(drawing);
   render::FrameCapture capture(drawing.device());
   CHECK_FALSE(capture.poll());
   REQUIRE(capture.draw(drawing.scene(), pixel_camera(50, 50), views(), {}));
@@ -195,7 +195,7 @@ TEST_CASE("a frame that was given up for lack of memory is not handed out, and t
   disks = {.reset = true, .count = 1, .index = {}, .data = {40, 40, 30, 0}};
   scene.apply(patch);
   const render::Camera camera = pixel_camera(80, 80);
-  const std::vector<render::LayerView> shown{{0, style({0, 0, 0})}};
+  const std::vector<render::LayerView> shown{{0, thick_style({0, 0, 0})}};
   render::FrameCapture capture(drawing.device());
   const auto capture_on = [&](Rgb background) {
     return capture.draw(scene, camera, shown, {.background = background, .tile_px = 40}).has_value();

@@ -9,7 +9,9 @@
 #include "render/recording_device.h"
 #include "render/scalar_store.h"
 #include "tests/render/drawing.h"
+#include "tests/render/images.h"
 #include "tests/support/golden_image.h"
+#include "tests/support/not_finite.h"
 
 using namespace mes;
 using namespace mes::test;
@@ -25,9 +27,6 @@ namespace {
 
 using enum PrimitiveKind;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
 /// Dark blue, red, yellow: no two places look alike.
 ColorMap warm_map() {
   return {"warm", {{0.0F, 0.1F, 0.5F}, {0.85F, 0.2F, 0.2F}, {1.0F, 0.9F, 0.2F}}, false};
@@ -38,11 +37,6 @@ LayerStyle mapped(const std::string& map) {
   style.color_map = map;
   style.color = palette::green;
   return style;
-}
-
-Rgb pixel(const Image& image, int x, int y) {
-  const std::size_t at = image.offset(x, y);
-  return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2]};
 }
 
 bool are_close(Rgb a, Rgb b) {

@@ -11,6 +11,7 @@
 #include "render/disk_field.h"
 #include "render/recording_device.h"
 #include "tests/render/drawing.h"
+#include "tests/render/images.h"
 
 using namespace mes;
 using namespace mes::render;
@@ -33,7 +34,7 @@ std::vector<PixelDisk> random_disks(Rng& rng, std::size_t count, int width, int 
 }
 
 /// The same by the formula of the header, disk by disk in doubles; ramps as in shaders/disk.frag.
-double opacity_at(const std::vector<PixelDisk>& disks, double opacity, int x, int y) {
+double opacity_of_disks_at(const std::vector<PixelDisk>& disks, double opacity, int x, int y) {
   double passes = 1.0;
   for (const PixelDisk& disk : disks) {
     const double q = std::sqrt(std::max(disk.radius * disk.radius - 1.0 / 12.0, 0.25));
@@ -45,30 +46,24 @@ double opacity_at(const std::vector<PixelDisk>& disks, double opacity, int x, in
 }
 
 /// The largest difference to the formula.
-double difference(const DiskField& field, const std::vector<PixelDisk>& disks, double opacity) {
+double difference_of_disks(const DiskField& field, const std::vector<PixelDisk>& disks, double opacity) {
   double worst = 0.0;
   for (int y = 0; y < field.height(); ++y)
     for (int x = 0; x < field.width(); ++x)
-      worst = std::max(
-          worst, std::abs(field.row(y)[static_cast<std::size_t>(x)] / 65535.0 - opacity_at(disks, opacity, x, y)));
+      worst = std::max(worst, std::abs(field.row(y)[static_cast<std::size_t>(x)] / 65535.0 -
+                                       opacity_of_disks_at(disks, opacity, x, y)));
   return worst;
 }
 
-std::vector<std::uint16_t> opacities(const DiskField& field) {
+std::vector<std::uint16_t> opacities_of_disks(const DiskField& field) {
   const auto rows = field.rows({0, field.height()});
   return {rows.begin(), rows.end()};
 }
 
-std::vector<double> coordinates(const std::vector<PixelDisk>& disks) {
+std::vector<double> coordinates_of_disks(const std::vector<PixelDisk>& disks) {
   std::vector<double> out;
   for (const PixelDisk& disk : disks) out.insert(out.end(), {disk.x, disk.y, disk.radius});
   return out;
-}
-
-int largest_difference(const Image& a, const Image& b) {
-  int worst = 0;
-  for (std::size_t i = 0; i < a.rgba.size(); ++i) worst = std::max(worst, std::abs(int{a.rgba[i]} - int{b.rgba[i]}));
-  return worst;
 }
 
 }  // namespace
@@ -84,7 +79,7 @@ TEST_CASE("a field of disks has the opacity of painting without rounding") {
       field.add(disks);
       field.settle();
       INFO(count << " disks of opacity " << opacity);
-      CHECK(difference(field, disks, opacity) < 1e-3);
+      CHECK(difference_of_disks(field, disks, opacity) < 1e-3);
     }
   }
 }
@@ -99,7 +94,7 @@ TEST_CASE("the field of disks that are far larger than the view is right") {
       field.add(disks);
       field.settle();
       INFO("radius " << radius << ", direction " << turn);
-      CHECK(difference(field, disks, 0.5) < 1e-3);
+      CHECK(difference_of_disks(field, disks, 0.5) < 1e-3);
     }
   }
 }
@@ -126,11 +121,12 @@ TEST_CASE("a field is a function of the set of disks") {
     }
     slowly.remove(others);
     slowly.settle();
-    CHECK(opacities(slowly) == opacities(once));
+    CHECK(opacities_of_disks(slowly) == opacities_of_disks(once));
 
     slowly.remove(disks);
     slowly.settle();
-    CHECK(std::ranges::all_of(opacities(slowly), [](std::uint16_t opacity_there) { return opacity_there == 0; }));
+    CHECK(std::ranges::all_of(opacities_of_disks(slowly),
+                              [](std::uint16_t opacity_there) { return opacity_there == 0; }));
   }
 }
 
@@ -157,7 +153,7 @@ TEST_CASE("the scene draws the same picture by counting and by painting") {
     const auto pictures = [&](double pixel_cost_ns, std::uint64_t masks) {
       Rng rng(22);
       Drawing drawing({.pixel_cost_ns = pixel_cost_ns, .instance_cost_ns = 0.0});
-      drawing.set(3, PrimitiveKind::disk, coordinates(random_disks(rng, 25, kWidth, kHeight)));
+      drawing.set(3, PrimitiveKind::disk, coordinates_of_disks(random_disks(rng, 25, kWidth, kHeight)));
       std::vector<Image> out;
       for (const double zoom : kZooms) {
         Camera camera = pixel_camera(kWidth, kHeight);
@@ -185,7 +181,7 @@ TEST_CASE("counted disks follow the edits of their layer") {
   Drawing edited({.pixel_cost_ns = 1e9});
   const LayerView view{.layer = 0, .style = {.color = {0, 0, 0}, .opacity = 0.2}};
   std::vector<PixelDisk> disks = random_disks(rng, 200, kWidth, kHeight);
-  edited.set(0, PrimitiveKind::disk, coordinates(disks));
+  edited.set(0, PrimitiveKind::disk, coordinates_of_disks(disks));
   Camera camera = pixel_camera(kWidth, kHeight);
   for (int step = 0; step < 60; ++step) {
     // Some disks move, the last ones go, or new ones come.
@@ -199,13 +195,13 @@ TEST_CASE("counted disks follow the edits of their layer") {
     std::vector<PixelDisk> written;
     for (std::size_t i = 0; i < index.size(); ++i) written.push_back(disks[index[i]] = fresh[i % fresh.size()]);
     edited.scene().apply(
-        changes(0, PrimitiveKind::disk, static_cast<std::uint32_t>(count), index, coordinates(written)));
+        changes(0, PrimitiveKind::disk, static_cast<std::uint32_t>(count), index, coordinates_of_disks(written)));
     if (step % 3 == 1) continue;  // several patches before a picture
     if (step % 10 == 4) camera.pan({3.5, -1.25});
     if (step % 20 == 7) camera.set_viewport(kWidth - step, kHeight + step);
 
     edited.scene().forget(1);
-    edited.set(1, PrimitiveKind::disk, coordinates(disks));
+    edited.set(1, PrimitiveKind::disk, coordinates_of_disks(disks));
     LayerView fresh_view = view;
     fresh_view.layer = 1;
     INFO("step " << step);
@@ -226,7 +222,7 @@ TEST_CASE("a preview of very many disks is a grey level off in the mean, and fol
   for (std::uint32_t i = 0; i < kCount; ++i) disks.push_back(disk_at(i));
   Drawing drawing({.pixel_cost_ns = 1e9});
   GlDevice& device = drawing.device();
-  drawing.set(0, PrimitiveKind::disk, coordinates(disks));
+  drawing.set(0, PrimitiveKind::disk, coordinates_of_disks(disks));
   const FramebufferId target = device.create_framebuffer({.width = kWidth, .height = kHeight});
   const PixelRect all{0, 0, kWidth, kHeight};
   const auto picture = [&](LayerIndex layer, Preview preview) {
@@ -255,8 +251,8 @@ TEST_CASE("a preview of very many disks is a grey level off in the mean, and fol
       disks[i].x += 7.3;
       written.push_back(disks[i]);
     }
-    drawing.scene().apply(changes(0, PrimitiveKind::disk, kCount, moved, coordinates(written)));
-    drawing.set(1, PrimitiveKind::disk, coordinates(disks));
+    drawing.scene().apply(changes(0, PrimitiveKind::disk, kCount, moved, coordinates_of_disks(written)));
+    drawing.set(1, PrimitiveKind::disk, coordinates_of_disks(disks));
     CHECK(picture(0, preview).rgba == picture(1, preview).rgba);
   }
   device.destroy_framebuffer(target);

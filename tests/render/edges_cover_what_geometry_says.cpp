@@ -6,6 +6,7 @@
 
 #include "core/base/rng.h"
 #include "tests/render/drawing.h"
+#include "tests/render/images.h"
 
 using namespace mes;
 using namespace mes::test;
@@ -17,13 +18,6 @@ namespace {
 using enum PrimitiveKind;
 
 constexpr double kPi = std::numbers::pi;
-
-LayerStyle black(double width_px = 1.0, double point_px = 5.0) {
-  LayerStyle out;
-  out.line_width_px = width_px;
-  out.point_size_px = point_px;
-  return out;
-}
 
 LayerStyle tinted(Rgb color, double opacity) {
   LayerStyle out;

@@ -7,6 +7,7 @@
 
 #include "core/base/rng.h"
 #include "tests/render/drawing.h"
+#include "tests/render/images.h"
 
 using namespace mes;
 using namespace mes::test;
@@ -16,12 +17,6 @@ using render::Image;
 namespace {
 
 using enum PrimitiveKind;
-
-LayerStyle black(double width_px = 1.0) {
-  LayerStyle out;
-  out.line_width_px = width_px;
-  return out;
-}
 
 Camera unit_camera(double units_across = 2.0) {
   Camera camera;

@@ -19,7 +19,7 @@ namespace {
 
 using enum PrimitiveKind;
 
-std::vector<LayerView> fill(Drawing& drawing) {
+std::vector<LayerView> fill_at_random(Drawing& drawing) {
   Rng random(2);
   std::vector<double> segments;
   std::vector<double> disks;
@@ -45,7 +45,7 @@ std::vector<LayerView> fill(Drawing& drawing) {
 
 TEST_CASE("tiles meet without a seam") {
   Drawing drawing;
-  const auto views = fill(drawing);
+  const auto views = fill_at_random(drawing);
   Camera camera = pixel_camera(151, 133);
   const Image whole = drawing.draw(camera, views);
   for (const int tile : {16, 37, 64, 150}) {
@@ -83,7 +83,7 @@ TEST_CASE("a size that cannot be drawn is an error") {
 
 TEST_CASE("a transparent picture laid on white is the picture on white") {
   Drawing drawing;
-  const auto views = fill(drawing);
+  const auto views = fill_at_random(drawing);
   const Image on_white = drawing.draw(pixel_camera(150, 150), views);
   const Image on_nothing = drawing.draw(pixel_camera(150, 150), views, {});
   int worst = 0;
@@ -102,7 +102,7 @@ TEST_CASE("a transparent picture laid on white is the picture on white") {
 
 TEST_CASE("multisampling changes edges by next to nothing") {
   Drawing drawing;
-  const auto views = fill(drawing);
+  const auto views = fill_at_random(drawing);
   const Image plain = drawing.draw(pixel_camera(150, 150), views);
   const Image sampled = drawing.draw(pixel_camera(150, 150), views, {.background = kWhite, .samples = 4});
   int worst = 0;

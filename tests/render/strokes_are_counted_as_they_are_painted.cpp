@@ -11,6 +11,7 @@
 #include "render/recording_device.h"
 #include "render/stroke_field.h"
 #include "tests/render/drawing.h"
+#include "tests/render/images.h"
 
 using namespace mes;
 using namespace mes::render;
@@ -49,7 +50,7 @@ std::vector<PixelStroke> visible(const std::vector<Stroke>& strokes, int width, 
 }
 
 /// The same by the formula of the header, stroke by stroke in doubles; caps and ramps as in shaders/stroke.frag.
-double opacity_at(const std::vector<Stroke>& strokes, double opacity, double half_width, int x, int y) {
+double opacity_of_strokes_at(const std::vector<Stroke>& strokes, double opacity, double half_width, int x, int y) {
   const Vec2 p{x + 0.5, y + 0.5};
   double passes = 1.0;
   for (const Stroke& stroke : strokes) {
@@ -62,33 +63,28 @@ double opacity_at(const std::vector<Stroke>& strokes, double opacity, double hal
   return 1.0 - passes;
 }
 
-double difference(const StrokeField& field, const std::vector<Stroke>& strokes, double opacity, double half_width) {
+double difference_of_strokes(const StrokeField& field, const std::vector<Stroke>& strokes, double opacity,
+                             double half_width) {
   double worst = 0.0;
   for (int y = 0; y < field.height(); ++y)
     for (int x = 0; x < field.width(); ++x)
       worst = std::max(worst, std::abs(field.row(y)[static_cast<std::size_t>(x)] / 65535.0 -
-                                       opacity_at(strokes, opacity, half_width, x, y)));
+                                       opacity_of_strokes_at(strokes, opacity, half_width, x, y)));
   return worst;
 }
 
-std::vector<std::uint16_t> opacities(const StrokeField& field) {
+std::vector<std::uint16_t> opacities_of_strokes(const StrokeField& field) {
   const auto rows = field.rows({0, field.height()});
   return {rows.begin(), rows.end()};
 }
 
-std::vector<double> coordinates(const std::vector<Stroke>& strokes, PrimitiveKind kind) {
+std::vector<double> coordinates_of_strokes(const std::vector<Stroke>& strokes, PrimitiveKind kind) {
   std::vector<double> out;
   for (const Stroke& stroke : strokes) {
     out.insert(out.end(), {stroke.from.x, stroke.from.y});
     if (kind == PrimitiveKind::segment) out.insert(out.end(), {stroke.to.x, stroke.to.y});
   }
   return out;
-}
-
-int largest_difference(const Image& a, const Image& b) {
-  int worst = 0;
-  for (std::size_t i = 0; i < a.rgba.size(); ++i) worst = std::max(worst, std::abs(int{a.rgba[i]} - int{b.rgba[i]}));
-  return worst;
 }
 
 constexpr std::array kKinds{PrimitiveKind::segment, PrimitiveKind::point};
@@ -107,7 +103,7 @@ TEST_CASE("a field of strokes has the opacity of painting without rounding") {
         field.add(visible(strokes, kWidth, kHeight, half_width));
         field.settle();
         INFO(count << " strokes of opacity " << opacity << " and half width " << half_width);
-        CHECK(difference(field, strokes, opacity, half_width) < 1e-3);
+        CHECK(difference_of_strokes(field, strokes, opacity, half_width) < 1e-3);
       }
     }
   }
@@ -127,7 +123,7 @@ TEST_CASE("strokes that leave the view by far are where they would be") {
         field.add(visible(strokes, kWidth, kHeight, 1.2));
         field.settle();
         INFO("size " << size << ", direction " << turn);
-        CHECK(difference(field, strokes, 0.5, 1.2) < 1e-3);
+        CHECK(difference_of_strokes(field, strokes, 0.5, 1.2) < 1e-3);
       }
     }
   }
@@ -157,11 +153,12 @@ TEST_CASE("a field of strokes is a function of their set") {
   }
   slowly.remove(others);
   slowly.settle();
-  CHECK(opacities(slowly) == opacities(once));
+  CHECK(opacities_of_strokes(slowly) == opacities_of_strokes(once));
 
   slowly.remove(strokes);
   slowly.settle();
-  CHECK(std::ranges::all_of(opacities(slowly), [](std::uint16_t opacity_there) { return opacity_there == 0; }));
+  CHECK(std::ranges::all_of(opacities_of_strokes(slowly),
+                            [](std::uint16_t opacity_there) { return opacity_there == 0; }));
 }
 
 TEST_CASE("the scene draws the same segments and points by counting and by painting") {
@@ -180,7 +177,7 @@ TEST_CASE("the scene draws the same segments and points by counting and by paint
         const auto pictures = [&](double instance_cost_ns, std::uint64_t masks) {
           Rng rng(32);
           Drawing drawing({.instance_cost_ns = instance_cost_ns});
-          drawing.set(3, kind, coordinates(random_strokes(rng, 60, kWidth, kHeight), kind));
+          drawing.set(3, kind, coordinates_of_strokes(random_strokes(rng, 60, kWidth, kHeight), kind));
           std::vector<Image> out;
           for (const double zoom : kZooms) {
             Camera camera = pixel_camera(kWidth, kHeight);
@@ -211,7 +208,7 @@ TEST_CASE("counted strokes follow the edits of their layer") {
     Drawing edited({.instance_cost_ns = 1e9});
     const LayerView view{.layer = 0, .style = {.color = {0, 0, 0}, .opacity = 0.2}};
     std::vector<Stroke> strokes = random_strokes(rng, 200, kWidth, kHeight);
-    edited.set(0, kind, coordinates(strokes, kind));
+    edited.set(0, kind, coordinates_of_strokes(strokes, kind));
     Camera camera = pixel_camera(kWidth, kHeight);
     for (int step = 0; step < 60; ++step) {
       // Some strokes move, the last ones go, or new ones come.
@@ -224,13 +221,14 @@ TEST_CASE("counted strokes follow the edits of their layer") {
       for (std::uint64_t i = 0; i < moved; ++i) index.push_back(static_cast<std::uint32_t>(rng.below(count)));
       std::vector<Stroke> written;
       for (std::size_t i = 0; i < index.size(); ++i) written.push_back(strokes[index[i]] = fresh[i % fresh.size()]);
-      edited.scene().apply(changes(0, kind, static_cast<std::uint32_t>(count), index, coordinates(written, kind)));
+      edited.scene().apply(
+          changes(0, kind, static_cast<std::uint32_t>(count), index, coordinates_of_strokes(written, kind)));
       if (step % 3 == 1) continue;  // several patches before a picture
       if (step % 10 == 4) camera.pan({3.5, -1.25});
       if (step % 20 == 7) camera.set_viewport(kWidth - step, kHeight + step);
 
       edited.scene().forget(1);
-      edited.set(1, kind, coordinates(strokes, kind));
+      edited.set(1, kind, coordinates_of_strokes(strokes, kind));
       LayerView fresh_view = view;
       fresh_view.layer = 1;
       INFO(name_of(kind) << ", step " << step);
@@ -255,7 +253,7 @@ TEST_CASE("a preview of very many strokes is a grey level off in the mean, and f
     }
     const LayerView view{.layer = 0, .style = {.color = {0, 0, 0}, .opacity = 0.05, .point_size_px = 2.0}};
     Drawing drawing({.instance_cost_ns = 1e9});
-    drawing.set(0, kind, coordinates(strokes, kind));
+    drawing.set(0, kind, coordinates_of_strokes(strokes, kind));
     const Camera camera = pixel_camera(kWidth, kHeight);
     GlDevice& device = drawing.device();
     const FramebufferId target = device.create_framebuffer({.width = kWidth, .height = kHeight});
@@ -284,8 +282,8 @@ TEST_CASE("a preview of very many strokes is a grey level off in the mean, and f
     const std::vector<std::uint32_t> moved{7, 70000, kCount - 1};
     std::vector<Stroke> written;
     for (const std::uint32_t i : moved) written.push_back(strokes[i] = {at(0.1 * i) + Vec2{3.0, 3.0}, at(0.1 * i)});
-    drawing.scene().apply(changes(0, kind, kCount, moved, coordinates(written, kind)));
-    drawing.set(1, kind, coordinates(strokes, kind));
+    drawing.scene().apply(changes(0, kind, kCount, moved, coordinates_of_strokes(written, kind)));
+    drawing.set(1, kind, coordinates_of_strokes(strokes, kind));
     CHECK(picture(0, Preview::fine).rgba == picture(1, Preview::fine).rgba);
     CHECK(picture(0, Preview::none).rgba == picture(1, Preview::none).rgba);
     device.destroy_framebuffer(target);

@@ -5,14 +5,14 @@
 
 #include "core/base/rng.h"
 #include "render/camera.h"
+#include "tests/support/not_finite.h"
 
 using namespace mes;
+using mes::test::kInfinity;
+using mes::test::kNan;
 using render::Camera;
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
 
 Camera wide_camera() {
   Camera camera;

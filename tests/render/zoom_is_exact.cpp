@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "tests/render/drawing.h"
+#include "tests/render/images.h"
 
 using namespace mes;
 using namespace mes::test;
@@ -23,13 +24,6 @@ constexpr int kHeight = 300;
 const std::vector<GlDeviceOptions> kWays{
     {}, {.allow_double = false}, {.allow_double = false, .allow_precise = false}};
 
-LayerStyle black(double width_px, double point_px = 5.0) {
-  LayerStyle out;
-  out.line_width_px = width_px;
-  out.point_size_px = point_px;
-  return out;
-}
-
 Camera camera_at(Vec2 center, double view_width) {
   Camera camera;
   camera.set_viewport(kWidth, kHeight);
@@ -38,7 +32,7 @@ Camera camera_at(Vec2 center, double view_width) {
 }
 
 /// Every pixel but a rim of `margin` equals that of the other picture moved by (dx, dy) pixels.
-int largest_difference(const Image& image, const Image& moved, int dx, int dy, int margin) {
+int largest_difference_moved(const Image& image, const Image& moved, int dx, int dy, int margin) {
   int largest = 0;
   for (int y = margin; y < image.height - margin; ++y) {
     for (int x = margin; x < image.width - margin; ++x) {
@@ -120,14 +114,14 @@ TEST_CASE("panning by whole pixels shifts the picture, at every depth") {
     CHECK(covered_area(before) > 1000.0);
     camera.pan({17.0, -9.0});
     const Image after = drawing.draw(camera, views);
-    CHECK(largest_difference(before, after, 17, -9, 20) <= 2);
+    CHECK(largest_difference_moved(before, after, 17, -9, 20) <= 2);
     // And back again, many times: the centre does not drift.
     for (int i = 0; i < 100; ++i) {
       camera.pan({3.0, 5.0});
       camera.pan({-3.0, -5.0});
     }
     camera.pan({-17.0, 9.0});
-    CHECK(largest_difference(before, drawing.draw(camera, views), 0, 0, 0) <= 1);
+    CHECK(largest_difference_moved(before, drawing.draw(camera, views), 0, 0, 0) <= 1);
   }
 }
 
@@ -319,5 +313,5 @@ TEST_CASE("a drawing far from the origin pans and zooms like any other") {
   CHECK(cover(before, 240, 70) == Approx(1.0));
   CHECK(cover(before, 60, 190) == Approx(1.0));
   camera.pan({1.0, 0.0});
-  CHECK(largest_difference(before, drawing.draw(camera, views), 1, 0, 3) <= 2);
+  CHECK(largest_difference_moved(before, drawing.draw(camera, views), 1, 0, 3) <= 2);
 }
