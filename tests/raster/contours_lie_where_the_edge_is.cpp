@@ -16,8 +16,6 @@ using namespace mes;
 
 namespace {
 
-constexpr int kFine = 16;
-
 Tracing traced(const GrayImage& image, const TraceRequest& request = {}) {
   auto out = trace(image, request);
   INFO((out ? std::string() : out.error().text));

@@ -8,8 +8,10 @@
 #include "core/base/base64.h"
 #include "core/raster/picture_decoder.h"
 #include "core/raster/picture_guard.h"
+#include "tests/raster/small_jpeg.h"
 
 using namespace mes;
+using mes::test::kJpeg;
 
 namespace {
 
@@ -37,17 +39,7 @@ std::string bmp(std::uint32_t width, std::uint32_t height, std::uint32_t bits, s
 
 const std::string kBroken = "a: the picture is broken: ";
 
-/// A disk and a rectangle in colour, 40 x 28: one scan, and as many as a progressive picture has. Written by ImageMagick.
-constexpr std::string_view kJpeg =
-    "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAoHBwgHBgoICAgLCgoLDhgQDg0NDh0VFhEYIx8lJCIfIiEmKzcvJik0KSEiMEExNDk7Pj4+"
-    "JS5ESUM8SDc9Pjv/2wBDAQoLCw4NDhwQEBw7KCIoOzs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7"
-    "Ozv/wAARCAAcACgDASIAAhEBAxEB/8QAGQAAAgMBAAAAAAAAAAAAAAAAAAcEBQYI/8QAKhAAAQMDAgQFBQAAAAAAAAAAAQIDBAAFEQYh"
-    "BxMxgRIUQVFxMzZydLL/xAAZAQEAAgMAAAAAAAAAAAAAAAADAAUBAgT/xAAdEQACAgIDAQAAAAAAAAAAAAABAgADBBEFEjET/9oADAMB"
-    "AAIRAxEAPwBzVAu97ttii+ZuUpLCCcJBBKlH2AG5qfSH15dHrnq2dzFK5cZwsNIPRIScHHycnvTU1fRtGHY/URkQ+J+m5cnkrckRgTgO"
-    "PNYSe4Jx3xVJcuJN2i3SXHjsQHGWnlobWUKPiSFEA5CsHalfVk19JH4ig5JPiqlD7LPh1S92Fg3oRqaN1lcdRXd2JLZiobRHLgLSVA5C"
-    "kj1UdtzRVBwv+5JH6av7RRQYzFq9mTkK0rv6oNDUalKriJoqcq5u3q2MLkNP4LzTacqQrpkAbkHr85pq0V2V2GttiVzKGGjOb4druFwk"
-    "+Whwn33c4KUIJKfn271uWeF995DfikQUK8IykuLyNumyaa9FYymGQAGHkbEtfFJKH2YrRujbjp27uy5b0Vba45bAaUonJUk+qRtsaK2t"
-    "FCiBBoTa657n7v7P/9k=";
+/// The picture of kJpeg in as many scans as a progressive picture has. Written by ImageMagick.
 constexpr std::string_view kProgressiveJpeg =
     "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAoHBwgHBgoICAgLCgoLDhgQDg0NDh0VFhEYIx8lJCIfIiEmKzcvJik0KSEiMEExNDk7Pj4+"
     "JS5ESUM8SDc9Pjv/2wBDAQoLCw4NDhwQEBw7KCIoOzs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7"

@@ -11,17 +11,20 @@
 #include "core/base/rng.h"
 #include "core/base/zlib.h"
 #include "core/raster/picture_decoder.h"
+#include "tests/raster/small_jpeg.h"
 
 using namespace mes;
+using mes::test::kJpeg;
 using namespace std::string_literals;
 
 namespace {
 
-Expected<Pixels> decoded(const std::string& bytes, int channels = 0, PictureTurn turn = PictureTurn::upright) {
+Expected<Pixels> decoded_with_turn(const std::string& bytes, int channels = 0,
+                                   PictureTurn turn = PictureTurn::upright) {
   return decode_pixels(std::as_bytes(std::span(bytes)), "a", channels, kMostPicturePixels, turn);
 }
 
-std::string number(std::uint32_t value, int bytes, bool is_little) {
+std::string ordered_number(std::uint32_t value, int bytes, bool is_little) {
   std::string out;
   for (int i = 0; i < bytes; ++i) out += static_cast<char>(value >> (8 * (is_little ? i : bytes - 1 - i)) & 0xFFU);
   return out;
@@ -29,7 +32,7 @@ std::string number(std::uint32_t value, int bytes, bool is_little) {
 
 /// A TIFF whose first directory has a maker and an orientation, and whose second, of a thumbnail, has another one.
 std::string exif(std::uint32_t orientation, bool is_little, std::uint32_t type = 3, std::uint32_t count = 1) {
-  const auto n = [is_little](std::uint32_t value, int bytes) { return number(value, bytes, is_little); };
+  const auto n = [is_little](std::uint32_t value, int bytes) { return ordered_number(value, bytes, is_little); };
   const int size = type == 3 ? 2 : type == 1 ? 1 : 4;
   const auto entry = [&](std::uint32_t tag, const std::string& value) {
     return n(tag, 2) + n(tag == 0x0112 ? type : 2, 2) + n(tag == 0x0112 ? count : 3, 4) + value +
@@ -42,7 +45,7 @@ std::string exif(std::uint32_t orientation, bool is_little, std::uint32_t type =
 }
 
 std::string segment(char marker, const std::string& contents) {
-  return "\xFF"s + marker + number(static_cast<std::uint32_t>(contents.size()) + 2, 2, false) + contents;
+  return "\xFF"s + marker + ordered_number(static_cast<std::uint32_t>(contents.size()) + 2, 2, false) + contents;
 }
 std::string exif_segment(const std::string& tiff) {
   return segment('\xE1', "Exif\0\0"s + tiff);
@@ -50,8 +53,8 @@ std::string exif_segment(const std::string& tiff) {
 
 std::string chunk(const std::string& name, const std::string& contents) {
   const std::string checked = name + contents;
-  return number(static_cast<std::uint32_t>(contents.size()), 4, false) + checked +
-         number(crc32_of(checked), 4, false);
+  return ordered_number(static_cast<std::uint32_t>(contents.size()), 4, false) + checked +
+         ordered_number(crc32_of(checked), 4, false);
 }
 
 /// Grey values, rows from the top, as a PNG with some chunks before its pixels and after them.
@@ -62,8 +65,8 @@ std::string png(int width, int height, const std::vector<std::uint8_t>& values, 
     rows += '\0';
     for (int x = 0; x < width; ++x) rows += static_cast<char>(values[static_cast<std::size_t>(y * width + x)]);
   }
-  const std::string header = number(static_cast<std::uint32_t>(width), 4, false) +
-                             number(static_cast<std::uint32_t>(height), 4, false) + "\x08\0\0\0\0"s;
+  const std::string header = ordered_number(static_cast<std::uint32_t>(width), 4, false) +
+                             ordered_number(static_cast<std::uint32_t>(height), 4, false) + "\x08\0\0\0\0"s;
   return "\x89PNG\r\n\x1a\n"s + chunk("IHDR", header) + before + chunk("IDAT", zlib_compressed(rows)) + after +
          chunk("IEND", "");
 }
@@ -113,18 +116,6 @@ std::vector<std::uint8_t> scene_of(int width, int height) {
   return out;
 }
 
-/// A disk and a rectangle in colour, 40 x 28. Written by ImageMagick.
-constexpr std::string_view kJpeg =
-    "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAoHBwgHBgoICAgLCgoLDhgQDg0NDh0VFhEYIx8lJCIfIiEmKzcvJik0KSEiMEExNDk7Pj4+"
-    "JS5ESUM8SDc9Pjv/2wBDAQoLCw4NDhwQEBw7KCIoOzs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7Ozs7"
-    "Ozv/wAARCAAcACgDASIAAhEBAxEB/8QAGQAAAgMBAAAAAAAAAAAAAAAAAAcEBQYI/8QAKhAAAQMDAgQFBQAAAAAAAAAAAQIDBAAFEQYh"
-    "BxMxgRIUQVFxMzZydLL/xAAZAQEAAgMAAAAAAAAAAAAAAAADAAUBAgT/xAAdEQACAgIDAQAAAAAAAAAAAAABAgADBBEFEjET/9oADAMB"
-    "AAIRAxEAPwBzVAu97ttii+ZuUpLCCcJBBKlH2AG5qfSH15dHrnq2dzFK5cZwsNIPRIScHHycnvTU1fRtGHY/URkQ+J+m5cnkrckRgTgO"
-    "PNYSe4Jx3xVJcuJN2i3SXHjsQHGWnlobWUKPiSFEA5CsHalfVk19JH4ig5JPiqlD7LPh1S92Fg3oRqaN1lcdRXd2JLZiobRHLgLSVA5C"
-    "kj1UdtzRVBwv+5JH6av7RRQYzFq9mTkK0rv6oNDUalKriJoqcq5u3q2MLkNP4LzTacqQrpkAbkHr85pq0V2V2GttiVzKGGjOb4druFwk"
-    "+Whwn33c4KUIJKfn271uWeF995DfikQUK8IykuLyNumyaa9FYymGQAGHkbEtfFJKH2YrRujbjp27uy5b0Vba45bAaUonJUk+qRtsaK2t"
-    "FCiBBoTa657n7v7P/9k=";
-
 std::string jpeg_with(const std::string& segments) {
   const std::string plain = from_base64(kJpeg);
   return plain.substr(0, 2) + segments + plain.substr(2);
@@ -143,12 +134,12 @@ TEST_CASE("a scene is the same however the camera was held") {
         for (const bool is_before : {true, false}) {
           const std::string bytes =
               png(held.width, held.height, held.values, is_before ? said : "", is_before ? "" : said);
-          const auto pixels = decoded(bytes);
+          const auto pixels = decoded_with_turn(bytes);
           REQUIRE(pixels.has_value());
           CHECK(pixels->width == width);
           CHECK(pixels->height == height);
           CHECK(pixels->values == scene);
-          const auto as_they_are = decoded(bytes, 0, PictureTurn::as_stored);
+          const auto as_they_are = decoded_with_turn(bytes, 0, PictureTurn::as_stored);
           REQUIRE(as_they_are.has_value());
           CHECK(as_they_are->width == held.width);
           CHECK(as_they_are->values == held.values);
@@ -162,10 +153,10 @@ TEST_CASE("pixels of any number of channels are turned whole") {
   for (int channels = 1; channels <= 4; ++channels)
     for (int orientation = 1; orientation <= 8; ++orientation) {
       const Stored held = stored(scene, 5, 3, orientation);
-      const auto plain = decoded(png(5, 3, scene, ""), channels);
-      const auto turned = decoded(png(held.width, held.height, held.values,
-                                      chunk("eXIf", exif(static_cast<std::uint32_t>(orientation), true))),
-                                  channels);
+      const auto plain = decoded_with_turn(png(5, 3, scene, ""), channels);
+      const auto turned = decoded_with_turn(png(held.width, held.height, held.values,
+                                                chunk("eXIf", exif(static_cast<std::uint32_t>(orientation), true))),
+                                            channels);
       REQUIRE(plain.has_value());
       REQUIRE(turned.has_value());
       CHECK(turned->channels == channels);
@@ -174,7 +165,7 @@ TEST_CASE("pixels of any number of channels are turned whole") {
 }
 
 TEST_CASE("a JPEG is turned as its Exif data say, wherever they stand before the picture") {
-  const auto plain = decoded(jpeg_with(""), 1);
+  const auto plain = decoded_with_turn(jpeg_with(""), 1);
   REQUIRE(plain.has_value());
   const std::string other = segment('\xE1', "http://ns.adobe.com/xap/1.0/\0<x/>"s) + segment('\xFE', "a comment");
   for (int orientation = 1; orientation <= 8; ++orientation)
@@ -182,7 +173,7 @@ TEST_CASE("a JPEG is turned as its Exif data say, wherever they stand before the
       INFO(orientation);
       const std::string said = exif_segment(exif(static_cast<std::uint32_t>(orientation), is_little));
       for (const std::string& segments : {said, other + said, "\xFF\xFF"s + said.substr(1) + other}) {
-        const auto held = decoded(jpeg_with(segments), 1);
+        const auto held = decoded_with_turn(jpeg_with(segments), 1);
         REQUIRE(held.has_value());
         // Held so, the scene that is seen is stored as the plain picture.
         const Stored again = stored(held->values, held->width, held->height, orientation);
@@ -191,13 +182,13 @@ TEST_CASE("a JPEG is turned as its Exif data say, wherever they stand before the
       }
     }
   // The first that says something counts, and the thumbnail's says nothing.
-  const auto two =
-      decoded(jpeg_with(exif_segment("II*\0"s) + exif_segment(exif(6, true)) + exif_segment(exif(3, true))));
+  const auto two = decoded_with_turn(
+      jpeg_with(exif_segment("II*\0"s) + exif_segment(exif(6, true)) + exif_segment(exif(3, true))));
   REQUIRE(two.has_value());
   CHECK(two->width == 28);
   CHECK(two->height == 40);
   const std::string without_end = jpeg_with(exif_segment(exif(8, false)));
-  const auto cut = decoded(without_end.substr(0, without_end.size() - 2));
+  const auto cut = decoded_with_turn(without_end.substr(0, without_end.size() - 2));
   REQUIRE(cut.has_value());
   CHECK(cut->lacks_end);
   CHECK(cut->height == 40);
@@ -205,7 +196,7 @@ TEST_CASE("a JPEG is turned as its Exif data say, wherever they stand before the
 
 TEST_CASE("orientations that are none, or are said in other types, are as good as they can be") {
   const auto width_with = [](const std::string& tiff) {
-    const auto pixels = decoded(jpeg_with(exif_segment(tiff)));
+    const auto pixels = decoded_with_turn(jpeg_with(exif_segment(tiff)));
     return pixels ? pixels->width : 0;
   };
   for (const std::uint32_t type : {1U, 3U, 4U})
@@ -221,24 +212,24 @@ TEST_CASE("Exif data that are cut or broken are ignored, and nothing is read bey
   const std::string good = exif(6, true);
   for (std::size_t size = 0; size < good.size(); ++size) {
     INFO(size);
-    const auto jpeg = decoded(jpeg_with(exif_segment(good.substr(0, size))));
+    const auto jpeg = decoded_with_turn(jpeg_with(exif_segment(good.substr(0, size))));
     REQUIRE(jpeg.has_value());
     CHECK(jpeg->width == (size >= 32 ? 28 : 40));  // the value of the second entry ends at byte 32
-    REQUIRE(decoded(png(3, 2, scene_of(3, 2), chunk("eXIf", good.substr(0, size)))).has_value());
+    REQUIRE(decoded_with_turn(png(3, 2, scene_of(3, 2), chunk("eXIf", good.substr(0, size)))).has_value());
   }
   Rng random(11);
   for (int i = 0; i < 3000; ++i) {
     std::string bytes = good;
     for (int k = 0; k < 3; ++k) bytes[random.below(bytes.size())] = static_cast<char>(random.below(256));
-    REQUIRE(decoded(jpeg_with(exif_segment(bytes))).has_value());
+    REQUIRE(decoded_with_turn(jpeg_with(exif_segment(bytes))).has_value());
   }
   // A chunk that does not fit its checksum.
   std::string said = chunk("eXIf", good);
   said.back() = static_cast<char>(said.back() + 1);
-  const auto pixels = decoded(png(3, 2, scene_of(3, 2), said));
+  const auto pixels = decoded_with_turn(png(3, 2, scene_of(3, 2), said));
   REQUIRE(pixels.has_value());
   CHECK(pixels->width == 3);
   // A directory far away, and one that announces more entries than there are.
-  CHECK(decoded(jpeg_with(exif_segment("II*\0\xFF\xFF\xFF\xFF"s)))->width == 40);
-  CHECK(decoded(jpeg_with(exif_segment("MM\0*\0\0\0\x08\xFF\xFF"s)))->width == 40);
+  CHECK(decoded_with_turn(jpeg_with(exif_segment("II*\0\xFF\xFF\xFF\xFF"s)))->width == 40);
+  CHECK(decoded_with_turn(jpeg_with(exif_segment("MM\0*\0\0\0\x08\xFF\xFF"s)))->width == 40);
 }

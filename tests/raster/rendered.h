@@ -10,6 +10,9 @@
 
 namespace mes {
 
+/// Samples along each side of a pixel.
+constexpr int kFine = 16;
+
 /// White where `is_inside(Vec2)`, in the coordinates of the plane (core/raster/contours.h); each pixel is the mean of
 /// `fine` by `fine` places in it. One place gives a picture of two values.
 template <class Inside>

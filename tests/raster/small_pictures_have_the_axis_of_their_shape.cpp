@@ -18,8 +18,6 @@ using namespace mes::test;
 
 namespace {
 
-constexpr int kFine = 16;
-
 /// Places along a side of a pixel: fewer in large pictures.
 int places(int fine, double size) {
   return fine > 1 && size > 60.0 ? 8 : fine;
