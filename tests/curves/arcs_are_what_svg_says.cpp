@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "core/curves/curve.h"
+#include "tests/support/pi.h"
 
 using namespace mes;
+using mes::test::kPi;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 Vec2 on(const EllipticArc& arc, double t) {
   const double angle = arc.start + t * arc.sweep;

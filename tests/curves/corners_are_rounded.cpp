@@ -1,28 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "core/curves/corners.h"
 #include "core/curves/nearest_place.h"
 #include "core/curves/sampling.h"
 #include "core/curves/smooth_curve.h"
+#include "tests/curves/curve_parts.h"
+#include "tests/support/pi.h"
 
 using namespace mes;
+using mes::test::kPi;
+using mes::test::polygon;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kCorner = 0.5;
 
-PlaneCurve polygon(const std::vector<Vec2>& points, bool is_closed = true) {
-  PlaneCurve curve(points.front());
-  for (std::size_t i = 1; i < points.size(); ++i) curve.line_to(points[i]);
-  if (is_closed) curve.close();
-  return curve;
-}
-
-double length_of(const PlaneCurve& curve) {
+double length_by_chords(const PlaneCurve& curve) {
   double sum = 0.0;
   constexpr int kChords = 20'000;
   curve.for_each_piece([&](const Piece& piece) {
@@ -97,7 +92,7 @@ TEST_CASE("round corners of a polygon are arcs of the radius, tangent to its sid
   REQUIRE(round.curves.size() == 1);
   CHECK(round.curves[0].is_closed());
   CHECK(corners_of(round, 1e-6).empty());
-  CHECK(length_of(round.curves[0]) == Approx(8.0 + 2 * kPi).epsilon(1e-7));
+  CHECK(length_by_chords(round.curves[0]) == Approx(8.0 + 2 * kPi).epsilon(1e-7));
   round.curves[0].for_each_piece([](const Piece& piece) {
     for (const double t : {0.1, 0.5, 0.9}) {
       const Vec2 p = piece.at(t);
@@ -108,7 +103,7 @@ TEST_CASE("round corners of a polygon are arcs of the radius, tangent to its sid
   });
   // A radius that no side has room for: half of each side is given up.
   const CurveSet full = with_round_corners(square, kCorner, 50.0);
-  CHECK(length_of(full.curves[0]) == Approx(4 * kPi).epsilon(1e-7));
+  CHECK(length_by_chords(full.curves[0]) == Approx(4 * kPi).epsilon(1e-7));
   // The largest radius of a square that stands anyhow: it becomes its circle, whatever is lost to rounding.
   for (int degrees = 0; degrees < 360; degrees += 7) {
     std::vector<Vec2> corners;
@@ -128,7 +123,7 @@ TEST_CASE("round corners of a polygon are arcs of the radius, tangent to its sid
   const CurveSet open = with_round_corners({.curves = {polygon({{0, 0}, {2, 0}, {2, 2}}, false)}}, kCorner, 0.5);
   CHECK(open.curves[0].start() == Vec2{0, 0});
   CHECK(open.curves[0].end() == Vec2{2, 2});
-  CHECK(length_of(open.curves[0]) == Approx(3.0 + kPi / 4).epsilon(1e-7));
+  CHECK(length_by_chords(open.curves[0]) == Approx(3.0 + kPi / 4).epsilon(1e-7));
 }
 
 TEST_CASE("corners with curved sides become smooth, too, and smooth curves stay as they are") {

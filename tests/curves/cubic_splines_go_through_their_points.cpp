@@ -7,16 +7,12 @@
 
 #include "core/base/rng.h"
 #include "core/curves/cubic_interpolation.h"
+#include "tests/curves/curve_parts.h"
 
 using namespace mes;
+using mes::test::pieces_of;
 
 namespace {
-
-std::vector<Piece> pieces_of(const PlaneCurve& curve) {
-  std::vector<Piece> out;
-  curve.for_each_piece([&](const Piece& piece) { out.push_back(piece); });
-  return out;
-}
 
 /// With respect to the distance of the ends.
 Vec2 first_derivative(const Piece& piece, double t) {

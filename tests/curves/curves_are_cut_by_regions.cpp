@@ -3,27 +3,22 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
 #include "core/base/rng.h"
 #include "core/curves/clip_region.h"
+#include "tests/curves/curve_parts.h"
+#include "tests/support/pi.h"
 
 using namespace mes;
+using mes::test::circle_around;
+using mes::test::kPi;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 using Seen = ClippedCurves::Seen;
 
-PlaneCurve circle(Vec2 center, double radius) {
-  PlaneCurve out({center.x + radius, center.y});
-  out.arc_to({center, {radius, 0}, {0, radius}, 0, 2 * kPi}, out.start());
-  out.close();
-  return out;
-}
-
-PlaneCurve rectangle(Vec2 low, Vec2 high) {
+PlaneCurve box_between(Vec2 low, Vec2 high) {
   PlaneCurve out(low);
   out.line_to({high.x, low.y});
   out.line_to(high);
@@ -53,7 +48,7 @@ PlaneCurve any_curve(Rng& random, double size) {
   return out;
 }
 
-std::vector<Vec2> corners_of(const PlaneCurve& curve) {
+std::vector<Vec2> flattened(const PlaneCurve& curve) {
   std::vector<Vec2> out{curve.start()};
   constexpr int kSteps = 400;
   curve.for_each_piece([&](const Piece& piece) {
@@ -69,7 +64,7 @@ struct Shape {
 
   explicit Shape(const std::vector<PlaneCurve>& curves) {
     for (const PlaneCurve& curve : curves) {
-      rings.push_back(corners_of(curve));
+      rings.push_back(flattened(curve));
       rings.back().push_back(rings.back().front());
     }
   }
@@ -105,16 +100,16 @@ struct Shape {
 double area_of(const std::vector<PlaneCurve>& curves) {
   double twice = 0;
   for (const PlaneCurve& curve : curves) {
-    const std::vector<Vec2> corners = corners_of(curve);
+    const std::vector<Vec2> corners = flattened(curve);
     for (std::size_t i = 0; i < corners.size(); ++i) twice += cross(corners[i], corners[(i + 1) % corners.size()]);
   }
   return std::abs(twice) / 2;
 }
 
-double length_of(const std::vector<PlaneCurve>& curves) {
+double length_of_all(const std::vector<PlaneCurve>& curves) {
   double out = 0;
   for (const PlaneCurve& curve : curves) {
-    const std::vector<Vec2> corners = corners_of(curve);
+    const std::vector<Vec2> corners = flattened(curve);
     for (std::size_t i = 0; i + 1 < corners.size(); ++i) out += distance(corners[i], corners[i + 1]);
   }
   return out;
@@ -134,7 +129,7 @@ TEST_CASE("boxes of curves hold them, and touch them") {
     const std::vector<PlaneCurve> curves{any_curve(random, 10)};
     const Box2 box = bounds_of(curves);
     Box2 found;
-    for (const Vec2 p : corners_of(curves[0])) found.add(p);
+    for (const Vec2 p : flattened(curves[0])) found.add(p);
     CHECK(box.low.x <= found.low.x + 1e-12);
     CHECK(box.high.y >= found.high.y - 1e-12);
     CHECK(found.low.x - box.low.x < 2e-3);
@@ -148,14 +143,14 @@ TEST_CASE("the whole plane and what holds a curve change nothing") {
   Rng random(5);
   for (int i = 0; i < 100; ++i) {
     const std::vector<PlaneCurve> curves{any_curve(random, 10), any_curve(random, 10)};
-    const ClipRegion around = region_of(rectangle({-50, -50}, {60, 60}));
+    const ClipRegion around = region_of(box_between({-50, -50}, {60, 60}));
     for (const Ink ink : {Ink::nonzero_area, Ink::even_odd_area, Ink::line})
       for (const ClipRegion& region : {ClipRegion(), around}) {
         const ClippedCurves clipped = region.clipped(curves, ink);
         CHECK(clipped.seen == Seen::whole);
         CHECK(clipped.curves == curves);
       }
-    CHECK(region_of(rectangle({70, 70}, {80, 80})).clipped(curves, Ink::line).seen == Seen::nothing);
+    CHECK(region_of(box_between({70, 70}, {80, 80})).clipped(curves, Ink::line).seen == Seen::nothing);
     CHECK(ClipRegion::of({}, FillRule::nonzero, kGrid).clipped(curves, Ink::nonzero_area).seen == Seen::nothing);
   }
 }
@@ -170,9 +165,9 @@ TEST_CASE("a curve is in itself whole, also where another one is cut") {
     CHECK(region_of(curve).clipped({curve}, Ink::line).curves == std::vector{curve});
   }
   CHECK(whole == 200);
-  const PlaneCurve disk = circle({3, 3}, 1);
+  const PlaneCurve disk = circle_around({3, 3}, 1);
   const ClippedCurves both =
-      region_of(rectangle({0, 0}, {6, 6})).clipped({disk, rectangle({5, 1}, {9, 2})}, Ink::nonzero_area);
+      region_of(box_between({0, 0}, {6, 6})).clipped({disk, box_between({5, 1}, {9, 2})}, Ink::nonzero_area);
   CHECK(both.seen == Seen::part);
   REQUIRE(both.curves.size() == 2);
   CHECK(std::ranges::count(both.curves, disk) == 1);
@@ -180,17 +175,18 @@ TEST_CASE("a curve is in itself whole, also where another one is cut") {
 }
 
 TEST_CASE("a region within a curve is what is left of it") {
-  const PlaneCurve disk = circle({3, 3}, 2);
-  const ClippedCurves left = region_of(disk).clipped({rectangle({0, 0}, {6, 6})}, Ink::nonzero_area);
+  const PlaneCurve disk = circle_around({3, 3}, 2);
+  const ClippedCurves left = region_of(disk).clipped({box_between({0, 0}, {6, 6})}, Ink::nonzero_area);
   CHECK(left.seen == Seen::part);
   REQUIRE(left.curves.size() == 1);
   CHECK(left.curves[0].arcs().size() == left.curves[0].piece_count());
   CHECK(area_of(left.curves) == Approx(4 * kPi).epsilon(1e-4));
-  CHECK(region_of(disk).clipped({rectangle({0, 0}, {6, 6})}, Ink::line).seen == Seen::nothing);
+  CHECK(region_of(disk).clipped({box_between({0, 0}, {6, 6})}, Ink::line).seen == Seen::nothing);
 }
 
 TEST_CASE("two circles have a lens in common, whose arcs are theirs and end where they cross") {
-  const ClippedCurves lens = region_of(circle({0, 0}, 5)).clipped({circle({6, 0}, 5)}, Ink::nonzero_area);
+  const ClippedCurves lens =
+      region_of(circle_around({0, 0}, 5)).clipped({circle_around({6, 0}, 5)}, Ink::nonzero_area);
   REQUIRE(lens.curves.size() == 1);
   const PlaneCurve& curve = lens.curves[0];
   CHECK(curve.is_closed());
@@ -261,7 +257,7 @@ TEST_CASE("of a line those points are left that lie in the region, and no others
       const Vec2 p = corners[side] + random.uniform() * (corners[side + 1] - corners[side]);
       if (region.distance_to(p) < kNear) continue;
       const auto is_near = [&](const PlaneCurve& part) {
-        const std::vector<Vec2> its = corners_of(part);
+        const std::vector<Vec2> its = flattened(part);
         for (std::size_t n = 0; n + 1 < its.size(); ++n) {
           const Vec2 along = its[n + 1] - its[n];
           const double share =
@@ -272,7 +268,7 @@ TEST_CASE("of a line those points are left that lie in the region, and no others
       };
       CHECK(std::ranges::any_of(inside.curves, is_near) == (region.winding(p) != 0));
     }
-    CHECK(length_of(inside.curves) <= length_of(curves) * (1 + 1e-9));
+    CHECK(length_of_all(inside.curves) <= length_of_all(curves) * (1 + 1e-9));
     for (const PlaneCurve& part : inside.curves)
       part.for_each_piece([&](const Piece& piece) { CHECK(line.distance_to(piece.at(0.5)) < 1e-3); });
   }

@@ -12,9 +12,11 @@
 #include "core/curves/resolution.h"
 #include "core/curves/sampling.h"
 #include "tests/support/parcels.h"
+#include "tests/support/pi.h"
 
 using namespace mes;
 using namespace mes::test;
+using mes::test::kPi;
 
 namespace {
 
@@ -41,7 +43,7 @@ std::map<Link, int> links_of(const SampledCurves& samples) {
   return out;
 }
 
-double length_of(const SampledCurves& samples, const std::map<Link, int>& links, int count) {
+double length_of_links(const SampledCurves& samples, const std::map<Link, int>& links, int count) {
   double sum = 0.0;
   for (const auto& [link, times] : links)
     if (times == count) sum += distance(samples.positions[link.first], samples.positions[link.second]);
@@ -57,7 +59,7 @@ CurveSet set_of(std::vector<PlaneCurve> curves) {
   return out;
 }
 
-SampledCurves sampled(const CurveSet& curves, const SamplingRequest& request) {
+SampledCurves sampled_together(const CurveSet& curves, const SamplingRequest& request) {
   auto samples = sample(curves, request);
   REQUIRE(samples.has_value());
   return *std::move(samples);
@@ -90,13 +92,13 @@ TEST_CASE("parcels link the samples of their borders twice, and those of the out
                                       {.rule = SamplingRule::adaptive, .count = 700, .least_each = 8},
                                       default_sampling(curves)}) {
       INFO("seed " << seed << ", rule " << static_cast<int>(request.rule));
-      const SampledCurves samples = sampled(curves, request);
+      const SampledCurves samples = sampled_together(curves, request);
       REQUIRE(samples.chains.size() == made.outlines.size());
       CHECK(are_all_different(samples.positions));
       const std::map<Link, int> links = links_of(samples);
       CHECK(std::ranges::all_of(links, [](const auto& link) { return link.second == 1 || link.second == 2; }));
-      CHECK(length_of(samples, links, 1) == Approx(kPerimeter).epsilon(1e-4));
-      CHECK(length_of(samples, links, 2) == Approx(0.5 * (all - kPerimeter)).epsilon(1e-4));
+      CHECK(length_of_links(samples, links, 1) == Approx(kPerimeter).epsilon(1e-4));
+      CHECK(length_of_links(samples, links, 2) == Approx(0.5 * (all - kPerimeter)).epsilon(1e-4));
       for (std::size_t i = 0; i < samples.chains.size(); ++i) {
         std::vector<std::uint32_t> places = places_of(samples, samples.chains[i]);
         for (const Vec2 corner : made.outlines[i].points())
@@ -114,18 +116,17 @@ TEST_CASE("outlines that touch nowhere are sampled as each by itself") {
   std::vector<PlaneCurve> apart{rectangle(0, 0, 4, 3), rectangle(4.001, 0, 8, 3), rectangle(1, 1, 2, 2),
                                 rectangle(0, 4, 500, 5), rectangle(0, 6, 500, 7)};
   const CurveSet curves = set_of(apart);
-  const SampledCurves samples = sampled(curves, {.rule = SamplingRule::spacing, .spacing = 0.25});
+  const SampledCurves samples = sampled_together(curves, {.rule = SamplingRule::spacing, .spacing = 0.25});
   CHECK(samples.order.empty());
   std::vector<Vec2> each;
   for (const PlaneCurve& curve : apart) {
-    const SampledCurves one = sampled({.curves = {curve}}, {.rule = SamplingRule::spacing, .spacing = 0.25});
+    const SampledCurves one = sampled_together({.curves = {curve}}, {.rule = SamplingRule::spacing, .spacing = 0.25});
     each.insert(each.end(), one.positions.begin(), one.positions.end());
   }
   CHECK(samples.positions == each);
 }
 
 TEST_CASE("arcs and cubics that two outlines have in common are one") {
-  constexpr double kPi = std::numbers::pi;
   const EllipticArc half{{0, 0}, {2, 0}, {0, 2}, 0.0, kPi};
   PlaneCurve upper({2, 0});
   upper.arc_to(half, {-2, 0});
@@ -137,15 +138,16 @@ TEST_CASE("arcs and cubics that two outlines have in common are one") {
   lower.line_to({-2, -3});
   lower.line_to({2, -3});
   lower.close();
-  const SampledCurves samples = sampled(set_of({upper, lower}), {.rule = SamplingRule::spacing, .spacing = 0.1});
+  const SampledCurves samples =
+      sampled_together(set_of({upper, lower}), {.rule = SamplingRule::spacing, .spacing = 0.1});
   const std::map<Link, int> links = links_of(samples);
   double along = 0.0;
   upper.for_each_piece([&](const Piece& piece) {
     if (piece.kind != PieceKind::cubic) return;
     for (int i = 0; i < 1000; ++i) along += distance(piece.at(i / 1000.0), piece.at((i + 1) / 1000.0));
   });
-  CHECK(length_of(samples, links, 2) == Approx(along).epsilon(1e-3));
-  CHECK(length_of(samples, links, 1) == Approx(2.0 * kPi + 10.0).epsilon(1e-3));
+  CHECK(length_of_links(samples, links, 2) == Approx(along).epsilon(1e-3));
+  CHECK(length_of_links(samples, links, 1) == Approx(2.0 * kPi + 10.0).epsilon(1e-3));
   CHECK(are_all_different(samples.positions));
 }
 
@@ -153,16 +155,17 @@ TEST_CASE("a curve that repeats another says nothing new, but one around the oth
   const PlaneCurve outer = rectangle(0, 0, 10, 10);
   const PlaneCurve hole = closed_polygon({{2, 2}, {2, 8}, {8, 8}, {8, 2}});
   const PlaneCurve filling = closed_polygon({{8, 8}, {2, 8}, {2, 2}, {8, 2}});
-  CHECK(sampled(set_of({outer, outer}), {.rule = SamplingRule::vertices}).chains.size() == 1);
-  CHECK(sampled(set_of({outer, hole, filling}), {.rule = SamplingRule::vertices}).chains.size() == 3);
-  CHECK(sampled(set_of({outer, hole, hole}), {.rule = SamplingRule::vertices}).chains.size() == 2);
+  CHECK(sampled_together(set_of({outer, outer}), {.rule = SamplingRule::vertices}).chains.size() == 1);
+  CHECK(sampled_together(set_of({outer, hole, filling}), {.rule = SamplingRule::vertices}).chains.size() == 3);
+  CHECK(sampled_together(set_of({outer, hole, hole}), {.rule = SamplingRule::vertices}).chains.size() == 2);
 }
 
 TEST_CASE("a hole that touches its shell, at a corner and within a side") {
   const PlaneCurve shell = rectangle(0, 0, 10, 10);
   for (const PlaneCurve& hole :
        {closed_polygon({{0, 0}, {4, 2}, {2, 4}}), closed_polygon({{5, 0}, {6, 4}, {4, 4}})}) {
-    const SampledCurves samples = sampled(set_of({shell, hole}), {.rule = SamplingRule::spacing, .spacing = 0.5});
+    const SampledCurves samples =
+        sampled_together(set_of({shell, hole}), {.rule = SamplingRule::spacing, .spacing = 0.5});
     REQUIRE(samples.chains.size() == 2);
     const auto around = places_of(samples, samples.chains[0]);
     const auto inside = places_of(samples, samples.chains[1]);
@@ -210,7 +213,7 @@ TEST_CASE("between vertices that are far apart there are samples, and vertices s
   const CurveSet curves = set_of({rectangle(0, 0, 60, 1), rectangle(70, 0, 70.2, 0.1)});
   const SamplingRequest request = default_sampling(curves);
   CHECK(request.rule == SamplingRule::refined);
-  const SampledCurves samples = sampled(curves, request);
+  const SampledCurves samples = sampled_together(curves, request);
   for (const PlaneCurve& curve : curves.curves)
     for (const Vec2 corner : curve.points())
       CHECK(std::ranges::find(samples.positions, corner) != samples.positions.end());
@@ -227,5 +230,5 @@ TEST_CASE("between vertices that are far apart there are samples, and vertices s
     coast.push_back({(10.0 + std::cos(5.0 * t)) * std::cos(t), (10.0 + std::cos(5.0 * t)) * std::sin(t)});
   }
   const CurveSet round{.curves = {closed_polygon(coast)}};
-  CHECK(sampled(round, default_sampling(round)).positions == coast);
+  CHECK(sampled_together(round, default_sampling(round)).positions == coast);
 }

@@ -5,18 +5,18 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <span>
 #include <vector>
 
 #include "core/curves/jitter.h"
 #include "core/curves/sampling.h"
+#include "tests/support/pi.h"
 
 using namespace mes;
+using mes::test::kPi;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
 constexpr double kA = 3.0;
 constexpr double kB = 1.0;
 
@@ -42,7 +42,7 @@ FeatureSizes of_ellipse(int& asked) {
   };
 }
 
-SampledCurves sampled(const SamplingRequest& request, const FeatureSizes& sizes = {}) {
+SampledCurves sampled_ellipse(const SamplingRequest& request, const FeatureSizes& sizes = {}) {
   auto samples = sample({.curves = {ellipse()}}, request, sizes);
   REQUIRE(samples);
   return *std::move(samples);
@@ -55,7 +55,7 @@ TEST_CASE("an epsilon-sample is dense everywhere and not much denser than it mus
   for (const double epsilon : {0.05, 0.1, 0.25, 0.5}) {
     int asked = 0;
     const SampledCurves samples =
-        sampled({.rule = SamplingRule::feature_size, .count = 400, .epsilon = epsilon}, of_ellipse(asked));
+        sampled_ellipse({.rule = SamplingRule::feature_size, .count = 400, .epsilon = epsilon}, of_ellipse(asked));
     CHECK(asked > 0);
     CHECK(asked < 24);
     const std::size_t n = samples.positions.size();
@@ -172,7 +172,7 @@ TEST_CASE("a stop that is requested ends the sampling of one curve, whatever the
 
 TEST_CASE("samples by curvature turn no more than asked for, and are as wide apart as they may be elsewhere") {
   const double turn = 0.1;
-  const SampledCurves samples = sampled({.rule = SamplingRule::curvature, .count = 60, .turn = turn});
+  const SampledCurves samples = sampled_ellipse({.rule = SamplingRule::curvature, .count = 60, .turn = turn});
   const std::size_t n = samples.positions.size();
   double widest = 0.0;
   double narrowest = 1e9;
@@ -302,11 +302,11 @@ TEST_CASE("a jitter moves each sample by no more than asked for, as the seed say
   const SamplingRequest even{.rule = SamplingRule::count, .count = 200};
   SamplingRequest moved = even;
   moved.jitter = 0.5;
-  const SampledCurves a = sampled(even);
-  const SampledCurves b = sampled(moved);
-  const SampledCurves again = sampled(moved);
+  const SampledCurves a = sampled_ellipse(even);
+  const SampledCurves b = sampled_ellipse(moved);
+  const SampledCurves again = sampled_ellipse(moved);
   moved.seed = 2;
-  const SampledCurves other = sampled(moved);
+  const SampledCurves other = sampled_ellipse(moved);
   REQUIRE(b.positions.size() == a.positions.size());
   CHECK(b.chains == a.chains);
   CHECK(again.positions == b.positions);

@@ -2,32 +2,18 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 #include <set>
 
 #include "core/curves/sampling.h"
+#include "tests/curves/curve_parts.h"
+#include "tests/support/pi.h"
 
 using namespace mes;
+using mes::test::circle_around;
+using mes::test::kPi;
+using mes::test::polygon;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
-
-PlaneCurve circle(Vec2 center, double radius) {
-  const EllipticArc arc{center, {radius, 0}, {0, radius}, 0.0, 2.0 * kPi};
-  const Vec2 start = center + Vec2{radius, 0};
-  PlaneCurve curve(start);
-  curve.arc_to(arc, start);
-  curve.close();
-  return curve;
-}
-
-PlaneCurve polygon(const std::vector<Vec2>& points, bool is_closed = true) {
-  PlaneCurve curve(points.front());
-  for (std::size_t i = 1; i < points.size(); ++i) curve.line_to(points[i]);
-  if (is_closed) curve.close();
-  return curve;
-}
 
 SampledCurves sampled(const PlaneCurve& curve, const SamplingRequest& request) {
   auto samples = sample({.curves = {curve}}, request);
@@ -40,7 +26,7 @@ bool holds(const std::vector<Vec2>& points, Vec2 wanted) {
 }
 
 /// Length of a curve between two parameters by many chords, as an oracle.
-double length_by_chords(const Piece& piece, double begin, double end) {
+double length_of_part(const Piece& piece, double begin, double end) {
   constexpr int kChords = 20000;
   double sum = 0.0;
   for (int i = 0; i < kChords; ++i)
@@ -52,7 +38,7 @@ double length_by_chords(const Piece& piece, double begin, double end) {
 }  // namespace
 
 TEST_CASE("samples of a circle lie on it, evenly spaced") {
-  const SampledCurves samples = sampled(circle({3, -2}, 5), {.rule = SamplingRule::count, .count = 100});
+  const SampledCurves samples = sampled(circle_around({3, -2}, 5), {.rule = SamplingRule::count, .count = 100});
   REQUIRE(samples.positions.size() == 100);
   REQUIRE(samples.chains.size() == 1);
   CHECK(samples.chains[0] == SampledCurves::Chain{true, 0, 100});
@@ -71,7 +57,7 @@ TEST_CASE("samples of an ellipse and of a cubic are at equal lengths of arc") {
   REQUIRE(around.positions.size() == 64);
   Piece whole;
   ellipse.for_each_piece([&](const Piece& piece) { whole = piece; });
-  const double each = length_by_chords(whole, 0.0, 1.0) / 64.0;
+  const double each = length_of_part(whole, 0.0, 1.0) / 64.0;
   for (std::size_t i = 0; i < 64; ++i) {
     const Vec2 p = around.positions[i];
     const Vec2 q = around.positions[(i + 1) % 64];
@@ -80,7 +66,7 @@ TEST_CASE("samples of an ellipse and of a cubic are at equal lengths of arc") {
     if (t < -1e-9) t += 1;
     if (s < t) s += 1;
     CHECK(std::hypot(p.x / 4, p.y) == Approx(1.0).epsilon(1e-12));
-    CHECK(length_by_chords(whole, t, std::min(s, 1.0)) == Approx(each).epsilon(1e-6));
+    CHECK(length_of_part(whole, t, std::min(s, 1.0)) == Approx(each).epsilon(1e-6));
   }
 
   // (t, t^2): its length from 0 to t is t sqrt(1 + 4 t^2) / 2 + asinh(2 t) / 4.
@@ -151,7 +137,7 @@ TEST_CASE("a cusp within a piece is passed at even steps") {
 }
 
 TEST_CASE("a number of samples is spread by length over all curves") {
-  const CurveSet curves{.curves = {circle({0, 0}, 3), circle({10, 0}, 1)}, .points = {}};
+  const CurveSet curves{.curves = {circle_around({0, 0}, 3), circle_around({10, 0}, 1)}, .points = {}};
   const auto samples = sample(curves, {.rule = SamplingRule::count, .count = 400});
   REQUIRE(samples.has_value());
   CHECK(samples->positions.size() == 400);
@@ -165,7 +151,7 @@ TEST_CASE("a number of samples is spread by length over all curves") {
 }
 
 TEST_CASE("where nothing is near, adaptive samples are as even as others") {
-  const SampledCurves samples = sampled(circle({0, 0}, 1), {.rule = SamplingRule::adaptive, .count = 100});
+  const SampledCurves samples = sampled(circle_around({0, 0}, 1), {.rule = SamplingRule::adaptive, .count = 100});
   REQUIRE(samples.positions.size() == 100);
   for (std::size_t i = 0; i < 100; ++i)
     CHECK(distance(samples.positions[i], samples.positions[(i + 1) % 100]) ==
@@ -175,7 +161,7 @@ TEST_CASE("where nothing is near, adaptive samples are as even as others") {
 TEST_CASE("samples are as dense as curves are near to each other, within bounds") {
   const double inner = 10.0;
   for (const double gap : {0.5, 0.3, 0.01}) {
-    const CurveSet curves{.curves = {circle({0, 0}, inner), circle({0, 0}, inner + gap)}, .points = {}};
+    const CurveSet curves{.curves = {circle_around({0, 0}, inner), circle_around({0, 0}, inner + gap)}, .points = {}};
     const auto samples = sample(curves, {.rule = SamplingRule::adaptive, .count = 400, .share = 0.4});
     REQUIRE(samples.has_value());
     const double widest = 2 * kPi * (2 * inner + gap) / 400;
@@ -238,7 +224,7 @@ TEST_CASE("samples of one curve differ, whatever is asked for") {
 }
 
 TEST_CASE("a sampling without bounds is refused") {
-  const CurveSet curves{.curves = {circle({0, 0}, 1)}, .points = {}};
+  const CurveSet curves{.curves = {circle_around({0, 0}, 1)}, .points = {}};
   const auto many = sample(curves, {.rule = SamplingRule::spacing, .spacing = 1e-9});
   REQUIRE_FALSE(many.has_value());
   CHECK(many.error().code == ErrorCode::bad_input);
@@ -292,7 +278,7 @@ TEST_CASE("what has been sampled already keeps its vertices when it is opened, a
   CHECK(around.positions.size() >= kUsualSamples);
   CHECK(around.positions.size() <= kUsualSamples + 40);  // nearer to each other at corners
   for (const Vec2 corner : square) CHECK(holds(around.positions, corner));
-  const SamplingRequest round = default_sampling({.curves = {circle({0, 0}, 1)}});
+  const SamplingRequest round = default_sampling({.curves = {circle_around({0, 0}, 1)}});
   CHECK(round.rule == SamplingRule::adaptive);
   CHECK(round.count == kUsualSamples);
   CHECK(default_sampling({.points = points}).rule == SamplingRule::vertices);

@@ -5,8 +5,10 @@
 
 #include "core/base/rng.h"
 #include "core/curves/b_spline.h"
+#include "tests/curves/curve_parts.h"
 
 using namespace mes;
+using mes::test::pieces_of;
 
 namespace {
 
@@ -29,12 +31,6 @@ Vec2 by_definition(const BSpline& spline, double t) {
     weight += w;
   }
   return (1.0 / weight) * sum;
-}
-
-std::vector<Piece> pieces_of(const PlaneCurve& curve) {
-  std::vector<Piece> out;
-  curve.for_each_piece([&](const Piece& piece) { out.push_back(piece); });
-  return out;
 }
 
 }  // namespace

@@ -4,35 +4,23 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <numbers>
 
 #include "core/base/box2.h"
 #include "core/resampling/resampling.h"
+#include "tests/curves/curve_parts.h"
+#include "tests/support/pi.h"
 
 using namespace mes;
+using mes::test::ellipse_around;
+using mes::test::kPi;
+using mes::test::polygon;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 std::shared_ptr<const CurveSet> shape(PlaneCurve curve) {
   CurveSet out;
   out.curves.push_back(std::move(curve));
   return std::make_shared<const CurveSet>(std::move(out));
-}
-
-PlaneCurve ellipse(Vec2 center, double a, double b) {
-  PlaneCurve curve(center + Vec2{a, 0});
-  curve.arc_to({center, {a, 0}, {0, b}, 0.0, 2.0 * kPi}, center + Vec2{a, 0});
-  curve.close();
-  return curve;
-}
-
-PlaneCurve polygon(const std::vector<Vec2>& points) {
-  PlaneCurve curve(points.front());
-  for (std::size_t i = 1; i < points.size(); ++i) curve.line_to(points[i]);
-  curve.close();
-  return curve;
 }
 
 SamplingRequest by_feature_size(double epsilon) {
@@ -51,7 +39,7 @@ TakenSamples taken(const std::shared_ptr<const CurveSet>& curves, const Sampling
 TEST_CASE("an ellipse is sampled by its feature size until the theorem is proved") {
   constexpr double kA = 3.0;
   constexpr double kB = 1.0;
-  const auto curves = shape(ellipse({0, 0}, kA, kB));
+  const auto curves = shape(ellipse_around({0, 0}, kA, kB));
   const double reach = (kA * kA - kB * kB) / kA;
   for (const double epsilon : {0.25, 0.1}) {
     const TakenSamples samples = taken(curves, by_feature_size(epsilon));
@@ -75,7 +63,7 @@ TEST_CASE("an ellipse is sampled by its feature size until the theorem is proved
 
 TEST_CASE("where curves are near to each other there are more samples, and where they are far, fewer") {
   CurveSet pair;
-  pair.curves = {ellipse({0, 0}, 1, 1), ellipse({2.02, 0}, 1, 1)};
+  pair.curves = {ellipse_around({0, 0}, 1, 1), ellipse_around({2.02, 0}, 1, 1)};
   const TakenSamples samples = taken(std::make_shared<const CurveSet>(pair), by_feature_size(0.25));
   CHECK(samples.is_proved());
   double narrowest = 1e9;
@@ -112,7 +100,7 @@ TEST_CASE("at a corner intervals become as short as they may, and no longer wher
 
 TEST_CASE("what is said of samples that are proved names edges of the crust that are not of the curves") {
   const SamplingRequest request = by_feature_size(0.25);
-  TakenSamples samples = taken(shape(ellipse({0, 0}, 3, 1)), request);
+  TakenSamples samples = taken(shape(ellipse_around({0, 0}, 3, 1)), request);
   REQUIRE(samples.is_proved());
   CHECK(samples.extra_edges.empty());
   samples.extra_edges = {{0.5, 2.0}};
@@ -121,7 +109,7 @@ TEST_CASE("what is said of samples that are proved names edges of the crust that
   CHECK_THAT(remark_of(samples, request), Catch::EndsWith("has 2 edges beside the curves (the first at 0.5 2)"));
   // Where two circles cross, some edges lead from one to the other.
   CurveSet cross;
-  cross.curves = {ellipse({0, 0}, 2, 2), ellipse({2.5, 0.1}, 2, 2)};
+  cross.curves = {ellipse_around({0, 0}, 2, 2), ellipse_around({2.5, 0.1}, 2, 2)};
   const TakenSamples crossing = taken(std::make_shared<const CurveSet>(cross), request);
   for (const Vec2 at : crossing.extra_edges) CHECK(std::abs(at.x - 1.25) < 0.3);
   CHECK_FALSE(crossing.extra_edges.empty());
@@ -146,7 +134,7 @@ TEST_CASE("curves too near to each other to be sampled so densely are refused wi
   loop.close();
   JobControl job;
   const SamplingRequest request{.rule = SamplingRule::feature_size, .count = 8, .epsilon = 0.25};
-  for (const auto& curves : {shape(loop), shape(ellipse({0, 0}, kLong, kThin))}) {
+  for (const auto& curves : {shape(loop), shape(ellipse_around({0, 0}, kLong, kThin))}) {
     const auto refused = take_samples(curves, request, job);
     REQUIRE_FALSE(refused);
     CHECK(refused.error().code == ErrorCode::bad_input);
@@ -157,7 +145,7 @@ TEST_CASE("curves too near to each other to be sampled so densely are refused wi
 TEST_CASE(
     "where the crust joins the sides of something thin, nothing is proved of it until samples are dense enough") {
   // By their own axis samples were 330 apart with an epsilon of 1, and the sides 20 at most.
-  const auto flat = shape(ellipse({0, 0}, 2e3, 10.0));
+  const auto flat = shape(ellipse_around({0, 0}, 2e3, 10.0));
   const SamplingRequest request = by_feature_size(1.0);
   const TakenSamples samples = taken(flat, request);
   REQUIRE(samples.is_proved());
@@ -173,7 +161,7 @@ TEST_CASE("where the theorem is not proved beside no corner, the place is said")
   PlaneCurve stroke({1, 0});
   stroke.line_to({6, 0});
   CurveSet curves;
-  curves.curves = {ellipse({0, 0}, 2, 2), stroke};
+  curves.curves = {ellipse_around({0, 0}, 2, 2), stroke};
   const SamplingRequest request = by_feature_size(0.25);
   const TakenSamples samples = taken(std::make_shared<const CurveSet>(curves), request);
   REQUIRE_FALSE(samples.is_proved());
@@ -196,7 +184,7 @@ TEST_CASE("of many failures each place is said once") {
     const Vec2 center{kStep * (i % kSide), kStep * (i / kSide)};
     PlaneCurve stroke(center + Vec2{1, 0});
     stroke.line_to(center + Vec2{6, 0});
-    curves.curves.push_back(ellipse(center, 2, 2));
+    curves.curves.push_back(ellipse_around(center, 2, 2));
     curves.curves.push_back(stroke);
   }
   const TakenSamples samples = taken(std::make_shared<const CurveSet>(curves), by_feature_size(0.25));
@@ -214,13 +202,13 @@ TEST_CASE("of many failures each place is said once") {
 }
 
 TEST_CASE("the same curves elsewhere and in another unit are sampled the same") {
-  const TakenSamples here = taken(shape(ellipse({0, 0}, 3, 1)), by_feature_size(0.2));
+  const TakenSamples here = taken(shape(ellipse_around({0, 0}, 3, 1)), by_feature_size(0.2));
   constexpr double kUnit = 0x1p40;
-  const TakenSamples large = taken(shape(ellipse({0, 0}, 3 * kUnit, kUnit)), by_feature_size(0.2));
+  const TakenSamples large = taken(shape(ellipse_around({0, 0}, 3 * kUnit, kUnit)), by_feature_size(0.2));
   REQUIRE(large.data.positions.size() == here.data.positions.size());
   for (std::size_t i = 0; i < here.data.positions.size(); ++i)
     CHECK(large.data.positions[i] == kUnit * here.data.positions[i]);
-  const TakenSamples far = taken(shape(ellipse({1e6, -1e6}, 3, 1)), by_feature_size(0.2));
+  const TakenSamples far = taken(shape(ellipse_around({1e6, -1e6}, 3, 1)), by_feature_size(0.2));
   CHECK(far.data.positions.size() == here.data.positions.size());
   CHECK(far.is_proved());
 }
@@ -240,7 +228,7 @@ TEST_CASE("what has no axis is sampled all the same") {
 TEST_CASE("a stop that is requested ends the sampling") {
   JobControl job;
   job.stop_at_look(3);
-  CHECK_THROWS_AS(take_samples(shape(ellipse({0, 0}, 3, 1)), by_feature_size(0.01), job), Cancelled);
+  CHECK_THROWS_AS(take_samples(shape(ellipse_around({0, 0}, 3, 1)), by_feature_size(0.01), job), Cancelled);
 }
 
 TEST_CASE("a curve through samples passes through each of them, and has its vertices there") {

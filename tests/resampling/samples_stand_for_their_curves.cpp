@@ -6,7 +6,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -17,13 +16,16 @@
 #include "core/resampling/repair.h"
 #include "core/resampling/resampling.h"
 #include "core/structures/density/curve_sampling.h"
+#include "tests/curves/curve_parts.h"
 #include "tests/support/parcels.h"
+#include "tests/support/pi.h"
 
 using namespace mes;
+using mes::test::ellipse_around;
+using mes::test::kPi;
+using mes::test::polygon;
 
 namespace {
-
-constexpr double kPi = std::numbers::pi;
 
 struct Segment {
   Vec2 a{}, b{};
@@ -43,16 +45,9 @@ struct KnownShape {
   std::function<double(Vec2)> size;
 };
 
-PlaneCurve ellipse(Vec2 center, double a, double b) {
-  PlaneCurve curve(center + Vec2{a, 0});
-  curve.arc_to({center, {a, 0}, {0, b}, 0.0, 2.0 * kPi}, center + Vec2{a, 0});
-  curve.close();
-  return curve;
-}
-
 KnownShape known_ellipse(double a, double b) {
   const double reach = (a * a - b * b) / a;
-  return {"ellipse " + std::to_string(a), {.curves = {ellipse({0, 0}, a, b)}}, [reach](Vec2 p) {
+  return {"ellipse " + std::to_string(a), {.curves = {ellipse_around({0, 0}, a, b)}}, [reach](Vec2 p) {
             return distance_to({{-reach, 0}, {reach, 0}}, p);
           }};
 }
@@ -83,13 +78,16 @@ KnownShape known_rectangle(double w, double h, double r) {
 std::vector<KnownShape> known_shapes() {
   std::vector<KnownShape> out;
   for (const double a : {1.2, 2.0, 3.0, 8.0}) out.push_back(known_ellipse(a, 1.0));
-  out.push_back({"circle", {.curves = {ellipse({1, 2}, 2, 2)}}, [](Vec2) { return 2.0; }});
+  out.push_back({"circle", {.curves = {ellipse_around({1, 2}, 2, 2)}}, [](Vec2) { return 2.0; }});
   out.push_back({"stadium", {.curves = {rounded_rectangle(3, 1, 1)}}, [](Vec2) { return 1.0; }});
   out.push_back(known_rectangle(2, 1, 0.5));
   out.push_back(known_rectangle(3, 2, 0.1));
-  out.push_back({"annulus", {.curves = {ellipse({0, 0}, 3, 3), ellipse({0, 0}, 1, 1)}}, [](Vec2) { return 1.0; }});
-  out.push_back(
-      {"thin annulus", {.curves = {ellipse({0, 0}, 3, 3), ellipse({0, 0}, 2.9, 2.9)}}, [](Vec2) { return 0.05; }});
+  out.push_back({"annulus", {.curves = {ellipse_around({0, 0}, 3, 3), ellipse_around({0, 0}, 1, 1)}}, [](Vec2) {
+                   return 1.0;
+                 }});
+  out.push_back({"thin annulus",
+                 {.curves = {ellipse_around({0, 0}, 3, 3), ellipse_around({0, 0}, 2.9, 2.9)}},
+                 [](Vec2) { return 0.05; }});
   return out;
 }
 
@@ -147,13 +145,6 @@ TEST_CASE("the epsilon that is said of samples of known shapes is a bound, and n
 }
 
 namespace {
-
-PlaneCurve polygon(const std::vector<Vec2>& points) {
-  PlaneCurve curve(points.front());
-  for (std::size_t i = 1; i < points.size(); ++i) curve.line_to(points[i]);
-  curve.close();
-  return curve;
-}
 
 /// Samples of curves by a rule, as a file that is opened has them.
 SampleData opened(const CurveSet& curves, const SamplingRequest& request) {
