@@ -36,7 +36,7 @@ std::vector<std::string> cells_of(const std::string& line) {
   return out;
 }
 
-CellsByValue table_of(const std::string& csv) {
+CellsByValue cells_by_value(const std::string& csv) {
   std::istringstream in(csv);
   std::string line;
   REQUIRE(std::getline(in, line));
@@ -52,7 +52,7 @@ CellsByValue table_of(const std::string& csv) {
   return out;
 }
 
-std::optional<Expected<std::string>> wait_for(SweepDesk& desk) {
+std::optional<Expected<std::string>> wait_for_sweep(SweepDesk& desk) {
   while (desk.is_under_way())
     if (auto done = desk.poll()) return done;
   return std::nullopt;
@@ -74,7 +74,7 @@ TEST_CASE("a table has a line for each value, the same aside as at once") {
   SweepDesk desk([] {});
   CHECK_FALSE(desk.poll().has_value());
   desk.begin(sweep_of_square(2));
-  const auto aside = wait_for(desk);
+  const auto aside = wait_for_sweep(desk);
   REQUIRE(aside.has_value());
   REQUIRE(aside->has_value());
   CHECK(**aside == *text);
@@ -97,7 +97,7 @@ TEST_CASE("a table holds what only some of its values have, whichever comes firs
     JobControl job;
     const auto text = sweep_as_csv(sweep, {}, job);
     REQUIRE(text.has_value());
-    return table_of(*text);
+    return cells_by_value(*text);
   };
   CellsByValue up = between(1.0, 1.5);
   CellsByValue down = between(1.5, 1.0);
@@ -113,7 +113,7 @@ TEST_CASE("a sweep that is given up brings nothing, and the next one brings its 
   CHECK_FALSE(desk.is_under_way());
   CHECK_FALSE(desk.poll().has_value());
   desk.begin(sweep_of_square(1));
-  const auto done = wait_for(desk);
+  const auto done = wait_for_sweep(desk);
   REQUIRE(done.has_value());
   REQUIRE(done->has_value());
   CHECK(std::ranges::count(**done, '\n') == 3);

@@ -14,7 +14,7 @@ using namespace mes;
 
 namespace {
 
-PersistenceTable table_of(const SampleData& data) {
+PersistenceTable table_of_samples(const SampleData& data) {
   JobControl job;
   auto out = persistence_table_of({data}, job);
   REQUIRE(out.has_value());
@@ -31,7 +31,7 @@ SampleData ring(std::size_t count, std::uint64_t seed) {
   return out;
 }
 
-void wait_for(PersistenceDesk& desk, std::uint64_t document, const SampleData& data) {
+void wait_for_table(PersistenceDesk& desk, std::uint64_t document, const SampleData& data) {
   do desk.follow(document, [&] { return PersistenceInput{data}; });
   while (!desk.is_current());
 }
@@ -39,7 +39,7 @@ void wait_for(PersistenceDesk& desk, std::uint64_t document, const SampleData& d
 }  // namespace
 
 TEST_CASE("the longest class comes first, and a ring has one long hole in its middle") {
-  const PersistenceTable table = table_of(ring(400, 1));
+  const PersistenceTable table = table_of_samples(ring(400, 1));
   REQUIRE(table.rows.size() > 400);
   CHECK(std::isinf(table.rows[0].death));
   CHECK_FALSE(table.rows[0].has_edge);
@@ -57,7 +57,7 @@ TEST_CASE("the longest class comes first, and a ring has one long hole in its mi
 }
 
 TEST_CASE("the outline of a hole is closed, holds its edge and goes around its centre") {
-  const PersistenceTable table = table_of(ring(400, 2));
+  const PersistenceTable table = table_of_samples(ring(400, 2));
   std::size_t seen = 0;
   for (const PersistenceRow& row : table.rows) {
     const auto outline = outline_of(table, row);
@@ -88,7 +88,7 @@ TEST_CASE("the outline of a hole is closed, holds its edge and goes around its c
 }
 
 TEST_CASE("a class is found by its places") {
-  const PersistenceTable table = table_of({.positions = {{0, 0}, {4, 0}, {4, 4}, {0, 4.5}}});
+  const PersistenceTable table = table_of_samples({.positions = {{0, 0}, {4, 0}, {4, 4}, {0, 4.5}}});
   const auto hole = std::ranges::find(table.rows, true, &PersistenceRow::is_hole);
   REQUIRE(hole != table.rows.end());
   const auto number = static_cast<std::size_t>(hole - table.rows.begin());
@@ -97,17 +97,17 @@ TEST_CASE("a class is found by its places") {
   const auto at_sample = row_near(table, {4.0, 4.05}, 0.1);
   REQUIRE(at_sample.has_value());
   CHECK_FALSE(row_near(table, {100.0, 100.0}, 0.1).has_value());
-  CHECK_FALSE(row_near(table_of({}), {0.0, 0.0}, 1.0).has_value());
+  CHECK_FALSE(row_near(table_of_samples({}), {0.0, 0.0}, 1.0).has_value());
 }
 
 TEST_CASE("few samples have few classes, and words and CSV say which") {
-  CHECK(table_of({}).rows.empty());
-  CHECK(persistence_as_csv(table_of({})) ==
+  CHECK(table_of_samples({}).rows.empty());
+  CHECK(persistence_as_csv(table_of_samples({})) ==
         "dimension,birth,death,persistence,x,y,edge_x1,edge_y1,edge_x2,edge_y2\n");
-  const PersistenceTable one = table_of({.positions = {{1, 2}, {1, 2}}});
+  const PersistenceTable one = table_of_samples({.positions = {{1, 2}, {1, 2}}});
   REQUIRE(one.rows.size() == 1);
   CHECK(in_words(one.rows[0]) == "component, born at 0, stays");
-  const PersistenceTable right = table_of({.positions = {{0, 0}, {3, 0}, {0, 4}}});
+  const PersistenceTable right = table_of_samples({.positions = {{0, 0}, {3, 0}, {0, 4}}});
   // The hypotenuse comes with the triangle, so no hole lives.
   CHECK(persistence_as_csv(right) ==
         "dimension,birth,death,persistence,x,y,edge_x1,edge_y1,edge_x2,edge_y2\n"
@@ -121,14 +121,14 @@ TEST_CASE("a class stays chosen while it is there, and nothing is chosen by an o
   PersistenceDesk desk([] {});
   SampleData data = ring(200, 3);
   CHECK_FALSE(desk.pick({0.0, 0.0}, 1.0));
-  wait_for(desk, 1, data);
+  wait_for_table(desk, 1, data);
   desk.choose(1);
   const PersistenceRow chosen = desk.table()->rows[1];
   data.positions.push_back({5.0, 5.0});
   desk.follow(2, [&] { return PersistenceInput{data}; });
   CHECK_FALSE(desk.is_current());
   CHECK_FALSE(desk.pick({0.0, 0.0}, 1.0));
-  wait_for(desk, 2, data);
+  wait_for_table(desk, 2, data);
   REQUIRE(desk.chosen().has_value());
   CHECK(desk.table()->rows[*desk.chosen()].place == chosen.place);
   CHECK(desk.pick({50.0, 50.0}, 0.1));

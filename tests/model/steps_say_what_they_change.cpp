@@ -12,7 +12,7 @@ using namespace mes;
 
 namespace {
 
-PersistenceTable table_of(const PersistenceInput& input) {
+PersistenceTable table_of_input(const PersistenceInput& input) {
   JobControl job;
   auto out = persistence_table_of(input, job);
   REQUIRE(out.has_value());
@@ -40,8 +40,8 @@ TEST_CASE(
     "components are joined, holes closed and filled in the step that reaches them, also where it hits them exactly") {
   for (const bool are_balls : {false, true}) {
     CAPTURE(are_balls);
-    const PersistenceTable table = table_of(are_balls ? PersistenceInput{square_of_balls(), GrowthOf::own}
-                                                      : PersistenceInput{{.positions = kSquare}});
+    const PersistenceTable table = table_of_input(are_balls ? PersistenceInput{square_of_balls(), GrowthOf::own}
+                                                            : PersistenceInput{{.positions = kSquare}});
     // All sides come at radius 1, the inside at the root of 2.
     const auto growing = step_events_of(range_of("alpha-growing", "alpha-step", 0.25, 0.0, 10), table);
     REQUIRE(growing.size() == 2);
@@ -95,7 +95,7 @@ TEST_CASE("what is alive at a radius is exact for rounded births of balls") {
   for (const double n : {3.0, 5.0, 7.0, 11.0, 13.0}) {
     SampleData data;
     for (const Vec2 p : {Vec2{0.0, 0.0}, Vec2{2.0 / n, 0.0}}) data.balls.push_back({p, 0.0});
-    const PersistenceTable table = table_of({data, GrowthOf::own});
+    const PersistenceTable table = table_of_input({data, GrowthOf::own});
     REQUIRE(table.joins.size() == 1);
     // Two balls of radius 0 meet at half their distance, which is a double.
     const double meet = 0.5 * (2.0 / n);
