@@ -22,11 +22,11 @@ using namespace mes::test;
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kLayers{"alpha-disks",    "alpha-triangles",  "alpha-edges",
-                                                  "alpha-boundary", "alpha-components", "alpha-holes"};
+constexpr std::array<std::string_view, 6> kAlphaLayers{"alpha-disks",    "alpha-triangles",  "alpha-edges",
+                                                       "alpha-boundary", "alpha-components", "alpha-holes"};
 
 void show_alpha(Workbench& bench) {
-  bench.show({kLayers[0], kLayers[1], kLayers[2], kLayers[3], kLayers[4], kLayers[5]});
+  bench.show({kAlphaLayers[0], kAlphaLayers[1], kAlphaLayers[2], kAlphaLayers[3], kAlphaLayers[4], kAlphaLayers[5]});
 }
 
 ComputationSettings at_radius(double radius) {
@@ -52,7 +52,7 @@ mpq_class enclosing_square(Vec2 a, Vec2 b, Vec2 c) {
 }
 
 /// Of the Cech complex of all points; values are squares of radii.
-std::vector<ExactBar> bars_of_cech(const std::vector<Vec2>& points) {
+std::vector<ExactBar> cech_bars_of_points(const std::vector<Vec2>& points) {
   const auto value = [&points](auto... corners) -> mpq_class {
     if constexpr (sizeof...(corners) == 1)
       return 0;
@@ -71,7 +71,7 @@ struct RoundBar {
   friend auto operator<=>(const RoundBar&, const RoundBar&) = default;
 };
 
-std::vector<RoundBar> bars_of(const Workbench& bench) {
+std::vector<RoundBar> round_bars_of(const Workbench& bench) {
   const auto& filtration = bench.get<AlphaFiltration>();
   std::vector<RoundBar> out;
   for (const AlphaFiltration::Class& one : filtration.classes())
@@ -113,8 +113,8 @@ TEST_CASE("births and deaths are those of the Cech complex") {
     const std::vector<Vec2> points = random_points(count, round % 3 == 0 ? 0 : 2 + round % 5, rng);
     Workbench bench(points);
     show_alpha(bench);
-    const std::vector<ExactBar> expected = bars_of_cech(distinct(points));
-    const std::vector<RoundBar> found = bars_of(bench);
+    const std::vector<ExactBar> expected = cech_bars_of_points(distinct(points));
+    const std::vector<RoundBar> found = round_bars_of(bench);
     INFO("round " << round);
     REQUIRE(found.size() == expected.size());
     for (std::size_t i = 0; i < found.size(); ++i) {
@@ -213,7 +213,7 @@ TEST_CASE("radii are rounded up to the next double") {
 TEST_CASE("a circle is one hole until it fills, and a lattice has a hole in each cell") {
   Workbench circle(lattice_circle().positions);
   show_alpha(circle);
-  std::vector<RoundBar> holes = bars_of(circle);
+  std::vector<RoundBar> holes = round_bars_of(circle);
   std::erase_if(holes, [](const RoundBar& bar) { return bar.dimension == 0; });
   REQUIRE(holes.size() == 1);
   CHECK(holes[0].death == 65.0);
@@ -221,7 +221,7 @@ TEST_CASE("a circle is one hole until it fills, and a lattice has a hole in each
 
   Workbench lattice(integer_lattice(6).positions);
   show_alpha(lattice);
-  for (const RoundBar& bar : bars_of(lattice)) {
+  for (const RoundBar& bar : round_bars_of(lattice)) {
     CHECK(bar.birth == (bar.dimension == 0 ? 0.0 : 0.5));
     if (bar.death >= 0.0) CHECK(bar.death == (bar.dimension == 0 ? 0.5 : std::sqrt(0.5)));
   }
@@ -241,7 +241,7 @@ TEST_CASE("of a noisy ring one hole lives long") {
   Workbench bench(points);
   show_alpha(bench);
   std::vector<double> lives;
-  for (const RoundBar& bar : bars_of(bench))
+  for (const RoundBar& bar : round_bars_of(bench))
     if (bar.dimension == 1) lives.push_back(bar.death - bar.birth);
   std::ranges::sort(lives, std::greater());
   REQUIRE(lives.size() > 10);
@@ -303,11 +303,11 @@ TEST_CASE("places, order and size change no rank and no class") {
     std::vector<Vec2> points = random_points(120, grid == 0 ? 1 << 20 : grid, rng);
     Workbench original(points);
     show_alpha(original);
-    const std::vector<RoundBar> bars = bars_of(original);
+    const std::vector<RoundBar> bars = round_bars_of(original);
     std::ranges::reverse(points);
     Workbench reversed(points);
     show_alpha(reversed);
-    CHECK(bars_of(reversed) == bars);
+    CHECK(round_bars_of(reversed) == bars);
     const auto arcs_at = [](Workbench& bench, double radius) {
       bench.choose(at_radius(radius));
       const auto arcs = bench.instances("alpha-boundary", PrimitiveKind::arc);
@@ -330,7 +330,7 @@ TEST_CASE("places, order and size change no rank and no class") {
         bar.birth *= scale;
         if (bar.death >= 0.0) bar.death *= scale;
       }
-      CHECK(bars_of(scaled) == expected);
+      CHECK(round_bars_of(scaled) == expected);
       std::vector<double> scaled_arcs = arcs;
       for (double& x : scaled_arcs) x *= scale;
       CHECK(arcs_at(scaled, scale * radius) == scaled_arcs);
@@ -338,7 +338,7 @@ TEST_CASE("places, order and size change no rank and no class") {
     for (Vec2& p : points) p = p + Vec2{12345.0, -777.0};
     Workbench moved(points);
     show_alpha(moved);
-    CHECK(bars_of(moved) == bars);
+    CHECK(round_bars_of(moved) == bars);
   }
 }
 
@@ -460,8 +460,8 @@ TEST_CASE("edits and changes of the radius leave what a fresh computation has") 
       Workbench fresh(reversed);
       show_alpha(fresh);
       fresh.choose(settings);
-      REQUIRE(bars_of(bench) == bars_of(fresh));
-      for (const std::string_view layer : kLayers) {
+      REQUIRE(round_bars_of(bench) == round_bars_of(fresh));
+      for (const std::string_view layer : kAlphaLayers) {
         INFO(layer);
         REQUIRE(bench.mirror().digest(find_layer(layer)) == fresh.mirror().digest(find_layer(layer)));
       }

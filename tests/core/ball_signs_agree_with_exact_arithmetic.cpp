@@ -27,11 +27,11 @@ Ball through(double x, double y, double px, double py) {
   return {x, y, (px - x) * (px - x) + (py - y) * (py - y)};
 }
 
-Ball scaled(const Ball& ball, int exponent) {
+Ball scaled_ball(const Ball& ball, int exponent) {
   return {std::ldexp(ball.x, exponent), std::ldexp(ball.y, exponent), std::ldexp(ball.w, 2 * exponent)};
 }
 
-Ball ball_of(int kind, Rng& rng) {
+Ball single_ball(int kind, Rng& rng) {
   const double x = rng.uniform(-1.0, 1.0);
   const double y = rng.uniform(-1.0, 1.0);
   switch (kind) {
@@ -45,7 +45,7 @@ Ball ball_of(int kind, Rng& rng) {
   }
 }
 
-FilteredKernel::Weighted_point_2 point_of(const Ball& ball) {
+FilteredKernel::Weighted_point_2 weighted_point_of(const Ball& ball) {
   return {FilteredKernel::Point_2(ball.x, ball.y), ball.w};
 }
 
@@ -57,7 +57,7 @@ TEST_CASE("signs of balls are those of integers of any size") {
     const int kind = run % 4;
     const int exponent = run % 3 == 0 ? 0 : (run % 3 == 1 ? 150 : -180);
     std::array<Ball, 4> b;
-    for (Ball& ball : b) ball = scaled(ball_of(kind, rng), exponent);
+    for (Ball& ball : b) ball = scaled_ball(single_ball(kind, rng), exponent);
     CAPTURE(run);
     namespace poly = ball_polynomials;
     CHECK(sign_of_orthogonal_radius<FastKernel>(b[0], b[1], b[2]) ==
@@ -73,8 +73,8 @@ TEST_CASE("signs of balls are those of integers of any size") {
     const FastKernel plain;
     const auto ours = kernel.power_side_of_oriented_power_circle_2_object();
     const auto theirs = plain.power_side_of_oriented_power_circle_2_object();
-    CHECK(ours(point_of(b[0]), point_of(b[1]), point_of(b[2]), point_of(b[3])) ==
-          theirs(point_of(b[0]), point_of(b[1]), point_of(b[2]), point_of(b[3])));
+    CHECK(ours(weighted_point_of(b[0]), weighted_point_of(b[1]), weighted_point_of(b[2]), weighted_point_of(b[3])) ==
+          theirs(weighted_point_of(b[0]), weighted_point_of(b[1]), weighted_point_of(b[2]), weighted_point_of(b[3])));
   }
 }
 

@@ -18,7 +18,7 @@ using Ball = BallOf<double>;
 using Raw = CGAL::Regular_triangulation_2<FastKernel>;
 using Ends = std::array<double, 4>;
 
-Ball ball_of(int kind, std::size_t count, Rng& rng) {
+Ball ball_among(int kind, std::size_t count, Rng& rng) {
   const double x = rng.uniform();
   const double y = rng.uniform();
   switch (kind) {
@@ -46,7 +46,7 @@ TEST_CASE("balls are triangulated as by insertion one by one") {
     const std::size_t count = 3 + rng.below(run % 50 == 2 ? 3000 : 60);
     Table<InputSlot, Ball> balls;
     while (balls.size() < count) {
-      balls.push_back(ball_of(kind, count, rng));
+      balls.push_back(ball_among(kind, count, rng));
       if (rng.below(10) == 0) balls.push_back({balls.back().x, balls.back().y, balls.back().w * 0.9});
     }
     JobControl job;

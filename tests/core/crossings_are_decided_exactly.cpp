@@ -14,7 +14,7 @@ using namespace mes;
 
 namespace {
 
-using Rational = RootElement::Rational;
+using RootRational = RootElement::Rational;
 using RootsPoint = RootsKernel::Point_2;
 using Root = RootsKernel::FT;
 
@@ -33,9 +33,9 @@ struct Made {
   std::vector<RootsPoint> points;
 
   void add(const PipelineBall& a, const PipelineBall& b) {
-    const auto p = ball_in<Rational>(a), q = ball_in<Rational>(b);
-    const Rational dx = q.x - p.x, dy = q.y - p.y, dd = dx * dx + dy * dy, s = dd - q.w + p.w;
-    const Rational radicand = 4 * dd * p.w - s * s;
+    const auto p = ball_in<RootRational>(a), q = ball_in<RootRational>(b);
+    const RootRational dx = q.x - p.x, dy = q.y - p.y, dd = dx * dx + dy * dy, s = dd - q.w + p.w;
+    const RootRational radicand = 4 * dd * p.w - s * s;
     if (dd == 0 || radicand < 0) return;
     for (const bool left : {false, true}) {
       const auto kind = radicand == 0 ? CrossingSource::Kind::touch : CrossingSource::Kind::root;

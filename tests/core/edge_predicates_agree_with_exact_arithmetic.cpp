@@ -15,7 +15,7 @@ using namespace mes::test;
 
 namespace {
 
-Vec2 scaled(Vec2 p, int exponent) {
+Vec2 scaled_point(Vec2 p, int exponent) {
   return {std::ldexp(p.x, exponent), std::ldexp(p.y, exponent)};
 }
 Vec2 turned(Vec2 p) {
@@ -55,11 +55,11 @@ std::optional<EdgeCorners> edge_of(const std::array<Vec2, 4>& v, bool hull) {
   return {};
 }
 
-using Point = std::function<Vec2(Rng&)>;
+using PointMaker = std::function<Vec2(Rng&)>;
 
 struct Source {
   const char* name;
-  Point point;
+  PointMaker point;
 };
 
 std::vector<Source> sources() {
@@ -78,9 +78,9 @@ std::vector<Source> sources() {
   return {{"unit square", unit},
           {"small grid", [grid](Rng& rng) { return grid(rng, 5); }},
           {"grid of 2^26", [grid](Rng& rng) { return grid(rng, 1U << 26U); }},
-          {"near the smallest doubles", [unit](Rng& rng) { return scaled(unit(rng), -996); }},
-          {"denormals", [grid](Rng& rng) { return scaled(grid(rng, 40), -1074); }},
-          {"near the largest doubles", [unit](Rng& rng) { return scaled(unit(rng), 1023); }},
+          {"near the smallest doubles", [unit](Rng& rng) { return scaled_point(unit(rng), -996); }},
+          {"denormals", [grid](Rng& rng) { return scaled_point(grid(rng, 40), -1074); }},
+          {"near the largest doubles", [unit](Rng& rng) { return scaled_point(unit(rng), 1023); }},
           {"where the static filter begins", [unit](Rng& rng) { return 1e-70 * unit(rng); }},
           {"where the static filter ends", [unit](Rng& rng) { return 0.5e70 * unit(rng); }},
           {"at 1e15",
@@ -237,7 +237,7 @@ std::vector<EdgeCorners> all_kinds(std::uint64_t seed, int of_each) {
     for (const EdgeCorners& tie : {right_sum(rng), cocircular(rng), right_hull(rng)}) {
       out.push_back(tie);
       const int exponent = static_cast<int>(rng.below(1900)) - 980;
-      out.push_back(mapped(tie, [exponent](Vec2 p) { return scaled(p, exponent); }));
+      out.push_back(mapped(tie, [exponent](Vec2 p) { return scaled_point(p, exponent); }));
       const EdgeCorners near = one_bit_off(tie, rng);
       if (is_delaunay_edge(near)) out.push_back(near);
       // Not ties any more, but as near to them as rounding leaves it.
@@ -331,7 +331,7 @@ TEST_CASE("the crust test does not see similarities that doubles hold exactly") 
       INFO(text(e));
       const EdgeClass answer = classify_edge(e, counts);
       for (const int exponent : {-1060, -600, -40, 40, 600, 990}) {
-        const EdgeClass image = classify_edge(mapped(e, [=](Vec2 p) { return scaled(p, exponent); }), counts);
+        const EdgeClass image = classify_edge(mapped(e, [=](Vec2 p) { return scaled_point(p, exponent); }), counts);
         REQUIRE(image.is_crust == answer.is_crust);
         REQUIRE(image.is_cocircular == answer.is_cocircular);
       }

@@ -16,51 +16,51 @@ using namespace mes;
 namespace {
 
 using Rational = CGAL::Exact_rational;
-struct Point {
+struct RationalPoint {
   Rational x, y;
 };
-Rational squared_distance(const Point& a, const Point& b) {
+Rational squared_distance(const RationalPoint& a, const RationalPoint& b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
 /// By definition: the least squared radius of the circles with two of the points for a diameter that enclose the third,
 /// and of the circle through all three.
 Rational squared_radius(const std::array<Vec2, 3>& given) {
-  std::array<Point, 3> p;
+  std::array<RationalPoint, 3> p;
   for (std::size_t i = 0; i < 3; ++i) p[i] = {Rational(given[i].x), Rational(given[i].y)};
   std::optional<Rational> least;
-  const auto take = [&](const Point& center, const Rational& radius) {
-    for (const Point& point : p)
+  const auto take = [&](const RationalPoint& center, const Rational& radius) {
+    for (const RationalPoint& point : p)
       if (squared_distance(point, center) > radius) return;
     if (!least || radius < *least) least = radius;
   };
   for (std::size_t i = 0; i < 3; ++i) {
-    const Point& a = p[i];
-    const Point& b = p[(i + 1) % 3];
+    const RationalPoint& a = p[i];
+    const RationalPoint& b = p[(i + 1) % 3];
     take({(a.x + b.x) / 2, (a.y + b.y) / 2}, squared_distance(a, b) / 4);
   }
   // The centre solves two linear equations.
   const Rational ux = p[1].x - p[0].x, uy = p[1].y - p[0].y, vx = p[2].x - p[0].x, vy = p[2].y - p[0].y;
   const Rational det = ux * vy - uy * vx;
   const Rational u = (ux * ux + uy * uy) / 2, v = (vx * vx + vy * vy) / 2;
-  const Point center{p[0].x + (u * vy - uy * v) / det, p[0].y + (ux * v - u * vx) / det};
+  const RationalPoint center{p[0].x + (u * vy - uy * v) / det, p[0].y + (ux * v - u * vx) / det};
   take(center, squared_distance(center, p[0]));
   return *least;
 }
 
-int sign_of(const Rational& left, const Rational& right) {
+int sign_of_difference(const Rational& left, const Rational& right) {
   return left < right ? -1 : (right < left ? 1 : 0);
 }
 
-void check(const std::array<Vec2, 3>& p, double r) {
+void check_radius(const std::array<Vec2, 3>& p, double r) {
   INFO(p[0].x << ' ' << p[0].y << "  " << p[1].x << ' ' << p[1].y << "  " << p[2].x << ' ' << p[2].y << "  r " << r);
   const Rational limit = Rational(r) * Rational(r);
-  REQUIRE(compare_enclosing_radius(p[0], p[1], p[2], r) == sign_of(squared_radius(p), limit));
+  REQUIRE(compare_enclosing_radius(p[0], p[1], p[2], r) == sign_of_difference(squared_radius(p), limit));
   REQUIRE(compare_enclosing_radius(p[2], p[0], p[1], r) == compare_enclosing_radius(p[0], p[1], p[2], r));
   REQUIRE(compare_enclosing_radius(p[1], p[0], p[2], r) == compare_enclosing_radius(p[0], p[1], p[2], r));
   const Rational half =
       squared_distance({Rational(p[0].x), Rational(p[0].y)}, {Rational(p[1].x), Rational(p[1].y)}) / 4;
-  REQUIRE(compare_half_distance(p[0], p[1], r) == sign_of(half, limit));
+  REQUIRE(compare_half_distance(p[0], p[1], r) == sign_of_difference(half, limit));
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ TEST_CASE("radii are compared with limits as rationals are, near ties and at the
     const double near = std::sqrt(CGAL::to_double(squared_radius(p)));
     for (const double r : {near, std::nextafter(near, 0.0), std::nextafter(near, 1e9), 0.5 * near, 2.0 * near, 0.0,
                            0.5 * distance(p[0], p[1])})
-      check(p, r);
+      check_radius(p, r);
   }
 }
 
@@ -113,13 +113,13 @@ TEST_CASE("a corner is acute, right or obtuse as rationals say, where difference
 
 TEST_CASE("thin, right and far triangles, and limits at the ends of the range") {
   const std::array<Vec2, 3> right{{{0, 0}, {4, 0}, {0, 3}}};
-  check(right, 2.5);
-  check(right, std::nextafter(2.5, 3.0));
-  check({{{0, 0}, {1, 0}, {0.5, 1e-12}}}, 0.5);
-  check({{{0, 0}, {1e-9, 0}, {5e-10, 1}}}, 0.5);
+  check_radius(right, 2.5);
+  check_radius(right, std::nextafter(2.5, 3.0));
+  check_radius({{{0, 0}, {1, 0}, {0.5, 1e-12}}}, 0.5);
+  check_radius({{{0, 0}, {1e-9, 0}, {5e-10, 1}}}, 0.5);
   for (const double unit : {0x1p-500, 0x1p-300, 0x1p300, 0x1p499}) {
     const std::array<Vec2, 3> scaled{{{0, 0}, {0.5 * unit, 0}, {0.25 * unit, 0.375 * unit}}};
-    for (const double r : {0.25 * unit, 0.2708333 * unit, 1.0, 0.0}) check(scaled, r);
+    for (const double r : {0.25 * unit, 0.2708333 * unit, 1.0, 0.0}) check_radius(scaled, r);
   }
   CHECK(compare_half_distance({0, 0}, {2, 0}, -1.0) == 1);
   CHECK(is_right_or_obtuse({0, 0}, {4, 0}, {0, 3}));

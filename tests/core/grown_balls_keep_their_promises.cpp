@@ -7,7 +7,6 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -24,11 +23,11 @@ using namespace mes::test;
 
 namespace {
 
-constexpr std::array<std::string_view, 6> kLayers{"b-alpha-disks",    "b-alpha-triangles",  "b-alpha-edges",
-                                                  "b-alpha-boundary", "b-alpha-components", "b-alpha-holes"};
+constexpr std::array<std::string_view, 6> kGrownLayers{"b-alpha-disks",    "b-alpha-triangles",  "b-alpha-edges",
+                                                       "b-alpha-boundary", "b-alpha-components", "b-alpha-holes"};
 
 void show_grown(Workbench& bench) {
-  bench.show({kLayers[0], kLayers[1], kLayers[2], kLayers[3], kLayers[4], kLayers[5]});
+  bench.show({kGrownLayers[0], kGrownLayers[1], kGrownLayers[2], kGrownLayers[3], kGrownLayers[4], kGrownLayers[5]});
 }
 
 ComputationSettings grown_by(double a) {
@@ -102,7 +101,7 @@ Lowest lowest(const ExactBall& a, const ExactBall& b, const ExactBall& c) {
 }
 
 /// Of the Cech complex of all balls; values are powers.
-std::vector<ExactBar> bars_of_cech(const std::vector<ExactBall>& balls) {
+std::vector<ExactBar> cech_bars_of_balls(const std::vector<ExactBall>& balls) {
   return bars_by_reduction(balls.size(), [&balls](auto... corners) { return lowest(balls[corners]...).value; });
 }
 
@@ -120,7 +119,7 @@ struct GrownBar {
   friend auto operator<=>(const GrownBar&, const GrownBar&) = default;
 };
 
-std::vector<GrownBar> bars_of(const BallFiltration& filtration) {
+std::vector<GrownBar> grown_bars_of(const BallFiltration& filtration) {
   std::vector<GrownBar> out;
   for (const BallFiltration::Class& one : filtration.classes()) {
     const bool dies = one.death != BallFiltration::kNever;
@@ -136,7 +135,7 @@ void check_bars(const BallFiltration& filtration, const std::vector<ExactBar>& e
   for (const auto& [dimension, birth, dies, death] : expected)
     wanted.push_back({dimension, growth_of(birth), dies, dies ? growth_of(death) : 0.0});
   std::ranges::sort(wanted);
-  const std::vector<GrownBar> found = bars_of(filtration);
+  const std::vector<GrownBar> found = grown_bars_of(filtration);
   REQUIRE(found.size() == wanted.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     CHECK(found[i].dimension == wanted[i].dimension);
@@ -190,7 +189,7 @@ TEST_CASE("births and deaths of grown balls are those of the weighted Cech compl
     std::vector<ExactBall> as_they_are;
     for (const Disk& ball : balls) as_they_are.push_back(exact(ball));
     INFO("round " << round);
-    check_bars(bench.get<BBallFiltration>(), bars_of_cech(as_they_are));
+    check_bars(bench.get<BBallFiltration>(), cech_bars_of_balls(as_they_are));
     holes += static_cast<std::size_t>(bench.count("b-ball-filtration", "holes"));
     hidden += static_cast<std::size_t>(bench.count("b-ball-filtration", "hidden"));
   }
@@ -211,7 +210,7 @@ TEST_CASE("balls on a line are joined one after the other") {
     }
     const BallBench bench(balls);
     INFO("round " << round);
-    check_bars(bench.get<BBallFiltration>(), bars_of_cech(as_they_are));
+    check_bars(bench.get<BBallFiltration>(), cech_bars_of_balls(as_they_are));
   }
 }
 
@@ -239,7 +238,7 @@ TEST_CASE("inner and polar balls grow as the circumdisks that they are") {
         balls.back().w *= mpq_class(scale) * mpq_class(scale);
       }
       REQUIRE_FALSE(balls.empty());
-      check_bars(filtration, bars_of_cech(balls));
+      check_bars(filtration, cech_bars_of_balls(balls));
     };
     check(bench.get<ABallFiltration>(), settings[Parameter::a_scale]);
     check(bench.get<PBallFiltration>(), 1.0);
@@ -402,9 +401,9 @@ TEST_CASE("places, order and size of balls change no class") {
       for (Disk& ball : balls)
         ball = {{std::round(0x1p20 * ball.center.x), std::round(0x1p20 * ball.center.y)},
                 std::round(0x1p18 * ball.radius)};
-    const std::vector<GrownBar> bars = bars_of(BallBench(balls).get<BBallFiltration>());
+    const std::vector<GrownBar> bars = grown_bars_of(BallBench(balls).get<BBallFiltration>());
     std::ranges::reverse(balls);
-    CHECK(bars_of(BallBench(balls).get<BBallFiltration>()) == bars);
+    CHECK(grown_bars_of(BallBench(balls).get<BBallFiltration>()) == bars);
     for (const double scale : {0x1p-300, 0x1p-3, 0x1p10, 0x1p300}) {
       std::vector<Disk> other = balls;
       for (Disk& ball : other) ball = {scale * ball.center, scale * ball.radius};
@@ -413,10 +412,10 @@ TEST_CASE("places, order and size of balls change no class") {
         bar.birth *= scale;
         bar.death *= scale;
       }
-      CHECK(bars_of(BallBench(other).get<BBallFiltration>()) == expected);
+      CHECK(grown_bars_of(BallBench(other).get<BBallFiltration>()) == expected);
     }
     for (Disk& ball : balls) ball.center = ball.center + Vec2{12345.0, -777.0};
-    const std::vector<GrownBar> moved = bars_of(BallBench(balls).get<BBallFiltration>());
+    const std::vector<GrownBar> moved = grown_bars_of(BallBench(balls).get<BBallFiltration>());
     REQUIRE(moved.size() == bars.size());
     for (std::size_t i = 0; i < bars.size(); ++i) {
       CHECK(moved[i].birth == Approx(bars[i].birth).epsilon(1e-11));
@@ -452,8 +451,8 @@ TEST_CASE("edits of balls and changes of their growth leave what a fresh computa
       std::ranges::reverse(reversed);
       BallBench fresh(reversed);
       fresh.choose(settings);
-      REQUIRE(bars_of(bench.get<BBallFiltration>()) == bars_of(fresh.get<BBallFiltration>()));
-      for (const std::string_view layer : kLayers) {
+      REQUIRE(grown_bars_of(bench.get<BBallFiltration>()) == grown_bars_of(fresh.get<BBallFiltration>()));
+      for (const std::string_view layer : kGrownLayers) {
         INFO(layer);
         REQUIRE(bench.mirror().digest(find_layer(layer)) == fresh.mirror().digest(find_layer(layer)));
       }

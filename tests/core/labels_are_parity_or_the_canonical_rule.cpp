@@ -12,6 +12,7 @@
 #include "core/structures/crust/internal/link_cut_forest.h"
 #include "core/structures/crust/labels.h"
 #include "tests/support/exact_geometry.h"
+#include "tests/support/grid_draws.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_benchmark.h"
 #include "tests/support/shapes_degenerate.h"
@@ -22,18 +23,10 @@ using namespace mes::test;
 
 namespace {
 
-struct Input {
+struct LabelInput {
   std::string name;
   std::vector<Vec2> positions;
 };
-
-std::vector<Vec2> grid_draws(std::size_t n, std::uint64_t size, std::uint64_t seed) {
-  Rng rng(seed);
-  std::vector<Vec2> out;
-  for (std::size_t i = 0; i < n; ++i)
-    out.push_back({static_cast<double>(rng.below(size)), static_cast<double>(rng.below(size))});
-  return out;
-}
 
 // Lengths of one and of eight, so that many an edge is as long as a long one may just not be.
 Vec2 pair_place(Rng& rng) {
@@ -84,7 +77,7 @@ std::vector<Vec2> both(std::vector<Vec2> a, const std::vector<Vec2>& b) {
 }
 
 // What a hand sprays: no stroke of it closes anything.
-std::vector<Input> open_strokes() {
+std::vector<LabelInput> open_strokes() {
   return {
       {"wave", stroke(wave, 19.0, 0.0, 1)},
       {"flat wave", stroke(flat_wave, 19.0, 0.5, 1)},
@@ -97,8 +90,8 @@ std::vector<Input> open_strokes() {
       {"dashed wave", both(stroke(wave, 6.0, 0.5, 7), stroke([](double t) { return wave(t + 6.5); }, 6.0, 0.5, 8))}};
 }
 
-std::vector<Input> inputs() {
-  std::vector<Input> out;
+std::vector<LabelInput> inputs() {
+  std::vector<LabelInput> out;
   for (const TestShape& shape : oracle_shapes(0.45, {0.3, 0.2, 7})) out.push_back({shape.name, shape.data.positions});
   for (DegenerateInput& input : degenerate_inputs()) out.push_back({input.name, std::move(input.positions)});
   for (const std::size_t n : {220U, 300U}) out.push_back({"smooth curve", benchmark_curve(n)});
@@ -110,7 +103,7 @@ std::vector<Input> inputs() {
     out.push_back({"duplicates", duplicate_heavy(200, seed)});
     out.push_back({"large grid", grid_draws(80, 1U << 20U, 20 + seed)});
   }
-  for (Input& input : open_strokes()) out.push_back(std::move(input));
+  for (LabelInput& input : open_strokes()) out.push_back(std::move(input));
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     out.push_back({"rough wave", stroke(wave, 15.7, 4.0, seed)});
     out.push_back({"rough spiral", stroke(spiral, 15.7, 4.0, seed)});
@@ -394,7 +387,7 @@ std::set<PlaceEdge> conflicts_of(const Workbench& bench) {
 TEST_CASE("without odd samples a face is inside exactly if its circumcentre is inside the curve") {
   int closed_inputs = 0;
   int inside_faces = 0;
-  for (const Input& input : inputs()) {
+  for (const LabelInput& input : inputs()) {
     INFO(input.name);
     const Workbench bench(input.positions);
     const auto& delaunay = bench.get<Delaunay>();
@@ -426,7 +419,7 @@ TEST_CASE("without odd samples a face is inside exactly if its circumcentre is i
 
 TEST_CASE("with odd samples the conflicts are those of the canonical rule") {
   int with_conflicts = 0;
-  for (const Input& input : inputs()) {
+  for (const LabelInput& input : inputs()) {
     const Workbench bench(input.positions);
     if (bench.get<Delaunay>().dimension() < 2) continue;
     INFO(input.name << ", " << bench.get<OneStepCrust>().odd_count() << " odd");
@@ -440,7 +433,7 @@ TEST_CASE("with odd samples the conflicts are those of the canonical rule") {
 }
 
 TEST_CASE("an open stroke has no inside") {
-  for (const Input& input : open_strokes()) {
+  for (const LabelInput& input : open_strokes()) {
     INFO(input.name);
     const Workbench bench(input.positions);
     const auto& delaunay = bench.get<Delaunay>();
@@ -476,7 +469,7 @@ TEST_CASE("beside an open stroke a closed curve keeps its inside, and a gap is c
 
 TEST_CASE("the rule also holds after edits, one after the other") {
   Rng rng(3);
-  const std::vector<Input> starts = {
+  const std::vector<LabelInput> starts = {
       {"noise", noisy_curve(90)},
       {"lattice", grid_draws(40, 7, 1)},
       {"wave", stroke(wave, 9.0, 1.0, 1)},
@@ -484,7 +477,7 @@ TEST_CASE("the rule also holds after edits, one after the other") {
       {"spiral", stroke(spiral, 9.0, 1.5, 3)},
       {"pairs eight apart", pairs_eight_apart(50, 4)},
       {"stroke in a circle", both(stroke(circle, 6.26, 0.0, 1), stroke(flat_wave, 1.2, 0.5, 1))}};
-  for (const Input& start : starts) {
+  for (const LabelInput& start : starts) {
     const bool lattice = start.name == "lattice";
     const bool in_pairs = start.name == "pairs eight apart";
     Workbench bench(start.positions);

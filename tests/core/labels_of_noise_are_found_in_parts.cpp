@@ -11,6 +11,7 @@
 #include "core/structures/crust/internal/open_strokes.h"
 #include "core/structures/crust/internal/spanning_tree.h"
 #include "core/structures/crust/labels.h"
+#include "tests/support/grid_draws.h"
 #include "tests/support/shapes_benchmark.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"
@@ -24,14 +25,6 @@ struct Input {
   std::string name;
   std::vector<Vec2> positions;
 };
-
-std::vector<Vec2> grid_draws(std::size_t n, std::uint64_t size, std::uint64_t seed) {
-  Rng rng(seed);
-  std::vector<Vec2> out;
-  for (std::size_t i = 0; i < n; ++i)
-    out.push_back({static_cast<double>(rng.below(size)), static_cast<double>(rng.below(size))});
-  return out;
-}
 
 // Three arches with jitter, some of them open at their ends.
 std::vector<Vec2> jittery_waves(double jitter, std::uint64_t seed) {

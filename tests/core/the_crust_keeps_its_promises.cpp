@@ -9,6 +9,7 @@
 #include "core/base/rng.h"
 #include "core/structures/crust/one_step_crust.h"
 #include "tests/support/exact_geometry.h"
+#include "tests/support/grid_draws.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_benchmark.h"
 #include "tests/support/shapes_degenerate.h"
@@ -19,22 +20,14 @@ using namespace mes::test;
 
 namespace {
 
-struct Input {
+struct CrustInput {
   std::string name;
   std::vector<Vec2> positions;
 };
 
-std::vector<Vec2> grid_draws(std::size_t n, std::uint64_t size, std::uint64_t seed) {
-  Rng rng(seed);
-  std::vector<Vec2> out;
-  for (std::size_t i = 0; i < n; ++i)
-    out.push_back({static_cast<double>(rng.below(size)), static_cast<double>(rng.below(size))});
-  return out;
-}
-
 // Integers below 2^20 in size, so that their similar images are integers in doubles too.
-std::vector<Input> integer_inputs() {
-  std::vector<Input> out;
+std::vector<CrustInput> integer_inputs() {
+  std::vector<CrustInput> out;
   for (std::size_t k = 2; k <= 6; ++k) out.push_back({"lattice", integer_lattice(k).positions});
   out.push_back({"lattice circle", lattice_circle().positions});
   for (int i = 1; i <= 3; ++i) out.push_back({"foreign crossing", foreign_crossing(i).positions});
@@ -46,8 +39,8 @@ std::vector<Input> integer_inputs() {
   return out;
 }
 
-std::vector<Input> other_inputs() {
-  std::vector<Input> out;
+std::vector<CrustInput> other_inputs() {
+  std::vector<CrustInput> out;
   out.push_back({"smooth curve", benchmark_curve(150)});
   out.push_back({"rough curve", rough_curve(150)});
   out.push_back({"noisy curve", noisy_curve(120)});
@@ -57,9 +50,9 @@ std::vector<Input> other_inputs() {
   return out;
 }
 
-std::vector<Input> all_inputs() {
-  std::vector<Input> out = integer_inputs();
-  for (Input& input : other_inputs()) out.push_back(std::move(input));
+std::vector<CrustInput> all_inputs() {
+  std::vector<CrustInput> out = integer_inputs();
+  for (CrustInput& input : other_inputs()) out.push_back(std::move(input));
   for (DegenerateInput& input : degenerate_inputs()) out.push_back({input.name, std::move(input.positions)});
   return out;
 }
@@ -226,7 +219,7 @@ IndexEdges crust_of_samples_and_voronoi_vertices(const std::vector<Vec2>& points
 }  // namespace
 
 TEST_CASE("the crust is what its definition says, for all pairs of samples") {
-  for (const Input& input : all_inputs()) {
+  for (const CrustInput& input : all_inputs()) {
     const std::vector<Vec2> points = distinct(input.positions);
     if (points.size() > 260) continue;
     INFO(input.name << ", " << points.size() << " places");
@@ -236,7 +229,7 @@ TEST_CASE("the crust is what its definition says, for all pairs of samples") {
 }
 
 TEST_CASE("crust edges are Gabriel edges and cross their duals") {
-  for (const Input& input : all_inputs()) {
+  for (const CrustInput& input : all_inputs()) {
     INFO(input.name);
     const Workbench bench(input.positions);
     const std::vector<Vec2> points = distinct(input.positions);
@@ -291,12 +284,12 @@ TEST_CASE("lattices have all their unit edges, whatever the order of insertion")
 
 TEST_CASE("cocircular sets do not remember how they came about") {
   Rng rng(2);
-  std::vector<Input> inputs;
+  std::vector<CrustInput> inputs;
   for (std::size_t k = 3; k <= 5; ++k) inputs.push_back({"lattice", integer_lattice(k).positions});
   inputs.push_back({"lattice circle", lattice_circle().positions});
   for (std::uint64_t seed = 1; seed <= 12; ++seed)
     inputs.push_back({"grid draws", distinct(grid_draws(20, 6, 300 + seed))});
-  for (Input& input : inputs) {
+  for (CrustInput& input : inputs) {
     INFO(input.name);
     const Workbench batch(input.positions);
     const GeometryState expected = batch.state();
@@ -333,7 +326,7 @@ TEST_CASE("the crust goes along with similarities") {
     return points;
   };
   for (const bool integers : {true, false}) {
-    for (const Input& input : integers ? integer_inputs() : other_inputs()) {
+    for (const CrustInput& input : integers ? integer_inputs() : other_inputs()) {
       INFO(input.name);
       const std::vector<Vec2> points = distinct(input.positions);
       const IndexEdges expected = crust_of(points);
@@ -353,7 +346,7 @@ TEST_CASE("the crust goes along with similarities") {
 }
 
 TEST_CASE("the crust contains the crust of Amenta, Bern and Eppstein") {
-  std::vector<Input> inputs;
+  std::vector<CrustInput> inputs;
   for (std::size_t k = 2; k <= 4; ++k) inputs.push_back({"lattice", integer_lattice(k).positions});
   for (int i = 1; i <= 3; ++i) inputs.push_back({"foreign crossing", foreign_crossing(i).positions});
   for (std::uint64_t seed = 1; seed <= 40; ++seed) {
@@ -365,7 +358,7 @@ TEST_CASE("the crust contains the crust of Amenta, Bern and Eppstein") {
   inputs.push_back({"square", uniform_square(18)});
   std::size_t contained = 0;
   std::size_t more = 0;
-  for (const Input& input : inputs) {
+  for (const CrustInput& input : inputs) {
     INFO(input.name);
     const std::vector<Vec2> points = distinct(input.positions);
     const IndexEdges global = crust_of_samples_and_voronoi_vertices(points);

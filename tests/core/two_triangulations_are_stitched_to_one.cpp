@@ -59,7 +59,8 @@ std::set<std::array<double, 4>> edges_of(const Triangulation& triangulation) {
   return edges;
 }
 
-void check(const std::vector<Vec2>& points, std::size_t least, std::uint64_t seed, bool diagonals_are_unique) {
+void check_stitching(const std::vector<Vec2>& points, std::size_t least, std::uint64_t seed,
+                     bool diagonals_are_unique) {
   Rng rng(seed);
   Triangulation pieces;
   stitch_pieces(pieces, points, least, rng);
@@ -82,9 +83,9 @@ void check(const std::vector<Vec2>& points, std::size_t least, std::uint64_t see
 TEST_CASE("pieces of random points and of curves are stitched") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     for (const std::size_t least : std::array<std::size_t, 3>{4, 12, 150}) {
-      check(uniform_square(300, seed), least, seed, true);
-      check(benchmark_curve(400, seed), least, seed, true);
-      check(noisy_curve(400, seed), least, seed, true);
+      check_stitching(uniform_square(300, seed), least, seed, true);
+      check_stitching(benchmark_curve(400, seed), least, seed, true);
+      check_stitching(noisy_curve(400, seed), least, seed, true);
     }
   }
 }
@@ -98,12 +99,12 @@ TEST_CASE("pieces of points in few places are stitched") {
     std::vector<Vec2> points;
     for (std::uint64_t i = 0; i < 10 + rng.below(100); ++i)
       points.push_back({static_cast<double>(rng.below(width)), static_cast<double>(rng.below(height))});
-    for (const std::size_t least : std::array<std::size_t, 2>{4, 20}) check(points, least, seed, false);
+    for (const std::size_t least : std::array<std::size_t, 2>{4, 20}) check_stitching(points, least, seed, false);
   }
 }
 
 TEST_CASE("pieces of degenerate inputs are stitched") {
   for (const DegenerateInput& input : degenerate_inputs())
     for (std::uint64_t seed = 1; seed <= 3; ++seed)
-      if (!input.positions.empty()) check(input.positions, 4, seed, false);
+      if (!input.positions.empty()) check_stitching(input.positions, 4, seed, false);
 }
