@@ -5,7 +5,7 @@
 
 namespace mes {
 
-void Frame::renew(std::span<const Vec2> nodes, std::size_t first, std::size_t moved) {
+void NodeCurve::renew(std::span<const Vec2> nodes, std::size_t first, std::size_t moved) {
   const auto each = [&](std::size_t before, std::size_t after, std::size_t size, auto use) {
     const std::size_t all = moved + before + after;
     if (!is_closed_) {
@@ -45,7 +45,7 @@ void Frame::renew(std::span<const Vec2> nodes, std::size_t first, std::size_t mo
   });
 }
 
-Vec2 Frame::normal(std::size_t k) const {
+Vec2 NodeCurve::normal(std::size_t k) const {
   if (!is_closed_ && k == 0) return perpendicular(chords_.front().along);
   if (!is_closed_ && k == chords_.size()) return perpendicular(chords_.back().along);
   const Vec2 along = chords_[k].size * before(k).along + before(k).size * chords_[k].along;
@@ -59,8 +59,8 @@ double length_of(std::span<const Vec2> nodes, bool is_closed) {
 }
 
 std::vector<Vec2> respaced(std::span<const Vec2> nodes, bool is_closed, std::size_t count) {
-  const Frame frame(nodes, is_closed);
-  const std::vector<Chord>& chords = frame.chords();
+  const NodeCurve curve(nodes, is_closed);
+  const std::vector<Chord>& chords = curve.chords();
   double all = 0.0;
   for (const Chord& chord : chords) all += chord.size;
   std::vector<Vec2> out;

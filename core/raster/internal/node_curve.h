@@ -30,10 +30,10 @@ struct Chord {
 };
 
 /// All chords, with what a circle through each node and its neighbours says.
-class Frame {
+class NodeCurve {
  public:
-  Frame() = default;
-  Frame(std::span<const Vec2> nodes, bool is_closed) { reset(nodes, is_closed); }
+  NodeCurve() = default;
+  NodeCurve(std::span<const Vec2> nodes, bool is_closed) { reset(nodes, is_closed); }
 
   void reset(std::span<const Vec2> nodes, bool is_closed) {
     is_closed_ = is_closed;

@@ -187,7 +187,7 @@ class Fit : private Settling {
       bool is_any = false;
       for (std::size_t k = 0; k < split.size(); ++k) {
         const double stiffness = std::max(run_.stiffness[k], run_.stiffness[next(k)]);
-        const bool is_turned = 4.0 * std::abs(frame_.chords()[k].bulge) > most;
+        const bool is_turned = 4.0 * std::abs(curve_.chords()[k].bulge) > most;
         if (!is_turned || cells_of(k) == 1 || stiffness > kMostNodes * apart(k)) continue;
         split[k] = 1;
         is_any = true;
@@ -235,14 +235,14 @@ Run refined(Run run, std::span<const Edge> edges, const EdgeNoise& noise, const 
 
 Run evened(const Run& run) {
   Run out{.cells = run.cells, .is_closed = run.is_closed, .farthest = run.farthest};
-  const Frame frame(run.nodes, run.is_closed);
+  const NodeCurve curve(run.nodes, run.is_closed);
   for (std::size_t k = 0; k < run.nodes.size(); ++k) {
     const std::size_t next = k + 1 < run.nodes.size() ? k + 1 : 0;
     const bool is_last = next == 0;
     const std::size_t parts = is_last ? (run.is_closed ? run.cells - run.at[k] : 1) : run.at[next] - run.at[k];
     for (std::size_t i = 0; i < parts; ++i) {
       const double t = static_cast<double>(i) / static_cast<double>(parts);
-      out.nodes.push_back(i == 0 ? run.nodes[k] : frame.chords()[k].at(t));
+      out.nodes.push_back(i == 0 ? run.nodes[k] : curve.chords()[k].at(t));
       out.at.push_back(run.at[k] + i);
       out.stiffness.push_back(run.stiffness[k] + t * (run.stiffness[next] - run.stiffness[k]));
       out.is_held.push_back(run.is_held[k] && (i == 0 || run.is_held[next]));

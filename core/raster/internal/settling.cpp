@@ -76,7 +76,7 @@ void Settling::begin() {
   misfits_.assign(chord_count(), 0);
   note_chords();
   is_stale_.assign(chord_count(), 1);
-  frame_.reset(run_.nodes, run_.is_closed);
+  curve_.reset(run_.nodes, run_.is_closed);
 }
 
 void Settling::note_chords() {
@@ -111,7 +111,7 @@ bool Settling::place() {
 
 Placed Settling::beside(const Edge& edge, std::size_t at) const {
   constexpr int kMostSteps = 6;
-  const std::vector<Chord>& chords = frame_.chords();
+  const std::vector<Chord>& chords = curve_.chords();
   Placed out;
   bool was_forward = false;
   const Chord* chord = nullptr;
@@ -153,7 +153,7 @@ double Settling::farthest() {
   place();
   double out = 0.0;
   for (std::size_t i = 0; i < placed_.size(); ++i) {
-    const Chord& chord = frame_.chords()[placed_[i].chord];
+    const Chord& chord = curve_.chords()[placed_[i].chord];
     const double away = size_of(chord.from + (placed_[i].t * chord.size) * chord.along - edges_[i].at);
     // Not a number stays so.
     if (!(away <= out)) out = away;
@@ -196,13 +196,13 @@ void Settling::step(int times) {
   constexpr double kMoved = 0.25;
   for (const Stretch& stretch : stretches) {
     for (std::size_t i = 0, k = stretch.first; i < stretch.count; ++i, k = next(k)) {
-      run_.nodes[k] = run_.nodes[k] + offsets_[k] * frame_.normal(k);
+      run_.nodes[k] = run_.nodes[k] + offsets_[k] * curve_.normal(k);
       solved_[k] = run_.stiffness[k];
       // Not a number has moved.
       if (!(std::abs(offsets_[k]) <= kMoved * noise_.one)) make_stale(k);
     }
   }
-  for (const Stretch& stretch : stretches) frame_.renew(run_.nodes, stretch.first, stretch.count);
+  for (const Stretch& stretch : stretches) curve_.renew(run_.nodes, stretch.first, stretch.count);
 }
 
 std::vector<Settling::Stretch> Settling::find_active() {
@@ -313,15 +313,15 @@ void Settling::make_stale(std::size_t node) {
 }
 
 void Settling::add_penalty(StiffSystem& system, std::ptrdiff_t first, std::size_t before) const {
-  const std::vector<Chord>& chords = frame_.chords();
+  const std::vector<Chord>& chords = curve_.chords();
   const std::size_t here = next(before);
   const std::size_t after = next(here);
   constexpr double kLeast = 1e-3;
   const double a = std::max(chords[before].size, kLeast);
   const double b = std::max(chords[here].size, kLeast);
   const double c = std::max(chords[after].size, kLeast);
-  const double bend = frame_.curvature(here);
-  const double next_bend = frame_.curvature(after);
+  const double bend = curve_.curvature(here);
+  const double next_bend = curve_.curvature(after);
   const double in = 2.0 / (a + b);
   const double on = 2.0 / (b + c);
   const double stiffness = std::min(run_.stiffness[here], run_.stiffness[after]);
@@ -387,7 +387,7 @@ bool Settling::call_back() {
     if (k > 0 || run_.is_closed) misfits_[k > 0 ? k - 1 : chord_count() - 1] = 1;
     out = true;
   }
-  if (out) frame_.reset(run_.nodes, run_.is_closed);
+  if (out) curve_.reset(run_.nodes, run_.is_closed);
   return out;
 }
 
@@ -462,7 +462,7 @@ void Settling::remesh(std::vector<char> split, bool are_fine) {
     stale.push_back(is_split || was_split || will_be || is_stale_[k] != 0 ? 1 : 0);
     if (!is_split) continue;
     const std::size_t middle = run_.at[k] + cells_of(k) / 2;
-    finer.nodes.push_back(are_fine ? fine_[middle] : frame_.chords()[k].at(0.5));
+    finer.nodes.push_back(are_fine ? fine_[middle] : curve_.chords()[k].at(0.5));
     finer.at.push_back(middle);
     finer.stiffness.push_back(std::min(run_.stiffness[k], run_.stiffness[next(k)]));
     finer.is_held.push_back(run_.is_held[k] && run_.is_held[next(k)]);
@@ -477,7 +477,7 @@ void Settling::remesh(std::vector<char> split, bool are_fine) {
   misfits_ = std::move(misfits);
   is_active_.assign(run_.nodes.size(), 1);
   note_chords();
-  frame_.reset(run_.nodes, run_.is_closed);
+  curve_.reset(run_.nodes, run_.is_closed);
 }
 
 std::vector<double> walked(std::span<const Vec2> nodes, bool is_closed, std::span<const Edge> edges) {

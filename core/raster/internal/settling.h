@@ -18,7 +18,7 @@
 
 namespace mes {
 
-/// An edge beside a frame.
+/// An edge beside a curve of nodes.
 struct Placed {
   double t = 0.0;
   double offset = 0.0;  // from the curve to the edge
@@ -79,7 +79,7 @@ class Settling {
   double length_ = 0.0;
   double blur_ = 0.0;                // square pixels, of edges that are blurred
   std::vector<std::uint32_t> home_;  // of edges: the cell beside which they are
-  Frame frame_;
+  NodeCurve curve_;
   std::vector<char> is_stale_;  // of chords: they have changed since edges were placed beside them
   std::vector<char> misfits_;   // of chords: beside them is more than noise
   std::vector<Placed> placed_;
