@@ -84,7 +84,8 @@ make_packages() {
       fail "cpack could not make the package"
     }
     configure_program -UMESECINA_ZSH_FOLDER
-    ls "$1"/build/package/*.deb "$1"/build/package/*.tar.xz
+    ls "$1"/build/package/*.deb
+    ls "$1"/build/package/*.tar.xz
   )
 }
 
