@@ -21,7 +21,7 @@ bool has_library(const char* name) {
   return handle != nullptr;
 }
 
-/// What epoxy, which ends the program without them, looks for.
+/// The first library that epoxy would look for in vain, and end the program; empty if there is none.
 std::string missing_library() {
   if (!has_library("libEGL.so.1")) return "there is no libEGL.so.1";
   if (!has_library("libOpenGL.so.0") && !has_library("libGL.so.1")) return "there is no libGL.so.1";

@@ -11,7 +11,7 @@
 
 namespace mes::cli {
 
-/// With spaces between them.
+/// The words with spaces between them.
 std::string joined_words(const std::vector<std::string>& words);
 
 struct Shell {

@@ -5,7 +5,7 @@
 namespace mes {
 
 using DoublePair = double __attribute__((vector_size(2 * sizeof(double))));
-/// What a comparison of two pairs gives: all bits of an element are set where it holds.
+/// The result of a comparison of two pairs: all bits of an element are set where it holds.
 using DoublePairMask = decltype(DoublePair{} < DoublePair{});
 
 inline bool is_any_set(DoublePairMask mask) {

@@ -154,7 +154,7 @@ struct FeatureField::Walk {
     if (!last || out.empty()) return last.has_value();
     std::vector<double> fewer;
     for (int i = 0; i < kSteps; ++i) {
-      // What the last interval lacks, taken from all.
+      // All intervals are made shorter by what the last one lacks.
       const double lacking = (1.0 - *last) / static_cast<double>(out.size());
       if (lacking < kEven) break;
       const double guess = (1.0 - lacking) * high;

@@ -14,7 +14,7 @@
 
 namespace mes {
 
-/// Of one file.
+/// The largest number of bundles in a file.
 inline constexpr std::size_t kMostBundles = 1000;
 
 /// A layer that there is, with the style it has by itself.

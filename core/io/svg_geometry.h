@@ -33,7 +33,7 @@ inline std::string_view svg_link_of_use(pugi::xml_node node) {
 /// Whether an element of this name is a path or a basic shape.
 bool is_svg_shape(std::string_view kind);
 
-/// Reports invalid values to the source, unless it is told to be quiet.
+/// Reads the geometry of elements. Each invalid value becomes a remark of the source, unless `is_quiet` is set.
 class SvgElements {
  public:
   explicit SvgElements(XmlSource& source) : source_(source) {}

@@ -12,7 +12,7 @@ namespace mes::figure {
 
 /// Sides of pictures are whole pixels, at most this many.
 inline constexpr int kMostPixelsOfSide = 32'767;
-/// Of layers that a vector format shows as pictures.
+/// The resolution of layers that a vector format shows as pictures.
 inline constexpr double kDotsPerInch = 300.0;
 
 /// The figure at so many pixels a point; what it does not cover is transparent. Its sides are rounded to whole pixels.

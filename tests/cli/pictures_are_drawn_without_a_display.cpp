@@ -152,7 +152,7 @@ TEST_CASE("without OpenGL pictures end with code 4, and the other commands work"
 }
 
 TEST_CASE("without the libraries of OpenGL pictures end with code 4") {
-  // What is found in their place is no library.
+  // The loader finds text files in place of the libraries, and refuses them.
   const std::string name = GENERATE("libEGL.so.1", "libOpenGL.so.0 libGL.so.1");
   const TemporaryFolder folder;
   std::istringstream names(name);

@@ -7,10 +7,10 @@
 
 namespace mes::test {
 
-/// What jobs of other threads wake, in place of the window.
+/// Jobs of other threads wake it, in place of the window.
 class Bell {
  public:
-  /// To be called by the jobs. The bell outlives them.
+  /// The function that jobs call. The bell outlives them.
   std::function<void()> ring() {
     return [this] {
       ++rings_;

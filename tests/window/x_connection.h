@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a test sees of an X server: its picture, and the names of its windows.
+// Pictures of the screen of an X server, and the names of its windows.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@ struct _XDisplay;
 
 namespace mes::test {
 
-/// To a server that runs as long as this object.
+/// A connection to a server that runs as long as this object.
 class XConnection {
  public:
   /// `display` as in the environment variable DISPLAY.

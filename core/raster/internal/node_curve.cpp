@@ -27,7 +27,7 @@ void NodeCurve::renew(std::span<const Vec2> nodes, std::size_t first, std::size_
     if (!is_closed_ && (k == 0 || k + 1 == count)) return;
     const Chord& in = before(k);
     const Chord& on = chords_[k];
-    // Of the circle through the node and its neighbours.
+    // The curvature of the circle through the node and its neighbours.
     const double across = size_of(in.size * in.along + on.size * on.along);
     bends_[k] = across > 0.0 ? 2.0 * cross(in.along, on.along) / across : 0.0;
   });

@@ -15,7 +15,7 @@ inline double size_of(Vec2 v) {
   return std::sqrt(dot(v, v));  // pixels neither overflow nor vanish
 }
 
-/// What lies between two nodes: the parabola that is nearest to the circle with their mean curvature.
+/// The parabola between two nodes that is nearest to the circle with their mean curvature.
 struct Chord {
   Vec2 from{};
   Vec2 along{};  // of length one
@@ -47,7 +47,7 @@ class NodeCurve {
 
   const std::vector<Chord>& chords() const { return chords_; }
   double curvature(std::size_t k) const { return bends_[k]; }
-  /// Of the circle through the node and its neighbours; at both ends of an open curve of the chord.
+  /// The normal of the circle through the node and its neighbours; at both ends of an open curve that of the chord.
   Vec2 normal(std::size_t k) const;
 
  private:

@@ -328,7 +328,7 @@ class Outliner {
     return join(cut, fine_.nodes, is_good);
   }
 
-  /// From one corner to the next, both nodes of the closed run.
+  /// The run from one corner to the next, both of which are nodes of the closed run.
   struct Fitted {
     std::size_t from = 0;
     std::size_t to = 0;

@@ -18,7 +18,7 @@ struct Residual {
   bool is_new = true;   ///< it has changed since windows were looked at
 };
 
-/// Of the edges before one.
+/// Sums over the edges before one.
 struct ResidualSum {
   double left = 0.0;
   double weight = 0.0;

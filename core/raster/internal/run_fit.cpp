@@ -40,7 +40,7 @@ class Fit : private Settling {
     return std::move(run_);
   }
 
-  /// What is left at the least stiffness.
+  /// Adds the distances of the edges from the curve at the least stiffness.
   void add_noise(std::vector<double>& sizes) {
     begin_evenly(1);
     constexpr int kFirst = 2;

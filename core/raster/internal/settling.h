@@ -42,7 +42,7 @@ class Settling {
   std::size_t cells_of(std::size_t chord) const;
   double cell_size() const { return length_ / static_cast<double>(cells_); }
   double apart(std::size_t chord) const { return cell_size() * static_cast<double>(cells_of(chord)); }
-  /// Of the chords at a node, the shorter.
+  /// The length of the shorter chord at a node.
   double least_apart(std::size_t k) const;
   /// Of a closed run nine tenths of the radius that it would have as a circle: it may still be an ellipse. Were it a circle
   /// up to rounding, each of its samples could be an end of the axis.
@@ -58,7 +58,7 @@ class Settling {
   void step(int times);
   /// The fit at the stiffness that the nodes have.
   void settle();
-  /// From all edges anew.
+  /// Settles from all edges anew.
   void settle_all();
   /// Chords within windows whose mean is more than noise, and beside nodes that went astray, which begin again.
   bool find_misfits();
@@ -67,7 +67,7 @@ class Settling {
   /// Nodes half as far from each other where that is said, and beside it so that no two chords are followed by one of more
   /// than twice their length.
   void remesh(std::vector<char> split, bool are_fine);
-  /// Of all edges from the chords, pixels.
+  /// The largest distance of an edge from its chord, pixels.
   double farthest();
 
   Run run_;
@@ -115,7 +115,7 @@ class Settling {
   void make_stale(std::size_t node);
   /// From the curvature at the node after `before` to that at the next, of unknowns that begin with `before` as `first`.
   void add_penalty(StiffSystem& system, std::ptrdiff_t first, std::size_t before) const;
-  /// What went astray, to where it began; whether anything did.
+  /// Moves nodes that went astray to where they began; true if there were any.
   bool call_back();
   /// Edges of single pixels that stand out from the curve or into it.
   bool find_alone();

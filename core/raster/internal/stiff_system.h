@@ -13,7 +13,7 @@ namespace mes {
 /// solved for any number of right sides.
 class StiffSystem {
  public:
-  /// With nothing added. It keeps its memory.
+  /// Begins again with nothing added, in the same memory.
   void clear(std::size_t count, bool is_closed) {
     rows_.assign(count, {});
     right_.assign(count, 0.0);
