@@ -26,6 +26,20 @@ constexpr int kExponentsApart = 200;
 constexpr std::size_t kGroup = 8;
 constexpr double kGroupWidth = 0.5;
 
+/// In degrees.
+double turn_of(Vec2 before, Vec2 at, Vec2 after) {
+  return 180.0 - angle_at(at, before, after);
+}
+
+/// The turn is less than 20 degrees, which products alone tell; false for some that are.
+bool goes_on_nearly_straight(Vec2 before, Vec2 at, Vec2 after) {
+  constexpr double kLeastCosine = 0.94;
+  const Vec2 in = at - before;
+  const Vec2 out = after - at;
+  const double along = dot(in, out);
+  return along > 0x1p-400 && along * along > kLeastCosine * kLeastCosine * (dot(in, in) * dot(out, out));
+}
+
 }  // namespace
 
 FeatureSize::FeatureSize(Delaunay& delaunay, OneStepCrust& crust)
@@ -87,17 +101,17 @@ std::array<SiteSlot, 2> FeatureSize::crust_neighbours(SiteSlot site) const {
 double FeatureSize::turn_at(SiteSlot site) const {
   if (crust_.degree(site) != 2) return 0.0;
   const auto [a, b] = crust_neighbours(site);
-  return 180.0 - angle_at(delaunay_.site_position(site), delaunay_.site_position(a), delaunay_.site_position(b));
+  return turn_of(delaunay_.site_position(a), delaunay_.site_position(site), delaunay_.site_position(b));
 }
 
 bool FeatureSize::is_exempt(SiteSlot site) const {
   if (crust_.degree(site) != 2) return true;
   static const double kLeast = 2.0 * std::asin(kDenseEpsilon) * 180.0 / std::numbers::pi;
   constexpr double kMoreThanNeighbours = 4.0;
-  const double turn = turn_at(site);
-  if (!(turn > kLeast)) return false;
   const auto [a, b] = crust_neighbours(site);
-  return turn > kMoreThanNeighbours * (turn_at(a) + turn_at(b));
+  if (goes_on_nearly_straight(place_of(a), place_of(site), place_of(b))) return false;
+  const double turn = turn_of(delaunay_.site_position(a), delaunay_.site_position(site), delaunay_.site_position(b));
+  return turn > kLeast && turn > kMoreThanNeighbours * (turn_at(a) + turn_at(b));
 }
 
 bool FeatureSize::ends_at_exempt(EdgeSlot edge) const {
@@ -450,33 +464,32 @@ double FeatureSize::epsilon_or_none(EdgeSlot edge) const {
   return has_epsilon(edge) && !ends_at_exempt(edge) ? epsilon(edge) : -kInfinity;
 }
 
-// A sample is exempt or not by what the crust is at its neighbours and theirs: so what changed at a sample counts for the
-// edges of all that are three steps away along the crust.
-std::vector<EdgeSlot> FeatureSize::edges_to_count_anew() const {
+// A sample is exempt or not by its crust neighbours and theirs: so a site that moved or has another neighbour counts for
+// the edges of all that are two steps away along the crust. One that has lost a crust edge has another degree, or a new one.
+std::vector<EdgeSlot> FeatureSize::edges_to_count_anew() {
   std::vector<EdgeSlot> out = edge_changes_.removed;
-  std::vector<SiteSlot> sites;
-  for (const EdgeSlot edge : edge_changes_.touched) {
-    out.push_back(edge);
-    for (const SiteSlot site : delaunay_.edge(edge).v)
-      if (site != kNoSlot) sites.push_back(site);
-  }
-  const auto make_unique = [](auto& rows) {
-    std::ranges::sort(rows, {}, [](auto row) { return row.index(); });
-    const auto rest = std::ranges::unique(rows);
-    rows.erase(rest.begin(), rest.end());
+  counted_.begin(delaunay_.edge_rows());
+  const auto count = [&](EdgeSlot edge) {
+    if (counted_.insert(edge)) out.push_back(edge);
   };
+  std::ranges::for_each(edge_changes_.touched, count);
+  to_search_.begin(delaunay_.site_rows());
+  searches_.clear();
+  for (const SiteSlot site : crust_.site_changes().touched) queue_search(site);
+  for (const EdgeSlot edge : delaunay_.edge_changes().touched)
+    if (crust_.is_crust(edge))
+      for (const SiteSlot site : delaunay_.edge(edge).v) queue_search(site);
   constexpr int kSteps = 2;
+  std::size_t first = 0;
   for (int step = 0; step <= kSteps; ++step) {
-    make_unique(sites);
-    const std::size_t count = sites.size();
-    for (std::size_t i = 0; i < count; ++i)
-      delaunay_.for_each_edge_at(sites[i], [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
+    const std::size_t end = searches_.size();
+    for (; first < end; ++first)
+      delaunay_.for_each_edge_at(searches_[first], [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
         if (!crust_.is_crust(edge)) return;
-        out.push_back(edge);
-        if (step < kSteps) sites.push_back(other);
+        count(edge);
+        if (step < kSteps) queue_search(other);
       });
   }
-  make_unique(out);
   return out;
 }
 

@@ -89,7 +89,7 @@ class FeatureSize final : public Structure {
   bool ends_at_exempt(EdgeSlot edge) const;
   std::array<SiteSlot, 2> crust_neighbours(SiteSlot site) const;
   double turn_at(SiteSlot site) const;
-  std::vector<EdgeSlot> edges_to_count_anew() const;
+  std::vector<EdgeSlot> edges_to_count_anew();
   bool is_first(EdgeSlot a, EdgeSlot b) const;
   bool is_axis(EdgeSlot edge) const { return delaunay_.edge(edge).is_alive() && !crust_.is_crust(edge); }
   Vec2 place_of(SiteSlot site) const {
@@ -152,6 +152,7 @@ class FeatureSize final : public Structure {
   ChangeSet<SiteSlot> site_changes_;
   ChangeSet<EdgeSlot> edge_changes_;
   SlotMarks<SiteSlot> to_search_;
+  SlotMarks<EdgeSlot> counted_;
   std::vector<SiteSlot> searches_;
   std::vector<AxisLine> new_lines_;
 };
