@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one header that names CGAL kernels.
+// The kernels of CGAL; roots_kernel.h has one more, with square roots.
 #pragma once
 
-#include <CGAL/CORE_Expr.h>
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Lazy_exact_nt.h>
 #include <CGAL/Simple_cartesian.h>
 
 namespace mes {
@@ -18,8 +16,5 @@ using FastKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
 /// Rational constructions, evaluated when an interval does not settle a question. Objects belong to one thread.
 using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
-
-/// The same with square roots. The sign of a number that is zero costs a separation bound, milliseconds and more.
-using RootsKernel = CGAL::Simple_cartesian<CGAL::Lazy_exact_nt<CORE::Expr>>;
 
 }  // namespace mes

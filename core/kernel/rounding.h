@@ -29,24 +29,17 @@ double nearest_double(const Rational& x) {
   return out;
 }
 
-/// The nearest double; of a number with roots that lies in the middle between two doubles, up to 2^-120 of itself,
-/// either. The conversions of CGAL promise five digits of a lazy number, and those of CORE an absolute precision.
+/// The nearest double. The conversions of CGAL promise five digits of a lazy number. roots_kernel.h has one for roots.
 template <class Number>
 double rounded(const Number& x) {
   if constexpr (std::is_same_v<Number, double>) {
     return x;
   } else if constexpr (std::is_same_v<Number, CGAL::Exact_rational>) {
     return nearest_double(x);
-  } else if constexpr (std::is_same_v<Number, typename ExactKernel::FT>) {
+  } else {
+    static_assert(std::is_same_v<Number, typename ExactKernel::FT>);
     if (x.approx().is_point()) return x.approx().inf() + 0.0;
     return nearest_double(x.exact());
-  } else {
-    static_assert(std::is_same_v<Number, typename RootsKernel::FT>);
-    if (x.approx().is_point()) return x.approx().inf() + 0.0;
-    const CORE::Expr& exact = x.exact();
-    if (exact.sign() == 0) return 0.0;
-    constexpr long kBits = 120;
-    return nearest_double(exact.approx(CORE::extLong(kBits), CORE::extLong::getPosInfty()).BigRatValue());
   }
 }
 

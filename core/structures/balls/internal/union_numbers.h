@@ -2,8 +2,6 @@
 // Balls in the number type of a kernel, and positions on the way back to doubles.
 #pragma once
 
-#include <CGAL/CORE_BigRat.h>
-
 #include <algorithm>
 #include <cmath>
 #include <type_traits>
@@ -51,23 +49,16 @@ BallOf<Number> plain_ball_in(const PipelineBall& ball) {
 /// Squared radius, and centre, in the field of the kernel: from samples exactly when the field is exact.
 template <class Number>
 BallOf<Number> ball_in(const PipelineBall& ball) {
-  if constexpr (std::is_same_v<Number, RootsKernel::FT>) {
-    // Signs cost by the depth of an expression, so those of roots begin at numbers, not at how these came about.
-    const BallOf<CORE::BigRat> exact = ball_in<CORE::BigRat>(ball);
-    const auto number = [](const CORE::BigRat& x) { return Number(CORE::Expr(x)); };
-    return {number(exact.x), number(exact.y), number(exact.w)};
+  BallOf<Number> out = plain_ball_in<Number>(ball);
+  if (ball.scale == 1.0) return out;
+  if constexpr (std::is_same_v<Number, double>) {
+    // The square of the radius that is drawn: a disk of that radius is the same ball.
+    out.w = ball.origin == BallOrigin::disk ? ball.radius() * ball.radius() : out.w * (ball.scale * ball.scale);
   } else {
-    BallOf<Number> out = plain_ball_in<Number>(ball);
-    if (ball.scale == 1.0) return out;
-    if constexpr (std::is_same_v<Number, double>) {
-      // The square of the radius that is drawn: a disk of that radius is the same ball.
-      out.w = ball.origin == BallOrigin::disk ? ball.radius() * ball.radius() : out.w * (ball.scale * ball.scale);
-    } else {
-      const Number scale(ball.scale);
-      out.w = out.w * (scale * scale);
-    }
-    return out;
+    const Number scale(ball.scale);
+    out.w = out.w * (scale * scale);
   }
+  return out;
 }
 
 /// A coordinate of the frame in the document, rounded once; `local` is the same rounded in the frame.

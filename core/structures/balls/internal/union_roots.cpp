@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/balls/internal/root_numbers.h"
 #include "core/structures/balls/internal/union_pipeline.h"
 
 namespace mes {
