@@ -4,43 +4,59 @@
 # source on its own, where an error or a change concerns one source only and a missing #include is seen.
 option(MESECINA_UNITY "Compile the sources of each room together, some at a time" ON)
 
-# Sources of one translation unit at most. Twelve take 5 to 40 s and up to 1 GiB at -O2, which a change of one costs as well;
-# of those that instantiate CGAL four take 45 s and 1.3 GiB, and the scripts start a compiler for each 2 GiB of memory.
-set(mes_unity_batch 12)
-set(mes_unity_batch_of_cgal 4)
+# Sources of one translation unit at most. Twenty-four take up to 45 s and 1 GiB at -O2, which a change of one costs as well;
+# of those that instantiate triangulations of CGAL three take as much: sources with the property MESECINA_TRIANGULATES, and
+# tests that name CGAL. The scripts start a compiler for each 2 GiB of memory.
+set(mes_unity_batch 24)
+set(mes_unity_batch_of_triangulations 3)
+
+# The sources of the target are compiled together, about as many in each translation unit and at most `most` of them.
+function(mes_compile_together target name most sources)
+  list(LENGTH sources count)
+  if(count LESS 2)
+    return()
+  endif()
+  math(EXPR units "(${count} + ${most} - 1) / ${most}")
+  math(EXPR batch "(${count} + ${units} - 1) / ${units}")
+  set(place 0)
+  foreach(source IN LISTS sources)
+    math(EXPR unit "${place} / ${batch}")
+    set_source_files_properties(${source} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP ${name}_${unit})
+    math(EXPR place "${place} + 1")
+  endforeach()
+  set_target_properties(${target} PROPERTIES MESECINA_UNITY ON UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+endfunction()
 
 # mes_unity_for(FOLDER TYPE): the targets of TYPE in FOLDER and in the folders below it, and those that are to be compiled
-# together, unless they say themselves how. The translation units of a target get about as many sources each. A source that
-# has options of its own stays alone.
+# together. A source that has options of its own stays alone.
 function(mes_unity_for folder wanted)
   get_property(targets DIRECTORY ${folder} PROPERTY BUILDSYSTEM_TARGETS)
   foreach(target IN LISTS targets)
     get_target_property(type ${target} TYPE)
-    get_target_property(is_unity ${target} UNITY_BUILD)
     get_target_property(is_together ${target} MESECINA_TOGETHER)
-    if(is_unity OR NOT (type STREQUAL wanted OR is_together))
+    if(NOT (type STREQUAL wanted OR is_together))
       continue()
     endif()
     get_target_property(sources ${target} SOURCES)
-    set(together 0)
-    foreach(source IN LISTS sources)
+    get_target_property(source_folder ${target} SOURCE_DIR)
+    get_target_property(libraries ${target} LINK_LIBRARIES)
+    set(rest "")
+    set(triangulating "")
+    foreach(name IN LISTS sources)
+      cmake_path(ABSOLUTE_PATH name BASE_DIRECTORY ${source_folder} NORMALIZE OUTPUT_VARIABLE source)
       get_source_file_property(options ${source} TARGET_DIRECTORY ${target} COMPILE_OPTIONS)
       get_source_file_property(is_alone ${source} TARGET_DIRECTORY ${target} SKIP_UNITY_BUILD_INCLUSION)
-      if(source MATCHES "\\.cpp$" AND NOT options AND NOT is_alone)
-        math(EXPR together "${together} + 1")
+      get_source_file_property(triangulates ${source} TARGET_DIRECTORY ${target} MESECINA_TRIANGULATES)
+      if(NOT source MATCHES "\\.cpp$" OR options OR is_alone)
+        continue()
+      elseif(triangulates OR (is_together AND "dep_cgal" IN_LIST libraries))
+        list(APPEND triangulating ${source})
+      else()
+        list(APPEND rest ${source})
       endif()
     endforeach()
-    get_target_property(libraries ${target} LINK_LIBRARIES)
-    set(most ${mes_unity_batch})
-    if("dep_cgal" IN_LIST libraries)
-      set(most ${mes_unity_batch_of_cgal})
-    endif()
-    if(together GREATER 1)
-      math(EXPR units "(${together} + ${most} - 1) / ${most}")
-      math(EXPR batch "(${together} + ${units} - 1) / ${units}")
-      set_target_properties(${target} PROPERTIES MESECINA_UNITY ON UNITY_BUILD ON
-        UNITY_BUILD_BATCH_SIZE ${batch})
-    endif()
+    mes_compile_together(${target} triangulating ${mes_unity_batch_of_triangulations} "${triangulating}")
+    mes_compile_together(${target} unit ${mes_unity_batch} "${rest}")
   endforeach()
   get_property(folders DIRECTORY ${folder} PROPERTY SUBDIRECTORIES)
   foreach(inner IN LISTS folders)
