@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The headers that most files read are compiled once. The tests read those of the standard library and Catch2, which
-# takes a third off the time of their build. For the program it takes a quarter; the presets of sanitizers ask for it.
-# Releases go without: in them GCC 12 takes code of precompiled system headers for ours, and warns falsely about copies
-# of strings, which the tests ignore; and each file of the program has to include what it uses.
-option(MESECINA_PRECOMPILE "Compile the headers that most files of the program include once" OFF)
-
+# The headers that most tests read, those of the standard library and Catch2, are compiled once, which takes a third off the
+# time of their build. For the program, whose sources are compiled together, it was no gain; and GCC 12 takes code of
+# precompiled system headers for ours, and warns falsely about copies of strings, which the tests ignore.
 set(mes_common_headers <algorithm> <array> <atomic> <bit> <chrono> <cmath> <condition_variable> <cstdint> <deque>
   <expected> <filesystem> <fstream> <functional> <limits> <map> <memory> <mutex> <numeric> <optional> <set> <span>
   <sstream> <string> <string_view> <thread> <unordered_map> <utility> <variant> <vector>)
@@ -29,12 +26,6 @@ endfunction()
 
 # Called when all targets are there.
 function(mes_precompile)
-  if(MESECINA_PRECOMPILE)
-    target_precompile_headers(mes_base PRIVATE ${mes_common_headers})
-    foreach(room IN ITEMS core render app)
-      mes_precompile_for(mes_base ${PROJECT_SOURCE_DIR}/${room})
-    endforeach()
-  endif()
   if(MESECINA_TESTS)
     # What the tests call is the program, as its users have it; their own code is compiled for the time that takes.
     set(quick $<$<CONFIG:Release>:-O1>)

@@ -12,14 +12,14 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 "$root/scripts/install_packages.sh" build || exit 1
 if [[ -z ${CLANG_TIDY:-} ]]; then "$root/scripts/install_packages.sh" tidy || exit 1; fi
 export tidy=${CLANG_TIDY:-clang-tidy-14}
-configure tidy
+configure separate -DMESECINA_WERROR=OFF
 files=("$@")
 if ((${#files[@]} == 0)); then mapfile -t files < <(git ls-files 'app/*.cpp' 'core/*.cpp' 'render/*.cpp'); fi
 
 check() {
   local said
   # The build is for GCC, whose names of standard and warnings a clang may not know.
-  said=$("$tidy" --quiet -p build/tidy --extra-arg=-std=c++2b --extra-arg=-Wno-unknown-warning-option "$1" 2>/dev/null)
+  said=$("$tidy" --quiet -p build/separate --extra-arg=-std=c++2b --extra-arg=-Wno-unknown-warning-option "$1" 2>/dev/null)
   # An error of the parser hides what the checks would say.
   if [[ $said == *'[clang-diagnostic-error]'* ]]; then
     echo "unparsed $1"
