@@ -14,7 +14,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 target=${1:-all}
 seconds=${2:-60}
 [[ $seconds =~ ^[0-9]+$ ]] || fail "'$seconds' is not a number of seconds"
-mapfile -t known < <(cd tests/fuzz/targets && printf '%s\n' *.cpp | sed 's/\.cpp$//')
+mapfile -t known < <(cd tests/fuzz/corpus && printf '%s\n' *)
 if [[ $target == all ]]; then
   targets=("${known[@]}")
 else
@@ -24,7 +24,7 @@ fi
 
 "$root/scripts/install_packages.sh" test || exit 1
 configure asan -DMESECINA_WERROR=ON
-build asan --target "${targets[@]/#/fuzz_}"
+build asan --target fuzzer
 
 export seconds
 export seed=${SEED:-$(date +%s)}
@@ -33,8 +33,8 @@ fuzz_one() {
   local options=(--from "tests/fuzz/corpus/$1" --seconds "$seconds" --seed "$seed" --findings build/fuzz/findings)
   if [[ -e tests/fuzz/dictionaries/$1.dict ]]; then options+=(--words "tests/fuzz/dictionaries/$1.dict"); fi
   mkdir -p "build/fuzz/$1"
-  build/asan/fuzz_"$1" fuzz "build/fuzz/$1" "${options[@]}"
+  build/asan/fuzzer "$1" fuzz "build/fuzz/$1" "${options[@]}"
 }
 export -f fuzz_one
 printf '%s\n' "${targets[@]}" | xargs -P "$(job_count)" -I{} bash -c 'fuzz_one {}' ||
-  fail "there are findings in $root/build/fuzz/findings; build/asan/fuzz_TARGET replay FILE shows what they do"
+  fail "there are findings in $root/build/fuzz/findings; build/asan/fuzzer TARGET replay FILE shows what they do"

@@ -12,7 +12,7 @@ kind=${1:-asan}
 if (($# > 0)); then shift; fi
 case $kind in
   asan)
-    targets=(test_document test_exactness test_io test_model fuzzers)
+    targets=(test_document test_exactness test_io test_model fuzzer)
     # What takes minutes under a sanitizer without reaching other code is left to the release.
     tests='^(test_document|test_exactness|test_io|test_model|fuzz)\.'
     ;;

@@ -5,7 +5,7 @@
 #include <bit>
 #include <cstddef>
 #include <cstdint>
-#include <span>
+#include <string_view>
 
 #include "core/base/vec2.h"
 
@@ -13,14 +13,14 @@ namespace mes::fuzz {
 
 class ByteSource {
  public:
-  ByteSource(const std::uint8_t* data, std::size_t size) : rest_(data, size) {}
+  explicit ByteSource(std::string_view bytes) : rest_(bytes) {}
 
   bool is_at_end() const { return rest_.empty(); }
   /// Little endian.
   std::uint64_t bits(std::size_t bytes) {
     std::uint64_t out = 0;
-    for (std::size_t i = 0; i < bytes && !rest_.empty(); ++i, rest_ = rest_.subspan(1))
-      out |= std::uint64_t{rest_.front()} << (8 * i);
+    for (std::size_t i = 0; i < bytes && !rest_.empty(); ++i, rest_.remove_prefix(1))
+      out |= std::uint64_t{static_cast<std::uint8_t>(rest_.front())} << (8 * i);
     return out;
   }
   std::uint8_t byte() { return static_cast<std::uint8_t>(bits(1)); }
@@ -32,7 +32,7 @@ class ByteSource {
   double integer() { return static_cast<double>(static_cast<std::int16_t>(bits(2))); }
 
  private:
-  std::span<const std::uint8_t> rest_;
+  std::string_view rest_;
 };
 
 }  // namespace mes::fuzz

@@ -13,8 +13,9 @@
 
 namespace mes::fuzz {
 
-inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
-  return {reinterpret_cast<const char*>(data), size};
+/// Of bytes that are not empty.
+inline std::uint8_t first_byte(std::string_view bytes) {
+  return static_cast<std::uint8_t>(bytes.front());
 }
 
 /// One printable line.

@@ -24,11 +24,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view kUsage = R"(usage: PROGRAM replay PATH...
-       PROGRAM fuzz FOLDER [--from PATH] [--seconds N | --runs N] [--seed N] [--longest N]
-                           [--words FILE] [--findings FOLDER] [--most-findings N]
-       PROGRAM distil FOLDER PATH... [--least-new N]
-       PROGRAM shrink FILE
+constexpr std::string_view kUsage = R"(usage: fuzzer TARGET replay PATH...
+       fuzzer TARGET fuzz FOLDER [--from PATH] [--seconds N | --runs N] [--seed N] [--longest N]
+                                 [--words FILE] [--findings FOLDER] [--most-findings N]
+       fuzzer TARGET distil FOLDER PATH... [--least-new N]
+       fuzzer TARGET shrink FILE
+       fuzzer list
 
 replay   runs the files, and those in the folders, once each.
 fuzz     runs changed inputs of FOLDER and PATH; puts those that reach something new into FOLDER, and those that end
@@ -36,6 +37,7 @@ fuzz     runs changed inputs of FOLDER and PATH; puts those that reach something
 distil   copies inputs to FOLDER, short ones rather than long ones, each of which takes N edges, or
          one, that those before it do not take.
 shrink   leaves out what an input can do without and still end the process; writes the rest beside it.
+list     prints the names of the targets.
 The exit code is 1 when an input ended the process, 2 for wrong usage.
 )";
 
@@ -43,6 +45,7 @@ using Options = std::map<std::string, std::string, std::less<>>;
 
 /// What stands on the command line.
 struct Request {
+  const Target& target;
   std::vector<fs::path> places;
   Options options;
 
@@ -61,11 +64,11 @@ struct Request {
   }
 };
 
-std::optional<Request> read_request(int count, char** words) {
+std::optional<Request> read_request(const Target& target, int count, char** words) {
   constexpr std::string_view kOptions[] = {"from",  "seconds",  "runs",          "seed",     "longest",
                                            "words", "findings", "most-findings", "least-new"};
-  Request out;
-  for (int i = 2; i < count; ++i) {
+  Request out{.target = target, .places = {}, .options = {}};
+  for (int i = 3; i < count; ++i) {
     const std::string_view word = words[i];
     if (!word.starts_with("--")) {
       out.places.emplace_back(word);
@@ -85,7 +88,7 @@ int tell_end(const WatchedRun& watched, const std::string& reason) {
 }
 
 int replay(const Request& request) {
-  WatchedRun watched;
+  WatchedRun watched(request.target);
   const std::vector<Input> inputs = read_inputs(request.places);
   if (inputs.empty()) {
     std::fprintf(stderr, "there are no inputs\n");
@@ -154,8 +157,9 @@ class Fuzzing {
   std::vector<std::string> corpus_;
 };
 
-int fuzz(const Request& request, const std::string& program) {
-  WatchedRun watched;
+int fuzz(const Request& request) {
+  const std::string program(request.target.name);
+  WatchedRun watched(request.target);
   const fs::path findings = request.text("findings", "findings");
   const std::uint64_t most = request.number("most-findings", 1);
   const Fuzzing fuzzing(request, watched);
@@ -183,7 +187,7 @@ int distil(Request request) {
   std::vector<Input> inputs = read_inputs(request.places);
   std::ranges::stable_sort(inputs, {}, [](const Input& input) { return input.bytes.size(); });
   const std::uint64_t least = request.number("least-new", 1);
-  WatchedRun watched;
+  WatchedRun watched(request.target);
   const std::string reason = watched.watch([&] {
     Reached reached;
     for (const Input& input : inputs) {
@@ -203,7 +207,7 @@ int distil(Request request) {
 int shrink(const Request& request) {
   std::vector<Input> inputs = read_inputs(request.places);
   if (inputs.size() != 1) return 2;
-  WatchedRun watched;
+  WatchedRun watched(request.target);
   const auto ends_process = [&](const std::string& bytes) {
     return !watched.watch([&] { watched.run(bytes, "a shorter input"); }, true).empty();
   };
@@ -229,17 +233,21 @@ int shrink(const Request& request) {
 }  // namespace
 
 int main(int count, char** words) {
-  const std::string program = fs::path(words[0]).filename().string();
-  const auto request = read_request(count, words);
-  const std::string_view command = count > 1 ? words[1] : "";
-  if (!request || request->places.empty()) {
-    std::fputs(kUsage.data(), stderr);
-    return 2;
+  if (count == 2 && std::string_view(words[1]) == "list") {
+    for (const Target& target : kTargets) std::printf("%s\n", std::string(target.name).c_str());
+    return 0;
   }
-  if (command == "replay") return replay(*request);
-  if (command == "fuzz") return fuzz(*request, program);
-  if (command == "distil") return distil(*request);
-  if (command == "shrink") return shrink(*request);
+  const auto* const target = std::ranges::find(kTargets, std::string_view(count > 1 ? words[1] : ""), &Target::name);
+  if (target != kTargets.end()) {
+    const auto request = read_request(*target, count, words);
+    const std::string_view command = count > 2 ? words[2] : "";
+    if (request && !request->places.empty()) {
+      if (command == "replay") return replay(*request);
+      if (command == "fuzz") return fuzz(*request);
+      if (command == "distil") return distil(*request);
+      if (command == "shrink") return shrink(*request);
+    }
+  }
   std::fputs(kUsage.data(), stderr);
   return 2;
 }

@@ -17,7 +17,6 @@
 
 #include "tests/fuzz/driver/coverage.h"
 #include "tests/fuzz/driver/memory.h"
-#include "tests/fuzz/target.h"
 
 namespace mes::fuzz {
 namespace {
@@ -53,7 +52,7 @@ struct WatchedRun::Shared {
   char input[kLongestInput];
 };
 
-WatchedRun::WatchedRun() {
+WatchedRun::WatchedRun(const Target& target) : target_(target) {
   void* const memory = ::mmap(nullptr, sizeof(Shared), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) {
     std::perror("mmap");
@@ -93,11 +92,11 @@ void WatchedRun::run(std::string_view input, std::string_view name) {
   std::ranges::copy(input, shared_->input);
   std::ranges::copy(name, shared_->name);
   // Of exactly this size, so that reading past the end is seen.
-  const std::vector<std::uint8_t> bytes(input.begin(), input.end());
+  const std::vector<char> bytes(input.begin(), input.end());
   limit_time(kMostProcessorSeconds, kMostSeconds);
   begin_counting();
   begin_measuring();
-  LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+  target_.run({bytes.data(), bytes.size()});
   limit_time(0, 0);
   ++shared_->report.runs;
 }

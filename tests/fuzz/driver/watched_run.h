@@ -12,6 +12,8 @@
 #include <string>
 #include <string_view>
 
+#include "tests/fuzz/target.h"
+
 namespace mes::fuzz {
 
 /// Inputs are not longer.
@@ -26,7 +28,7 @@ struct Report {
 
 class WatchedRun {
  public:
-  WatchedRun();
+  explicit WatchedRun(const Target& target);
   ~WatchedRun();
   WatchedRun(const WatchedRun&) = delete;
   WatchedRun& operator=(const WatchedRun&) = delete;
@@ -45,6 +47,7 @@ class WatchedRun {
 
  private:
   struct Shared;
+  const Target& target_;
   Shared* shared_;
 };
 

@@ -2,14 +2,12 @@
 #include "app/store/color_maps.h"
 #include "tests/fuzz/reader_checks.h"
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace mes::fuzz;
-  const std::string_view bytes = text_of(data, size);
+void mes::fuzz::run_color_map(std::string_view bytes) {
   const auto map = mes::parse_color_map(bytes, "a", "a.map");
-  require_little_memory(size);
+  require_little_memory(bytes.size());
   if (!map) {
     require_error(map.error(), bytes);
-    return 0;
+    return;
   }
   std::string text;
   for (const auto& color : map->colors)
@@ -21,5 +19,4 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     }
   const auto again = require_read(mes::parse_color_map(text, "a", "again.map"));
   require(again.colors == map->colors, "what is written reads back equal");
-  return 0;
 }

@@ -27,15 +27,14 @@ void write(const fs::path& file, std::string_view bytes) {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace mes::fuzz;
-  if (size == 0) return 0;
-  const std::size_t count = data[0] % 100U;
+void mes::fuzz::run_contours(std::string_view bytes) {
+  if (bytes.empty()) return;
+  const std::size_t count = first_byte(bytes) % 100U;
   const Folder folder;
   std::string points = "POFF " + std::to_string(count) + " 0 0\n";
   for (std::size_t i = 0; i < count; ++i) points += std::to_string(i) + " 0\n";
   write(folder.path / "a.poff", points);
-  write(folder.path / "a.contours", text_of(data + 1, size - 1));
+  write(folder.path / "a.contours", bytes.substr(1));
   const auto file = mes::read_sample_file(folder.path / "a.poff");
   require(file && file->data.positions.size() == count, "the points are read whatever lies beside them");
   for (const std::string& warning : file->warnings) require_message(warning);
@@ -46,5 +45,4 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   require(in_contours == (file->data.contours.empty() ? 0 : count), "contours take all points or there are none");
   require(file->data.contours.empty() || file->warnings.empty(), "contours are taken or complained about");
   require_round_trip(file->data);
-  return 0;
 }

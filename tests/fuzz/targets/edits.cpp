@@ -147,11 +147,10 @@ class Script {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) try {
-  ByteSource bytes(data, size);
+void mes::fuzz::run_edits(std::string_view input) try {
+  ByteSource bytes(input);
   const ComputationSettings settings = read_settings(bytes);
   Script(bytes, settings).play();
-  return 0;
 } catch (const TooMuchWork&) {
-  return 0;  // nothing is known
+  return;  // nothing is known
 }

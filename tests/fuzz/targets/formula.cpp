@@ -8,9 +8,8 @@
 #include "core/shapes/shape.h"
 #include "tests/fuzz/reader_checks.h"
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace mes::fuzz;
-  const std::string text(text_of(data, size));
+void mes::fuzz::run_formula(std::string_view bytes) {
+  const std::string text(bytes);
   const auto formula = mes::Formula::parse(text, {"t"});
   const mes::ShapeDescriptor* const polar = mes::find_shape("polar");
   require(polar != nullptr, "there are curves around the origin");
@@ -21,7 +20,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     require_message(formula.error().text);
     require(!made && made.error().code == mes::ErrorCode::usage, "what is typed is to blame");
     require(made.error().text == "the formula of r: " + formula.error().text, "a shape refuses it in the same words");
-    return 0;
+    return;
   }
   for (const double t : {0.0, 0.5, -3.0, 1e6}) {
     const double at[]{t};
@@ -31,8 +30,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   }
   if (!made) {
     require_message(made.error().text);
-    return 0;
+    return;
   }
   require(std::ranges::all_of(made->positions, [](mes::Vec2 p) { return mes::is_finite(p); }), "samples are finite");
-  return 0;
 }

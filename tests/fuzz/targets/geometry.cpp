@@ -101,8 +101,8 @@ SampleData read_data(ByteSource& bytes, Precision precision) {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) try {
-  ByteSource bytes(data, size);
+void mes::fuzz::run_geometry(std::string_view input) try {
+  ByteSource bytes(input);
   const ComputationSettings settings = read_settings(bytes);
   const Image image = read_image(bytes);
   const bool is_about_order = bytes.flag();
@@ -112,7 +112,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) try {
     document.apply(*delta);
   } else {
     require_message(delta.error().text);
-    return 0;
+    return;
   }
 
   constexpr std::size_t kFew = 8;
@@ -120,7 +120,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) try {
   const auto original = fresh_run(data_of(document, false), settings, is_small);
   const std::string broken = test::broken_row(original->graph());
   require(broken.empty(), "rows refer to each other as they should: " + broken);
-  if (settings.precision == Precision::naive) return 0;  // may lie
+  if (settings.precision == Precision::naive) return;  // may lie
   if (is_about_order) {
     const auto reversed = fresh_run(data_of(document, true), settings, is_small);
     const std::string differs = test::difference(reversed->state(), original->state());
@@ -130,7 +130,7 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) try {
         "the order of the samples does not matter");
   } else if (const auto moved = image_of(data_of(document, false), image); moved) {
     Document other;
-    if (!replace_all(other, *moved)) return 0;  // out of the range of coordinates
+    if (!replace_all(other, *moved)) return;  // out of the range of coordinates
     ComputationSettings as_large = settings;
     for (const Parameter length : {Parameter::lambda_limit, Parameter::alpha_radius}) as_large[length] *= image.scale;
     const auto run = fresh_run(*moved, as_large, is_small);
@@ -143,7 +143,6 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) try {
     };
     require_same(original->counts(), run->counts(), may_differ, "places and size do not matter");
   }
-  return 0;
 } catch (const TooMuchWork&) {
-  return 0;  // nothing is known
+  return;  // nothing is known
 }

@@ -45,14 +45,13 @@ void check_traced(std::span<const std::byte> bytes) {
 }  // namespace
 }  // namespace mes::fuzz
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace mes::fuzz;
-  const auto bytes = std::as_bytes(std::span(data, size));
-  const auto picture = mes::render::decode_picture(bytes, "a.png", kMostPixels);
-  require_little_memory(size + 40 * kMostPixels, 1);
+void mes::fuzz::run_picture(std::string_view bytes) {
+  const auto data = std::as_bytes(std::span(bytes));
+  const auto picture = mes::render::decode_picture(data, "a.png", kMostPixels);
+  require_little_memory(bytes.size() + 40 * kMostPixels, 1);
   if (!picture) {
-    require_error(picture.error(), text_of(data, size));
-    return 0;
+    require_error(picture.error(), bytes);
+    return;
   }
   const auto pixels = static_cast<std::size_t>(picture->width) * static_cast<std::size_t>(picture->height);
   require(picture->width > 0 && picture->height > 0 && picture->rgba.size() == 4 * pixels && pixels <= kMostPixels,
@@ -64,6 +63,5 @@ int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const mes::render::Image small = mes::render::reduced(*picture, 16);
   require(small.width > 0 && small.height > 0 && small.width <= 16 && small.height <= 16,
           "a reduced picture is within its limit");
-  check_traced(bytes);
-  return 0;
+  check_traced(data);
 }

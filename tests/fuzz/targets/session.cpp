@@ -52,10 +52,8 @@ void check_journal(std::string_view text) {
 
 }  // namespace
 
-int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  const std::string_view text = text_of(data, size);
+void mes::fuzz::run_session(std::string_view text) {
   check_session(text);
-  require_little_memory(size);
+  require_little_memory(text.size());
   check_journal(text);
-  return 0;
 }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of bundles: what was read is written and reads back equal.
-#pragma once
-
 #include <array>
 
 #include "core/io/bundle_file.h"
 #include "tests/fuzz/reader_checks.h"
 
 namespace mes::fuzz {
+namespace {
 
-inline void check_bundles(std::string_view bytes, const std::string& name) {
+void check_bundles(std::string_view bytes, const std::string& name) {
   // A few of the layers, of which BND files know some by other names.
   const std::array<KnownLayer, 8> known{{{"points", {}},
                                          {"delaunay", {}},
@@ -29,6 +28,15 @@ inline void check_bundles(std::string_view bytes, const std::string& name) {
   const LoadedBundles again = require_read(read_bundles(text, "again.json", known));
   require(again.warnings.empty(), "what is written is read without a warning");
   require(again.bundles == loaded->bundles, "what is written reads back equal");
+}
+
+}  // namespace
+
+void run_bnd(std::string_view bytes) {
+  check_bundles(bytes, "a.bnd");
+}
+void run_bundle(std::string_view bytes) {
+  check_bundles(bytes, "a.json");
 }
 
 }  // namespace mes::fuzz
