@@ -48,6 +48,7 @@ build          libfontconfig-dev   fontconfig-devel    fontconfig     fontconfig
 build          libharfbuzz-dev     harfbuzz-devel      harfbuzz       harfbuzz
 build          libpolyclipping-dev  polyclipping-devel  clipper       -
 test           ccache              ccache              ccache         ccache
+test           mold                mold                mold           -
 test           catch2              catch2-devel        catch2-v2      -
 test           xvfb                xorg-x11-server-Xvfb  xorg-server-xvfb  -
 test           libx11-dev          libX11-devel        libx11         -
