@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <string_view>
 
 #include "run_binary.h"
@@ -145,6 +146,23 @@ const std::vector<Case>& cases() {
   return kCases;
 }
 
+constexpr const char* kSize = "640x480";
+
+/// The picture of a case in pixels, which all formats are compared with: drawn once.
+const Image& picture_of(const Case& wanted) {
+  static std::map<std::string, Image> drawn;
+  Image& picture = drawn[wanted.name];
+  if (picture.rgba.empty()) {
+    const TemporaryFolder folder;
+    const std::string file = (folder / "pixels.png").string();
+    std::vector<std::string> arguments = wanted.arguments;
+    arguments.insert(arguments.end(), {"--size", kSize});
+    render_figure(arguments, file);
+    picture = read_png(file);
+  }
+  return picture;
+}
+
 /// `factor`: of the tolerances, for programs that draw thin lines, or letters, otherwise.
 void compare_all(const std::string& extension, double factor = 1.0) {
   const TemporaryFolder folder;
@@ -152,14 +170,11 @@ void compare_all(const std::string& extension, double factor = 1.0) {
     // More shapes than pdflatex has memory for.
     if (extension == ".tex" && std::string_view(each.name).starts_with("every layer")) continue;
     std::vector<std::string> arguments = each.arguments;
-    arguments.insert(arguments.end(), {"--size", "640x480"});
-    const std::string pixels = (folder / "pixels.png").string();
+    arguments.insert(arguments.end(), {"--size", kSize});
     const std::string figure = (folder / ("figure" + extension)).string();
-    render_figure(arguments, pixels);
     render_figure(arguments, figure);
     INFO(each.name);
-    const Image shown = read_png(pixels);
-    CHECK(difference(shown, rasterised(figure, 640, 480)) < factor * each.tolerance);
+    CHECK(difference(picture_of(each), rasterised(figure, 640, 480)) < factor * each.tolerance);
   }
 }
 

@@ -15,6 +15,7 @@
 
 #include "app/recording/frame_writer.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/support/eventually.h"
 #include "tests/support/golden_image.h"
 
 using namespace mes;
@@ -154,7 +155,7 @@ TEST_CASE("a folder that goes away ends the take with one problem") {
   const Take take = take_in(folder);
   FrameWriter writer(take);
   REQUIRE(writer.push({picture(64, 48, 1), {}}));
-  while (writer.written() == 0) std::this_thread::yield();
+  REQUIRE(eventually([&] { return writer.written() != 0; }));
   fs::rename(take.folder, folder / "elsewhere");
   bool refused = false;
   while (!refused) refused = !writer.push({picture(64, 48, 2), {}});
@@ -252,7 +253,7 @@ TEST_CASE("a program that is killed leaves whole frames only, and a take that ca
     const auto read = read_take(take.folder);
     return read && read->frames.size() >= 12 && read->frames.front().what == "Move";
   };
-  while (!has_twelve()) std::this_thread::yield();
+  REQUIRE(eventually(has_twelve));
   kill(child, SIGKILL);
   waitpid(child, nullptr, 0);
   CHECK(whole_frames(take.folder) >= 12);

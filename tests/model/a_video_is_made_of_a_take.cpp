@@ -6,12 +6,12 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
-#include <thread>
 
 #include "app/recording/frame_writer.h"
 #include "app/recording/video.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/support/bell.h"
+#include "tests/support/eventually.h"
 
 using namespace mes;
 using namespace mes::test;
@@ -113,7 +113,7 @@ TEST_CASE("a video being made can be cancelled") {
   Bell bell;
   VideoJob job(bell.ring());
   job.start(studio.take.folder, 30.0, studio.folder / "film.mp4");
-  while (studio.folder.file_count() == before) std::this_thread::yield();
+  REQUIRE(eventually([&] { return studio.folder.file_count() != before; }));
   CHECK_FALSE(job.take_result().has_value());
   job.cancel();
   std::optional<Expected<void>> result;

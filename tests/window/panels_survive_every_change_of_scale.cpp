@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/core.h>
 #include <catch2/catch.hpp>
+#include <cstdint>
 #include <filesystem>
 #include <fstream>
 #include <map>
 #include <string>
 
 #include "tests/io/temporary_folder.h"
+#include "tests/support/effort.h"
 #include "tests/window/window_driver.h"
 
 using namespace mes;
@@ -114,7 +116,7 @@ TEST_CASE("the panels are drawn after every change of scale and theme") {
   constexpr Color kDark{0x5A, 0xB4, 0xEA};
   constexpr Color kProjector{0x00, 0x56, 0x8A};
   window.expect_panels("light", 1.0, kLight);
-  for (int round = 0; round < 10; ++round) {
+  for (std::uint64_t round = 0; round < 3 * effort(); ++round) {
     INFO("round " << round);
     window.press("shift+p");
     window.expect_panels("projector", 1.35, kProjector);

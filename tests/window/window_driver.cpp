@@ -9,21 +9,17 @@
 
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
 #include <memory>
 #include <sstream>
-#include <thread>
 #include <utility>
 
 #include "tests/window/x_connection.h"
 
 namespace mes::test {
 namespace {
-
-using namespace std::chrono_literals;
 
 bool has_program(const std::string& name) {
   return std::system(("command -v " + name + " >/dev/null 2>&1").c_str()) == 0;
@@ -340,15 +336,6 @@ void DrivenProgram::save_as(const std::string& name) const {
   screen.type_over((folder / name).string());
   press("Return");
   REQUIRE(eventually([&] { return title().starts_with(name); }));
-}
-
-bool eventually(const std::function<bool()>& condition) {
-  constexpr auto kPatience = 300s;
-  for (const auto end = std::chrono::steady_clock::now() + kPatience; std::chrono::steady_clock::now() < end;) {
-    if (condition()) return true;
-    std::this_thread::sleep_for(10ms);
-  }
-  return condition();
 }
 
 }  // namespace mes::test

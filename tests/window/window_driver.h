@@ -14,6 +14,7 @@
 #include <sys/types.h>
 
 #include "tests/io/temporary_folder.h"
+#include "tests/support/eventually.h"
 
 namespace mes::test {
 
@@ -154,9 +155,6 @@ struct DrivenProgram {
   /// Saves by the dialog; the title names the file afterwards.
   void save_as(const std::string& name) const;
 };
-
-/// Asks again until it is true; false after five minutes.
-bool eventually(const std::function<bool()>& condition);
 
 /// Standard output of a shell command.
 std::string output_of(const std::string& command);
