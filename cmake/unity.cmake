@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sources of a room are compiled together, some in one translation unit, which reads their common headers once: most of
-# the time that a source takes on its own goes there. The presets for development, sanitizers and clang-tidy compile each
-# source on its own, where an error or a change concerns one source only and a missing #include is seen.
+# the time that a source takes on its own goes there. The preset for development compiles each source on its own, since an
+# error or a change concerns one source only; scripts/separate.sh checks that this works.
 option(MESECINA_UNITY "Compile the sources of each room together, some at a time" ON)
 
 # Sources of one translation unit at most. Twenty-four take up to 45 s and 1 GiB at -O2, which a change of one costs as well;
