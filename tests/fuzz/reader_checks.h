@@ -13,7 +13,7 @@
 
 namespace mes::fuzz {
 
-/// Of bytes that are not empty.
+/// The bytes must not be empty.
 inline std::uint8_t first_byte(std::string_view bytes) {
   return static_cast<std::uint8_t>(bytes.front());
 }

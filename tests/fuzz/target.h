@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a fuzz target is: one function of some bytes.
+// A fuzz target is one function of some bytes.
 //
 // A target takes any bytes, does the same each time, and ends the process when a promise is broken.
 #pragma once
@@ -37,7 +37,7 @@ void run_wkt(std::string_view bytes);
 void run_wpoff(std::string_view bytes);
 
 struct Target {
-  std::string_view name;  ///< also of its folder in corpus/
+  std::string_view name;  ///< its folder in corpus/ has the same
   void (*run)(std::string_view bytes);
 };
 inline constexpr std::array<Target, 23> kTargets{{

@@ -8,7 +8,7 @@
 
 namespace mes::test {
 
-/// Asks until the condition holds, some times a second. False after five minutes without it.
+/// Asks every 5 ms until the condition holds; returns false after five minutes without it.
 bool eventually(std::predicate auto condition) {
   using namespace std::chrono_literals;
   for (const auto end = std::chrono::steady_clock::now() + 300s; std::chrono::steady_clock::now() < end;) {

@@ -71,7 +71,7 @@ void run_mesh(std::string_view bytes) {
   const std::string_view text = bytes.substr(1);
   const auto file = read_sample_bytes(text, "a", kFormats[first_byte(bytes) % kFormats.size()]);
   require_little_memory(text.size(), 600);
-  // What follows the header of a PLY may be binary: then the place is in the message.
+  // A PLY may be binary after its header: then the place is in the message.
   if (!file) return require_error(file.error(), text);
   for (const std::string& warning : file->warnings) require_message(warning);
   require_round_trip(file->data);
