@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/io/text_numbers.h"
+
 namespace mes {
 
 /// Smallest use:
@@ -35,11 +37,12 @@ class CountedRemarks {
     }
   }
 
-  /// Calls `use(text, place)` for each kind, in the order in which they came.
+  /// Calls `use(text, place)` for each kind, in the order in which they came. Whatever words of the file are in it, a text
+  /// is printable.
   template <class Use>
   void for_each(Use use) const {
     for (const Kind& kind : kinds_)
-      use(fmt::format("{} {}", kind.count, kind.count == 1 ? kind.one : kind.many), kind.place);
+      use(printable(fmt::format("{} {}", kind.count, kind.count == 1 ? kind.one : kind.many)), kind.place);
   }
 
  private:
