@@ -6,7 +6,8 @@
 #
 # New inputs that reach something new are kept in build/fuzz/TARGET and are where the next run begins, beside
 # tests/fuzz/corpus/TARGET. An input that breaks a promise ends the run with exit code 1 and stays in
-# build/fuzz/findings. The environment variable SEED makes the choice of inputs the same again.
+# build/fuzz/findings. The environment variable SEED makes the choice of inputs the same again; RUNS ends a target after
+# so many of them, if its seconds are not over before: then fast and slow machines try the same.
 set -uo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -31,6 +32,7 @@ export seed=${SEED:-$(date +%s)}
 say "Fuzzing ${targets[*]} for $seconds seconds each, seed $seed ..."
 fuzz_one() {
   local options=(--from "tests/fuzz/corpus/$1" --seconds "$seconds" --seed "$seed" --findings build/fuzz/findings)
+  if [[ -n ${RUNS:-} ]]; then options+=(--runs "$RUNS"); fi
   if [[ -e tests/fuzz/dictionaries/$1.dict ]]; then options+=(--words "tests/fuzz/dictionaries/$1.dict"); fi
   mkdir -p "build/fuzz/$1"
   build/asan/fuzzer "$1" fuzz "build/fuzz/$1" "${options[@]}"

@@ -25,7 +25,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view kUsage = R"(usage: fuzzer TARGET replay PATH...
-       fuzzer TARGET fuzz FOLDER [--from PATH] [--seconds N | --runs N] [--seed N] [--longest N]
+       fuzzer TARGET fuzz FOLDER [--from PATH] [--seconds N] [--runs N] [--seed N] [--longest N]
                                  [--words FILE] [--findings FOLDER] [--most-findings N]
        fuzzer TARGET distil FOLDER PATH... [--least-new N]
        fuzzer TARGET shrink FILE
@@ -33,7 +33,8 @@ constexpr std::string_view kUsage = R"(usage: fuzzer TARGET replay PATH...
 
 replay   runs the files, and those in the folders, once each.
 fuzz     runs changed inputs of FOLDER and PATH; puts those that reach something new into FOLDER, and those that end
-         the process into the folder of findings. Ends after 60 seconds, or at the first finding.
+         the process into the folder of findings. Ends after 60 seconds, after so many runs if they are given, or at
+         the first finding.
 distil   copies inputs to FOLDER, short ones rather than long ones, each of which takes N edges, or
          one, that those before it do not take.
 shrink   leaves out what an input can do without and still end the process; writes the rest beside it.
@@ -111,7 +112,7 @@ class Fuzzing {
         most_runs_(request.number("runs", 0)) {}
 
   bool is_over() const {
-    return most_runs_ != 0 ? watched_.report().runs >= most_runs_ : std::chrono::steady_clock::now() >= deadline_;
+    return (most_runs_ != 0 && watched_.report().runs >= most_runs_) || std::chrono::steady_clock::now() >= deadline_;
   }
 
   /// Runs changed inputs until the end.
