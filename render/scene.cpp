@@ -204,27 +204,25 @@ void Scene::apply(const FramePatch& patch) {
   frame_ = patch.frame;
   for (std::size_t i = 0; i < patch.layer_count; ++i) {
     const LayerPatch& changes = patch.layers[i];
-    while (layers_.size() <= changes.layer) {
-      Layer& layer = layers_.emplace_back();
-      for (const PrimitiveKind kind : kAllPrimitiveKinds) {
-        layer.kinds[static_cast<std::size_t>(kind)] = InstanceBuffer(device_, kind);
-      }
-    }
+    Layer& layer = layers_[changes.layer];
     for (const PrimitiveKind kind : kAllPrimitiveKinds) {
-      InstanceBuffer& buffer = layers_[changes.layer].kinds[static_cast<std::size_t>(kind)];
+      InstanceBuffer& buffer = layer.kinds[static_cast<std::size_t>(kind)];
+      if (!layer.is_used) buffer = InstanceBuffer(device_, kind);
       bytes_uploaded_ += buffer.apply(changes[kind], patch.frame, changes.has_scalars);
     }
+    layer.is_used = true;
   }
 }
 
-void Scene::forget(LayerIndex layer) {
-  if (layer >= layers_.size()) return;
-  for (InstanceBuffer& buffer : layers_[layer].kinds) buffer.clear();
-  for (auto& counted : layers_[layer].counted) counted.reset();
-  if (layer < texts_.size()) texts_[layer].reset();
+void Scene::forget(VariantLayer layer) {
+  if (Layer* const found = layers_.find(layer)) {
+    for (InstanceBuffer& buffer : found->kinds) buffer.clear();
+    for (auto& counted : found->counted) counted.reset();
+  }
+  if (auto* const mask = texts_.find(layer)) mask->reset();
 }
 
-void Scene::set_picture(LayerIndex layer, const Image& image) {
+void Scene::set_picture(VariantLayer layer, const Image& image) {
   clear_picture();
   const bool fits = std::max(image.width, image.height) <= device_.max_framebuffer_size();
   const Image smaller = fits ? Image{} : reduced(image, device_.max_framebuffer_size());
@@ -262,13 +260,14 @@ void Scene::clear_overlay(std::uint32_t slot) {
   if (slot < overlays_.size()) overlays_[slot].buffer.clear();
 }
 
-std::uint32_t Scene::instances(LayerIndex layer, PrimitiveKind kind) const {
-  return layer < layers_.size() ? layers_[layer].kinds[static_cast<std::size_t>(kind)].count() : 0;
+std::uint32_t Scene::instances(VariantLayer layer, PrimitiveKind kind) const {
+  const Layer* const found = layers_.find(layer);
+  return found == nullptr ? 0 : found->kinds[static_cast<std::size_t>(kind)].count();
 }
 
-std::uint32_t Scene::painted_disks(const Camera& camera, LayerIndex layer, const LayerStyle& style) const {
+std::uint32_t Scene::painted_disks(const Camera& camera, VariantLayer layer, const LayerStyle& style) const {
   if (instances(layer, PrimitiveKind::disk) == 0) return 0;
-  const InstanceBuffer& disks = layers_[layer].kinds[static_cast<std::size_t>(PrimitiveKind::disk)];
+  const InstanceBuffer& disks = layers_.find(layer)->kinds[static_cast<std::size_t>(PrimitiveKind::disk)];
   const bool may_be_counted =
       shown_map(layer, style).map == nullptr && placement_of(disks, camera).reach <= kCountedReach;
   return may_be_counted ? 0 : disks.count();
@@ -298,17 +297,18 @@ TextureId Scene::map_texture() {
   return map_texture_;
 }
 
-ScalarRange Scene::scalar_range(LayerIndex layer) const {
+ScalarRange Scene::scalar_range(VariantLayer layer) const {
   ScalarRange out;
-  if (layer >= layers_.size()) return out;
-  for (const InstanceBuffer& buffer : layers_[layer].kinds) out.add(buffer.scalar_range());
+  if (const Layer* const found = layers_.find(layer))
+    for (const InstanceBuffer& buffer : found->kinds) out.add(buffer.scalar_range());
   return out;
 }
 
-ShownMap Scene::shown_map(LayerIndex layer, const LayerStyle& style) const {
-  if (style.color_map.empty() || layer >= layers_.size()) return {};
+ShownMap Scene::shown_map(VariantLayer layer, const LayerStyle& style) const {
+  const Layer* const found = layers_.find(layer);
+  if (style.color_map.empty() || found == nullptr) return {};
   const auto has_scalars = [](const InstanceBuffer& buffer) { return buffer.scalars() != BufferId{}; };
-  if (std::ranges::none_of(layers_[layer].kinds, has_scalars)) return {};
+  if (std::ranges::none_of(found->kinds, has_scalars)) return {};
   return chosen_map(maps_, style, scalar_range(layer));
 }
 
@@ -328,13 +328,14 @@ void Scene::draw(const Camera& camera, std::span<const LayerView> views, const D
       draw_texts(pass, view);
       continue;
     }
-    if (view.layer >= layers_.size()) continue;
+    Layer* const layer = layers_.find(view.layer);
+    if (layer == nullptr || !layer->is_used) continue;
     Pass of_view = pass;
     of_view.every = std::max(1U, view.every);
     const ShownMap shown = shown_map(view.layer, view.style);
-    Look look{.style = view.style, .map = shown.map, .range = shown.range, .counted = layers_[view.layer].counted};
+    Look look{.style = view.style, .map = shown.map, .range = shown.range, .counted = layer->counted};
     if (look.map != nullptr) look.map_row = static_cast<float>(look.map - maps_.data());
-    draw_layer(of_view, layers_[view.layer].kinds, look);
+    draw_layer(of_view, layer->kinds, look);
   }
   if (!options.overlays) return;
   for (OverlaySet& set : overlays_) {
@@ -371,7 +372,6 @@ void Scene::draw_picture(const Pass& pass, const LayerStyle& style) {
 void Scene::draw_texts(const Pass& pass, const LayerView& view) {
   const PremultipliedColor color = premultiplied(view.style.color, view.style.opacity);
   if (color.a <= 0.0F || !view.texts->font || view.texts->texts.empty()) return;
-  if (texts_.size() <= view.layer) texts_.resize(view.layer + std::size_t{1});
   std::unique_ptr<TextMask>& mask = texts_[view.layer];
   if (!mask) mask = std::make_unique<TextMask>(device_);
   mask->show(view.texts, pass.camera, pass.content_scale);

@@ -55,7 +55,7 @@ struct ShownMap {
 };
 
 struct LayerView {
-  LayerIndex layer = 0;
+  VariantLayer layer{};
   LayerStyle style;
   /// Paints one of `every` disks only: a preview for so many overlapping large disks that all of them take too long.
   /// Disks that are counted are all there. Pictures that are saved have 1.
@@ -99,11 +99,11 @@ class Scene {
   /// sent again as a whole.
   void apply(const FramePatch& patch);
   /// Removes all instances of a layer and releases their memory.
-  void forget(LayerIndex layer);
+  void forget(VariantLayer layer);
 
   /// Draws a picture in the place of a layer, with the opacity of its style. Uploads it now; `place_picture` moves it
   /// without another upload. Its edges are placed in double precision, at any zoom. Throws std::bad_alloc.
-  void set_picture(LayerIndex layer, const Image& image);
+  void set_picture(VariantLayer layer, const Image& image);
   void place_picture(const PicturePlace& place) { picture_place_ = place; }
   void clear_picture();
 
@@ -116,17 +116,17 @@ class Scene {
   void set_color_maps(std::vector<ColorMap> maps);
   const std::vector<ColorMap>& color_maps() const { return maps_; }
   /// The range of the finite scalars of a layer.
-  ScalarRange scalar_range(LayerIndex layer) const;
-  ShownMap shown_map(LayerIndex layer, const LayerStyle& style) const;
+  ScalarRange scalar_range(VariantLayer layer) const;
+  ShownMap shown_map(VariantLayer layer, const LayerStyle& style) const;
 
   void draw(const Camera& camera, std::span<const LayerView> views, const DrawOptions& options);
 
   /// The frame of the last patch; overlays are placed in it.
   const DrawingFrame& frame() const { return frame_; }
-  std::uint32_t instances(LayerIndex layer, PrimitiveKind kind) const;
+  std::uint32_t instances(VariantLayer layer, PrimitiveKind kind) const;
   /// The number of disks of a layer that `draw` paints one by one, however long it takes; 0 if they are counted instead
   /// when that takes less time.
-  std::uint32_t painted_disks(const Camera& camera, LayerIndex layer, const LayerStyle& style) const;
+  std::uint32_t painted_disks(const Camera& camera, VariantLayer layer, const LayerStyle& style) const;
   /// Bytes of instances that `apply` and `set_overlay` have uploaded in the life of the scene.
   std::uint64_t bytes_uploaded() const { return bytes_uploaded_; }
   /// True if the last `draw` would have differed with a finer preview.
@@ -136,6 +136,7 @@ class Scene {
 
  private:
   struct Layer {
+    bool is_used = false;  ///< the buffers are those of the device
     std::array<InstanceBuffer, kPrimitiveKinds> kinds;
     std::array<std::unique_ptr<CountedInstances>, kPrimitiveKinds> counted;  ///< null: those of this kind are painted
   };
@@ -165,14 +166,14 @@ class Scene {
   TextureId map_texture();
 
   Device& device_;
-  std::vector<Layer> layers_;
-  std::vector<std::unique_ptr<TextMask>> texts_;  // by layer; null: none were drawn
+  LayerTable<Layer> layers_;
+  LayerTable<std::unique_ptr<TextMask>> texts_;  // null: none were drawn
   std::vector<OverlaySet> overlays_;
   DrawingFrame frame_;
   std::vector<ColorMap> maps_ = builtin_color_maps();
   TextureId map_texture_{};
   TextureId picture_{};
-  LayerIndex picture_layer_ = kNoLayer;
+  VariantLayer picture_layer_ = kNoLayer;
   double picture_aspect_ = 1.0;  // height by width
   PicturePlace picture_place_;
   std::array<GroupTarget, 2> groups_;  // by TargetFormat

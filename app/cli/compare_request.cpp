@@ -23,8 +23,8 @@ constexpr std::string_view kFamily = "family";
 constexpr std::string_view kBundle = "bundle";
 constexpr std::string_view kStep = "step";
 
-bool has_family(LayerIndex layer) {
-  return family_of(layer_descriptors()[layer]).has_value();
+bool has_family(VariantLayer layer) {
+  return family_of(layer_descriptors()[layer.layer]).has_value();
 }
 
 ShownLayers with_family(const ShownLayers& shown, FamilyKind family) {
@@ -34,7 +34,7 @@ ShownLayers with_family(const ShownLayers& shown, FamilyKind family) {
   for (const LayerConfiguration::Entry& entry : in_family(layers, family).layers) {
     if (!entry.visible) continue;
     const LayerIndex layer = find_layer(entry.layer);
-    out.layers.push_back(layer);
+    out.layers.emplace_back(layer);
     out.styles[layer] = entry.style;
   }
   return out;

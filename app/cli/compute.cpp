@@ -94,12 +94,12 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
 
   std::vector<Measured> measured(layer_descriptors().size());
   const auto take = [&](const InstancePiece& piece) {
-    Measured& layer = measured[piece.layer];
+    Measured& layer = measured[piece.layer.layer];
     layer.tally.add(piece.kind, piece.values);
     if (request.with_digests) layer.digest += digest_of(piece.kind, piece.values, !piece.scalars_are_names);
   };
   const auto result = measure_with_progress(std::move(file.data),
-                                            {.layers = *layers,
+                                            {.layers = main_layers(*layers),
                                              .settings = input->settings,
                                              .want_statistics = true,
                                              .want_findings = true,

@@ -29,7 +29,7 @@ Expected<LayerText> compute_text(const SampleData& data, const LayerTextFormat& 
   Progress progress;
   return compute_layer_text(
       data, format,
-      {.layers = layers,
+      {.layers = main_layers(layers),
        .settings = settings,
        .on_patch = {},
        .on_progress = [&progress](std::string_view task, double fraction) { progress.show(task, fraction); }});

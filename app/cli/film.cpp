@@ -159,7 +159,7 @@ class Studio {
   Expected<CapturedPicture> draw_panes(const Player& player) {
     Comparison comparison =
         compare(panes_.requests({player.document(), player.history(), player.layers(), player.settings()}));
-    for (const LayerIndex layer : held_) scene_.forget(layer);
+    for (const VariantLayer layer : held_) scene_.forget(layer);
     held_ = comparison.demand;
     LayerMirror mirror;
     const auto result = run_computation(*comparison.data, {.layers = comparison.demand,
@@ -201,8 +201,7 @@ class Studio {
           camera_within(film_.marks.axes && here.margin > 0.0 ? room_of_axes(scale_) : EdgeRoom(), pane_width,
                         pane_height, here.box, here.margin);
       std::vector<render::LayerView> views;
-      for (const LayerIndex layer : pane.shown.layers)
-        views.push_back({layer, pane.shown.styles[plain_layer(layer)]});
+      for (const VariantLayer layer : pane.shown.layers) views.push_back({layer, pane.shown.styles[layer.layer]});
       auto shot = shoot(views, camera, document,
                         {legend_of(scene_, views, one.legend), i == 0 ? player.caption() : std::string(), one.marks});
       if (!shot) return std::unexpected(shot.error());
@@ -221,7 +220,7 @@ class Studio {
     const double units_per_px = camera.units_per_pixel() * scale_;
     const double spacing_px = typical_spacing(document) / units_per_px;
     for (render::LayerView& view : views)
-      view.style = thinned(view.style, layer_descriptors()[plain_layer(view.layer)], spacing_px);
+      view.style = thinned(view.style, layer_descriptors()[view.layer.layer], spacing_px);
     add_texts(views, {document}, {camera.visible(), units_per_px}, fonts_ ? &fonts_->plain : nullptr);
     auto image =
         render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale_});
@@ -253,10 +252,10 @@ class Studio {
   render::Scene scene_;
   Film film_;
   const SessionPanes& panes_;
-  std::vector<LayerIndex> held_;  // by the scene, of the panes
-  double scale_;                  // pixels per logical pixel
-  PictureTitle title_;            // the same in all pictures
-  BackgroundImage shown_;         // in the scene, or not readable
+  std::vector<VariantLayer> held_;  // by the scene, of the panes
+  double scale_;                    // pixels per logical pixel
+  PictureTitle title_;              // the same in all pictures
+  BackgroundImage shown_;           // in the scene, or not readable
   std::shared_ptr<const PaperFonts> fonts_;
 };
 

@@ -105,9 +105,9 @@ Expected<void> take_bundle(const std::string& name_or_file, PictureRequest& pict
 Expected<void> take_layers(const std::string& ids, PictureRequest& picture) {
   auto layers = select_layers(ids);
   if (!layers) return std::unexpected(layers.error());
-  picture.shown.layers = std::move(*layers);
   // The stacking order is the registry's, whatever the order of the words.
-  std::ranges::sort(picture.shown.layers);
+  std::ranges::sort(*layers);
+  picture.shown.layers = main_layers(*layers);
   return {};
 }
 

@@ -122,7 +122,7 @@ std::string style_keys() {
 
 Expected<std::vector<LayerStyle>> changed_styles(std::vector<LayerStyle> styles,
                                                  std::span<const std::string> requests,
-                                                 std::span<const LayerIndex> drawn,
+                                                 std::span<const VariantLayer> drawn,
                                                  std::span<const std::string> color_maps) {
   std::vector<LayerIndex> sized;  // whose size is asked for: it is kept where samples are dense
   std::vector<LayerIndex> told;   // whether to keep it
@@ -133,7 +133,7 @@ Expected<std::vector<LayerStyle>> changed_styles(std::vector<LayerStyle> styles,
     const auto layer = select_layer(request.substr(0, colon));
     if (!layer) return std::unexpected(layer.error());
     const LayerDescriptor& descriptor = layer_descriptors()[*layer];
-    if (std::ranges::find(drawn, *layer) == drawn.end())
+    if (std::ranges::find(drawn, VariantLayer(*layer)) == drawn.end())
       return usage_error(fmt::format("--set-style is given for {}, which is not drawn", descriptor.id));
     std::string_view rest = std::string_view(request).substr(colon + 1);
     while (true) {

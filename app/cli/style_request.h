@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/error.h"
-#include "core/base/slot.h"
 #include "core/draw/layer_style.h"
+#include "core/draw/variant.h"
 
 namespace mes::cli {
 
@@ -16,7 +16,7 @@ namespace mes::cli {
 /// Error: `usage`, naming the nearest words there are; also for a layer that is not among `drawn`.
 Expected<std::vector<LayerStyle>> changed_styles(std::vector<LayerStyle> styles,
                                                  std::span<const std::string> requests,
-                                                 std::span<const LayerIndex> drawn,
+                                                 std::span<const VariantLayer> drawn,
                                                  std::span<const std::string> color_maps);
 
 /// The keys of a request, for the help page.

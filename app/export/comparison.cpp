@@ -23,14 +23,13 @@ std::string_view without_family(const LayerDescriptor& layer) {
 }
 
 /// The layer of another pane that shows what this one does: the same, or else the same of another family of balls.
-std::optional<LayerIndex> counterpart(LayerIndex layer, const Pane& pane) {
-  const LayerIndex plain = plain_layer(layer);
+std::optional<VariantLayer> counterpart(LayerIndex layer, const Pane& pane) {
   const auto descriptors = layer_descriptors();
-  const auto same = std::ranges::find(pane.shown.layers, plain, plain_layer);
+  const auto same = std::ranges::find(pane.shown.layers, layer, &VariantLayer::layer);
   if (same != pane.shown.layers.end()) return *same;
-  const std::string_view name = without_family(descriptors[plain]);
-  const auto alike = std::ranges::find(
-      pane.shown.layers, name, [&](LayerIndex other) { return without_family(descriptors[plain_layer(other)]); });
+  const std::string_view name = without_family(descriptors[layer]);
+  const auto alike = std::ranges::find(pane.shown.layers, name,
+                                       [&](VariantLayer other) { return without_family(descriptors[other.layer]); });
   return alike != pane.shown.layers.end() ? std::optional(*alike) : std::nullopt;
 }
 
@@ -40,7 +39,7 @@ class Differences {
   Differences(const LayerMirror& mirror, double tolerance) : mirror_(mirror), tolerance_(tolerance) {}
 
   /// False when there are none.
-  bool find(LayerIndex layer, std::span<const LayerIndex> others, LayerPatch& out) const {
+  bool find(VariantLayer layer, std::span<const VariantLayer> others, LayerPatch& out) const {
     bool has_any = false;
     for (const PrimitiveKind kind : kAllPrimitiveKinds) {
       KindPatch& patch = out[kind];
@@ -60,9 +59,9 @@ class Differences {
 
  private:
   std::vector<std::uint32_t> missing_somewhere(PrimitiveKind kind, std::span<const double> instances,
-                                               std::span<const LayerIndex> others) const {
+                                               std::span<const VariantLayer> others) const {
     std::vector<std::uint32_t> out;
-    for (const LayerIndex other : others) {
+    for (const VariantLayer other : others) {
       const auto missing = without_counterpart(kind, instances, mirror_.instances(other, kind), tolerance_);
       out.insert(out.end(), missing.begin(), missing.end());
     }
@@ -95,7 +94,7 @@ bool has_areas(const LayerDescriptor& layer) {
       layer.kinds, [](PrimitiveKind kind) { return kind == PrimitiveKind::disk || kind == PrimitiveKind::triangle; });
 }
 
-render::ScalarRange range_of(const LayerMirror& mirror, LayerIndex layer) {
+render::ScalarRange range_of(const LayerMirror& mirror, VariantLayer layer) {
   render::ScalarRange out;
   for (const PrimitiveKind kind : kAllPrimitiveKinds) {
     const std::span<const double> instances = mirror.instances(layer, kind);
@@ -110,7 +109,7 @@ std::vector<PaneRequest> pane_requests(
     const PanesOfWindow& panes, const std::shared_ptr<const SampleData>& data,
     const std::function<std::shared_ptr<const SampleData>(std::size_t pane)>& own_data) {
   const auto& [shown, layers, settings, words] = panes;
-  ShownLayers main{.layers = layers.visible_layers()};
+  ShownLayers main{.layers = main_layers(layers.visible_layers())};
   for (LayerIndex layer = 0; layer < layers.size(); ++layer) main.styles.push_back(layers.style(layer));
   std::vector<PaneRequest> out{{words.front(), main, settings, data}};
   for (std::size_t i = 0; i < shown.panes.size() && i + 1 < words.size(); ++i) {
@@ -120,8 +119,8 @@ std::vector<PaneRequest> pane_requests(
     if (auto own = own_data(i)) pane.data = std::move(own);
     pane.shown.layers.clear();
     for (const auto& [layer, style] : shown.panes[i]) {
-      pane.shown.layers.push_back(plain_layer(layer));
-      pane.shown.styles[plain_layer(layer)] = style;
+      pane.shown.layers.emplace_back(layer.layer);
+      pane.shown.styles[layer.layer] = style;
     }
     out.push_back(std::move(pane));
   }
@@ -151,7 +150,7 @@ Comparison compare(std::vector<PaneRequest> requests) {
               .variant = variant_of(request),
               .data = request.data};
     const bool has_document = pane.variant != kMainVariant && out.variants[pane.variant - 1].data;
-    for (LayerIndex& layer : pane.shown.layers) layer = layer_in(pane.variant, has_document, layer);
+    for (VariantLayer& layer : pane.shown.layers) layer = layer_in(pane.variant, has_document, layer.layer);
     out.demand.insert(out.demand.end(), pane.shown.layers.begin(), pane.shown.layers.end());
     out.panes.push_back(std::move(pane));
   }
@@ -164,7 +163,10 @@ Comparison compare(std::vector<PaneRequest> requests) {
 Comparison comparison_of(const ShownPanes& shown, const LayerStack& layers) {
   Comparison out;
   out.variants.resize(shown.variants.size());
-  Pane main{.label = {}, .letter = pane_letter(0), .shown = {.layers = layers.visible_layers()}, .data = nullptr};
+  Pane main{.label = {},
+            .letter = pane_letter(0),
+            .shown = {.layers = main_layers(layers.visible_layers())},
+            .data = nullptr};
   for (LayerIndex layer = 0; layer < layers.size(); ++layer) main.shown.styles.push_back(layers.style(layer));
   out.panes.push_back(main);
   for (std::size_t i = 0; i < shown.panes.size(); ++i) {
@@ -174,7 +176,7 @@ Comparison comparison_of(const ShownPanes& shown, const LayerStack& layers) {
     pane.shown.layers.clear();
     for (const auto& [layer, style] : shown.panes[i]) {
       pane.shown.layers.push_back(layer);
-      pane.shown.styles[plain_layer(layer)] = style;
+      pane.shown.styles[layer.layer] = style;
     }
     out.panes.push_back(std::move(pane));
   }
@@ -185,11 +187,10 @@ void share_color_ranges(Comparison& comparison, const LayerMirror& mirror) {
   const auto follows = [](const LayerStyle& style) { return !style.color_map.empty() && !style.range_locked; };
   std::vector<render::ScalarRange> ranges(layer_descriptors().size());
   for (const Pane& pane : comparison.panes)
-    for (const LayerIndex layer : pane.shown.layers)
-      if (follows(pane.shown.styles[plain_layer(layer)])) ranges[plain_layer(layer)].add(range_of(mirror, layer));
+    for (const VariantLayer layer : pane.shown.layers)
+      if (follows(pane.shown.styles[layer.layer])) ranges[layer.layer].add(range_of(mirror, layer));
   for (Pane& pane : comparison.panes) {
-    for (const LayerIndex number : pane.shown.layers) {
-      const LayerIndex layer = plain_layer(number);
+    for (const auto [variant, layer] : pane.shown.layers) {
       LayerStyle& style = pane.shown.styles[layer];
       if (!follows(style) || ranges[layer].is_empty()) continue;
       style.range_locked = true;
@@ -202,27 +203,28 @@ void share_color_ranges(Comparison& comparison, const LayerMirror& mirror) {
 FramePatch mark_differences(Comparison& comparison, const LayerMirror& mirror, double extent) {
   // Coordinates that were rounded in other ways differ by some of their last bits.
   constexpr double kRounding = 0x1p-30;
-  const auto layers = static_cast<LayerIndex>(layer_descriptors().size());
-  LayerIndex next = (static_cast<LayerIndex>(comparison.variants.size()) + 1) * layers;
+  // The marks of a pane are a variant of their own, after all that are computed.
+  VariantIndex marks = kMostPanes;
   FramePatch out;
   out.frame = mirror.frame();
   out.document_revision = mirror.document_revision();
   const Differences differences(mirror, std::max(kRounding * extent, std::numeric_limits<double>::min()));
   for (Pane& pane : comparison.panes) {
-    for (const LayerIndex number : pane.shown.layers) {
-      std::vector<LayerIndex> others;
+    for (const VariantLayer layer : pane.shown.layers) {
+      std::vector<VariantLayer> others;
       for (const Pane& other : comparison.panes)
-        if (const auto theirs = counterpart(number, other); theirs && *theirs != number) others.push_back(*theirs);
+        if (const auto theirs = counterpart(layer.layer, other); theirs && *theirs != layer)
+          others.push_back(*theirs);
       if (others.empty()) continue;
       LayerPatch patch;
-      patch.layer = next + plain_layer(number);
-      if (!differences.find(number, others, patch)) continue;
-      LayerStyle style = marked(pane.shown.styles[plain_layer(number)]);
-      if (!has_areas(layer_descriptors()[plain_layer(number)])) style.opacity = 1.0;
+      patch.layer = {marks, layer.layer};
+      if (!differences.find(layer, others, patch)) continue;
+      LayerStyle style = marked(pane.shown.styles[layer.layer]);
+      if (!has_areas(layer_descriptors()[layer.layer])) style.opacity = 1.0;
       pane.marks.push_back({patch.layer, style});
       out.layers.push_back(std::move(patch));
     }
-    next += layers;
+    ++marks;
   }
   out.layer_count = out.layers.size();
   return out;

@@ -59,7 +59,7 @@ std::vector<PaneRequest> pane_requests(
 struct Pane {
   std::string label;   ///< "(a) precision exact"
   std::string letter;  ///< "a"
-  ShownLayers shown;   ///< layers by their numbers in all variants
+  ShownLayers shown;
   VariantIndex variant = kMainVariant;
   std::shared_ptr<const SampleData> data;
   std::vector<render::LayerView> marks{};  ///< what only some of the panes have
@@ -71,7 +71,7 @@ struct Comparison {
   std::shared_ptr<const SampleData> data;
   ComputationSettings settings;
   std::vector<ComputedVariant> variants;
-  std::vector<LayerIndex> demand;
+  std::vector<VariantLayer> demand;
   /// The document of a pane.
   const Document& document_of(const Pane& pane, const ComputationResult& result) const {
     const bool is_shared = pane.variant == kMainVariant || !variants[pane.variant - 1].data;
@@ -83,8 +83,7 @@ struct Comparison {
 /// most.
 Comparison compare(std::vector<PaneRequest> panes);
 
-/// The panes of the window, main pane first, with layers by the numbers that its engine has them under: to be compared by
-/// what is drawn. They have no data.
+/// The panes of the window, main pane first: to be compared by what is drawn. They have no data.
 Comparison comparison_of(const ShownPanes& shown, const LayerStack& layers);
 
 /// Gives a layer that follows a colour map the same range in all panes, unless its range is chosen.

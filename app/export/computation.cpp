@@ -40,13 +40,13 @@ class Bell {
 /// The work as a list of tasks in the order of the engine, so that "the third of seven" is known.
 class TaskList {
  public:
-  explicit TaskList(std::span<const LayerIndex> layers) {
+  explicit TaskList(std::span<const VariantLayer> layers) {
     const auto descriptors = layer_descriptors();
-    for (const LayerIndex layer : layers)
-      for (const std::string_view structure : descriptors[plain_layer(layer)].structures)
+    for (const VariantLayer layer : layers)
+      for (const std::string_view structure : descriptors[layer.layer].structures)
         if (std::ranges::find(tasks_, structure) == tasks_.end()) tasks_.push_back(structure);
     structures_ = tasks_.size();
-    for (const LayerIndex layer : layers) tasks_.push_back(descriptors[plain_layer(layer)].id);
+    for (const VariantLayer layer : layers) tasks_.push_back(descriptors[layer.layer].id);
   }
 
   double fraction(const EngineStatus& status) {
@@ -76,12 +76,12 @@ std::unexpected<Error> failure_of(std::span<const NodeReport> nodes, std::span<c
           Error{ErrorCode::cannot_compute, "structure " + node.structure + " failed: " + node.reason, {}, 0, 0});
   for (const LayerReport& report : reports)
     if (report.state == NodeState::failed || report.state == NodeState::blocked)
-      return std::unexpected(Error{
-          ErrorCode::cannot_compute,
-          "layer " + std::string(layer_descriptors()[plain_layer(report.layer)].id) + " failed: " + report.reason,
-          {},
-          0,
-          0});
+      return std::unexpected(
+          Error{ErrorCode::cannot_compute,
+                "layer " + std::string(layer_descriptors()[report.layer.layer].id) + " failed: " + report.reason,
+                {},
+                0,
+                0});
   return std::unexpected(Error{ErrorCode::cannot_compute, "the computation did not finish", {}, 0, 0});
 }
 

@@ -23,7 +23,7 @@ struct ComputedVariant {
 };
 
 struct ComputationRequest {
-  std::vector<LayerIndex> layers;  ///< by their numbers in all variants
+  std::vector<VariantLayer> layers;
   ComputationSettings settings;
   bool want_statistics = false;
   bool want_findings = false;

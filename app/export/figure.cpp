@@ -116,9 +116,9 @@ MarksPlace add_scale_marks(figure::Figure& figure, const SeenPlane& plane, const
   return place_of_marks(request.marks, plane, measure);
 }
 
-bool has_texts(std::span<const LayerIndex> layers) {
+bool has_texts(std::span<const VariantLayer> layers) {
   return std::ranges::any_of(
-      layers, [](LayerIndex layer) { return layer_descriptors()[plain_layer(layer)].points_as != PointsAs::dots; });
+      layers, [](VariantLayer layer) { return layer_descriptors()[layer.layer].points_as != PointsAs::dots; });
 }
 
 /// The part of the plane on the page.

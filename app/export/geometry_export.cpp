@@ -17,10 +17,11 @@ std::vector<LayerIndex> layers_for(const LayerTextFormat& format, std::vector<La
 
 Expected<LayerText> compute_layer_text(const SampleData& data, const LayerTextFormat& format,
                                        ComputationRequest request) {
-  const std::vector<LayerIndex> layers = request.layers;
+  std::vector<LayerIndex> layers;
+  for (const VariantLayer layer : request.layers) layers.push_back(layer.layer);
   if (auto good = check_layers(format, layers); !good) return std::unexpected(good.error());
   LayerMirror mirror;
-  request.layers = layers_for(format, layers);
+  request.layers = main_layers(layers_for(format, layers));
   request.on_patch = [&mirror](const FramePatch& patch) { mirror.apply(patch); };
   const auto result = run_computation(data, request);
   if (!result) return std::unexpected(result.error());

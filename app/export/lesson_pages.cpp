@@ -117,7 +117,7 @@ const render::Image* LessonPrinter::traced(const BackgroundImage& image, std::ve
 }
 
 Expected<void> LessonPrinter::draw(const LessonScene& scene, const Box2& place, LessonPage& page) {
-  FigureRequest request{.shown = {.layers = scene.layers.visible_layers(),
+  FigureRequest request{.shown = {.layers = main_layers(scene.layers.visible_layers()),
                                   .styles = {},
                                   .background = look_.background,
                                   .scale = look_.scale},

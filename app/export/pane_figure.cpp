@@ -52,7 +52,7 @@ figure::Page part_for(const FigureRequest& request, const SeenByAll& seen, const
 
 ShownPanes::Layers layers_of(const ShownLayers& shown) {
   ShownPanes::Layers out;
-  for (const LayerIndex layer : shown.layers) out.emplace_back(layer, shown.styles[plain_layer(layer)]);
+  for (const VariantLayer layer : shown.layers) out.emplace_back(layer, shown.styles[layer.layer]);
   return out;
 }
 

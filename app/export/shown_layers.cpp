@@ -14,7 +14,7 @@
 namespace mes {
 namespace {
 
-Box2 box_of(const LayerMirror& mirror, LayerIndex layer) {
+Box2 box_of(const LayerMirror& mirror, VariantLayer layer) {
   Box2 box;
   for (const PrimitiveKind kind : kAllPrimitiveKinds) {
     const std::span<const double> instances = mirror.instances(layer, kind);
@@ -42,18 +42,17 @@ Box2 box_of(const LayerMirror& mirror, LayerIndex layer) {
 
 std::vector<render::LayerView> views_of(const ShownLayers& shown, double spacing_px) {
   std::vector<render::LayerView> views;
-  for (const LayerIndex layer : shown.layers) {
-    const std::size_t plain = plain_layer(layer);
-    const LayerStyle style = thinned(shown.styles[plain], layer_descriptors()[plain], spacing_px);
+  for (const VariantLayer layer : shown.layers) {
+    const LayerStyle style = thinned(shown.styles[layer.layer], layer_descriptors()[layer.layer], spacing_px);
     views.push_back({layer, drawn_on(style, shown.background)});
   }
   return views;
 }
 
-Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const LayerIndex> layers) {
+Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const VariantLayer> layers) {
   Box2 box = samples;
-  for (const LayerIndex layer : layers)
-    if (layer_descriptors()[plain_layer(layer)].in_fit_box) box.add(box_of(mirror, layer));
+  for (const VariantLayer layer : layers)
+    if (layer_descriptors()[layer.layer].in_fit_box) box.add(box_of(mirror, layer));
   if (samples.is_empty()) return box;
   constexpr double kReach = 0.1;
   const double reach = kReach * std::max(samples.width(), samples.height());
@@ -68,7 +67,7 @@ Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const Lay
 
 LayerConfiguration configuration_of(const ShownLayers& shown) {
   LayerConfiguration out;
-  for (const LayerIndex layer : shown.layers)
+  for (const auto [variant, layer] : shown.layers)
     out.layers.push_back({std::string(layer_descriptors()[layer].id), true, shown.styles[layer]});
   return out;
 }

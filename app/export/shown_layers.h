@@ -19,10 +19,10 @@ namespace mes {
 inline constexpr double kFitMargin = 0.05;
 
 struct ShownLayers {
-  std::vector<LayerIndex> layers{};  ///< bottom first; by their numbers in all variants (core/draw/variant.h)
-  std::vector<LayerStyle> styles{};  ///< of all layers of one variant, by index
-  std::optional<Rgb> background{};   ///< none: transparent
-  double scale = 1.0;                ///< factor for line widths and point sizes
+  std::vector<VariantLayer> layers{};  ///< bottom first
+  std::vector<LayerStyle> styles{};    ///< of all layers of one variant, by index
+  std::optional<Rgb> background{};     ///< none: transparent
+  double scale = 1.0;                  ///< factor for line widths and point sizes
 };
 
 /// The layers of one variant with their styles, as sessions have them.
@@ -35,6 +35,6 @@ std::vector<render::LayerView> views_of(const ShownLayers& shown, double spacing
 /// What "fit" shows: the samples, and the shown layers that count for it. Those may carry the box beyond the samples
 /// by a tenth of their extent at most: the balls of a good sample stay within that, and one huge ball at a hole of
 /// the curve must not shrink everything else to a dot.
-Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const LayerIndex> layers);
+Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const VariantLayer> layers);
 
 }  // namespace mes

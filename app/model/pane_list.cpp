@@ -148,7 +148,7 @@ PaneChoice next_choice(const PaneList& list, const ComputationSettings& settings
 ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const ComputationSettings& settings,
                        const PaneEvolution& evolution) {
   ShownPanes out;
-  out.demand = layers.visible_layers();
+  out.demand = main_layers(layers.visible_layers());
   for (const PaneChoice& choice : list.panes()) {
     VariantIndex variant = kMainVariant;
     const ComputationSettings own = settings_of(choice, settings, evolution);
@@ -165,7 +165,7 @@ ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const Com
     }
     ShownPanes::Layers shown = layers_of(choice, layers);
     for (auto& [layer, style] : shown) {
-      layer = layer_in(variant, version.has_value(), layer);
+      layer = layer_in(variant, version.has_value(), layer.layer);
       out.demand.push_back(layer);
     }
     out.panes.push_back(std::move(shown));

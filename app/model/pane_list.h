@@ -88,14 +88,14 @@ struct PaneEvolution {
   friend bool operator==(const PaneEvolution&, const PaneEvolution&) = default;
 };
 
-/// What the list comes to, with layers by their numbers in all variants.
+/// What the list comes to.
 struct ShownPanes {
-  using Layers = std::vector<std::pair<LayerIndex, LayerStyle>>;  ///< bottom first
+  using Layers = std::vector<std::pair<VariantLayer, LayerStyle>>;  ///< bottom first
   std::vector<VariantRequest> variants;
   std::vector<std::optional<VersionChoice>> versions;  ///< of the variants that have documents of their own
   std::vector<Layers> panes;                           ///< beside the main one
   std::vector<VariantIndex> variant;                   ///< of each of these
-  std::vector<LayerIndex> demand;                      ///< of all panes, the main one too
+  std::vector<VariantLayer> demand;                    ///< of all panes, the main one too
 };
 /// Those of the main pane.
 ShownPanes::Layers visible_layers(const LayerStack& layers);

@@ -63,7 +63,7 @@ PenLook pen_look(const Gui& gui, ProvenanceRole role, bool is_dim) {
 }  // namespace
 
 ProvenanceQuestion question_at(const Pointer& pointer, const LayerStack& layers) {
-  ProvenanceQuestion out{0, pointer.world, kReachPx * pointer.units_per_px, layers.visible_layers()};
+  ProvenanceQuestion out{0, pointer.world, kReachPx * pointer.units_per_px, main_layers(layers.visible_layers())};
   std::ranges::reverse(out.layers);
   return out;
 }
@@ -74,7 +74,7 @@ void ProvenanceCard::ask(Engine& engine, const LayerStack& layers, ProvenanceQue
   is_asking_ = true;
   asks_beneath_ = wants_beneath_ = false;
   question_ = question;
-  layers_ = layers.visible_layers();
+  layers_ = main_layers(layers.visible_layers());
   std::ranges::reverse(layers_);
   document_revision_ = editor.document().revision();
   selection_revision_ = editor.selection().revision();
@@ -95,9 +95,9 @@ void ProvenanceCard::take(Provenance answer) {
   beneath_ = answer_ && layers_beneath().empty() ? Beneath::no_layer : Beneath::unknown;
 }
 
-std::vector<LayerIndex> ProvenanceCard::layers_beneath() const {
+std::vector<VariantLayer> ProvenanceCard::layers_beneath() const {
   const auto found = std::ranges::find(layers_, answer_->layer);
-  return found == layers_.end() ? std::vector<LayerIndex>() : std::vector<LayerIndex>(found + 1, layers_.end());
+  return found == layers_.end() ? std::vector<VariantLayer>() : std::vector<VariantLayer>(found + 1, layers_.end());
 }
 
 void ProvenanceCard::ask_beneath(Engine& engine) {
@@ -138,7 +138,7 @@ ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, float width
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   tooltip(gui, "Drag to move this card");
   ImGui::SetCursorPos(at);
-  ImGui::TextDisabled("%s", std::string(layer_descriptors()[answer_->layer].name).c_str());
+  ImGui::TextDisabled("%s", std::string(layer_descriptors()[answer_->layer.layer].name).c_str());
   HeadClicks out;
   ImGui::SameLine(width - 38 * unit - keep_width);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4 * unit, 0.0F});

@@ -66,7 +66,7 @@ class ProvenanceCard {
     bool kept = false;
   };
   void draw_foot(const Gui& gui);
-  std::vector<LayerIndex> layers_beneath() const;
+  std::vector<VariantLayer> layers_beneath() const;
   HeadClicks draw_head(const Gui& gui, float width, const std::string& keep_key);
   bool is_of(const Editor& editor) const;
 
@@ -78,8 +78,8 @@ class ProvenanceCard {
   bool wants_sources_ = false;
   bool wants_beneath_ = false;
   bool asks_beneath_ = false;
-  ProvenanceQuestion question_{};   ///< the last one
-  std::vector<LayerIndex> layers_;  ///< all that were visible then, top first
+  ProvenanceQuestion question_{};     ///< the last one
+  std::vector<VariantLayer> layers_;  ///< all that were visible then, top first
   enum class Beneath : std::uint8_t { unknown, nothing, no_layer } beneath_ = Beneath::unknown;
   std::optional<Provenance> answer_;
   std::size_t pointed_at_ = 0;  ///< line under the pointer, counted from one; 0 = none

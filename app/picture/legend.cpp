@@ -217,7 +217,7 @@ std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const r
                                    LegendScope scope) {
   return entries_of(
       views, scope, [&](const render::LayerView& view) { return scene.shown_map(view.layer, view.style); },
-      [&](LayerIndex layer, PrimitiveKind kind) { return scene.instances(layer, kind) > 0; });
+      [&](VariantLayer layer, PrimitiveKind kind) { return scene.instances(layer, kind) > 0; });
 }
 
 std::vector<LegendTick> legend_ticks(const render::ScalarRange& range) {

@@ -124,7 +124,7 @@ PaperDrawing layout_pane_labels(std::span<const std::string> labels, const PaneG
 
 bool are_alike(std::span<const ShownPanes::Layers> panes) {
   const auto is_same = [](const auto& a, const auto& b) {
-    return plain_layer(a.first) == plain_layer(b.first) && a.second == b.second;
+    return a.first.layer == b.first.layer && a.second == b.second;
   };
   return std::ranges::all_of(
       panes, [&](const ShownPanes::Layers& pane) { return std::ranges::equal(pane, panes.front(), is_same); });

@@ -159,18 +159,18 @@ void Picture::set_marks(FramePatch patch, std::vector<std::vector<render::LayerV
   if (!apply(patch)) marks_.clear();
 }
 
-void Picture::forget_all_but(std::span<const LayerIndex> demand) {
-  for (const LayerIndex layer : held_)
+void Picture::forget_all_but(std::span<const VariantLayer> demand) {
+  for (const VariantLayer layer : held_)
     if (std::ranges::find(demand, layer) == demand.end()) scene_.forget(layer);
   held_.assign(demand.begin(), demand.end());
 }
 
-const LayerReport* Picture::report(LayerIndex layer) const {
+const LayerReport* Picture::report(VariantLayer layer) const {
   const auto found = std::ranges::find(reports_, layer, &LayerReport::layer);
   return found == reports_.end() ? nullptr : &*found;
 }
 
-NodeState Picture::state(LayerIndex layer) const {
+NodeState Picture::state(VariantLayer layer) const {
   const LayerReport* found = report(layer);
   return found == nullptr ? NodeState::inactive : found->state;
 }
@@ -244,7 +244,7 @@ ShownPanes::Layers Picture::as_drawn(ShownPanes::Layers layers, const std::optio
   for (auto& [layer, style] : layers) {
     const NodeState is = state(layer);
     const bool failed = is == NodeState::failed || is == NodeState::blocked;
-    style = thinned(style, layer_descriptors()[plain_layer(layer)], spacing_px);
+    style = thinned(style, layer_descriptors()[layer.layer], spacing_px);
     style = drawn_on(failed ? greyed(style) : style, background);
   }
   return layers;

@@ -55,7 +55,7 @@ class Picture {
   /// Takes the finished results; returns false if there were none.
   bool take_from(Engine& engine);
   /// Releases the graphics memory of layers that are in demand no longer.
-  void forget_all_but(std::span<const LayerIndex> demand);
+  void forget_all_but(std::span<const VariantLayer> demand);
   /// Sets the colour behind the layers.
   void set_canvas(Rgb background) { canvas_ = background; }
   Rgb canvas() const { return canvas_; }
@@ -98,8 +98,8 @@ class Picture {
   /// One of so many disks is on screen; 1: all.
   std::uint32_t every() const { return detail_.every(); }
 
-  NodeState state(LayerIndex layer) const;
-  const LayerReport* report(LayerIndex layer) const;
+  NodeState state(VariantLayer layer) const;
+  const LayerReport* report(VariantLayer layer) const;
   /// Those of the main computation come first.
   const std::vector<NodeReport>& nodes() const { return nodes_; }
   /// True after memory was exhausted for a patch: the layers are grey until the engine sends all of them again, which a
@@ -133,7 +133,7 @@ class Picture {
     std::uint64_t patches = 0;
     std::uint64_t background = 0;
     MarkedState marked;
-    std::vector<std::pair<LayerIndex, LayerStyle>> layers;
+    ShownPanes::Layers layers;
     bool is_kept = false;
     PanePlaces places;
     std::vector<ShownPanes::Layers> panes;
@@ -168,7 +168,7 @@ class Picture {
   std::unique_ptr<LayerMirror> mirror_;     // null unless patches are checked
   std::shared_ptr<LayerMirror> instances_;  // null unless they are kept
   bool has_instances_ = false;              // of all layers
-  std::vector<LayerIndex> held_;            // what was in demand last
+  std::vector<VariantLayer> held_;          // what was in demand last
   std::vector<LayerReport> reports_;
   std::vector<NodeReport> nodes_;
   bool is_lost_ = false;

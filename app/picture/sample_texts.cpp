@@ -227,7 +227,7 @@ void add_texts(std::span<render::LayerView> views, const TextSource& source, con
   constexpr double kGap = 2.5;
   const double diagonal = std::sqrt(0.5);
   for (render::LayerView& view : views) {
-    if (layer_descriptors()[plain_layer(view.layer)].points_as == PointsAs::dots) continue;
+    if (layer_descriptors()[view.layer.layer].points_as == PointsAs::dots) continue;
     auto texts = std::make_shared<render::LayerTexts>();
     view.texts = texts;
     if (font == nullptr) continue;

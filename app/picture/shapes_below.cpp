@@ -75,9 +75,9 @@ bool meets(const Box2& box, PrimitiveKind kind, const double* v) {
 
 }  // namespace
 
-std::size_t shapes_below(const LayerMirror& mirror, std::span<const LayerIndex> layers, const Box2& box) {
+std::size_t shapes_below(const LayerMirror& mirror, std::span<const VariantLayer> layers, const Box2& box) {
   std::size_t out = 0;
-  for (const LayerIndex layer : layers) {
+  for (const VariantLayer layer : layers) {
     for (const PrimitiveKind kind : kAllPrimitiveKinds) {
       const std::span<const double> instances = mirror.instances(layer, kind);
       for (std::size_t at = 0; at < instances.size(); at += stride_of(kind))

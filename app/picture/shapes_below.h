@@ -15,6 +15,6 @@ namespace mes {
 
 /// How many primitives of the layers have a part in the box, in units of the document. Of an arc its bounds count, and
 /// its whole circle. Inner parts of circles do not count, those of disks and triangles do.
-std::size_t shapes_below(const LayerMirror& mirror, std::span<const LayerIndex> layers, const Box2& box);
+std::size_t shapes_below(const LayerMirror& mirror, std::span<const VariantLayer> layers, const Box2& box);
 
 }  // namespace mes

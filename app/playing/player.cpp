@@ -47,7 +47,8 @@ Expected<void> Player::apply(const PlayStep& step) {
 
 std::string Player::complete() {
   // In one piece: some layers show what the last run changed, so runs must not depend on how fast the engine is.
-  engine_.post({.deltas = std::exchange(deltas_, {}), .settings = settings_, .demand = layers_.visible_layers()});
+  engine_.post(
+      {.deltas = std::exchange(deltas_, {}), .settings = settings_, .demand = main_layers(layers_.visible_layers())});
   std::string failure;
   while (auto patch = engine_.sync()) {
     failure.clear();

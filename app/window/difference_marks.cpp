@@ -4,25 +4,15 @@
 #include <new>
 #include <utility>
 
-#include "core/draw/layer_descriptor.h"
-
 namespace mes {
 
-// The layers of marks are numbered after those of all panes that there can be.
 DifferenceMarks::Compared DifferenceMarks::compare_panes(Panes panes, const State& state) {
   Compared out{.state = state, .patch = {}, .marks = {}, .problem = panes.problem};
   if (out.problem) return out;
   try {
     Comparison& comparison = panes.comparison;
     out.patch = mark_differences(comparison, *panes.drawn, panes.extent);
-    const auto layers = static_cast<LayerIndex>(layer_descriptors().size());
-    const auto first = static_cast<LayerIndex>(comparison.variants.size() + 1) * layers;
-    const LayerIndex free = (static_cast<LayerIndex>(PaneList::kMost) + 1) * layers;
-    for (LayerPatch& layer : out.patch.layers) layer.layer += free - first;
-    for (Pane& pane : comparison.panes) {
-      for (render::LayerView& view : pane.marks) view.layer += free - first;
-      out.marks.push_back(std::move(pane.marks));
-    }
+    for (Pane& pane : comparison.panes) out.marks.push_back(std::move(pane.marks));
   } catch (const std::bad_alloc&) {
     out.problem = Error{ErrorCode::out_of_memory, "there is not enough memory", {}, 0, 0};
   }

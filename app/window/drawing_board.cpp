@@ -181,9 +181,8 @@ bool DrawingBoard::may_ask() {
 void DrawingBoard::ask_beside(const Pointer& pointer, const ChosenThing& chosen) {
   constexpr double kReach = 4.0;  // logical pixels: of a dot of usual size
   const double reach = kReach * pointer.units_per_px;
-  ProvenanceQuestion question{.at = pointer.world,
-                              .reach = reach,
-                              .layers = layers_of_click(work_.layers(), {chosen.is_ball, chosen.distance <= reach})};
+  const auto layers = layers_of_click(work_.layers(), {chosen.is_ball, chosen.distance <= reach});
+  ProvenanceQuestion question{.at = pointer.world, .reach = reach, .layers = main_layers(layers)};
   if (question.layers.empty() || !work_.hold().waiting().empty()) return;
   provenance_.ask(work_.engine(), work_.layers(), std::move(question), work_.editor());
 }
@@ -275,12 +274,12 @@ void DrawingBoard::follow_differences() {
                                    all.is_empty() ? 0.0 : std::max(all.width(), all.height())};
         // Such a layer shows an earlier state, and would differ for no reason of its own.
         if (const LayerReport* const failed = picture_.first_failed())
-          out.problem = Error{ErrorCode::cannot_compute,
-                              fmt::format("the layer {} failed: {}",
-                                          layer_descriptors()[plain_layer(failed->layer)].id, failed->reason),
-                              {},
-                              0,
-                              0};
+          out.problem = Error{
+              ErrorCode::cannot_compute,
+              fmt::format("the layer {} failed: {}", layer_descriptors()[failed->layer.layer].id, failed->reason),
+              {},
+              0,
+              0};
         return out;
       },
       picture_);

@@ -60,7 +60,7 @@ FigureSubject FigureFlow::subject() const {
   out.session =
       uses_.work.session_for_picture(uses_.title(), uses_.board.view().free_box(), uses_.board.pane_views());
   const LayerStack& layers = uses_.work.layers();
-  out.shown.layers = layers.visible_layers();
+  out.shown.layers = main_layers(layers.visible_layers());
   for (LayerIndex layer = 0; layer < layers.size(); ++layer) out.shown.styles.push_back(layers.style(layer));
   out.shown.background = uses_.board.picture().canvas();
   const Canvas& canvas = uses_.board.canvas();
@@ -110,10 +110,10 @@ void FigureFlow::ask_geometry(std::vector<LayerIndex> layers, const LayerTextFor
       {.heading = fmt::format("Export geometry as {}", format.title), .extensions = {extension}});
 }
 
-void FigureFlow::write_geometry(const std::filesystem::path& file, std::vector<LayerIndex> layers,
+void FigureFlow::write_geometry(const std::filesystem::path& file, const std::vector<LayerIndex>& layers,
                                 const LayerTextFormat& format) {
   const ComputationRequest request{
-      .layers = std::move(layers), .settings = uses_.work.computation().settings(), .on_patch = {}};
+      .layers = main_layers(layers), .settings = uses_.work.computation().settings(), .on_patch = {}};
   writing_geometry_.begin([file, data = data_of(uses_.work.document()), request,
                            &format](const std::stop_token& stop) -> WrittenGeometry {
     try {

@@ -53,7 +53,7 @@ class FigureFlow {
     Expected<std::string> remark;  ///< empty: nothing is left out
   };
   void open();
-  void write_geometry(const std::filesystem::path& file, std::vector<LayerIndex> layers,
+  void write_geometry(const std::filesystem::path& file, const std::vector<LayerIndex>& layers,
                       const LayerTextFormat& format);
   void take_geometry();
   std::string document_name() const;

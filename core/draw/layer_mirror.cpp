@@ -31,9 +31,9 @@ void LayerMirror::apply(const FramePatch& patch) {
   MES_ASSERT(patch.complete || (patch.layer_count == 0 && patch.frame == frame_));
   if (patch.frame != frame_) leave_frame(patch);
   for (const LayerPatch& layer : std::span(patch.layers).first(patch.layer_count)) {
-    if (layers_.size() <= layer.layer) layers_.resize(layer.layer + std::size_t{1});
+    auto& kinds = layers_[layer.layer];
     for (const PrimitiveKind kind : kAllPrimitiveKinds) {
-      Instances& instances = layers_[layer.layer][static_cast<std::size_t>(kind)];
+      Instances& instances = kinds[static_cast<std::size_t>(kind)];
       if (layer[kind].is_empty()) {
         MES_ASSERT(layer[kind].count == instances.values.size() / stride_of(kind));
       } else {
@@ -49,17 +49,18 @@ void LayerMirror::apply(const FramePatch& patch) {
 // again.
 void LayerMirror::leave_frame(const FramePatch& patch) {
   const auto sent = std::span(patch.layers).first(patch.layer_count);
-  for (LayerIndex layer = 0; layer < layers_.size(); ++layer) {
+  layers_.for_each([&](VariantLayer layer, auto& kinds) {
     const auto found = std::ranges::find(sent, layer, &LayerPatch::layer);
-    const bool is_demanded = layer < patch.reports.size() && patch.reports[layer].state != NodeState::inactive;
+    const auto report = std::ranges::find(patch.reports, layer, &LayerReport::layer);
+    const bool is_demanded = report != patch.reports.end() && report->state != NodeState::inactive;
     for (const PrimitiveKind kind : kAllPrimitiveKinds) {
-      Instances& instances = layers_[layer][static_cast<std::size_t>(kind)];
+      Instances& instances = kinds[static_cast<std::size_t>(kind)];
       if (instances.values.empty()) continue;
       const bool is_reset = found != sent.end() && (*found)[kind].reset;
       MES_ASSERT(is_reset || !is_demanded);
       if (!is_reset) instances = {};
     }
-  }
+  });
 }
 
 void LayerMirror::apply(const KindPatch& patch, PrimitiveKind kind, bool with_scalars, Instances& instances) {
@@ -98,19 +99,19 @@ void LayerMirror::apply(const KindPatch& patch, PrimitiveKind kind, bool with_sc
   MES_ASSERT(missing == 0);
 }
 
-std::uint32_t LayerMirror::count(LayerIndex layer, PrimitiveKind kind) const {
+std::uint32_t LayerMirror::count(VariantLayer layer, PrimitiveKind kind) const {
   return static_cast<std::uint32_t>(instances(layer, kind).size() / stride_of(kind));
 }
 
-std::span<const double> LayerMirror::instances(LayerIndex layer, PrimitiveKind kind) const {
-  if (layer >= layers_.size()) return {};
-  return layers_[layer][static_cast<std::size_t>(kind)].values;
+std::span<const double> LayerMirror::instances(VariantLayer layer, PrimitiveKind kind) const {
+  const auto* const kinds = layers_.find(layer);
+  return kinds == nullptr ? std::span<const double>() : (*kinds)[static_cast<std::size_t>(kind)].values;
 }
 
-LayerDigest LayerMirror::digest(LayerIndex layer) const {
+LayerDigest LayerMirror::digest(VariantLayer layer) const {
   LayerDigest out;
-  if (layer >= layers_.size()) return out;
-  for (const Instances& instances : layers_[layer]) out += instances.digest;
+  if (const auto* const kinds = layers_.find(layer))
+    for (const Instances& instances : *kinds) out += instances.digest;
   return out;
 }
 

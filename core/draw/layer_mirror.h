@@ -31,10 +31,10 @@ class LayerMirror {
  public:
   void apply(const FramePatch& patch);
 
-  std::uint32_t count(LayerIndex layer, PrimitiveKind kind) const;
-  std::span<const double> instances(LayerIndex layer, PrimitiveKind kind) const;
+  std::uint32_t count(VariantLayer layer, PrimitiveKind kind) const;
+  std::span<const double> instances(VariantLayer layer, PrimitiveKind kind) const;
   /// Of what the layer draws, without scalars that are names. O(1): kept up to date by `apply`.
-  LayerDigest digest(LayerIndex layer) const;
+  LayerDigest digest(VariantLayer layer) const;
   /// As of the last patch.
   const DrawingFrame& frame() const { return frame_; }
   std::uint64_t document_revision() const { return document_revision_; }
@@ -47,7 +47,7 @@ class LayerMirror {
   void leave_frame(const FramePatch& patch);
   void apply(const KindPatch& patch, PrimitiveKind kind, bool with_scalars, Instances& instances);
 
-  std::vector<std::array<Instances, kPrimitiveKinds>> layers_;
+  LayerTable<std::array<Instances, kPrimitiveKinds>> layers_;
   std::vector<bool> written_;  // while applying: the instances that a growing patch has given
   DrawingFrame frame_;
   std::uint64_t document_revision_ = 0;

@@ -19,6 +19,7 @@
 #include "core/base/stat.h"
 #include "core/draw/primitives.h"
 #include "core/draw/provenance.h"
+#include "core/draw/variant.h"
 
 namespace mes {
 
@@ -41,7 +42,7 @@ struct KindPatch {
 };
 
 struct LayerPatch {
-  LayerIndex layer = 0;
+  VariantLayer layer{};
   bool has_scalars = false;        ///< the last double of an instance means something; else it is 0 in all
   bool scalars_are_names = false;  ///< it only tells elements apart, and depends on history
   std::array<KindPatch, kPrimitiveKinds> kinds;
@@ -63,7 +64,7 @@ struct LayerPatch {
 
 /// Some instances of one kind of one layer, on their way to a consumer that does not keep them.
 struct InstancePiece {
-  LayerIndex layer = 0;
+  VariantLayer layer{};
   PrimitiveKind kind = PrimitiveKind::point;
   bool scalars_are_names = false;
   std::span<const double> values;  ///< `stride_of(kind)` doubles each
@@ -86,8 +87,8 @@ enum class NodeState : std::uint8_t {
 };
 
 struct NodeReport {
-  std::string structure;      ///< public id, kebab case
-  std::uint32_t variant = 0;  ///< whose structure it is (core/draw/variant.h)
+  std::string structure;                ///< public id, kebab case
+  VariantIndex variant = kMainVariant;  ///< whose structure it is
   NodeState state = NodeState::inactive;
   std::string reason;               ///< one line, when failed or blocked
   std::vector<SampleId> witnesses;  ///< culprits of a failure
@@ -103,7 +104,7 @@ struct NodeReport {
 
 /// State of a layer as the panel shows it; follows from the structures it reads.
 struct LayerReport {
-  LayerIndex layer = 0;
+  VariantLayer layer{};
   NodeState state = NodeState::inactive;
   double emit_ms = 0.0;    ///< of the last time the layer was sent whole
   std::uint64_t lost = 0;  ///< primitives left out because their coordinates are not finite
@@ -117,7 +118,7 @@ struct FramePatch {
   std::vector<LayerPatch> layers;       ///< only demanded layers with changes; entries past `layer_count` are spare
   std::size_t layer_count = 0;
   std::vector<NodeReport> nodes;     ///< of the main computation first, then of the variants
-  std::vector<LayerReport> reports;  ///< by number of the layer, in all variants
+  std::vector<LayerReport> reports;  ///< of the main computation first, then of the variants
   bool complete = true;  ///< false: the run was stopped; no layer is in the patch, and the picture is as before
 };
 

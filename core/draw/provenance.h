@@ -10,6 +10,7 @@
 #include "core/base/slot.h"
 #include "core/base/vec2.h"
 #include "core/draw/primitives.h"
+#include "core/draw/variant.h"
 
 namespace mes {
 
@@ -66,8 +67,8 @@ inline constexpr std::size_t kProvenanceWishes = 4;
 struct ProvenanceQuestion {
   std::uint64_t ticket = 0;  ///< of the asker; the answer repeats it
   Vec2 at{};
-  double reach = 0.0;              ///< in units of the document
-  std::vector<LayerIndex> layers;  ///< to look at, top first
+  double reach = 0.0;                ///< in units of the document
+  std::vector<VariantLayer> layers;  ///< to look at, top first
   ProvenanceWish wish = ProvenanceWish::story;
   double low = 0.0;  ///< the range of values, both ends included
   double high = 0.0;
@@ -100,7 +101,7 @@ struct ProvenanceLine {
 
 struct Provenance {
   std::uint64_t ticket = 0;
-  LayerIndex layer = 0;               ///< where it was found
+  VariantLayer layer{};               ///< where it was found
   std::vector<ProvenanceLine> lines;  ///< itself first; empty = nothing was there
 };
 

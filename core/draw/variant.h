@@ -5,31 +5,67 @@
 // or a document of its own as well. It computes what differs, and shares the rest: with another number type, the
 // Delaunay triangulation and the crust are there once.
 //
-// The layers of all variants are numbered in one row, so that one patch, one scene and one mirror hold them all: those
-// of variant 1 follow those of variant 0. A layer that a variant shares has its number in variant 0.
+// One patch, one scene and one mirror hold the layers of all variants. A layer that a variant shares is there once, as
+// that of variant 0.
 #pragma once
 
+#include <compare>
+#include <cstddef>
 #include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
 
 #include "core/base/slot.h"
-#include "core/draw/layer_descriptor.h"
 
 namespace mes {
 
 using VariantIndex = std::uint32_t;
 inline constexpr VariantIndex kMainVariant = 0;
 
-/// The number under which a layer of a variant is demanded, sent and drawn; `has_document` says that the variant has
-/// samples and balls of its own.
-inline LayerIndex layer_in(VariantIndex variant, bool has_document, LayerIndex layer) {
-  const LayerDescriptor& descriptor = layer_descriptors()[layer];
-  const bool is_shared = has_document ? descriptor.structures.empty() : !descriptor.follows_settings;
-  return is_shared ? layer : variant * static_cast<LayerIndex>(layer_descriptors().size()) + layer;
+/// A layer as a variant computes it: what is demanded, sent and drawn.
+struct VariantLayer {
+  VariantIndex variant = kMainVariant;
+  LayerIndex layer = 0;
+
+  constexpr VariantLayer() = default;
+  // NOLINTNEXTLINE(google-explicit-constructor): a layer without more is that of the main computation
+  constexpr VariantLayer(LayerIndex of_main) : layer(of_main) {}
+  constexpr VariantLayer(VariantIndex of, LayerIndex which) : variant(of), layer(which) {}
+  friend constexpr auto operator<=>(const VariantLayer&, const VariantLayer&) = default;
+};
+
+/// Layers of the main computation.
+inline std::vector<VariantLayer> main_layers(std::span<const LayerIndex> layers) {
+  return {layers.begin(), layers.end()};
 }
 
-/// The layer that a number stands for, whatever the variant.
-inline LayerIndex plain_layer(LayerIndex layer) {
-  return layer % static_cast<LayerIndex>(layer_descriptors().size());
-}
+/// A `T` for each layer of each variant, by variant and layer.
+template <class T>
+class LayerTable {
+ public:
+  /// Makes what is not there yet, and what comes before it.
+  T& operator[](VariantLayer at) {
+    if (variants_.size() <= at.variant) variants_.resize(at.variant + std::size_t{1});
+    std::vector<T>& layers = variants_[at.variant];
+    if (layers.size() <= at.layer) layers.resize(at.layer + std::size_t{1});
+    return layers[at.layer];
+  }
+  /// Null: there is none.
+  const T* find(VariantLayer at) const {
+    if (at.variant >= variants_.size() || at.layer >= variants_[at.variant].size()) return nullptr;
+    return &variants_[at.variant][at.layer];
+  }
+  T* find(VariantLayer at) { return const_cast<T*>(std::as_const(*this).find(at)); }
+  template <class Visit>
+  void for_each(Visit visit) {
+    for (VariantIndex variant = 0; variant < variants_.size(); ++variant)
+      for (LayerIndex layer = 0; layer < variants_[variant].size(); ++layer)
+        visit(VariantLayer(variant, layer), variants_[variant][layer]);
+  }
+
+ private:
+  std::vector<std::vector<T>> variants_;
+};
 
 }  // namespace mes

@@ -64,7 +64,7 @@ struct Engine::Impl {
     }
     variant_steps.push_back(std::move(step));
   }
-  void set(std::vector<LayerIndex> layers) {
+  void set(std::vector<VariantLayer> layers) {
     stop_answering();
     demand = std::move(layers);
     demand_changed = true;
@@ -193,7 +193,7 @@ struct Engine::Impl {
   ComputationSettings latest_settings;
   std::vector<VariantRequest> latest_variants;
   std::vector<VariantStep> variant_steps;  // that the graph has not seen
-  std::vector<LayerIndex> demand;
+  std::vector<VariantLayer> demand;
   bool demand_changed = false;
   bool want_statistics = false;
   bool has_statistics = false;
@@ -233,7 +233,7 @@ void Engine::post(EngineStep step) {
   impl_->announce();
 }
 
-void Engine::set_demand(std::vector<LayerIndex> layers) {
+void Engine::set_demand(std::vector<VariantLayer> layers) {
   const std::lock_guard lock(impl_->mutex);
   impl_->set(std::move(layers));
   impl_->announce();

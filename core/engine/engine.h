@@ -50,7 +50,7 @@ struct VariantStep {
 struct EngineStep {
   std::vector<std::shared_ptr<const DocumentDelta>> deltas;
   ComputationSettings settings;
-  std::vector<LayerIndex> demand;  ///< by numbers in all variants (`layer_in`)
+  std::vector<VariantLayer> demand;  ///< of all variants (`layer_in`)
   VariantStep beside{};
 };
 
@@ -80,7 +80,7 @@ class Engine {
 
   void post(std::shared_ptr<const DocumentDelta> delta);
   /// Layers to keep up to date. A layer that comes into demand is sent whole (reset); one that leaves costs nothing.
-  void set_demand(std::vector<LayerIndex> layers);
+  void set_demand(std::vector<VariantLayer> layers);
   /// Number type and parameters. A computation with other settings is abandoned.
   void set_settings(const ComputationSettings& settings);
   /// All three at once: no patch shows some of it without the rest. So what follows depends on the steps alone, and

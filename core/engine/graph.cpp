@@ -29,7 +29,7 @@ void Graph::make_one_shot(InstanceTaker take, bool needs_scalars) {
 void Graph::add(std::unique_ptr<Variant> added) {
   const auto index = static_cast<VariantIndex>(variants_.size());
   added->first_node = nodes_.size();
-  const Variant& variant = *variants_.emplace_back(std::move(added));
+  Variant& variant = *variants_.emplace_back(std::move(added));
   const auto position_of = [this](const Structure* structure) {
     for (std::size_t i = 0; i < nodes_.size(); ++i)
       if (nodes_[i].structure == structure) return i;
@@ -63,29 +63,31 @@ void Graph::add(std::unique_ptr<Variant> added) {
       };
       const auto last = std::ranges::max_element(node.structures, {}, turn);
       if (last != node.structures.end())
-        nodes_[*last].completes.push_back(static_cast<LayerIndex>(layer_nodes_.size()));
+        nodes_[*last].completes.emplace_back(index, static_cast<LayerIndex>(variant.layers.size()));
     }
-    layer_nodes_.push_back(std::move(node));
-    layers_.push_back(std::move(layer));
+    node.layer = std::move(layer);
+    variant.layers.push_back(std::move(node));
   }
-  if (index == kMainVariant) layer_count_ = layers_.size();
   // Here memory may lack; in a run nothing could be done about it.
   sources_.reserve(nodes_.size());
   needed_.reserve(nodes_.size());
-  demanded_.reserve(layer_nodes_.size());
+  demanded_.reserve(variants_.size() * variant.layers.size());
   demand_changed_ = true;
 }
+
 void Graph::drop_variants(std::size_t kept) {
   if (kept == variants_.size()) return;
   const std::size_t nodes = variants_[kept]->first_node;
-  const std::size_t layers = kept * layer_count_;
   nodes_.resize(nodes);
-  layers_.resize(layers);
-  layer_nodes_.resize(layers);
   for (StructureNode& node : nodes_)
-    std::erase_if(node.completes, [layers](LayerIndex layer) { return layer >= layers; });
+    std::erase_if(node.completes, [kept](VariantLayer layer) { return layer.variant >= kept; });
   variants_.resize(kept);
   demand_changed_ = true;
+}
+
+const Graph::LayerNode* Graph::find(VariantLayer layer) const {
+  if (layer.variant >= variants_.size() || layer.layer >= variants_[layer.variant]->layers.size()) return nullptr;
+  return &variants_[layer.variant]->layers[layer.layer];
 }
 
 void Graph::set_variants(std::span<const VariantRequest> wanted) try {
@@ -120,18 +122,19 @@ void Graph::post_settings(const ComputationSettings& settings) {
   structures().get<SettingsSource>().post(settings);
 }
 
-void Graph::set_demand(std::span<const LayerIndex> layers) {
-  for (LayerNode& node : layer_nodes_) node.demanded = false;
-  for (const LayerIndex layer : layers) {
-    if (layer >= layer_nodes_.size()) continue;  // of a variant that found no room
-    MES_ASSERT(layer < layer_count_ || !layer_nodes_[layer].structures.empty());
-    layer_nodes_[layer].demanded = true;
+void Graph::set_demand(std::span<const VariantLayer> layers) {
+  for_each_layer([](VariantLayer /*layer*/, LayerNode& node) { node.demanded = false; });
+  for (const VariantLayer layer : layers) {
+    if (find(layer) == nullptr) continue;
+    LayerNode& node = node_of(layer);
+    MES_ASSERT(layer.variant == kMainVariant || !node.structures.empty());
+    node.demanded = true;
   }
-  for (LayerNode& node : layer_nodes_) {
-    if (node.demanded) continue;
+  for_each_layer([](VariantLayer /*layer*/, LayerNode& node) {
+    if (node.demanded) return;
     node.sent = false;
     node.state = NodeState::inactive;
-  }
+  });
   demand_changed_ = true;
 }
 
@@ -144,10 +147,12 @@ void Graph::set_want_findings(bool wanted) {
 void Graph::mark_needed() {
   for (StructureNode& node : nodes_) node.needed = false;
   nodes_.front().needed = true;
-  for (const LayerNode& layer : layer_nodes_) {
-    if (!layer.demanded) continue;
-    for (const std::size_t structure : layer.structures) nodes_[structure].needed = true;
-  }
+  demanded_.clear();
+  for_each_layer([this](VariantLayer layer, const LayerNode& node) {
+    if (!node.demanded) return;
+    demanded_.push_back(layer);
+    for (const std::size_t structure : node.structures) nodes_[structure].needed = true;
+  });
   for (StructureNode& node : nodes_)
     if (want_findings_ && node.variant == kMainVariant && node.structure->is_judge()) node.needed = true;
   // Inputs stand before their consumers.
@@ -160,9 +165,6 @@ void Graph::mark_needed() {
     if (nodes_[i].source != nullptr) sources_.push_back(i);
     if (nodes_[i].needed) needed_.push_back(i);
   }
-  demanded_.clear();
-  for (LayerIndex layer = 0; layer < layer_nodes_.size(); ++layer)
-    if (layer_nodes_[layer].demanded) demanded_.push_back(layer);
   demand_changed_ = false;
 }
 
@@ -266,12 +268,13 @@ void Graph::follow_extent() {
   }
 }
 
-LayerPatch& Graph::begin_patch(LayerIndex index, FramePatch& out) {
+LayerPatch& Graph::begin_patch(VariantLayer index, FramePatch& out) {
+  const LayerDescriptor& descriptor = node_of(index).layer.descriptor;
   if (out.layers.size() <= out.layer_count) out.layers.emplace_back();
   LayerPatch& patch = out.layers[out.layer_count++];
   patch.layer = index;
-  patch.has_scalars = !layers_[index].descriptor.scalar.empty();
-  patch.scalars_are_names = layers_[index].descriptor.scalars_are_names;
+  patch.has_scalars = !descriptor.scalar.empty();
+  patch.scalars_are_names = descriptor.scalars_are_names;
   patch.clear();
   return patch;
 }
@@ -279,13 +282,14 @@ LayerPatch& Graph::begin_patch(LayerIndex index, FramePatch& out) {
 // Turns the patch into one that takes all instances of the layer from its consumer.
 void Graph::withdraw(LayerPatch& patch) {
   patch.clear();
-  for (const PrimitiveKind kind : layers_[patch.layer].descriptor.kinds) patch[kind].reset = true;
-  layer_nodes_[patch.layer].sent = false;
+  LayerNode& node = node_of(patch.layer);
+  for (const PrimitiveKind kind : node.layer.descriptor.kinds) patch[kind].reset = true;
+  node.sent = false;
 }
 
 // Decides what a layer needs: nothing, an update, or a reset.
-Graph::Emission Graph::emission_of(LayerIndex index, FramePatch& out) {
-  LayerNode& node = layer_nodes_[index];
+Graph::Emission Graph::emission_of(VariantLayer index, FramePatch& out) {
+  LayerNode& node = node_of(index);
   before_.push_back({index, node.state, node.sent, node.synced});
   bool changed = false;
   bool may_update = !is_one_shot() && node.sent && node.synced + 1 == run_ && frame_ == sent_frame_;
@@ -316,7 +320,7 @@ Graph::Emission Graph::emission_of(LayerIndex index, FramePatch& out) {
   return may_update ? Emission::update : Emission::reset;
 }
 
-void Graph::begin_reset(LayerIndex index, FramePatch& out, TaskQueue& tasks, JobControl& job) {
+void Graph::begin_reset(VariantLayer index, FramePatch& out, TaskQueue& tasks, JobControl& job) {
   LayerPatch& patch = begin_patch(index, out);
   tasks.add([this, &patch, &job] { fill(patch, Emission::reset, job); });
 }
@@ -324,8 +328,8 @@ void Graph::begin_reset(LayerIndex index, FramePatch& out, TaskQueue& tasks, Job
 // Layers only read tables, and those of the structures up to a rebuilt one do not change any more. So layers that
 // waited for it are given away at once.
 void Graph::begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& tasks, JobControl& job) {
-  for (const LayerIndex index : node.completes) {
-    LayerNode& layer = layer_nodes_[index];
+  for (const VariantLayer index : node.completes) {
+    LayerNode& layer = node_of(index);
     if (!layer.demanded) continue;
     layer.begun = run_;
     if (emission_of(index, out) != Emission::none) begin_reset(index, out, tasks, job);
@@ -334,11 +338,11 @@ void Graph::begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& 
 
 void Graph::emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job) {
   // All at once, so that what is in no cache arrives together.
-  for (const LayerIndex index : demanded_)
-    if (layer_nodes_[index].begun != run_ && !is_one_shot())
-      for (const auto& part : layers_[index].parts) part->expect_update();
-  for (const LayerIndex index : demanded_) {
-    if (layer_nodes_[index].begun == run_) continue;
+  for (const VariantLayer index : demanded_)
+    if (node_of(index).begun != run_ && !is_one_shot())
+      for (const auto& part : node_of(index).layer.parts) part->expect_update();
+  for (const VariantLayer index : demanded_) {
+    if (node_of(index).begun == run_) continue;
     const Emission emission = emission_of(index, out);
     if (emission == Emission::reset) begin_reset(index, out, tasks, job);
     if (emission != Emission::update) continue;
@@ -366,7 +370,7 @@ void Graph::emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job) {
 // next run sends them whole.
 void Graph::take_back(FramePatch& out) {
   for (const LayerBefore& before : before_) {
-    LayerNode& node = layer_nodes_[before.layer];
+    LayerNode& node = node_of(before.layer);
     node.state = before.state;
     node.sent = before.sent;
     node.synced = before.synced;
@@ -385,7 +389,7 @@ void Graph::emit_whole(LayerPart& part, LayerPatch& patch) const {
 // Whatever ends early leaves an empty patch. The consumer then keeps the instances it has, unless they are in a frame
 // that is gone; which rows they belong to is forgotten, so the layer is sent whole next time.
 void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
-  LayerNode& node = layer_nodes_[patch.layer];
+  LayerNode& node = node_of(patch.layer);
   node.synced = 0;
   const auto fail = [&](std::string reason) {
     patch.clear();
@@ -395,10 +399,10 @@ void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
   };
   try {
     if (emission == Emission::update) {
-      for (const auto& part : layers_[patch.layer].parts) part->update(patch);
+      for (const auto& part : node.layer.parts) part->update(patch);
     } else {
       const auto start = std::chrono::steady_clock::now();
-      for (const auto& part : layers_[patch.layer].parts) {
+      for (const auto& part : node.layer.parts) {
         if (job.stop_requested()) {
           is_stopped_ = true;
           return;
@@ -408,7 +412,7 @@ void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
       node.ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
     }
     node.lost = 0;
-    for (const auto& part : layers_[patch.layer].parts) node.lost += part->lost();
+    for (const auto& part : node.layer.parts) node.lost += part->lost();
     node.sent = true;
     node.synced = run_;
   } catch (const std::bad_alloc&) {
@@ -480,32 +484,30 @@ void Graph::report(FramePatch& out) {
       report_inactive(nodes_[i], out.nodes[i]);
     }
   }
-  out.reports.resize(layer_nodes_.size());
-  auto demanded = demanded_.begin();
-  for (LayerIndex i = 0; i < layer_nodes_.size(); ++i) {
-    LayerReport& report = out.reports[i];
-    if (demanded == demanded_.end() || *demanded != i) {
-      if (report.state == NodeState::inactive && report.layer == i) continue;
+  out.reports.resize(variants_.size() * variants_.front()->layers.size());
+  auto next = out.reports.begin();
+  for_each_layer([&next](VariantLayer layer, const LayerNode& node) {
+    LayerReport& report = *next++;
+    if (!node.demanded) {
+      if (report.state == NodeState::inactive && report.layer == layer) return;
       report = {};
-      report.layer = i;
-      continue;
+      report.layer = layer;
+      return;
     }
-    ++demanded;
-    const LayerNode& node = layer_nodes_[i];
-    report.layer = i;
+    report.layer = layer;
     report.state = node.state;
     report.emit_ms = node.ms;
     report.lost = node.lost;
     if (report.reason != node.reason) report.reason = node.reason;
-  }
+  });
 }
 
 // For when memory does not suffice for the report itself.
 void Graph::report_lack_of_memory(FramePatch& out) {
   out.nodes.clear();
   for (LayerReport& report : out.reports) {
-    report.state = report.layer < layer_nodes_.size() && layer_nodes_[report.layer].demanded ? NodeState::failed
-                                                                                             : NodeState::inactive;
+    const LayerNode* const node = find(report.layer);
+    report.state = node != nullptr && node->demanded ? NodeState::failed : NodeState::inactive;
     report.reason = kOutOfMemory;
   }
 }
@@ -513,12 +515,12 @@ void Graph::report_lack_of_memory(FramePatch& out) {
 // There was no room for what holds the run together. Nothing of it is sent, and the next one sends everything.
 void Graph::give_up_for_lack_of_memory(FramePatch& out) {
   take_back(out);
-  for (LayerNode& node : layer_nodes_) {
-    if (!node.demanded) continue;
+  for_each_layer([](VariantLayer /*layer*/, LayerNode& node) {
+    if (!node.demanded) return;
     node.synced = 0;
     node.state = NodeState::failed;
     node.reason = kOutOfMemory;
-  }
+  });
 }
 
 void Graph::get_ready(JobControl& job, JobControl& job_at_leisure) try {
@@ -543,7 +545,7 @@ bool Graph::run(FramePatch& out, JobControl& job) {
   lap_ms();
   TaskQueue tasks;
   try {
-    out.layers.reserve(layer_nodes_.size());  // tasks hold on to their patches
+    out.layers.reserve(demanded_.size());  // tasks hold on to their patches
     for (const std::size_t i : sources_) {
       job.reset_progress();
       bring_up_to_date(nodes_[i], job);

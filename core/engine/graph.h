@@ -62,8 +62,9 @@ class Graph {
   /// The variants 1, 2, ...; those from the first one on that differs in more than its settings are made anew. Where
   /// memory does not suffice, there are none, and what is asked of them is not heard.
   void set_variants(std::span<const VariantRequest> variants);
-  /// Layers by their numbers in all variants (`layer_in`).
-  void set_demand(std::span<const LayerIndex> layers);
+  /// Layers of all variants; of what a variant shares, that of the main computation (`layer_in`).
+  void set_demand(std::span<const VariantLayer> layers);
+  void set_demand(std::span<const LayerIndex> of_main) { set_demand(main_layers(of_main)); }
   void set_want_statistics(bool wanted) { want_statistics_ = wanted; }
   /// Keeps the judges of the theorem light up to date too, and reports what they and others find.
   void set_want_findings(bool wanted);
@@ -88,18 +89,13 @@ class Graph {
   const StructureSet& structures(VariantIndex variant) const { return variants_[variant]->structures; }
 
  private:
-  struct Variant {
-    StructureSet structures;
-    bool has_document = true;
-    std::size_t first_node = 0;
-  };
   struct StructureNode {
     Structure* structure = nullptr;
     VariantIndex variant = kMainVariant;
     SourceStructure* source = nullptr;  ///< the structure, if it is one
     std::vector<std::size_t> inputs;
     std::optional<std::size_t> settings;  ///< the input that gives the settings; statistics may depend on them
-    std::vector<LayerIndex> completes;    ///< layers for which this is the last structure to wait for
+    std::vector<VariantLayer> completes;  ///< layers for which this is the last structure to wait for
     bool needed = false;
     NodeState state = NodeState::inactive;
     std::uint64_t synced = 0;   ///< run in which it was last known to be true to its inputs; 0 = never
@@ -119,6 +115,7 @@ class Graph {
     std::uint64_t findings_run = 0;
   };
   struct LayerNode {
+    Layer layer;  ///< without parts where a variant shares it
     std::vector<std::size_t> structures;
     bool demanded = false;
     bool sent = false;  ///< the consumer holds instances of it
@@ -129,18 +126,33 @@ class Graph {
     double ms = 0.0;
     std::string reason;
   };
+  struct Variant {
+    StructureSet structures;
+    bool has_document = true;
+    std::size_t first_node = 0;
+    std::vector<LayerNode> layers{};  ///< by position in the registry
+  };
 
   void add(std::unique_ptr<Variant> variant);
   void drop_variants(std::size_t kept);
+  LayerNode& node_of(VariantLayer layer) { return variants_[layer.variant]->layers[layer.layer]; }
+  /// Null where the variant found no room, or is gone.
+  const LayerNode* find(VariantLayer layer) const;
+  template <class Visit>
+  void for_each_layer(Visit visit) const {
+    for (VariantIndex variant = 0; variant < variants_.size(); ++variant)
+      for (LayerIndex layer = 0; layer < variants_[variant]->layers.size(); ++layer)
+        visit(VariantLayer(variant, layer), variants_[variant]->layers[layer]);
+  }
   void mark_needed();
   void bring_up_to_date(StructureNode& node, JobControl& job);
   void compute(StructureNode& node, bool may_update, JobControl& job);
-  void begin_reset(LayerIndex index, FramePatch& out, TaskQueue& tasks, JobControl& job);
+  void begin_reset(VariantLayer index, FramePatch& out, TaskQueue& tasks, JobControl& job);
   void begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& tasks, JobControl& job);
-  LayerPatch& begin_patch(LayerIndex index, FramePatch& out);
+  LayerPatch& begin_patch(VariantLayer index, FramePatch& out);
   void withdraw(LayerPatch& patch);
   enum class Emission : std::uint8_t { none, update, reset };
-  Emission emission_of(LayerIndex index, FramePatch& out);
+  Emission emission_of(VariantLayer index, FramePatch& out);
   void emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job);
   void take_back(FramePatch& out);
   void fill(LayerPatch& patch, Emission emission, JobControl& job);
@@ -161,9 +173,6 @@ class Graph {
   std::vector<std::unique_ptr<Variant>> variants_;  // the main one first
   const Samples* samples_ = nullptr;                // of the main one
   std::vector<StructureNode> nodes_;                // variant by variant, inputs before their consumers
-  std::size_t layer_count_ = 0;                     // of one variant
-  std::vector<Layer> layers_;                       // by number; those that a variant shares have no parts
-  std::vector<LayerNode> layer_nodes_;
   DrawingFrame frame_;
   DrawingFrame sent_frame_;  ///< of the last complete run, and of all that consumers hold
   std::uint64_t sent_revision_ = 0;
@@ -173,7 +182,7 @@ class Graph {
   // What an edit looks at, of the many that there are: made anew when the demand changes.
   std::vector<std::size_t> sources_;
   std::vector<std::size_t> needed_;  ///< structures, sources among them
-  std::vector<LayerIndex> demanded_;
+  std::vector<VariantLayer> demanded_;
   bool want_statistics_ = false;
   bool want_findings_ = false;
   std::array<std::optional<ProvenanceQuestion>, kProvenanceWishes> questions_;  ///< by wish; without an answer
@@ -184,7 +193,7 @@ class Graph {
 
   // Work space of one run.
   struct LayerBefore {
-    LayerIndex layer;
+    VariantLayer layer;
     NodeState state;
     bool sent;
     std::uint64_t synced;

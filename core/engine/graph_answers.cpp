@@ -34,11 +34,10 @@ std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& q
   };
   std::vector<Found> found;
   std::size_t seen = 0;
-  for (const LayerIndex layer : question.layers) {
-    if (layer >= layer_nodes_.size()) continue;  // of a variant that is gone
-    const LayerNode& node = layer_nodes_[layer];
-    if (!node.demanded || node.state != NodeState::up_to_date) continue;
-    for (const auto& part : layers_[layer].parts)
+  for (const VariantLayer layer : question.layers) {
+    const LayerNode* const node = find(layer);
+    if (node == nullptr || !node->demanded || node->state != NodeState::up_to_date) continue;
+    for (const auto& part : node->layer.parts)
       part->for_each_instance([&](PrimitiveKind kind, const double* values, const Element& element) {
         if (++seen % kLook == 0) job.checkpoint();
         const std::size_t last = stride_of(kind) - 1;
@@ -46,7 +45,7 @@ std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& q
         if (!(values[last] >= question.low && values[last] <= question.high)) return;
         ProvenanceShape shape{kind, {}};
         std::copy_n(values, last, shape.values.begin());
-        found.push_back({layer / static_cast<LayerIndex>(layer_count_), element, shape});
+        found.push_back({layer.variant, element, shape});
       });
   }
   if (found.empty()) return {};
@@ -95,13 +94,12 @@ void Graph::find_answer(const ProvenanceQuestion& question, Provenance& out, Job
     out.lines = explain_insertion(structures(0), is_current, question.at, job);
     return;
   }
-  for (const LayerIndex layer : question.layers) {
-    if (layer >= layer_nodes_.size()) continue;  // of a variant that is gone
-    const LayerNode& node = layer_nodes_[layer];
-    if (!node.demanded || node.state != NodeState::up_to_date) continue;
+  for (const VariantLayer layer : question.layers) {
+    const LayerNode* const node = find(layer);
+    if (node == nullptr || !node->demanded || node->state != NodeState::up_to_date) continue;
     HitSearch search(question.at, question.reach);
     std::size_t seen = 0;
-    for (const auto& part : layers_[layer].parts)
+    for (const auto& part : node->layer.parts)
       part->for_each_instance([&](PrimitiveKind kind, const double* values, const Element& element) {
         if (++seen % kLook == 0) job.checkpoint();
         search.look_at(kind, values, element.type, element.row);
@@ -112,10 +110,9 @@ void Graph::find_answer(const ProvenanceQuestion& question, Provenance& out, Job
       out.lines.push_back({ProvenanceRole::itself, {}, {search.best()->shape}, false});
       break;
     }
-    out.lines =
-        explain(structures(layer / static_cast<LayerIndex>(layer_count_)), is_current, search.best()->element, job);
+    out.lines = explain(structures(layer.variant), is_current, search.best()->element, job);
     if (out.lines.empty())
-      out.lines.push_back({ProvenanceRole::itself, std::string(layers_[layer].descriptor.tooltip), {}, false});
+      out.lines.push_back({ProvenanceRole::itself, std::string(node->layer.descriptor.tooltip), {}, false});
     if (out.lines.front().shapes.empty()) out.lines.front().shapes.push_back(search.best()->shape);
     break;
   }

@@ -22,13 +22,12 @@ constexpr double kEndless = std::numeric_limits<double>::infinity();
 // Beyond half a stroke's width: ends of what is cut stay out of sight, blurred ones too.
 constexpr double kBeyond = 1.0;
 
-/// The layers of variants are numbered after those of the main computation.
-const LayerDescriptor& descriptor_of(const Drawing& drawing, LayerIndex layer) {
-  return drawing.layers[layer % drawing.layers.size()];
+const LayerDescriptor& descriptor_of(const Drawing& drawing, VariantLayer layer) {
+  return drawing.layers[layer.layer];
 }
 
 /// Of the finite scalars of a layer.
-render::ScalarRange scalar_range(const LayerMirror& mirror, LayerIndex layer) {
+render::ScalarRange scalar_range(const LayerMirror& mirror, VariantLayer layer) {
   render::ScalarRange out;
   for (const PrimitiveKind kind : kAllPrimitiveKinds) {
     const std::span<const double> instances = mirror.instances(layer, kind);
@@ -81,7 +80,7 @@ class LayerBuilder {
     }
   }
 
-  FigureLayer layer(LayerIndex index) {
+  FigureLayer layer(VariantLayer index) {
     const LayerDescriptor& descriptor = descriptor_of(drawing_, index);
     FigureLayer out{.id = std::string(descriptor.id), .title = std::string(descriptor.name), .line_width = width_};
     const double opacity = render::opacity_of(style_);
@@ -137,7 +136,7 @@ class LayerBuilder {
             0.5 * page_.height - from_center.y / page_.units_per_point};
   }
 
-  void add(LayerIndex index, PrimitiveKind kind, double opacity, Group& group) {
+  void add(VariantLayer index, PrimitiveKind kind, double opacity, Group& group) {
     const std::span<const double> instances = drawing_.mirror.instances(index, kind);
     const std::size_t stride = stride_of(kind);
     for (std::size_t at = 0; at < instances.size(); at += stride) {

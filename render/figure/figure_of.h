@@ -44,7 +44,7 @@ Page part_of(const Page& page, const Box2& part);
 
 /// The picture to trace and the layer it is in.
 struct Traced {
-  LayerIndex layer = kNoLayer;
+  VariantLayer layer = kNoLayer;
   const render::Image* image = nullptr;  ///< null: none
   render::PicturePlace place;
 };

@@ -32,7 +32,7 @@ struct Panes {
       if (difference == Difference::scale) variant.settings[Parameter::p_scale] = 1.0 + 0.1 * static_cast<double>(i);
     }
     graph.set_variants(variants);
-    std::vector<LayerIndex> demand = shown;
+    std::vector<VariantLayer> demand = main_layers(shown);
     for (VariantIndex variant = 1; variant <= variants.size(); ++variant)
       for (const LayerIndex layer : shown)
         demand.push_back(layer_in(variant, variants[variant - 1].has_document, layer));

@@ -64,9 +64,9 @@ Layers poured(const std::vector<Vec2>& points, FramePatch& patch, int runs, Scal
   Graph graph;
   const auto take = [&](const InstancePiece& piece) {
     const std::lock_guard lock(mutex);
-    digest[piece.layer] +=
+    digest[piece.layer.layer] +=
         digest_of(piece.kind, piece.values, scalars == Scalars::needed && !piece.scalars_are_names);
-    count[piece.layer] += piece.values.size() / stride_of(piece.kind);
+    count[piece.layer.layer] += piece.values.size() / stride_of(piece.kind);
   };
   graph.make_one_shot(take, scalars != Scalars::not_needed);
   prepare(graph);

@@ -202,7 +202,7 @@ TEST_CASE("what an earlier run changed is not reported again by a later one") {
   REQUIRE(consumer.run(kNever));
   CHECK_FALSE(delaunay.face_changes().is_empty());
   // A run without the structure, and another that needs it and leaves it as it is.
-  consumer.graph.set_demand({});
+  consumer.graph.set_demand(std::vector<LayerIndex>());
   REQUIRE(consumer.run(kNever));
   consumer.graph.set_demand(shown);
   REQUIRE(consumer.run(kNever));

@@ -329,7 +329,7 @@ TEST_CASE("at a factor of 1 a certified union's scale axis follows edits by part
       CHECK_FALSE(report(id).rebuilt);
     }
     for (std::size_t i = 0; i < bench.patch().layer_count; ++i)
-      CHECK(layer_descriptors()[bench.patch().layers[i].layer].id == "lambda-axis");
+      CHECK(layer_descriptors()[bench.patch().layers[i].layer.layer].id == "lambda-axis");
   }
   Rng rng(3);
   for (int step = 0; step < 60; ++step) {

@@ -25,7 +25,7 @@ namespace {
 class Sampled {
  public:
   explicit Sampled(const SampleData& data) {
-    graph_.set_demand({{find_layer("a-ball-medial-disks"), find_layer("b-ball-medial-disks")}});
+    graph_.set_demand(std::array{find_layer("a-ball-medial-disks"), find_layer("b-ball-medial-disks")});
     Document document;
     const auto delta = replace_all(document, data);
     REQUIRE(delta.has_value());

@@ -75,8 +75,8 @@ class Client {
   void destroy() { engine_.reset(); }
 
   void demand(std::vector<std::string_view> ids) {
-    std::vector<LayerIndex> layers;
-    for (const std::string_view id : ids) layers.push_back(find_layer(id));
+    std::vector<VariantLayer> layers;
+    for (const std::string_view id : ids) layers.emplace_back(find_layer(id));
     engine_->set_demand(layers);
   }
   void replace(const std::vector<Vec2>& positions) {
@@ -119,7 +119,7 @@ class Client {
   std::vector<std::string_view> layers_in_last() const {
     std::vector<std::string_view> out;
     for (std::size_t i = 0; i < last_->layer_count; ++i)
-      out.push_back(layer_descriptors()[last_->layers[i].layer].id);
+      out.push_back(layer_descriptors()[last_->layers[i].layer.layer].id);
     return out;
   }
   const NodeReport& report(std::string_view structure) const {
@@ -174,7 +174,7 @@ std::vector<Vec2> many(std::size_t n) {
 
 TEST_CASE("sync gives the same instances as the graph") {
   Client client;
-  client.engine().set_demand(all_layers());
+  client.engine().set_demand(main_layers(all_layers()));
   for (const auto& positions : {benchmark_curve(500), noisy_curve(300), uniform_square(200), std::vector<Vec2>{}}) {
     client.replace(positions);
     client.sync();
@@ -186,7 +186,7 @@ TEST_CASE("sync gives the same instances as the graph") {
 
 TEST_CASE("an edit sends changes only, and undo restores the instances") {
   Client client;
-  client.engine().set_demand(all_layers());
+  client.engine().set_demand(main_layers(all_layers()));
   client.replace(benchmark_curve(2000));
   client.sync();
   std::vector<std::vector<std::vector<double>>> before;
@@ -199,7 +199,7 @@ TEST_CASE("an edit sends changes only, and undo restores the instances") {
   for (std::size_t i = 0; i < client.last().layer_count; ++i) {
     // Diagrams of balls, what is made of all poles, what any ball may swallow, unions of what filters keep and of balls
     // along axes of unions, and the order in which samples and balls come to alpha complexes, are made anew.
-    const LayerIndex layer = client.last().layers[i].layer;
+    const LayerIndex layer = client.last().layers[i].layer.layer;
     const LayerDescriptor& descriptor = layer_descriptors()[layer];
     if (std::ranges::any_of(descriptor.structures, [](std::string_view s) {
           return s.ends_with("diagram") || s == "p-union" || s == "power-crust" || s.starts_with("cover-") ||
@@ -451,7 +451,7 @@ TEST_CASE("an engine can be destroyed at any moment") {
   // Busy, at several points of the work.
   for (int i = 0; i < 12; ++i) {
     Client client;
-    client.engine().set_demand(all_layers());
+    client.engine().set_demand(main_layers(all_layers()));
     client.sync();
     client.gate().close();
     client.replace(many(20000));
@@ -475,7 +475,7 @@ TEST_CASE("any mixture of edits, undo and demand ends in the right picture") {
   Rng rng(9);
   Client client;
   std::vector<LayerIndex> shown = all_layers();
-  client.engine().set_demand(shown);
+  client.engine().set_demand(main_layers(shown));
   client.replace(noisy_curve(120));
   for (int step = 0; step < 250; ++step) {
     const std::vector<SampleId> ids = client.ids();
@@ -496,7 +496,7 @@ TEST_CASE("any mixture of edits, undo and demand ends in the right picture") {
         shown.clear();
         for (const LayerIndex layer : all_layers())
           if (rng.below(3) == 0) shown.push_back(layer);
-        client.engine().set_demand(shown);
+        client.engine().set_demand(main_layers(shown));
         break;
       default: client.engine().set_want_statistics(rng.below(2) == 0);
     }
@@ -544,7 +544,7 @@ TEST_CASE("questions with different wishes are all answered, of those with one w
   client.demand({"points"});
   client.replace({{0, 0}, {1, 0}, {0, 1}});
   client.sync();
-  const std::vector<LayerIndex> points{find_layer("points")};
+  const std::vector<VariantLayer> points{find_layer("points")};
   // The engine may have answered some before the others come; those are answered all the same.
   client.engine().ask({1, {1.0, 0.1}, 0.2, points, ProvenanceWish::sources_of_values, 0.0, 1.0});
   client.engine().ask({2, {1.0, 0.1}, 0.2, points, ProvenanceWish::story});
@@ -593,7 +593,7 @@ TEST_CASE("a question whose answer is stopped stays asked, and is answered after
   const auto delta = replace_all(document, {samples, {}});
   REQUIRE(delta);
   graph.post(std::make_shared<const DocumentDelta>(*delta));
-  const std::vector<LayerIndex> demand{find_layer("points")};
+  const std::vector<VariantLayer> demand{find_layer("points")};
   graph.set_demand(demand);
   FramePatch patch;
   JobControl job;
@@ -630,15 +630,15 @@ TEST_CASE("an explanation that looks at all rows is stopped among them, and is g
   const auto delta = replace_all(document, data);
   REQUIRE(delta);
   graph.post(std::make_shared<const DocumentDelta>(*delta));
-  const std::vector<LayerIndex> demand{find_layer("b-inner-disks"), find_layer("b-union-boundary"),
-                                       find_layer("b-v-points")};
+  const std::vector<VariantLayer> demand{find_layer("b-inner-disks"), find_layer("b-union-boundary"),
+                                         find_layer("b-v-points")};
   graph.set_demand(demand);
   FramePatch patch;
   JobControl job;
   REQUIRE(graph.run(patch, job));
-  const auto ask = [&](LayerIndex layer, Vec2 at) { graph.ask({1, at, 0.1, std::vector<LayerIndex>{layer}}); };
-  for (const LayerIndex layer : demand) {
-    CAPTURE(layer_descriptors()[layer].id);
+  const auto ask = [&](VariantLayer layer, Vec2 at) { graph.ask({1, at, 0.1, std::vector<VariantLayer>{layer}}); };
+  for (const VariantLayer layer : demand) {
+    CAPTURE(layer_descriptors()[layer.layer].id);
     // The crossing of the circles of the last two balls: what each of the layers shows is there.
     const Vec2 at{2998.5, std::sqrt(0.75 * 0.75 - 0.25)};
     ask(layer, at);

@@ -91,8 +91,8 @@ void check_variant(const Bed& bed, VariantIndex variant, bool has_document, cons
   }
 }
 
-std::vector<LayerIndex> demand_of(std::span<const VariantRequest> variants) {
-  std::vector<LayerIndex> out = shown_layers();
+std::vector<VariantLayer> demand_of(std::span<const VariantRequest> variants) {
+  std::vector<VariantLayer> out = main_layers(shown_layers());
   for (VariantIndex v = 1; v <= variants.size(); ++v)
     for (const LayerIndex layer : shown_layers()) out.push_back(layer_in(v, variants[v - 1].has_document, layer));
   std::ranges::sort(out);
@@ -162,11 +162,9 @@ TEST_CASE("variants share what does not depend on what they change") {
   CHECK(&graph.structures(2).get<Delaunay>() != &graph.structures().get<Delaunay>());
   const LayerIndex points = find_layer("points");
   const LayerIndex boundary = find_layer("a-union-boundary");
-  CHECK(layer_in(1, false, points) == points);
-  CHECK(layer_in(1, false, boundary) != boundary);
-  CHECK(layer_in(2, true, points) != points);
-  CHECK(plain_layer(layer_in(2, true, points)) == points);
-  CHECK(plain_layer(layer_in(1, false, boundary)) == boundary);
+  CHECK(layer_in(1, false, points) == VariantLayer(kMainVariant, points));
+  CHECK(layer_in(1, false, boundary) == VariantLayer(1, boundary));
+  CHECK(layer_in(2, true, points) == VariantLayer(2, points));
 
   // An edit of the main document leaves the other one alone.
   Bed bed;
@@ -188,10 +186,10 @@ TEST_CASE("variants share what does not depend on what they change") {
     bed.graph.post(delta);
   bed.run();
   for (std::size_t i = 0; i < bed.patch.layer_count; ++i) {
-    const LayerIndex layer = bed.patch.layers[i].layer;
-    CHECK(layer / layer_descriptors().size() < 2);
+    const auto [variant, layer] = bed.patch.layers[i].layer;
+    CHECK(variant < 2);
     // Unions of a noisy ring may be made anew, what is shared follows the edit.
-    if (!layer_descriptors()[plain_layer(layer)].follows_settings)
+    if (!layer_descriptors()[layer].follows_settings)
       CHECK(std::ranges::none_of(bed.patch.layers[i].kinds, &KindPatch::reset));
   }
 }
@@ -258,7 +256,7 @@ TEST_CASE("the engine computes variants in the steps of the main computation") {
     for (const auto& delta : other.apply(insert_samples(other.document, std::vector{at})))
       change.beside.deltas.push_back({2, delta});
     engine.post(change);
-    EngineStep gone{.deltas = {}, .settings = {}, .demand = shown_layers()};
+    EngineStep gone{.deltas = {}, .settings = {}, .demand = main_layers(shown_layers())};
     gone.beside.variants.emplace();
     if (round % 5 == 4) {
       engine.post(gone);

@@ -160,8 +160,8 @@ TEST_CASE("an index without room finds what there is all the same, and has room 
 TEST_CASE("where variants find no room, the main computation goes on, and they come when they are asked for again") {
   const LayerIndex boundary = find_layer("a-union-boundary");
   const std::vector<VariantRequest> wanted(2);
-  const std::vector<LayerIndex> layers{find_layer("points"), boundary, layer_in(1, false, boundary),
-                                       layer_in(2, false, boundary)};
+  const std::vector<VariantLayer> layers{find_layer("points"), boundary, layer_in(1, false, boundary),
+                                         layer_in(2, false, boundary)};
   const int failures = with_each_allocation_failing([&](int call) {
     Document document;
     Graph graph;

@@ -89,7 +89,7 @@ class GraphRun {
     }
     for (const LayerReport& layer : patch_.reports)
       require(is_as_it_should_be(layer.state),
-              std::string(layer_descriptors()[layer.layer].id) + " is shown: " + layer.reason);
+              std::string(layer_descriptors()[layer.layer.layer].id) + " is shown: " + layer.reason);
     mirror_.apply(patch_);
   }
 

@@ -173,7 +173,11 @@ TEST_CASE("rules under conditions hold where a screen is meant, and are said whe
     CHECK_THAT(drawing.warnings[0], Catch::Contains("1 part of a style sheet is left out"));
   }
   // Words of the file that are not text stay printable.
-  CHECK_THAT(read("@m\xff" "dia x{" + hide + "}").warnings.at(0), Catch::EndsWith("(@m\\xffdia)"));
+  CHECK_THAT(read("@m\xff"
+                  "dia x{" +
+                  hide + "}")
+                 .warnings.at(0),
+             Catch::EndsWith("(@m\\xffdia)"));
   CHECK(read("@media (max-width:10px){rect{color:red}}").warnings.empty());
   CHECK_THAT(read("@import 'a.css';").warnings.at(0), Catch::Contains("of another file is not read"));
   CHECK_THAT(read("rect:nth-of-type(2 of x){display:none}").warnings.at(0),

@@ -12,7 +12,7 @@ namespace {
 
 const SampleData kHouse{.positions = {{0, 0}, {4, 0}, {4, 3}, {2, 5}, {0, 3}}};
 
-Expected<LayerText> text_of_house(std::string_view format, std::vector<LayerIndex> layers,
+Expected<LayerText> text_of_house(std::string_view format, std::vector<VariantLayer> layers,
                                   std::stop_token stop = {}) {
   return compute_layer_text(kHouse, *find_layer_text_format(format),
                             {.layers = std::move(layers), .settings = {}, .on_patch = {}, .stop = std::move(stop)});

@@ -157,7 +157,7 @@ TEST_CASE("a place that is the scale bar's is next to it") {
 TEST_CASE("what lies below a box is counted primitive by primitive") {
   test::Workbench bench(std::vector<Vec2>{{0, 0}, {4, 0}, {4, 3}});
   const auto count = [&](const char* layer, const Box2& box) {
-    const LayerIndex index = find_layer(layer);
+    const VariantLayer index = find_layer(layer);
     return shapes_below(bench.mirror(), {&index, 1}, box);
   };
   // A triangle with a right angle, whose circle is about (2, 1.5) with the radius 2.5.

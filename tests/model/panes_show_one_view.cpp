@@ -34,8 +34,8 @@ LayerStack stack_with_only(std::initializer_list<std::string_view> shown) {
   return layers;
 }
 
-std::vector<LayerIndex> layers_of(const ShownPanes::Layers& pane) {
-  std::vector<LayerIndex> out;
+std::vector<VariantLayer> layers_of(const ShownPanes::Layers& pane) {
+  std::vector<VariantLayer> out;
   for (const auto& [layer, style] : pane) out.push_back(layer);
   return out;
 }
@@ -72,13 +72,13 @@ TEST_CASE("panes with settings of their own share the layers that do not depend 
   CHECK(shown.variants[1].settings.precision == settings.precision);
   REQUIRE(shown.panes.size() == 3);
   for (VariantIndex pane = 0; pane < 2; ++pane) {
-    const std::vector<LayerIndex> numbers = layers_of(shown.panes[pane]);
+    const std::vector<VariantLayer> numbers = layers_of(shown.panes[pane]);
     CHECK(std::ranges::count(numbers, find_layer("points")) == 1);
     CHECK(std::ranges::count(numbers, layer_in(pane + 1, false, boundary)) == 1);
     CHECK(std::ranges::count(numbers, boundary) == 0);
   }
   // What has the settings of the main pane is the main computation.
-  CHECK(layers_of(shown.panes[2]) == layers.visible_layers());
+  CHECK(layers_of(shown.panes[2]) == main_layers(layers.visible_layers()));
   CHECK(shown.demand.size() == 5);
 }
 
@@ -95,14 +95,14 @@ TEST_CASE("panes of another family or a bundle show other layers of the same com
   const ShownPanes shown = shown_panes(list, layers, {});
   CHECK(shown.variants.empty());
   REQUIRE(shown.panes.size() == 2);
-  const std::vector<LayerIndex> polar = layers_of(shown.panes[0]);
+  const std::vector<VariantLayer> polar = layers_of(shown.panes[0]);
   CHECK(std::ranges::count(polar, find_layer("p-union-boundary")) == 1);
   CHECK(std::ranges::count(polar, find_layer("a-union-boundary")) == 0);
   const auto points =
-      std::ranges::find(shown.panes[0], find_layer("points"), &std::pair<LayerIndex, LayerStyle>::first);
+      std::ranges::find(shown.panes[0], find_layer("points"), &std::pair<VariantLayer, LayerStyle>::first);
   REQUIRE(points != shown.panes[0].end());
   CHECK(points->second.point_size_px == 11.0);
-  CHECK(layers_of(shown.panes[1]) == std::vector<LayerIndex>{find_layer("medial-axis")});
+  CHECK(layers_of(shown.panes[1]) == std::vector<VariantLayer>{find_layer("medial-axis")});
   // The layers themselves are as they were.
   CHECK(layers.is_visible(find_layer("a-union-boundary")));
 }
@@ -170,7 +170,7 @@ TEST_CASE("the engine follows panes as they come, change and go") {
   layers.set_style(find_layer("points"), style);
   CHECK_FALSE(follow());
   REQUIRE(demand.shown().panes.size() == 1);
-  CHECK(demand.shown().panes[0].back().second == layers.style(demand.shown().panes[0].back().first));
+  CHECK(demand.shown().panes[0].back().second == layers.style(demand.shown().panes[0].back().first.layer));
   list.close_all();
   CHECK(follow());
   CHECK(demand.shown().panes.empty());
@@ -405,11 +405,11 @@ struct Versions {
 /// The layers of a document, computed afresh.
 std::vector<LayerDigest> digests_of(const SampleData& data) {
   LayerMirror mirror;
-  const std::vector<LayerIndex> layers{find_layer("points"), find_layer("medial-axis"), find_layer("curve")};
+  const std::vector<VariantLayer> layers{find_layer("points"), find_layer("medial-axis"), find_layer("curve")};
   REQUIRE(run_computation(
       data, {.layers = layers, .settings = {}, .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }}));
   std::vector<LayerDigest> out;
-  for (const LayerIndex layer : layers) out.push_back(mirror.digest(layer));
+  for (const VariantLayer layer : layers) out.push_back(mirror.digest(layer));
   return out;
 }
 

@@ -13,7 +13,7 @@ std::string failure_in(const FramePatch& patch) {
     if (node.state == NodeState::failed) return node.structure + " failed: " + node.reason;
   for (const LayerReport& report : patch.reports)
     if (report.state == NodeState::failed)
-      return std::string(layer_descriptors()[report.layer].id) + " failed: " + report.reason;
+      return std::string(layer_descriptors()[report.layer.layer].id) + " failed: " + report.reason;
   return {};
 }
 

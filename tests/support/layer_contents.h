@@ -23,7 +23,7 @@ class LayerContents {
   }
 
   /// Instances without regard to their order; segments and lines without regard to their direction.
-  std::vector<std::vector<double>> sorted(LayerIndex layer) const {
+  std::vector<std::vector<double>> sorted(VariantLayer layer) const {
     std::vector<std::vector<double>> out;
     const auto found = layers_.find(layer);
     if (found == layers_.end()) return out;
@@ -56,7 +56,7 @@ class LayerContents {
     return out;
   }
 
-  std::size_t count(LayerIndex layer, PrimitiveKind kind) const {
+  std::size_t count(VariantLayer layer, PrimitiveKind kind) const {
     const auto found = layers_.find(layer);
     return found == layers_.end() ? 0 : found->second[static_cast<std::size_t>(kind)].size() / stride_of(kind);
   }
@@ -87,7 +87,7 @@ class LayerContents {
     data.resize(patch.count * stride);
   }
 
-  std::map<LayerIndex, Kinds> layers_;
+  std::map<VariantLayer, Kinds> layers_;
 };
 
 }  // namespace mes::test

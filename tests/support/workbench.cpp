@@ -100,7 +100,7 @@ void Workbench::run() {
     REQUIRE((node.state == NodeState::up_to_date || node.state == NodeState::inactive));
   }
   for (const LayerReport& layer : patch_.reports) {
-    INFO(layer_descriptors()[layer.layer].id << ": " << layer.reason);
+    INFO(layer_descriptors()[layer.layer.layer].id << ": " << layer.reason);
     REQUIRE((layer.state == NodeState::up_to_date || layer.state == NodeState::inactive));
   }
   contents_.apply(patch_);
