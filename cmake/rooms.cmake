@@ -28,13 +28,13 @@ set(rooms
   "core/structures/certificate: core/base core/kernel core/graph core/structures/axis"
   "core/structures/balls: core/base core/kernel core/graph core/structures/inputs core/structures/triangulation core/structures/delaunay core/structures/crust core/structures/axis core/structures/alpha core/structures/filters core/structures/certificate"
   "core/structures/poles: core/base core/kernel core/graph core/structures/inputs core/structures/delaunay core/structures/crust core/structures/balls"
-  "core/structures: core/graph core/structures/*"
   "core/layers/parts: core/graph core/structures/*"
   "core/layers/union: core/layers/parts core/structures/balls"
   "core/layers: core/base core/draw core/graph core/layers/parts core/layers/union core/structures/*"
+  "core/builtins: core/graph core/layers core/structures/*"
   "core/evolutions: core/base core/document core/structures/crust"
   "core/engine: core/base core/draw core/document core/graph core/structures/inputs"
-  "core/resampling: core/base core/kernel core/curves core/document core/draw core/graph core/engine core/evolutions core/structures/*"
+  "core/resampling: core/base core/kernel core/curves core/document core/draw core/graph core/builtins core/engine core/evolutions core/structures/*"
   "render: core/base core/raster core/draw"
   "render/figure: core/base core/draw render"
   "app/system: core/io"
@@ -68,6 +68,8 @@ foreach(line IN LISTS rooms)
   string(STRIP "${CMAKE_MATCH_2}" allowed)
   # What a room may include, as one regular expression; `core/*` is every room below core that is listed above.
   set(pattern "${room}")
+  # All that lies below it, by room: what it may use, and what that may use.
+  set(below_${room} ${room})
   string(REPLACE " " ";" allowed "${allowed}")
   foreach(other IN LISTS allowed)
     string(REGEX REPLACE "/\\*$" "" folder "${other}")
@@ -76,14 +78,17 @@ foreach(line IN LISTS rooms)
         list(APPEND problems "cmake/rooms.cmake: ${room} may use ${other}, which does not come before it")
       endif()
       string(APPEND pattern "|${other}")
+      list(APPEND below_${room} ${below_${other}})
     else()
       foreach(below IN LISTS known)
         if(below MATCHES "^${folder}/")
           string(APPEND pattern "|${below}")
+          list(APPEND below_${room} ${below_${below}})
         endif()
       endforeach()
     endif()
   endforeach()
+  list(REMOVE_DUPLICATES below_${room})
   list(APPEND known ${room})
 
   file(GLOB sources ${ROOT}/${room}/*.h ${ROOT}/${room}/*.cpp ${ROOT}/${room}/internal/*.h

@@ -11,8 +11,8 @@
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "core/base/lower_case.h"
+#include "core/builtins/builtins.h"
 #include "core/document/layer_configuration.h"
-#include "core/draw/layer_descriptor.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {

@@ -14,7 +14,7 @@
 #include "app/cli/session_settings.h"
 #include "app/layers/layer_summary.h"
 #include "app/layers/statistics_text.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/layer_digest.h"
 #include "core/engine/theorem_light.h"
 

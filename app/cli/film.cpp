@@ -25,6 +25,7 @@
 #include "app/store/background_loader.h"
 #include "app/store/color_maps.h"
 #include "app/store/sample_shapes.h"
+#include "core/builtins/builtins.h"
 #include "core/io/carried_session.h"
 #include "core/io/temporary.h"
 #include "core/io/text_numbers.h"

@@ -15,8 +15,8 @@
 #include "app/store/layer_text.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
+#include "core/builtins/builtins.h"
 #include "core/document/parameter.h"
-#include "core/draw/layer_descriptor.h"
 #include "core/evolutions/evolution.h"
 #include "core/glyphs/fonts.h"
 #include "core/graph/structure.h"
@@ -77,7 +77,7 @@ std::vector<Entry> layer_entries() {
 
 std::vector<Entry> structure_entries() {
   std::vector<Entry> out;
-  for (const std::string_view id : structure_ids()) {
+  for (const std::string_view id : builtins().structures()) {
     Json readers = Json::array();
     for (const LayerDescriptor& layer : layer_descriptors())
       if (std::ranges::find(layer.structures, id) != layer.structures.end()) readers.push_back(layer.id);

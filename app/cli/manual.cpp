@@ -17,8 +17,8 @@
 #include "app/store/layer_text.h"
 #include "app/store/sample_shapes.h"
 #include "core/base/coordinate_range.h"
+#include "core/builtins/builtins.h"
 #include "core/document/parameter.h"
-#include "core/draw/layer_descriptor.h"
 #include "core/evolutions/evolution.h"
 #include "core/formula/formula.h"
 #include "core/graph/structure.h"
@@ -200,7 +200,7 @@ void write_structures(Markdown& page) {
   page.paragraph(
       "What is computed, and from what; only what a layer shown needs is. `mesecina compute` gives the counters of\n"
       "each, the panel of statistics shows them.");
-  const StructureSet structures = make_structures();
+  const StructureSet structures = builtins().make_structures();
   Rows rows;
   for (const auto& structure : structures.all()) {
     std::vector<std::string_view> inputs;

@@ -8,7 +8,7 @@
 #include <numeric>
 
 #include "app/cli/messages.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {

@@ -14,7 +14,7 @@
 #include "app/cli/session_settings.h"
 #include "app/cli/style_request.h"
 #include "core/base/lower_case.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {

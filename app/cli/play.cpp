@@ -8,6 +8,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
 #include "app/playing/player.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/layer_mirror.h"
 
 namespace mes::cli {

@@ -19,7 +19,7 @@
 #include "app/store/background_loader.h"
 #include "app/store/color_maps.h"
 #include "app/store/sample_shapes.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/io/carried_session.h"
 #include "render/egl_context.h"
 

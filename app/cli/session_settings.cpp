@@ -9,7 +9,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/playing/session_evolution.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 
 namespace mes::cli {
 

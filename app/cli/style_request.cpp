@@ -11,7 +11,7 @@
 #include "app/cli/names.h"
 #include "app/cli/picture.h"
 #include "app/export/page_size.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 #include "render/figure/figure.h"
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 
 namespace mes {
 namespace {

@@ -5,6 +5,8 @@
 #include <array>
 #include <utility>
 
+#include "core/builtins/builtins.h"
+
 namespace mes {
 
 void FirstBall::follow(Editor& editor, LayerStack& layers) {

@@ -9,6 +9,7 @@
 #include "app/layers/ball_families.h"
 #include "app/picture/pane_sheet.h"
 #include "core/base/assert.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/instance_difference.h"
 #include "core/draw/variant.h"
 

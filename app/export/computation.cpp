@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/variant.h"
 #include "core/engine/engine.h"
 
@@ -111,6 +111,7 @@ Expected<ComputationReport> run_to_end(EngineStep step, const ComputationRequest
   Bell bell;
   TaskList tasks(request.layers);
   Engine engine(
+      builtins(),
       {.wake = [&bell] { bell.ring(); }, .take_instances = std::move(take), .needs_scalars = request.needs_scalars});
   engine.set_want_statistics(request.want_statistics);
   engine.set_want_findings(request.want_findings);

@@ -14,7 +14,7 @@
 #include "app/picture/shapes_below.h"
 #include "app/picture/title_drawing.h"
 #include "app/store/sample_shapes.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/variant.h"
 #include "render/camera.h"
 #include "render/figure/raster.h"

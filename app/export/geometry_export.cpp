@@ -6,6 +6,8 @@
 #include <string_view>
 #include <utility>
 
+#include "core/builtins/builtins.h"
+
 namespace mes {
 
 std::vector<LayerIndex> layers_for(const LayerTextFormat& format, std::vector<LayerIndex> layers) {

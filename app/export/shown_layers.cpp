@@ -7,7 +7,7 @@
 
 #include "app/editing/sample_spacing.h"
 #include "app/picture/canvas_look.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/primitive_values.h"
 #include "core/draw/variant.h"
 

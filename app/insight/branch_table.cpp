@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/engine/graph.h"
 #include "core/io/text_numbers.h"
 #include "core/structures/balls/kept_union.h"
@@ -101,7 +101,7 @@ Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationS
   ComputationSettings chosen = settings;
   if (axis == BranchAxis::whole) chosen[Parameter::lambda_limit] = 0.0;
   chosen[Parameter::a_scale] = 1.0;  // shares are of the balls as they are
-  Graph graph;
+  Graph graph{builtins()};
   const std::string_view boundary = axis == BranchAxis::angle   ? "angle-kept-boundary"
                                     : axis == BranchAxis::cover ? "cover-kept-boundary"
                                                                 : "lambda-kept-boundary";

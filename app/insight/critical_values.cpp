@@ -5,12 +5,13 @@
 #include <utility>
 
 #include "app/insight/samples_alone.h"
+#include "core/builtins/builtins.h"
 #include "core/structures/filters/lambda_axis.h"
 
 namespace mes {
 
 Expected<std::vector<double>> critical_values_of(const SampleData& data, JobControl& job) {
-  Graph graph;
+  Graph graph{builtins()};
   if (auto good = compute_samples_alone(graph, data.positions, "lambda-medial-axis", job); !good)
     return std::unexpected(good.error());
   return graph.structures().get<LambdaAxis>().critical_values();

@@ -10,6 +10,7 @@
 #include <variant>
 
 #include "app/layers/layer_summary.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/layer_mirror.h"
 #include "core/engine/graph.h"
 #include "core/io/text_numbers.h"
@@ -96,7 +97,7 @@ Expected<std::string> sweep_as_csv(const ParameterSweep& sweep, const std::funct
   const Document document;
   auto delta = replace_all(document, sweep.data);
   if (!delta) return std::unexpected(delta.error());
-  Graph graph;
+  Graph graph{builtins()};
   graph.set_demand(sweep.layers);
   graph.set_want_statistics(true);
   graph.post(std::make_shared<const DocumentDelta>(*std::move(delta)));

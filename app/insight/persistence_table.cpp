@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/insight/samples_alone.h"
+#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 #include "core/structures/alpha/alpha_filtration.h"
 #include "core/structures/poles/polar_union.h"
@@ -192,7 +193,7 @@ std::uint64_t digest_of(const Document& document, GrowthOf of, const Computation
 }
 
 Expected<PersistenceTable> persistence_table_of(const PersistenceInput& input, JobControl& job) {
-  Graph graph;
+  Graph graph{builtins()};
   graph.post_settings(input.settings);
   const SampleData alone = input.of == GrowthOf::own ? SampleData{.balls = input.data.balls}
                                                      : SampleData{.positions = input.data.positions};

@@ -5,8 +5,8 @@
 #include <memory>
 #include <utility>
 
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
-#include "core/draw/layer_descriptor.h"
 
 namespace mes {
 

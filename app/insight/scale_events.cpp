@@ -7,7 +7,7 @@
 #include <new>
 #include <utility>
 
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/engine/graph.h"
 
 namespace mes {
@@ -155,7 +155,7 @@ Expected<std::vector<ScaleEvent>> scale_events_of(const SampleData& data, const 
   const Document document;
   auto delta = replace_all(document, {.positions = data.positions});
   if (!delta) return std::unexpected(delta.error());
-  Graph graph;
+  Graph graph{builtins()};
   graph.set_demand(std::array{find_layer("scale-axis")});
   graph.set_want_statistics(true);
   graph.post(std::make_shared<const DocumentDelta>(std::move(*delta)));

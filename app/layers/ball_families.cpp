@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/builtins/builtins.h"
+
 namespace mes {
 namespace {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/builtins/builtins.h"
+
 namespace mes {
 
 bool EngineDemand::waits_for_room(Engine& engine, const State& now) {

@@ -7,6 +7,7 @@
 
 #include "app/layers/parameter_words.h"
 #include "core/base/assert.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/variant.h"
 
 namespace mes {

@@ -15,7 +15,7 @@
 #include "app/ui/widgets.h"
 #include "core/base/color.h"
 #include "core/base/lower_case.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "imgui_stdlib.h"
 
 namespace mes {

@@ -8,7 +8,7 @@
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 
 namespace mes {
 namespace {

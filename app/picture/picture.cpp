@@ -9,6 +9,7 @@
 
 #include "app/picture/sample_texts.h"
 #include "core/base/assert.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/variant.h"
 
 namespace mes {

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "core/base/rng.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/variant.h"
 #include "render/look.h"
 

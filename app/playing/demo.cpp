@@ -9,6 +9,7 @@
 
 #include "app/layers/layer_stack.h"
 #include "core/base/job_control.h"
+#include "core/builtins/builtins.h"
 #include "core/evolutions/evolution_states.h"
 
 namespace mes {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/builtins/builtins.h"
+
 namespace mes {
 
 LessonWalk::LessonWalk(const Session& session) : session_(session), playback_(session.entries) {}

@@ -8,6 +8,7 @@
 
 #include "app/layers/layer_stack.h"
 #include "app/playing/playback.h"
+#include "core/builtins/builtins.h"
 #include "core/document/layer_fold.h"
 #include "core/io/session.h"
 

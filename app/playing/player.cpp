@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include "core/builtins/builtins.h"
+
 namespace mes {
 namespace {
 
@@ -19,7 +21,7 @@ Player::Player(const Session& session, OnPatch on_patch)
       on_patch_(std::move(on_patch)),
       layers_(layer_descriptors()),
       layer_fold_(known_layers({})),
-      engine_({}),
+      engine_(builtins(), {}),
       replay_({}, [this](const DocumentDelta& delta) {
         deltas_.push_back(std::make_shared<const DocumentDelta>(delta));
       }) {

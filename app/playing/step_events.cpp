@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/playing/evolution_layers.h"
+#include "core/builtins/builtins.h"
 
 namespace mes {
 namespace {

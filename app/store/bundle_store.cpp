@@ -7,7 +7,7 @@
 
 #include "app/store/bundles.h"
 #include "app/system/data_folder.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_lock.h"
 

@@ -6,6 +6,7 @@
 #include <array>
 
 #include "app/store/internal/layer_writers.h"
+#include "core/builtins/builtins.h"
 
 namespace mes {
 namespace {

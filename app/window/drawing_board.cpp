@@ -13,6 +13,7 @@
 #include "app/picture/scale_drawing.h"
 #include "app/store/color_maps.h"
 #include "app/ui/theme.h"
+#include "core/builtins/builtins.h"
 
 namespace mes {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "app/export/geometry_export.h"
 #include "app/model/record_settings.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/io/atomic_file.h"
 
 namespace mes {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/traced_picture.h"
 
+#include "core/builtins/builtins.h"
+
 namespace mes {
 
 void TracedPicture::trace(const std::filesystem::path& file) {

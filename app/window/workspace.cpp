@@ -6,6 +6,7 @@
 
 #include "app/export/carried.h"
 #include "app/playing/session_evolution.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/variant.h"
 #include "core/io/text_numbers.h"
 
@@ -13,7 +14,7 @@ namespace mes {
 
 Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, std::function<void()> wake)
     : messages_(messages),
-      engine_({.wake = wake}),
+      engine_(builtins(), {.wake = wake}),
       layers_(layer_descriptors()),
       bundles_(default_bundles_path(), assets, layers_),
       hold_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),

@@ -114,7 +114,7 @@ using BallId = Id<struct BallTag>;
 using SampleSlot = Slot<SampleTag>;
 using BallSlot = Slot<BallTag>;
 
-/// Position of a layer in the registry (`layer_descriptors()`).
+/// Position of a layer in a registry (core/graph/registry.h).
 using LayerIndex = std::uint32_t;
 inline constexpr LayerIndex kNoLayer = 0xffffffffU;
 

@@ -3,14 +3,12 @@
 #pragma once
 
 #include <cstdint>
-#include <span>
 #include <string_view>
 #include <vector>
 
 #include "core/base/slot.h"
 #include "core/draw/layer_style.h"
 #include "core/draw/primitives.h"
-#include "core/draw/variant.h"
 
 namespace mes {
 
@@ -51,19 +49,5 @@ struct LayerDescriptor {
   std::vector<std::string_view> structures{};  ///< ids of the structures it reads
   bool follows_settings = false;               ///< number type or parameters have a say in it
 };
-
-/// Every layer, in default stacking order: first = bottom.
-std::span<const LayerDescriptor> layer_descriptors();
-
-/// Registry position of a public id, or kNoLayer.
-LayerIndex find_layer(std::string_view id);
-
-/// The layer that a variant shows: its own, or that of the main computation where they share it. `has_document` says
-/// that the variant has samples and balls of its own.
-inline VariantLayer layer_in(VariantIndex variant, bool has_document, LayerIndex layer) {
-  const LayerDescriptor& descriptor = layer_descriptors()[layer];
-  const bool is_shared = has_document ? descriptor.structures.empty() : !descriptor.follows_settings;
-  return {is_shared ? kMainVariant : variant, layer};
-}
 
 }  // namespace mes

@@ -14,46 +14,6 @@
 
 namespace mes {
 
-class Structure;
-
-/// What the rows of a layer's part are.
-enum class ElementKind : std::uint8_t {
-  other,  ///< nothing is known but the shape
-  sample,
-  site,
-  voronoi_vertex,  ///< Delaunay face
-  delaunay_edge,   ///< with its dual Voronoi edge
-  own_ball,        ///< of the document
-  ball,            ///< of a union
-  dual_edge,
-  dual_face,
-  v_point,
-  v_origin,
-  axis_piece,
-  v_face,
-  v_edge,
-  boundary_arc,
-  power_edge,
-  contour_link,  ///< between neighbours on a contour of the document
-  sampled_ball,  ///< along an axis
-  // Of a complex of disks or balls that grow additively.
-  alpha_corner,
-  alpha_edge,
-  alpha_triangle,
-  alpha_end,    ///< of an edge, with the arc that begins there
-  alpha_class,  ///< a component or a hole
-};
-
-struct ElementType {
-  ElementKind kind = ElementKind::other;
-  const Structure* owner = nullptr;  ///< of the rows, where several structures have such
-};
-
-struct Element {
-  ElementType type;
-  RowNumber row = 0xffffffffU;
-};
-
 enum class ProvenanceWish : std::uint8_t {
   story,              ///< what lies there, where it comes from and where it leads
   shape,              ///< the first line of that alone, with the shape and no text

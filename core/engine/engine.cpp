@@ -16,7 +16,7 @@
 namespace mes {
 
 struct Engine::Impl {
-  explicit Impl(Options given) : options(std::move(given)) {
+  Impl(const Registry& registry, Options given) : options(std::move(given)), graph(registry) {
     found.reserve(kProvenanceWishes);
     if (options.take_instances) graph.make_one_shot(options.take_instances, options.needs_scalars);
     graph.set_on_task([this](std::string_view id) {
@@ -215,7 +215,8 @@ struct Engine::Impl {
   std::jthread thread;  // last: it must be gone before what it uses
 };
 
-Engine::Engine(Options options) : impl_(std::make_unique<Impl>(std::move(options))) {}
+Engine::Engine(const Registry& registry, Options options)
+    : impl_(std::make_unique<Impl>(registry, std::move(options))) {}
 Engine::~Engine() = default;
 
 void Engine::post(std::shared_ptr<const DocumentDelta> delta) {

@@ -12,8 +12,8 @@
 //     the next `post`, `set_demand` or `resume`.
 //
 // Smallest use:
-//     Engine engine({});
-//     engine.set_demand({find_layer("medial-axis")});
+//     Engine engine(registry, {});
+//     engine.set_demand({registry.find_layer("medial-axis")});
 //     engine.post(std::make_shared<const DocumentDelta>(delta));
 //     while (auto patch = engine.sync()) { scene.apply(*patch); engine.recycle(std::move(patch)); }
 //
@@ -33,6 +33,8 @@
 #include "core/structures/inputs/settings_source.h"
 
 namespace mes {
+
+class Registry;
 
 /// A change of the document of one variant.
 struct VariantDelta {
@@ -73,7 +75,8 @@ class Engine {
     bool needs_scalars = true;
   };
 
-  explicit Engine(Options options);
+  /// The registry has to outlive it.
+  Engine(const Registry& registry, Options options);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;

@@ -14,8 +14,8 @@
 
 namespace mes {
 
-Graph::Graph() {
-  add(std::make_unique<Variant>(Variant{.structures = make_structures()}));
+Graph::Graph(const Registry& registry) : registry_(registry) {
+  add(std::make_unique<Variant>(Variant{.structures = registry_.make_structures()}));
   samples_ = &structures().get<Samples>();
 }
 
@@ -47,7 +47,7 @@ void Graph::add(std::unique_ptr<Variant> added) {
     }
     nodes_.push_back(std::move(node));
   }
-  for (Layer& layer : make_layers(variant.structures)) {
+  for (Layer& layer : registry_.make_layers(variant.structures)) {
     LayerNode node;
     const bool is_shared =
         index != kMainVariant && std::ranges::none_of(layer.structures, [&](const Structure* structure) {
@@ -99,7 +99,7 @@ void Graph::set_variants(std::span<const VariantRequest> wanted) try {
   while (variants_.size() <= wanted.size()) {
     const bool has_document = wanted[variants_.size() - 1].has_document;
     add(std::make_unique<Variant>(
-        Variant{.structures = make_structures(&structures(), has_document), .has_document = has_document}));
+        Variant{.structures = registry_.make_structures(&structures(), has_document), .has_document = has_document}));
   }
   for (std::size_t i = 0; i < wanted.size(); ++i)
     variants_[i + 1]->structures.get<SettingsSource>().post(wanted[i].settings);

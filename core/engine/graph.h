@@ -17,7 +17,7 @@
 #include "core/draw/patch.h"
 #include "core/draw/variant.h"
 #include "core/engine/variant_request.h"
-#include "core/graph/layer.h"
+#include "core/graph/registry.h"
 #include "core/structures/inputs/samples.h"
 #include "core/structures/inputs/settings_source.h"
 
@@ -34,8 +34,8 @@ namespace mes {
 ///  5. A variant is brought up to date in the same runs as the main computation, and what they share is computed once.
 ///
 /// Smallest use:
-///     Graph graph;
-///     graph.set_demand(std::vector{find_layer("medial-axis")});
+///     Graph graph(registry);
+///     graph.set_demand(std::vector{registry.find_layer("medial-axis")});
 ///     graph.post(delta);
 ///     FramePatch patch;
 ///     JobControl job;
@@ -45,7 +45,8 @@ namespace mes {
 /// as soon as their structures are done, while it goes on with the structures after those; none is left at its end.
 class Graph {
  public:
-  Graph();
+  /// The registry has to outlive it.
+  explicit Graph(const Registry& registry);
 
   /// Takes instances of layers. Those of one layer come in order, from one thread; several layers may come at once.
   using InstanceTaker = std::function<void(const InstancePiece&)>;
@@ -170,6 +171,7 @@ class Graph {
                                                 JobControl& job) const;
   double lap_ms();
 
+  const Registry& registry_;
   std::vector<std::unique_ptr<Variant>> variants_;  // the main one first
   const Samples* samples_ = nullptr;                // of the main one
   std::vector<StructureNode> nodes_;                // variant by variant, inputs before their consumers

@@ -60,6 +60,16 @@ std::vector<ProvenanceLine> Explanation::take() {
   return out;
 }
 
+std::vector<ProvenanceLine> explain_insertion(const StructureSet& set,
+                                              const std::function<bool(const Structure&)>& is_current, Vec2 at,
+                                              JobControl& job) {
+  if (!std::isfinite(at.x) || !std::isfinite(at.y)) return {};
+  Explanation explanation(set, is_current, job);
+  for (const auto& structure : set.all())
+    if (is_current(*structure)) structure->explain_insertion(at, explanation);
+  return explanation.take();
+}
+
 std::vector<ProvenanceLine> explain(const StructureSet& set, const std::function<bool(const Structure&)>& is_current,
                                     const Element& element, JobControl& job) {
   Explanation explanation(set, is_current, job);

@@ -10,6 +10,7 @@
 #include "core/base/disk.h"
 #include "core/base/job_control.h"
 #include "core/draw/provenance.h"
+#include "core/graph/element.h"
 #include "core/graph/structure.h"
 
 namespace mes {
@@ -130,8 +131,7 @@ std::vector<ProvenanceLine> explain(const StructureSet& set, const std::function
 
 /// What a further sample at a place would change, as far as the structures are current: its Voronoi cell (itself), what
 /// goes (origin) and what comes (product); edges of the curve are heavy. Empty below dimension 2, where a sample is
-/// already, and where no number may be. Throws `Cancelled`. Defined in core/structures/crust/explain_insertion.cpp.
-/// O(location + changes).
+/// already, and where no number may be. Throws `Cancelled`. O(location + changes).
 std::vector<ProvenanceLine> explain_insertion(const StructureSet& set,
                                               const std::function<bool(const Structure&)>& is_current, Vec2 at,
                                               JobControl& job);

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/draw/provenance.h"
+#include "core/graph/element.h"
 
 namespace mes {
 

@@ -336,7 +336,4 @@ struct Layer {
   std::vector<std::unique_ptr<LayerPart>> parts;
 };
 
-/// Every layer over the given structures, in the order of core/layers/layer_list.inc: bottom first.
-std::vector<Layer> make_layers(const StructureSet& structures);
-
 }  // namespace mes

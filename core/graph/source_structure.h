@@ -19,6 +19,8 @@ class SourceStructure : public Structure {
   /// Queues a change of the document; sources that do not care ignore it.
   virtual void post(std::shared_ptr<const DocumentDelta> /*delta*/) {}
   virtual bool has_pending() const = 0;
+  /// A variant that has no document of its own shares it.
+  virtual bool is_of_document() const { return true; }
   /// Covers all that lived since the last rebuild; the pictures are drawn in a frame that follows it.
   virtual Box2 extent() const { return {}; }
 };

@@ -16,7 +16,6 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
 #include <memory>
 #include <span>
 #include <string_view>
@@ -28,11 +27,12 @@
 #include "core/base/job_control.h"
 #include "core/base/slot.h"
 #include "core/base/stat.h"
+#include "core/base/vec2.h"
+#include "core/graph/element.h"
 
 namespace mes {
 
 class Explanation;
-enum class ElementKind : std::uint8_t;
 
 class Structure {
  public:
@@ -71,6 +71,9 @@ class Structure {
   /// to date: for rows of its own, and for rows that have no owner (core/graph/explain.h). The kind says which slot
   /// the number is.
   virtual void explain(ElementKind /*kind*/, RowNumber /*row*/, Explanation& /*out*/) const {}
+  /// Adds what a further sample at a place, whose coordinates are finite, would change in its tables; nothing where a
+  /// sample is already. Called while the structure is up to date, inputs before consumers.
+  virtual void explain_insertion(Vec2 /*at*/, Explanation& /*out*/) const {}
 
  protected:
   bool forgoes_updates() const { return forgoes_updates_; }
@@ -108,14 +111,5 @@ class StructureSet {
   const StructureSet* shared_;
   std::vector<std::unique_ptr<Structure>> structures_;
 };
-
-/// Every structure of the program, in the order of core/structures/structure_list.cpp.
-///
-/// With a shared set, those of a variant of it: settings of its own, samples and balls of its own if it has a document,
-/// and whatever depends on these.
-StructureSet make_structures(const StructureSet* shared = nullptr, bool has_document = false);
-
-/// Public ids in the same order.
-std::span<const std::string_view> structure_ids();
 
 }  // namespace mes

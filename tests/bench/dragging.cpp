@@ -15,6 +15,7 @@
 #include "app/editing/editor.h"
 #include "app/picture/moved_points.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/engine/engine.h"
 #include "render/egl_context.h"
 #include "render/gl_device.h"
@@ -119,7 +120,7 @@ class Window {
   std::uint64_t shown_ = 0;
   double computed_us_ = 0.0;
   std::unique_ptr<FramePatch> waited_for_;
-  Engine engine_{{}};
+  Engine engine_{builtins(), {}};
 };
 
 void drag(benchmark::State& state, RatioTable& table, const Input& input, bool is_busy) {

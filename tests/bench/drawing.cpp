@@ -9,6 +9,7 @@
 #include <tuple>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/layer_mirror.h"
 #include "render/egl_context.h"
 #include "render/gl_device.h"
@@ -39,7 +40,7 @@ void upload(benchmark::State& state, RatioTable& table, std::size_t n) {
   render::RecordingDevice device;
   render::Scene scene(device);
   Document document;
-  Graph graph;
+  Graph graph{builtins()};
   graph.set_demand(six_layers());
   FramePatch patch;
   JobControl job;
@@ -74,7 +75,7 @@ void frame(benchmark::State& state, RatioTable& table, std::size_t n) {
   }
   render::GlDevice device;
   const auto layers = layers_named({"delaunay"});
-  Graph graph;
+  Graph graph{builtins()};
   graph.set_demand(layers);
   const auto points = test::benchmark_curve(n);
   FramePatch patch;
@@ -274,7 +275,7 @@ void many_strokes(benchmark::State& state, RatioTable& table, std::size_t n, boo
     return;
   }
   const auto layers = layers_named({"points", "delaunay"});
-  Graph graph;
+  Graph graph{builtins()};
   graph.set_demand(layers);
   FramePatch patch;
   JobControl job;
@@ -334,7 +335,7 @@ void moving_picture(benchmark::State& state, RatioTable& table, std::size_t n) {
   render::GlDevice device;
   render::Scene scene(device);
   const auto layers = layers_named({"interior-voronoi-disks", "curve", "medial-axis", "points"});
-  Graph graph;
+  Graph graph{builtins()};
   graph.set_demand(layers);
   FramePatch patch;
   JobControl job;
@@ -375,7 +376,7 @@ void against_minimal(benchmark::State& state, RatioTable& table, std::size_t n, 
   }
   render::GlDevice device;
   const auto layers = layers_named({"delaunay"});
-  Graph graph;
+  Graph graph{builtins()};
   graph.set_demand(layers);
   FramePatch patch;
   JobControl job;
@@ -421,7 +422,7 @@ void first_picture(benchmark::State& state, RatioTable& table, std::size_t n) {
     }
     render::GlDevice device;
     const auto layers = layers_named({"interior-voronoi-disks", "curve", "medial-axis", "points"});
-    Graph graph;
+    Graph graph{builtins()};
     graph.set_demand(layers);
     FramePatch patch;
     JobControl job;

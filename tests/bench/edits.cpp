@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/engine/engine.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/raw_delaunay.h"
@@ -18,7 +19,7 @@ constexpr std::string_view kSix[] = {"points", "delaunay",    "voronoi",
 // A document, our graph and the raw triangulation that see the same edits.
 struct Track {
   Document document;
-  Graph graph;
+  Graph graph{builtins()};
   FramePatch patch;
   JobControl job;
   RawDelaunay raw;
@@ -153,7 +154,7 @@ void edit(benchmark::State& state, RatioTable& table, const std::string& what, s
 // What the way through the threads adds: from `post` on one thread to the patch in hand.
 void hand_over(benchmark::State& state, RatioTable& table) {
   Document document;
-  Engine engine({});
+  Engine engine(builtins(), {});
   engine.set_demand(layers_named({kSix[0], kSix[1], kSix[2], kSix[3], kSix[4], kSix[5]}));
   const auto first = replace_with(document, test::benchmark_curve(10000));
   document.apply(*first);

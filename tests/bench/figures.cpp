@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/layer_mirror.h"
 #include "render/figure/figure_of.h"
 #include "render/figure/writers.h"

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/structures/balls/scale_axis.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/raw_delaunay.h"
@@ -54,7 +55,7 @@ void scratch(benchmark::State& state, RatioTable& table, const char* what, std::
       peer.insert_range(points);
       raw.push_back(now_us() - start);
     }
-    Graph graph;
+    Graph graph{builtins()};
     graph.set_demand(layers_named(layers));
     graph.post_settings(settings);
     graph.post(delta);
@@ -77,7 +78,7 @@ void exponent_of_cover_dates(benchmark::State& state, RatioTable& table) {
     const auto delta = replace_with(document, test::rough_curve(n));
     double out = std::numeric_limits<double>::infinity();
     for (int i = 0; i < runs; ++i) {
-      Graph graph;
+      Graph graph{builtins()};
       graph.set_demand(layers_named({"cover-dates"}));
       graph.post(delta);
       FramePatch patch;
@@ -125,7 +126,7 @@ void alpha(benchmark::State& state, RatioTable& table, const char* what, std::si
       peer.insert_range(points);
       raw.push_back(process_us() - start);
     }
-    Graph graph;
+    Graph graph{builtins()};
     graph.set_demand(layers_named({are_balls ? "b-alpha-edges" : "alpha-edges"}));
     graph.post(delta);
     FramePatch patch;
@@ -155,7 +156,7 @@ void scale_axis(benchmark::State& state, RatioTable& table, std::size_t n) {
   std::vector<double> ours;
   std::vector<double> raw;
   for (auto _ : state) {
-    Graph graph;
+    Graph graph{builtins()};
     graph.set_demand(layers_named({"scale-axis"}));
     graph.post_settings(settings);
     graph.post(samples);
@@ -168,7 +169,7 @@ void scale_axis(benchmark::State& state, RatioTable& table, std::size_t n) {
     SampleData own;
     for (const FamilySlot ball : balls.tables().balls.rows())
       if (balls.family().is_ball(ball)) own.balls.push_back(balls.family().disk(ball));
-    Graph other;
+    Graph other{builtins()};
     other.set_demand(layers_named({"b-ball-medial-axis"}));
     other.post(std::make_shared<const DocumentDelta>(*replace_all(document, own)));
     other.run(patch, job);
@@ -184,7 +185,7 @@ void edit(benchmark::State& state, RatioTable& table, const char* what, std::siz
   const auto first = replace_with(document, test::benchmark_curve(n));
   document.apply(*first);
   struct Side {
-    Graph graph;
+    Graph graph{builtins()};
     FramePatch patch;
     std::vector<double> times;
   };

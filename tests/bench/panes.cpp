@@ -3,6 +3,7 @@
 #include <benchmark/benchmark.h>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/variant.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/setup.h"
@@ -18,7 +19,7 @@ enum class Difference { styles, scale, documents };
 
 /// A graph with panes, and the documents of these.
 struct Panes {
-  Graph graph;
+  Graph graph{builtins()};
   FramePatch patch;
   JobControl job;
   std::vector<VariantRequest> variants;

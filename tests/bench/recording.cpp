@@ -7,6 +7,7 @@
 #include <memory>
 #include <utility>
 
+#include "core/builtins/builtins.h"
 #include "core/io/carried_session.h"
 #include "render/egl_context.h"
 #include "render/frame_capture.h"
@@ -33,7 +34,7 @@ constexpr Rgb kWhite{255, 255, 255};
 class Stage {
  public:
   explicit Stage(int width = kWidth, int height = kHeight, std::size_t samples = kSamples) : scene_(device_) {
-    Graph graph;
+    Graph graph{builtins()};
     const auto layers = layers_named({"interior-voronoi-disks", "curve", "medial-axis", "points"});
     graph.set_demand(layers);
     FramePatch patch;

@@ -2,6 +2,7 @@
 // From samples to pictures: everything of the one-step pipeline against the triangulation alone.
 #include <benchmark/benchmark.h>
 
+#include "core/builtins/builtins.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/raw_delaunay.h"
 #include "tests/bench/setup.h"
@@ -38,7 +39,7 @@ void scratch(benchmark::State& state, RatioTable& table, const char* what, std::
       raw.push_back(now_us() - start);
       raw_of_processors.push_back(process_us() - start_of_processors);
     }
-    Graph graph;
+    Graph graph{builtins()};
     graph.set_demand(layers);
     FramePatch patch;
     JobControl job;
@@ -67,7 +68,7 @@ void scratch(benchmark::State& state, RatioTable& table, const char* what, std::
 void memory(benchmark::State& state, RatioTable& table, std::vector<Vec2> points) {
   for (auto _ : state) {
     const std::size_t before = resident_bytes();
-    Graph graph;
+    Graph graph{builtins()};
     graph.set_demand(
         layers_named({"points", "delaunay", "voronoi", "curve", "interior-voronoi-disks", "medial-axis"}));
     graph.post(replace_with(Document(), points));

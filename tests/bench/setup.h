@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 #include "core/engine/graph.h"
 

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/structures/balls/ball_union.h"
 #include "core/structures/balls/local_balls.h"
 #include "core/structures/poles/polar_diagram.h"
@@ -24,7 +25,7 @@ namespace {
 struct Bed {
   SampleData data;
   Document document;
-  Graph graph;
+  Graph graph{builtins()};
   FramePatch patch;
   JobControl job;
 

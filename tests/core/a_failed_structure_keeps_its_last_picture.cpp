@@ -82,41 +82,28 @@ constexpr LayerIndex kSteady = 0;
 constexpr LayerIndex kShaky = 1;
 constexpr LayerIndex kDependent = 2;
 
-}  // namespace
-
-namespace mes {
-
-StructureSet make_structures(const StructureSet* /*shared*/, bool /*has_document*/) {
-  StructureSet set;
-  set.add(std::make_unique<Samples>());
-  set.add(std::make_unique<Shaky>(set.get<Samples>()));
-  set.add(std::make_unique<Dependent>(set.get<Shaky>()));
-  return set;
+/// Three structures, the second of which may throw.
+const Registry& shaky_registry() {
+  static const Registry registry = [] {
+    Registry out;
+    out.add_structure<Samples>();
+    out.add_structure<Shaky, Samples>();
+    out.add_structure<Dependent, Shaky>();
+    out.add_layer(
+        [](const StructureSet& set) { return points_of("steady", set.get<Samples>(), set.get<Samples>()); });
+    out.add_layer([](const StructureSet& set) { return points_of("shaky", set.get<Shaky>(), set.get<Samples>()); });
+    out.add_layer(
+        [](const StructureSet& set) { return points_of("dependent", set.get<Dependent>(), set.get<Samples>()); });
+    return out;
+  }();
+  return registry;
 }
-
-std::vector<ProvenanceLine> explain_insertion(const StructureSet&, const std::function<bool(const Structure&)>&, Vec2,
-                                              JobControl&) {
-  return {};
-}
-
-std::vector<Layer> make_layers(const StructureSet& structures) {
-  const auto& samples = structures.get<Samples>();
-  std::vector<Layer> layers;
-  layers.push_back(points_of("steady", samples, samples));
-  layers.push_back(points_of("shaky", structures.get<Shaky>(), samples));
-  layers.push_back(points_of("dependent", structures.get<Dependent>(), samples));
-  return layers;
-}
-
-}  // namespace mes
-
-namespace {
 
 constexpr PrimitiveKind kPoint = PrimitiveKind::point;
 
 struct Bench {
   Document document;
-  Graph graph;
+  Graph graph{shaky_registry()};
   FramePatch patch;
   LayerContents contents;
 
@@ -331,7 +318,7 @@ TEST_CASE("lack of memory does not call the result wrong") {
 
 TEST_CASE("the engine outlives failures") {
   Document document;
-  Engine engine({});
+  Engine engine(shaky_registry(), {});
   LayerContents contents;
   engine.set_demand({kSteady, kShaky, kDependent});
   NodeState shaky = NodeState::inactive;

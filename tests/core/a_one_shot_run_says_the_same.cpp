@@ -4,6 +4,7 @@
 #include <mutex>
 #include <vector>
 
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 #include "core/draw/layer_mirror.h"
 #include "core/engine/graph.h"
@@ -38,7 +39,7 @@ void prepare(Graph& graph) {
 }
 
 Layers kept(const std::vector<Vec2>& points, FramePatch& patch) {
-  Graph graph;
+  Graph graph{builtins()};
   prepare(graph);
   graph.post(document_of(points));
   JobControl job;
@@ -61,7 +62,7 @@ Layers poured(const std::vector<Vec2>& points, FramePatch& patch, int runs, Scal
   std::mutex mutex;
   std::vector<LayerDigest> digest(layer_descriptors().size());
   std::vector<std::size_t> count(layer_descriptors().size(), 0);
-  Graph graph;
+  Graph graph{builtins()};
   const auto take = [&](const InstancePiece& piece) {
     const std::lock_guard lock(mutex);
     digest[piece.layer.layer] +=
@@ -141,7 +142,7 @@ TEST_CASE("a one-shot run without scalars draws the same without them, and does 
   for (const bool are_needed : {true, false}) {
     std::size_t count = 0;
     std::size_t with_scalar = 0;
-    Graph graph;
+    Graph graph{builtins()};
     graph.make_one_shot(
         [&](const InstancePiece& piece) {
           const std::size_t stride = stride_of(piece.kind);
@@ -165,8 +166,8 @@ TEST_CASE("edits are the same whether the graph was made ready for them or not")
   Document document;
   const auto first = document_of(points);
   document.apply(*first);
-  Graph ready;
-  Graph surprised;
+  Graph ready{builtins()};
+  Graph surprised{builtins()};
   LayerMirror ready_mirror;
   LayerMirror surprised_mirror;
   FramePatch patch;

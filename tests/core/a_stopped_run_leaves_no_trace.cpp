@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 #include "core/document/history.h"
 #include "core/structures/delaunay/delaunay.h"
@@ -21,7 +22,7 @@ constexpr std::int64_t kNever = 1'000'000'000;
 
 // A graph and the consumer of its patches. One patch serves for all runs, as the engine has it.
 struct Consumer {
-  Graph graph;
+  Graph graph{builtins()};
   FramePatch patch;
   LayerMirror mirror;
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/structures/alpha/alpha_complex.h"
 #include "core/structures/alpha/persistence.h"
 #include "tests/support/matrix_reduction.h"

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/structures/crust/one_step_crust.h"
 #include "tests/support/workbench.h"
 

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/graph/explain.h"
 #include "core/io/format.h"
 #include "core/structures/balls/axis_ball_union.h"

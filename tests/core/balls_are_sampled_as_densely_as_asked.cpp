@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
-#include "core/draw/layer_descriptor.h"
 #include "core/engine/graph.h"
 #include "core/structures/balls/ball_sampling.h"
 #include "tests/support/shapes.h"
@@ -49,7 +49,7 @@ class Sampled {
     REQUIRE(graph_.run(patch_, job));
     for (const NodeReport& node : patch_.nodes) REQUIRE(node.state != NodeState::failed);
   }
-  Graph graph_;
+  Graph graph_{builtins()};
   FramePatch patch_;
 };
 

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/kernel/circumcircle.h"
 #include "core/structures/axis/inner_balls.h"
 #include "core/structures/crust/one_step_crust.h"

@@ -4,7 +4,7 @@
 #include <catch2/catch.hpp>
 
 #include "core/base/rng.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/structures/axis/inner_balls.h"
 #include "core/structures/axis/medial_axis.h"
 #include "core/structures/balls/ball_union.h"

@@ -8,6 +8,7 @@
 #include <map>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 #include "core/document/history.h"
 #include "core/draw/layer_mirror.h"
@@ -46,7 +47,7 @@ std::vector<LayerIndex> all_layers(Unions unions) {
 struct Bench {
   Document document;
   History history;
-  Graph graph;
+  Graph graph{builtins()};
   FramePatch patch;
   LayerContents contents;
   LayerMirror mirror;

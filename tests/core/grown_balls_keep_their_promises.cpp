@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/structures/alpha/alpha_filtration.h"
 #include "core/structures/balls/grown_complex.h"
 #include "core/structures/poles/polar_union.h"

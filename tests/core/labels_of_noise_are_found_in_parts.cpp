@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/structures/crust/internal/label_spread.h"
 #include "core/structures/crust/internal/open_strokes.h"
 #include "core/structures/crust/internal/spanning_tree.h"
@@ -297,9 +298,9 @@ TEST_CASE("noise that was labelled for the picture alone is followed as if it ha
     JobControl job;
     REQUIRE(graph.run(patch, job));
   };
-  Graph early;
-  Graph ready;
-  Graph stopped;
+  Graph early{builtins()};
+  Graph ready{builtins()};
+  Graph stopped{builtins()};
   Document document;
   for (Graph* graph : {&early, &ready, &stopped}) {
     document = Document();
@@ -329,7 +330,7 @@ TEST_CASE("noise that was labelled for the picture alone is followed as if it ha
     REQUIRE(broken_row(early) == "");
     REQUIRE(broken_row(ready) == "");
     REQUIRE(broken_row(stopped) == "");
-    Graph fresh;
+    Graph fresh{builtins()};
     fresh.set_demand(std::vector{find_layer("interior-voronoi-disks"), find_layer("label-conflicts")});
     SampleData data;
     for (const SampleSlot one : slots_below<SampleSlot>(positions.size()))
@@ -346,7 +347,7 @@ TEST_CASE("noise that was labelled for the picture alone is followed as if it ha
 
 TEST_CASE("an edit of noise names each row with a new label once, and no row far away without one") {
   Rng rng(31);
-  Graph graph;
+  Graph graph{builtins()};
   graph.set_demand(std::vector{find_layer("interior-voronoi-disks"), find_layer("label-conflicts")});
   Document document;
   FramePatch patch;

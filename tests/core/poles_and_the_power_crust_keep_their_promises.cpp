@@ -9,7 +9,7 @@
 #include <functional>
 
 #include "core/base/rng.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/kernel/pole_predicates.h"
 #include "core/structures/crust/curve.h"
 #include "core/structures/poles/polar_diagram.h"

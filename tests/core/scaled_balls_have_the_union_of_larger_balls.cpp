@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/base/rng.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/structures/balls/ball_union.h"
 #include "tests/support/workbench.h"
 

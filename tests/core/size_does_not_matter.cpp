@@ -8,7 +8,7 @@
 
 #include "core/base/power_of_two.h"
 #include "core/base/rng.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/kernel/roots_kernel.h"
 #include "core/kernel/rounding.h"
 #include "tests/support/workbench.h"

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/kernel/arc_predicates.h"
 #include "core/structures/balls/ball_union.h"
 #include "core/structures/certificate/axis_certificate.h"
@@ -165,7 +166,7 @@ TEST_CASE("the arcs that are met are those that one of all balls meets, while sa
     }
     if (trial % 4 == 1) points.resize(points.size() - 4);
     Document document;
-    Graph graph;
+    Graph graph{builtins()};
     graph.set_demand(std::vector{find_layer("theorem-check")});
     FramePatch patch;
     JobControl job;

@@ -11,6 +11,7 @@
 #include <mutex>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/engine/engine.h"
 #include "tests/support/shapes_benchmark.h"
 #include "tests/support/workbench.h"
@@ -63,7 +64,7 @@ class Gate {
 // A window's side of the engine: document, history, and what the patches have drawn.
 class Client {
  public:
-  Client() : engine_(std::make_unique<Engine>(Engine::Options{[this] { gate_.pass(); }})) {}
+  Client() : engine_(std::make_unique<Engine>(builtins(), Engine::Options{[this] { gate_.pass(); }})) {}
   ~Client() { gate_.open(); }
 
   Engine& engine() { return *engine_; }
@@ -428,7 +429,7 @@ TEST_CASE("settings that are the same stop nothing, and a step is one run") {
   while (auto patch = client.engine().sync()) was_cut_short = was_cut_short || !patch->complete;
   CHECK_FALSE(was_cut_short);
 
-  Engine engine({});
+  Engine engine(builtins(), {});
   Document document;
   EngineStep step;
   step.demand = {find_layer("points")};
@@ -584,7 +585,7 @@ TEST_CASE("an edit does not wait for an answer, which is then about what the edi
 }
 
 TEST_CASE("a question whose answer is stopped stays asked, and is answered after the next run") {
-  Graph graph;
+  Graph graph{builtins()};
   Document document;
   std::vector<Vec2> samples;
   constexpr int kSide = 80;
@@ -623,7 +624,7 @@ TEST_CASE("a question whose answer is stopped stays asked, and is answered after
 }
 
 TEST_CASE("an explanation that looks at all rows is stopped among them, and is given after the next run") {
-  Graph graph;
+  Graph graph{builtins()};
   Document document;
   SampleData data;
   for (int i = 0; i < 3000; ++i) data.balls.push_back({{static_cast<double>(i), 0.0}, 0.75});

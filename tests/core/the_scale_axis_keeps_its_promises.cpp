@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/structures/balls/scale_axis.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_degenerate.h"

@@ -12,8 +12,8 @@
 
 #include "core/base/arc.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
-#include "core/draw/layer_descriptor.h"
 #include "core/engine/graph.h"
 #include "core/engine/theorem_light.h"
 #include "core/io/format.h"
@@ -82,7 +82,7 @@ class Analysis {
     return report.stats.front().value;
   }
   Document document_;
-  Graph graph_;
+  Graph graph_{builtins()};
   FramePatch patch_;
 };
 

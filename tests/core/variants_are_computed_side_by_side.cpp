@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 #include "core/draw/layer_mirror.h"
 #include "core/draw/variant.h"
@@ -49,7 +50,7 @@ std::vector<Vec2> noisy_ring(std::size_t n, std::uint64_t seed) {
 
 /// A graph and what its patches have drawn.
 struct Bed {
-  Graph graph;
+  Graph graph{builtins()};
   FramePatch patch;
   LayerMirror mirror;
   LayerContents contents;
@@ -155,7 +156,7 @@ TEST_CASE("each variant is what a graph of its own gives after every edit") {
 }
 
 TEST_CASE("variants share what does not depend on what they change") {
-  Graph graph;
+  Graph graph{builtins()};
   graph.set_variants(std::vector<VariantRequest>{{with(Precision::exact), false}, {{}, true}});
   CHECK(&graph.structures(1).get<Delaunay>() == &graph.structures().get<Delaunay>());
   CHECK(&graph.structures(1).get<AUnion>() != &graph.structures().get<AUnion>());
@@ -225,7 +226,7 @@ TEST_CASE("variants come and go without a trace") {
 }
 
 TEST_CASE("the engine computes variants in the steps of the main computation") {
-  Engine engine({});
+  Engine engine(builtins(), {});
   Edited main;
   Edited other;
   SampleData data;

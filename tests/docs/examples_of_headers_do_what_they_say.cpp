@@ -16,6 +16,7 @@
 #include "core/base/radix_sort.h"
 #include "core/base/rng.h"
 #include "core/base/task_queue.h"
+#include "core/builtins/builtins.h"
 #include "core/curves/b_spline.h"
 #include "core/curves/clip_region.h"
 #include "core/curves/corners.h"
@@ -52,6 +53,10 @@
 #include "core/structures/filters/axis_pruning.h"
 
 using namespace mes;
+
+namespace mes {
+Layer make_points_layer(const StructureSet& set);
+}
 
 namespace {
 
@@ -256,8 +261,9 @@ TEST_CASE("core/evolutions/evolution_run.h") {
 TEST_CASE("core/engine/engine.h") {
   const DocumentDelta delta = *insert_samples(Document(), ring());
   LayerMirror scene;
-  Engine engine({});
-  engine.set_demand({find_layer("medial-axis")});
+  const Registry& registry = builtins();
+  Engine engine(registry, {});
+  engine.set_demand({registry.find_layer("medial-axis")});
   engine.post(std::make_shared<const DocumentDelta>(delta));
   while (auto patch = engine.sync()) {
     scene.apply(*patch);
@@ -267,7 +273,7 @@ TEST_CASE("core/engine/engine.h") {
 }
 
 TEST_CASE("core/draw/layer_mirror.h") {
-  Engine engine({});
+  Engine engine(builtins(), {});
   engine.set_demand({find_layer("medial-axis")});
   engine.post(std::make_shared<const DocumentDelta>(*insert_samples(Document(), ellipse())));
   LayerMirror mirror;
@@ -282,8 +288,9 @@ TEST_CASE("core/draw/layer_mirror.h") {
 TEST_CASE("core/engine/graph.h") {
   Document document;
   const auto delta = std::make_shared<const DocumentDelta>(*insert_samples(document, ring()));
-  Graph graph;
-  graph.set_demand(std::vector{find_layer("medial-axis")});
+  const Registry& registry = builtins();
+  Graph graph(registry);
+  graph.set_demand(std::vector{registry.find_layer("medial-axis")});
   graph.post(delta);
   FramePatch patch;
   JobControl job;
@@ -293,9 +300,26 @@ TEST_CASE("core/engine/graph.h") {
   CHECK(graph.structures().get<Delaunay>().site_rows() == 16);
 }
 
+TEST_CASE("core/graph/registry.h") {
+  Registry registry;
+  registry.add_structure<Samples>();
+  registry.add_structure<SettingsSource>();
+  registry.add_layer(make_points_layer);
+  Graph graph(registry);
+  graph.set_demand(std::vector{registry.find_layer("points")});
+  Document document;
+  graph.post(std::make_shared<const DocumentDelta>(*insert_samples(document, ring())));
+  FramePatch patch;
+  JobControl job;
+  graph.run(patch, job);
+  LayerMirror mirror;
+  mirror.apply(patch);
+  CHECK(mirror.count(LayerIndex{0}, PrimitiveKind::point) == 16);
+}
+
 TEST_CASE("core/graph/layer.h") {
   Document document;
-  Graph graph;
+  Graph graph{builtins()};
   graph.set_demand(std::vector{find_layer("curve")});
   graph.post(std::make_shared<const DocumentDelta>(*insert_samples(document, ring())));
   FramePatch patch;

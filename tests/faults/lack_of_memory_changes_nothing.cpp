@@ -5,6 +5,7 @@
 #include "app/editing/place_index.h"
 #include "app/model/memory_problem.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 #include "core/document/timeline.h"
 #include "core/draw/layer_mirror.h"
@@ -164,7 +165,7 @@ TEST_CASE("where variants find no room, the main computation goes on, and they c
                                          layer_in(2, false, boundary)};
   const int failures = with_each_allocation_failing([&](int call) {
     Document document;
-    Graph graph;
+    Graph graph{builtins()};
     LayerMirror mirror;
     FramePatch patch;
     JobControl job;
@@ -202,7 +203,7 @@ TEST_CASE("whichever allocation of a computation fails, the next edit brings the
   for (int call = 0; !gets_by; call += 1 + call / 40) {
     INFO("allocation " << call);
     Document document;
-    Graph graph;
+    Graph graph{builtins()};
     graph.set_demand(layers);
     graph.set_want_findings(true);
     LayerMirror mirror;
@@ -237,7 +238,7 @@ TEST_CASE("whichever allocation of a computation fails, the next edit brings the
     post(insert_samples(document, some_places(1, 10)));
     run();
     CHECK_FALSE(lacks_memory(patch.nodes, patch.reports));
-    Graph fresh;
+    Graph fresh{builtins()};
     LayerMirror expected;
     fresh.set_demand(layers);
     Document copy;

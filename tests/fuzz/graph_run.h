@@ -16,6 +16,7 @@
 #include <variant>
 #include <vector>
 
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 #include "core/draw/layer_mirror.h"
 #include "core/engine/graph.h"
@@ -122,7 +123,7 @@ class GraphRun {
 
   std::vector<LayerIndex> layers_;
   Precision precision_ = Precision::fast;
-  Graph graph_;
+  Graph graph_{builtins()};
   FramePatch patch_;
   LayerMirror mirror_;
   std::size_t tasks_left_ = 0;

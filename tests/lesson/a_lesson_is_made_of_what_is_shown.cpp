@@ -8,6 +8,7 @@
 #include "app/playing/lesson_desk.h"
 #include "app/playing/lesson_presenter.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "tests/model/random_editing.h"
 
 using namespace mes;

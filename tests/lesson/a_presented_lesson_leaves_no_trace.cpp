@@ -6,6 +6,7 @@
 
 #include "app/playing/lesson_presenter.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "tests/model/random_editing.h"
 
 using namespace mes;

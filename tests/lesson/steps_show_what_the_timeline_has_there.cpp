@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/playing/lesson_walk.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 

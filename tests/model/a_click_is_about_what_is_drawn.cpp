@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/layers/clicked_layers.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 

@@ -10,7 +10,7 @@
 #include <string>
 
 #include "app/export/figure_desk.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "tests/io/temporary_folder.h"
 
 using namespace mes;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/insight/parameter_sweep.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 

@@ -5,6 +5,7 @@
 #include "app/insight/computation_control.h"
 #include "app/insight/parameter_animation.h"
 #include "app/model/messages.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 
@@ -62,7 +63,7 @@ TEST_CASE("a range to begin with starts from the value of now where magnitudes c
 }
 
 TEST_CASE("a parameter that ran has the value back that it had before, at its end or when it is asked for") {
-  Engine engine({});
+  Engine engine(builtins(), {});
   ComputationControl control(engine);
   control.set(Parameter::a_scale, 1.25);
   ParameterAnimation& animation = control.animation();

@@ -6,6 +6,7 @@
 #include "app/layers/ball_families.h"
 #include "app/layers/empty_view.h"
 #include "app/playing/evolution_layers.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/picture/canvas_look.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 

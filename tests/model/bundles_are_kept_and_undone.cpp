@@ -7,6 +7,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/store/bundle_desk.h"
+#include "core/builtins/builtins.h"
 #include "core/io/bundle_file.h"
 #include "tests/io/temporary_folder.h"
 

@@ -8,7 +8,7 @@
 #include "app/editing/contour_desk.h"
 #include "app/editing/source_selection.h"
 #include "app/model/update_hold.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "tests/support/bell.h"
 
 using namespace mes;

@@ -10,6 +10,7 @@
 #include "app/editing/sample_spacing.h"
 #include "app/layers/layer_stack.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 
 using namespace mes;

@@ -6,11 +6,12 @@
 
 #include "app/editing/editor.h"
 #include "app/model/engine_demand.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 
 TEST_CASE("the engine keeps the density of samples up to date while it is looked at") {
-  Engine engine({});
+  Engine engine(builtins(), {});
   LayerStack layers(layer_descriptors());
   layers.set_visible(find_layer("sampling-epsilon"), false);
   layers.set_visible(find_layer("feature-size"), false);

@@ -6,7 +6,7 @@
 #include "app/model/fuzzy_match.h"
 #include "app/model/palette.h"
 #include "core/base/lower_case.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 

@@ -4,7 +4,7 @@
 #include <stop_token>
 
 #include "app/export/geometry_export.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "app/layers/layer_list.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 

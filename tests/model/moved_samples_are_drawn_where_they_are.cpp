@@ -4,8 +4,8 @@
 
 #include "app/picture/moved_points.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
-#include "core/draw/layer_descriptor.h"
 #include "core/draw/layer_mirror.h"
 #include "core/engine/graph.h"
 
@@ -16,7 +16,7 @@ namespace {
 /// A document, a graph that follows when it is run, and the picture that is drawn of both.
 struct MovedPointsBench {
   Document document;
-  Graph graph;
+  Graph graph{builtins()};
   FramePatch patch;
   JobControl job;
   LayerMirror picture;

@@ -8,7 +8,7 @@
 #include "app/picture/sample_texts.h"
 #include "app/store/sample_shapes.h"
 #include "core/base/rng.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 

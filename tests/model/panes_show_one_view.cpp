@@ -13,6 +13,7 @@
 #include "app/picture/pane_sheet.h"
 #include "app/store/sample_shapes.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/layer_mirror.h"
 #include "core/draw/variant.h"
 #include "core/evolutions/evolution_states.h"
@@ -129,7 +130,7 @@ TEST_CASE("the list has three panes at most, and each number type once") {
 }
 
 TEST_CASE("the engine follows panes as they come, change and go") {
-  Engine engine({});
+  Engine engine(builtins(), {});
   LayerStack layers = stack_with_only({"points", "a-union-boundary"});
   PaneList list;
   ComputationSettings settings;
@@ -345,7 +346,7 @@ Annotations without_followed_places(Annotations annotations) {
 /// A window's parts that show panes with documents of their own.
 struct Versions {
   Bell bell;
-  Engine engine{{}};
+  Engine engine{builtins(), {}};
   Editor editor{[this](std::shared_ptr<const DocumentDelta> delta) { engine.post(std::move(delta)); }};
   ComputationSettings settings;
   EvolutionPlayer evolution{editor,

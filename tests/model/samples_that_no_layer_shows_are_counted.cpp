@@ -4,6 +4,7 @@
 
 #include "app/editing/editor.h"
 #include "app/editing/hidden_samples.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 

@@ -7,6 +7,7 @@
 #include "app/editing/neighborhood.h"
 #include "app/layers/parameter_words.h"
 #include "app/layers/verdict_word.h"
+#include "core/builtins/builtins.h"
 #include "core/evolutions/evolution.h"
 #include "core/graph/structure.h"
 
@@ -69,7 +70,7 @@ TEST_CASE("a finding is said with its count, one as one, and whose balls it is a
 
 TEST_CASE("what is being computed has a name of its own") {
   std::set<std::string> names;
-  for (const std::string_view id : structure_ids()) {
+  for (const std::string_view id : builtins().structures()) {
     const std::string name = structure_name(id);
     INFO(id);
     CHECK(name != id);
@@ -79,7 +80,7 @@ TEST_CASE("what is being computed has a name of its own") {
     names.insert(name);
   }
   // Own balls have one name as they are and as they are scaled.
-  CHECK(names.size() + 1 >= structure_ids().size());
+  CHECK(names.size() + 1 >= builtins().structures().size());
   CHECK(task_text("axis-certificate") == "Checking the theorem");
   CHECK(task_text("b-power-diagram") == "Computing the power diagram of your own balls");
   CHECK(task_text("some-new-thing") == "Computing some new thing");

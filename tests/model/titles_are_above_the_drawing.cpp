@@ -5,8 +5,8 @@
 #include "app/export/figure.h"
 #include "app/picture/scale_drawing.h"
 #include "app/picture/title_drawing.h"
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
-#include "core/draw/layer_descriptor.h"
 #include "tests/model/letters_of_one_width.h"
 
 using namespace mes;

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/builtins/builtins.h"
 #include "core/curves/feature_field.h"
 #include "core/curves/nearest_place.h"
 #include "core/document/commands.h"
@@ -186,7 +187,7 @@ class Window {
 
  private:
   Document document_;
-  Graph graph_;
+  Graph graph_{builtins()};
   FramePatch patch_;
 };
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/builtins/builtins.h"
 #include "core/evolutions/evolution.h"
 
 namespace mes::test {

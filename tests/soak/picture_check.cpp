@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 
 namespace mes::test {

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/builtins/builtins.h"
 #include "core/document/document.h"
 #include "core/draw/layer_mirror.h"
 #include "core/engine/graph.h"
@@ -15,7 +16,7 @@ namespace mes::test {
 /// A graph and the consumer of its patches. One patch serves for all runs, as in the engine. What breaks a promise
 /// throws.
 struct Consumer {
-  Graph graph;
+  Graph graph{builtins()};
   FramePatch patch;
   LayerMirror mirror;
 

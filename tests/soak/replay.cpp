@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "app/layers/layer_stack.h"
+#include "core/builtins/builtins.h"
 #include "tests/soak/picture_check.h"
 
 namespace mes::test {

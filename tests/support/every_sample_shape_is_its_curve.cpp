@@ -8,6 +8,7 @@
 #include <set>
 #include <utility>
 
+#include "core/builtins/builtins.h"
 #include "core/engine/graph.h"
 #include "core/io/format.h"
 #include "core/structures/axis/medial_axis.h"
@@ -59,7 +60,7 @@ TEST_CASE("the crust of every sample shape is its curve, but for gaps that it br
     Document document;
     const auto delta = replace_all(document, loaded->data);
     REQUIRE(delta);
-    Graph graph;
+    Graph graph{builtins()};
     const LayerIndex wanted[] = {find_layer("medial-axis"), find_layer("curve")};
     graph.set_demand(wanted);
     graph.post(std::make_shared<const DocumentDelta>(*delta));

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/builtins/builtins.h"
 #include "core/structures/crust/one_step_crust.h"
 
 namespace mes::test {

@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 #include "core/document/history.h"
 #include "core/draw/layer_mirror.h"
@@ -93,7 +94,7 @@ class Workbench {
 
   Document document_;
   History history_;
-  Graph graph_;
+  Graph graph_{builtins()};
   FramePatch patch_;
   LayerContents contents_;
   LayerMirror mirror_;

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "app/picture/legend.h"
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/variant.h"
 #include "render/scene.h"
 

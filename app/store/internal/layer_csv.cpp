@@ -6,6 +6,7 @@
 
 #include "app/store/internal/layer_writers.h"
 #include "core/base/arc.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/primitive_values.h"
 #include "core/io/text_numbers.h"
 

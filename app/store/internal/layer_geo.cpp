@@ -8,6 +8,7 @@
 #include "app/store/internal/layer_writers.h"
 #include "app/store/internal/shapes_on_earth.h"
 #include "app/store/internal/straight_shapes.h"
+#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {

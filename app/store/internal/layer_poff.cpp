@@ -7,6 +7,7 @@
 
 #include "app/store/internal/layer_writers.h"
 #include "app/store/internal/segment_chains.h"
+#include "core/builtins/builtins.h"
 #include "core/io/format.h"
 #include "core/io/text_numbers.h"
 

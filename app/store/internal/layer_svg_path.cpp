@@ -4,6 +4,7 @@
 
 #include "app/store/internal/layer_writers.h"
 #include "app/store/internal/segment_chains.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/primitive_values.h"
 #include "core/io/text_numbers.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/store/layer_text.h"
+#include "core/builtins/builtins.h"
 
 namespace mes {
 

@@ -7,6 +7,7 @@
 
 #include "app/store/internal/round_shapes.h"
 #include "app/store/internal/segment_chains.h"
+#include "core/builtins/builtins.h"
 #include "core/draw/primitive_values.h"
 
 namespace mes {

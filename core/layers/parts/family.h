@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the layers of a union of balls have in common: each exists once for every family of balls.
 //
-// A file in core/layers/union defines `Layer make_union_name_layer(const UnionFamily&)`; union_layer_list.inc lists it,
-// and the registration makes a layer of it for each family, with the family's letter before its id and the
+// A file in core/layers/union defines `Layer make_union_name_layer(const UnionFamily&)`; core/layers/layers.cpp lists it,
+// and adds a layer of it for each family, with the family's letter before its id and the
 // family's name before its own.
 #pragma once
 

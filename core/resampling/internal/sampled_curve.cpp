@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "core/draw/layer_descriptor.h"
+#include "core/builtins/builtins.h"
 #include "core/kernel/corner_angle.h"
 #include "core/structures/certificate/axis_certificate.h"
 #include "core/structures/density/feature_size.h"

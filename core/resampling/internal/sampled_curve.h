@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 #include "core/engine/graph.h"
 #include "core/engine/theorem_light.h"
@@ -57,7 +58,7 @@ class JudgedSamples {
   std::int64_t cycles() const { return count("cycles"); }
 
  private:
-  JudgedSamples() : graph_(std::make_unique<Graph>()) {}
+  JudgedSamples() : graph_(std::make_unique<Graph>(builtins())) {}
   Expected<void> run(JobControl& job);
   std::int64_t count(std::string_view key) const;
   template <class T>

@@ -69,6 +69,7 @@ class OneStepCrust final : public Structure {
   std::string_view kernel() const override { return "doubles with a proved bound, intervals, integers"; }
   void find(std::vector<Finding>& out) const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
+  void explain_insertion(Vec2 at, Explanation& out) const override;
 
  private:
   static constexpr std::uint8_t kCrust = 1;

@@ -146,6 +146,7 @@ class Delaunay final : public Structure {
   StatList statistics() const override;
   std::string_view kernel() const override { return "EPICK"; }
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
+  void explain_insertion(Vec2 at, Explanation& out) const override;
 
  private:
   template <class Kernel>

@@ -15,6 +15,7 @@ class SettingsSource final : public SourceStructure {
   SettingsSource() : SourceStructure("settings") {}
 
   void post(const ComputationSettings& settings) { pending_ = settings; }
+  bool is_of_document() const override { return false; }
   bool has_pending() const override { return pending_.has_value() && *pending_ != current_; }
   const ComputationSettings& current() const { return current_; }
   Precision precision() const { return current_.precision; }

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/draw/layer_descriptor.h"
+
+namespace mes {
+
+std::string_view title_of(LayerGroup group) {
+  switch (group) {
+    case LayerGroup::samples: return "Samples";
+    case LayerGroup::delaunay_voronoi: return "Delaunay & Voronoi";
+    case LayerGroup::crust_axis: return "Crust & axis";
+    case LayerGroup::scale_axis: return "Scale axis";
+    case LayerGroup::poles: return "Poles & power crust";
+    case LayerGroup::union_a: return "Inner balls";
+    case LayerGroup::union_p: return "Polar balls";
+    case LayerGroup::union_b: return "Own balls";
+    case LayerGroup::diagnostics: return "Diagnostics";
+  }
+  return {};
+}
+
+}  // namespace mes

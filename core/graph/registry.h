@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The registry knows which structures and layers there are. A graph is made of one, and code that lists, names or draws
+// layers reads one.
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "core/draw/layer_descriptor.h"
+#include "core/graph/layer.h"
+#include "core/graph/structure.h"
+
+namespace mes {
+
+/// Smallest use:
+///     Registry registry;
+///     registry.add_structure<Samples>();
+///     registry.add_structure<SettingsSource>();
+///     registry.add_layer(make_points_layer);
+///     Graph graph(registry);
+///
+/// Each structure and each layer is made once when it is added, without data, to know its id, what it reads and how it
+/// is drawn. Threads: several may read while none adds.
+class Registry {
+ public:
+  using MakeStructure = std::function<std::unique_ptr<Structure>(const StructureSet&)>;
+  using MakeLayer = std::function<Layer(const StructureSet&)>;
+  using MakeLayers = std::function<std::vector<Layer>(const StructureSet&)>;
+
+  /// A structure whose inputs have been added before. Its id must be new.
+  void add_structure(const MakeStructure& make);
+  /// A structure whose constructor takes the given inputs.
+  template <class S, class... Inputs>
+  void add_structure() {
+    add_structure([](const StructureSet& set) { return std::make_unique<S>(set.get<Inputs>()...); });
+  }
+  /// A layer above those that have been added before, over structures that have been. Its id must be new.
+  void add_layer(const MakeLayer& make);
+  /// Several of them, bottom first.
+  void add_layers(const MakeLayers& make);
+
+  /// Public ids, inputs before consumers.
+  std::span<const std::string_view> structures() const { return structure_ids_; }
+  /// In default stacking order: first = bottom. A `LayerIndex` is a position here.
+  std::span<const LayerDescriptor> layers() const { return layers_; }
+  /// The position of a public id, or kNoLayer.
+  LayerIndex find_layer(std::string_view id) const;
+
+  /// Every structure, inputs before consumers.
+  ///
+  /// With a shared set, those of a variant of it: settings of its own, samples and balls of its own if it has a
+  /// document, and whatever depends on these.
+  StructureSet make_structures(const StructureSet* shared = nullptr, bool has_document = false) const;
+  /// Every layer over the given structures, by position.
+  std::vector<Layer> make_layers(const StructureSet& structures) const;
+
+ private:
+  struct StructureEntry {
+    MakeStructure make;
+    std::vector<std::size_t> inputs;  ///< positions
+    bool is_of_document = false;      ///< a source that a variant without a document shares
+  };
+
+  StructureSet prototypes_;
+  std::vector<StructureEntry> structures_;
+  std::vector<std::string_view> structure_ids_;
+  std::vector<MakeLayers> make_layers_;
+  std::vector<LayerDescriptor> layers_;
+};
+
+}  // namespace mes

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The layers of the program.
+#pragma once
+
+#include "core/graph/registry.h"
+
+namespace mes {
+
+/// After all structures.
+void add_layers(Registry& registry);
+
+}  // namespace mes

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The structures of this room, a line each, inputs before consumers.
+#pragma once
+
+#include "core/graph/registry.h"
+#include "core/structures/alpha/alpha_complex.h"
+#include "core/structures/alpha/alpha_filtration.h"
+#include "core/structures/delaunay/delaunay.h"
+#include "core/structures/inputs/settings_source.h"
+
+namespace mes {
+
+/// After the rooms that it uses.
+inline void add_alpha_structures(Registry& registry) {
+  registry.add_structure<AlphaFiltration, Delaunay>();
+  registry.add_structure<AlphaComplex, SettingsSource, Delaunay, AlphaFiltration>();
+}
+
+}  // namespace mes

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The structures of this room, a line each, inputs before consumers.
+#pragma once
+
+#include "core/graph/registry.h"
+#include "core/structures/crust/curve.h"
+#include "core/structures/crust/labels.h"
+#include "core/structures/crust/one_step_crust.h"
+#include "core/structures/crust/voronoi_vertices.h"
+#include "core/structures/delaunay/delaunay.h"
+#include "core/structures/inputs/shared_borders.h"
+
+namespace mes {
+
+/// After the rooms that it uses.
+inline void add_crust_structures(Registry& registry) {
+  registry.add_structure<OneStepCrust, Delaunay, SharedBorders>();
+  registry.add_structure<Labels, Delaunay, OneStepCrust>();
+  registry.add_structure<Curve, Delaunay, OneStepCrust, Labels>();
+  registry.add_structure<VoronoiVertices, Delaunay, OneStepCrust>();
+}
+
+}  // namespace mes

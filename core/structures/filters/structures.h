@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The structures of this room, a line each, inputs before consumers.
+#pragma once
+
+#include "core/graph/registry.h"
+#include "core/structures/axis/inner_balls.h"
+#include "core/structures/axis/medial_axis.h"
+#include "core/structures/crust/labels.h"
+#include "core/structures/crust/one_step_crust.h"
+#include "core/structures/delaunay/delaunay.h"
+#include "core/structures/filters/angle_axis.h"
+#include "core/structures/filters/cover_axis.h"
+#include "core/structures/filters/cover_dates.h"
+#include "core/structures/filters/lambda_axis.h"
+#include "core/structures/inputs/settings_source.h"
+
+namespace mes {
+
+/// After the rooms that it uses.
+inline void add_filter_structures(Registry& registry) {
+  registry.add_structure<LambdaAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>();
+  registry.add_structure<AngleAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>();
+  registry.add_structure<CoverDates, Delaunay, InnerBalls>();
+  registry
+      .add_structure<CoverAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, CoverDates>();
+}
+
+}  // namespace mes
