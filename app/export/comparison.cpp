@@ -18,19 +18,15 @@ namespace {
 
 constexpr Rgb kOnlyHere{0xE0, 0x1E, 0x8C};
 
-/// What layers of several families of balls have in common: "a-union-boundary" is "union-boundary".
-std::string_view without_family(const LayerDescriptor& layer) {
-  return family_of(layer) ? layer.id.substr(layer.id.find('-') + 1) : layer.id;
-}
-
 /// The layer of another pane that shows what this one does: the same, or else the same of another family of balls.
 std::optional<VariantLayer> counterpart(LayerIndex layer, const Pane& pane) {
   const auto descriptors = layer_descriptors();
   const auto same = std::ranges::find(pane.shown.layers, layer, &VariantLayer::layer);
   if (same != pane.shown.layers.end()) return *same;
-  const std::string_view name = without_family(descriptors[layer]);
-  const auto alike = std::ranges::find(pane.shown.layers, name,
-                                       [&](VariantLayer other) { return without_family(descriptors[other.layer]); });
+  const std::string_view shown = descriptors[layer].of_any_family;
+  const auto alike = std::ranges::find_if(pane.shown.layers, [&](VariantLayer other) {
+    return !shown.empty() && descriptors[other.layer].of_any_family == shown;
+  });
   return alike != pane.shown.layers.end() ? std::optional(*alike) : std::nullopt;
 }
 

@@ -165,14 +165,17 @@ std::string_view title_of(GrowthOf of) {
   return title_of(LayerGroup::union_b);
 }
 
+/// The structure that has the complex of what grows.
+std::string_view complex_of(GrowthOf of) {
+  constexpr std::array<std::string_view, kGrowths.size()> kComplexes{"alpha-complex", "a-grown-complex",
+                                                                     "p-grown-complex", "b-grown-complex"};
+  return kComplexes[static_cast<std::size_t>(of)];
+}
+
 std::optional<GrowthOf> growth_of(const LayerDescriptor& layer) {
-  if (layer.id.starts_with("alpha-")) return GrowthOf::samples;
-  if (!layer.id.substr(1).starts_with("-alpha-")) return std::nullopt;
-  switch (layer.group) {
-    case LayerGroup::union_a: return GrowthOf::inner;
-    case LayerGroup::union_p: return GrowthOf::polar;
-    default: return GrowthOf::own;
-  }
+  for (const GrowthOf of : kGrowths)
+    if (std::ranges::find(layer.structures, complex_of(of)) != layer.structures.end()) return of;
+  return std::nullopt;
 }
 
 std::uint64_t digest_of(const Document& document, GrowthOf of, const ComputationSettings& settings) {

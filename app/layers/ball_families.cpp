@@ -22,9 +22,14 @@ bool is_plain(std::string_view id) {
   return structures.size() == 1 && structures.front() == "scaled-balls";
 }
 
-// "a-v-points" and "b-v-points".
-std::string counterpart_of(std::string_view id, FamilyKind family) {
-  return std::string(letter_of(family)).append(id.substr(id.find('-')));
+/// The layer that shows the same of another family, as "a-v-points" and "b-v-points" do, or kNoLayer.
+LayerIndex counterpart_of(std::string_view id, FamilyKind family) {
+  const auto layers = layer_descriptors();
+  const std::string_view shown = layers[find_layer(id)].of_any_family;
+  const auto found = std::ranges::find_if(layers, [&](const LayerDescriptor& other) {
+    return !shown.empty() && other.of_any_family == shown && other.group == group_of(family);
+  });
+  return found == layers.end() ? kNoLayer : static_cast<LayerIndex>(found - layers.begin());
 }
 
 }  // namespace
@@ -60,8 +65,9 @@ LayerConfiguration in_family(const LayerConfiguration& layers, FamilyKind family
   for (Entry& entry : out.layers) {
     const auto of = family_of_layer(entry.layer);
     if (!entry.visible || !of || *of == family || (is_plain(entry.layer) && !is_of_union)) continue;
-    const std::string id = counterpart_of(entry.layer, family);
-    if (find_layer(id) == kNoLayer) continue;
+    const LayerIndex counterpart = counterpart_of(entry.layer, family);
+    if (counterpart == kNoLayer) continue;
+    const std::string id(layer_descriptors()[counterpart].id);
     const auto other = std::ranges::find(out.layers, id, &Entry::layer);
     if (other == out.layers.end()) {
       entry.layer = id;

@@ -13,7 +13,7 @@ namespace mes {
 
 std::string value_text(const ParameterDescriptor& descriptor, double value) {
   if (is_switch(descriptor)) return value != 0.0 ? "on" : "off";
-  if (const auto choices = choices_of(descriptor); !choices.empty())
+  if (const auto choices = descriptor.choices; !choices.empty())
     return lower_case(std::string(choices[static_cast<std::size_t>(value - descriptor.low)]));
   // As few digits as tell it from the default, which it may be very near.
   std::string out;
@@ -21,7 +21,7 @@ std::string value_text(const ParameterDescriptor& descriptor, double value) {
     out = fmt::format("{:.{}g}", value, digits);
     if (value == descriptor.default_value || std::strtod(out.c_str(), nullptr) != descriptor.default_value) break;
   }
-  if (descriptor.id.ends_with("-scale")) return out + " \u00d7";
+  if (descriptor.is_multiplier) return out + " \u00d7";
   if (descriptor.unit == "degrees") return out + "\u00b0";
   return descriptor.unit.empty() || descriptor.is_length ? out : out + ' ' + std::string(descriptor.unit);
 }

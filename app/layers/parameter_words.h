@@ -2,7 +2,6 @@
 // Parameters of computation and evolutions in the words of the window.
 #pragma once
 
-#include <span>
 #include <string>
 #include <string_view>
 
@@ -12,9 +11,6 @@ namespace mes {
 
 /// "smooth-mu" -> "Way to the middle", "a-scale" -> "Inner balls: scale"; an unknown id with spaces for hyphens.
 std::string title_of(const ParameterDescriptor& descriptor);
-
-/// The choices of a parameter whose whole numbers stand for words, from its low end; empty: it is a number.
-std::span<const std::string_view> choices_of(const ParameterDescriptor& descriptor);
 
 /// "Scale axis: factor: 99 is above 3, which is taken instead", of a number outside [low, high].
 std::string beyond_words(const std::string& title, double number, double low, double high);

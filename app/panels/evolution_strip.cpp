@@ -180,7 +180,7 @@ void parameter_field(const EvolutionStrip& strip, const ParameterDescriptor& par
   const Gui& gui = strip.gui;
   const float unit = gui.unit();
   const std::string title = title_of(parameter);
-  const auto choices = choices_of(parameter);
+  const auto choices = parameter.choices;
   double value = player.choice().values[parameter.id];
   std::optional<double> beyond;
   ImGui::PushID(parameter.id.data());
@@ -246,7 +246,7 @@ void hidden_layers(const EvolutionStrip& strip, Row& row) {
   const std::vector<LayerIndex> wanted =
       layers_to_show(strip.evolution.choice().evolution, strip.layers, strip.editor.document());
   if (wanted.empty()) return;
-  const std::string label = "Show " + what_moves(strip.evolution.choice().evolution);
+  const std::string label = "Show " + std::string(evolutions()[strip.evolution.choice().evolution].descriptor.moves);
   row.next(ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x);
   if (ImGui::Button(label.c_str()))
     strip.editor.change_layers(label, [&] {

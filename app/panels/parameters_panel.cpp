@@ -118,7 +118,7 @@ double ParametersPanel::longest() const {
 }
 
 void ParametersPanel::draw_value(const ParameterDescriptor& descriptor, double& value) const {
-  if (const auto choices = choices_of(descriptor); !choices.empty()) {
+  if (const auto choices = descriptor.choices; !choices.empty()) {
     const auto chosen = static_cast<std::size_t>(value);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     if (ImGui::BeginCombo("##choice", std::string(choices[chosen]).c_str())) {
@@ -291,7 +291,7 @@ void ParametersPanel::draw_parameter(Parameter parameter) {
   }
   ImGui::SameLine(buttons_at);
   const bool runs = computation_.animation().is_running() && computation_.animation().parameter == parameter;
-  if (is_switch(descriptor) || !choices_of(descriptor).empty()) {
+  if (is_switch(descriptor) || !descriptor.choices.empty()) {
     ImGui::Dummy({button, button});
   } else {
     if (icon_button("run", Icon::play, button, runs ? ButtonLook::on : ButtonLook::plain))

@@ -2,6 +2,7 @@
 #include "app/playing/evolution_layers.h"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <string_view>
 
@@ -30,17 +31,19 @@ bool is_of_scale_axis(EvolutionIndex evolution) {
 }
 
 bool is_skeleton(EvolutionIndex evolution) {
-  return evolutions()[evolution].descriptor.id == "scale-skeleton";
+  const ParameterMove* const move = evolutions()[evolution].moved_parameter();
+  return move != nullptr && move->renews_balls;
 }
+
+constexpr std::array<std::string_view, 3> kSkeletons{"a-skeleton-union", "p-skeleton-union", "b-skeleton-union"};
+constexpr std::array<std::string_view, 4> kScaled{"scale-union", "a-scale-union", "p-scale-union", "b-scale-union"};
+
 /// It shows what such an evolution changes.
-bool is_of_scale_axis(const LayerDescriptor& layer) {
-  return std::ranges::any_of(layer.structures, [](std::string_view structure) {
-    return structure.ends_with("scale-union") || structure.ends_with("skeleton-union");
-  });
-}
 bool is_of_skeleton(const LayerDescriptor& layer) {
-  return std::ranges::any_of(layer.structures,
-                             [](std::string_view structure) { return structure.ends_with("skeleton-union"); });
+  return std::ranges::find_first_of(layer.structures, kSkeletons) != layer.structures.end();
+}
+bool is_of_scale_axis(const LayerDescriptor& layer) {
+  return is_of_skeleton(layer) || std::ranges::find_first_of(layer.structures, kScaled) != layer.structures.end();
 }
 
 /// It grows disks about the samples, and the balls of all families, additively.
@@ -95,19 +98,6 @@ std::optional<GrowthOf> shown_growth(const LayerStack& layers, GrowthOf preferre
     if (of && (!out || *of < *out)) out = of;
   }
   return out;
-}
-
-std::string what_moves(EvolutionIndex evolution) {
-  if (is_of_scale_axis(evolution)) return "the balls along the axis";
-  if (is_additive(evolution)) return "disks grown additively";
-  const auto family = family_of(evolution);
-  if (!family) return "the samples";
-  switch (*family) {
-    case FamilyKind::inner: return "the inner balls";
-    case FamilyKind::polar: return "the polar balls";
-    case FamilyKind::own: break;
-  }
-  return "your own balls";
 }
 
 }  // namespace mes

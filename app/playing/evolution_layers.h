@@ -3,7 +3,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "app/insight/persistence_table.h"
@@ -17,8 +16,5 @@ std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStac
 
 /// What grows additively in the layers that are shown: `preferred`, if that is among it, or else the first; nothing: none.
 std::optional<GrowthOf> shown_growth(const LayerStack& layers, GrowthOf preferred);
-
-/// What it moves: "the samples", "the inner balls".
-std::string what_moves(EvolutionIndex evolution);
 
 }  // namespace mes

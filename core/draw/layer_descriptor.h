@@ -38,6 +38,8 @@ struct LayerDescriptor {
   std::string_view name{};     ///< as shown
   std::string_view tooltip{};  ///< one sentence, no full stop
   LayerGroup group = LayerGroup::samples;
+  std::string_view
+      of_any_family{};     ///< what layers share that show the same of several families of balls; else empty
   bool in_paper = false;   ///< one of the 41 layers of the 2007 paper
   bool in_fit_box = true;  ///< counts for "fit to view"
   bool visible_at_start = false;

@@ -14,7 +14,8 @@ constexpr ParameterDescriptor kAlphaStep{.id = "alpha-step",
                                          .low = 0.0,
                                          .high = 1e150,
                                          .default_value = 1.0,
-                                         .is_length = true};
+                                         .is_length = true,
+                                         .title = "Step"};
 
 double by_steps(double first, double sign, std::uint64_t k, const EvolutionValues& values) {
   // What k steps of rounded length go beyond zero by is none.
@@ -36,7 +37,8 @@ Evolution alpha_growing_evolution() {
            "Additive growth: grow",
            "Disks about the samples grow, and balls as sqrt(r^2 + alpha-radius^2), with nested alpha complexes",
            false,
-           {kAlphaStep}},
+           {kAlphaStep},
+           "disks grown additively"},
           ParameterMove{Parameter::alpha_radius, grown_radius}};
 }
 Evolution alpha_shrinking_evolution() {
@@ -44,7 +46,8 @@ Evolution alpha_shrinking_evolution() {
            "Additive growth: shrink",
            "Disks and balls grown by alpha-radius shrink back, down to points and balls as they are",
            false,
-           {kAlphaStep}},
+           {kAlphaStep},
+           "disks grown additively"},
           ParameterMove{Parameter::alpha_radius, shrunk_radius}};
 }
 

@@ -6,7 +6,14 @@ namespace mes {
 namespace {
 
 constexpr ParameterDescriptor kGrowingStep{
-    "growing-step", "What a step adds to the factor that radii are multiplied or divided by", "%", 0.01, 100.0, 3.0};
+    .id = "growing-step",
+    .explanation = "What a step adds to the factor that radii are multiplied or divided by",
+    .unit = "%",
+    .low = 0.01,
+    .high = 100.0,
+    .default_value = 3.0,
+    .title = "Step",
+    .window_explanation = "How much is added in each step to the factor by which radii are multiplied or divided"};
 
 double factor(std::uint64_t k, const EvolutionValues& values) {
   return 1.0 + static_cast<double>(k) * (values[kGrowingStep.id] / 100.0);
@@ -18,57 +25,66 @@ double shrunk_scale(double first, std::uint64_t k, const EvolutionValues& values
   return first / factor(k, values);
 }
 
-Evolution growing(std::string_view id, std::string_view name, std::string_view tooltip, Parameter scale) {
-  return {{id, name, tooltip, false, {kGrowingStep}}, ParameterMove{scale, grown_scale}};
+Evolution growing(std::string_view id, std::string_view name, std::string_view tooltip, std::string_view balls,
+                  Parameter scale) {
+  return {{id, name, tooltip, false, {kGrowingStep}, balls}, ParameterMove{scale, grown_scale}};
 }
-Evolution shrinking(std::string_view id, std::string_view name, std::string_view tooltip, Parameter scale) {
-  return {{id, name, tooltip, false, {kGrowingStep}}, ParameterMove{scale, shrunk_scale}};
+Evolution shrinking(std::string_view id, std::string_view name, std::string_view tooltip, std::string_view balls,
+                    Parameter scale) {
+  return {{id, name, tooltip, false, {kGrowingStep}, balls}, ParameterMove{scale, shrunk_scale}};
 }
+
+constexpr std::string_view kInner = "the inner balls";
+constexpr std::string_view kPolar = "the polar balls";
+constexpr std::string_view kOwn = "your own balls";
+constexpr std::string_view kAlongAxis = "the balls along the axis";
 
 }  // namespace
 
 Evolution a_growing_evolution() {
-  return growing("a-growing", "Inner balls: grow", "The inner Voronoi balls grow, and their union with them",
+  return growing("a-growing", "Inner balls: grow", "The inner Voronoi balls grow, and their union with them", kInner,
                  Parameter::a_scale);
 }
 Evolution a_shrinking_evolution() {
   return shrinking("a-shrinking", "Inner balls: shrink", "The inner Voronoi balls shrink, and their union with them",
-                   Parameter::a_scale);
+                   kInner, Parameter::a_scale);
 }
 Evolution p_growing_evolution() {
-  return growing("p-growing", "Polar balls: grow", "The inner polar balls grow, and their union with them",
+  return growing("p-growing", "Polar balls: grow", "The inner polar balls grow, and their union with them", kPolar,
                  Parameter::p_scale);
 }
 Evolution p_shrinking_evolution() {
   return shrinking("p-shrinking", "Polar balls: shrink", "The inner polar balls shrink, and their union with them",
-                   Parameter::p_scale);
+                   kPolar, Parameter::p_scale);
 }
 Evolution b_growing_evolution() {
-  return growing("b-growing", "Own balls: grow", "Your own balls grow, and their union with them",
+  return growing("b-growing", "Own balls: grow", "Your own balls grow, and their union with them", kOwn,
                  Parameter::b_scale);
 }
 Evolution b_shrinking_evolution() {
-  return shrinking("b-shrinking", "Own balls: shrink", "Your own balls shrink, and their union with them",
+  return shrinking("b-shrinking", "Own balls: shrink", "Your own balls shrink, and their union with them", kOwn,
                    Parameter::b_scale);
 }
 
 Evolution scale_axis_growing_evolution() {
   return growing("scale-axis-growing", "Balls along the axis: grow",
-                 "Balls sampled along the medial axis grow, and the scale axis of their union with them",
+                 "Balls sampled along the medial axis grow, and the scale axis of their union with them", kAlongAxis,
                  Parameter::scale_axis_factor);
 }
 Evolution scale_axis_shrinking_evolution() {
   return shrinking("scale-axis-shrinking", "Balls along the axis: shrink",
                    "Balls sampled along the medial axis shrink, and the scale axis of their union with them",
-                   Parameter::scale_axis_factor);
+                   kAlongAxis, Parameter::scale_axis_factor);
 }
 
 Evolution scale_skeleton_evolution() {
-  return growing(
-      "scale-skeleton", "Balls along the axis: simplify",
-      "Balls sampled along the medial axis grow, and those along the scale axis take their place after each "
-      "scale-skeleton-step",
-      Parameter::scale_axis_factor);
+  Evolution out =
+      growing("scale-skeleton", "Balls along the axis: simplify",
+              "Balls sampled along the medial axis grow, and those along the scale axis take their place after each "
+              "scale-skeleton-step",
+              kAlongAxis, Parameter::scale_axis_factor);
+  std::get<ParameterMove>(out.move).renews_balls = true;
+  return out;
 }
 
 }  // namespace mes

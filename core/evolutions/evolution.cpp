@@ -13,14 +13,15 @@ namespace mes {
 namespace {
 
 constexpr ParameterDescriptor kFreezeChains{
-    "freeze-chains",
-    "Where the document has no contours. 0: the crust says at each step who follows whom; 1: the crust of the "
-    "beginning does",
-    "",
-    0.0,
-    1.0,
-    0.0,
-    true};
+    .id = "freeze-chains",
+    .explanation =
+        "Where the document has no contours. 0: the crust says at each step who follows whom; 1: the crust "
+        "of the beginning does",
+    .is_whole = true,
+    .title = "Keep the order of the beginning",
+    .window_explanation =
+        "Where the document has no contours. On: the crust of the beginning says who follows whom; "
+        "off: the crust of each step does"};
 
 std::unexpected<Error> failure(std::string text) {
   return std::unexpected(Error{ErrorCode::cannot_compute, std::move(text), {}, 0, 0});

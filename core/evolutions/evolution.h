@@ -80,6 +80,7 @@ struct EvolutionDescriptor {
   std::string_view tooltip;  ///< one sentence, no full stop
   bool is_random = false;    ///< the seed matters
   std::vector<ParameterDescriptor> parameters;
+  std::string_view moves = "the samples";  ///< as in "Show the samples"
 };
 
 /// The next state. Error: the step would make more than can be handled.
@@ -88,6 +89,8 @@ using SampleMove = Expected<EvolutionState> (*)(const EvolutionState& state, con
 struct ParameterMove {
   Parameter parameter;
   double (*value)(double first, std::uint64_t k, const EvolutionValues& values);  ///< in state k; may leave the range
+  /// Of balls along an axis: the skeleton shows it, whose balls are taken anew after each step of the factor.
+  bool renews_balls = false;
 };
 
 struct Evolution {

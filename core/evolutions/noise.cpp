@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Noise: every sample on the curve is moved at random, by a fraction of the distance between its neighbours.
+#include <array>
+
 #include "core/base/rng.h"
 #include "core/evolutions/evolution.h"
 
@@ -8,6 +10,7 @@ namespace {
 
 constexpr std::string_view kFactor = "noise-factor";
 constexpr std::string_view kIsotropic = "noise-isotropic";
+constexpr std::array<std::string_view, 2> kDirections{"Along the normal", "In every direction"};
 constexpr std::uint64_t kStream = 0x6e6f697365ULL;  // no other evolution draws the same numbers
 
 // Uniform in the unit disk; by rejection, as sines and cosines are not the same on all machines.
@@ -39,14 +42,24 @@ Expected<EvolutionState> noise_step(const EvolutionState& state, const Evolution
 }  // namespace
 
 Evolution noise_evolution() {
-  return {
-      {"noise",
-       "Noise",
-       "Each sample on the curve moves at random along its normal",
-       true,
-       {{kFactor, "Largest distance a sample moves, in distances between its two neighbours", "", 0.0, 10.0, 0.05},
-        {kIsotropic, "0: along the normal of the curve; 1: in every direction", "", 0.0, 1.0, 0.0, true}}},
-      noise_step};
+  return {{"noise",
+           "Noise",
+           "Each sample on the curve moves at random along its normal",
+           true,
+           {{.id = kFactor,
+             .explanation = "Largest distance a sample moves, in distances between its two neighbours",
+             .high = 10.0,
+             .default_value = 0.05,
+             .title = "Strength",
+             .window_explanation =
+                 "Largest distance a sample moves, as a multiple of the distance between its two neighbours"},
+            {.id = kIsotropic,
+             .explanation = "0: along the normal of the curve; 1: in every direction",
+             .is_whole = true,
+             .title = "Direction",
+             .window_explanation = "Where a sample may move",
+             .choices = kDirections}}},
+          noise_step};
 }
 
 }  // namespace mes

@@ -64,18 +64,28 @@ Expected<EvolutionState> smooth_step(const EvolutionState& state, const Evolutio
 }  // namespace
 
 Evolution smooth_evolution() {
-  return {{"smooth",
-           "Smooth",
-           "Each sample moves towards the middle of its neighbours on the curve",
-           false,
-           {{kMu, "How far a sample goes towards the middle of its neighbours", "", 0.001, 1.0, 0.5},
-            {kBack,
-             "How far it then goes back, which keeps the curve from shrinking (Taubin); usually a little more than "
-             "smooth-mu; 0: it does not go back",
-             "", 0.0, 1.5, 0.0},
-            {kKeepArea, "1: each loop is scaled about its middle to the area it had; 0: loops shrink", "", 0.0, 1.0,
-             0.0, true}}},
-          smooth_step};
+  return {
+      {"smooth",
+       "Smooth",
+       "Each sample moves towards the middle of its neighbours on the curve",
+       false,
+       {{.id = kMu,
+         .explanation = "How far a sample goes towards the middle of its neighbours",
+         .low = 0.001,
+         .default_value = 0.5,
+         .title = "Way to the middle"},
+        {.id = kBack,
+         .explanation = "How far it then goes back, which keeps the curve from shrinking (Taubin); usually a "
+                        "little more than smooth-mu; 0: it does not go back",
+         .high = 1.5,
+         .title = "Way back",
+         .window_explanation = "How far it then goes back, which keeps the curve from shrinking (Taubin); usually "
+                               "a little more than the way to the middle. 0: it does not go back"},
+        {.id = kKeepArea,
+         .explanation = "1: each loop is scaled about its middle to the area it had; 0: loops shrink",
+         .is_whole = true,
+         .title = "Keep the area of loops"}}},
+      smooth_step};
 }
 
 }  // namespace mes

@@ -17,6 +17,8 @@ constexpr std::string_view kScheme = "subdivide-scheme";
 constexpr std::size_t kMostSamples = 4'000'000;
 
 enum class Scheme : std::uint8_t { cubic, chaikin, four_point, midpoint };
+constexpr std::array<std::string_view, 4> kSchemes{"Cubic B-spline", "Corner cutting (Chaikin)",
+                                                   "Four-point, through every sample", "Midpoints"};
 
 /// Walks along one chain and past its ends.
 class Walk {
@@ -111,14 +113,19 @@ Expected<EvolutionState> subdivide_step(const EvolutionState& state, const Evolu
 }  // namespace
 
 Evolution subdivide_evolution() {
-  return {
-      {"subdivide",
-       "Subdivide",
-       "A new sample between each two neighbours on the curve, by a subdivision scheme",
-       false,
-       {{kScheme, "0: cubic B-spline; 1: Chaikin's corner cutting; 2: four-point, through every sample; 3: midpoints",
-         "", 0.0, 3.0, 0.0, true}}},
-      subdivide_step};
+  return {{"subdivide",
+           "Subdivide",
+           "A new sample between each two neighbours on the curve, by a subdivision scheme",
+           false,
+           {{.id = kScheme,
+             .explanation = "0: cubic B-spline; 1: Chaikin's corner cutting; 2: four-point, through every sample; 3: "
+                            "midpoints",
+             .high = 3.0,
+             .is_whole = true,
+             .title = "Scheme",
+             .window_explanation = "What the curve through the samples becomes",
+             .choices = kSchemes}}},
+          subdivide_step};
 }
 
 }  // namespace mes

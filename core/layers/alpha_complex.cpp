@@ -12,6 +12,7 @@ LayerDescriptor descriptor_of(std::string_view id, std::string_view name, std::s
           .name = name,
           .tooltip = tooltip,
           .group = LayerGroup::delaunay_voronoi,
+          .of_any_family = id,
           .scalar = scalar,
           .style = std::move(style),
           .kinds = std::move(kinds)};

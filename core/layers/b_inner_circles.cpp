@@ -10,6 +10,7 @@ Layer make_b_inner_circles_layer(const StructureSet& set) {
                      .name = "Own balls: circles",
                      .tooltip = "Circles of your own balls",
                      .group = LayerGroup::union_b,
+                     .of_any_family = "inner-circles",
                      .visible_at_start = true,
                      .scalar = "radius",
                      .style = {.color = palette::orange, .opacity = 0.6},

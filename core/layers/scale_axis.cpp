@@ -14,6 +14,7 @@ LayerDescriptor descriptor_of(std::string_view id, std::string_view name, std::s
           .name = name,
           .tooltip = tooltip,
           .group = LayerGroup::scale_axis,
+          .of_any_family = id,
           .scalar = "radius",
           .style = std::move(style),
           .kinds = std::move(kinds)};

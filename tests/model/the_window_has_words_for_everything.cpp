@@ -92,7 +92,7 @@ TEST_CASE("every parameter has a title, and words for each of its choices") {
     const std::string title = title_of(parameter);
     CHECK_FALSE(title.empty());
     CHECK(title.find('-') == std::string::npos);
-    const auto choices = choices_of(parameter);
+    const auto choices = parameter.choices;
     if (!choices.empty()) CHECK(static_cast<double>(choices.size()) == parameter.high - parameter.low + 1.0);
     // Numbers of a switch or a choice are not seen in the window.
     if (parameter.is_whole) {

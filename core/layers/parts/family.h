@@ -37,6 +37,7 @@ std::string_view keep_text(std::string text);
 /// A layer of the family: `id` "v-points" becomes "a-v-points", `name` "boundary" becomes "Inner balls: boundary".
 template <class... Parts>
 Layer union_layer_of(const UnionFamily& family, const Structure& read, LayerDescriptor descriptor, Parts... parts) {
+  descriptor.of_any_family = descriptor.id;
   const char small = static_cast<char>(family.letter - 'A' + 'a');
   descriptor.id = keep_text(std::string(1, small) + '-' + std::string(descriptor.id));
   descriptor.name = keep_text(std::string(title_of(family.group)) + ": " + std::string(descriptor.name));
