@@ -14,7 +14,7 @@
 //     EvolutionStates states(state_of(document), {.evolution = *find_evolution("smooth")});
 //     const auto state = states.at(12, job);
 //
-// A new one: a file with `Evolution name_evolution()` and a line in core/evolutions/evolution_list.inc.
+// A new one: a file with `Evolution name_evolution()`, which core/evolutions/evolution_list.cpp lists.
 #pragma once
 
 #include <cstdint>
@@ -101,7 +101,7 @@ struct Evolution {
   const ParameterMove* moved_parameter() const { return std::get_if<ParameterMove>(&move); }
 };
 
-/// In the order of core/evolutions/evolution_list.inc.
+/// In the order in which they are offered.
 std::span<const Evolution> evolutions();
 std::optional<EvolutionIndex> find_evolution(std::string_view id);
 

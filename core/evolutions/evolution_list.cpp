@@ -1,19 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The list of evolutions, in the order in which they are offered. A new one is a file that defines its function, and two
+// lines here.
 #include <vector>
 
 #include "core/evolutions/evolution.h"
 
 namespace mes {
 
-#define EVOLUTION(name) Evolution name##_evolution();
-#include "core/evolutions/evolution_list.inc"
-#undef EVOLUTION
+Evolution smooth_evolution();
+Evolution subdivide_evolution();
+Evolution noise_evolution();
+Evolution a_growing_evolution();
+Evolution a_shrinking_evolution();
+Evolution p_growing_evolution();
+Evolution p_shrinking_evolution();
+Evolution b_growing_evolution();
+Evolution b_shrinking_evolution();
+Evolution scale_axis_growing_evolution();
+Evolution scale_axis_shrinking_evolution();
+Evolution scale_skeleton_evolution();
+Evolution alpha_growing_evolution();
+Evolution alpha_shrinking_evolution();
 
 std::span<const Evolution> evolutions() {
   static const std::vector<Evolution> list{
-#define EVOLUTION(name) name##_evolution(),
-#include "core/evolutions/evolution_list.inc"
-#undef EVOLUTION
+      smooth_evolution(),
+      subdivide_evolution(),
+      noise_evolution(),
+      a_growing_evolution(),
+      a_shrinking_evolution(),
+      p_growing_evolution(),
+      p_shrinking_evolution(),
+      b_growing_evolution(),
+      b_shrinking_evolution(),
+      scale_axis_growing_evolution(),
+      scale_axis_shrinking_evolution(),
+      scale_skeleton_evolution(),
+      alpha_growing_evolution(),
+      alpha_shrinking_evolution(),
   };
   return list;
 }

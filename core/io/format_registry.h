@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one format file gives: `Format name_format()`, listed in core/io/format_list.inc. Private to core/io.
+// What one format file gives: `Format name_format()`, listed in core/io/format_list.cpp. Private to core/io.
 #pragma once
 
 #include <cstdint>
@@ -46,7 +46,7 @@ struct Format {
   void (*read_companions)(const std::filesystem::path& path, LoadedFile& file) = nullptr;
 };
 
-/// In the order of core/io/format_list.inc.
+/// In the order in which contents are tried.
 std::span<const Format> formats();
 
 }  // namespace mes

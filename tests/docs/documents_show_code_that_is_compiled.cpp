@@ -148,6 +148,7 @@ TEST_CASE("paths in documents exist") {
 
 TEST_CASE("every file of layers and formats is in the list of its folder") {
   const std::string layers = text_of("core/layers/layers.cpp");
+  std::size_t seen = 0;
   const std::vector<std::string> others{"layers", "sample_balls", "axis_filters", "alpha_complex"};
   for (const auto& entry : fs::directory_iterator("core/layers")) {
     const std::string name = entry.path().stem();
@@ -159,4 +160,13 @@ TEST_CASE("every file of layers and formats is in the list of its folder") {
     INFO(path);
     CHECK(layers.find("add(make_union_" + path.stem().string() + "_layer);\n") != std::string::npos);
   }
+  const std::string formats = text_of("core/io/format_list.cpp");
+  for (const fs::path& path : files_below("core/io", ".cpp")) {
+    const std::string name = path.stem();
+    if (text_of(path).find("\nFormat " + name + "_format() {") == std::string::npos) continue;
+    INFO(path);
+    CHECK(formats.find(" " + name + "_format(),") != std::string::npos);
+    ++seen;
+  }
+  CHECK(seen >= 22);
 }
