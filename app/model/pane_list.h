@@ -88,7 +88,7 @@ struct PaneEvolution {
   friend bool operator==(const PaneEvolution&, const PaneEvolution&) = default;
 };
 
-/// What the list comes to.
+/// The layers and variants that the list asks for.
 struct ShownPanes {
   using Layers = std::vector<std::pair<VariantLayer, LayerStyle>>;  ///< bottom first
   std::vector<VariantRequest> variants;

@@ -89,7 +89,7 @@ using SampleMove = Expected<EvolutionState> (*)(const EvolutionState& state, con
 struct ParameterMove {
   Parameter parameter;
   double (*value)(double first, std::uint64_t k, const EvolutionValues& values);  ///< in state k; may leave the range
-  /// Of balls along an axis: the skeleton shows it, whose balls are taken anew after each step of the factor.
+  /// The balls along the axis are taken anew after each step of the factor, as the scale skeleton shows.
   bool renews_balls = false;
 };
 

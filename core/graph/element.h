@@ -10,7 +10,7 @@ namespace mes {
 
 class Structure;
 
-/// What the rows of a layer's part are.
+/// The kind of the rows that a part of a layer draws.
 enum class ElementKind : std::uint8_t {
   other,  ///< nothing is known but the shape
   sample,

@@ -51,8 +51,8 @@ class Registry {
 
   /// Every structure, inputs before consumers.
   ///
-  /// With a shared set, those of a variant of it: settings of its own, samples and balls of its own if it has a
-  /// document, and whatever depends on these.
+  /// A variant of a shared set has settings of its own, samples and balls of its own if it has a document, and whatever
+  /// depends on these: the others are not made.
   StructureSet make_structures(const StructureSet* shared = nullptr, bool has_document = false) const;
   /// Every layer over the given structures, by position.
   std::vector<Layer> make_layers(const StructureSet& structures) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one format file gives: `Format name_format()`, listed in core/io/format_list.cpp. Private to core/io.
+// Each format file defines `Format name_format()`, listed in core/io/format_list.cpp. Private to core/io.
 #pragma once
 
 #include <cstdint>

@@ -25,7 +25,7 @@ problems=$({
   $1 == "U" { users[++count] = $2; used[count] = $3 }
   END {
     for (i = 1; i <= count; ++i) {
-      # Of a file that is generated, or of a template that another library made: nobody defines it below or above.
+      # No library of rooms defines it: it is of a generated file, or of a template.
       if (!(used[i] in definers)) continue
       known++
       is_below = 0
