@@ -23,7 +23,7 @@ namespace mes {
 using VariantIndex = std::uint32_t;
 inline constexpr VariantIndex kMainVariant = 0;
 
-/// A layer as a variant computes it: what is demanded, sent and drawn.
+/// A layer as a variant computes it. Layers are demanded, sent and drawn under this name.
 struct VariantLayer {
   VariantIndex variant = kMainVariant;
   LayerIndex layer = 0;

@@ -30,7 +30,7 @@ enum class ElementKind : std::uint8_t {
   power_edge,
   contour_link,  ///< between neighbours on a contour of the document
   sampled_ball,  ///< along an axis
-  // Of a complex of disks or balls that grow additively.
+  // A complex of disks or balls that grow additively has these.
   alpha_corner,
   alpha_edge,
   alpha_triangle,
@@ -40,7 +40,7 @@ enum class ElementKind : std::uint8_t {
 
 struct ElementType {
   ElementKind kind = ElementKind::other;
-  const Structure* owner = nullptr;  ///< of the rows, where several structures have such
+  const Structure* owner = nullptr;  ///< whose rows they are, where several structures have such
 };
 
 struct Element {
