@@ -16,6 +16,7 @@ void LayerStack::reset() {
   order_.clear();
   visible_.clear();
   styles_.clear();
+  missing_.clear();
   for (LayerIndex layer = 0; layer < descriptors_.size(); ++layer) {
     order_.push_back(layer);
     visible_.push_back(descriptors_[layer].visible_at_start);
@@ -29,8 +30,15 @@ void LayerStack::reset() {
 
 LayerConfiguration LayerStack::configuration() const {
   LayerConfiguration out;
-  for (const LayerIndex layer : order_)
+  const auto add_missing = [&](LayerIndex above) {
+    for (const Missing& missing : missing_)
+      if (missing.above == above) out.layers.push_back(missing.entry);
+  };
+  add_missing(kNoLayer);
+  for (const LayerIndex layer : order_) {
     out.layers.push_back({std::string(descriptors_[layer].id), visible_[layer], styles_[layer]});
+    add_missing(layer);
+  }
   out.image = image_;
   return out;
 }
@@ -39,10 +47,13 @@ void LayerStack::set_configuration(const LayerConfiguration& configuration) {
   std::vector<bool> is_named(descriptors_.size(), false);
   std::vector<LayerIndex> named;
   const std::vector<LayerIndex> before = visible_layers();
+  missing_.clear();
   for (const LayerConfiguration::Entry& entry : configuration.layers) {
-    const auto found = std::ranges::find(descriptors_, std::string_view(entry.layer), &LayerDescriptor::id);
-    if (found == descriptors_.end()) continue;
-    const auto layer = static_cast<LayerIndex>(found - descriptors_.begin());
+    const LayerIndex layer = find(entry.layer);
+    if (layer == kNoLayer) {
+      missing_.push_back({entry, named.empty() ? kNoLayer : named.back()});
+      continue;
+    }
     if (is_named[layer]) continue;
     is_named[layer] = true;
     named.push_back(layer);
@@ -71,7 +82,15 @@ LayerIndex LayerStack::find(std::string_view id) const {
 void LayerStack::apply(const LayersChanged& change) {
   for (const LayerConfiguration::Entry& entry : change.changed) {
     const LayerIndex layer = find(entry.layer);
-    if (layer == kNoLayer) continue;
+    if (layer == kNoLayer) {
+      const auto known = std::ranges::find(missing_, entry.layer, [](const Missing& one) { return one.entry.layer; });
+      if (known == missing_.end())
+        missing_.push_back({entry, order_.empty() ? kNoLayer : order_.back()});
+      else
+        known->entry = entry;
+      ++revision_;
+      continue;
+    }
     if (visible_[layer] != entry.visible) set_visible(layer, entry.visible);
     set_style(layer, entry.style);
   }
@@ -79,16 +98,24 @@ void LayerStack::apply(const LayersChanged& change) {
   if (change.image) set_image(*change.image);
 }
 
-// Those that are not named stay below, in the order they had.
+// Those that are not named stay below, in the order they had. Missing ones that are not named are gone.
 void LayerStack::restack(std::span<const std::string> order) {
   std::vector<LayerIndex> rest = order_;
   std::vector<LayerIndex> named;
-  for (const std::string& id : order)
-    if (const LayerIndex layer = find(id); layer != kNoLayer && std::erase(rest, layer) == 1) named.push_back(layer);
-  rest.insert(rest.end(), named.begin(), named.end());
-  if (rest == order_) return;
-  order_ = std::move(rest);
+  std::vector<Missing> missing;
+  for (const std::string& id : order) {
+    const LayerIndex layer = find(id);
+    if (layer != kNoLayer) {
+      if (std::erase(rest, layer) == 1) named.push_back(layer);
+      continue;
+    }
+    const auto known = std::ranges::find(missing_, id, [](const Missing& one) { return one.entry.layer; });
+    if (known != missing_.end()) missing.push_back({known->entry, named.empty() ? kNoLayer : named.back()});
+  }
   ++revision_;
+  missing_ = std::move(missing);
+  rest.insert(rest.end(), named.begin(), named.end());
+  order_ = std::move(rest);
 }
 
 std::vector<LayerIndex> LayerStack::visible_layers() const {

@@ -53,20 +53,27 @@ class LayerStack {
 
   /// All of it as a value. Solo is a way of looking and not part of it.
   LayerConfiguration configuration() const;
-  /// Layers that are not named are hidden, keep their style and go below those that are, in their present order;
-  /// names that are not known are skipped. Ends solo.
+  /// Layers that are not named are hidden, keep their style and go below those that are, in their present order. What is
+  /// said of layers that are missing here is kept for `configuration`. Ends solo.
   void set_configuration(const LayerConfiguration& configuration);
-  /// Changes what the difference names and leaves all else; layers that are not known are skipped. Ends solo where a
-  /// visibility changes.
+  /// Changes what the difference names and leaves all else. Ends solo where a visibility changes.
   void apply(const LayersChanged& change);
+  /// Layers that a configuration named and that there are not.
+  std::size_t missing_count() const { return missing_.size(); }
 
  private:
+  /// A layer that there is not, just above one that there is, or at the bottom (kNoLayer).
+  struct Missing {
+    LayerConfiguration::Entry entry;
+    LayerIndex above = kNoLayer;
+  };
   void restack(std::span<const std::string> order);
 
   std::span<const LayerDescriptor> descriptors_;
   std::vector<LayerIndex> order_;
   std::vector<bool> visible_;
   std::vector<LayerStyle> styles_;
+  std::vector<Missing> missing_;  // bottom first
   LayerIndex solo_ = kNoLayer;
   BackgroundImage image_;
   std::uint64_t demand_revision_ = 0;

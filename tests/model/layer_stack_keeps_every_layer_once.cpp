@@ -162,3 +162,37 @@ TEST_CASE("a style is given to another layer without what only the first one mea
   CHECK(style_for(nothing, radius, style).color_map.empty());
   CHECK_FALSE(style_for(nothing, radius, style).range_locked);
 }
+
+TEST_CASE("layers that are missing keep their places and styles") {
+  const auto layers = five_layers();
+  LayerStack stack(layers);
+  const LayerConfiguration before = stack.configuration();
+  LayerConfiguration foreign = before;
+  LayerStyle style;
+  style.opacity = 0.25;
+  foreign.layers.insert(foreign.layers.begin(), {"y", false, {}});
+  foreign.layers.insert(foreign.layers.begin() + 3, {"z", true, style});
+  foreign.layers.insert(foreign.layers.begin() + 4, {"x", true, {}});
+  stack.set_configuration(foreign);
+  CHECK(stack.configuration() == foreign);
+  CHECK(stack.missing_count() == 3);
+  CHECK(stack.visible_layers() == std::vector<LayerIndex>{0, 1});
+  // They go along with the layer below them.
+  stack.move(1, 4, true);
+  CHECK(stack.configuration().layers[6].layer == "z");
+  stack.move(1, 0, true);
+  CHECK(stack.configuration() == foreign);
+  // A difference leads there and back.
+  LayerStack other(layers);
+  other.apply(difference(before, foreign));
+  CHECK(other.configuration() == foreign);
+  other.apply(difference(foreign, before));
+  CHECK(other.configuration() == before);
+  CHECK(other.missing_count() == 0);
+  LayerConfiguration restyled = foreign;
+  restyled.layers[3].visible = false;
+  stack.apply(difference(foreign, restyled));
+  CHECK(stack.configuration() == restyled);
+  stack.set_configuration(before);
+  CHECK(stack.configuration() == before);
+}
