@@ -56,7 +56,7 @@ Expected<EvolutionChoice> evolution_of(const std::string& text, const EvolutionC
   EvolutionChoice out = base;
   out.evolution = *evolution;
   if (colon == std::string::npos) return out;
-  const auto parameters = parameters_of(*evolution);
+  const auto parameters = parameters_of(**evolution);
   for (const std::string_view setting : split_list(std::string_view(text).substr(colon + 1))) {
     if (setting.starts_with(kSeed)) {
       const auto seed = whole_number("--evolution: seed", std::string(setting.substr(kSeed.size())));
@@ -66,7 +66,7 @@ Expected<EvolutionChoice> evolution_of(const std::string& text, const EvolutionC
     }
     const auto parsed = parse_setting(std::string(setting), parameters, "--evolution");
     if (!parsed) return std::unexpected(parsed.error());
-    out.values.set(parameters[parsed->first].id, parsed->second);
+    out.values[parameters[parsed->first]] = parsed->second;
   }
   return out;
 }
@@ -146,9 +146,9 @@ class Reader {
     if (std::ranges::find(known, subject) == known.end())
       return usage_error("--compare: unknown subject " + in_quotes(subject) + "; it is one of " + one_of(known));
     out_.subject = Subject::parameter;
-    const auto parsed = parse_setting(subject + '=' + value, parameter_descriptors(), "--compare");
+    const auto parsed = parse_setting(subject + '=' + value, builtins().parameters(), "--compare");
     if (!parsed) return std::unexpected(parsed.error());
-    out_.parameter = static_cast<Parameter>(parsed->first);
+    out_.parameter = builtins().parameters()[parsed->first];
     out_.values.push_back(parsed->second);
     return {};
   }
@@ -197,7 +197,7 @@ Expected<ComputationSettings> moved_settings(const CompareRequest& compared, con
 
 std::vector<std::string_view> compared_subjects() {
   std::vector<std::string_view> out{kPrecision, kFamily, kBundle, kStep};
-  for (const ParameterDescriptor& parameter : parameter_descriptors()) out.push_back(parameter.id);
+  for (const Parameter& parameter : builtins().parameters()) out.push_back(parameter.id);
   return out;
 }
 
@@ -236,7 +236,7 @@ Expected<std::vector<PaneRequest>> panes_of(const CompareRequest& compared, cons
   using Subject = CompareRequest::Subject;
   if (compared.subject == Subject::family && std::ranges::none_of(picture.shown.layers, has_family))
     return usage_error("--compare family: name layers of a family, as in --layers a-union-boundary");
-  const ParameterMove* const move = evolutions()[compared.evolution.evolution].moved_parameter();
+  const ParameterMove* const move = compared.evolution.moved_parameter();
   std::map<std::uint64_t, std::shared_ptr<const SampleData>> states;
   if (compared.subject == Subject::step && move == nullptr) {
     auto computed = states_of(compared, data);
@@ -295,9 +295,9 @@ std::vector<PaneChoice> panes_beside(const CompareRequest& compared) {
 SessionEvolution evolution_beside(const CompareRequest& compared) {
   if (compared.subject != CompareRequest::Subject::step) return {};
   const EvolutionChoice& choice = compared.evolution;
-  SessionEvolution out{std::string(evolutions()[choice.evolution].descriptor.id), choice.seed, 0, {}};
-  for (const ParameterDescriptor& parameter : evolution_parameters())
-    out.parameters.emplace_back(parameter.id, choice.values[parameter.id]);
+  SessionEvolution out{choice.evolution->descriptor.id, choice.seed, 0, {}};
+  for (const Parameter& parameter : parameters_of(builtins().evolutions().all()))
+    out.parameters.emplace_back(parameter.id, choice.values[parameter]);
   return out;
 }
 

@@ -9,11 +9,17 @@
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
 #include "app/cli/session_settings.h"
+#include "core/builtins/builtins.h"
 #include "core/evolutions/evolution.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
 namespace {
+
+/// The first one, as it is by default.
+EvolutionChoice first_evolution() {
+  return {.evolution = builtins().evolutions().all().front()};
+}
 
 /// Where the command does not say, as in `base`.
 Expected<EvolutionChoice> choice_of(const EvolveRequest& request, const EvolutionChoice& base) {
@@ -28,17 +34,17 @@ Expected<EvolutionChoice> choice_of(const EvolveRequest& request, const Evolutio
     if (!seed) return std::unexpected(seed.error());
     out.seed = *seed;
   }
-  const auto parameters = parameters_of(out.evolution);
+  const auto parameters = parameters_of(*out.evolution);
   for (const std::string& setting : request.settings) {
     const auto parsed = parse_setting(setting, parameters);
     if (!parsed) return std::unexpected(parsed.error());
-    out.values.set(parameters[parsed->first].id, parsed->second);
+    out.values[parameters[parsed->first]] = parsed->second;
   }
-  const EvolutionDescriptor& evolution = evolutions()[out.evolution].descriptor;
-  if (const ParameterMove* move = evolutions()[out.evolution].moved_parameter())
+  const EvolutionDescriptor& evolution = out.evolution->descriptor;
+  if (const ParameterMove* move = out.evolution->moved_parameter())
     return usage_error(
         fmt::format("{} moves no samples but the parameter {}; give that to compute, render or export by --set",
-                    in_quotes(evolution.id), descriptor_of(move->parameter).id));
+                    in_quotes(evolution.id), move->parameter.id));
   return out;
 }
 
@@ -47,7 +53,7 @@ Expected<EvolutionChoice> choice_of(const EvolveRequest& request, const Evolutio
 Expected<void> run_evolve(const EvolveRequest& request, Interruption& interruption) {
   // Refuses unknown names before the file is read.
   if (!request.evolution.empty())
-    if (const auto good = choice_of(request, {}); !good) return std::unexpected(good.error());
+    if (const auto good = choice_of(request, first_evolution()); !good) return std::unexpected(good.error());
   const auto steps = whole_number("--steps", request.steps);
   if (!steps) return std::unexpected(steps.error());
   if (auto good = check_output(request.output); !good) return good;
@@ -56,7 +62,7 @@ Expected<void> run_evolve(const EvolveRequest& request, Interruption& interrupti
   const auto of_session = evolution_in(input->session.get());
   if (request.evolution.empty() && !of_session)
     return usage_error("--evolution is required: the file is no session with an evolution");
-  const auto choice = choice_of(request, of_session.value_or(EvolutionChoice()));
+  const auto choice = choice_of(request, of_session.value_or(first_evolution()));
   if (!choice) return std::unexpected(choice.error());
 
   Document document;

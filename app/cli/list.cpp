@@ -123,7 +123,7 @@ std::vector<Entry> format_entries() {
   return out;
 }
 
-Entry entry_of(const ParameterDescriptor& parameter, const Json& evolutions) {
+Entry entry_of(const Parameter& parameter, const Json& evolutions) {
   std::string range;
   append_number(range, parameter.low);
   range += " to ";
@@ -139,32 +139,30 @@ Entry entry_of(const ParameterDescriptor& parameter, const Json& evolutions) {
            {"evolutions", evolutions}}};
 }
 
-Json readers_of(const ParameterDescriptor& parameter) {
+Json readers_of(const Parameter& parameter) {
   Json out = Json::array();
-  for (EvolutionIndex i = 0; i < evolutions().size(); ++i)
-    if (const auto own = parameters_of(i);
-        std::ranges::find(own, parameter.id, &ParameterDescriptor::id) != own.end())
-      out.push_back(evolutions()[i].descriptor.id);
+  for (const auto& evolution : builtins().evolutions().all())
+    if (const auto own = parameters_of(*evolution); std::ranges::find(own, parameter) != own.end())
+      out.push_back(evolution->descriptor.id);
   return out;
 }
 
 std::vector<Entry> parameter_entries() {
   std::vector<Entry> out;
-  for (const ParameterDescriptor& parameter : parameter_descriptors())
-    out.push_back(entry_of(parameter, Json::array()));
-  for (const ParameterDescriptor& parameter : evolution_parameters())
+  for (const Parameter& parameter : builtins().parameters()) out.push_back(entry_of(parameter, Json::array()));
+  for (const Parameter& parameter : parameters_of(builtins().evolutions().all()))
     out.push_back(entry_of(parameter, readers_of(parameter)));
   return out;
 }
 
 std::vector<Entry> evolution_entries() {
   std::vector<Entry> out;
-  for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
-    const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
+  for (const auto& each : builtins().evolutions().all()) {
+    const EvolutionDescriptor& evolution = each->descriptor;
     Json parameters = Json::array();
-    for (const ParameterDescriptor& parameter : parameters_of(i)) parameters.push_back(parameter.id);
-    out.push_back({std::string(evolution.id),
-                   std::string(evolution.tooltip),
+    for (const Parameter& parameter : parameters_of(*each)) parameters.push_back(parameter.id);
+    out.push_back({evolution.id,
+                   evolution.tooltip,
                    {{"id", evolution.id},
                     {"name", evolution.name},
                     {"tooltip", evolution.tooltip},
@@ -252,11 +250,12 @@ std::vector<Entry> lesson_entries() {
 
 std::vector<Entry> shape_entries() {
   std::vector<Entry> out;
-  for (const ShapeDescriptor& shape : shapes()) {
+  for (const auto& each : builtins().shapes().all()) {
+    const ShapeDescriptor& shape = *each;
     std::string text(shape.explanation);
     Json parameters = Json::array();
     std::string names;
-    for (const ParameterDescriptor& parameter : shape.parameters) {
+    for (const Parameter& parameter : shape.parameters) {
       parameters.push_back(entry_of(parameter, {}).json);
       parameters.back().erase("evolutions");
       names += (names.empty() ? "" : ", ") + std::string(parameter.id) + '=';

@@ -127,9 +127,9 @@ std::string number_text(double value) {
   return out;
 }
 
-Rows rows_of(std::span<const ParameterDescriptor> parameters) {
+Rows rows_of(std::span<const Parameter> parameters) {
   Rows rows;
-  for (const ParameterDescriptor& parameter : parameters)
+  for (const Parameter& parameter : parameters)
     rows.push_back({code(parameter.id), plain(parameter.explanation),
                     fmt::format("{} to {}{}", number_text(parameter.low), number_text(parameter.high),
                                 parameter.is_whole ? ", whole" : ""),
@@ -152,7 +152,7 @@ void write_computation(Markdown& page) {
 
   page.section("Parameters of the computation");
   page.paragraph("Set in the panel of parameters, or by `--set NAME=VALUE`.");
-  page.table(parameter_titles(), rows_of(parameter_descriptors()));
+  page.table(parameter_titles(), rows_of(builtins().parameters()));
 }
 
 void write_evolutions(Markdown& page) {
@@ -160,12 +160,12 @@ void write_evolutions(Markdown& page) {
   page.paragraph(
       "Steps of a computation that moves the samples or adds some; on the slider of the window, or by\n"
       "`mesecina evolve`.");
-  for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
-    const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
+  for (const auto& each : builtins().evolutions().all()) {
+    const EvolutionDescriptor& evolution = each->descriptor;
     page.subsection(evolution.name);
     page.paragraph(fmt::format("{}. Id {}.{}", plain(evolution.tooltip), code(evolution.id),
                                evolution.is_random ? " Random: the seed decides." : ""));
-    page.table(parameter_titles(), rows_of(parameters_of(i)));
+    page.table(parameter_titles(), rows_of(parameters_of(*each)));
   }
 }
 
@@ -179,12 +179,13 @@ void write_shapes(Markdown& page) {
       "and\n" +
       formula_functions_in_words() + '.');
   Rows rows;
-  for (const ShapeDescriptor& shape : shapes()) {
+  for (const auto& each : builtins().shapes().all()) {
+    const ShapeDescriptor& shape = *each;
     std::string parameters;
     const auto add = [&](std::string_view id, const std::string& value) {
       parameters += (parameters.empty() ? "" : ", ") + code(std::string(id) + '=' + value);
     };
-    for (const ParameterDescriptor& parameter : shape.parameters) {
+    for (const Parameter& parameter : shape.parameters) {
       std::string value;
       append_number(value, parameter.default_value);
       add(parameter.id, value);

@@ -114,20 +114,20 @@ Expected<Precision> select_precision(const std::string& id) {
 }
 
 Expected<std::pair<std::size_t, double>> parse_setting(const std::string& setting,
-                                                       std::span<const ParameterDescriptor> parameters,
-                                                       std::string_view option, bool is_quiet) {
+                                                       std::span<const Parameter> parameters, std::string_view option,
+                                                       bool is_quiet) {
   const std::size_t equals = setting.find('=');
   if (equals == std::string::npos || equals == 0)
     return usage_error(std::string(option) + " expects NAME=VALUE, not " + in_quotes(setting));
   const std::string_view name = std::string_view(setting).substr(0, equals);
   const std::string_view text = std::string_view(setting).substr(equals + 1);
   std::vector<std::string_view> names;
-  for (const ParameterDescriptor& parameter : parameters) names.push_back(parameter.id);
+  for (const Parameter& parameter : parameters) names.push_back(parameter.id);
   const auto found = std::ranges::find(names, name);
   if (found == names.end())
     return usage_error(unknown_word("parameter", name, names) + " (mesecina list parameters)");
   const auto index = static_cast<std::size_t>(found - names.begin());
-  const ParameterDescriptor& parameter = parameters[index];
+  const Parameter& parameter = parameters[index];
   const auto value = parse_number(text);
   const auto expected = [&] {
     std::string out = fmt::format("{} {} expects a {} from ", option, printable(name),
@@ -153,10 +153,10 @@ Expected<std::pair<std::size_t, double>> parse_setting(const std::string& settin
   return std::pair{index, *value};
 }
 
-Expected<EvolutionIndex> select_evolution(const std::string& id) {
-  if (const auto found = find_evolution(id)) return *found;
-  std::vector<std::string_view> ids;
-  for (const Evolution& evolution : evolutions()) ids.push_back(evolution.descriptor.id);
+Expected<std::shared_ptr<const Evolution>> select_evolution(const std::string& id) {
+  if (auto found = find_evolution(id)) return found;
+  const auto all = builtins().evolutions().ids();
+  const std::vector<std::string_view> ids(all.begin(), all.end());
   return usage_error(fmt::format("unknown evolution {}; it is one of {}", in_quotes(id), one_of(ids)));
 }
 
@@ -177,9 +177,9 @@ Expected<ComputationSettings> settings_of(const Source& source, const Computatio
     settings.precision = *precision;
   }
   for (const std::string& setting : source.settings) {
-    const auto parsed = parse_setting(setting, parameter_descriptors(), "--set", is_quiet);
+    const auto parsed = parse_setting(setting, builtins().parameters(), "--set", is_quiet);
     if (!parsed) return std::unexpected(parsed.error());
-    settings.values[parsed->first] = parsed->second;
+    settings[builtins().parameters()[parsed->first]] = parsed->second;
   }
   return settings;
 }

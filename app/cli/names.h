@@ -39,10 +39,10 @@ Expected<LayerIndex> select_layer(const std::string& id);
 /// NAME=VALUE as a position in `parameters` and its value. Error: `usage`, naming the option and the nearest parameters
 /// or the range. A limit beyond its range is taken to the end of it, which is said unless `is_quiet`.
 Expected<std::pair<std::size_t, double>> parse_setting(const std::string& setting,
-                                                       std::span<const ParameterDescriptor> parameters,
+                                                       std::span<const Parameter> parameters,
                                                        std::string_view option = "--set", bool is_quiet = false);
 
-Expected<EvolutionIndex> select_evolution(const std::string& id);
+Expected<std::shared_ptr<const Evolution>> select_evolution(const std::string& id);
 Expected<Precision> select_precision(const std::string& id);
 
 /// Error: `usage`, "WHAT expects a whole number from LEAST to MOST, not ...".

@@ -51,26 +51,26 @@ std::vector<std::string> offered_precisions() {
 }
 
 std::vector<std::string> offered_parameters() {
-  std::vector<std::string> out = id_list(parameter_descriptors());
-  for (const ParameterDescriptor& parameter : evolution_parameters()) out.emplace_back(parameter.id);
+  std::vector<std::string> out = id_list(builtins().parameters());
+  for (const Parameter& parameter : parameters_of(builtins().evolutions().all())) out.emplace_back(parameter.id);
   for (std::string& name : out) name += '=';
   return out;
 }
 
 std::vector<std::string> swept() {
-  std::vector<std::string> out = id_list(parameter_descriptors());
+  std::vector<std::string> out = id_list(builtins().parameters());
   for (std::string& name : out) name += '=';
   return out;
 }
 
 std::vector<std::string> evolution_ids() {
-  std::vector<std::string> out;
-  for (EvolutionIndex i = 0; i < evolutions().size(); ++i) out.emplace_back(evolutions()[i].descriptor.id);
-  return out;
+  const auto ids = builtins().evolutions().ids();
+  return {ids.begin(), ids.end()};
 }
 
 std::vector<std::string> shape_ids() {
-  return id_list(shapes());
+  const auto ids = builtins().shapes().ids();
+  return {ids.begin(), ids.end()};
 }
 
 std::vector<std::string> sampling_rule_ids() {
@@ -84,9 +84,9 @@ std::vector<std::string> shape_parameters() {
     std::string name = std::string(id) + '=';
     if (std::ranges::find(out, name) == out.end()) out.push_back(std::move(name));
   };
-  for (const ShapeDescriptor& shape : shapes()) {
-    for (const ParameterDescriptor& parameter : shape.parameters) add(parameter.id);
-    for (const FormulaParameter& formula : shape.formulas) add(formula.id);
+  for (const auto& shape : builtins().shapes().all()) {
+    for (const Parameter& parameter : shape->parameters) add(parameter.id);
+    for (const FormulaParameter& formula : shape->formulas) add(formula.id);
   }
   return out;
 }

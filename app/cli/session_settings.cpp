@@ -44,7 +44,7 @@ std::optional<EvolutionChoice> evolution_in(const Session* session) {
 SessionEvolution evolution_without_history(const Session& session) {
   SessionEvolution out = session.evolution;
   const auto evolution = find_evolution(out.id);
-  if (!evolution || evolutions()[*evolution].moved_parameter() == nullptr) out.step = 0;
+  if (!evolution || evolution->moved_parameter() == nullptr) out.step = 0;
   return out;
 }
 

@@ -8,6 +8,7 @@
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
 #include "app/cli/sampling_request.h"
+#include "core/builtins/builtins.h"
 #include "core/io/format.h"
 #include "core/io/text_numbers.h"
 #include "core/shapes/shape.h"
@@ -15,10 +16,10 @@
 namespace mes::cli {
 namespace {
 
-Expected<const ShapeDescriptor*> select_shape(const std::string& id) {
-  if (const ShapeDescriptor* shape = find_shape(id); shape != nullptr) return shape;
-  std::vector<std::string_view> names;
-  for (const ShapeDescriptor& shape : shapes()) names.push_back(shape.id);
+Expected<std::shared_ptr<const ShapeDescriptor>> select_shape(const std::string& id) {
+  if (auto shape = builtins().shapes().find(id)) return shape;
+  const auto ids = builtins().shapes().ids();
+  const std::vector<std::string_view> names(ids.begin(), ids.end());
   return usage_error("there is no shape " + in_quotes(id) + "; did you mean " + one_of(nearest_names(id, names)) +
                      "? (mesecina list shapes)");
 }
@@ -33,12 +34,12 @@ Expected<ShapeValues> values_of(const ShapeDescriptor& shape, const std::vector<
       out.formulas[static_cast<std::size_t>(formula - shape.formulas.begin())] = setting.substr(name.size() + 1);
       continue;
     }
-    if (std::ranges::find(shape.parameters, name, &ParameterDescriptor::id) == shape.parameters.end())
+    if (std::ranges::find(shape.parameters, name, &Parameter::id) == shape.parameters.end())
       return usage_error(
           fmt::format("--set: {} has no parameter {} (mesecina list shapes)", shape.id, in_quotes(name)));
     const auto parsed = parse_setting(setting, shape.parameters);
     if (!parsed) return std::unexpected(parsed.error());
-    out.numbers[parsed->first] = parsed->second;
+    out.numbers[shape.parameters[parsed->first]] = parsed->second;
   }
   return out;
 }

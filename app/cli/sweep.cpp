@@ -10,6 +10,7 @@
 #include "app/cli/requests.h"
 #include "app/cli/session_settings.h"
 #include "app/insight/parameter_sweep.h"
+#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
@@ -21,14 +22,14 @@ Expected<ParameterAnimation> range_of(const SweepRequest& request) {
   if (equals == std::string::npos || dots == std::string::npos)
     return usage_error("--parameter expects NAME=FROM..TO, not " + in_quotes(request.parameter));
   const std::string name = request.parameter.substr(0, equals + 1);
-  const auto from = parse_setting(request.parameter.substr(0, dots), parameter_descriptors(), "--parameter");
+  const auto from = parse_setting(request.parameter.substr(0, dots), builtins().parameters(), "--parameter");
   if (!from) return std::unexpected(from.error());
-  const auto to = parse_setting(name + request.parameter.substr(dots + 2), parameter_descriptors(), "--parameter");
+  const auto to = parse_setting(name + request.parameter.substr(dots + 2), builtins().parameters(), "--parameter");
   if (!to) return std::unexpected(to.error());
   const auto steps = whole_number("--steps", request.steps, 1, ParameterAnimation::kMostSteps);
   if (!steps) return std::unexpected(steps.error());
   ParameterAnimation out;
-  out.parameter = static_cast<Parameter>(from->first);
+  out.parameter = builtins().parameters()[from->first];
   out.from = from->second;
   out.to = to->second;
   out.steps = static_cast<int>(*steps);
@@ -47,7 +48,7 @@ Expected<void> run_sweep(const SweepRequest& request, Interruption& interruption
   const auto layers = shown_layers(request.layers, input->session());
   if (!layers) return std::unexpected(layers.error());
   Progress progress;
-  const std::string name(descriptor_of(range->parameter).id);
+  const std::string name(range->parameter.id);
   JobControl job;
   const auto text = sweep_as_csv(
       {input->file.data, input->settings, *range, *layers}, [&](double share) { progress.show(name, share); }, job);

@@ -29,7 +29,7 @@ EvolutionState state_0(const SessionPanes::Moment& now) {
 /// State 0 of a parameter: its default where the value is one that steps from there make, as for the window that opens
 /// the session.
 double first_value(const ParameterMove& move, double value, const EvolutionChoice& choice, std::uint64_t steps) {
-  const double first = descriptor_of(move.parameter).default_value;
+  const double first = move.parameter.default_value;
   for (std::uint64_t k = 1; k <= steps; ++k) {
     const auto moved = moved_value(move, first, k, choice.values);
     if (!moved) break;
@@ -51,7 +51,7 @@ SessionPanes::SessionPanes(const Session& session)
 
 std::vector<PaneRequest> SessionPanes::requests(const Moment& now) const {
   PaneEvolution evolution{.choice = evolution_};
-  if (const ParameterMove* const move = evolutions()[evolution_.evolution].moved_parameter(); move != nullptr)
+  if (const ParameterMove* const move = evolution_.moved_parameter(); move != nullptr)
     evolution.first = first_value(*move, now.settings[move->parameter], evolution_, steps_);
   const ShownPanes shown = shown_panes(list_, now.layers, now.settings, evolution);
   const auto data = std::make_shared<const SampleData>(data_of(now.document));

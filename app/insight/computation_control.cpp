@@ -8,7 +8,7 @@ void ComputationControl::set(const ComputationSettings& settings) {
   engine_.set_settings(settings_);
 }
 
-void ComputationControl::set(Parameter parameter, double value) {
+void ComputationControl::set(const Parameter& parameter, double value) {
   ComputationSettings settings = settings_;
   settings[parameter] = value;
   set(settings);

@@ -19,7 +19,7 @@ class ComputationControl {
 
   const ComputationSettings& settings() const { return settings_; }
   void set(const ComputationSettings& settings);
-  void set(Parameter parameter, double value);
+  void set(const Parameter& parameter, double value);
 
   ParameterAnimation& animation() { return animation_; }
   /// Begins the animation. When it has come to its end, its parameter has the value of now again.

@@ -10,7 +10,7 @@
 namespace mes {
 
 /// Its values differ by orders of magnitude.
-constexpr bool is_wide(const ParameterDescriptor& descriptor) {
+inline bool is_wide(const Parameter& descriptor) {
   return descriptor.low > 0.0 && descriptor.high >= 1000.0 * descriptor.low;
 }
 
@@ -28,14 +28,13 @@ class ParameterAnimation {
 
   /// A range to begin with for a parameter that has this value now: up to twice the value where magnitudes count, else
   /// all that it can be.
-  void aim(Parameter at, double now) {
-    const ParameterDescriptor& descriptor = descriptor_of(at);
+  void aim(const Parameter& at, double now) {
     parameter = at;
-    from = descriptor.low;
-    to = descriptor.high;
-    if (!is_wide(descriptor)) return;
+    from = parameter.low;
+    to = parameter.high;
+    if (!is_wide(parameter)) return;
     from = now;
-    to = now < descriptor.high ? std::min(2.0 * now, descriptor.high) : 0.5 * now;
+    to = now < parameter.high ? std::min(2.0 * now, parameter.high) : 0.5 * now;
   }
 
   void start() {
@@ -50,7 +49,7 @@ class ParameterAnimation {
   double value() const {
     if (position_ == steps) return to;
     const double value = from + (to - from) * position_ / steps;
-    return descriptor_of(parameter).is_whole ? std::round(value) : value;
+    return parameter.is_whole ? std::round(value) : value;
   }
   /// To be called when the picture of `value` is complete; false: that was the last one.
   bool advance() {

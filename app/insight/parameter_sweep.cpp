@@ -106,7 +106,7 @@ Expected<std::string> sweep_as_csv(const ParameterSweep& sweep, const std::funct
   ComputationSettings settings = sweep.settings;
   FramePatch patch;
   LayerMirror mirror;
-  Lines lines(descriptor_of(range.parameter).id);
+  Lines lines(range.parameter.id);
   do {
     settings[range.parameter] = range.value();
     graph.post_settings(settings);

@@ -182,7 +182,7 @@ std::uint64_t digest_of(const Document& document, GrowthOf of, const Computation
   const auto with = [](std::uint64_t digest, double value) {
     return (digest ^ std::bit_cast<std::uint64_t>(value)) * 0x9e3779b97f4a7c15U;
   };
-  const auto value = [&](Parameter parameter) { return settings[parameter]; };
+  const auto value = [&](const Parameter& parameter) { return settings[parameter]; };
   switch (of) {
     case GrowthOf::samples: break;
     case GrowthOf::inner: return with(document.sample_digest() + 1, value(Parameter::a_scale));

@@ -30,7 +30,7 @@ class ScaleSweep {
       : graph_(graph), settings_(std::move(settings)), job_(job) {}
 
   std::vector<ScaleEvent> events() {
-    const ParameterDescriptor& range = descriptor_of(Parameter::scale_axis_factor);
+    const Parameter& range = Parameter::scale_axis_factor;
     const Topology whole = at(1.0);
     look_on(whole, 1.0, range.high, kIntervals);
     if (!is_certified_) {

@@ -8,13 +8,14 @@
 
 #include "app/layers/parameter_words.h"
 #include "core/base/lower_case.h"
+#include "core/builtins/builtins.h"
 
 namespace mes {
 
-std::string value_text(const ParameterDescriptor& descriptor, double value) {
+std::string value_text(const Parameter& descriptor, double value) {
   if (is_switch(descriptor)) return value != 0.0 ? "on" : "off";
-  if (const auto choices = descriptor.choices; !choices.empty())
-    return lower_case(std::string(choices[static_cast<std::size_t>(value - descriptor.low)]));
+  if (const auto& choices = descriptor.choices; !choices.empty())
+    return lower_case(choices[static_cast<std::size_t>(value - descriptor.low)]);
   // As few digits as tell it from the default, which it may be very near.
   std::string out;
   for (int digits = 4; digits <= 17; ++digits) {
@@ -23,19 +24,16 @@ std::string value_text(const ParameterDescriptor& descriptor, double value) {
   }
   if (descriptor.is_multiplier) return out + " \u00d7";
   if (descriptor.unit == "degrees") return out + "\u00b0";
-  return descriptor.unit.empty() || descriptor.is_length ? out : out + ' ' + std::string(descriptor.unit);
+  return descriptor.unit.empty() || descriptor.is_length ? out : out + ' ' + descriptor.unit;
 }
 
 std::vector<ChangedParameter> changed_parameters(const ComputationSettings& settings) {
   std::vector<ChangedParameter> out;
-  for (std::size_t i = 0; i < kParameters; ++i) {
-    const ParameterDescriptor& descriptor = parameter_descriptors()[i];
-    if (settings.values[i] == descriptor.default_value) continue;
-    out.push_back(
-        {static_cast<Parameter>(i), title_of(descriptor) + ' ' + value_text(descriptor, settings.values[i])});
-  }
-  std::ranges::stable_partition(
-      out, [](const ChangedParameter& changed) { return descriptor_of(changed.parameter).is_of_document; });
+  for (const Parameter& parameter : builtins().parameters())
+    if (const double value = settings[parameter]; value != parameter.default_value)
+      out.push_back({parameter, title_of(parameter) + ' ' + value_text(parameter, value)});
+  std::ranges::stable_partition(out,
+                                [](const ChangedParameter& changed) { return changed.parameter.is_of_document; });
   return out;
 }
 

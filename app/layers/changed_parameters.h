@@ -20,7 +20,7 @@ struct ChangedParameter {
 std::vector<ChangedParameter> changed_parameters(const ComputationSettings& settings);
 
 /// "2.14 ×", "150°", "on".
-std::string value_text(const ParameterDescriptor& descriptor, double value);
+std::string value_text(const Parameter& descriptor, double value);
 
 /// How many things of these widths, from the first and with `gap` between them, fit into `room`. If not all do, there
 /// is room for one more of the width `rest` after them, as long as `room` is not smaller than that.

@@ -22,7 +22,7 @@ void replace(std::string& text, Words what, Words by) {
 
 }  // namespace
 
-std::string title_of(const ParameterDescriptor& descriptor) {
+std::string title_of(const Parameter& descriptor) {
   if (!descriptor.title.empty()) return std::string(descriptor.title);
   std::string out = words_of(descriptor.id);
   if (!out.empty()) out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
@@ -34,7 +34,7 @@ std::string beyond_words(const std::string& title, double number, double low, do
                       : fmt::format("{}: {} is above {}, which is taken instead", title, number, high);
 }
 
-std::string spoken_explanation(const ParameterDescriptor& descriptor) {
+std::string spoken_explanation(const Parameter& descriptor) {
   if (!descriptor.window_explanation.empty()) return std::string(descriptor.window_explanation);
   std::string out(descriptor.explanation);
   if (!is_switch(descriptor)) return out;

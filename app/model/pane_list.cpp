@@ -25,7 +25,7 @@ ComputationSettings settings_of(const PaneChoice& choice, const ComputationSetti
   if (const Precision* const precision = std::get_if<Precision>(&choice)) out.precision = *precision;
   if (const auto* const parameter = std::get_if<ParameterChoice>(&choice))
     out[parameter->parameter] = parameter->value;
-  const ParameterMove* const move = evolutions()[evolution.choice.evolution].moved_parameter();
+  const ParameterMove* const move = evolution.choice.moved_parameter();
   if (const auto* const evolved = std::get_if<EvolvedChoice>(&choice); evolved != nullptr && move != nullptr)
     out[move->parameter] =
         moved_value(*move, evolution.first, evolved->step, evolution.choice.values).value_or(main[move->parameter]);
@@ -36,7 +36,7 @@ ComputationSettings settings_of(const PaneChoice& choice, const ComputationSetti
 std::optional<VersionChoice> version_of(const PaneChoice& choice, const PaneEvolution& evolution) {
   if (const auto* const before = std::get_if<BeforeLastEdit>(&choice)) return *before;
   const auto* const evolved = std::get_if<EvolvedChoice>(&choice);
-  const bool moves_samples = evolutions()[evolution.choice.evolution].moved_parameter() == nullptr;
+  const bool moves_samples = evolution.choice.moved_parameter() == nullptr;
   return evolved != nullptr && moves_samples ? std::optional<VersionChoice>(*evolved) : std::nullopt;
 }
 
@@ -67,8 +67,7 @@ std::string words_of(const PaneChoice& choice) {
                                  return std::string(kPrecisionDescriptors[static_cast<std::size_t>(precision)].name);
                                },
                                [](const ParameterChoice& parameter) {
-                                 return fmt::format("{} {:.4g}", title_of(descriptor_of(parameter.parameter)),
-                                                    parameter.value);
+                                 return fmt::format("{} {:.4g}", title_of(parameter.parameter), parameter.value);
                                },
                                [](FamilyKind family) { return std::string(title_of(group_of(family))); },
                                [](const Bundle& bundle) { return bundle.name; },

@@ -17,10 +17,9 @@ constexpr float kGapAfter = 16;
 constexpr float kChipPadding = 7;
 constexpr float kCross = 13;
 
-std::string chip_explanation(Parameter parameter) {
-  const ParameterDescriptor& descriptor = descriptor_of(parameter);
-  return spoken_explanation(descriptor) + "\n\nClick: back to the default, " +
-         value_text(descriptor, descriptor.default_value);
+std::string chip_explanation(const Parameter& parameter) {
+  return spoken_explanation(parameter) + "\n\nClick: back to the default, " +
+         value_text(parameter, parameter.default_value);
 }
 
 }  // namespace
@@ -65,12 +64,11 @@ float ChangedChips::width_in(float room) const {
   return is_empty() ? 0.0F : row_width(shown_in(room));
 }
 
-void ChangedChips::reset(Parameter parameter) const {
+void ChangedChips::reset(const Parameter& parameter) const {
   ParameterAnimation& animation = computation_.animation();
   if (animation.is_running() && animation.parameter == parameter) animation.stop();
-  const ParameterDescriptor& descriptor = descriptor_of(parameter);
-  computation_.set(parameter, descriptor.default_value);
-  messages_.remark(title_of(descriptor) + ": " + value_text(descriptor, descriptor.default_value) + " again");
+  computation_.set(parameter, parameter.default_value);
+  messages_.remark(title_of(parameter) + ": " + value_text(parameter, parameter.default_value) + " again");
 }
 
 bool ChangedChips::draw_chip(const char* id, const std::string& text, bool has_cross) const {
@@ -123,7 +121,7 @@ void ChangedChips::draw(float room) const {
   ImGui::PushID("chips");
   for (std::size_t i = 0; i < shown; ++i) {
     if (i > 0) ImGui::SameLine(0, kChipGap * unit);
-    ImGui::PushID(static_cast<int>(changed_[i].parameter));
+    ImGui::PushID(changed_[i].parameter.id.c_str());
     if (draw_chip("chip", changed_[i].text, true)) reset(changed_[i].parameter);
     tooltip(gui_, chip_explanation(changed_[i].parameter));
     ImGui::PopID();

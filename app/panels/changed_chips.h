@@ -36,7 +36,7 @@ class ChangedChips {
   float text_width(const std::string& text) const;
   bool draw_chip(const char* id, const std::string& text, bool has_cross) const;
   void draw_rest(std::size_t shown) const;
-  void reset(Parameter parameter) const;
+  void reset(const Parameter& parameter) const;
 
   const Gui& gui_;
   ComputationControl& computation_;

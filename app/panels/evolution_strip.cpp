@@ -41,15 +41,15 @@ class Row {
 void chooser(const EvolutionStrip& strip) {
   EvolutionPlayer& player = strip.evolution;
   ImGui::SetNextItemWidth(kChooserWidth * strip.gui.unit());
-  if (ImGui::BeginCombo("##evolution", player.descriptor().name.data(), ImGuiComboFlags_HeightLarge)) {
-    for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
-      const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
-      if (ImGui::Selectable(evolution.name.data(), i == player.choice().evolution)) player.choose(i);
-      tooltip(strip.gui, std::string(evolution.tooltip));
+  if (ImGui::BeginCombo("##evolution", player.descriptor().name.c_str(), ImGuiComboFlags_HeightLarge)) {
+    for (const auto& evolution : player.evolutions()) {
+      if (ImGui::Selectable(evolution->descriptor.name.c_str(), evolution == player.choice().evolution))
+        player.choose(evolution);
+      tooltip(strip.gui, evolution->descriptor.tooltip);
     }
     ImGui::EndCombo();
   }
-  std::string words(player.descriptor().tooltip);
+  std::string words = player.descriptor().tooltip;
   const std::string before = strip.actions.keymap().key_of(ActionId::evolution_previous);
   const std::string after = strip.actions.keymap().key_of(ActionId::evolution_next);
   if (!before.empty() && !after.empty()) words += fmt::format(" ({}, {} for another)", before, after);
@@ -78,7 +78,7 @@ void buttons(const EvolutionStrip& strip, float size) {
 std::string meaning_of_step(const EvolutionPlayer& player) {
   std::string out = "Step: how many from the beginning";
   if (const auto value = player.parameter_value()) {
-    const ParameterMove* const move = evolutions()[player.choice().evolution].moved_parameter();
+    const ParameterMove* const move = player.choice().moved_parameter();
     const bool is_additive = move != nullptr && move->parameter == Parameter::alpha_radius;
     out += fmt::format("\n{} {:.4g}",
                        is_additive ? "A point has grown to a disk of radius" : "Radii are multiplied by", *value);
@@ -175,13 +175,13 @@ void seed(const EvolutionStrip& strip) {
   tooltip(strip.gui, "Use another seed: other random numbers");
 }
 
-void parameter_field(const EvolutionStrip& strip, const ParameterDescriptor& parameter) {
+void parameter_field(const EvolutionStrip& strip, const Parameter& parameter) {
   EvolutionPlayer& player = strip.evolution;
   const Gui& gui = strip.gui;
   const float unit = gui.unit();
   const std::string title = title_of(parameter);
   const auto choices = parameter.choices;
-  double value = player.choice().values[parameter.id];
+  double value = player.choice().values[parameter];
   std::optional<double> beyond;
   ImGui::PushID(parameter.id.data());
   if (!choices.empty()) {
@@ -215,7 +215,7 @@ void parameter_field(const EvolutionStrip& strip, const ParameterDescriptor& par
             .beyond = &beyond});
   }
   ImGui::PopID();
-  if (value != player.choice().values[parameter.id]) player.set_value(parameter.id, value);
+  if (value != player.choice().values[parameter]) player.set_value(parameter, value);
   if (beyond) strip.messages.remark(beyond_words(title, *beyond, parameter.low, parameter.high));
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
   ImGui::PushTextWrapPos(330 * unit);
@@ -233,10 +233,10 @@ void parameters(const EvolutionStrip& strip, float size) {
   tooltip(strip.gui, "Parameters\nWhat steers this evolution; a change shows the present step anew");
   ImGui::SetNextWindowPos({at.x, ImGui::GetWindowPos().y - 6 * strip.gui.unit()}, ImGuiCond_Always, {0.0F, 1.0F});
   if (!begin_popup(strip.gui, "##evolution-parameters")) return;
-  const std::vector<ParameterDescriptor> all = parameters_of(player.choice().evolution);
-  for (const ParameterDescriptor& parameter : all) parameter_field(strip, parameter);
+  const std::vector<Parameter> all = parameters_of(*player.choice().evolution);
+  for (const Parameter& parameter : all) parameter_field(strip, parameter);
   if (ImGui::Button("Defaults"))
-    for (const ParameterDescriptor& parameter : all) player.set_value(parameter.id, parameter.default_value);
+    for (const Parameter& parameter : all) player.set_value(parameter, parameter.default_value);
   tooltip(strip.gui, "Set every parameter of this evolution to its default");
   ImGui::EndPopup();
 }
@@ -244,9 +244,9 @@ void parameters(const EvolutionStrip& strip, float size) {
 // An evolution that nothing on the canvas shows is offered its layers.
 void hidden_layers(const EvolutionStrip& strip, Row& row) {
   const std::vector<LayerIndex> wanted =
-      layers_to_show(strip.evolution.choice().evolution, strip.layers, strip.editor.document());
+      layers_to_show(*strip.evolution.choice().evolution, strip.layers, strip.editor.document());
   if (wanted.empty()) return;
-  const std::string label = "Show " + std::string(evolutions()[strip.evolution.choice().evolution].descriptor.moves);
+  const std::string label = "Show " + strip.evolution.descriptor().moves;
   row.next(ImGui::CalcTextSize(label.c_str()).x + 2 * ImGui::GetStyle().FramePadding.x);
   if (ImGui::Button(label.c_str()))
     strip.editor.change_layers(label, [&] {

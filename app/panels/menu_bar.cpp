@@ -217,13 +217,13 @@ void view_menu(const MenuBar& menu) {
 }
 
 void evolution_menu(const MenuBar& menu) {
-  for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
-    const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
-    if (ImGui::MenuItem(evolution.name.data(), nullptr, menu.evolution.choice().evolution == i)) {
+  for (const auto& evolution : menu.evolution.evolutions()) {
+    if (ImGui::MenuItem(evolution->descriptor.name.c_str(), nullptr,
+                        menu.evolution.choice().evolution == evolution)) {
       menu.settings.show_evolution = true;
-      menu.evolution.choose(i);
+      menu.evolution.choose(evolution);
     }
-    tooltip(menu.gui, std::string(evolution.tooltip));
+    tooltip(menu.gui, evolution->descriptor.tooltip);
   }
   ImGui::Separator();
   for (const ActionId id : {ActionId::evolution_forward, ActionId::evolution_back, ActionId::evolution_play,

@@ -10,6 +10,7 @@
 #include "app/ui/number_field.h"
 #include "app/ui/slider.h"
 #include "app/ui/widgets.h"
+#include "core/builtins/builtins.h"
 
 namespace mes {
 namespace {
@@ -68,8 +69,8 @@ void PaneHeaders::draw_header(std::size_t pane, const PanePlace& place) const {
 // A slider for the value of a parameter.
 void PaneHeaders::draw_value(std::size_t pane) const {
   const auto* const chosen = std::get_if<ParameterChoice>(&panes.panes()[pane]);
-  if (chosen == nullptr) return;
-  const ParameterDescriptor& descriptor = descriptor_of(chosen->parameter);
+  if (chosen == nullptr || chosen->parameter.low == chosen->parameter.high) return;
+  const Parameter& descriptor = chosen->parameter;
   double value = chosen->value;
   if (descriptor.is_length) {
     // Its range is that of all coordinates.
@@ -108,12 +109,11 @@ void PaneHeaders::draw_menu(std::size_t pane) const {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Parameter")) {
-    for (std::size_t i = 0; i < kParameters; ++i) {
-      const auto parameter = static_cast<Parameter>(i);
+    for (const Parameter& parameter : builtins().parameters()) {
       const auto* const known = std::get_if<ParameterChoice>(&now);
       const bool is_this = known != nullptr && known->parameter == parameter;
       const double value = is_this ? known->value : settings[parameter];
-      item(title_of(descriptor_of(parameter)), ParameterChoice{parameter, value});
+      item(title_of(parameter), ParameterChoice{parameter, value});
     }
     ImGui::EndMenu();
   }

@@ -21,12 +21,12 @@
 namespace mes {
 namespace {
 
-bool matches(const ParameterDescriptor& descriptor, const std::string& search) {
+bool matches(const Parameter& descriptor, const std::string& search) {
   return lower_case(title_of(descriptor) + ' ' + std::string(descriptor.id) + ' ' + spoken_explanation(descriptor))
              .find(lower_case(search)) != std::string::npos;
 }
 
-std::string parameter_explanation(const ParameterDescriptor& descriptor) {
+std::string parameter_explanation(const Parameter& descriptor) {
   if (descriptor.is_length)
     return fmt::format(
         "{}\n\nA length in units of the samples, {:.6g} by default. On the command line: --set {}=VALUE",
@@ -38,23 +38,22 @@ std::string parameter_explanation(const ParameterDescriptor& descriptor) {
 
 }  // namespace
 
-void ParametersPanel::draw_animation(Parameter parameter) {
+void ParametersPanel::draw_animation(const Parameter& parameter) {
   ParameterAnimation& animation = computation_.animation();
-  const ParameterDescriptor& descriptor = descriptor_of(parameter);
   const float unit = gui_.unit();
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {12 * unit, 10 * unit});
   if (begin_popup(gui_, "animate")) {
     if (ImGui::IsWindowAppearing() && !animation.is_running() && animation.parameter != parameter) {
       animation.aim(parameter, computation_.settings()[parameter]);
-      if (descriptor.is_length) animation.to = 0.5 * longest();
+      if (parameter.is_length) animation.to = 0.5 * longest();
     }
     ImGui::PushFont(gui_.bold());
-    ImGui::TextUnformatted(("Let it run: " + title_of(descriptor)).c_str());
+    ImGui::TextUnformatted(("Let it run: " + title_of(parameter)).c_str());
     ImGui::PopFont();
     ImGui::BeginDisabled(animation.is_running());
     const auto bound = [&](const char* label, double& value, const char* meaning) {
       ImGui::SetNextItemWidth(130 * unit);
-      if (number_field(label, value, "%.6g")) take_within(descriptor, value);
+      if (number_field(label, value, "%.6g")) take_within(parameter, value);
       tooltip(gui_, meaning);
     };
     bound("From", animation.from, "Value of the first picture");
@@ -84,7 +83,7 @@ void ParametersPanel::draw_animation(Parameter parameter) {
   ImGui::PopStyleVar();
 }
 
-void ParametersPanel::draw_sweep(Parameter parameter) {
+void ParametersPanel::draw_sweep(const Parameter& parameter) {
   const float unit = gui_.unit();
   if (sweep_.is_under_way()) {
     if (ImGui::Button("Stop the table", {130 * unit, 0})) sweep_.give_up();
@@ -106,7 +105,7 @@ void ParametersPanel::draw_sweep(Parameter parameter) {
           "sweep does");
 }
 
-void ParametersPanel::take_within(const ParameterDescriptor& descriptor, double& value) const {
+void ParametersPanel::take_within(const Parameter& descriptor, double& value) const {
   const double within = std::clamp(value, descriptor.low, descriptor.high);
   if (within == value) return;
   messages_.remark(beyond_words(title_of(descriptor), value, descriptor.low, descriptor.high));
@@ -117,7 +116,7 @@ double ParametersPanel::longest() const {
   return 2.0 / picture_.scene().frame().scale;
 }
 
-void ParametersPanel::draw_value(const ParameterDescriptor& descriptor, double& value) const {
+void ParametersPanel::draw_value(const Parameter& descriptor, double& value) const {
   if (const auto choices = descriptor.choices; !choices.empty()) {
     const auto chosen = static_cast<std::size_t>(value);
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
@@ -159,7 +158,7 @@ void ParametersPanel::draw_scale_events(double& factor) {
   scale_events_.follow(document.revision(), computation_.settings(), [&document] { return data_of(document); });
   const std::vector<ScaleEvent>* const events = scale_events_.events();
   MarkBand marks = band("events");
-  const ParameterDescriptor& range = descriptor_of(Parameter::scale_axis_factor);
+  const Parameter& range = Parameter::scale_axis_factor;
   const auto x_of = [&](double value) { return marks.track().at((value - range.low) / (range.high - range.low)); };
   const std::string problem = scale_events_.problem();
   std::string words =
@@ -271,27 +270,26 @@ void ParametersPanel::draw_alpha_events(double& radius) {
   marks.explain(words);
 }
 
-void ParametersPanel::draw_parameter(Parameter parameter) {
-  const ParameterDescriptor& descriptor = descriptor_of(parameter);
+void ParametersPanel::draw_parameter(const Parameter& parameter) {
   const float unit = gui_.unit();
   ComputationSettings settings = computation_.settings();
   double& value = settings[parameter];
-  ImGui::PushID(descriptor.id.data());
-  const std::string title = title_of(descriptor);
+  ImGui::PushID(parameter.id.c_str());
+  const std::string title = title_of(parameter);
   const float button = ImGui::GetFrameHeight();
   const float buttons_at = ImGui::GetContentRegionMax().x - 2 * button - 2 * unit;
-  if (is_switch(descriptor)) {
+  if (is_switch(parameter)) {
     bool on = value != 0.0;
     if (ImGui::Checkbox(title.c_str(), &on)) value = on ? 1.0 : 0.0;
-    tooltip(gui_, parameter_explanation(descriptor));
+    tooltip(gui_, parameter_explanation(parameter));
   } else {
     ImGui::AlignTextToFramePadding();
     ImGui::TextUnformatted(title.c_str());
-    tooltip(gui_, parameter_explanation(descriptor));
+    tooltip(gui_, parameter_explanation(parameter));
   }
   ImGui::SameLine(buttons_at);
   const bool runs = computation_.animation().is_running() && computation_.animation().parameter == parameter;
-  if (is_switch(descriptor) || !descriptor.choices.empty()) {
+  if (is_switch(parameter) || !parameter.choices.empty()) {
     ImGui::Dummy({button, button});
   } else {
     if (icon_button("run", Icon::play, button, runs ? ButtonLook::on : ButtonLook::plain))
@@ -299,11 +297,11 @@ void ParametersPanel::draw_parameter(Parameter parameter) {
     tooltip(gui_, "Let it run from one value to another");
   }
   ImGui::SameLine(0, 2 * unit);
-  if (icon_button("reset", Icon::undo, button, ButtonLook::plain, value != descriptor.default_value))
-    value = descriptor.default_value;
+  if (icon_button("reset", Icon::undo, button, ButtonLook::plain, value != parameter.default_value))
+    value = parameter.default_value;
   tooltip(gui_, "Back to the default");
   draw_animation(parameter);
-  if (!is_switch(descriptor)) draw_value(descriptor, value);
+  if (!is_switch(parameter)) draw_value(parameter, value);
   if (parameter == Parameter::scale_axis_factor) draw_scale_events(value);
   if (parameter == Parameter::lambda_limit) draw_critical_values(value);
   if (parameter == Parameter::alpha_radius) draw_alpha_events(value);
@@ -332,10 +330,10 @@ void ParametersPanel::draw() {
   tooltip(gui_, "Give every parameter its default");
   ImGui::BeginChild("list");
   bool any = false;
-  for (std::size_t i = 0; i < kParameters; ++i) {
-    if (!matches(parameter_descriptors()[i], search_)) continue;
+  for (const Parameter& parameter : builtins().parameters()) {
+    if (!matches(parameter, search_)) continue;
     any = true;
-    draw_parameter(static_cast<Parameter>(i));
+    draw_parameter(parameter);
   }
   if (!any) ImGui::TextDisabled("No parameter matches");
   ImGui::EndChild();

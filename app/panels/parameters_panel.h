@@ -38,13 +38,13 @@ class ParametersPanel {
   void search(const std::string& text) { search_ = text; }
 
  private:
-  void draw_parameter(Parameter parameter);
+  void draw_parameter(const Parameter& parameter);
   /// A number that was typed: one out of range becomes the nearest within, and that is said.
-  void take_within(const ParameterDescriptor& descriptor, double& value) const;
-  void draw_value(const ParameterDescriptor& descriptor, double& value) const;
-  void draw_animation(Parameter parameter);
+  void take_within(const Parameter& descriptor, double& value) const;
+  void draw_value(const Parameter& descriptor, double& value) const;
+  void draw_animation(const Parameter& parameter);
   /// Begins or gives up the table of what is shown for the values of the animation.
-  void draw_sweep(Parameter parameter);
+  void draw_sweep(const Parameter& parameter);
   /// Below a slider.
   MarkBand band(const char* id) const;
   /// Where the grown union changes its topology, while the scale axis is shown; a click sets the factor.

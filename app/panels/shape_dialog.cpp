@@ -9,6 +9,7 @@
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
+#include "core/builtins/builtins.h"
 #include "imgui_stdlib.h"
 
 namespace mes {
@@ -26,7 +27,7 @@ struct SliderRange {
   double high;
   bool is_logarithmic;
 };
-SliderRange range_of(const ParameterDescriptor& parameter) {
+SliderRange range_of(const Parameter& parameter) {
   constexpr double kWide = 100.0;
   constexpr double kFactor = 20.0;
   const double value = parameter.default_value;
@@ -42,7 +43,7 @@ SliderRange range_of(const ParameterDescriptor& parameter) {
 void ShapeDialog::open() {
   is_open_ = true;
   if (values_.empty())
-    for (const ShapeDescriptor& shape : shapes()) values_.push_back(values_of(shape));
+    for (const auto& shape : builtins().shapes().all()) values_.push_back(values_of(*shape));
 }
 
 void ShapeDialog::press(const KeyChord& chord) {
@@ -50,8 +51,8 @@ void ShapeDialog::press(const KeyChord& chord) {
 }
 
 void ShapeDialog::draw_list(const Gui& gui) {
-  for (std::size_t i = 0; i < shapes().size(); ++i) {
-    const ShapeDescriptor& one = shapes()[i];
+  for (std::size_t i = 0; i < builtins().shapes().all().size(); ++i) {
+    const ShapeDescriptor& one = *builtins().shapes().all()[i];
     if (ImGui::Selectable(std::string(one.name).c_str(), i == chosen_)) chosen_ = i;
     tooltip(gui, std::string(one.explanation));
   }
@@ -63,24 +64,27 @@ void ShapeDialog::draw_parameters(const Gui& gui) {
   ImGui::PushID(static_cast<int>(chosen_));
   for (std::size_t i = 0; i < shape().formulas.size(); ++i) {
     const FormulaParameter& formula = shape().formulas[i];
-    ImGui::TextUnformatted(std::string(formula.id).c_str());
+    ImGui::TextUnformatted(formula.id.c_str());
     ImGui::SetNextItemWidth(width);
     ImGui::InputText(fmt::format("##{}", formula.id).c_str(), &values.formulas[i]);
-    tooltip(gui, std::string(formula.explanation));
+    tooltip(gui, formula.explanation);
   }
-  for (std::size_t i = 0; i < shape().parameters.size(); ++i) {
-    const ParameterDescriptor& parameter = shape().parameters[i];
+  for (const Parameter& parameter : shape().parameters) {
     const SliderRange range = range_of(parameter);
-    ImGui::TextUnformatted(std::string(parameter.id).c_str());
-    slider(gui, fmt::format("##{}", parameter.id).c_str(), values.numbers[i], range.low, range.high,
+    ImGui::TextUnformatted(parameter.id.c_str());
+    slider(gui, fmt::format("##{}", parameter.id).c_str(), values.numbers[parameter], range.low, range.high,
            {.format = parameter.is_whole ? "%.0f" : "%.4g",
             .is_logarithmic = range.is_logarithmic,
             .is_whole = parameter.is_whole,
             .width = width,
             .typed = SliderLook::Range{parameter.low, parameter.high}});
-    tooltip(gui, std::string(parameter.explanation));
+    tooltip(gui, parameter.explanation);
   }
   ImGui::PopID();
+}
+
+const ShapeDescriptor& ShapeDialog::shape() const {
+  return *builtins().shapes().all()[chosen_];
 }
 
 void ShapeDialog::follow_wish() {
@@ -102,7 +106,7 @@ void ShapeDialog::draw(const Gui& gui) {
     ImGui::SameLine(0, 12 * unit);
     ImGui::BeginChild("settings", {std::min(kShapeSettingsWidth * unit, 0.35F * size.x), 0});
     ImGui::PushFont(gui.bold());
-    ImGui::TextUnformatted(std::string(shape().name).c_str());
+    ImGui::TextUnformatted(shape().name.c_str());
     ImGui::PopFont();
     ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
     draw_parameters(gui);

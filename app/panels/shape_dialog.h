@@ -42,7 +42,7 @@ class ShapeDialog final : public Dialog {
   void draw_parameters(const Gui& gui);
   /// Wishes for it again if a parameter is another than before.
   void follow_wish();
-  const ShapeDescriptor& shape() const { return shapes()[chosen_]; }
+  const ShapeDescriptor& shape() const;
 
   bool is_open_ = false;
   std::size_t chosen_ = 0;
@@ -50,7 +50,7 @@ class ShapeDialog final : public Dialog {
   SamplingControls sampling_;
   SampleMaker maker_;
   std::optional<ShapeRequest> wished_for_;
-  std::size_t wished_of_ = 0;  // place in `shapes()`
+  std::size_t wished_of_ = 0;  // index among the shapes
 };
 
 }  // namespace mes

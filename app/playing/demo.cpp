@@ -87,7 +87,7 @@ class Script {
     for (std::uint64_t k = 1; k <= steps; ++k) {
       const auto state = states.at(k, job);
       if (!state) return std::unexpected(state.error());
-      TimelineEdit moves{.name = std::string(evolutions()[choice.evolution].descriptor.name)};
+      TimelineEdit moves{.name = choice.evolution->descriptor.name};
       for (std::size_t i = 0; i < (*state)->positions.size(); ++i)
         moves.moved.emplace_back((*(*state)->numbers)[i], (*state)->positions[i]);
       if (const std::string text = words(k); !text.empty()) say(text, 0.0);
@@ -227,12 +227,12 @@ Expected<void> smooth_noise(Script& script) {
   script.show({"interior-voronoi-disks", "curve", "medial-axis", "points"});
   const std::string noisy = "A little noise on the samples, and the axis grows hairs";
   script.say(noisy, 1.0);
-  EvolutionChoice noise{.evolution = *find_evolution("noise")};
-  noise.values.set("noise-factor", kNoise);
+  EvolutionChoice noise{.evolution = find_evolution("noise")};
+  noise.values.keep("noise-factor", kNoise);
   if (auto done = script.evolve(noise, 1, [&](std::uint64_t) { return noisy; }); !done) return done;
   script.say(noisy, 4.0);
   script.mark("Noise", noisy);
-  const EvolutionChoice smooth{.evolution = *find_evolution("smooth")};
+  const EvolutionChoice smooth{.evolution = find_evolution("smooth")};
   auto done = script.evolve(smooth, kSmoothings, [](std::uint64_t k) {
     return fmt::format("Laplacian smoothing, step {}: the hairs go, what is essential stays", k);
   });

@@ -12,26 +12,23 @@ namespace mes {
 namespace {
 
 /// The family whose balls it scales; nothing: it moves samples.
-std::optional<FamilyKind> family_of(EvolutionIndex evolution) {
-  const ParameterMove* const move = evolutions()[evolution].moved_parameter();
+std::optional<FamilyKind> family_of(const Evolution& evolution) {
+  const ParameterMove* const move = evolution.moved_parameter();
   if (move == nullptr) return std::nullopt;
-  switch (move->parameter) {
-    case Parameter::a_scale: return FamilyKind::inner;
-    case Parameter::p_scale: return FamilyKind::polar;
-    case Parameter::scale_axis_factor:
-    case Parameter::alpha_radius: return std::nullopt;
-    default: return FamilyKind::own;
-  }
+  if (move->parameter == Parameter::a_scale) return FamilyKind::inner;
+  if (move->parameter == Parameter::p_scale) return FamilyKind::polar;
+  if (move->parameter == Parameter::b_scale) return FamilyKind::own;
+  return std::nullopt;
 }
 
 /// It scales the balls along the axis, of which the scale axis is made.
-bool is_of_scale_axis(EvolutionIndex evolution) {
-  const ParameterMove* const move = evolutions()[evolution].moved_parameter();
+bool is_of_scale_axis(const Evolution& evolution) {
+  const ParameterMove* const move = evolution.moved_parameter();
   return move != nullptr && move->parameter == Parameter::scale_axis_factor;
 }
 
-bool is_skeleton(EvolutionIndex evolution) {
-  const ParameterMove* const move = evolutions()[evolution].moved_parameter();
+bool is_skeleton(const Evolution& evolution) {
+  const ParameterMove* const move = evolution.moved_parameter();
   return move != nullptr && move->renews_balls;
 }
 
@@ -47,14 +44,15 @@ bool is_of_scale_axis(const LayerDescriptor& layer) {
 }
 
 /// It grows disks about the samples, and the balls of all families, additively.
-bool is_additive(EvolutionIndex evolution) {
-  const ParameterMove* const move = evolutions()[evolution].moved_parameter();
+bool is_additive(const Evolution& evolution) {
+  const ParameterMove* const move = evolution.moved_parameter();
   return move != nullptr && move->parameter == Parameter::alpha_radius;
 }
 
 }  // namespace
 
-std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStack& layers, const Document& document) {
+std::vector<LayerIndex> layers_to_show(const Evolution& evolution, const LayerStack& layers,
+                                       const Document& document) {
   const auto family = family_of(evolution);
   const auto follows = [&](LayerIndex layer) {
     const LayerDescriptor& descriptor = layers.descriptor(layer);

@@ -12,7 +12,8 @@
 namespace mes {
 
 /// Layers that would show the evolution, none of which is visible; empty: some layer that follows it is.
-std::vector<LayerIndex> layers_to_show(EvolutionIndex evolution, const LayerStack& layers, const Document& document);
+std::vector<LayerIndex> layers_to_show(const Evolution& evolution, const LayerStack& layers,
+                                       const Document& document);
 
 /// What grows additively in the layers that are shown: `preferred`, if that is among it, or else the first; nothing: none.
 std::optional<GrowthOf> shown_growth(const LayerStack& layers, GrowthOf preferred);

@@ -10,8 +10,13 @@
 
 namespace mes {
 
-EvolutionPlayer::EvolutionPlayer(Editor& editor, Settings settings, std::function<void()> wake)
-    : editor_(editor), settings_(std::move(settings)), run_({.wake = std::move(wake)}) {}
+EvolutionPlayer::EvolutionPlayer(const NamedList<Evolution>& evolutions, Editor& editor, Settings settings,
+                                 std::function<void()> wake)
+    : evolutions_(evolutions),
+      editor_(editor),
+      settings_(std::move(settings)),
+      run_({.wake = std::move(wake)}),
+      choice_{.evolution = evolutions.all().front()} {}
 
 bool EvolutionPlayer::has_beginning() const {
   if (evolution().moved_parameter() != nullptr) return true;
@@ -64,10 +69,16 @@ void EvolutionPlayer::resume(const EvolutionChoice& choice, std::uint64_t k) {
   moved_ = {};
   if (k == 0) return;
   if (const ParameterMove* move = evolution().moved_parameter()) {
-    const double first = descriptor_of(move->parameter).default_value;
+    const double first = move->parameter.default_value;
     const auto value = moved_value(*move, first, k, choice_.values);
     if (!value || *value != settings_.value(move->parameter)) return;
     moved_ = {k, first, *value};
+    end_ = std::max(end_, k);
+    return;
+  }
+  if (descriptor().is_missing) {
+    shown_revision_ = editor_.document().revision();
+    shown_ = k;
     end_ = std::max(end_, k);
     return;
   }
@@ -81,7 +92,7 @@ void EvolutionPlayer::resume(const EvolutionChoice& choice, std::uint64_t k) {
   end_ = std::max(end_, k);
 }
 
-void EvolutionPlayer::choose(EvolutionIndex evolution) {
+void EvolutionPlayer::choose(const std::shared_ptr<const Evolution>& evolution) {
   if (evolution == choice_.evolution) return;
   cancel();
   const std::uint64_t steps = position();
@@ -96,17 +107,17 @@ void EvolutionPlayer::choose(EvolutionIndex evolution) {
 
 void EvolutionPlayer::fit_lengths() {
   fitted_revision_ = editor_.document().revision();
-  std::vector<ParameterDescriptor> to_fit = parameters_of(choice_.evolution);
-  std::erase_if(to_fit, [this](const ParameterDescriptor& parameter) {
-    const double now = choice_.values[parameter.id];
+  std::vector<Parameter> to_fit = parameters_of(*choice_.evolution);
+  std::erase_if(to_fit, [this](const Parameter& parameter) {
+    const double now = choice_.values[parameter];
     return !parameter.is_length || (now != parameter.default_value && now != fitted_);
   });
   if (to_fit.empty()) return;
   const auto length = proposed_length();
   if (!length) return;
-  for (const ParameterDescriptor& parameter : to_fit) {
+  for (const Parameter& parameter : to_fit) {
     fitted_ = std::clamp(*length, parameter.low, parameter.high);
-    choice_.values.set(parameter.id, *fitted_);
+    choice_.values[parameter] = *fitted_;
   }
 }
 
@@ -125,9 +136,13 @@ std::optional<double> EvolutionPlayer::proposed_length() const {
 }
 
 void EvolutionPlayer::choose_next(int places) {
-  const auto count = static_cast<int>(evolutions().size());
-  const int next = (static_cast<int>(choice_.evolution) + places) % count;
-  choose(static_cast<EvolutionIndex>(next < 0 ? next + count : next));
+  const auto all = evolutions_.all();
+  const auto count = static_cast<int>(all.size());
+  // One that is missing here counts as the first.
+  const auto found = std::ranges::find(all, choice_.evolution);
+  const int now = found == all.end() ? 0 : static_cast<int>(found - all.begin());
+  const int next = (now + places) % count;
+  choose(all[static_cast<std::size_t>(next < 0 ? next + count : next)]);
 }
 
 void EvolutionPlayer::set_seed(std::uint64_t seed) {
@@ -138,15 +153,12 @@ void EvolutionPlayer::set_seed(std::uint64_t seed) {
   if (k != 0) step_to(k);
 }
 
-void EvolutionPlayer::set_value(std::string_view parameter, double value) {
-  if (value == choice_.values[parameter]) return;
+void EvolutionPlayer::set_value(const Parameter& parameter, double value) {
+  if (value == std::as_const(choice_.values)[parameter]) return;
   const std::uint64_t k = target();
-  choice_.values.set(parameter, value);
+  choice_.values[parameter] = value;
   // A length that is set by hand stays, whatever it is; the default asks for the proposal.
-  const auto parameters = parameters_of(choice_.evolution);
-  if (const auto at = std::ranges::find(parameters, parameter, &ParameterDescriptor::id);
-      at != parameters.end() && at->is_length)
-    fitted_.reset();
+  if (parameter.is_length) fitted_.reset();
   fit_lengths();
   restart_from_beginning();
   if (k != 0) step_to(k);
@@ -158,6 +170,12 @@ void EvolutionPlayer::set_end(std::uint64_t end) {
 
 void EvolutionPlayer::step_to(std::uint64_t k) {
   if (editor_.in_gesture()) return;
+  if (descriptor().is_missing) {
+    direction_ = Direction::none;
+    problem_ =
+        Error{ErrorCode::cannot_compute, fmt::format("the evolution {} is not available here", descriptor().id)};
+    return;
+  }
   if (const ParameterMove* move = evolution().moved_parameter()) return move_parameter(*move, k);
   end_ = std::max(end_, k);
   if (k == 0) {

@@ -9,6 +9,7 @@
 
 #include "app/editing/editor.h"
 #include "core/evolutions/evolution_run.h"
+#include "core/graph/registry.h"
 
 namespace mes {
 
@@ -25,7 +26,7 @@ namespace mes {
 ///     of the one before is complete and the speed allows it.
 ///
 /// Smallest use:
-///     EvolutionPlayer player(editor, settings, wake);
+///     EvolutionPlayer player(registry.evolutions(), editor, settings, wake);
 ///     player.step_to(12);
 ///     ... each frame: player.follow(picture_is_complete, seconds_since_start);
 ///
@@ -37,23 +38,28 @@ class EvolutionPlayer {
 
   /// The settings of the computation, which some evolutions move.
   struct Settings {
-    std::function<double(Parameter)> value;
-    std::function<void(Parameter, double)> set;
+    std::function<double(const Parameter&)> value;
+    std::function<void(const Parameter&, double)> set;
   };
-  EvolutionPlayer(Editor& editor, Settings settings, std::function<void()> wake);
+  /// The evolutions outlive it, and there is one.
+  EvolutionPlayer(const NamedList<Evolution>& evolutions, Editor& editor, Settings settings,
+                  std::function<void()> wake);
+
+  std::span<const std::shared_ptr<const Evolution>> evolutions() const { return evolutions_.all(); }
 
   const EvolutionChoice& choice() const { return choice_; }
   const EvolutionDescriptor& descriptor() const { return evolution().descriptor; }
   /// The present state is its state 0.
-  void choose(EvolutionIndex evolution);
+  void choose(const std::shared_ptr<const Evolution>& evolution);
   /// Chooses the evolution `places` places after the present one, cyclically.
   void choose_next(int places);
   /// Shows the present state anew.
   void set_seed(std::uint64_t seed);
-  void set_value(std::string_view parameter, double value);
+  void set_value(const Parameter& parameter, double value);
 
   /// As a session left it: the document is in state `k`, and its last step of undo leads there from state 0; or the
-  /// parameter moved has the value that `k` steps from its default make, else it is in state 0.
+  /// parameter moved has the value that `k` steps from its default make, else it is in state 0. A missing evolution
+  /// stays in state `k` until the document changes.
   void resume(const EvolutionChoice& choice, std::uint64_t k);
 
   /// State that the document, or the parameter, is in.
@@ -107,7 +113,7 @@ class EvolutionPlayer {
     double before = 0.0;
     double value = 0.0;
   };
-  const Evolution& evolution() const { return evolutions()[choice_.evolution]; }
+  const Evolution& evolution() const { return *choice_.evolution; }
   bool has_beginning() const;
   void begin();
   void restart_from_beginning();
@@ -118,6 +124,7 @@ class EvolutionPlayer {
   std::optional<double> proposed_length() const;
   void move_parameter(const ParameterMove& move, std::uint64_t k);
 
+  const NamedList<Evolution>& evolutions_;
   Editor& editor_;
   Settings settings_;
   EvolutionRun run_;

@@ -3,24 +3,32 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <map>
 #include <string>
 
+#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
 
 EvolutionChoice choice_of(const SessionEvolution& evolution) {
-  EvolutionChoice out{.evolution = find_evolution(evolution.id).value_or(0), .seed = evolution.seed};
-  for (const ParameterDescriptor& parameter : evolution_parameters())
+  EvolutionChoice out{.evolution = find_evolution(evolution.id), .seed = evolution.seed};
+  if (evolution.id.empty()) out.evolution = builtins().evolutions().all().front();
+  if (!out.evolution) out.evolution = missing_evolution(evolution.id);
+  for (const auto& [id, value] : evolution.parameters) out.values.keep(id, value);
+  for (const Parameter& parameter : parameters_of(builtins().evolutions().all()))
     for (const auto& [id, value] : evolution.parameters)
-      if (id == parameter.id) out.values.set(id, std::clamp(value, parameter.low, parameter.high));
+      if (id == parameter.id) out.values[parameter] = std::clamp(value, parameter.low, parameter.high);
   return out;
 }
 
 SessionEvolution session_evolution(const EvolutionChoice& choice, std::uint64_t step) {
-  SessionEvolution out{std::string(evolutions()[choice.evolution].descriptor.id), choice.seed, step, {}};
-  for (const ParameterDescriptor& parameter : evolution_parameters())
-    out.parameters.emplace_back(parameter.id, choice.values[parameter.id]);
+  SessionEvolution out{choice.evolution->descriptor.id, choice.seed, step, {}};
+  std::map<std::string, double> parameters;
+  for (const ParameterValues::Entry& entry : choice.values.changed()) parameters[entry.id] = entry.value;
+  for (const Parameter& parameter : parameters_of(builtins().evolutions().all()))
+    parameters[parameter.id] = choice.values[parameter];
+  out.parameters.assign(parameters.begin(), parameters.end());
   return out;
 }
 
@@ -29,12 +37,12 @@ std::string name_of_state(const EvolutionDescriptor& evolution, std::uint64_t st
 }
 
 bool names_a_state(std::string_view name) {
-  return std::ranges::any_of(evolutions(), [name](const auto& evolution) {
-    const std::string_view own = evolution.descriptor.name;
+  return std::ranges::any_of(builtins().evolutions().all(), [name](const auto& evolution) {
+    const std::string_view own = evolution->descriptor.name;
     if (!name.starts_with(own) || !name.substr(own.size()).starts_with(", ")) return false;
     const std::string_view count = name.substr(own.size() + 2);
     const auto step = parse_count(count.substr(0, count.find(' ')));
-    return step && name == name_of_state(evolution.descriptor, *step);
+    return step && name == name_of_state(evolution->descriptor, *step);
   });
 }
 

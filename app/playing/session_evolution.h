@@ -11,8 +11,8 @@
 
 namespace mes {
 
-/// An evolution that is not known is the first one; a parameter that is not known is passed over, and others are brought
-/// into their range.
+/// An evolution that the program lacks is a `missing_evolution`; a parameter that it lacks is kept, and others are brought
+/// into their range. Without an id: the first evolution.
 EvolutionChoice choice_of(const SessionEvolution& evolution);
 
 /// With the document in state `step`.

@@ -20,7 +20,7 @@ struct Happened {
 template <class Come, class Count>
 std::vector<StepEvent> events_between(const StepRange& range, const Come& come, const Count& count) {
   std::vector<StepEvent> out;
-  const ParameterMove* const move = evolutions()[range.choice.evolution].moved_parameter();
+  const ParameterMove* const move = range.choice.moved_parameter();
   if (move == nullptr || range.end == 0) return out;
   const std::uint64_t stride = (range.end - 1) / kMostStepEvents + 1;
   std::uint32_t before = come(range.first);
@@ -137,7 +137,7 @@ void StepEvents::follow_factors(const StepRange& range) {
 
 void StepEvents::follow() {
   const EvolutionPlayer& player = uses_.player;
-  const ParameterMove* const move = evolutions()[player.choice().evolution].moved_parameter();
+  const ParameterMove* const move = player.choice().moved_parameter();
   if (move == nullptr) return forget();
   const StepRange range{player.choice(), player.first_value(), player.end()};
   if (move->parameter == Parameter::alpha_radius) return follow_growth(range);

@@ -218,8 +218,7 @@ void DocumentFlow::show_as_in(const Session& session) {
   if (!session.layers.layers.empty()) layers.set_configuration(session.layers);
   uses_.work.take_family_of_layers();
   uses_.work.computation().set(session.settings);
-  const bool is_known = find_evolution(session.evolution.id).has_value();
-  uses_.work.evolution().resume(choice_of(session.evolution), is_known ? session.evolution.step : 0);
+  uses_.work.evolution().resume(choice_of(session.evolution), session.evolution.step);
   uses_.work.panes().set(session.panes);
   uses_.work.panes().set_free_cameras(!session.pane_views.empty());
   uses_.board.see_in_panes(session.pane_views);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/layers/parameter_words.h"
+#include "core/builtins/builtins.h"
 #include "core/evolutions/evolution.h"
 
 namespace mes {
@@ -71,14 +72,12 @@ void add_layers(const Panels::Uses& uses, Entries& out) {
 }
 
 void add_parameters(const Panels::Uses& uses, Entries& out) {
-  for (std::size_t i = 0; i < parameter_descriptors().size(); ++i) {
-    const auto parameter = static_cast<Parameter>(i);
-    const ParameterDescriptor& descriptor = descriptor_of(parameter);
+  for (const Parameter& parameter : builtins().parameters()) {
     out.push_back({.kind = "Parameter",
-                   .name = title_of(descriptor),
-                   .explanation = spoken_explanation(descriptor),
-                   .more = std::string(descriptor.id),
-                   .run = [&settings = uses.settings, show = uses.show_parameter, name = title_of(descriptor)] {
+                   .name = title_of(parameter),
+                   .explanation = spoken_explanation(parameter),
+                   .more = parameter.id,
+                   .run = [&settings = uses.settings, show = uses.show_parameter, name = title_of(parameter)] {
                      settings.details = DetailsPage::parameters;
                      if (show) show(name);
                    }});
@@ -86,16 +85,15 @@ void add_parameters(const Panels::Uses& uses, Entries& out) {
 }
 
 void add_evolutions(const Panels::Uses& uses, Entries& out) {
-  for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
-    const EvolutionDescriptor& evolution = evolutions()[i].descriptor;
+  for (const auto& evolution : uses.work.evolution().evolutions()) {
     out.push_back({.kind = "Evolution",
-                   .name = std::string(evolution.name),
-                   .explanation = std::string(evolution.tooltip),
-                   .more = std::string(evolution.id),
-                   .is_checked = uses.work.evolution().choice().evolution == i,
-                   .run = [&work = uses.work, &settings = uses.settings, i] {
+                   .name = evolution->descriptor.name,
+                   .explanation = evolution->descriptor.tooltip,
+                   .more = evolution->descriptor.id,
+                   .is_checked = uses.work.evolution().choice().evolution == evolution,
+                   .run = [&work = uses.work, &settings = uses.settings, evolution] {
                      settings.show_evolution = true;
-                     work.evolution().choose(i);
+                     work.evolution().choose(evolution);
                    }});
   }
 }

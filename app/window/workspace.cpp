@@ -28,9 +28,9 @@ Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, st
       resampling_(editor_, wake),
       scale_events_(wake),
       critical_values_(wake),
-      evolution_(editor_,
-                 {[this](Parameter parameter) { return computation_.settings()[parameter]; },
-                  [this](Parameter parameter, double value) { computation_.set(parameter, value); }},
+      evolution_(builtins().evolutions(), editor_,
+                 {[this](const Parameter& parameter) { return computation_.settings()[parameter]; },
+                  [this](const Parameter& parameter, double value) { computation_.set(parameter, value); }},
                  wake),
       pane_documents_(editor_, evolution_, wake) {
   if (const std::string message = bundles_.take_message(); !message.empty()) messages_.problem(message);

@@ -142,7 +142,7 @@ void Workspace::bind_computation(ActionBindings& actions) {
                       {},
                       [this, precision] { return computation_.settings().precision == precision; }});
   }
-  const auto bind_switch = [&](ActionId id, Parameter parameter) {
+  const auto bind_switch = [&](ActionId id, const Parameter& parameter) {
     const auto is_on = [this, parameter] { return computation_.settings().is_on(parameter); };
     actions.bind(id, {[this, parameter, is_on] { computation_.set(parameter, is_on() ? 0.0 : 1.0); }, {}, is_on});
   };

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/builtins/builtins.h"
 
+#include "core/evolutions/evolution.h"
 #include "core/layers/layers.h"
+#include "core/shapes/shape.h"
 #include "core/structures/alpha/structures.h"
 #include "core/structures/axis/structures.h"
 #include "core/structures/balls/structures.h"
@@ -27,6 +29,9 @@ void add_builtins(Registry& registry) {
   add_ball_structures(registry);
   add_pole_structures(registry);
   add_layers(registry);
+  add_evolutions(registry);
+  for (const ShapeDescriptor& shape : shapes())
+    registry.shapes().add(shape.id, std::make_shared<const ShapeDescriptor>(shape));
 }
 
 const Registry& builtins() {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program's own structures and layers, as a registry.
+// The program's own structures, layers, parameters, evolutions and shapes, as a registry.
 #pragma once
 
 #include "core/graph/registry.h"
@@ -20,6 +20,11 @@ inline std::span<const LayerDescriptor> layer_descriptors() {
 /// Registry position of a public id, or kNoLayer.
 inline LayerIndex find_layer(std::string_view id) {
   return builtins().find_layer(id);
+}
+
+/// Null: there is none with that public id.
+inline std::shared_ptr<const Evolution> find_evolution(std::string_view id) {
+  return builtins().evolutions().find(id);
 }
 
 /// The layer that a variant shows: its own, or that of the main computation where they share it. `has_document` says

@@ -246,13 +246,25 @@ void each(auto& archive, Some<LayersChanged> auto& change) {
   if constexpr (!std::is_const_v<std::remove_reference_t<decltype(change)>>)
     change.role = static_cast<LayersChanged::Role>(role);
 }
+void each(auto& archive, Some<ParameterValues::Entry> auto& entry) {
+  fields(archive, entry.id, entry.value, entry.default_value, entry.is_of_document);
+}
+void each(Packer& archive, const ParameterValues& values) {
+  const std::vector<ParameterValues::Entry> entries = values.changed();  // equal values are equal bytes
+  fields(archive, entries);
+}
+void each(Unpacker& archive, ParameterValues& values) {
+  std::vector<ParameterValues::Entry> entries;
+  fields(archive, entries);
+  values = ParameterValues(std::move(entries));
+}
 void each(auto& archive, Some<SettingsChanged> auto& change) {
   if (!archive.differs(change.settings, ComputationSettings{})) return;
   auto precision = static_cast<std::uint8_t>(change.settings.precision);
   fields(archive, precision);
   if constexpr (!std::is_const_v<std::remove_reference_t<decltype(change)>>)
     change.settings.precision = static_cast<Precision>(precision);
-  for (auto& value : change.settings.values) fields(archive, value);
+  fields(archive, change.settings.values);
 }
 void each(auto& archive, Some<ViewChanged> auto& change) {
   fields(archive, change.visible);

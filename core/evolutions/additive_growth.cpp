@@ -8,25 +8,25 @@
 namespace mes {
 namespace {
 
-constexpr ParameterDescriptor kAlphaStep{.id = "alpha-step",
-                                         .explanation = "What a step adds to alpha-radius or takes from it",
-                                         .unit = "units",
-                                         .low = 0.0,
-                                         .high = 1e150,
-                                         .default_value = 1.0,
-                                         .is_length = true,
-                                         .title = "Step"};
+const Parameter kAlphaStep{.id = "alpha-step",
+                           .explanation = "What a step adds to alpha-radius or takes from it",
+                           .unit = "units",
+                           .low = 0.0,
+                           .high = 1e150,
+                           .default_value = 1.0,
+                           .is_length = true,
+                           .title = "Step"};
 
-double by_steps(double first, double sign, std::uint64_t k, const EvolutionValues& values) {
+double by_steps(double first, double sign, std::uint64_t k, const ParameterValues& values) {
   // What k steps of rounded length go beyond zero by is none.
-  const double way = static_cast<double>(k) * values[kAlphaStep.id];
+  const double way = static_cast<double>(k) * values[kAlphaStep];
   const double out = first + sign * way;
   return std::abs(out) <= 0x1p-40 * first ? 0.0 : out;
 }
-double grown_radius(double first, std::uint64_t k, const EvolutionValues& values) {
+double grown_radius(double first, std::uint64_t k, const ParameterValues& values) {
   return by_steps(first, 1.0, k, values);
 }
-double shrunk_radius(double first, std::uint64_t k, const EvolutionValues& values) {
+double shrunk_radius(double first, std::uint64_t k, const ParameterValues& values) {
   return by_steps(first, -1.0, k, values);
 }
 

@@ -5,7 +5,7 @@
 namespace mes {
 namespace {
 
-constexpr ParameterDescriptor kGrowingStep{
+const Parameter kGrowingStep{
     .id = "growing-step",
     .explanation = "What a step adds to the factor that radii are multiplied or divided by",
     .unit = "%",
@@ -15,29 +15,28 @@ constexpr ParameterDescriptor kGrowingStep{
     .title = "Step",
     .window_explanation = "How much is added in each step to the factor by which radii are multiplied or divided"};
 
-double factor(std::uint64_t k, const EvolutionValues& values) {
-  return 1.0 + static_cast<double>(k) * (values[kGrowingStep.id] / 100.0);
+double factor(std::uint64_t k, const ParameterValues& values) {
+  return 1.0 + static_cast<double>(k) * (values[kGrowingStep] / 100.0);
 }
-double grown_scale(double first, std::uint64_t k, const EvolutionValues& values) {
+double grown_scale(double first, std::uint64_t k, const ParameterValues& values) {
   return first * factor(k, values);
 }
-double shrunk_scale(double first, std::uint64_t k, const EvolutionValues& values) {
+double shrunk_scale(double first, std::uint64_t k, const ParameterValues& values) {
   return first / factor(k, values);
 }
 
-Evolution growing(std::string_view id, std::string_view name, std::string_view tooltip, std::string_view balls,
-                  Parameter scale) {
+Evolution growing(const char* id, const char* name, const char* tooltip, const char* balls, const Parameter& scale) {
   return {{id, name, tooltip, false, {kGrowingStep}, balls}, ParameterMove{scale, grown_scale}};
 }
-Evolution shrinking(std::string_view id, std::string_view name, std::string_view tooltip, std::string_view balls,
-                    Parameter scale) {
+Evolution shrinking(const char* id, const char* name, const char* tooltip, const char* balls,
+                    const Parameter& scale) {
   return {{id, name, tooltip, false, {kGrowingStep}, balls}, ParameterMove{scale, shrunk_scale}};
 }
 
-constexpr std::string_view kInner = "the inner balls";
-constexpr std::string_view kPolar = "the polar balls";
-constexpr std::string_view kOwn = "your own balls";
-constexpr std::string_view kAlongAxis = "the balls along the axis";
+constexpr const char* kInner = "the inner balls";
+constexpr const char* kPolar = "the polar balls";
+constexpr const char* kOwn = "your own balls";
+constexpr const char* kAlongAxis = "the balls along the axis";
 
 }  // namespace
 

@@ -12,7 +12,7 @@
 namespace mes {
 namespace {
 
-constexpr ParameterDescriptor kFreezeChains{
+const Parameter kFreezeChains{
     .id = "freeze-chains",
     .explanation =
         "Where the document has no contours. 0: the crust says at each step who follows whom; 1: the crust "
@@ -27,13 +27,6 @@ std::unexpected<Error> failure(std::string text) {
   return std::unexpected(Error{ErrorCode::cannot_compute, std::move(text), {}, 0, 0});
 }
 
-std::size_t index_of(std::string_view id) {
-  const auto all = evolution_parameters();
-  const auto found = std::ranges::find(all, id, &ParameterDescriptor::id);
-  MES_ASSERT(found != all.end());
-  return static_cast<std::size_t>(found - all.begin());
-}
-
 Expected<std::shared_ptr<const MovingCurve>> chains_now(const std::vector<Vec2>& positions, JobControl& job) {
   try {
     return std::make_shared<const MovingCurve>(crust_curve(positions, job));
@@ -44,16 +37,6 @@ Expected<std::shared_ptr<const MovingCurve>> chains_now(const std::vector<Vec2>&
 
 }  // namespace
 
-EvolutionValues::EvolutionValues() {
-  for (const ParameterDescriptor& parameter : evolution_parameters()) values_.push_back(parameter.default_value);
-}
-double EvolutionValues::operator[](std::string_view id) const {
-  return values_[index_of(id)];
-}
-void EvolutionValues::set(std::string_view id, double value) {
-  values_[index_of(id)] = value;
-}
-
 std::size_t EvolutionState::bytes_beside(const EvolutionState& first) const {
   std::size_t size = sizeof *this + positions.capacity() * sizeof(Vec2);
   if (numbers != first.numbers) size += numbers->capacity() * sizeof(std::uint32_t);
@@ -63,26 +46,36 @@ std::size_t EvolutionState::bytes_beside(const EvolutionState& first) const {
   return size;
 }
 
-std::optional<EvolutionIndex> find_evolution(std::string_view id) {
-  for (EvolutionIndex i = 0; i < evolutions().size(); ++i)
-    if (evolutions()[i].descriptor.id == id) return i;
-  return std::nullopt;
+const ParameterMove* EvolutionChoice::moved_parameter() const {
+  return evolution ? evolution->moved_parameter() : nullptr;
 }
 
-std::span<const ParameterDescriptor> evolution_parameters() {
-  static const std::vector<ParameterDescriptor> all = [] {
-    std::vector<ParameterDescriptor> out{kFreezeChains};
-    for (const Evolution& evolution : evolutions())
-      for (const ParameterDescriptor& parameter : evolution.descriptor.parameters)
-        if (std::ranges::find(out, parameter.id, &ParameterDescriptor::id) == out.end()) out.push_back(parameter);
-    return out;
-  }();
-  return all;
+bool operator==(const EvolutionChoice& a, const EvolutionChoice& b) {
+  const auto id_of = [](const EvolutionChoice& choice) {
+    return choice.evolution ? choice.evolution->descriptor.id : std::string();
+  };
+  return id_of(a) == id_of(b) && a.seed == b.seed && a.values == b.values;
 }
 
-std::vector<ParameterDescriptor> parameters_of(EvolutionIndex evolution) {
-  std::vector<ParameterDescriptor> out = evolutions()[evolution].descriptor.parameters;
-  if (evolutions()[evolution].moved_parameter() == nullptr) out.push_back(kFreezeChains);
+std::shared_ptr<const Evolution> missing_evolution(const std::string& id) {
+  return std::make_shared<const Evolution>(
+      Evolution{{.id = id, .name = id, .tooltip = "This evolution is not available here", .is_missing = true},
+                [id](const EvolutionState&, const EvolutionStep&) -> Expected<EvolutionState> {
+                  return failure(fmt::format("the evolution {} is not available here", id));
+                }});
+}
+
+std::vector<Parameter> parameters_of(const Evolution& evolution) {
+  std::vector<Parameter> out = evolution.descriptor.parameters;
+  if (evolution.moved_parameter() == nullptr) out.push_back(kFreezeChains);
+  return out;
+}
+
+std::vector<Parameter> parameters_of(std::span<const std::shared_ptr<const Evolution>> evolutions) {
+  std::vector<Parameter> out{kFreezeChains};
+  for (const auto& evolution : evolutions)
+    for (const Parameter& parameter : evolution->descriptor.parameters)
+      if (std::ranges::find(out, parameter) == out.end()) out.push_back(parameter);
   return out;
 }
 
@@ -110,7 +103,7 @@ EvolutionState state_of(const Document& document) {
 }
 
 Expected<EvolutionState> begin_evolution(EvolutionState state, const EvolutionChoice& choice, JobControl& job) {
-  if (state.curve || choice.values[kFreezeChains.id] == 0.0) return state;
+  if (state.curve || !choice.values.is_on(kFreezeChains)) return state;
   auto curve = chains_now(state.positions, job);
   if (!curve) return std::unexpected(curve.error());
   state.curve = std::move(*curve);
@@ -119,6 +112,7 @@ Expected<EvolutionState> begin_evolution(EvolutionState state, const EvolutionCh
 
 Expected<EvolutionState> next_state(const EvolutionState& state, std::uint64_t k, const EvolutionChoice& choice,
                                     JobControl& job) {
+  MES_ASSERT(choice.evolution != nullptr);
   auto curve = state.curve;
   if (!curve) {
     auto found = chains_now(state.positions, job);
@@ -126,7 +120,7 @@ Expected<EvolutionState> next_state(const EvolutionState& state, std::uint64_t k
     curve = std::move(*found);
   }
   job.checkpoint();
-  auto next = std::get<SampleMove>(evolutions()[choice.evolution].move)(state, {k, choice, *curve});
+  auto next = std::get<SampleMove>(choice.evolution->move)(state, {k, choice, *curve});
   if (!next) return next;
   // Traces that rounding leaves where a sum is zero are none. Equal points have equal bits, as in a document.
   Magnitudes all;
@@ -142,9 +136,9 @@ Expected<EvolutionState> next_state(const EvolutionState& state, std::uint64_t k
 }
 
 Expected<double> moved_value(const ParameterMove& move, double first, std::uint64_t k,
-                             const EvolutionValues& values) {
+                             const ParameterValues& values) {
   const double value = move.value(first, k, values);
-  const ParameterDescriptor& parameter = descriptor_of(move.parameter);
+  const Parameter& parameter = move.parameter;
   if (parameter.low <= value && value <= parameter.high) return value;
   return failure(fmt::format("{} ends at {:.6g}, so there is no step {}", parameter.id,
                              value < parameter.low ? parameter.low : parameter.high, k));

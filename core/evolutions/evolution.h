@@ -11,49 +11,41 @@
 //  5. Where a parameter moves, its value follows from that of state 0 and the step's number; samples stay.
 //
 // Smallest use:
-//     EvolutionStates states(state_of(document), {.evolution = *find_evolution("smooth")});
+//     EvolutionStates states(state_of(document), {.evolution = registry.evolutions().find("smooth")});
 //     const auto state = states.at(12, job);
 //
-// A new one: a file with `Evolution name_evolution()`, which core/evolutions/evolution_list.cpp lists.
+// A new one: a file with `Evolution name_evolution()`, which core/evolutions/evolution_list.cpp adds to the registry.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
-#include <optional>
 #include <span>
-#include <string_view>
+#include <string>
 #include <variant>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/vec2.h"
 #include "core/document/document.h"
-#include "core/document/parameter.h"
+#include "core/document/parameter_values.h"
 #include "core/evolutions/moving_curve.h"
 
 namespace mes {
 
-using EvolutionIndex = std::uint32_t;  ///< position in `evolutions()`
-
-/// Values of the parameters of all evolutions, by position in `evolution_parameters()`.
-class EvolutionValues {
- public:
-  EvolutionValues();  ///< the defaults
-  /// The id must exist.
-  double operator[](std::string_view id) const;
-  void set(std::string_view id, double value);
-  friend bool operator==(const EvolutionValues&, const EvolutionValues&) = default;
-
- private:
-  std::vector<double> values_;
-};
+class Registry;
+struct Evolution;
+struct ParameterMove;
 
 /// What the states depend on beside the beginning.
 struct EvolutionChoice {
-  EvolutionIndex evolution = 0;
+  std::shared_ptr<const Evolution> evolution{};  ///< of a registry; null: none, which has no state but the first
   std::uint64_t seed = 1;
-  EvolutionValues values{};
-  friend bool operator==(const EvolutionChoice&, const EvolutionChoice&) = default;
+  ParameterValues values{};
+  /// Null: it moves samples, or there is none.
+  const ParameterMove* moved_parameter() const;
+  /// Evolutions are told apart by their ids.
+  friend bool operator==(const EvolutionChoice& a, const EvolutionChoice& b);
 };
 
 /// One state. Lists that a step does not change are shared between states.
@@ -75,20 +67,22 @@ struct EvolutionStep {
 };
 
 struct EvolutionDescriptor {
-  std::string_view id;       ///< public name, kebab case
-  std::string_view name;     ///< as in a menu
-  std::string_view tooltip;  ///< one sentence, no full stop
-  bool is_random = false;    ///< the seed matters
-  std::vector<ParameterDescriptor> parameters;
-  std::string_view moves = "the samples";  ///< as in "Show the samples"
+  std::string id;          ///< public name, kebab case
+  std::string name;        ///< as in a menu
+  std::string tooltip;     ///< one sentence, no full stop
+  bool is_random = false;  ///< the seed matters
+  std::vector<Parameter> parameters{};
+  std::string moves = "the samples";  ///< as in "Show the samples"
+  bool is_missing = false;            ///< it stands for one that is not here (`missing_evolution`)
 };
 
 /// The next state. Error: the step would make more than can be handled.
-using SampleMove = Expected<EvolutionState> (*)(const EvolutionState& state, const EvolutionStep& step);
+using SampleMove = std::function<Expected<EvolutionState>(const EvolutionState& state, const EvolutionStep& step)>;
 
 struct ParameterMove {
   Parameter parameter;
-  double (*value)(double first, std::uint64_t k, const EvolutionValues& values);  ///< in state k; may leave the range
+  /// In state k; may leave the range.
+  std::function<double(double first, std::uint64_t k, const ParameterValues& values)> value;
   /// The balls along the axis are taken anew after each step of the factor, as the scale skeleton shows.
   bool renews_balls = false;
 };
@@ -101,14 +95,16 @@ struct Evolution {
   const ParameterMove* moved_parameter() const { return std::get_if<ParameterMove>(&move); }
 };
 
-/// In the order in which they are offered.
-std::span<const Evolution> evolutions();
-std::optional<EvolutionIndex> find_evolution(std::string_view id);
+/// Adds the evolutions of the program in the order in which they are offered.
+void add_evolutions(Registry& registry);
 
-/// Parameters of all evolutions, each once; those that several share come first.
-std::span<const ParameterDescriptor> evolution_parameters();
-/// Those that one evolution reads.
-std::vector<ParameterDescriptor> parameters_of(EvolutionIndex evolution);
+/// Stands for an evolution that a file names and the registry lacks: it can be shown and saved, and has no step.
+std::shared_ptr<const Evolution> missing_evolution(const std::string& id);
+
+/// Parameters that one evolution reads.
+std::vector<Parameter> parameters_of(const Evolution& evolution);
+/// Parameters of several evolutions, each once; those that several share come first.
+std::vector<Parameter> parameters_of(std::span<const std::shared_ptr<const Evolution>> evolutions);
 
 /// The document as an evolution sees it; its known loops are the curve.
 EvolutionState state_of(const Document& document);
@@ -121,7 +117,7 @@ Expected<EvolutionState> next_state(const EvolutionState& state, std::uint64_t k
                                     JobControl& job);
 
 /// Value of the parameter in state k, from that in state 0. Error: beyond the parameter's range.
-Expected<double> moved_value(const ParameterMove& move, double first, std::uint64_t k, const EvolutionValues& values);
+Expected<double> moved_value(const ParameterMove& move, double first, std::uint64_t k, const ParameterValues& values);
 
 /// The known loops of a state, by places; none where its curve did not come from the document.
 std::vector<SampleData::Contour> contours_of(const EvolutionState& state);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The list of evolutions, in the order in which they are offered. A new one is a file that defines its function, and two
 // lines here.
-#include <vector>
+#include <memory>
+#include <utility>
 
 #include "core/evolutions/evolution.h"
+#include "core/graph/registry.h"
 
 namespace mes {
 
@@ -22,24 +24,14 @@ Evolution scale_skeleton_evolution();
 Evolution alpha_growing_evolution();
 Evolution alpha_shrinking_evolution();
 
-std::span<const Evolution> evolutions() {
-  static const std::vector<Evolution> list{
-      smooth_evolution(),
-      subdivide_evolution(),
-      noise_evolution(),
-      a_growing_evolution(),
-      a_shrinking_evolution(),
-      p_growing_evolution(),
-      p_shrinking_evolution(),
-      b_growing_evolution(),
-      b_shrinking_evolution(),
-      scale_axis_growing_evolution(),
-      scale_axis_shrinking_evolution(),
-      scale_skeleton_evolution(),
-      alpha_growing_evolution(),
-      alpha_shrinking_evolution(),
-  };
-  return list;
+void add_evolutions(Registry& registry) {
+  for (const auto make : {smooth_evolution, subdivide_evolution, noise_evolution, a_growing_evolution,
+                          a_shrinking_evolution, p_growing_evolution, p_shrinking_evolution, b_growing_evolution,
+                          b_shrinking_evolution, scale_axis_growing_evolution, scale_axis_shrinking_evolution,
+                          scale_skeleton_evolution, alpha_growing_evolution, alpha_shrinking_evolution}) {
+    auto evolution = std::make_shared<const Evolution>(make());
+    registry.evolutions().add(evolution->descriptor.id, evolution);
+  }
 }
 
 }  // namespace mes

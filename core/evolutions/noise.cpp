@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Noise: every sample on the curve is moved at random, by a fraction of the distance between its neighbours.
-#include <array>
-
 #include "core/base/rng.h"
 #include "core/evolutions/evolution.h"
 
 namespace mes {
 namespace {
 
-constexpr std::string_view kFactor = "noise-factor";
-constexpr std::string_view kIsotropic = "noise-isotropic";
-constexpr std::array<std::string_view, 2> kDirections{"Along the normal", "In every direction"};
+const Parameter kFactor{
+    .id = "noise-factor",
+    .explanation = "Largest distance a sample moves, in distances between its two neighbours",
+    .high = 10.0,
+    .default_value = 0.05,
+    .title = "Strength",
+    .window_explanation =
+        "Largest distance a sample moves, as a multiple of the distance between its two neighbours"};
+const Parameter kIsotropic{.id = "noise-isotropic",
+                           .explanation = "0: along the normal of the curve; 1: in every direction",
+                           .is_whole = true,
+                           .title = "Direction",
+                           .window_explanation = "Where a sample may move",
+                           .choices = {"Along the normal", "In every direction"}};
 constexpr std::uint64_t kStream = 0x6e6f697365ULL;  // no other evolution draws the same numbers
 
 // Uniform in the unit disk; by rejection, as sines and cosines are not the same on all machines.
@@ -24,7 +33,7 @@ Vec2 in_unit_disk(Rng& random) {
 
 Expected<EvolutionState> noise_step(const EvolutionState& state, const EvolutionStep& step) {
   const double factor = step.choice.values[kFactor];
-  const bool isotropic = step.choice.values[kIsotropic] != 0.0;
+  const bool isotropic = step.choice.values.is_on(kIsotropic);
   const Rng of_step(Rng(step.choice.seed ^ kStream).at(step.number));
   EvolutionState out = state;
   for_each_moving(step.curve, [&](std::uint32_t before, std::uint32_t sample, std::uint32_t after) {
@@ -42,24 +51,9 @@ Expected<EvolutionState> noise_step(const EvolutionState& state, const Evolution
 }  // namespace
 
 Evolution noise_evolution() {
-  return {{"noise",
-           "Noise",
-           "Each sample on the curve moves at random along its normal",
-           true,
-           {{.id = kFactor,
-             .explanation = "Largest distance a sample moves, in distances between its two neighbours",
-             .high = 10.0,
-             .default_value = 0.05,
-             .title = "Strength",
-             .window_explanation =
-                 "Largest distance a sample moves, as a multiple of the distance between its two neighbours"},
-            {.id = kIsotropic,
-             .explanation = "0: along the normal of the curve; 1: in every direction",
-             .is_whole = true,
-             .title = "Direction",
-             .window_explanation = "Where a sample may move",
-             .choices = kDirections}}},
-          noise_step};
+  return {
+      {"noise", "Noise", "Each sample on the curve moves at random along its normal", true, {kFactor, kIsotropic}},
+      noise_step};
 }
 
 }  // namespace mes

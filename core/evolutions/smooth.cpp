@@ -11,9 +11,25 @@
 namespace mes {
 namespace {
 
-constexpr std::string_view kMu = "smooth-mu";
-constexpr std::string_view kBack = "smooth-back";
-constexpr std::string_view kKeepArea = "smooth-keep-area";
+const Parameter kMu{.id = "smooth-mu",
+                    .explanation = "How far a sample goes towards the middle of its neighbours",
+                    .low = 0.001,
+                    .default_value = 0.5,
+                    .title = "Way to the middle"};
+const Parameter kBack{.id = "smooth-back",
+                      .explanation =
+                          "How far it then goes back, which keeps the curve from shrinking (Taubin); usually a "
+                          "little more than smooth-mu; 0: it does not go back",
+                      .high = 1.5,
+                      .title = "Way back",
+                      .window_explanation =
+                          "How far it then goes back, which keeps the curve from shrinking (Taubin); usually "
+                          "a little more than the way to the middle. 0: it does not go back"};
+const Parameter kKeepArea{
+    .id = "smooth-keep-area",
+    .explanation = "1: each loop is scaled about its middle to the area it had; 0: loops shrink",
+    .is_whole = true,
+    .title = "Keep the area of loops"};
 
 std::vector<Vec2> averaged(const MovingCurve& curve, const std::vector<Vec2>& from, double mu) {
   std::vector<Vec2> out = from;
@@ -52,11 +68,11 @@ void restore_areas(const MovingCurve& curve, const std::vector<Vec2>& before, st
 }
 
 Expected<EvolutionState> smooth_step(const EvolutionState& state, const EvolutionStep& step) {
-  const EvolutionValues& values = step.choice.values;
+  const ParameterValues& values = step.choice.values;
   EvolutionState out{{}, state.numbers, state.curve};
   out.positions = averaged(step.curve, state.positions, values[kMu]);
   if (values[kBack] > 0.0) out.positions = averaged(step.curve, out.positions, -values[kBack]);
-  if (values[kKeepArea] != 0.0) restore_areas(step.curve, state.positions, out.positions);
+  if (values.is_on(kKeepArea)) restore_areas(step.curve, state.positions, out.positions);
   gather_followers(step.curve, out.positions);
   return out;
 }
@@ -64,28 +80,12 @@ Expected<EvolutionState> smooth_step(const EvolutionState& state, const Evolutio
 }  // namespace
 
 Evolution smooth_evolution() {
-  return {
-      {"smooth",
-       "Smooth",
-       "Each sample moves towards the middle of its neighbours on the curve",
-       false,
-       {{.id = kMu,
-         .explanation = "How far a sample goes towards the middle of its neighbours",
-         .low = 0.001,
-         .default_value = 0.5,
-         .title = "Way to the middle"},
-        {.id = kBack,
-         .explanation = "How far it then goes back, which keeps the curve from shrinking (Taubin); usually a "
-                        "little more than smooth-mu; 0: it does not go back",
-         .high = 1.5,
-         .title = "Way back",
-         .window_explanation = "How far it then goes back, which keeps the curve from shrinking (Taubin); usually "
-                               "a little more than the way to the middle. 0: it does not go back"},
-        {.id = kKeepArea,
-         .explanation = "1: each loop is scaled about its middle to the area it had; 0: loops shrink",
-         .is_whole = true,
-         .title = "Keep the area of loops"}}},
-      smooth_step};
+  return {{"smooth",
+           "Smooth",
+           "Each sample moves towards the middle of its neighbours on the curve",
+           false,
+           {kMu, kBack, kKeepArea}},
+          smooth_step};
 }
 
 }  // namespace mes

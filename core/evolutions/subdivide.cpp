@@ -13,12 +13,19 @@
 namespace mes {
 namespace {
 
-constexpr std::string_view kScheme = "subdivide-scheme";
 constexpr std::size_t kMostSamples = 4'000'000;
 
 enum class Scheme : std::uint8_t { cubic, chaikin, four_point, midpoint };
-constexpr std::array<std::string_view, 4> kSchemes{"Cubic B-spline", "Corner cutting (Chaikin)",
-                                                   "Four-point, through every sample", "Midpoints"};
+const Parameter kScheme{
+    .id = "subdivide-scheme",
+    .explanation =
+        "0: cubic B-spline; 1: Chaikin's corner cutting; 2: four-point, through every sample; 3: "
+        "midpoints",
+    .high = 3.0,
+    .is_whole = true,
+    .title = "Scheme",
+    .window_explanation = "What the curve through the samples becomes",
+    .choices = {"Cubic B-spline", "Corner cutting (Chaikin)", "Four-point, through every sample", "Midpoints"}};
 
 /// Walks along one chain and past its ends.
 class Walk {
@@ -117,14 +124,7 @@ Evolution subdivide_evolution() {
            "Subdivide",
            "A new sample between each two neighbours on the curve, by a subdivision scheme",
            false,
-           {{.id = kScheme,
-             .explanation = "0: cubic B-spline; 1: Chaikin's corner cutting; 2: four-point, through every sample; 3: "
-                            "midpoints",
-             .high = 3.0,
-             .is_whole = true,
-             .title = "Scheme",
-             .window_explanation = "What the curve through the samples becomes",
-             .choices = kSchemes}}},
+           {kScheme}},
           subdivide_step};
 }
 

@@ -35,6 +35,16 @@ void Registry::add_structure(const MakeStructure& make) {
   prototypes_.add(std::move(prototype));
 }
 
+void Registry::add_parameter(Parameter parameter) {
+  MES_ASSERT(find_parameter(parameter.id) == nullptr);
+  parameters_.push_back(std::move(parameter));
+}
+
+const Parameter* Registry::find_parameter(std::string_view id) const {
+  const auto found = std::ranges::find(parameters_, id, &Parameter::id);
+  return found == parameters_.end() ? nullptr : &*found;
+}
+
 void Registry::add_layer(const MakeLayer& make) {
   add_layers([make](const StructureSet& structures) {
     std::vector<Layer> out;

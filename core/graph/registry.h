@@ -3,17 +3,57 @@
 // layers reads one.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
+#include "core/base/assert.h"
+#include "core/document/parameter.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/graph/layer.h"
 #include "core/graph/structure.h"
 
 namespace mes {
+
+struct Evolution;
+struct ShapeDescriptor;
+
+/// Things that are known by their ids, in the order in which they were added. Whoever holds one keeps it, also after it
+/// has been removed here.
+template <class T>
+class NamedList {
+ public:
+  /// Its id must be new.
+  void add(std::string id, std::shared_ptr<const T> thing) {
+    MES_ASSERT(find(id) == nullptr);
+    ids_.push_back(std::move(id));
+    things_.push_back(std::move(thing));
+  }
+  /// False: there is none.
+  bool remove(std::string_view id) {
+    const auto found = std::ranges::find(ids_, id);
+    if (found == ids_.end()) return false;
+    things_.erase(things_.begin() + (found - ids_.begin()));
+    ids_.erase(found);
+    return true;
+  }
+  /// Null: there is none.
+  std::shared_ptr<const T> find(std::string_view id) const {
+    const auto found = std::ranges::find(ids_, id);
+    return found == ids_.end() ? nullptr : things_[static_cast<std::size_t>(found - ids_.begin())];
+  }
+  std::span<const std::string> ids() const { return ids_; }
+  std::span<const std::shared_ptr<const T>> all() const { return things_; }
+
+ private:
+  std::vector<std::string> ids_;
+  std::vector<std::shared_ptr<const T>> things_;  // as many as ids
+};
 
 /// Smallest use:
 ///     Registry registry;
@@ -42,6 +82,20 @@ class Registry {
   /// Several of them, bottom first.
   void add_layers(const MakeLayers& make);
 
+  /// Evolutions (core/evolutions/evolution.h).
+  NamedList<Evolution>& evolutions() { return evolutions_; }
+  const NamedList<Evolution>& evolutions() const { return evolutions_; }
+  /// Shapes (core/shapes/shape.h).
+  NamedList<ShapeDescriptor>& shapes() { return shapes_; }
+  const NamedList<ShapeDescriptor>& shapes() const { return shapes_; }
+
+  /// A number that structures read from the settings. Its id must be new.
+  void add_parameter(Parameter parameter);
+
+  /// In the order in which they were added.
+  std::span<const Parameter> parameters() const { return parameters_; }
+  /// Null: there is none with that id. Valid until one is added.
+  const Parameter* find_parameter(std::string_view id) const;
   /// Public ids, inputs before consumers.
   std::span<const std::string_view> structures() const { return structure_ids_; }
   /// In default stacking order: first = bottom. A `LayerIndex` is a position here.
@@ -64,6 +118,9 @@ class Registry {
     bool is_of_document = false;      ///< a source that a variant without a document shares
   };
 
+  NamedList<Evolution> evolutions_;
+  NamedList<ShapeDescriptor> shapes_;
+  std::vector<Parameter> parameters_;
   StructureSet prototypes_;
   std::vector<StructureEntry> structures_;
   std::vector<std::string_view> structure_ids_;

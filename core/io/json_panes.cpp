@@ -26,7 +26,7 @@ json pane_to_json(Precision precision) {
   return {{"precision", id_of(precision)}};
 }
 json pane_to_json(const ParameterChoice& choice) {
-  return {{"parameter", descriptor_of(choice.parameter).id}, {"value", choice.value}};
+  return {{"parameter", choice.parameter.id}, {"value", choice.value}};
 }
 json pane_to_json(FamilyKind family) {
   return {{"family", kFamilies[static_cast<std::size_t>(family)]}};
@@ -100,13 +100,10 @@ class PaneReader {
   std::optional<PaneChoice> parameter_of(JsonView name, JsonView value) const {
     const std::string id = text_of(name, "parameter");
     if (!value.is_number()) fail("\"value\" is not a number", value);
-    for (std::size_t i = 0; i < kParameters; ++i) {
-      const ParameterDescriptor& descriptor = parameter_descriptors()[i];
-      if (descriptor.id != id) continue;
-      const double number = std::clamp(value.number(), descriptor.low, descriptor.high);
-      return ParameterChoice{static_cast<Parameter>(i), descriptor.is_whole ? std::round(number) : number};
-    }
-    return std::nullopt;
+    const auto known = std::ranges::find(computation_parameters(), id, &Parameter::id);
+    if (known != computation_parameters().end()) return ParameterChoice{*known, within(*known, value.number())};
+    // It changes nothing, and is there again when the session is saved.
+    return ParameterChoice{{.id = id, .low = value.number(), .high = value.number()}, value.number()};
   }
   std::optional<PaneChoice> family_of(JsonView value) const {
     const std::string id = text_of(value, "family");

@@ -102,25 +102,28 @@ SampleData data_of(JsonView object) {
   return out;
 }
 
-// Values of a later version, which may allow more, are brought into range.
+constexpr std::size_t kMostParameters = 1000;
+
+// Values of a later version, which may allow more, are brought into range, and parameters that are not known are kept.
 ComputationSettings settings_from(JsonView object) {
   const auto [precision, parameters] = object.pick<2>({"precision", "parameters"});
   ComputationSettings out;
   if (precision.is_text())
     for (const PrecisionDescriptor& descriptor : kPrecisionDescriptors)
       if (precision.text() == descriptor.id) out.precision = descriptor.precision;
-  for (std::size_t i = 0; i < kParameters; ++i) {
-    const ParameterDescriptor& descriptor = parameter_descriptors()[i];
-    const JsonView value = parameters.find(descriptor.id);
+  std::size_t count = 0;
+  for (const auto& [id, value] : parameters.members()) {
     if (!value.is_number()) continue;
-    const double number = std::clamp(value.number(), descriptor.low, descriptor.high);
-    out.values[i] = descriptor.is_whole ? std::round(number) : number;
+    if (++count > kMostParameters) complain("settings", "more than a thousand parameters");
+    out.values.keep(id.text(), value.number());
   }
+  for (const Parameter& parameter : computation_parameters())
+    if (const JsonView value = parameters.find(parameter.id); value.is_number())
+      out[parameter] = within(parameter, value.number());
   return out;
 }
 
 SessionEvolution evolution_from(JsonView object) {
-  constexpr std::size_t kMostParameters = 1000;
   const std::string where = "evolution";
   SessionEvolution out;
   out.id = text_from(object.find("id"), "id", where);

@@ -80,8 +80,8 @@ json to_json(const SampleData& data) {
 
 json to_json(const ComputationSettings& settings) {
   json parameters = json::object();
-  for (std::size_t i = 0; i < kParameters; ++i)
-    parameters[std::string(parameter_descriptors()[i].id)] = settings.values[i];
+  for (const ParameterValues::Entry& entry : settings.values.changed()) parameters[entry.id] = entry.value;
+  for (const Parameter& parameter : computation_parameters()) parameters[parameter.id] = settings[parameter];
   return {{"precision", id_of(settings.precision)}, {"parameters", std::move(parameters)}};
 }
 

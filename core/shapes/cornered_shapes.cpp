@@ -10,14 +10,14 @@ Expected<MadeShape> of_corners(const std::vector<Vec2>& corners) {
 }
 
 /// The first corner points upwards.
-Expected<MadeShape> polygon(const ShapeValues& values) {
+Expected<MadeShape> polygon(const ShapeArguments& values) {
   std::vector<Vec2> corners;
   for (double i = 0.0; i < values.numbers[0]; ++i)
     corners.push_back(at_angle(values.numbers[1], kTurn * (0.25 + i / values.numbers[0])));
   return of_corners(corners);
 }
 
-Expected<MadeShape> star(const ShapeValues& values) {
+Expected<MadeShape> star(const ShapeArguments& values) {
   const double points = values.numbers[0];
   if (values.numbers[2] >= values.numbers[1]) return impossible("inner must be less than outer");
   std::vector<Vec2> corners;
@@ -29,7 +29,7 @@ Expected<MadeShape> star(const ShapeValues& values) {
 }
 
 /// Teeth of arcs about the centre, with radial sides; as wide as the gaps between them.
-Expected<MadeShape> gear(const ShapeValues& values) {
+Expected<MadeShape> gear(const ShapeArguments& values) {
   const double teeth = values.numbers[0];
   const double outer = values.numbers[1];
   const double inner = values.numbers[2];
@@ -49,7 +49,7 @@ Expected<MadeShape> gear(const ShapeValues& values) {
 }
 
 /// Teeth and gaps along the upper side of a beam.
-Expected<MadeShape> comb(const ShapeValues& values) {
+Expected<MadeShape> comb(const ShapeArguments& values) {
   const double teeth = values.numbers[0];
   const double tooth = values.numbers[1];
   const double gap = values.numbers[2];
@@ -67,7 +67,7 @@ Expected<MadeShape> comb(const ShapeValues& values) {
   return of_corners(corners);
 }
 
-constexpr ParameterDescriptor count(std::string_view id, std::string_view explanation, double low, double value) {
+Parameter count(const char* id, const char* explanation, double low, double value) {
   return {id, explanation, "", low, 10000.0, value, true};
 }
 

@@ -19,7 +19,7 @@ Expected<MadeShape> of_function(const PointOf& at, double from, double to, std::
 }
 
 /// Of Archimedes: turns lie at one distance from each other.
-Expected<MadeShape> spiral(const ShapeValues& values) {
+Expected<MadeShape> spiral(const ShapeArguments& values) {
   const double inner = values.numbers[1];
   const double gap = values.numbers[2];
   return of_function([&](double t) { return at_angle(inner + gap * t, kTurn * t); }, 0.0, values.numbers[0],
@@ -27,7 +27,7 @@ Expected<MadeShape> spiral(const ShapeValues& values) {
 }
 
 /// A point of a circle that rolls around another, `cusps` times as large; `reach` of its radius from its centre.
-Expected<MadeShape> epicycloid(const ShapeValues& values) {
+Expected<MadeShape> epicycloid(const ShapeArguments& values) {
   const double cusps = values.numbers[0];
   const double radius = values.numbers[1];
   const double reach = values.numbers[2];
@@ -39,7 +39,7 @@ Expected<MadeShape> epicycloid(const ShapeValues& values) {
 }
 
 /// |x/a|^n + |y/b|^n = 1, by the angle, so that it is smooth for n above one.
-Expected<MadeShape> superellipse(const ShapeValues& values) {
+Expected<MadeShape> superellipse(const ShapeArguments& values) {
   const auto [a, b, power] = std::array{values.numbers[0], values.numbers[1], values.numbers[2]};
   return of_function(
       [=](double t) {
@@ -49,7 +49,7 @@ Expected<MadeShape> superellipse(const ShapeValues& values) {
       0.0, kTurn, kPieces, true);
 }
 
-Expected<MadeShape> curve(const ShapeValues& values) {
+Expected<MadeShape> curve(const ShapeArguments& values) {
   const auto x = FormulaInT::parse(values.formulas[0], "x");
   if (!x) return std::unexpected(x.error());
   const auto y = FormulaInT::parse(values.formulas[1], "y");
@@ -62,7 +62,7 @@ Expected<MadeShape> curve(const ShapeValues& values) {
       values.numbers[0], values.numbers[1], kPieces, true);
 }
 
-Expected<MadeShape> polar(const ShapeValues& values) {
+Expected<MadeShape> polar(const ShapeArguments& values) {
   const auto radius = FormulaInT::parse(values.formulas[0], "r");
   if (!radius) return std::unexpected(radius.error());
   if (!(values.numbers[0] < values.numbers[1])) return impossible("from must be less than to");
@@ -70,8 +70,8 @@ Expected<MadeShape> polar(const ShapeValues& values) {
                      kPieces, true);
 }
 
-constexpr ParameterDescriptor kFrom{"from", "The first t", "", -1e6, 1e6, 0.0};
-constexpr ParameterDescriptor kTo{"to", "The last t", "", -1e6, 1e6, kTurn};
+const Parameter kFrom{"from", "The first t", "", -1e6, 1e6, 0.0};
+const Parameter kTo{"to", "The last t", "", -1e6, 1e6, kTurn};
 
 }  // namespace
 

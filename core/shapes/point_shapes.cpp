@@ -24,7 +24,7 @@ Vec2 gaussian_pair(Rng& random) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-Expected<MadeShape> uniform(const ShapeValues& values) {
+Expected<MadeShape> uniform(const ShapeArguments& values) {
   Rng random(values.seed);
   std::vector<Vec2> out(values.samples);
   for (Vec2& p : out) {
@@ -34,14 +34,14 @@ Expected<MadeShape> uniform(const ShapeValues& values) {
   return of_points(std::move(out));
 }
 
-Expected<MadeShape> gaussian(const ShapeValues& values) {
+Expected<MadeShape> gaussian(const ShapeArguments& values) {
   Rng random(values.seed);
   std::vector<Vec2> out(values.samples);
   for (Vec2& p : out) p = values.numbers[0] * gaussian_pair(random);
   return of_points(std::move(out));
 }
 
-Expected<MadeShape> clustered(const ShapeValues& values) {
+Expected<MadeShape> clustered(const ShapeArguments& values) {
   Rng random(values.seed);
   std::vector<Vec2> centers(static_cast<std::size_t>(values.numbers[0]));
   for (Vec2& p : centers) {
@@ -58,7 +58,7 @@ Expected<MadeShape> clustered(const ShapeValues& values) {
 
 /// Darts into the unit square; those too near to an earlier one are thrown again. The square of the least distance is
 /// `share` squared of an equal part of the area, well below where darts no longer find room (0.83).
-Expected<MadeShape> poisson_disk(const ShapeValues& values) {
+Expected<MadeShape> poisson_disk(const ShapeArguments& values) {
   Rng random(values.seed);
   const double least = values.numbers[0] / std::sqrt(static_cast<double>(values.samples));
   // Cells are not smaller than the distance, and no more than points.
@@ -98,11 +98,11 @@ Expected<MadeShape> lattice(std::size_t count, At at) {
   return of_points(std::move(out));
 }
 
-Expected<MadeShape> square_lattice(const ShapeValues& values) {
+Expected<MadeShape> square_lattice(const ShapeArguments& values) {
   return lattice(values.samples, [&](double x, double y) { return values.numbers[0] * Vec2{x, y}; });
 }
 
-Expected<MadeShape> hexagonal_lattice(const ShapeValues& values) {
+Expected<MadeShape> hexagonal_lattice(const ShapeArguments& values) {
   const double height = 0.5 * std::sqrt(3.0);
   return lattice(values.samples, [&](double x, double y) {
     return values.numbers[0] * Vec2{x + 0.5 * std::fmod(y, 2.0), height * y};
@@ -134,7 +134,7 @@ std::vector<Vec2> integers_on_circle() {
 }
 
 /// Scaled by a power of two, which changes nothing of it.
-Expected<MadeShape> cocircular(const ShapeValues& values) {
+Expected<MadeShape> cocircular(const ShapeArguments& values) {
   const std::vector<Vec2> all = integers_on_circle();
   if (values.samples > all.size())
     return impossible("of exactly cocircular points there are at most " + std::to_string(all.size()));
@@ -143,7 +143,7 @@ Expected<MadeShape> cocircular(const ShapeValues& values) {
   return of_points(std::move(out));
 }
 
-Expected<MadeShape> almost_cocircular(const ShapeValues& values) {
+Expected<MadeShape> almost_cocircular(const ShapeArguments& values) {
   Rng random(values.seed);
   std::vector<Vec2> out;
   for (std::size_t i = 0; i < values.samples; ++i) {
@@ -155,7 +155,7 @@ Expected<MadeShape> almost_cocircular(const ShapeValues& values) {
 }
 
 /// Multiples of a step of whole numbers, which are exact.
-Expected<MadeShape> collinear(const ShapeValues& values) {
+Expected<MadeShape> collinear(const ShapeArguments& values) {
   const Vec2 step{values.numbers[0], values.numbers[1]};
   if (step == Vec2{}) return impossible("dx and dy must not both be zero");
   std::vector<Vec2> out;
@@ -163,7 +163,7 @@ Expected<MadeShape> collinear(const ShapeValues& values) {
   return of_points(std::move(out));
 }
 
-Expected<MadeShape> almost_collinear(const ShapeValues& values) {
+Expected<MadeShape> almost_collinear(const ShapeArguments& values) {
   Rng random(values.seed);
   std::vector<Vec2> out;
   for (std::size_t i = 0; i < values.samples; ++i)
@@ -172,7 +172,7 @@ Expected<MadeShape> almost_collinear(const ShapeValues& values) {
   return of_points(std::move(out));
 }
 
-Expected<MadeShape> balls_along_curve(const ShapeValues& values) {
+Expected<MadeShape> balls_along_curve(const ShapeArguments& values) {
   std::vector<FormulaInT> formulas;
   for (std::size_t i = 0; i < 3; ++i) {
     auto formula = FormulaInT::parse(values.formulas[i], std::array{"x", "y", "radius"}[i]);
@@ -193,7 +193,7 @@ Expected<MadeShape> balls_along_curve(const ShapeValues& values) {
   return out;
 }
 
-constexpr ParameterDescriptor whole(std::string_view id, std::string_view explanation, double value) {
+Parameter whole(const char* id, const char* explanation, double value) {
   return {id, explanation, "", -1000.0, 1000.0, value, true};
 }
 

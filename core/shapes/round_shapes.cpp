@@ -7,11 +7,11 @@
 namespace mes {
 namespace {
 
-Expected<MadeShape> circle(const ShapeValues& values) {
+Expected<MadeShape> circle(const ShapeArguments& values) {
   return MadeShape{.curves = {{ellipse_curve({}, values.numbers[0], values.numbers[0])}, {}}};
 }
 
-Expected<MadeShape> ellipse(const ShapeValues& values) {
+Expected<MadeShape> ellipse(const ShapeArguments& values) {
   return MadeShape{.curves = {{ellipse_curve({}, values.numbers[0], values.numbers[1])}, {}}};
 }
 
@@ -32,12 +32,12 @@ PlaneCurve rounded(double half_width, double half_height, double radius) {
   return out;
 }
 
-Expected<MadeShape> stadium(const ShapeValues& values) {
+Expected<MadeShape> stadium(const ShapeArguments& values) {
   const double radius = values.numbers[1];
   return MadeShape{.curves = {{rounded(values.numbers[0] + radius, radius, radius)}, {}}};
 }
 
-Expected<MadeShape> rounded_rectangle(const ShapeValues& values) {
+Expected<MadeShape> rounded_rectangle(const ShapeArguments& values) {
   const double half_width = 0.5 * values.numbers[0];
   const double half_height = 0.5 * values.numbers[1];
   if (values.numbers[2] > std::min(half_width, half_height))
@@ -45,7 +45,7 @@ Expected<MadeShape> rounded_rectangle(const ShapeValues& values) {
   return MadeShape{.curves = {{rounded(half_width, half_height, values.numbers[2])}, {}}};
 }
 
-Expected<MadeShape> annulus(const ShapeValues& values) {
+Expected<MadeShape> annulus(const ShapeArguments& values) {
   if (values.numbers[1] + std::abs(values.numbers[2]) >= values.numbers[0])
     return impossible("the hole must lie within the outer circle: inner and shift together must be less than outer");
   return MadeShape{.curves = {{ellipse_curve({}, values.numbers[0], values.numbers[0]),

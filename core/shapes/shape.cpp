@@ -68,8 +68,7 @@ const ShapeDescriptor* find_shape(std::string_view id) {
 
 ShapeValues values_of(const ShapeDescriptor& shape) {
   ShapeValues out{.samples = shape.points};
-  for (const ParameterDescriptor& parameter : shape.parameters) out.numbers.push_back(parameter.default_value);
-  for (const FormulaParameter& formula : shape.formulas) out.formulas.emplace_back(formula.default_text);
+  for (const FormulaParameter& formula : shape.formulas) out.formulas.push_back(formula.default_text);
   return out;
 }
 
@@ -82,15 +81,17 @@ Expected<SampleData> sample_curves(const CurveSet& curves, const ShapeSampling& 
 }
 
 Expected<SampleData> make_shape(const ShapeDescriptor& shape, const ShapeRequest& request, JobControl* job) {
-  MES_ASSERT(request.values.numbers.size() == shape.parameters.size() &&
-             request.values.formulas.size() == shape.formulas.size());
+  MES_ASSERT(request.values.formulas.size() == shape.formulas.size());
   if (auto good = check(request.sampling); !good) return std::unexpected(good.error());
   if (request.sampling.spacing && shape.points != 0)
     return impossible(fmt::format("{} has no curve along which there is a spacing", shape.id));
-  ShapeValues values = request.values;
-  if (request.sampling.samples && shape.points != 0) values.samples = *request.sampling.samples;
-  values.seed = request.sampling.seed;
-  auto made = shape.make(values);
+  ShapeArguments arguments{.numbers = {},
+                           .formulas = request.values.formulas,
+                           .samples = request.values.samples,
+                           .seed = request.sampling.seed};
+  for (const Parameter& parameter : shape.parameters) arguments.numbers.push_back(request.values.numbers[parameter]);
+  if (request.sampling.samples && shape.points != 0) arguments.samples = *request.sampling.samples;
+  auto made = shape.make(arguments);
   if (job != nullptr) job->checkpoint();
   if (!made) return std::unexpected(made.error());
   const SamplingRequest sampling = sampling_of(request.sampling);

@@ -11,6 +11,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -21,24 +22,32 @@
 #include "core/base/job_control.h"
 #include "core/curves/curve.h"
 #include "core/document/commands.h"
-#include "core/document/parameter.h"
+#include "core/document/parameter_values.h"
 
 namespace mes {
 
 /// A parameter that is a formula of t.
 struct FormulaParameter {
-  std::string_view id;
-  std::string_view explanation;
-  std::string_view default_text;
+  std::string id;
+  std::string explanation;
+  std::string default_text;
 };
 
-/// What a shape is made with, in the order of its parameters.
+/// What is asked of a shape.
 struct ShapeValues {
-  std::vector<double> numbers{};
-  std::vector<std::string> formulas{};
-  std::size_t samples = 0;  ///< of a set of points or balls: how many
+  ParameterValues numbers{};
+  std::vector<std::string> formulas{};  ///< in the order of its formulas
+  std::size_t samples = 0;              ///< of a set of points or balls: how many
   std::uint64_t seed = 1;
   friend bool operator==(const ShapeValues&, const ShapeValues&) = default;
+};
+
+/// The same for whoever makes the shape.
+struct ShapeArguments {
+  std::vector<double> numbers;  ///< in the order of its parameters
+  std::vector<std::string> formulas;
+  std::size_t samples = 0;
+  std::uint64_t seed = 1;
 };
 
 /// What a shape consists of before it is sampled.
@@ -48,16 +57,16 @@ struct MadeShape {
 };
 
 struct ShapeDescriptor {
-  std::string_view id;    ///< public name, kebab case
-  std::string_view name;  ///< as shown
-  std::string_view explanation;
-  std::vector<ParameterDescriptor> parameters;
+  std::string id;    ///< public name, kebab case
+  std::string name;  ///< as shown
+  std::string explanation;
+  std::vector<Parameter> parameters;
   std::vector<FormulaParameter> formulas;
   std::size_t points = 0;  ///< of a set of points or balls: how many there are unless asked for; 0: curves
-  Expected<MadeShape> (*make)(const ShapeValues& values);
+  std::function<Expected<MadeShape>(const ShapeArguments& arguments)> make;
 };
 
-/// Every shape, curves first.
+/// Every shape of the program, curves first.
 std::span<const ShapeDescriptor> shapes();
 const ShapeDescriptor* find_shape(std::string_view id);
 

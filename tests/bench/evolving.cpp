@@ -4,6 +4,7 @@
 
 #include <cstdlib>
 
+#include "core/builtins/builtins.h"
 #include "core/evolutions/evolution.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/setup.h"
@@ -27,7 +28,7 @@ double timed_step(EvolutionState& state, std::uint64_t k, const EvolutionChoice&
 void smoothing(benchmark::State& state, RatioTable& table, const std::vector<Vec2>& points) {
   Document document;
   document.apply(*replace_with(document, points));
-  const EvolutionChoice choice{.evolution = *find_evolution("smooth")};
+  const EvolutionChoice choice{.evolution = find_evolution("smooth")};
   std::vector<double> first;
   std::vector<double> late;
   for (auto _ : state) {

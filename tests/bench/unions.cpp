@@ -44,7 +44,8 @@ struct Bed {
   void choose(Precision precision, bool use_shortcut, double scale = 1.0) {
     ComputationSettings settings;
     settings.precision = precision;
-    settings[Parameter::a_scale] = settings[Parameter::p_scale] = scale;
+    settings[Parameter::a_scale] = scale;
+    settings[Parameter::p_scale] = scale;
     settings[Parameter::union_shortcut] = use_shortcut ? 1.0 : 0.0;
     graph.post_settings(settings);
     graph.run(patch, job);

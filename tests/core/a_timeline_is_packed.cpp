@@ -89,7 +89,9 @@ TimelineEntry some_entry(Rng& random) {
     case 6: {
       SettingsChanged out;
       if (random.below(2) == 0) out.settings.precision = Precision::exact;
-      if (random.below(2) == 0) out.settings.values[random.below(kParameters)] = some_number(random);
+      if (random.below(2) == 0)
+        out.settings[computation_parameters()[random.below(computation_parameters().size())]] = some_number(random);
+      if (random.below(4) == 0) out.settings.values.keep("not-known-here", some_number(random));
       return out;
     }
     case 7: {

@@ -483,7 +483,7 @@ TEST_CASE("few and degenerate samples have the classes that they can have") {
                               : bench.get<AlphaFiltration>().radius(
                                     static_cast<std::uint32_t>(bench.get<AlphaFiltration>().rank_count() - 1));
     // At the last radius everything is one component without a hole.
-    const double limit = descriptor_of(Parameter::alpha_radius).high;
+    const double limit = Parameter::alpha_radius.high;
     if (2.0 * extent > limit) continue;
     bench.choose(at_radius(2.0 * extent));
     CHECK(bench.count("alpha-complex", "components") == (input.distinct == 0 ? 0 : 1));

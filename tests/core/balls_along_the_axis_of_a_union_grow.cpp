@@ -374,7 +374,8 @@ TEST_CASE("hairs of a scaled family go by the spacing of its samples, as they do
       for (const double s : {0.7, 1.3}) {
         INFO("input " << i << " balls times " << scale << " s " << s);
         ComputationSettings settings = factor(s, 100.0);
-        settings[Parameter::a_scale] = settings[Parameter::p_scale] = scale;
+        settings[Parameter::a_scale] = scale;
+        settings[Parameter::p_scale] = scale;
         bench.choose(settings);
         const std::int64_t leaves = bench.count("scale-union", "leaves");
         CAPTURE(leaves, bench.count("a-scale-union", "leaves"), bench.count("p-scale-union", "leaves"));

@@ -21,7 +21,8 @@ namespace {
 ComputationSettings settings_of(Precision precision, double scale, bool use_shortcut = true) {
   ComputationSettings out;
   out.precision = precision;
-  out[Parameter::a_scale] = out[Parameter::p_scale] = scale;
+  out[Parameter::a_scale] = scale;
+  out[Parameter::p_scale] = scale;
   out[Parameter::union_shortcut] = use_shortcut ? 1.0 : 0.0;
   return out;
 }

@@ -151,7 +151,8 @@ void check_samples(const std::vector<Vec2>& points, std::initializer_list<double
   for (const double growth : growths) {
     ComputationSettings settings;
     settings[Parameter::alpha_radius] = growth;
-    settings[Parameter::a_scale] = settings[Parameter::p_scale] = scale;
+    settings[Parameter::a_scale] = scale;
+    settings[Parameter::p_scale] = scale;
     bench.choose(settings);
     check(bench, bench.get<ABallFiltration>(), "a", growth);
     check(bench, bench.get<PBallFiltration>(), "p", growth);

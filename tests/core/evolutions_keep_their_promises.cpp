@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/evolutions/evolution_run.h"
 #include "tests/support/bell.h"
 #include "tests/support/shapes.h"
@@ -30,8 +31,8 @@ EvolutionState beginning_of(const SampleData& data) {
 
 EvolutionChoice choice_of(std::string_view id, std::initializer_list<std::pair<std::string_view, double>> values = {},
                           std::uint64_t seed = 1) {
-  EvolutionChoice out{.evolution = *find_evolution(id), .seed = seed};
-  for (const auto& [name, value] : values) out.values.set(name, value);
+  EvolutionChoice out{.evolution = find_evolution(id), .seed = seed};
+  for (const auto& [name, value] : values) out.values.keep(name, value);
   return out;
 }
 
@@ -90,7 +91,8 @@ void check_close(const std::vector<Vec2>& a, const std::vector<Vec2>& b, double 
 }
 
 std::vector<Evolution> sample_evolutions() {
-  std::vector<Evolution> out(evolutions().begin(), evolutions().end());
+  std::vector<Evolution> out;
+  for (const auto& evolution : builtins().evolutions().all()) out.push_back(*evolution);
   std::erase_if(out, [](const Evolution& evolution) { return evolution.moved_parameter() != nullptr; });
   return out;
 }
@@ -410,14 +412,14 @@ TEST_CASE("a state reached after a farther one was requested does not answer the
 }
 
 TEST_CASE("balls grow by equal steps, shrink by the inverse, and stay within the parameter's range") {
-  const EvolutionValues values;
+  const ParameterValues values;
   const auto value = [&values](std::string_view id, double first, std::uint64_t k) {
-    return moved_value(*evolutions()[*find_evolution(id)].moved_parameter(), first, k, values);
+    return moved_value(*find_evolution(id)->moved_parameter(), first, k, values);
   };
   for (const std::string family : {"a", "p", "b"}) {
-    const ParameterMove* move = evolutions()[*find_evolution(family + "-growing")].moved_parameter();
+    const ParameterMove* move = find_evolution(family + "-growing")->moved_parameter();
     REQUIRE(move != nullptr);
-    CHECK(descriptor_of(move->parameter).id == family + "-scale");
+    CHECK(move->parameter.id == family + "-scale");
     CHECK(value(family + "-growing", 1.0, 0) == 1.0);
     CHECK(value(family + "-growing", 1.0, 1) == 1.03);
     CHECK(value(family + "-growing", 1.0, 100) == 4.0);
@@ -439,7 +441,7 @@ TEST_CASE("balls grow by equal steps, shrink by the inverse, and stay within the
   CHECK(value("alpha-shrinking", 7.0, 3) == 4.0);
   CHECK(value("alpha-shrinking", 7.0, 7) == 0.0);
   CHECK_FALSE(value("alpha-shrinking", 7.0, 8));
-  EvolutionValues tenths;
-  tenths.set("alpha-step", 0.1);
-  CHECK(moved_value(*evolutions()[*find_evolution("alpha-shrinking")].moved_parameter(), 0.3, 3, tenths) == 0.0);
+  ParameterValues tenths;
+  tenths.keep("alpha-step", 0.1);
+  CHECK(moved_value(*find_evolution("alpha-shrinking")->moved_parameter(), 0.3, 3, tenths) == 0.0);
 }

@@ -20,7 +20,7 @@ namespace {
 
 struct Family {
   char letter;
-  Parameter scale;
+  const Parameter& scale;
 };
 constexpr std::array kFamilies{Family{'a', Parameter::a_scale}, Family{'p', Parameter::p_scale},
                                Family{'b', Parameter::b_scale}};

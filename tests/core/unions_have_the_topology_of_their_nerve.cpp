@@ -156,7 +156,9 @@ std::vector<Circle> circles_of(const BallUnion& balls) {
 ComputationSettings settings_of(Precision precision, double scale) {
   ComputationSettings out;
   out.precision = precision;
-  out[Parameter::a_scale] = out[Parameter::p_scale] = out[Parameter::b_scale] = scale;
+  out[Parameter::a_scale] = scale;
+  out[Parameter::p_scale] = scale;
+  out[Parameter::b_scale] = scale;
   return out;
 }
 

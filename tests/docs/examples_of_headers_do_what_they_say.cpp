@@ -223,7 +223,7 @@ TEST_CASE("core/document/timeline.h") {
 TEST_CASE("core/evolutions/evolution.h") {
   const Document document = ring_document();
   JobControl job;
-  EvolutionStates states(state_of(document), {.evolution = *find_evolution("smooth")});
+  EvolutionStates states(state_of(document), {.evolution = find_evolution("smooth")});
   const auto state = states.at(12, job);
   REQUIRE(state);
   CHECK((*state)->positions.size() == document.sample_count());
@@ -232,7 +232,7 @@ TEST_CASE("core/evolutions/evolution.h") {
 TEST_CASE("core/evolutions/evolution_states.h") {
   const Document document = ring_document();
   JobControl job;
-  EvolutionStates states(state_of(document), {.evolution = *find_evolution("smooth")});
+  EvolutionStates states(state_of(document), {.evolution = find_evolution("smooth")});
   auto state = states.at(12, job);
   REQUIRE(state);
   CHECK(length((*state)->positions[0]) < 1.0);
@@ -240,7 +240,7 @@ TEST_CASE("core/evolutions/evolution_states.h") {
 
 TEST_CASE("core/evolutions/evolution_run.h") {
   const Document document = ring_document();
-  const EvolutionChoice choice{.evolution = *find_evolution("smooth")};
+  const EvolutionChoice choice{.evolution = find_evolution("smooth")};
   std::size_t shown = 0;
   const auto show = [&shown](const EvolutionRun::Answer& answer) {
     REQUIRE(answer.state);

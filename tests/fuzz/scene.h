@@ -60,15 +60,14 @@ inline ComputationSettings read_settings(ByteSource& bytes) {
   out[Parameter::medial_sampling_angle] = (choices & 4U) != 0 ? 170.0 : 95.0;
   // Roots of that many balls take minutes.
   if (out.precision != Precision::exact_roots)
-    out[Parameter::scale_axis_factor] =
-        std::max(descriptor_of(Parameter::scale_axis_factor).low, kScales[choices % kScales.size()]);
+    out[Parameter::scale_axis_factor] = std::max(Parameter::scale_axis_factor.low, kScales[choices % kScales.size()]);
   out[Parameter::scale_skeleton_step] = (choices & 8U) != 0 ? 40.0 : 60.0;
   out[Parameter::keep_topology] = (choices & 8U) != 0 ? 1.0 : 0.0;
   out[Parameter::lambda_limit] = (choices & 16U) != 0 ? 0.5 : 0.0;
   out[Parameter::alpha_radius] = (choices & 48U) != 0 ? 0.75 : 0.0;
   out[Parameter::angle_limit] = (choices & 32U) != 0 ? 45.0 : 0.0;
   out[Parameter::angle_mode] = static_cast<double>((choices >> 6U) % 3U);
-  for (const Parameter scale : {Parameter::a_scale, Parameter::p_scale, Parameter::b_scale})
+  for (const Parameter& scale : {Parameter::a_scale, Parameter::p_scale, Parameter::b_scale})
     out[scale] = kScales[bytes.below(kScales.size())];
   return out;
 }

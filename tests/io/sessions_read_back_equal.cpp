@@ -256,7 +256,7 @@ TEST_CASE("a lesson that makes no sense is refused with line and column") {
   }
 }
 
-TEST_CASE("every kind of pane reads back, and those of a later version are left out") {
+TEST_CASE("every kind of pane reads back, and kinds of a later version are left out") {
   const std::vector<PaneChoice> kinds{Precision::naive,    ParameterChoice{Parameter::p_scale, 0.9},
                                       FamilyKind::polar,   FamilyKind::own,
                                       Bundle{.name = "a"}, EvolvedChoice{0},
@@ -276,8 +276,9 @@ TEST_CASE("every kind of pane reads back, and those of a later version are left 
   CHECK(panes_of("[]").empty());
   CHECK(panes_of(R"([{"hologram":1},{"precision":"quantum"},{"step":3,"scent":"rose"}])") ==
         std::vector<PaneChoice>{EvolvedChoice{3}});
-  CHECK(panes_of(R"([{"parameter":"warp","value":1},{"family":"cubes"}])").empty());
-  const double most = descriptor_of(Parameter::a_scale).high;
+  CHECK(panes_of(R"([{"parameter":"warp","value":1},{"family":"cubes"}])") ==
+        std::vector<PaneChoice>{ParameterChoice{{.id = "warp"}, 1.0}});
+  const double most = Parameter::a_scale.high;
   CHECK(panes_of(R"([{"parameter":"a-scale","value":1e9}])") ==
         std::vector<PaneChoice>{ParameterChoice{Parameter::a_scale, most}});
   // A pane without a view of its own among others that have one shows everything; one of a later version takes its
@@ -450,6 +451,14 @@ TEST_CASE("what is not known is skipped, what makes no sense is refused") {
   CHECK(later->settings.precision == Precision::fast);
   CHECK(later->settings[Parameter::medial_sampling_angle] == 179.9);
   CHECK(later->settings[Parameter::union_shortcut] == 0.0);
+  // A parameter that is not known is kept, and counts once something asks for it.
+  CHECK(later->settings[Parameter{.id = "x", .high = 2.0}] == 1.0);
+  CHECK(later->settings[Parameter{.id = "x", .high = 0.5}] == 0.5);
+  const auto again = read(write_session(*later));
+  REQUIRE(again);
+  CHECK(again->settings == later->settings);
+  CHECK(again->settings[Parameter{.id = "x", .high = 2.0}] == 1.0);
+  CHECK_FALSE(again->settings == ComputationSettings{});
   for (
       const char* text :
       {"",

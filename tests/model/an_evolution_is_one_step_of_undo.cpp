@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "app/playing/evolution_player.h"
+#include "app/playing/session_evolution.h"
+#include "core/builtins/builtins.h"
 #include "tests/model/positions_of.h"
 #include "tests/support/bell.h"
 
@@ -36,9 +38,10 @@ struct EvolutionBench {
   }};
   ComputationSettings computation;
   Bell bell;
-  EvolutionPlayer player{editor,
-                         {[this](Parameter parameter) { return computation[parameter]; },
-                          [this](Parameter parameter, double value) { computation[parameter] = value; }},
+  EvolutionPlayer player{builtins().evolutions(),
+                         editor,
+                         {[this](const Parameter& parameter) { return computation[parameter]; },
+                          [this](const Parameter& parameter, double value) { computation[parameter] = value; }},
                          bell.ring()};
   double now = 0.0;
 
@@ -57,14 +60,26 @@ struct EvolutionBench {
     REQUIRE(player.position() == k);
     return positions_of(editor.document());
   }
+  void set_value(std::string_view id, double value) {
+    const auto all = parameters_of(*player.choice().evolution);
+    const auto found = std::ranges::find(all, id, &Parameter::id);
+    REQUIRE(found != all.end());
+    player.set_value(*found, value);
+  }
+  double value(std::string_view id) const {
+    const auto all = parameters_of(*player.choice().evolution);
+    const auto found = std::ranges::find(all, id, &Parameter::id);
+    REQUIRE(found != all.end());
+    return player.choice().values[*found];
+  }
   void insert() { REQUIRE(editor.insert(std::array{Vec2{9, 9}}, "Insert")); }
 };
 
 }  // namespace
 
 TEST_CASE("moving the slider to and fro gives the same states, and the beginning exactly") {
-  for (EvolutionIndex evolution = 0; evolution < evolutions().size(); ++evolution) {
-    if (evolutions()[evolution].moved_parameter() != nullptr) continue;  // moves no samples
+  for (const auto& evolution : builtins().evolutions().all()) {
+    if (evolution->moved_parameter() != nullptr) continue;  // moves no samples
     for (const bool known : {false, true}) {
       EvolutionBench desk(known);
       desk.player.choose(evolution);
@@ -128,7 +143,7 @@ TEST_CASE("another evolution begins from what is shown, and each is a step of un
   EvolutionBench desk;
   const std::vector<Vec2> beginning = positions_of(desk.editor.document());
   const std::vector<Vec2> smooth = desk.at(3);
-  desk.player.choose(*find_evolution("subdivide"));
+  desk.player.choose(find_evolution("subdivide"));
   CHECK(desk.player.position() == 0);
   CHECK(desk.player.take_kept() == "Smooth, 3 steps: kept; Subdivide begins from there");
   CHECK(desk.player.take_kept().empty());
@@ -164,7 +179,7 @@ TEST_CASE("choosing another evolution while steps are computed keeps those that 
   const std::vector<Vec2> smooth = desk.at(2);
   desk.player.step_to(1'000'000'000);
   desk.player.choose_next(-1);
-  CHECK(desk.player.descriptor().id == evolutions().back().descriptor.id);
+  CHECK(desk.player.descriptor().id == builtins().evolutions().ids().back());
   desk.settle();
   CHECK_FALSE(desk.player.is_waiting());
   CHECK(positions_of(desk.editor.document()) == smooth);
@@ -180,7 +195,7 @@ TEST_CASE("another seed or parameter keeps the beginning") {
   const std::vector<Vec2> beginning = positions_of(desk.editor.document());
   const std::vector<Vec2> smooth = desk.at(4);
   desk.at(0);
-  desk.player.choose(*find_evolution("noise"));
+  desk.player.choose(find_evolution("noise"));
   const std::vector<Vec2> noise = desk.at(4);
   desk.player.set_seed(8);
   desk.settle();
@@ -190,10 +205,10 @@ TEST_CASE("another seed or parameter keeps the beginning") {
   desk.settle();
   CHECK(positions_of(desk.editor.document()) == noise);
   desk.at(0);
-  desk.player.choose(*find_evolution("smooth"));
-  desk.player.set_value("smooth-mu", 0.25);
+  desk.player.choose(find_evolution("smooth"));
+  desk.set_value("smooth-mu", 0.25);
   CHECK(desk.at(4) != smooth);
-  desk.player.set_value("smooth-mu", 0.5);
+  desk.set_value("smooth-mu", 0.5);
   desk.settle();
   CHECK(positions_of(desk.editor.document()) == smooth);
   desk.at(0);
@@ -249,7 +264,7 @@ TEST_CASE("what is being computed can be given up, by hand or by an edit") {
 
 TEST_CASE("a step that is refused stops the playing with a reason and leaves the last state") {
   EvolutionBench desk;
-  desk.player.choose(*find_evolution("subdivide"));
+  desk.player.choose(find_evolution("subdivide"));
   desk.at(2);
   desk.player.play(EvolutionPlayer::Direction::forward);
   desk.player.step_to(40);
@@ -286,12 +301,12 @@ TEST_CASE("growing moves the scale of a family and nothing else, and goes back e
   desk.computation[Parameter::b_scale] = 1.7;
   const ComputationSettings before = desk.computation;
   const auto samples = positions_of(desk.editor.document());
-  desk.player.choose(*find_evolution("b-growing"));
+  desk.player.choose(find_evolution("b-growing"));
   CHECK(desk.at(10) == samples);
   CHECK(desk.computation[Parameter::b_scale] == Approx(1.7 * 1.3));
   CHECK(desk.computation[Parameter::a_scale] == 1.0);
   CHECK_FALSE(desk.editor.can_undo());
-  desk.player.set_value("growing-step", 10.0);
+  desk.set_value("growing-step", 10.0);
   CHECK(desk.player.position() == 10);
   CHECK(desk.computation[Parameter::b_scale] == Approx(3.4));
   CHECK(desk.player.parameter_value() == desk.computation[Parameter::b_scale]);
@@ -299,7 +314,7 @@ TEST_CASE("growing moves the scale of a family and nothing else, and goes back e
   CHECK(desk.computation == before);
   desk.at(4);
   CHECK(desk.computation[Parameter::b_scale] == Approx(2.38));
-  desk.player.choose(*find_evolution("b-shrinking"));
+  desk.player.choose(find_evolution("b-shrinking"));
   CHECK(desk.computation[Parameter::b_scale] == Approx(2.38));
   desk.at(10);
   CHECK(desk.computation[Parameter::b_scale] == Approx(1.19));
@@ -310,7 +325,7 @@ TEST_CASE("growing moves the scale of a family and nothing else, and goes back e
   CHECK(desk.player.position() == 0);
   desk.at(10);
   CHECK(desk.computation[Parameter::b_scale] == Approx(1.5));
-  desk.player.choose(*find_evolution("smooth"));
+  desk.player.choose(find_evolution("smooth"));
   CHECK_FALSE(desk.player.parameter_value());
   CHECK(desk.computation[Parameter::b_scale] == Approx(1.5));
   CHECK(desk.at(1) != samples);
@@ -318,14 +333,14 @@ TEST_CASE("growing moves the scale of a family and nothing else, and goes back e
 
 TEST_CASE("a step that is a length follows the size of the document until it is set by hand") {
   EvolutionBench desk;
-  const auto step = [&desk] { return desk.player.choice().values["alpha-step"]; };
+  const auto step = [&desk] { return desk.value("alpha-step"); };
   const auto resize = [&desk](double size) {
     SampleData data = wavy_loop(false);
     for (Vec2& p : data.positions) p = size * p;
     REQUIRE(desk.editor.load(data));
     desk.player.follow(true, desk.now);
   };
-  desk.player.choose(*find_evolution("alpha-growing"));
+  desk.player.choose(find_evolution("alpha-growing"));
   CHECK(step() == 0.02);
   resize(100.0);
   CHECK(step() == 2.0);
@@ -337,11 +352,11 @@ TEST_CASE("a step that is a length follows the size of the document until it is 
   desk.at(0);
   desk.player.follow(true, desk.now);
   CHECK(step() == 0.02);
-  desk.player.set_value("alpha-step", 0.3);
+  desk.set_value("alpha-step", 0.3);
   resize(100.0);
   CHECK(step() == 0.3);
   // Its default is no length, but stands for one that fits.
-  desk.player.set_value("alpha-step", 1.0);
+  desk.set_value("alpha-step", 1.0);
   CHECK(step() == 2.0);
   resize(1.0);
   CHECK(step() == 0.02);
@@ -349,19 +364,19 @@ TEST_CASE("a step that is a length follows the size of the document until it is 
   desk.player.resume(EvolutionChoice(desk.player.choice()), 0);
   resize(100.0);
   CHECK(step() == 2.0);
-  desk.player.set_value("alpha-step", 0.3);
+  desk.set_value("alpha-step", 0.3);
   desk.player.resume(EvolutionChoice(desk.player.choice()), 0);
   resize(1.0);
   CHECK(step() == 0.3);
   // What is set by hand stays, though it was proposed for another document.
-  desk.player.set_value("alpha-step", 0.02);
+  desk.set_value("alpha-step", 0.02);
   resize(100.0);
   CHECK(step() == 0.02);
 }
 
 TEST_CASE("growing ends where the parameter does") {
   EvolutionBench desk;
-  desk.player.choose(*find_evolution("a-growing"));
+  desk.player.choose(find_evolution("a-growing"));
   desk.at(3300);
   desk.player.play(EvolutionPlayer::Direction::forward);
   desk.now = 1.0;
@@ -377,7 +392,7 @@ TEST_CASE("an evolution goes on where a session left it") {
   for (const bool known : {false, true}) {
     EvolutionBench before(known);
     before.insert();
-    EvolutionChoice choice{.evolution = *find_evolution("noise"), .seed = 7};
+    EvolutionChoice choice{.evolution = find_evolution("noise"), .seed = 7};
     before.player.resume(choice, 0);
     const auto start = before.at(0);
     const auto second = before.at(2);
@@ -407,7 +422,7 @@ TEST_CASE("an evolution goes on where a session left it") {
 
 TEST_CASE("growing goes on where a session left it") {
   EvolutionBench desk;
-  const EvolutionChoice choice{.evolution = *find_evolution("a-growing")};
+  const EvolutionChoice choice{.evolution = find_evolution("a-growing")};
   desk.computation[Parameter::a_scale] = 1.3;
   desk.player.resume(choice, 10);
   CHECK(desk.player.position() == 10);
@@ -418,4 +433,39 @@ TEST_CASE("growing goes on where a session left it") {
   desk.player.resume(choice, 10);
   CHECK(desk.player.position() == 0);
   CHECK(desk.computation[Parameter::a_scale] == 2.0);
+}
+
+TEST_CASE("an evolution that the program lacks is kept with its state") {
+  EvolutionBench desk;
+  desk.insert();
+  const std::vector<Vec2> positions = positions_of(desk.editor.document());
+  const SessionEvolution lloyd{.id = "lloyd", .seed = 5, .step = 7, .parameters = {{"lloyd-pull", 0.25}}};
+  const auto now = [&] { return session_evolution(desk.player.choice(), desk.player.position()); };
+  desk.player.resume(choice_of(lloyd), lloyd.step);
+  SessionEvolution saved = now();
+  CHECK(saved.id == "lloyd");
+  CHECK(saved.seed == 5);
+  CHECK(saved.step == 7);
+  CHECK(std::ranges::count(saved.parameters, lloyd.parameters.front()) == 1);
+  CHECK(choice_of(saved) == choice_of(lloyd));
+  // It has no other state: the samples and the steps of undo stay.
+  for (const std::uint64_t k : {8U, 0U}) {
+    desk.player.step_to(k);
+    const auto problem = desk.player.take_problem();
+    REQUIRE(problem);
+    CHECK(problem->text == "the evolution lloyd is not available here");
+    CHECK(desk.player.position() == 7);
+    CHECK(positions_of(desk.editor.document()) == positions);
+  }
+  desk.editor.undo();
+  CHECK(now().step == 0);
+  desk.player.choose_next(1);
+  CHECK(now().id == builtins().evolutions().ids()[1]);
+  CHECK(desk.at(1) != positions);
+
+  JobControl job;
+  const EvolutionState state = state_of(desk.editor.document());
+  const auto next = next_state(state, 0, choice_of(lloyd), job);
+  REQUIRE_FALSE(next);
+  CHECK(next.error().text == "the evolution lloyd is not available here");
 }

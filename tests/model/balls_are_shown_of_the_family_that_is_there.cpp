@@ -150,13 +150,13 @@ TEST_CASE("what is offered shows layers of what there is") {
 }
 
 TEST_CASE("an evolution that no visible layer follows names layers that do") {
-  for (EvolutionIndex i = 0; i < evolutions().size(); ++i) {
+  for (const auto& evolution : builtins().evolutions().all()) {
     LayerStack layers = stack_showing({});
-    const std::vector<LayerIndex> wanted = layers_to_show(i, layers, {});
-    INFO(evolutions()[i].descriptor.id);
+    const std::vector<LayerIndex> wanted = layers_to_show(*evolution, layers, {});
+    INFO(evolution->descriptor.id);
     REQUIRE_FALSE(wanted.empty());
     for (const LayerIndex layer : wanted) layers.set_visible(layer, true);
-    CHECK(layers_to_show(i, layers, {}).empty());
+    CHECK(layers_to_show(*evolution, layers, {}).empty());
   }
   CHECK_FALSE(layers_to_show(*find_evolution("b-growing"), stack_showing(kUnion), {}).empty());
   CHECK(layers_to_show(*find_evolution("a-growing"), stack_showing(kUnion), {}).empty());

@@ -43,11 +43,11 @@ TEST_CASE("a value next to its default is not written like the default") {
 
 TEST_CASE("another document begins with its own parameters and the number type and methods in use") {
   ComputationSettings settings;
-  for (double& value : settings.values) value = 0.0;
+  for (const Parameter& parameter : computation_parameters()) settings[parameter] = 0.0;
   settings[Parameter::medial_sampling_angle] = 120.0;
   settings.precision = Precision::exact_roots;
   const ComputationSettings next = for_another_document(settings);
-  for (const Parameter scale : {Parameter::a_scale, Parameter::p_scale, Parameter::b_scale})
+  for (const Parameter& scale : {Parameter::a_scale, Parameter::p_scale, Parameter::b_scale})
     CHECK(next[scale] == 1.0);
   CHECK(next[Parameter::union_shortcut] == 0.0);
   CHECK(next[Parameter::pole_propagation] == 0.0);

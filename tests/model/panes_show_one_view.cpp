@@ -349,9 +349,10 @@ struct Versions {
   Engine engine{builtins(), {}};
   Editor editor{[this](std::shared_ptr<const DocumentDelta> delta) { engine.post(std::move(delta)); }};
   ComputationSettings settings;
-  EvolutionPlayer evolution{editor,
-                            {[this](Parameter parameter) { return settings[parameter]; },
-                             [this](Parameter parameter, double value) { settings[parameter] = value; }},
+  EvolutionPlayer evolution{builtins().evolutions(),
+                            editor,
+                            {[this](const Parameter& parameter) { return settings[parameter]; },
+                             [this](const Parameter& parameter, double value) { settings[parameter] = value; }},
                             bell.ring()};
   LayerStack layers = stack_with_only({"points", "medial-axis", "curve"});
   PaneList list;
@@ -529,7 +530,7 @@ TEST_CASE("panes show states of the evolution, of the document as it is") {
   CHECK(words_of(window.list, {window.settings, FamilyKind::inner, {}, window.evolution.position()}).front() ==
         "Step 12");
   // Another evolution, which adds samples.
-  window.evolution.choose(*find_evolution("subdivide"));
+  window.evolution.choose(find_evolution("subdivide"));
   window.list.change(2, EvolvedChoice{2});
   window.settle();
   CHECK(window.digests(3) == digests_of(evolved(window.editor.document(), window.evolution.choice(), 2)));
@@ -543,11 +544,12 @@ TEST_CASE("panes show states of the evolution, of the document as it is") {
 
 TEST_CASE("where an evolution moves a parameter, panes share the document") {
   Versions window;
-  const auto scaling = std::ranges::find_if(
-      evolutions(), [](const Evolution& evolution) { return evolution.moved_parameter() != nullptr; });
-  REQUIRE(scaling != evolutions().end());
-  const auto index = static_cast<EvolutionIndex>(scaling - evolutions().begin());
-  window.evolution.choose(index);
+  const auto all = builtins().evolutions().all();
+  const auto found =
+      std::ranges::find_if(all, [](const auto& evolution) { return evolution->moved_parameter() != nullptr; });
+  REQUIRE(found != all.end());
+  const auto scaling = *found;
+  window.evolution.choose(scaling);
   window.list.add(EvolvedChoice{5});
   window.list.add(EvolvedChoice{1'000'000'000});
   const PaneEvolution evolution{window.evolution.choice(), window.evolution.first_value()};

@@ -7,6 +7,7 @@
 
 #include "app/insight/persistence_table.h"
 #include "app/playing/step_events.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 
@@ -20,8 +21,8 @@ PersistenceTable table_of_input(const PersistenceInput& input) {
 }
 
 StepRange range_of(std::string_view evolution, std::string_view step, double width, double first, std::uint64_t end) {
-  StepRange out{{.evolution = *find_evolution(evolution)}, first, end};
-  out.choice.values.set(step, width);
+  StepRange out{{.evolution = find_evolution(evolution)}, first, end};
+  out.choice.values.keep(step, width);
   return out;
 }
 

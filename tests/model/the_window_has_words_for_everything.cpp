@@ -87,7 +87,7 @@ TEST_CASE("what is being computed has a name of its own") {
 }
 
 TEST_CASE("every parameter has a title, and words for each of its choices") {
-  const auto check = [](const ParameterDescriptor& parameter) {
+  const auto check = [](const Parameter& parameter) {
     INFO(parameter.id);
     const std::string title = title_of(parameter);
     CHECK_FALSE(title.empty());
@@ -101,9 +101,9 @@ TEST_CASE("every parameter has a title, and words for each of its choices") {
       CHECK(text.find("1: ") == std::string::npos);
     }
   };
-  for (const ParameterDescriptor& parameter : parameter_descriptors()) check(parameter);
-  for (const ParameterDescriptor& parameter : evolution_parameters()) check(parameter);
-  CHECK(title_of(descriptor_of(Parameter::a_scale)) == "Inner balls: scale");
+  for (const Parameter& parameter : builtins().parameters()) check(parameter);
+  for (const Parameter& parameter : parameters_of(builtins().evolutions().all())) check(parameter);
+  CHECK(title_of(Parameter::a_scale) == "Inner balls: scale");
 }
 
 TEST_CASE("a place is shown with its twenty nearest neighbours") {

@@ -26,9 +26,9 @@ Expected<SampleData> tried(const std::string& id, const ShapeSampling& sampling 
   REQUIRE(shape != nullptr);
   ShapeValues values = values_of(*shape);
   std::size_t known = 0;
-  for (std::size_t i = 0; i < shape->parameters.size(); ++i)
-    if (const auto found = numbers.find(std::string(shape->parameters[i].id)); found != numbers.end()) {
-      values.numbers[i] = found->second;
+  for (const Parameter& parameter : shape->parameters)
+    if (const auto found = numbers.find(parameter.id); found != numbers.end()) {
+      values.numbers[parameter] = found->second;
       ++known;
     }
   for (std::size_t i = 0; i < shape->formulas.size(); ++i)
@@ -87,7 +87,7 @@ TEST_CASE("every shape is made with its defaults, the same each time, and fits i
     CHECK(data.positions.empty() != data.balls.empty());
     Document document;
     CHECK(replace_all(document, data).has_value());
-    for (const ParameterDescriptor& parameter : shape.parameters) {
+    for (const Parameter& parameter : shape.parameters) {
       CHECK(parameter.low <= parameter.default_value);
       CHECK(parameter.default_value <= parameter.high);
     }

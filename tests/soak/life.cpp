@@ -105,7 +105,7 @@ void Life::choose_settings() {
   settings_[Parameter::union_shortcut] = static_cast<double>(rng_.below(2));
   settings_[Parameter::pole_propagation] = static_cast<double>(rng_.below(2));
   settings_[Parameter::medial_sampling_angle] = rng_.below(2) == 0 ? 120.0 : 150.0;
-  for (const Parameter scale : {Parameter::a_scale, Parameter::p_scale, Parameter::b_scale})
+  for (const Parameter& scale : {Parameter::a_scale, Parameter::p_scale, Parameter::b_scale})
     settings_[scale] = is_exact_ ? 1.0 : std::array{1.0, 1.0, 0.5, 1.1}[rng_.below(4)];  // roots take minutes
   settings_[Parameter::scale_axis_factor] = is_exact_ ? 1.0 : std::array{1.0, 0.7, 1.1, 1.5}[rng_.below(4)];
   settings_[Parameter::scale_skeleton_step] = rng_.below(2) == 0 ? 10.0 : 30.0;
@@ -163,9 +163,9 @@ void Life::change_balls() {
 // A few states of one evolution, each in the place of the one before.
 void Life::evolve() {
   if (editor_.document().sample_count() > most_ || editor_.document().sample_count() == 0) return;
-  std::vector<EvolutionIndex> moving;
-  for (EvolutionIndex i = 0; i < evolutions().size(); ++i)
-    if (evolutions()[i].moved_parameter() == nullptr) moving.push_back(i);
+  std::vector<std::shared_ptr<const Evolution>> moving;
+  for (const auto& evolution : builtins().evolutions().all())
+    if (evolution->moved_parameter() == nullptr) moving.push_back(evolution);
   const EvolutionChoice choice{.evolution = moving[rng_.below(moving.size())], .seed = rng_.below(1000)};
   JobControl job;
   auto state = begin_evolution(state_of(editor_.document()), choice, job);

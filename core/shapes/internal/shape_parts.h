@@ -18,7 +18,7 @@ namespace mes {
 std::unexpected<Error> impossible(std::string text);
 
 /// A positive length, in units of the plane.
-constexpr ParameterDescriptor length_parameter(std::string_view id, std::string_view explanation, double value) {
+inline Parameter length_parameter(const char* id, const char* explanation, double value) {
   return {id, explanation, "", 1e-6, 1e6, value};
 }
 

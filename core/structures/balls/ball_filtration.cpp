@@ -34,7 +34,7 @@ std::vector<double> growths_of(const std::vector<BallBirths::Level>& levels, con
 }  // namespace
 
 BallFiltration::BallFiltration(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
-                               std::unique_ptr<BallFamily> family, Parameter scale)
+                               std::unique_ptr<BallFamily> family, const Parameter& scale)
     : Structure(id, std::move(inputs)), settings_(settings), family_(std::move(family)), scale_(scale) {}
 
 void BallFiltration::find_classes() {

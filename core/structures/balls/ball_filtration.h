@@ -86,7 +86,7 @@ class BallFiltration : public Structure {
 
  protected:
   BallFiltration(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
-                 std::unique_ptr<BallFamily> family, Parameter scale);
+                 std::unique_ptr<BallFamily> family, const Parameter& scale);
 
  private:
   void find_classes();

@@ -170,7 +170,7 @@ std::string_view name_of(UnionRung rung) {
 }
 
 BallUnion::BallUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
-                     Parameter scale, std::unique_ptr<BallFamily> family, const AxisCertificate* certificate,
+                     const Parameter& scale, std::unique_ptr<BallFamily> family, const AxisCertificate* certificate,
                      std::unique_ptr<SampleUnion> shortcut)
     : Structure(id, std::move(inputs)),
       settings_(settings),

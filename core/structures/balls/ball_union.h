@@ -70,8 +70,8 @@ class BallUnion : public Structure {
   /// Its radius, if balls are scaled.
   void explain_scale(FamilySlot row, Explanation& out) const;
   /// `certificate` and `shortcut` only for the inner Voronoi balls.
-  BallUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings, Parameter scale,
-            std::unique_ptr<BallFamily> family, const AxisCertificate* certificate = nullptr,
+  BallUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
+            const Parameter& scale, std::unique_ptr<BallFamily> family, const AxisCertificate* certificate = nullptr,
             std::unique_ptr<SampleUnion> shortcut = nullptr);
   /// Called with what the pipeline gave, before anything else reads it.
   virtual void refine(UnionTables&) {}

@@ -13,7 +13,8 @@
 namespace mes {
 
 AxisFilter::AxisFilter(std::string_view id, SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust,
-                       Labels& labels, InnerBalls& balls, MedialAxis& axis, Parameter limit, Structure* measure)
+                       Labels& labels, InnerBalls& balls, MedialAxis& axis, const Parameter& limit,
+                       Structure* measure)
     : Structure(id, measure == nullptr
                         ? std::vector<Structure*>{&settings, &delaunay, &crust, &labels, &balls, &axis}
                         : std::vector<Structure*>{&settings, &delaunay, &crust, &labels, &balls, &axis, measure}),

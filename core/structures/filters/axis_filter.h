@@ -76,7 +76,7 @@ class AxisFilter : public Structure {
 
   /// `measure`: one more structure that values are taken of.
   AxisFilter(std::string_view id, SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels,
-             InnerBalls& balls, MedialAxis& axis, Parameter limit, Structure* measure = nullptr);
+             InnerBalls& balls, MedialAxis& axis, const Parameter& limit, Structure* measure = nullptr);
 
   const Wish& wish() const { return wish_; }
   virtual int mode(const ComputationSettings&) const { return 0; }

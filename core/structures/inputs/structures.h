@@ -15,6 +15,7 @@ namespace mes {
 
 /// After the rooms that it uses.
 inline void add_input_structures(Registry& registry) {
+  for (const Parameter& parameter : computation_parameters()) registry.add_parameter(parameter);
   registry.add_structure<Samples>();
   registry.add_structure<SettingsSource>();
   registry.add_structure<UserBalls>();

@@ -132,7 +132,8 @@ void mes::fuzz::run_geometry(std::string_view input) try {
     Document other;
     if (!replace_all(other, *moved)) return;  // out of the range of coordinates
     ComputationSettings as_large = settings;
-    for (const Parameter length : {Parameter::lambda_limit, Parameter::alpha_radius}) as_large[length] *= image.scale;
+    for (const Parameter& length : {Parameter::lambda_limit, Parameter::alpha_radius})
+      as_large[length] *= image.scale;
     const auto run = fresh_run(*moved, as_large, is_small);
     test::GeometryState state = run->state();
     state.normals.clear();
