@@ -83,6 +83,8 @@ class Graph {
   /// rather come first.
   void get_ready(JobControl& job, JobControl& job_at_leisure);
   void get_ready(JobControl& job) { get_ready(job, job); }
+  /// After a complete run: what the structure says of its rows may be read (`Structure::table_columns`).
+  bool is_up_to_date(const Structure& structure) const;
   /// Called with the public id of each structure or layer before it is worked on.
   void set_on_task(std::function<void(std::string_view)> on_task) { on_task_ = std::move(on_task); }
 

@@ -22,6 +22,11 @@ bool Graph::has_questions() const {
   return std::ranges::any_of(questions_, [](const auto& question) { return question.has_value(); });
 }
 
+bool Graph::is_up_to_date(const Structure& structure) const {
+  const auto found = std::ranges::find(nodes_, &structure, &StructureNode::structure);
+  return found != nodes_.end() && found->needed && found->state == NodeState::up_to_date;
+}
+
 // What the elements are and come from, as one line; the elements themselves count as far as they are samples or balls.
 std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& question,
                                                      const std::function<bool(const Structure&)>& is_current,
@@ -82,10 +87,7 @@ void Graph::answer(std::vector<Provenance>& out, JobControl& job) {
 }
 
 void Graph::find_answer(const ProvenanceQuestion& question, Provenance& out, JobControl& job) const {
-  const auto is_current = [this](const Structure& structure) {
-    const auto found = std::ranges::find(nodes_, &structure, &StructureNode::structure);
-    return found != nodes_.end() && found->needed && found->state == NodeState::up_to_date;
-  };
+  const auto is_current = [this](const Structure& structure) { return is_up_to_date(structure); };
   if (question.wish == ProvenanceWish::sources_of_values) {
     out.lines = sources_of_values(question, is_current, job);
     return;

@@ -33,6 +33,7 @@
 namespace mes {
 
 class Explanation;
+struct TableColumns;
 
 class Structure {
  public:
@@ -58,6 +59,10 @@ class Structure {
   virtual std::size_t touched() const = 0;
   /// Counters under their public names (snake case); may cost O(n).
   virtual StatList statistics() const = 0;
+  /// Its tables as columns (core/graph/table_columns.h); none if it has no rows. Called while the structure is up to
+  /// date: columns point into it and into its inputs, and are valid until the next run. Tables that were never computed
+  /// have no rows. O(columns).
+  virtual std::vector<TableColumns> table_columns() const;
   /// Number type that decides in this structure, as its documentation calls it; empty where no number decides.
   virtual std::string_view kernel() const { return {}; }
   /// Adds what speaks against the results. Called while the theorem light is on screen; cheap when there is nothing

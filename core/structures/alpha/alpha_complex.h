@@ -52,6 +52,7 @@ class AlphaComplex final : public Structure {
   void clear_changes() override;
   std::size_t touched() const override { return edge_changes_.size() + face_changes_.size() + site_changes_.size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:

@@ -62,6 +62,7 @@ class AlphaFiltration final : public Structure {
   void clear_changes() override {}
   std::size_t touched() const override { return 0; }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   std::string_view kernel() const override { return "doubles with a proved bound, rationals"; }
 
  private:

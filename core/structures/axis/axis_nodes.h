@@ -22,6 +22,7 @@ class AxisNodes final : public Structure {
   void clear_changes() override { changes_.clear(); }
   std::size_t touched() const override { return changes_.size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
 
  private:
   Delaunay& delaunay_;

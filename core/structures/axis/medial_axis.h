@@ -43,6 +43,7 @@ class MedialAxis final : public Structure {
   void clear_changes() override {}
   std::size_t touched() const override { return edge_changes().size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:

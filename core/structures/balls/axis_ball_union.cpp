@@ -22,6 +22,7 @@ class ListedBalls final : public BallFamily {
       : plain_(plain), disks_(std::move(disks)) {}
 
   std::size_t rows() const override { return is_plain() ? plain_->family().rows() : disks_->size(); }
+  std::string_view rows_of() const override { return is_plain() ? plain_->family().rows_of() : std::string_view(); }
   bool is_ball(FamilySlot row) const override {
     if (is_plain()) return plain_->family().is_ball(row);
     return disks_->has(row);

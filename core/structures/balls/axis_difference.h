@@ -29,6 +29,7 @@ class AxisDifference final : public Structure {
   void clear_changes() override {}
   std::size_t touched() const override { return 0; }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
 
  private:
   const Delaunay& delaunay_;

@@ -23,6 +23,7 @@ class PowerDiagram : public Structure {
   void clear_changes() override {}
   std::size_t touched() const override { return 0; }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   std::string_view kernel() const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
@@ -56,6 +57,7 @@ class VDiagram : public Structure {
   void clear_changes() override {}
   std::size_t touched() const override { return 0; }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  protected:

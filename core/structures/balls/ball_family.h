@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
 
 #include "core/base/disk.h"
@@ -33,6 +34,8 @@ class BallFamily {
  public:
   virtual ~BallFamily() = default;
   virtual std::size_t rows() const = 0;
+  /// The table whose rows these are, as in "delaunay/faces"; empty if no structure has it.
+  virtual std::string_view rows_of() const { return {}; }
   /// Each real ball has one row of which this holds, or several that are equal as doubles.
   virtual bool is_ball(FamilySlot row) const = 0;
   /// Before scaling, rounded to doubles.

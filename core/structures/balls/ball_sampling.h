@@ -37,6 +37,7 @@ class BallSampling : public Structure {
   void clear_changes() override;
   std::size_t touched() const override { return medial().changes().size() + convex().changes().size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   void find(std::vector<Finding>& out) const override;
 
  protected:

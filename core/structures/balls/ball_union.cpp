@@ -66,6 +66,7 @@ class OwnBalls final : public BallFamily {
  public:
   explicit OwnBalls(const UserBalls& balls) : balls_(balls) {}
   std::size_t rows() const override { return balls_.row_count(); }
+  std::string_view rows_of() const override { return "balls/balls"; }
   bool is_ball(FamilySlot row) const override { return balls_.is_alive(same_row<BallSlot>(row)); }
   Disk plain_disk(FamilySlot row) const override { return balls_.disk(same_row<BallSlot>(row)); }
   bool is_from_samples() const override { return false; }

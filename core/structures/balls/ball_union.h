@@ -60,6 +60,7 @@ class BallUnion : public Structure {
   void clear_changes() override { changes_.clear(); }
   std::size_t touched() const override { return changes_.size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   std::string_view kernel() const override;
   void find(std::vector<Finding>& out) const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;

@@ -55,6 +55,7 @@ class GrownComplex : public Structure {
     return corner_changes_.size() + edge_changes_.size() + triangle_changes_.size();
   }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  protected:

@@ -34,6 +34,7 @@ class PrecisionDifference : public Structure {
   void clear_changes() override {}
   std::size_t touched() const override { return 0; }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
 
  protected:
   PrecisionDifference(std::string_view id, BallUnion& balls) : Structure(id, {&balls}), union_(balls) {}

@@ -24,6 +24,7 @@ class BallsAlongAxis final : public VoronoiBalls {
   std::size_t rows() const override {
     return is_plain() ? delaunay_.face_rows() : 2 * std::max(delaunay_.face_rows(), between_.rows());
   }
+  std::string_view rows_of() const override { return is_plain() ? VoronoiBalls::rows_of() : std::string_view(); }
   bool is_ball(FamilySlot row) const override {
     if (is_between(row)) return between_of(row).index() < between_.rows() && between_.is_alive(between_of(row));
     const FaceSlot face = face_at(row);

@@ -45,6 +45,7 @@ class AxisSampling final : public Structure {
   void clear_changes() override { between_.clear_changes(); }
   std::size_t touched() const override { return between_.changes().size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   void find(std::vector<Finding>& out) const override;
 
  private:

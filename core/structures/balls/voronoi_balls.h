@@ -16,6 +16,7 @@ class VoronoiBalls : public BallFamily {
   static FaceSlot face_of(FamilySlot row) { return same_row<FaceSlot>(row); }
 
   std::size_t rows() const override { return delaunay_.face_rows(); }
+  std::string_view rows_of() const override { return "delaunay/faces"; }
   bool is_ball(FamilySlot row) const override { return vertices_.is_vertex(face_of(row)); }
   Disk plain_disk(FamilySlot row) const override {
     return {delaunay_.circumcenter(face_of(row)), delaunay_.circumradius(face_of(row))};

@@ -65,6 +65,7 @@ class AxisCertificate final : public Structure {
   }
   std::size_t touched() const override { return edge_changes_.size() + site_changes_.size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   std::string_view kernel() const override { return "intervals, then rationals"; }
   void find(std::vector<Finding>& out) const override;
   bool is_judge() const override { return true; }

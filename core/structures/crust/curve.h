@@ -51,6 +51,7 @@ class Curve final : public Structure {
   void clear_changes() override { site_changes_.clear(); }
   std::size_t touched() const override { return site_changes_.size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
 
  private:
   void trace_from(EdgeSlot edge);

@@ -54,6 +54,7 @@ class Labels final : public Structure {
   void clear_changes() override;
   std::size_t touched() const override { return face_changes_.size() + edge_changes_.size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   void find(std::vector<Finding>& out) const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 

@@ -66,6 +66,7 @@ class OneStepCrust final : public Structure {
   }
   std::size_t touched() const override { return delaunay_.edge_changes().size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   std::string_view kernel() const override { return "doubles with a proved bound, intervals, integers"; }
   void find(std::vector<Finding>& out) const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;

@@ -47,6 +47,7 @@ class VoronoiVertices final : public Structure {
   void clear_changes() override { changes_.clear(); }
   std::size_t touched() const override { return changes_.size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:

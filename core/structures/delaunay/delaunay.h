@@ -144,6 +144,7 @@ class Delaunay final : public Structure {
   void clear_changes() override;
   std::size_t touched() const override { return face_changes_.size() + edge_changes_.size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   std::string_view kernel() const override { return "EPICK"; }
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
   void explain_insertion(Vec2 at, Explanation& out) const override;

@@ -26,6 +26,7 @@ class LastChange final : public Structure {
   void clear_changes() override;
   std::size_t touched() const override { return faces_.shown.size() + edges_.shown.size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
 
  private:
   /// What is remembered of one table.

@@ -53,6 +53,7 @@ class CurveSampling final : public Structure {
   void clear_changes() override { is_changed_ = false; }
   std::size_t touched() const override { return is_changed_ ? 1 : 0; }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   bool is_judge() const override { return true; }
   bool has_verdict() const override { return false; }
   void find(std::vector<Finding>& out) const override;

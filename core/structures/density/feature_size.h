@@ -76,6 +76,7 @@ class FeatureSize final : public Structure {
   void clear_changes() override;
   std::size_t touched() const override { return site_changes_.size() + edge_changes_.size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   void find(std::vector<Finding>& out) const override;
 
  private:

@@ -32,6 +32,7 @@ class AngleAxis final : public AxisFilter {
   double value(EdgeSlot edge) const override;
   double value(FaceSlot node) const override;
   std::string spoken(double value) const override;
+  std::string_view measure() const override { return "object_angle"; }
   AngleMode angle_mode() const { return static_cast<AngleMode>(wish().mode); }
   /// The largest angle on an edge of the axis, whatever the mode of the filter.
   double largest(EdgeSlot edge) const;

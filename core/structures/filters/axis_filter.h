@@ -51,6 +51,8 @@ class AxisFilter : public Structure {
   virtual double value(FaceSlot node) const = 0;
   /// The value as a sentence names it, e.g. "object angle 31.2 degrees".
   virtual std::string spoken(double value) const = 0;
+  /// The name of the measure as a column of values has it, in snake case.
+  virtual std::string_view measure() const = 0;
 
   const ChangeSet<EdgeSlot>& edge_changes() const { return edge_changes_; }
   const ChangeSet<FaceSlot>& node_changes() const { return node_changes_; }
@@ -61,6 +63,7 @@ class AxisFilter : public Structure {
   void clear_changes() override;
   std::size_t touched() const override { return edge_changes_.size() + node_changes_.size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
   /// Why nothing is kept, as one sentence without a full stop; empty if something is.
   std::string reason() const;

@@ -24,6 +24,7 @@ class CoverAxis final : public AxisFilter {
   double value(EdgeSlot edge) const override { return share_of(date(edge)); }
   double value(FaceSlot node) const override { return share_of(date(node)); }
   std::string spoken(double value) const override;
+  std::string_view measure() const override { return "cover"; }
 
  protected:
   bool reaches(EdgeSlot edge) const override { return date(edge) >= wish().limit; }

@@ -30,6 +30,7 @@ class CoverDates final : public Structure {
   void clear_changes() override {}
   std::size_t touched() const override { return 0; }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
 
  private:
   bool is_node(FaceSlot face) const { return balls_.is_ball(face) && balls_.ball(face) == face; }

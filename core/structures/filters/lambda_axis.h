@@ -34,6 +34,7 @@ class LambdaAxis final : public AxisFilter {
   double value(EdgeSlot edge) const override;
   double value(FaceSlot node) const override;
   std::string spoken(double value) const override;
+  std::string_view measure() const override { return "lambda"; }
   /// Of the distance to the samples on the axis, ascending, each once. Which edges and nodes are critical is decided
   /// exactly; their values are rounded, and those that are one double count once.
   std::vector<double> critical_values() const;

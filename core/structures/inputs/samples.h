@@ -42,6 +42,7 @@ class Samples final : public SourceStructure {
   /// Other contours count as one.
   std::size_t touched() const override { return changes_.size() + (has_other_contours_ ? 1 : 0); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
 
  private:
   void make_room();

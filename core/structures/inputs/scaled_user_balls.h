@@ -24,6 +24,7 @@ class ScaledUserBalls final : public Structure {
   void clear_changes() override {}
   std::size_t touched() const override { return changes().size(); }
   StatList statistics() const override { return {{"scale", scale_}}; }
+  std::vector<TableColumns> table_columns() const override;
 
  private:
   double wanted() const { return settings_.current()[Parameter::b_scale]; }

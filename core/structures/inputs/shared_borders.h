@@ -41,6 +41,7 @@ class SharedBorders final : public Structure {
   void clear_changes() override { has_changed_ = false; }
   std::size_t touched() const override { return has_changed_ ? 1 : 0; }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
 
  private:
   using Link = std::pair<SampleSlot, SampleSlot>;  // the lower row first

@@ -36,6 +36,7 @@ class UserBalls final : public SourceStructure {
   void clear_changes() override { changes_.clear(); }
   std::size_t touched() const override { return changes_.size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:

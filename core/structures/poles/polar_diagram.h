@@ -43,6 +43,7 @@ class PowerCrust final : public Structure {
   void clear_changes() override {}
   std::size_t touched() const override { return 0; }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
 
  private:
   PoleLabels& labels_;

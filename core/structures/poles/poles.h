@@ -46,6 +46,7 @@ class Poles final : public Structure {
   void clear_changes() override { face_changes_.clear(); }
   std::size_t touched() const override { return face_changes_.size(); }
   StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
   std::string_view kernel() const override { return "doubles with a proved bound, integers, rationals"; }
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 

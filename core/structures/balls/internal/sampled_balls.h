@@ -18,6 +18,7 @@ class SampledBalls {
   std::size_t rows() const { return disks_.size(); }
   bool is_alive(SampledSlot row) const { return disks_[row].radius >= 0.0; }
   const Disk& disk(SampledSlot row) const { return disks_[row]; }
+  const Table<SampledSlot, Disk>& disks() const { return disks_; }
   std::size_t count() const { return disks_.size() - free_.size(); }
   /// `visit(row)` for all rows of an owner.
   template <class Visit>

@@ -33,6 +33,7 @@ class PolarBalls final : public VoronoiBalls {
   FamilySlot row_at_infinity(SiteSlot site) const { return FamilySlot(delaunay_.face_rows() + site.index()); }
 
   std::size_t rows() const override { return delaunay_.face_rows() + delaunay_.site_rows(); }
+  std::string_view rows_of() const override { return {}; }
   bool is_ball(FamilySlot row) const override {
     if (delaunay_.dimension() < 2) return false;
     if (!is_at_infinity(row)) return delaunay_.face(face_of(row)).is_alive() && poles_.is_pole(face_of(row));
