@@ -194,6 +194,36 @@ std::optional<std::size_t> ProvenanceCard::draw_lines(const Gui& gui, float widt
   return clicked;
 }
 
+void ProvenanceCard::draw_rows(const Gui& gui, float width) {
+  if (answer_->rows.empty()) return;
+  const float unit = gui.unit();
+  const auto title = [](const ProvenanceRow& row) { return "Row " + std::to_string(row.row) + " of " + row.table; };
+  ImGui::Dummy({0, 2 * unit});
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  if (hit_area("rows", {width - 20 * unit, height})) shows_rows_ = !shows_rows_;
+  tooltip(gui, shows_rows_ ? "Fold the row away" : "Show the values that the tables have here");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_fold(list, {at.x + 6 * unit, at.y + 0.5F * height}, 4 * unit, shows_rows_, gui.colors().text_quiet);
+  list.AddText({at.x + 18 * unit, at.y}, gui.colors().text_quiet, title(answer_->rows.front()).c_str());
+  if (!shows_rows_) return;
+  ImGui::Indent(18 * unit);
+  for (const ProvenanceRow& row : answer_->rows) {
+    if (&row != &answer_->rows.front()) ImGui::TextDisabled("%s", title(row).c_str());
+    ImGui::Indent(12 * unit);
+    for (const ProvenanceRow::Value& value : row.values) {
+      ImGui::TextDisabled("%s", value.name.c_str());
+      tooltip(gui, value.description);
+      ImGui::SameLine(150 * unit);
+      ImGui::PushTextWrapPos(width - 10 * unit);
+      ImGui::TextUnformatted(value.text.c_str());
+      ImGui::PopTextWrapPos();
+    }
+    ImGui::Unindent(12 * unit);
+  }
+  ImGui::Unindent(18 * unit);
+}
+
 void ProvenanceCard::draw_foot(const Gui& gui) {
   if (ImGui::SmallButton("Select the samples")) wants_sources_ = true;
   tooltip(gui, "Select the samples, or balls, that this is or comes from");
@@ -229,8 +259,10 @@ std::optional<ProvenanceCard::Keep> ProvenanceCard::draw(const Gui& gui, Canvas&
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
-  const HeadClicks head = draw_head(gui, width, keep_key);
-  const std::optional<std::size_t> clicked = draw_lines(gui, width);
+  const float inside = width - (ImGui::GetScrollMaxY() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F);
+  const HeadClicks head = draw_head(gui, inside, keep_key);
+  const std::optional<std::size_t> clicked = draw_lines(gui, inside);
+  draw_rows(gui, inside);
   draw_foot(gui);
   ImGui::End();
   ImGui::PopStyleVar();

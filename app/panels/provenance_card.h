@@ -65,6 +65,8 @@ class ProvenanceCard {
     bool closed = false;
     bool kept = false;
   };
+  /// The rows of tables that the element has, under a fold.
+  void draw_rows(const Gui& gui, float width);
   void draw_foot(const Gui& gui);
   std::vector<VariantLayer> layers_beneath() const;
   HeadClicks draw_head(const Gui& gui, float width, const std::string& keep_key);
@@ -75,6 +77,7 @@ class ProvenanceCard {
   std::uint64_t document_revision_ = 0;
   std::uint64_t selection_revision_ = 0;
   ImVec2 moved_{};  ///< from its corner, by hand
+  bool shows_rows_ = false;
   bool wants_sources_ = false;
   bool wants_beneath_ = false;
   bool asks_beneath_ = false;

@@ -59,10 +59,23 @@ struct ProvenanceLine {
   bool is_heavy = false;  ///< what matters most among those of its role
 };
 
+/// A row that some structure has about what was asked for, with its columns as text (core/graph/table_columns.h).
+struct ProvenanceRow {
+  struct Value {
+    std::string name;
+    std::string text;
+    std::string description;
+  };
+  std::string table;  ///< as in "delaunay/faces"
+  RowNumber row = 0;
+  std::vector<Value> values;
+};
+
 struct Provenance {
   std::uint64_t ticket = 0;
   VariantLayer layer{};               ///< where it was found
   std::vector<ProvenanceLine> lines;  ///< itself first; empty = nothing was there
+  std::vector<ProvenanceRow> rows;    ///< of a story: inputs before consumers
 };
 
 }  // namespace mes

@@ -80,6 +80,7 @@ void Graph::answer(std::vector<Provenance>& out, JobControl& job) {
       return;
     } catch (const std::bad_alloc&) {
       found.lines.clear();
+      found.rows.clear();
     }
     out.push_back(std::move(found));
     question.reset();
@@ -113,6 +114,7 @@ void Graph::find_answer(const ProvenanceQuestion& question, Provenance& out, Job
       break;
     }
     out.lines = explain(structures(layer.variant), is_current, search.best()->element, job);
+    out.rows = rows_of(structures(layer.variant), is_current, search.best()->element);
     if (out.lines.empty())
       out.lines.push_back({ProvenanceRole::itself, std::string(node->layer.descriptor.tooltip), {}, false});
     if (out.lines.front().shapes.empty()) out.lines.front().shapes.push_back(search.best()->shape);

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/graph/table_columns.h"
+#include "core/graph/write_table.h"
+
 namespace mes {
 
 void ProvenanceShapes::add(PrimitiveKind kind, const std::array<double, 7>& values,
@@ -68,6 +71,30 @@ std::vector<ProvenanceLine> explain_insertion(const StructureSet& set,
   for (const auto& structure : set.all())
     if (is_current(*structure)) structure->explain_insertion(at, explanation);
   return explanation.take();
+}
+
+std::vector<ProvenanceRow> rows_of(const StructureSet& set, const std::function<bool(const Structure&)>& is_current,
+                                   const Element& element) {
+  std::vector<ProvenanceRow> out;
+  if (element.type.kind == ElementKind::other) return out;
+  const auto add_from = [&](const Structure& structure) {
+    if (!is_current(structure)) return;
+    for (const TableColumns& table : structure.table_columns()) {
+      if (table.kind != element.type.kind || element.row >= table.rows || !table.is_alive(element.row)) continue;
+      ProvenanceRow& row = out.emplace_back();
+      row.table = table_name(structure.id(), table.name);
+      row.row = element.row;
+      const std::vector<std::string> texts = row_texts(table, element.row);
+      for (std::size_t i = 0; i < texts.size(); ++i)
+        row.values.push_back({table.columns[i].name, texts[i], table.columns[i].description});
+    }
+  };
+  if (element.type.owner != nullptr) {
+    add_from(*element.type.owner);
+  } else {
+    for (const auto& structure : set.all()) add_from(*structure);
+  }
+  return out;
 }
 
 std::vector<ProvenanceLine> explain(const StructureSet& set, const std::function<bool(const Structure&)>& is_current,

@@ -129,6 +129,11 @@ class Explanation {
 std::vector<ProvenanceLine> explain(const StructureSet& set, const std::function<bool(const Structure&)>& is_current,
                                     const Element& element, JobControl& job);
 
+/// The rows that structures for which `is_current` holds have of an element: its owner, or all of them where it has none.
+/// O(columns of all tables).
+std::vector<ProvenanceRow> rows_of(const StructureSet& set, const std::function<bool(const Structure&)>& is_current,
+                                   const Element& element);
+
 /// What a further sample at a place would change, as far as the structures are current: its Voronoi cell (itself), what
 /// goes (origin) and what comes (product); edges of the curve are heavy. Empty below dimension 2, where a sample is
 /// already, and where no number may be. Throws `Cancelled`. O(location + changes).

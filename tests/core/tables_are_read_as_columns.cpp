@@ -14,6 +14,7 @@
 #include "core/base/rng.h"
 #include "core/graph/table_columns.h"
 #include "core/structures/axis/axis_nodes.h"
+#include "core/structures/balls/ball_union.h"
 #include "core/structures/crust/curve.h"
 #include "core/structures/filters/lambda_axis.h"
 #include "tests/support/shapes.h"
@@ -329,4 +330,46 @@ TEST_CASE("Columns say what the accessors of their structures say") {
   }
   CHECK(crust_edges_seen == shape.data.positions.size());
   CHECK(axis_edges_seen > 10);
+}
+
+TEST_CASE("What is pointed at has a row in its own table and in those that speak of it") {
+  Workbench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
+  const auto& delaunay = bench.get<Delaunay>();
+  const auto& axis = bench.get<MedialAxis>();
+  const auto has_value = [](const ProvenanceRow& row, std::string_view name, std::string_view text) {
+    return std::ranges::any_of(row.values, [&](const ProvenanceRow::Value& value) {
+      return value.name == name && value.text == text && !value.description.empty();
+    });
+  };
+  for (const FaceSlot face : delaunay.face_slots()) {
+    if (!delaunay.is_finite_face(face) || !bench.get<InnerBalls>().is_ball(face) || axis.node_degree(face) != 2)
+      continue;
+    const Provenance answer = bench.ask(delaunay.circumcenter(face), 1e-9, {"interior-voronoi-vertices"});
+    REQUIRE_FALSE(answer.rows.empty());
+    CHECK(answer.rows.front().table == "delaunay/faces");
+    CHECK(has_value(answer.rows.front(), "is_finite", "yes"));
+    for (const ProvenanceRow& row : answer.rows) {
+      INFO(row.table);
+      CHECK(row.row == face.index());
+      if (row.table == "labels/faces") CHECK(has_value(row, "is_inside", "yes"));
+      if (row.table == "axis-nodes/faces") CHECK(has_value(row, "degree", "2"));
+    }
+    CHECK(std::ranges::count(answer.rows, "axis-nodes/faces", &ProvenanceRow::table) == 1);
+    return;
+  }
+  FAIL("there is an inner node of degree 2");
+}
+
+TEST_CASE("A row of one family of balls is that of its owner alone") {
+  Workbench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
+  const Table<VPointSlot, VPoint>& points = bench.get<AUnion>().tables().v_points;
+  for (const VPointSlot point : points.rows()) {
+    if (!points[point].is_alive()) continue;
+    const Provenance answer = bench.ask(points[point].position, 1e-9, {"a-v-points"});
+    REQUIRE(answer.rows.size() == 1);
+    CHECK(answer.rows.front().table == "a-union/v_points");
+    CHECK(answer.rows.front().row == point.index());
+    return;
+  }
+  FAIL("there is a v-point");
 }

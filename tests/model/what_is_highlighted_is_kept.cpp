@@ -253,7 +253,7 @@ TEST_CASE("the line of equal power of two balls alone follows them, whether they
 
 TEST_CASE("more than can be kept is counted, and what no document can hold is left out") {
   Document document;
-  Provenance many{.lines = {{ProvenanceRole::itself, "many", {}}}};
+  Provenance many{.lines = {{ProvenanceRole::itself, "many", {}}}, .rows = {}};
   many.lines[0].shapes.assign(kMostHighlighted + 5, {PrimitiveKind::point, {1, 2}});
   const KeptHighlight kept = highlight_of(many, document);
   CHECK(kept.annotation.elements.size() == kMostHighlighted);
