@@ -96,7 +96,7 @@ TEST_CASE("progress does not go back, whatever a computation says, and a share t
 }
 
 TEST_CASE("a scale skeleton of many unions goes through its progress once, in small steps") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"a-ball-medial-axis"});
   bench.replace(ellipse(2.0, 1.0, 200, {0.3, 0.1, 3}).data.positions);
   const StructureSet& set = bench.graph().structures();

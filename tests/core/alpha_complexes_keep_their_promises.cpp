@@ -26,7 +26,7 @@ namespace {
 constexpr std::array<std::string_view, 6> kAlphaLayers{"alpha-disks",    "alpha-triangles",  "alpha-edges",
                                                        "alpha-boundary", "alpha-components", "alpha-holes"};
 
-void show_alpha(Workbench& bench) {
+void show_alpha(TestBench& bench) {
   bench.show({kAlphaLayers[0], kAlphaLayers[1], kAlphaLayers[2], kAlphaLayers[3], kAlphaLayers[4], kAlphaLayers[5]});
 }
 
@@ -72,7 +72,7 @@ struct RoundBar {
   friend auto operator<=>(const RoundBar&, const RoundBar&) = default;
 };
 
-std::vector<RoundBar> round_bars_of(const Workbench& bench) {
+std::vector<RoundBar> round_bars_of(const TestBench& bench) {
   const auto& filtration = bench.get<AlphaFiltration>();
   std::vector<RoundBar> out;
   for (const AlphaFiltration::Class& one : filtration.classes())
@@ -112,7 +112,7 @@ TEST_CASE("births and deaths are those of the Cech complex") {
   for (int round = 0; round < 120; ++round) {
     const std::size_t count = round < 10 ? static_cast<std::size_t>(round) : 3 + rng.below(8);
     const std::vector<Vec2> points = random_points(count, round % 3 == 0 ? 0 : 2 + round % 5, rng);
-    Workbench bench(points);
+    TestBench bench(points);
     show_alpha(bench);
     const std::vector<ExactBar> expected = cech_bars_of_points(distinct(points));
     const std::vector<RoundBar> found = round_bars_of(bench);
@@ -136,7 +136,7 @@ TEST_CASE("ranks are those of rational numbers") {
     for (const double step : {1.0, 0.1}) {
       std::vector<Vec2> points = random_points(150, grid, rng);
       for (Vec2& p : points) p = step * p;
-      Workbench bench(points);
+      TestBench bench(points);
       show_alpha(bench);
       const auto& delaunay = bench.get<Delaunay>();
       const auto& filtration = bench.get<AlphaFiltration>();
@@ -212,7 +212,7 @@ TEST_CASE("radii are rounded up to the next double") {
 }
 
 TEST_CASE("a circle is one hole until it fills, and a lattice has a hole in each cell") {
-  Workbench circle(lattice_circle().positions);
+  TestBench circle(lattice_circle().positions);
   show_alpha(circle);
   std::vector<RoundBar> holes = round_bars_of(circle);
   std::erase_if(holes, [](const RoundBar& bar) { return bar.dimension == 0; });
@@ -220,7 +220,7 @@ TEST_CASE("a circle is one hole until it fills, and a lattice has a hole in each
   CHECK(holes[0].death == 65.0);
   CHECK(circle.count("alpha-filtration", "joined") == 35);
 
-  Workbench lattice(integer_lattice(6).positions);
+  TestBench lattice(integer_lattice(6).positions);
   show_alpha(lattice);
   for (const RoundBar& bar : round_bars_of(lattice)) {
     CHECK(bar.birth == (bar.dimension == 0 ? 0.0 : 0.5));
@@ -239,7 +239,7 @@ TEST_CASE("of a noisy ring one hole lives long") {
     const Vec2 p{2.0 * rng.uniform() - 1.0, 2.0 * rng.uniform() - 1.0};
     if (length(p) >= 0.6 && length(p) <= 1.0) points.push_back(p);
   }
-  Workbench bench(points);
+  TestBench bench(points);
   show_alpha(bench);
   std::vector<double> lives;
   for (const RoundBar& bar : round_bars_of(bench))
@@ -258,7 +258,7 @@ TEST_CASE("the complex has the topology of the union of the disks, and its bound
     const double radius = grid != 0 ? 0.25 * static_cast<double>(1 + rng.below(6)) : 0.3 * rng.uniform() + 0.01;
     SampleData data{.positions = points};
     for (const Vec2 p : points) data.balls.push_back({p, radius});
-    Workbench bench;
+    TestBench bench;
     bench.load(data);
     bench.show({"alpha-disks", "alpha-triangles", "alpha-edges", "alpha-boundary", "alpha-components", "alpha-holes",
                 "b-union-boundary", "b-ball-medial-axis"});
@@ -302,14 +302,14 @@ TEST_CASE("places, order and size change no rank and no class") {
   Rng rng(16);
   for (const int grid : {0, 8, 40}) {
     std::vector<Vec2> points = random_points(120, grid == 0 ? 1 << 20 : grid, rng);
-    Workbench original(points);
+    TestBench original(points);
     show_alpha(original);
     const std::vector<RoundBar> bars = round_bars_of(original);
     std::ranges::reverse(points);
-    Workbench reversed(points);
+    TestBench reversed(points);
     show_alpha(reversed);
     CHECK(round_bars_of(reversed) == bars);
-    const auto arcs_at = [](Workbench& bench, double radius) {
+    const auto arcs_at = [](TestBench& bench, double radius) {
       bench.choose(at_radius(radius));
       const auto arcs = bench.instances("alpha-boundary", PrimitiveKind::arc);
       std::vector<double> out;
@@ -324,7 +324,7 @@ TEST_CASE("places, order and size change no rank and no class") {
     for (const double scale : {0x1p-300, 0x1p-3, 0x1p10, 0x1p300}) {
       std::vector<Vec2> large = points;
       for (Vec2& p : large) p = scale * p;
-      Workbench scaled(large);
+      TestBench scaled(large);
       show_alpha(scaled);
       std::vector<RoundBar> expected = bars;
       for (RoundBar& bar : expected) {
@@ -337,7 +337,7 @@ TEST_CASE("places, order and size change no rank and no class") {
       CHECK(arcs_at(scaled, scale * radius) == scaled_arcs);
     }
     for (Vec2& p : points) p = p + Vec2{12345.0, -777.0};
-    Workbench moved(points);
+    TestBench moved(points);
     show_alpha(moved);
     CHECK(round_bars_of(moved) == bars);
   }
@@ -359,7 +359,7 @@ TEST_CASE("radii of nearly flat triangles are rounded up as others are") {
     add(1.0 - t, 1.0);
     add(0.0, 1.0 - t);
   }
-  Workbench bench(points);
+  TestBench bench(points);
   show_alpha(bench);
   const auto& delaunay = bench.get<Delaunay>();
   const auto& filtration = bench.get<AlphaFiltration>();
@@ -385,7 +385,7 @@ TEST_CASE("at the radius of an event it has happened, and no arc of the boundary
   Rng rng(29);
   std::vector<Vec2> points(150);
   for (Vec2& p : points) p = {rng.uniform(), rng.uniform()};
-  Workbench bench(points);
+  TestBench bench(points);
   bench.show({"alpha-boundary", "alpha-holes", "alpha-components"});
   std::size_t arcs_seen = 0;
   const auto classes = bench.get<AlphaFiltration>().classes();
@@ -421,7 +421,7 @@ TEST_CASE("the hub of a wheel is joined to all its spokes, and each arc is found
   constexpr double kRadius = 0.505;
   SampleData data{.positions = wheel};
   for (const Vec2 p : wheel) data.balls.push_back({p, kRadius});
-  Workbench bench;
+  TestBench bench;
   bench.load(data);
   bench.show({"alpha-boundary", "alpha-edges", "b-union-boundary"});
   bench.choose(at_radius(kRadius));
@@ -439,7 +439,7 @@ TEST_CASE("the hub of a wheel is joined to all its spokes, and each arc is found
 TEST_CASE("edits and changes of the radius leave what a fresh computation has") {
   for (const int grid : {0, 7}) {
     Rng rng(17);
-    Workbench bench(random_points(60, grid, rng));
+    TestBench bench(random_points(60, grid, rng));
     show_alpha(bench);
     ComputationSettings settings;
     for (int step = 0; step < 120; ++step) {
@@ -458,7 +458,7 @@ TEST_CASE("edits and changes of the radius leave what a fresh computation has") 
       INFO("step " << step);
       std::vector<Vec2> reversed = bench.positions();
       std::ranges::reverse(reversed);
-      Workbench fresh(reversed);
+      TestBench fresh(reversed);
       show_alpha(fresh);
       fresh.choose(settings);
       REQUIRE(round_bars_of(bench) == round_bars_of(fresh));
@@ -473,7 +473,7 @@ TEST_CASE("edits and changes of the radius leave what a fresh computation has") 
 TEST_CASE("few and degenerate samples have the classes that they can have") {
   for (const DegenerateInput& input : degenerate_inputs()) {
     INFO(input.name);
-    Workbench bench(input.positions);
+    TestBench bench(input.positions);
     show_alpha(bench);
     CHECK(bench.count("alpha-filtration", "stay") == (input.distinct == 0 ? 0 : 1));
     CHECK(bench.count("alpha-filtration", "joined") ==

@@ -14,7 +14,7 @@ using namespace mes::test;
 
 namespace {
 
-std::set<PlaceEdge> delaunay_edges(const Workbench& bench) {
+std::set<PlaceEdge> delaunay_edges(const TestBench& bench) {
   const auto& delaunay = bench.get<Delaunay>();
   std::set<PlaceEdge> out;
   for (const EdgeSlot edge : delaunay.edge_slots()) {
@@ -48,7 +48,7 @@ std::set<PlaceEdge> only_in(const std::set<PlaceEdge>& a, const std::set<PlaceEd
   return out;
 }
 
-Provenance preview(Workbench& bench, Vec2 at) {
+Provenance preview(TestBench& bench, Vec2 at) {
   ProvenanceQuestion question;
   question.at = at;
   question.wish = ProvenanceWish::insertion;
@@ -69,7 +69,7 @@ TEST_CASE("an insertion changes what its preview says") {
       positions.push_back(seed % 2 == 0 ? some_point()
                                         : Vec2{shift.x + scale * (0.5 + 0.4 * std::cos(0.37 * double(i))),
                                                shift.y + scale * (0.5 + 0.3 * std::sin(0.37 * double(i)))});
-    Workbench bench(positions);
+    TestBench bench(positions);
     bench.show({"delaunay", "curve"});
     for (int step = 0; step < 12; ++step) {
       const Vec2 at = some_point();
@@ -94,7 +94,7 @@ TEST_CASE("an insertion changes what its preview says") {
 
 TEST_CASE(
     "where a sample is, on an edge, on a corner of the hull and below dimension 2 the preview is right or empty") {
-  Workbench bench({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 2}});
+  TestBench bench({{0, 0}, {4, 0}, {4, 4}, {0, 4}, {1, 2}});
   bench.show({"delaunay", "curve"});
   CHECK(preview(bench, {1, 2}).lines.empty());
   CHECK(preview(bench, {0, 0}).lines.empty());
@@ -109,14 +109,14 @@ TEST_CASE(
   CHECK(preview(bench, {std::nan(""), 0}).lines.empty());
   for (const std::vector<Vec2>& few :
        {std::vector<Vec2>{}, {{1, 1}}, {{1, 1}, {2, 2}}, {{1, 1}, {2, 2}, {3, 3}}, {{1, 1}, {1, 1}, {1, 1}}}) {
-    Workbench small(few);
+    TestBench small(few);
     small.show({"delaunay", "curve"});
     CHECK(preview(small, {5, 1}).lines.empty());
   }
 }
 
 TEST_CASE("what elements with a value in a range come from is found") {
-  Workbench bench({{0, 0}, {1, 0}, {2, 0.1}, {3, 0}, {7, 3}});
+  TestBench bench({{0, 0}, {1, 0}, {2, 0.1}, {3, 0}, {7, 3}});
   bench.show({"points"});
   ProvenanceQuestion question;
   question.layers = {find_layer("points")};

@@ -111,7 +111,7 @@ TEST_CASE("along the one-step axis there is a largest number of balls, and what 
   for (const Vec2 place : {Vec2{0, 0}, Vec2{1e9, -3e8}}) {
     std::vector<Vec2> samples = noise(3000, 100.0, 3);
     for (Vec2& p : samples) p = p + place;
-    Workbench bench;
+    TestBench bench;
     bench.show({"medial-axis"});
     bench.replace(samples);
     OwnSettings own(dense(0.1));
@@ -159,7 +159,7 @@ TEST_CASE("one inner ball that is a million times as large as the samples' box m
       samples.push_back({x, uniform()});
     }
   }
-  Workbench bench;
+  TestBench bench;
   bench.show({"medial-axis", "interior-voronoi-disks"});
   bench.replace(samples);
   const StructureSet& set = bench.graph().structures();
@@ -178,7 +178,7 @@ TEST_CASE("one inner ball that is a million times as large as the samples' box m
 }
 
 TEST_CASE("sampling an axis is stopped while it makes the balls of few edges") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"medial-axis"});
   // Long thin triangles: each edge of the axis has some thousand balls.
   std::vector<Vec2> samples;
@@ -208,7 +208,7 @@ TEST_CASE("sampling an axis is stopped while it makes the balls of few edges") {
 }
 
 TEST_CASE("balls along the axis of a union that are only shown are bounded, too, and never fail") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"a-ball-medial-axis"});
   bench.replace(noise(600, 100.0, 3));
   const StructureSet& set = bench.graph().structures();
@@ -249,7 +249,7 @@ TEST_CASE("balls along the axis of a union that are only shown are bounded, too,
 }
 
 TEST_CASE("where circles may cross at 120 degrees anyhow no tolerance is tried, and nothing is said") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"a-ball-medial-axis"});
   bench.replace(noise(600, 100.0, 3));
   const StructureSet& set = bench.graph().structures();
@@ -284,7 +284,7 @@ TEST_CASE("where circles may cross at 120 degrees anyhow no tolerance is tried, 
 }
 
 TEST_CASE("sampled balls are followed up to the bound, and made anew with a tolerance beyond it") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"a-ball-medial-axis"});
   bench.replace(ellipse(2.0, 1.0, 120, {0.3, 0.1, 3}).data.positions);
   const StructureSet& set = bench.graph().structures();

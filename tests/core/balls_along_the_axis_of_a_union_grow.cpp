@@ -31,7 +31,7 @@ std::string id_of(std::string_view letter, std::string_view name) {
   return std::string(letter) + '-' + std::string(name);
 }
 
-void show(Workbench& bench, std::string_view letter) {
+void show(TestBench& bench, std::string_view letter) {
   std::array<std::string, kNames.size()> ids;
   for (std::size_t i = 0; i < ids.size(); ++i) ids[i] = id_of(letter, kNames[i]);
   bench.show({ids[0], ids[1], ids[2], ids[3], ids[4], ids[5]});
@@ -48,7 +48,7 @@ struct Piece {
   Vec2 a, b;
   double radius;
 };
-std::vector<Piece> pieces(const Workbench& bench, const std::string& layer) {
+std::vector<Piece> pieces(const TestBench& bench, const std::string& layer) {
   std::vector<Piece> out;
   const auto values = bench.instances(layer, PrimitiveKind::segment);
   for (std::size_t at = 0; at < values.size(); at += stride_of(PrimitiveKind::segment))
@@ -96,7 +96,7 @@ SampleData random_scene(Rng& rng, std::size_t samples, std::size_t balls) {
 
 TEST_CASE("at a factor of 1 scale axis and scale skeleton are the axis of each family, instance for instance") {
   for (const char* letter : kLetters) {
-    Workbench bench;
+    TestBench bench;
     const auto id = [letter](std::string_view name) { return id_of(letter, name); };
     bench.show({id("scale-axis"), id("scale-skeleton"), id("ball-medial-axis"), id("scale-axis-boundary"),
                 id("union-boundary"), id("scale-axis-disks"), id("ball-medial-disks")});
@@ -124,7 +124,7 @@ TEST_CASE("at a factor of 1 scale axis and scale skeleton are the axis of each f
 }
 
 TEST_CASE("the scale axis of own balls that make a stadium is its core, with its radius, at every factor") {
-  Workbench bench;
+  TestBench bench;
   show(bench, "b");
   bench.load(balls_in_line(-3.0, 3.0, 25, [](double) { return 1.0; }));
   for (const double s : {0.2, 0.5, 0.9, 1.05, 1.3, 2.0, 3.0}) {
@@ -145,7 +145,7 @@ TEST_CASE("the scale axis of own balls that make a stadium is its core, with its
 }
 
 TEST_CASE("balls whose radius grows along a line are swallowed by the largest from the inverse of the slope on") {
-  Workbench bench;
+  TestBench bench;
   show(bench, "b");
   bench.load(balls_in_line(0.0, 4.0, 41, [](double x) { return 0.5 + 0.6 * x; }));
   for (const double s : {0.3, 0.7, 1.2, 1.6, 1.7, 2.5}) {
@@ -169,7 +169,7 @@ TEST_CASE("balls whose radius grows along a line are swallowed by the largest fr
 
 TEST_CASE("scale axis and skeleton of each family are continuous at a factor of 1") {
   for (const char* letter : {"a", "p"}) {
-    Workbench bench;
+    TestBench bench;
     show(bench, letter);
     bench.replace(ellipse(2.0, 1.0, 200, {0.3, 0.1, 3}).data.positions);
     const double whole = length_of(pieces(bench, id_of(letter, "scale-axis")));
@@ -184,7 +184,7 @@ TEST_CASE("scale axis and skeleton of each family are continuous at a factor of 
 TEST_CASE("the scale skeleton of an ellipse is shorter by the formula of the scale axis, and has its radii") {
   const double a = 2.0;
   const double c2 = a * a - 1.0;
-  Workbench bench;
+  TestBench bench;
   show(bench, "a");
   bench.replace(ellipse(a, 1.0, 300, {0.3, 0.1, 3}).data.positions);
   for (const double s : {1.1, 1.3, 2.0}) {
@@ -206,7 +206,7 @@ TEST_CASE("the scale skeleton of an ellipse is shorter by the formula of the sca
 
 TEST_CASE(
     "where edges of the curve are longer than the spacing of the angle, hairs go as they do from the scale axis") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"scale-axis", "a-scale-axis", "p-scale-axis", "a-scale-skeleton"});
   auto glyph = read_sample_file("tests/data/glyph_dejavusans_B_1000.poff");
   REQUIRE(glyph.has_value());
@@ -236,7 +236,7 @@ TEST_CASE(
 TEST_CASE("balls along a corridor far thinner than the data is wide do not part when they shrink") {
   SampleData data = stadium(0.01, 0.0005, 0.25).data;
   for (const Vec2& p : ellipse(0.6, 0.4, 60).data.positions) data.positions.push_back({p.x + 3.0, p.y});
-  Workbench bench;
+  TestBench bench;
   bench.show({"scale-axis", "a-scale-axis", "p-scale-axis", "a-scale-skeleton"});
   bench.replace(data.positions);
   for (const double s : {0.1, 0.2, 0.5}) {
@@ -251,7 +251,7 @@ TEST_CASE("the scale skeleton in one step is the scale axis, and does not depend
   Rng rng(9);
   const SampleData scene = random_scene(rng, 60, 15);
   for (const char* letter : kLetters) {
-    Workbench bench;
+    TestBench bench;
     show(bench, letter);
     bench.load(scene);
     for (const double s : {0.5, 1.2, 1.5}) {
@@ -262,7 +262,7 @@ TEST_CASE("the scale skeleton in one step is the scale axis, and does not depend
     for (const auto& [s, step] : {std::pair{1.3, 5.0}, {1.31, 5.0}, {1.15, 5.0}, {1.45, 5.0}, {1.45, 9.0}}) {
       INFO(letter << " s " << s << " step " << step);
       bench.choose(factor(s, step));
-      Workbench fresh;
+      TestBench fresh;
       show(fresh, letter);
       fresh.choose(factor(s, step));
       fresh.load(scene);
@@ -275,7 +275,7 @@ TEST_CASE("the scale skeleton in one step is the scale axis, and does not depend
 TEST_CASE("scale axes of the families follow random edits and changes of the factor as a fresh computation does") {
   for (const char* letter : kLetters) {
     Rng rng(17);
-    Workbench bench;
+    TestBench bench;
     show(bench, letter);
     bench.load(random_scene(rng, 40, 12));
     ComputationSettings settings;
@@ -293,7 +293,7 @@ TEST_CASE("scale axes of the families follow random edits and changes of the fac
         case 2: bench.move(bench.ids()[rng.below(bench.ids().size())], place()); break;
         default: bench.insert_balls({{place(), 5.0 + 20.0 * rng.uniform()}}); break;
       }
-      Workbench fresh;
+      TestBench fresh;
       show(fresh, letter);
       SampleData reversed{.positions = bench.positions(), .balls = bench.balls()};
       std::ranges::reverse(reversed.positions);
@@ -310,7 +310,7 @@ TEST_CASE("scale axes of the families follow random edits and changes of the fac
 }
 
 TEST_CASE("at a factor of 1 a certified union's scale axis follows edits by parts, and other settings send nothing") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"a-scale-axis", "a-scale-axis-boundary", "a-scale-axis-grown-disks", "a-scale-axis-disks",
               "a-scale-skeleton", "lambda-axis"});
   std::vector<Vec2> samples = ellipse(2.0, 1.0, 400, {0.3, 0.1, 3}).data.positions;
@@ -344,7 +344,7 @@ TEST_CASE("at a factor of 1 a certified union's scale axis follows edits by part
     }
     if (size < 0.1 && step % 6 > 1 && report("a-union").rebuilt == false)
       CHECK_FALSE(report("a-scale-union").rebuilt);
-    Workbench fresh;
+    TestBench fresh;
     fresh.show({"a-scale-axis", "a-scale-axis-boundary", "a-scale-axis-grown-disks", "a-scale-axis-disks",
                 "a-scale-skeleton"});
     std::vector<Vec2> reversed = bench.positions();
@@ -362,7 +362,7 @@ TEST_CASE("at a factor of 1 a certified union's scale axis follows edits by part
 }
 
 TEST_CASE("hairs of a scaled family go by the spacing of its samples, as they do unscaled") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"scale-axis", "a-scale-axis", "p-scale-axis", "a-scale-skeleton"});
   auto glyph = read_sample_file("tests/data/glyph_dejavusans_B_1000.poff");
   REQUIRE(glyph.has_value());
@@ -394,7 +394,7 @@ TEST_CASE("where parts of the axis are too short to be halved, hairs go by how f
   Rng rng(4);
   for (int i = 0; i < 150; ++i) data.positions.push_back({0.02 * rng.uniform(), 0.02 * rng.uniform()});
   for (const Vec2& p : ellipse(1.0, 0.9, 60).data.positions) data.positions.push_back({p.x + 5.0, p.y});
-  Workbench bench;
+  TestBench bench;
   bench.show({"a-scale-axis"});
   bench.replace(data.positions);
   std::vector<std::int64_t> leaves, balls;
@@ -413,7 +413,7 @@ TEST_CASE("where parts of the axis are too short to be halved, hairs go by how f
 }
 
 TEST_CASE("balls of the scale skeleton say which step they are of") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"a-scale-axis-grown-disks", "a-scale-skeleton"});
   bench.replace(ellipse(2.0, 1.0, 60, {0.3, 0.1, 3}).data.positions);
   bench.choose(factor(1.25, 10.0));

@@ -217,7 +217,7 @@ TEST_CASE("size does not matter to sampling") {
 }
 
 TEST_CASE("an edit of a certified union samples its surroundings again, and gives what a fresh start gives") {
-  Workbench bench(ellipse(200, 100, 400, {.offset = 0.3}).data.positions);
+  TestBench bench(ellipse(200, 100, 400, {.offset = 0.3}).data.positions);
   const LayerIndex layer = find_layer("a-ball-medial-disks");
   const auto whole = bench.count("a-ball-sampling", "medial_balls");
   Rng rng(4);

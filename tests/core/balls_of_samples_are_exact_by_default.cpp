@@ -75,11 +75,11 @@ TEST_CASE("balls of samples are decided exactly by default") {
     for (const double grid : {0x1p-40, 1.0}) {
       for (const double scale : {1.0, 1.1, 0.95}) {
         INFO("seed " << seed << ", grid " << grid << ", scale " << scale);
-        Workbench bench;
+        TestBench bench;
         bench.show({"a-ball-medial-axis", "p-ball-medial-axis", "a-union-boundary", "p-union-boundary"});
         bench.choose(settings_of(Precision::fast, scale));
         bench.replace(drawn_by_hand(600, seed, grid));
-        Workbench exact;
+        TestBench exact;
         exact.show({"a-ball-medial-axis", "p-ball-medial-axis", "a-union-boundary", "p-union-boundary"});
         exact.choose(settings_of(Precision::exact, scale));
         exact.replace(drawn_by_hand(600, seed, grid));
@@ -107,7 +107,7 @@ TEST_CASE("balls of samples are decided exactly by default") {
 }
 
 TEST_CASE("without the shortcut unions are those of the number type") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"p-ball-medial-axis", "a-ball-medial-axis"});
   bench.replace(drawn_by_hand(600, 4, 1.0));
   bench.choose(settings_of(Precision::fast, 1.0, false));

@@ -19,7 +19,7 @@ constexpr std::string_view kCounts[] = {"visible",      "hidden",        "duplic
                                         "dual_regular", "dual_interior", "dual_faces", "v_points",
                                         "components",   "cycles",        "chi",        "chi_dual"};
 
-struct UnionBench : Workbench {
+struct UnionBench : TestBench {
   UnionBench(const std::vector<Disk>& balls, Precision precision) {
     SampleData data;
     data.balls = balls;
@@ -87,7 +87,7 @@ TEST_CASE("balls whose circles nearly pass through one point have the axis of al
 }
 
 TEST_CASE("the scale axis has no spike where grown balls nearly coincide") {
-  Workbench bench(std::vector<Vec2>{{-2.0, -0.5781990574077289},
+  TestBench bench(std::vector<Vec2>{{-2.0, -0.5781990574077289},
                                     {-1.9975908332864736, -0.6232165373127738},
                                     {-1.994585829313344, -0.645564414630485},
                                     {-1.8374406862108463, -0.9109298991811283},

@@ -100,7 +100,7 @@ ComputationSettings with(Precision precision) {
 /// Where the largest magnitude may be.
 constexpr std::array kTops{-400, -250, 0, 180, 350, 499};
 
-void require_exact_decisions(const Workbench& bench) {
+void require_exact_decisions(const TestBench& bench) {
   const auto& delaunay = bench.get<Delaunay>();
   const auto& crust = bench.get<OneStepCrust>();
   for (const EdgeSlot edge : delaunay.edge_slots()) {
@@ -117,7 +117,7 @@ void require_exact_decisions(const Workbench& bench) {
 constexpr int kLargestWithArea = 180;
 
 /// A least or a largest number of nothing is infinite.
-bool is_about_nothing(const Workbench& bench, std::string_view structure, std::string_view key) {
+bool is_about_nothing(const TestBench& bench, std::string_view structure, std::string_view key) {
   if (structure == "lambda-axis" && key == "weak_feature_size") return bench.count(structure, "critical_values") == 0;
   if (structure == "lambda-axis" || structure == "angle-axis")
     return key == "largest" && bench.count("medial-axis", "nodes") == 0;
@@ -128,7 +128,7 @@ bool is_about_nothing(const Workbench& bench, std::string_view structure, std::s
 }
 
 // Nothing else is, and nothing is NaN.
-void require_finite_statistics(const Workbench& bench, int top) {
+void require_finite_statistics(const TestBench& bench, int top) {
   for (const NodeReport& node : bench.patch().nodes) {
     for (const Stat& stat : node.stats) {
       const double* value = std::get_if<double>(&stat.value);
@@ -140,7 +140,7 @@ void require_finite_statistics(const Workbench& bench, int top) {
   }
 }
 
-void require_nothing_missing(const Workbench& bench, const std::vector<Disk>& balls) {
+void require_nothing_missing(const TestBench& bench, const std::vector<Disk>& balls) {
   const auto& delaunay = bench.get<Delaunay>();
   std::size_t faces = 0;
   std::size_t inner = 0;
@@ -172,7 +172,7 @@ void require_nothing_missing(const Workbench& bench, const std::vector<Disk>& ba
 }
 
 void check(const SampleData& data, int top, Precision precision) {
-  Workbench bench;
+  TestBench bench;
   bench.choose(with(precision));
   bench.load(data);
   require_exact_decisions(bench);
@@ -244,7 +244,7 @@ TEST_CASE("a circle of points times a power of two is the circle times that, to 
 namespace {
 
 /// Where instances lie, without scalars; directions of rays and lines have no length of their own. In order.
-std::vector<std::vector<double>> places(const Workbench& bench, LayerIndex layer, int k) {
+std::vector<std::vector<double>> places(const TestBench& bench, LayerIndex layer, int k) {
   std::vector<std::vector<double>> out = bench.contents().sorted(layer);
   for (std::vector<double>& instance : out) {
     instance.pop_back();
@@ -261,11 +261,11 @@ std::vector<std::vector<double>> places(const Workbench& bench, LayerIndex layer
 TEST_CASE("samples times a power of two have the same picture times that, to the last bit") {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const std::vector<Vec2> points = Numbers(seed, 0).points(8);
-    const Workbench bench(points);
+    const TestBench bench(points);
     for (const int k : {-400, 400}) {
       std::vector<Vec2> image;
       for (const Vec2 p : points) image.push_back({std::ldexp(p.x, k), std::ldexp(p.y, k)});
-      const Workbench other(image);
+      const TestBench other(image);
       for (const LayerIndex layer : all_layers()) {
         const LayerDescriptor& descriptor = layer_descriptors()[layer];
         if (descriptor.group == LayerGroup::union_a || descriptor.group == LayerGroup::union_p) continue;

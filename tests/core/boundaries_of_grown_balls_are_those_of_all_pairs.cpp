@@ -119,7 +119,7 @@ Free free_of_all_pairs(const std::vector<LongBall>& balls) {
 }
 
 /// What a layer draws.
-Free drawn(const Workbench& bench, const std::string& layer) {
+Free drawn(const TestBench& bench, const std::string& layer) {
   Free out;
   const auto row = bench.instances(layer, PrimitiveKind::arc);
   for (std::size_t at = 0; at < row.size(); at += stride_of(PrimitiveKind::arc)) {
@@ -136,7 +136,7 @@ Free drawn(const Workbench& bench, const std::string& layer) {
   return out;
 }
 
-void check(const Workbench& bench, const BallFiltration& filtration, const std::string& family, double growth) {
+void check(const TestBench& bench, const BallFiltration& filtration, const std::string& family, double growth) {
   INFO("family " << family << ", growth " << growth << ", scale " << filtration.family().scale());
   const Free wanted = free_of_all_pairs(grown_balls(filtration.family(), growth));
   const Free found = drawn(bench, family + "-alpha-boundary");
@@ -146,7 +146,7 @@ void check(const Workbench& bench, const BallFiltration& filtration, const std::
 }
 
 void check_samples(const std::vector<Vec2>& points, std::initializer_list<double> growths, double scale = 1.0) {
-  Workbench bench(points);
+  TestBench bench(points);
   bench.show({"a-alpha-boundary", "p-alpha-boundary"});
   for (const double growth : growths) {
     ComputationSettings settings;
@@ -162,7 +162,7 @@ void check_samples(const std::vector<Vec2>& points, std::initializer_list<double
 void check_balls(const std::vector<Disk>& balls, std::initializer_list<double> growths) {
   SampleData data;
   data.balls = balls;
-  Workbench bench;
+  TestBench bench;
   bench.load(data);
   bench.show({"b-alpha-boundary"});
   for (const double growth : growths) {

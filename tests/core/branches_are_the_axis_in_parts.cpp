@@ -18,7 +18,7 @@ using namespace mes::test;
 
 namespace {
 
-std::vector<AxisBranch> branches(const Workbench& bench, bool of_angle = false) {
+std::vector<AxisBranch> branches(const TestBench& bench, bool of_angle = false) {
   const auto& lambda = bench.get<LambdaAxis>();
   const auto& angle = bench.get<AngleAxis>();
   return branches_of(of_angle ? static_cast<const AxisFilter&>(angle) : lambda, bench.get<InnerBalls>(), lambda,
@@ -33,7 +33,7 @@ ComputationSettings limits(double lambda, double angle, bool keep_topology) {
   return out;
 }
 
-void check_branches(const Workbench& bench, bool of_angle) {
+void check_branches(const TestBench& bench, bool of_angle) {
   const char* const structure = of_angle ? "angle-axis" : "lambda-axis";
   double length = 0.0;
   std::int64_t edges = 0;
@@ -64,7 +64,7 @@ void check_branches(const Workbench& bench, bool of_angle) {
 }
 
 /// Edges by the places of their samples, in order.
-std::vector<PlaceEdge> edges_of(const Workbench& bench, const AxisBranch& branch) {
+std::vector<PlaceEdge> edges_of(const TestBench& bench, const AxisBranch& branch) {
   const auto& delaunay = bench.get<Delaunay>();
   std::vector<PlaceEdge> out;
   for (const EdgeSlot edge : branch.edges)
@@ -73,7 +73,7 @@ std::vector<PlaceEdge> edges_of(const Workbench& bench, const AxisBranch& branch
   return out;
 }
 
-void check_same(const Workbench& one, const AxisBranch& a, const Workbench& other, const AxisBranch& b) {
+void check_same(const TestBench& one, const AxisBranch& a, const TestBench& other, const AxisBranch& b) {
   CHECK(a.from.place == b.from.place);
   CHECK(a.to.place == b.to.place);
   CHECK(a.from.kind == b.from.kind);
@@ -94,7 +94,7 @@ TEST_CASE("branches hold each kept edge once, and as many ends and points as the
   for (int i = 0; i < 200; ++i) random.push_back({rng.uniform(), rng.uniform()});
   inputs.push_back(random);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
-    Workbench bench;
+    TestBench bench;
     bench.show({"lambda-medial-axis", "angle-medial-axis"});
     bench.replace(inputs[i]);
     const double largest = bench.get<LambdaAxis>().reason().empty() ? bench.measure("lambda-axis", "largest") : 1.0;
@@ -111,7 +111,7 @@ TEST_CASE("branches hold each kept edge once, and as many ends and points as the
 
 TEST_CASE("the largest lambda and angle of a branch may be those of a node") {
   // The circle through four corners of a house: of an acute triangle lambda is the radius.
-  Workbench bench;
+  TestBench bench;
   bench.show({"lambda-medial-axis", "angle-medial-axis"});
   bench.replace({{0, 0}, {4, 0}, {4, 3}, {2, 5}, {0, 3}});
   double lambda = 0.0;
@@ -129,7 +129,7 @@ TEST_CASE("the largest lambda and angle of a branch may be those of a node") {
 }
 
 TEST_CASE("a rounded rectangle has a core and four branches of the lengths and radii of the formula") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"lambda-medial-axis", "angle-medial-axis"});
   bench.replace(rounded_rectangle(3.0, 2.0, 0.5, 0.05, {0.3, 0.0, 1}).data.positions);
   // Hairs at the samples of the caps are shorter than anything else.
@@ -154,7 +154,7 @@ TEST_CASE("a rounded rectangle has a core and four branches of the lengths and r
 }
 
 TEST_CASE("an annulus is one closed branch, two circles are two points, and the table has no trace of history") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"lambda-medial-axis", "angle-medial-axis"});
   bench.replace(annulus_aligned(1.0, 2.0, 16).data.positions);
   std::vector<AxisBranch> found = branches(bench);
@@ -177,7 +177,7 @@ TEST_CASE("an annulus is one closed branch, two circles are two points, and the 
   for (int i = 0; i < 80; ++i) samples.push_back({rng.uniform(), rng.uniform()});
   bench.replace(samples);
   for (int i = 0; i < 30; ++i) bench.move(bench.ids()[rng.below(80)], {rng.uniform(), rng.uniform()});
-  Workbench fresh;
+  TestBench fresh;
   fresh.show({"lambda-medial-axis", "angle-medial-axis"});
   std::vector<Vec2> reversed = bench.positions();
   std::ranges::reverse(reversed);
@@ -202,7 +202,7 @@ TEST_CASE("a closed branch and a loop at a junction go the same way whatever the
   std::size_t loops = 0;
   for (const std::vector<Vec2>& input : inputs) {
     Rng rng(6);
-    Workbench bench;
+    TestBench bench;
     bench.show({"lambda-medial-axis", "angle-medial-axis"});
     bench.replace(input);
     bench.choose(limits(0.4, 0.0, true));
@@ -214,7 +214,7 @@ TEST_CASE("a closed branch and a loop at a junction go the same way whatever the
         bench.remove({id});
         bench.insert({place});
       }
-      Workbench fresh;
+      TestBench fresh;
       fresh.show({"lambda-medial-axis", "angle-medial-axis"});
       std::vector<Vec2> shuffled = bench.positions();
       for (std::size_t i = shuffled.size(); i > 1; --i) std::swap(shuffled[i - 1], shuffled[rng.below(i)]);

@@ -182,7 +182,7 @@ TEST_CASE("a contour is described by its corners and its samples, not by how oft
   CHECK(links(true, {0, 1, 0, 2}) == 4);
   CHECK(links(false, {0, 1, 1, 0}) == 2);
 
-  Workbench bench;
+  TestBench bench;
   bench.show({"contours"});
   bench.load(with_contours_of(4, {{true, {0, 1, 1, 0, 2}}}));
   const auto& contours = bench.get<Contours>();
@@ -202,7 +202,7 @@ TEST_CASE("a contour is described by its corners and its samples, not by how oft
 }
 
 TEST_CASE("contours that were edited are shown without an edit of samples") {
-  Workbench bench;
+  TestBench bench;
   bench.load(with_contours_of(6, {{true, {0, 1, 2, 3, 4, 5}}}));
   CHECK(bench.count("contours", "links") == 6);
   CHECK(bench.count("contours", "closed") == 1);

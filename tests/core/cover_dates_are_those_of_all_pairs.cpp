@@ -21,7 +21,7 @@ using namespace mes::test;
 
 namespace {
 
-std::vector<FaceSlot> nodes(const Workbench& bench) {
+std::vector<FaceSlot> nodes(const TestBench& bench) {
   const auto& delaunay = bench.get<Delaunay>();
   const auto& balls = bench.get<InnerBalls>();
   std::vector<FaceSlot> out;
@@ -30,7 +30,7 @@ std::vector<FaceSlot> nodes(const Workbench& bench) {
   return out;
 }
 
-void check_all_pairs(const Workbench& bench) {
+void check_all_pairs(const TestBench& bench) {
   const auto& delaunay = bench.get<Delaunay>();
   const auto& dates = bench.get<CoverDates>();
   const std::vector<FaceSlot> all = nodes(bench);
@@ -89,7 +89,7 @@ TEST_CASE("cover dates are the least quotients of all pairs, bit for bit, after 
   }
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     INFO("input " << i);
-    Workbench bench;
+    TestBench bench;
     bench.show({"cover-dates"});
     bench.replace(inputs[i]);
     check_all_pairs(bench);
@@ -106,7 +106,7 @@ TEST_CASE(
     "along the axis of an ellipse a ball is swallowed by its larger neighbour first, at the slope of the radius") {
   // r(x) = sqrt(1 - x^2 / c2) grows towards the middle at the rate |x| / (c2 r): the date is at least the inverse of the
   // largest rate on the way, and at the end of the axis near 1.
-  Workbench bench;
+  TestBench bench;
   bench.show({"cover-dates"});
   bench.replace(ellipse(3.0, 1.0, 400, {0.3, 0.0, 1}).data.positions);
   const auto& delaunay = bench.get<Delaunay>();
@@ -221,7 +221,7 @@ TEST_CASE("a search for covers finds the least quotient of all pairs, whatever t
 }
 
 TEST_CASE("statistics say the limit that is set, also where it removes as much as the one before") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"cover-medial-axis"});
   bench.replace(ellipse(2.0, 1.0, 200, {0.3, 0.0, 1}).data.positions);
   for (const double factor : {1.0, 1.2, 0.8, 1.0}) {

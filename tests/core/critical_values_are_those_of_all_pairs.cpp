@@ -65,7 +65,7 @@ double longest_half(const std::vector<Vec2>& samples) {
 }
 
 double weak_feature_size(const std::vector<Vec2>& samples) {
-  Workbench bench;
+  TestBench bench;
   bench.show({"lambda-medial-axis"});
   bench.replace(samples);
   return bench.measure("lambda-axis", "weak_feature_size");
@@ -74,7 +74,7 @@ double weak_feature_size(const std::vector<Vec2>& samples) {
 }  // namespace
 
 TEST_CASE("critical values are the radius of a rectangle, and half the width of a neck") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"lambda-medial-axis"});
   CHECK(bench.get<LambdaAxis>().critical_values().empty());
   bench.replace({{0, 0}, {4, 0}, {4, 2}, {0, 2}});
@@ -105,7 +105,7 @@ TEST_CASE("critical edges are those whose smallest circle is empty, among all pa
       const Vec2 at{step * static_cast<double>(rng.below(9)), step * static_cast<double>(rng.below(9))};
       if (std::ranges::find(samples, at) == samples.end()) samples.push_back(at);
     }
-    Workbench bench;
+    TestBench bench;
     bench.show({"lambda-medial-axis"});
     bench.replace(samples);
     const auto& delaunay = bench.get<Delaunay>();

@@ -20,7 +20,7 @@ std::int64_t as_count(std::size_t n) {
   return static_cast<std::int64_t>(n);
 }
 
-bool has_trouble(const Workbench& bench) {
+bool has_trouble(const TestBench& bench) {
   const std::string trouble = bench.trouble();
   if (trouble.empty()) return false;
   FAIL(trouble);
@@ -32,7 +32,7 @@ bool has_trouble(const Workbench& bench) {
 TEST_CASE("degenerate inputs are computed, and give what is known of them") {
   for (const DegenerateInput& input : degenerate_inputs()) {
     INFO(input.name);
-    const Workbench bench(input.positions);
+    const TestBench bench(input.positions);
     CHECK(bench.count("delaunay", "vertices") == as_count(input.distinct));
     CHECK(bench.count("delaunay", "duplicates") == as_count(input.positions.size() - input.distinct));
     CHECK(bench.count("samples", "samples") == as_count(input.positions.size()));
@@ -52,7 +52,7 @@ TEST_CASE("degenerate inputs are computed, and give what is known of them") {
 TEST_CASE("Euler's formula holds for every triangulation") {
   for (const DegenerateInput& input : degenerate_inputs()) {
     INFO(input.name);
-    const Workbench bench(input.positions);
+    const TestBench bench(input.positions);
     const std::int64_t vertices = bench.count("delaunay", "vertices");
     const std::int64_t edges = bench.count("delaunay", "edges");
     const std::int64_t faces = bench.count("delaunay", "faces");
@@ -77,7 +77,7 @@ TEST_CASE("Euler's formula holds for every triangulation") {
 TEST_CASE("every edge was decided by one stage of the filter") {
   for (const DegenerateInput& input : degenerate_inputs()) {
     INFO(input.name);
-    const Workbench bench(input.positions);
+    const TestBench bench(input.positions);
     const std::int64_t decided = bench.count("one-step-crust", "decided_by_static_filter") +
                                  bench.count("one-step-crust", "decided_by_intervals") +
                                  bench.count("one-step-crust", "decided_exactly");
@@ -87,7 +87,7 @@ TEST_CASE("every edge was decided by one stage of the filter") {
 }
 
 TEST_CASE("the axis of an exact circle is its centre") {
-  const Workbench bench(lattice_circle().positions);
+  const TestBench bench(lattice_circle().positions);
   CHECK(bench.count("inner-balls", "balls") == 34);
   CHECK(bench.count("inner-balls", "distinct") == 1);
   CHECK(bench.count("medial-axis", "nodes") == 1);
@@ -114,7 +114,7 @@ TEST_CASE("the axis of an exact circle is its centre") {
 TEST_CASE("two exact circles have an axis of two points") {
   std::vector<Vec2> positions = lattice_circle().positions;
   for (const Vec2 p : lattice_circle().positions) positions.push_back(p + Vec2{400, 30});
-  const Workbench bench(positions);
+  const TestBench bench(positions);
   CHECK(bench.count("medial-axis", "nodes") == 2);
   CHECK(bench.count("medial-axis", "components") == 2);
   CHECK(bench.count("medial-axis", "isolated") == 2);
@@ -125,7 +125,7 @@ TEST_CASE("sparse sets with foreign crossings have ordinary curves") {
   for (int number = 1; number <= 3; ++number) {
     const DegenerateInput input = foreign_crossing(number);
     INFO(input.name);
-    const Workbench bench(input.positions);
+    const TestBench bench(input.positions);
     CHECK(bench.count("curve", "open_chains") == 0);
     CHECK(bench.count("curve", "isolated") == 0);
     CHECK(bench.count("labels", "conflicts") == 0);
@@ -136,7 +136,7 @@ TEST_CASE("sparse sets with foreign crossings have ordinary curves") {
 TEST_CASE("after every edit of a degenerate input everything equals a fresh computation") {
   for (const DegenerateInput& input : degenerate_inputs()) {
     INFO(input.name);
-    Workbench bench(input.positions);
+    TestBench bench(input.positions);
     if (has_trouble(bench)) continue;
     const std::string before = std::to_string(bench.document().digest());
     Rng rng(17);
@@ -185,7 +185,7 @@ TEST_CASE("a degenerate input can be taken away sample by sample, and come back"
   for (const DegenerateInput& input : degenerate_inputs()) {
     if (input.positions.size() > 40) continue;
     INFO(input.name);
-    Workbench bench(input.positions);
+    TestBench bench(input.positions);
     Rng rng(23);
     while (!bench.ids().empty()) {
       const std::vector<SampleId> ids = bench.ids();

@@ -37,8 +37,8 @@ double axis_of_rectangle(double width, double height) {
 }
 
 /// Contours and all, from nothing.
-std::string difference_to_fresh(const Workbench& bench) {
-  Workbench fresh;
+std::string difference_to_fresh(const TestBench& bench) {
+  TestBench fresh;
   fresh.load(data_of(bench.document()));
   return difference(bench.state(), fresh.state());
 }
@@ -49,7 +49,7 @@ TEST_CASE("parcels have the axes of rectangles, and no axis crosses a border") {
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const double angle = seed % 3 == 0 ? 0.0 : 0.21 * static_cast<double>(seed);
     const Parcels made = parcels(2 + 2 * seed, angle, 6, seed);
-    Workbench bench;
+    TestBench bench;
     bench.show({"medial-axis", "curve"});
     bench.load(sampled(made.outlines, 1e-6));
     INFO("seed " << seed);
@@ -79,7 +79,7 @@ TEST_CASE("a hole that another outline fills is inside, one that touches its she
     return closed_polygon({{low, low}, {high, low}, {high, high}, {low, high}});
   };
   PlaneCurve hole = closed_polygon({{3, 3}, {3, 7}, {7, 7}, {7, 3}});
-  Workbench bench;
+  TestBench bench;
   bench.show({"medial-axis", "curve"});
   bench.load(sampled({square(0, 10), hole, square(3, 7)}, 1.0));
   CHECK(bench.count("medial-axis", "components") == 2);
@@ -93,7 +93,7 @@ TEST_CASE("a hole that another outline fills is inside, one that touches its she
 
 TEST_CASE("the certificate does not speak of regions that share a border") {
   const Parcels made = parcels(5, 0.4, 6, 3);
-  Workbench bench;
+  TestBench bench;
   bench.load(sampled(made.outlines, 1e-6));
   CHECK(bench.count("axis-certificate", "certified") == 0);
   bench.load(sampled({made.outlines[0]}, 1e-6));
@@ -104,7 +104,7 @@ TEST_CASE("edits among shared borders equal a fresh computation") {
   for (std::uint64_t seed = 1; seed <= 2; ++seed) {
     const SamplingRequest request{.rule = SamplingRule::spacing, .spacing = 2.0};
     const Parcels made = parcels(6, seed % 2 == 0 ? 0.0 : 0.3, 6, seed);
-    Workbench bench;
+    TestBench bench;
     bench.load(sampled(made.outlines, 1e-6, &request));
     REQUIRE(bench.count("shared-borders", "shared_links") > 0);
     Rng rng(seed);

@@ -29,7 +29,7 @@ std::size_t shapes_named(const Provenance& answer, ProvenanceRole role, std::str
 }  // namespace
 
 TEST_CASE("an inner Voronoi vertex comes from its samples and makes axis and union") {
-  Workbench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
+  TestBench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
   const auto& delaunay = bench.get<Delaunay>();
   const auto& axis = bench.get<MedialAxis>();
   std::size_t seen = 0;
@@ -52,7 +52,7 @@ TEST_CASE("an inner Voronoi vertex comes from its samples and makes axis and uni
 }
 
 TEST_CASE("an axis edge comes from two samples and ends in two balls") {
-  Workbench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
+  TestBench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
   const auto& delaunay = bench.get<Delaunay>();
   for (const EdgeSlot edge : delaunay.edge_slots()) {
     const EdgeRow& row = delaunay.edge(edge);
@@ -66,7 +66,7 @@ TEST_CASE("an axis edge comes from two samples and ends in two balls") {
 }
 
 TEST_CASE("a v-point names the balls whose circles cross there, and a circle all samples on it") {
-  Workbench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
+  TestBench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
   std::size_t seen = 0;
   for (const VPoint& v : bench.get<AUnion>().tables().v_points) {
     if (!v.is_alive()) continue;
@@ -88,7 +88,7 @@ TEST_CASE("a v-point names the balls whose circles cross there, and a circle all
 }
 
 TEST_CASE("points win over lines and lines over areas; the upper layer over the lower") {
-  Workbench bench(std::vector<Vec2>{{0, 0}, {4, 0}, {0, 3}});
+  TestBench bench(std::vector<Vec2>{{0, 0}, {4, 0}, {0, 3}});
   CHECK(bench.ask({0.1, 0}, 0.2, {"points"}).lines.front().text.starts_with("Sample at (0, 0)"));
   CHECK(bench.ask({2, 0.1}, 0.2, {"points", "delaunay"}).layer == find_layer("delaunay"));
   CHECK(bench.ask({2, 1}, 0.05, {"points", "delaunay"}).lines.empty());
@@ -98,7 +98,7 @@ TEST_CASE("points win over lines and lines over areas; the upper layer over the 
 }
 
 TEST_CASE("alpha complexes say from which radius on their elements are there, and what ends their classes") {
-  Workbench bench(std::vector<Vec2>{{0, 0}, {2, 0}, {2, 2}, {0, 2.5}});
+  TestBench bench(std::vector<Vec2>{{0, 0}, {2, 0}, {2, 2}, {0, 2.5}});
   ComputationSettings settings;
   settings[Parameter::alpha_radius] = 1.375;
   bench.choose(settings);
@@ -124,7 +124,7 @@ TEST_CASE("alpha complexes say from which radius on their elements are there, an
 }
 
 TEST_CASE("balls that grow additively say how large they were, and when what joins them came") {
-  Workbench bench;
+  TestBench bench;
   SampleData data;
   data.balls = {{{0, 0}, 1.0}, {{4, 0}, 1.0}, {{4, 4}, 1.0}, {{0, 4.5}, 1.0}};
   bench.load(data);
@@ -153,7 +153,7 @@ TEST_CASE("balls that grow additively say how large they were, and when what joi
 }
 
 TEST_CASE("a ball along the scale axis says how large it was in the grown union") {
-  Workbench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
+  TestBench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
   ComputationSettings settings;
   settings[Parameter::scale_axis_factor] = 1.5;
   bench.choose(settings);
@@ -175,7 +175,7 @@ TEST_CASE("whatever is pointed at, after whatever edits, has an answer without d
       if (on_lattice) return {static_cast<double>(rng.below(6)), static_cast<double>(rng.below(6))};
       return {6.0 * rng.uniform(), 6.0 * rng.uniform()};
     };
-    Workbench bench;
+    TestBench bench;
     SampleData data;
     for (int i = 0; i < 30; ++i) data.positions.push_back(some_point());
     for (int i = 0; i < 4; ++i) data.balls.push_back({some_point(), 0.5 + rng.uniform()});

@@ -22,7 +22,7 @@ using namespace mes::test;
 
 namespace {
 
-void show_density(Workbench& bench) {
+void show_density(TestBench& bench) {
   bench.show({"feature-size", "sampling-epsilon", "all-medial-axis"});
 }
 
@@ -34,7 +34,7 @@ double distance_to_segment(Vec2 p, Vec2 a, Vec2 b) {
 }
 
 /// To everything that the layer of the whole axis draws.
-double distance_to_drawn_axis(const Workbench& bench, Vec2 p) {
+double distance_to_drawn_axis(const TestBench& bench, Vec2 p) {
   double out = std::numeric_limits<double>::infinity();
   const auto segments = bench.instances("all-medial-axis", PrimitiveKind::segment);
   for (std::size_t at = 0; at < segments.size(); at += stride_of(PrimitiveKind::segment))
@@ -50,7 +50,7 @@ double distance_to_drawn_axis(const Workbench& bench, Vec2 p) {
   return out;
 }
 
-void check_sizes(const Workbench& bench, double tolerance) {
+void check_sizes(const TestBench& bench, double tolerance) {
   const auto& sizes = bench.get<FeatureSize>();
   const auto& delaunay = bench.get<Delaunay>();
   for (const SiteSlot site : delaunay.site_slots()) {
@@ -62,7 +62,7 @@ void check_sizes(const Workbench& bench, double tolerance) {
 }
 
 /// The sites that do not count for the epsilon of all, by their definition: ends and junctions of the crust, and corners.
-Table<SiteSlot, bool> exempt_sites(const Workbench& bench) {
+Table<SiteSlot, bool> exempt_sites(const TestBench& bench) {
   const auto& delaunay = bench.get<Delaunay>();
   Table<SiteSlot, std::vector<SiteSlot>> beside(delaunay.site_rows());
   for (const EdgeSlot edge : delaunay.edge_slots()) {
@@ -89,7 +89,7 @@ Table<SiteSlot, bool> exempt_sites(const Workbench& bench) {
 
 /// The epsilon of the samples, followed under edits, is the largest of all edges that end at no exempt site; the note
 /// says it, and where.
-void check_sparsest_edge(const Workbench& bench) {
+void check_sparsest_edge(const TestBench& bench) {
   const auto& sizes = bench.get<FeatureSize>();
   const auto& delaunay = bench.get<Delaunay>();
   const auto exempt = exempt_sites(bench);
@@ -113,11 +113,11 @@ void check_sparsest_edge(const Workbench& bench) {
   REQUIRE(findings[0].places == std::vector{middle});
 }
 
-void check_against_fresh(const Workbench& bench) {
+void check_against_fresh(const TestBench& bench) {
   check_sparsest_edge(bench);
   std::vector<Vec2> reversed = bench.positions();
   std::ranges::reverse(reversed);
-  Workbench fresh;
+  TestBench fresh;
   show_density(fresh);
   fresh.replace(reversed);
   // Also where several edges have the largest epsilon.
@@ -244,7 +244,7 @@ TEST_CASE("sizes are the same at both ends of the range of coordinates") {
   std::vector<Vec2> samples;
   for (int i = 0; i < 80; ++i) samples.push_back({rng.uniform(-1.0, 1.0), rng.uniform(-1.0, 1.0)});
   const auto sizes_of = [](const std::vector<Vec2>& at) {
-    Workbench bench;
+    TestBench bench;
     show_density(bench);
     bench.replace(at);
     bench.move(bench.ids()[3], 0.5 * at[3]);
@@ -274,14 +274,14 @@ TEST_CASE("a size is the distance to the nearest point of the whole axis as it i
       samples.push_back(round == 5 ? Vec2{20.0 * rng.uniform(), 20.0 * rng.uniform()}
                                    : Vec2{r * std::cos(t), r * std::sin(t)});
     }
-    Workbench bench;
+    TestBench bench;
     show_density(bench);
     bench.replace(samples);
     check_sizes(bench, 1e-9);
   }
   for (const DegenerateInput& input : degenerate_inputs()) {
     INFO(input.name);
-    Workbench bench;
+    TestBench bench;
     show_density(bench);
     bench.replace(input.positions);
     for (const std::string_view layer : {"feature-size", "sampling-epsilon"})
@@ -293,7 +293,7 @@ TEST_CASE("a size is the distance to the nearest point of the whole axis as it i
 TEST_CASE("the sizes of an ellipse, an annulus and a stadium follow their formulas") {
   const double a = 2.0;
   const double end = (a * a - 1.0) / a;
-  Workbench bench;
+  TestBench bench;
   show_density(bench);
   bench.replace(ellipse(a, 1.0, 600, {0.3, 0.0, 1}).data.positions);
   const auto points = [&bench] { return bench.instances("feature-size", PrimitiveKind::point); };
@@ -317,7 +317,7 @@ TEST_CASE("the sizes of an ellipse, an annulus and a stadium follow their formul
 
 TEST_CASE("samples of an epsilon have about that epsilon, and a missing one is seen at its place") {
   for (const double epsilon : {0.1, 0.2}) {
-    Workbench bench;
+    TestBench bench;
     show_density(bench);
     const TestShape shape = ellipse_graded(2.0, 1.0, epsilon, {0.3, 0.0, 1});
     bench.replace(shape.data.positions);
@@ -348,7 +348,7 @@ TEST_CASE("after every edit sizes are those of a fresh computation") {
         const double r = 4.0 * (1.0 + 0.3 * std::cos(3.0 * t)) + (seed == 1 ? 0.0 : 0.3 * rng.uniform());
         return Vec2{r * std::cos(t), r * std::sin(t)};
       };
-      Workbench bench;
+      TestBench bench;
       show_density(bench);
       std::vector<Vec2> start;
       for (int i = 0; i < (lattice ? 20 : 120); ++i) start.push_back(place());
@@ -378,7 +378,7 @@ namespace {
 
 /// The least rounded distance to any edge of the axis, in a plain loop; not a trace of how it is searched.
 void check_least_of_all(const std::vector<Vec2>& samples) {
-  Workbench bench;
+  TestBench bench;
   show_density(bench);
   bench.replace(samples);
   const auto& delaunay = bench.get<Delaunay>();
@@ -500,7 +500,7 @@ TEST_CASE("edges that meet in one point count all, whether the curve joins their
 TEST_CASE("without an axis there is no size, and the statistics say why") {
   for (const std::vector<Vec2>& samples :
        {std::vector<Vec2>{}, {{1, 1}}, {{0, 0}, {1, 0}}, {{0, 0}, {1, 0}, {2, 0}}, {{0, 0}, {1, 0}, {0.5, 0.9}}}) {
-    Workbench bench;
+    TestBench bench;
     show_density(bench);
     bench.replace(samples);
     CHECK(bench.instances("feature-size", PrimitiveKind::point).empty());

@@ -29,7 +29,7 @@ constexpr std::array<std::string_view, 15> kLayers{
     "cover-medial-axis",    "cover-medial-disks",  "cover-medial-circles",  "removed-by-cover",
     "lambda-kept-boundary", "angle-kept-boundary", "cover-kept-boundary"};
 
-void show_filters(Workbench& bench) {
+void show_filters(TestBench& bench) {
   bench.show({kLayers[0], kLayers[1], kLayers[2], kLayers[3], kLayers[4], kLayers[5], kLayers[6], kLayers[7],
               kLayers[8], kLayers[9], kLayers[10], kLayers[11], kLayers[12], kLayers[13], kLayers[14], "medial-axis",
               "axis-nodes"});
@@ -45,7 +45,7 @@ ComputationSettings limits_in_mode(double lambda, double angle, bool keep_topolo
   return out;
 }
 
-double length_of(const Workbench& bench, std::string_view layer) {
+double length_of(const TestBench& bench, std::string_view layer) {
   const auto values = bench.instances(layer, PrimitiveKind::segment);
   double out = 0.0;
   for (std::size_t at = 0; at < values.size(); at += stride_of(PrimitiveKind::segment))
@@ -121,7 +121,7 @@ std::vector<Vec2> nearest(const std::vector<Vec2>& samples, Vec2 x) {
 }
 
 /// Every axis edge and node against the definition, from the samples alone.
-void check_values(const Workbench& bench) {
+void check_values(const TestBench& bench) {
   const auto samples = bench.positions();
   const auto& delaunay = bench.get<Delaunay>();
   const auto& axis = bench.get<MedialAxis>();
@@ -158,17 +158,17 @@ void check_values(const Workbench& bench) {
 }
 
 /// No value of any layer is anything but a finite number.
-void check_finite(const Workbench& bench) {
+void check_finite(const TestBench& bench) {
   for (const std::string_view layer : kLayers)
     for (const PrimitiveKind kind : kAllPrimitiveKinds)
       for (const double x : bench.instances(layer, kind)) REQUIRE(std::isfinite(x));
 }
 
 /// The same settings on a fresh computation of the same samples give the same drawing.
-void check_against_fresh(const Workbench& bench, const ComputationSettings& settings) {
+void check_against_fresh(const TestBench& bench, const ComputationSettings& settings) {
   std::vector<Vec2> reversed = bench.positions();
   std::ranges::reverse(reversed);
-  Workbench fresh;
+  TestBench fresh;
   show_filters(fresh);
   fresh.choose(settings);
   fresh.replace(reversed);
@@ -186,7 +186,7 @@ void check_against_fresh(const Workbench& bench, const ComputationSettings& sett
 TEST_CASE("values are those of the definitions, in plain loops over the samples") {
   for (const AngleMode mode : {AngleMode::clip, AngleMode::mean}) {
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
-      Workbench bench;
+      TestBench bench;
       show_filters(bench);
       bench.choose(limits_in_mode(0.0, 0.0, false, mode));
       bench.replace(noisy_curve(90, 8.0, seed));
@@ -196,7 +196,7 @@ TEST_CASE("values are those of the definitions, in plain loops over the samples"
     for (const DegenerateInput& input : degenerate_inputs()) {
       if (input.positions.size() > 60 || input.positions.empty()) continue;
       INFO(input.name);
-      Workbench bench;
+      TestBench bench;
       show_filters(bench);
       bench.choose(limits_in_mode(0.0, 0.0, false, mode));
       bench.replace(input.positions);
@@ -206,7 +206,7 @@ TEST_CASE("values are those of the definitions, in plain loops over the samples"
 }
 
 TEST_CASE("a node with an acute triangle has its circumradius for lambda, an obtuse one half its longest side") {
-  Workbench bench;
+  TestBench bench;
   show_filters(bench);
   const double height = std::sqrt(3.0);
   bench.replace({{-1.0, 0.0}, {1.0, 0.0}, {0.0, height}});
@@ -221,7 +221,7 @@ TEST_CASE("a node with an acute triangle has its circumradius for lambda, an obt
 }
 
 TEST_CASE("samples on one circle are one node: its circle, and a right angle where two are opposite") {
-  Workbench bench;
+  TestBench bench;
   show_filters(bench);
   bench.replace(
       {{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-4, 3}, {-5, 0}, {-4, -3}, {-3, -4}, {0, -5}, {3, -4}, {4, -3}});
@@ -239,7 +239,7 @@ TEST_CASE("samples on one circle are one node: its circle, and a right angle whe
 TEST_CASE("the lambda axis of an ellipse is as long as the formula says") {
   const double a = 2.0;
   const double c2 = a * a - 1.0;
-  Workbench bench;
+  TestBench bench;
   show_filters(bench);
   bench.replace(ellipse(a, 1.0, 800, {0.3, 0.0, 1}).data.positions);
   for (const double limit : {0.3, 0.5, 0.8, 0.95}) {
@@ -252,7 +252,7 @@ TEST_CASE("the lambda axis of an ellipse is as long as the formula says") {
 }
 
 TEST_CASE("a rounded rectangle has an object angle of 45 degrees on its branches and 90 on its core") {
-  Workbench bench;
+  TestBench bench;
   show_filters(bench);
   bench.replace(rounded_rectangle(3.0, 2.0, 0.5, 0.03, {0.3, 0.0, 1}).data.positions);
   const double core = 2.0;
@@ -275,7 +275,7 @@ TEST_CASE("kept and removed parts are the medial axis together") {
   for (const bool keep : {false, true}) {
     for (const double limit : {0.0, 3.0, 20.0, 1e6}) {
       for (const double degrees : {0.0, 20.0, 50.0, 90.0}) {
-        Workbench bench;
+        TestBench bench;
         show_filters(bench);
         bench.choose(limits_in_mode(limit, degrees, keep));
         bench.replace(noisy_curve(160, 10.0, 5));
@@ -292,7 +292,7 @@ TEST_CASE("kept and removed parts are the medial axis together") {
 
 TEST_CASE("an edge exactly at the limit is kept, and one a unit in the last place below is not") {
   // The axis of a strip of lattice points: all of its edges belong to samples that are two apart.
-  Workbench bench;
+  TestBench bench;
   show_filters(bench);
   std::vector<Vec2> strip;
   for (int i = 0; i <= 20; ++i) {
@@ -320,7 +320,7 @@ TEST_CASE("pruning keeps components and cycles for every limit") {
     if (input.positions.size() > 3) inputs.push_back(input.positions);
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     INFO("input " << i);
-    Workbench bench;
+    TestBench bench;
     show_filters(bench);
     bench.replace(inputs[i]);
     const std::int64_t components = bench.count("medial-axis", "components");
@@ -353,7 +353,7 @@ TEST_CASE("after every edit, and every change of a limit, all is as in a fresh c
         const double r = 4.0 * (1.0 + 0.3 * std::cos(3.0 * t)) + 0.3 * rng.uniform();
         return Vec2{r * std::cos(t), r * std::sin(t)};
       };
-      Workbench bench;
+      TestBench bench;
       show_filters(bench);
       ComputationSettings settings;
       std::vector<Vec2> start;
@@ -399,7 +399,7 @@ TEST_CASE("the cover axis keeps what no other ball swallows, by all pairs of bal
       ComputationSettings settings;
       settings[Parameter::scale_axis_factor] = factor;
       settings[Parameter::keep_topology] = keeps_topology ? 1.0 : 0.0;
-      Workbench bench;
+      TestBench bench;
       show_filters(bench);
       bench.choose(settings);
       bench.replace(noisy_ring(60, 6.0, 4));
@@ -441,7 +441,7 @@ TEST_CASE("the cover axis keeps what no other ball swallows, by all pairs of bal
 
 TEST_CASE(
     "what is kept holds a share of the shape that falls from one, and is that of a disk where one ball is kept") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"lambda-kept-boundary", "angle-kept-boundary", "cover-kept-boundary", "a-union-boundary"});
   bench.replace(noisy_curve(150, 4.0, 2));
   for (const std::string_view balls : {"lambda-union", "angle-union", "cover-union"}) {
@@ -496,7 +496,7 @@ TEST_CASE(
   }
   samples.push_back({1.0, 1.0});
   samples.push_back({1.0, -1.0});
-  Workbench bench;
+  TestBench bench;
   bench.show({"lambda-kept-boundary"});
   bench.replace(samples);
   const auto& delaunay = bench.get<Delaunay>();
@@ -557,7 +557,7 @@ TEST_CASE(
 
 TEST_CASE("where nothing is kept the statistics say why") {
   const auto why = [](const std::vector<Vec2>& samples, const ComputationSettings& settings) {
-    Workbench bench;
+    TestBench bench;
     show_filters(bench);
     bench.choose(settings);
     bench.replace(samples);

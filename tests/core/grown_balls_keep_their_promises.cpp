@@ -27,7 +27,7 @@ namespace {
 constexpr std::array<std::string_view, 6> kGrownLayers{"b-alpha-disks",    "b-alpha-triangles",  "b-alpha-edges",
                                                        "b-alpha-boundary", "b-alpha-components", "b-alpha-holes"};
 
-void show_grown(Workbench& bench) {
+void show_grown(TestBench& bench) {
   bench.show({kGrownLayers[0], kGrownLayers[1], kGrownLayers[2], kGrownLayers[3], kGrownLayers[4], kGrownLayers[5]});
 }
 
@@ -38,7 +38,7 @@ ComputationSettings grown_by(double a) {
 }
 
 /// Of balls alone, with the layers of their growth.
-struct BallBench : Workbench {
+struct BallBench : TestBench {
   explicit BallBench(const std::vector<Disk>& balls) {
     SampleData data;
     data.balls = balls;
@@ -160,7 +160,7 @@ std::vector<Disk> random_balls(std::size_t count, int grid, Rng& rng) {
   return out;
 }
 
-std::vector<Arc> arcs_of(const Workbench& bench, std::string_view layer) {
+std::vector<Arc> arcs_of(const TestBench& bench, std::string_view layer) {
   std::vector<Arc> out;
   const auto row = bench.instances(layer, PrimitiveKind::arc);
   for (std::size_t at = 0; at < row.size(); at += stride_of(PrimitiveKind::arc))
@@ -168,7 +168,7 @@ std::vector<Arc> arcs_of(const Workbench& bench, std::string_view layer) {
   return out;
 }
 
-double perimeter_of(const Workbench& bench, std::string_view layer) {
+double perimeter_of(const TestBench& bench, std::string_view layer) {
   double out = 0.0;
   for (const Arc& arc : arcs_of(bench, layer)) out += arc.radius * sweep_of(arc);
   const auto circles = bench.instances(layer, PrimitiveKind::circle);
@@ -225,7 +225,7 @@ TEST_CASE("inner and polar balls grow as the circumdisks that they are") {
     }
     // Cocircular samples: one ball of many faces.
     if (round == 1) points = {{5, 0}, {4, 3}, {3, 4}, {0, 5}, {-3, 4}, {-5, 0}, {-4, -3}, {0, -5}, {9, 1}, {9, -1}};
-    Workbench bench(points);
+    TestBench bench(points);
     bench.show({"a-alpha-edges", "p-alpha-edges"});
     ComputationSettings settings;
     settings[Parameter::a_scale] = round % 2 == 0 ? 1.0 : 1.25;
@@ -252,7 +252,7 @@ TEST_CASE("balls of radius zero have the alpha complexes of samples") {
     SampleData data;
     for (const Disk& ball : random_balls(80, grid, rng)) data.balls.push_back({ball.center, 0.0});
     for (const Disk& ball : data.balls) data.positions.push_back(ball.center);
-    Workbench bench;
+    TestBench bench;
     bench.load(data);
     bench.show({"alpha-edges", "alpha-triangles", "alpha-boundary", "b-alpha-edges", "b-alpha-triangles",
                 "b-alpha-boundary"});
@@ -310,7 +310,7 @@ TEST_CASE("the grown complex has the topology of the exact union of the grown ba
     }
     BallBench bench(plain);
     bench.choose(grown_by(kGrowth));
-    Workbench exact_union;
+    TestBench exact_union;
     exact_union.load(grown);
     exact_union.show({"b-union-boundary", "b-ball-medial-axis"});
     ComputationSettings settings;
@@ -350,7 +350,7 @@ TEST_CASE("grown by nothing, balls have the dual complex of their union") {
       const double angle = 2.0 * std::numbers::pi * i / 40.0;
       data.positions.push_back({(2.0 + 0.1 * rng.uniform()) * std::cos(angle), std::sin(angle)});
     }
-    Workbench bench;
+    TestBench bench;
     bench.load(data);
     bench.show({"b-alpha-edges", "b-union-boundary", "b-ball-medial-axis", "a-alpha-edges", "a-ball-medial-axis",
                 "p-alpha-edges", "p-ball-medial-axis"});

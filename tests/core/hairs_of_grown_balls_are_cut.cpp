@@ -181,7 +181,7 @@ TEST_CASE("hairs are cut from free ends inwards, in whatever order rows come") {
 }
 
 TEST_CASE("the scale axis of a comb has a free end for each tooth and corner, and none for each sample") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"scale-axis"});
   bench.replace(comb_samples(8, 0.2, 0.1, 1.0, 0.4, 0.05));
   ComputationSettings settings;
@@ -210,7 +210,7 @@ TEST_CASE("just above a factor of 1 the axis of noisy samples keeps its branches
     const double r = 1.0 + 0.005 * rng.uniform(-1.0, 1.0);
     samples.push_back({3.0 * r * std::cos(t), r * std::sin(t)});
   }
-  Workbench bench;
+  TestBench bench;
   bench.show({"scale-axis"});
   bench.replace(samples);
   ComputationSettings settings;
@@ -226,7 +226,7 @@ TEST_CASE("just above a factor of 1 the axis of noisy samples keeps its branches
 
 // Two clusters whose grown balls touch: rounding leaves edges of the dual complex without crossings.
 TEST_CASE("crossings that the number type naive has lost end nothing") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"scale-axis"});
   ComputationSettings settings;
   settings.precision = Precision::naive;

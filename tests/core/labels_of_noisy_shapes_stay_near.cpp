@@ -113,7 +113,7 @@ double share_labelled_wrongly(const Region& region, double noise, std::uint64_t 
     const double dy = rng.uniform(-1.0, 1.0);
     p = p + (kSpacing * noise) * Vec2{dx, dy};
   }
-  Workbench bench;
+  TestBench bench;
   bench.show({"interior-voronoi-disks"});
   bench.replace(points);
   const auto& delaunay = bench.get<Delaunay>();

@@ -23,7 +23,7 @@ std::vector<Vec2> shuffled(std::vector<Vec2> positions) {
 }
 
 /// What is compared, and no unions of balls: in exact numbers they would take most of the time.
-struct ComparedBench : Workbench {
+struct ComparedBench : TestBench {
   explicit ComparedBench(const std::vector<Vec2>& positions) {
     show({"curve-normals", "medial-axis", "label-conflicts", "anti-crust-edges"});
     replace(positions);
@@ -71,7 +71,7 @@ TEST_CASE("a large smooth curve") {
 
 TEST_CASE("duplicates in many parts") {
   const std::vector<Vec2> positions = duplicate_heavy(90000);
-  const Workbench bench(positions);
+  const TestBench bench(positions);
   CHECK(broken_row(bench.graph()) == "");
   std::vector<Vec2> once = positions;
   std::ranges::sort(once, lexicographically_less);
@@ -84,7 +84,7 @@ TEST_CASE("parts that lie on a line") {
   std::vector<Vec2> positions(2000, Vec2{-1.0, -1.0});
   for (int i = 0; i < 30000; ++i)
     for (const Vec2 p : {Vec2{0.0, 1.0 * i}, Vec2{30000.0, 1.0 * i}, Vec2{1.0 * i, 0.0}}) positions.push_back(p);
-  Workbench bench;
+  TestBench bench;
   bench.show({"curve", "medial-axis"});
   bench.replace(shuffled(positions));
   CHECK(broken_row(bench.graph()) == "");
@@ -102,7 +102,7 @@ TEST_CASE("many random points, odd ones everywhere") {
 
 TEST_CASE("a large lattice, where every quadruple is cocircular") {
   constexpr std::int64_t kSide = 110;
-  const Workbench bench(shuffled(integer_lattice(kSide).positions));
+  const TestBench bench(shuffled(integer_lattice(kSide).positions));
   CHECK(broken_row(bench.graph()) == "");
   CHECK(bench.count("one-step-crust", "crust_edges") == 2 * kSide * (kSide - 1));
   CHECK(bench.count("one-step-crust", "odd_samples") == 4 * (kSide - 2));
@@ -111,7 +111,7 @@ TEST_CASE("a large lattice, where every quadruple is cocircular") {
 
 TEST_CASE("a stretch of a curve is moved together, through the curve and out of it") {
   const std::vector<Vec2> positions = benchmark_curve(6000);
-  Workbench bench(positions);
+  TestBench bench(positions);
   const std::vector<SampleId> ids = bench.ids();
   Box2 extent;
   for (const Vec2 p : positions) extent.add(p);
@@ -129,8 +129,8 @@ TEST_CASE("a stretch of a curve is moved together, through the curve and out of 
     REQUIRE(delaunay != bench.patch().nodes.end());
     CHECK_FALSE(delaunay->rebuilt);
     CHECK(broken_row(bench.graph()) == "");
-    CHECK(difference(bench.state(), Workbench(moved).state()) == "");
+    CHECK(difference(bench.state(), TestBench(moved).state()) == "");
   }
   while (bench.steps_done() > 1) bench.undo();
-  CHECK(difference(bench.state(), Workbench(positions).state()) == "");
+  CHECK(difference(bench.state(), TestBench(positions).state()) == "");
 }

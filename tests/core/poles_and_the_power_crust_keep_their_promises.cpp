@@ -50,7 +50,7 @@ int sign_of_sum(const Rational& a, const Rational& square_a, const Rational& b, 
 }
 
 /// Plus and minus pole of every site, by looking at its whole cell.
-void check_poles(const Workbench& bench) {
+void check_poles(const TestBench& bench) {
   const auto& delaunay = bench.get<Delaunay>();
   const auto& vertices = bench.get<VoronoiVertices>();
   const auto& poles = bench.get<Poles>();
@@ -146,21 +146,21 @@ TEST_CASE("poles are the farthest Voronoi vertices") {
   SECTION("of random points") {
     std::vector<Vec2> points(120);
     for (Vec2& p : points) p = {rng.uniform(), rng.uniform()};
-    check_poles(Workbench(points));
+    check_poles(TestBench(points));
   }
   SECTION("of a lattice, where every comparison is a tie") {
     std::vector<Vec2> points;
     for (int x = 0; x < 7; ++x)
       for (int y = 0; y < 6; ++y) points.push_back({0.1 * x, 0.1 * y});
-    check_poles(Workbench(points));
+    check_poles(TestBench(points));
     for (Vec2& p : points) p = {std::round(10.0 * p.x), std::round(10.0 * p.y)};
-    check_poles(Workbench(points));
+    check_poles(TestBench(points));
   }
   SECTION("of points of a small grid") {
     for (int round = 0; round < 40; ++round) {
       std::vector<Vec2> points(5 + rng.below(20));
       for (Vec2& p : points) p = {static_cast<double>(rng.below(9)), static_cast<double>(rng.below(9))};
-      const Workbench bench(points);
+      const TestBench bench(points);
       if (bench.get<Delaunay>().dimension() == 2) check_poles(bench);
     }
   }
@@ -169,7 +169,7 @@ TEST_CASE("poles are the farthest Voronoi vertices") {
     for (int x = -65; x <= 65; ++x)
       for (int y = -65; y <= 65; ++y)
         if (x * x + y * y == 65 * 65) points.push_back({static_cast<double>(x), static_cast<double>(y)});
-    const Workbench bench(points);
+    const TestBench bench(points);
     check_poles(bench);
     CHECK(bench.count("poles", "faces") == 1);
     CHECK(bench.count("poles", "finite") == 36);
@@ -179,14 +179,14 @@ TEST_CASE("poles are the farthest Voronoi vertices") {
     for (const double scale : {1e-140, 1e150}) {
       std::vector<Vec2> points(30);
       for (Vec2& p : points) p = {scale * rng.uniform(), scale * rng.uniform()};
-      check_poles(Workbench(points));
+      check_poles(TestBench(points));
     }
   }
   SECTION("of nearly flat triangles") {
     std::vector<Vec2> points;
     for (int i = 0; i < 20; ++i) points.push_back({0.1 * i, 0x1p-50 * static_cast<double>(rng.below(5))});
     points.push_back({1.0, 1.0});
-    check_poles(Workbench(points));
+    check_poles(TestBench(points));
   }
 }
 
@@ -194,7 +194,7 @@ TEST_CASE("below dimension two there is no pole and no power crust") {
   for (const std::size_t n : {0U, 1U, 2U, 5U}) {
     std::vector<Vec2> points;
     for (std::size_t i = 0; i < n; ++i) points.push_back({static_cast<double>(i), 2.0 * static_cast<double>(i)});
-    Workbench bench(points);
+    TestBench bench(points);
     CHECK(bench.count("poles", "faces") == 0);
     CHECK(bench.count("power-crust", "edges") == 0);
     bench.insert({{0.5, 7.0}});
@@ -207,7 +207,7 @@ TEST_CASE("below dimension two there is no pole and no power crust") {
 TEST_CASE("on dense samples of smooth curves the power crust is the curve") {
   for (const TestShape& shape : oracle_shapes(0.2, {0.3, 0.1, 7})) {
     INFO(shape.name);
-    Workbench bench;
+    TestBench bench;
     bench.show({"power-crust", "curve-normals"});
     ComputationSettings settings;
     settings.precision = Precision::exact;
@@ -239,7 +239,7 @@ TEST_CASE("labels that spread from pole to pole agree with those of the triangle
   for (const Precision precision : {Precision::fast, Precision::exact}) {
     for (const TestShape& shape : oracle_shapes(0.25, {0.1, 0.05, 3})) {
       INFO(shape.name << " in " << id_of(precision));
-      Workbench bench;
+      TestBench bench;
       bench.show({"power-crust"});
       ComputationSettings settings;
       settings.precision = precision;
@@ -260,7 +260,7 @@ TEST_CASE("the union of the interior polar balls has the topology of the shape")
        {ellipse(2.0, 1.0, 80, {0.3, 0.1, 11}), two_ellipses(2.0, 1.0, 1.0, 60, {0.3, 0.1, 3}),
         eccentric_hole(1.0, 3.0, 1.0, 0.3, {0.3, 0.1, 5})}) {
     INFO(shape.name);
-    Workbench bench;
+    TestBench bench;
     bench.show({"p-ball-medial-axis"});
     ComputationSettings settings;
     settings.precision = Precision::exact;

@@ -19,20 +19,20 @@ namespace {
 
 using Targets = std::vector<std::pair<SampleId, Vec2>>;
 
-void show_few(Workbench& bench) {
+void show_few(TestBench& bench) {
   bench.show({"curve", "medial-axis", "delaunay", "voronoi", "label-conflicts", "curve-normals", "anti-crust-edges"});
 }
 
-std::vector<Vec2> positions_of(const Workbench& bench) {
+std::vector<Vec2> positions_of(const TestBench& bench) {
   std::vector<Vec2> out;
   for (const SampleSlot slot : bench.document().slots_in_input_order())
     out.push_back(bench.document().position(slot));
   return out;
 }
 
-void check(const Workbench& bench) {
+void check(const TestBench& bench) {
   REQUIRE(broken_row(bench.graph()) == "");
-  Workbench fresh;
+  TestBench fresh;
   show_few(fresh);
   fresh.replace(positions_of(bench));
   REQUIRE(difference(bench.state(), fresh.state()) == "");
@@ -42,13 +42,13 @@ void check(const Workbench& bench) {
   }
 }
 
-bool was_rebuilt(const Workbench& bench) {
+bool was_rebuilt(const TestBench& bench) {
   const auto& nodes = bench.patch().nodes;
   return std::ranges::find(nodes, std::string("delaunay"), &NodeReport::structure)->rebuilt;
 }
 
 /// Those that `where` is true of, each to where `to` has it.
-void move_all(Workbench& bench, const std::function<bool(std::size_t, Vec2)>& where,
+void move_all(TestBench& bench, const std::function<bool(std::size_t, Vec2)>& where,
               const std::function<Vec2(Vec2)>& to) {
   Targets targets;
   std::size_t number = 0;
@@ -62,7 +62,7 @@ void move_all(Workbench& bench, const std::function<bool(std::size_t, Vec2)>& wh
 }  // namespace
 
 TEST_CASE("a stretch of a curve goes across the shape and comes back") {
-  Workbench bench;
+  TestBench bench;
   show_few(bench);
   bench.replace(benchmark_curve(3000));
   const std::vector<Vec2> before = positions_of(bench);
@@ -85,7 +85,7 @@ TEST_CASE("a stretch of a curve goes across the shape and comes back") {
 }
 
 TEST_CASE("random samples are shaken, moved as a block and turned") {
-  Workbench bench;
+  TestBench bench;
   show_few(bench);
   bench.replace(uniform_square(1500));
   Rng rng(6);
@@ -113,7 +113,7 @@ TEST_CASE("random samples are shaken, moved as a block and turned") {
 }
 
 TEST_CASE("a block of a lattice goes over the others, where all is cocircular and positions repeat") {
-  Workbench bench;
+  TestBench bench;
   show_few(bench);
   bench.replace(integer_lattice(18).positions);
   Rng rng(7);
@@ -140,7 +140,7 @@ TEST_CASE("samples that are all on the hull, and samples that meet") {
   std::vector<Vec2> positions;
   for (int i = 0; i < 600; ++i) positions.push_back(100.0 * Vec2{std::cos(0.01047 * i), std::sin(0.01047 * i)});
   for (int i = 0; i < 200; ++i) positions.push_back(0.3 * positions[static_cast<std::size_t>(3 * i)]);
-  Workbench bench;
+  TestBench bench;
   show_few(bench);
   bench.replace(positions);
   // An arc goes in and out again, and the inner circle with it.

@@ -51,7 +51,7 @@ void check_same_picture(const LayerContents& a, const LayerContents& b) {
 }
 
 /// What a union is as complex and graph, whatever numbers it was found with.
-std::vector<std::int64_t> shape_of(const Workbench& bench, std::string_view union_of) {
+std::vector<std::int64_t> shape_of(const TestBench& bench, std::string_view union_of) {
   std::vector<std::int64_t> out;
   for (const char* key : {"balls", "visible", "hidden", "duplicates", "dual_singular", "dual_regular",
                           "dual_interior", "dual_faces", "isolated", "v_points", "nodes", "edges", "components",
@@ -87,7 +87,7 @@ std::vector<Disk> integer_disks(std::uint64_t seed, std::size_t count) {
 }  // namespace
 
 TEST_CASE("the area of one ball grows with the square of the scale") {
-  Workbench bench;
+  TestBench bench;
   bench.insert_balls({{{1.0, 2.0}, 3.0}});
   for (const Precision precision : {Precision::fast, Precision::exact, Precision::exact_roots}) {
     for (const double scale : {0.01, 0.5, 1.0, 1.03, 2.0, 100.0}) {
@@ -103,7 +103,7 @@ TEST_CASE("scaled balls of one's own give the picture of balls with those radii"
     for (const Precision precision : {Precision::fast, Precision::exact}) {
       INFO(scale << " in " << id_of(precision));
       const std::vector<Disk> disks = integer_disks(7, 12);
-      Workbench small, large;
+      TestBench small, large;
       small.choose(settings_at_scale(precision, scale));
       large.choose(settings_at_scale(precision, 1.0));
       small.insert_balls(disks);
@@ -117,7 +117,7 @@ TEST_CASE("rationals with roots where they are needed agree with roots throughou
   for (const double scale : {2.0, 1.5}) {
     for (std::uint64_t seed = 1; seed <= 3; ++seed) {
       INFO("scale " << scale << ", seed " << seed);
-      Workbench bench;
+      TestBench bench;
       bench.show({"b-union-boundary", "b-ball-medial-axis"});
       bench.insert_balls(integer_disks(seed, 7));
       bench.choose(settings_at_scale(Precision::exact, scale));
@@ -133,7 +133,7 @@ TEST_CASE("scaled Voronoi balls are analysed alike in doubles and in exact numbe
   for (const double scale : {2.0, 1.5}) {
     INFO("scale " << scale);
     // Of few bits: v-points on one circle are cocircular, and to decide that costs by the bits.
-    Workbench bench(std::vector<Vec2>{{0, 0}, {4, -1}, {8, 0}, {9, 3}, {7, 6}, {3, 7}, {-1, 4}});
+    TestBench bench(std::vector<Vec2>{{0, 0}, {4, -1}, {8, 0}, {9, 3}, {7, 6}, {3, 7}, {-1, 4}});
     bench.show({"a-ball-medial-axis", "p-ball-medial-axis"});
     for (const std::string family : {"a-union", "p-union"}) {
       bench.choose(settings_at_scale(Precision::fast, scale));
@@ -152,7 +152,7 @@ TEST_CASE("an edit with scaled balls ends in the picture of a rebuild") {
   for (const double scale : {1.2, 0.8}) {
     INFO("scale " << scale);
     Rng rng(5);
-    Workbench bench(ellipse(40));
+    TestBench bench(ellipse(40));
     bench.insert_balls(integer_disks(3, 8));
     bench.choose(settings_at_scale(Precision::fast, scale));
     for (int step = 0; step < 25; ++step) {
@@ -167,7 +167,7 @@ TEST_CASE("an edit with scaled balls ends in the picture of a rebuild") {
         case 3: bench.insert_balls({{9.0 * offset, rng.uniform()}}); break;
         default: bench.move(ids[rng.below(ids.size())], ellipse(40)[rng.below(40)] + offset); break;
       }
-      Workbench fresh;
+      TestBench fresh;
       fresh.choose(settings_at_scale(Precision::fast, scale));
       SampleData reversed{.positions = bench.positions(), .balls = bench.balls()};
       std::ranges::reverse(reversed.positions);
@@ -179,7 +179,7 @@ TEST_CASE("an edit with scaled balls ends in the picture of a rebuild") {
 }
 
 TEST_CASE("back at scale 1 everything is as it was, shortcut and all") {
-  Workbench bench(ellipse(60));
+  TestBench bench(ellipse(60));
   bench.insert_balls(integer_disks(2, 10));
   const LayerContents before = bench.contents();
   REQUIRE(bench.get<AUnion>().rung() == UnionRung::shortcut);
@@ -193,7 +193,7 @@ TEST_CASE("back at scale 1 everything is as it was, shortcut and all") {
 }
 
 TEST_CASE("a family is scaled by its own parameter and by no other") {
-  Workbench bench(ellipse(30));
+  TestBench bench(ellipse(30));
   bench.insert_balls(integer_disks(4, 5));
   std::array<double, 3> before{};
   const auto area = [&](const Family& family) {
@@ -216,7 +216,7 @@ TEST_CASE("a family is scaled by its own parameter and by no other") {
 
 TEST_CASE("no scale carries balls beyond doubles; those of radius zero take no part") {
   for (const Precision precision : {Precision::fast, Precision::exact}) {
-    Workbench bench;
+    TestBench bench;
     bench.insert_balls({{{0.0, 0.0}, 0x1p499}, {{-0x1p499, 0.0}, 0x1p399}, {{0x1p420, 0.0}, 0.0}});
     bench.choose(settings_at_scale(precision, 100.0));
     CHECK(bench.count("b-union", "balls") == 2);

@@ -26,7 +26,7 @@ SampleData in_unit(SampleData data, int exponent) {
 }
 
 // Coordinates scale. Scalars are lengths, or numbers without unit; directions of rays and lines are either.
-std::string difference(const Workbench& unit, const Workbench& other, int exponent) {
+std::string difference(const TestBench& unit, const TestBench& other, int exponent) {
   for (const LayerIndex layer : all_layers()) {
     for (const PrimitiveKind kind : kAllPrimitiveKinds) {
       const auto a = unit.mirror().instances(layer, kind);
@@ -94,12 +94,12 @@ TEST_CASE("every layer scales with its input by powers of two, bit for bit") {
                          Run{"random numbers", random_doubles(), Precision::exact, {-400, 70, 100, 400}}}) {
     ComputationSettings settings;
     settings.precision = run.precision;
-    Workbench unit;
+    TestBench unit;
     unit.choose(settings);
     unit.load(run.data);
     for (const int exponent : run.exponents) {
       INFO(run.name << " in " << id_of(run.precision));
-      Workbench other;
+      TestBench other;
       other.choose(settings);
       other.load(in_unit(run.data, exponent));
       CHECK(difference(unit, other, exponent) == "");

@@ -173,7 +173,7 @@ void check_changes(const FramePatch& patch, const AllTables& tables, const std::
   }
 }
 
-void check_step(const Workbench& bench, std::map<std::string, RowsBefore>& before, std::set<std::string>& followed) {
+void check_step(const TestBench& bench, std::map<std::string, RowsBefore>& before, std::set<std::string>& followed) {
   const AllTables tables = tables_of_graph(bench.graph());
   check_rows(tables);
   check_changes(bench.patch(), tables, before, followed);
@@ -209,7 +209,7 @@ TEST_CASE("Rows of all tables are sound, and change sets name those that differ"
   };
   std::vector<Vec2> positions(seed % 2 == 0 ? 30 : 12);
   std::ranges::generate(positions, somewhere);
-  Workbench bench(positions);
+  TestBench bench(positions);
   bench.insert_balls({{{0.2, 0.3}, 0.2}, {{0.4, 0.3}, 0.15}, {{0.4, 0.6}, 0.2}, {{2.0, 2.0}, 0.0}});
   std::map<std::string, RowsBefore> before;
   std::set<std::string> followed;
@@ -241,7 +241,7 @@ TEST_CASE("Rows of all tables are sound, and change sets name those that differ"
 
 TEST_CASE("Tables of a dense sample follow its edits and its parameters") {
   const TestShape shape = ellipse_graded(2.0, 1.0, 0.25);
-  Workbench bench;
+  TestBench bench;
   bench.load(shape.data);
   std::map<std::string, RowsBefore> before;
   std::set<std::string> followed;
@@ -279,7 +279,7 @@ TEST_CASE("Tables of a dense sample follow its edits and its parameters") {
 
 TEST_CASE("Columns say what the accessors of their structures say") {
   const TestShape shape = ellipse_graded(2.0, 1.0, 0.25);
-  Workbench bench;
+  TestBench bench;
   bench.load(shape.data);
   const AllTables tables = tables_of_graph(bench.graph());
   const auto& delaunay = bench.get<Delaunay>();
@@ -333,7 +333,7 @@ TEST_CASE("Columns say what the accessors of their structures say") {
 }
 
 TEST_CASE("What is pointed at has a row in its own table and in those that speak of it") {
-  Workbench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
+  TestBench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
   const auto& delaunay = bench.get<Delaunay>();
   const auto& axis = bench.get<MedialAxis>();
   const auto has_value = [](const ProvenanceRow& row, std::string_view name, std::string_view text) {
@@ -361,7 +361,7 @@ TEST_CASE("What is pointed at has a row in its own table and in those that speak
 }
 
 TEST_CASE("A row of one family of balls is that of its owner alone") {
-  Workbench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
+  TestBench bench(ellipse(2.0, 1.0, 60, {.offset = 0.3}).data.positions);
   const Table<VPointSlot, VPoint>& points = bench.get<AUnion>().tables().v_points;
   for (const VPointSlot point : points.rows()) {
     if (!points[point].is_alive()) continue;

@@ -28,7 +28,7 @@ ComputationSettings exactly() {
   return out;
 }
 
-bool has_border_on_conflict(const Workbench& bench) {
+bool has_border_on_conflict(const TestBench& bench) {
   const auto& delaunay = bench.get<Delaunay>();
   const auto& certificate = bench.get<AxisCertificate>();
   const auto& labels = bench.get<Labels>();
@@ -81,7 +81,7 @@ TEST_CASE("two inner balls that touch in a sample are not certified: their centr
       for (const double y : {p.y, -p.y}) points.push_back({side * p.x, y});
   points.push_back({10, 0});
   points.push_back({-10, 0});
-  Workbench bench;
+  TestBench bench;
   bench.show({"medial-axis", "a-ball-medial-axis", "theorem-check"});
   bench.choose(exactly());
   bench.insert(points);
@@ -98,7 +98,7 @@ TEST_CASE("two inner balls that touch in a sample are not certified: their centr
 
 TEST_CASE("a ball that bulges through a mended gap and meets another one is not certified") {
   // A curve that is open at the bottom, where an edge that is not crust mends it, and a triangle before the gap.
-  Workbench bench;
+  TestBench bench;
   bench.show({"medial-axis", "a-ball-medial-axis", "theorem-check"});
   bench.choose(exactly());
   bench.insert({{9, -39},
@@ -129,7 +129,7 @@ TEST_CASE("a ball that bulges through a mended gap and meets another one is not 
 
 TEST_CASE("no arc of a border of crust edges is met by another inner ball") {
   Rng rng(12);
-  Workbench bench;
+  TestBench bench;
   bench.show({"theorem-check"});
   int borders = 0;
   for (int trial = 0; trial < 3000; ++trial) {

@@ -158,7 +158,7 @@ std::vector<std::vector<double>> drawn(const LayerContents& contents, LayerIndex
 
 // Every demanded layer holds what a fresh graph of the same samples draws.
 void check_layers(const Client& client, const std::vector<LayerIndex>& layers) {
-  const Workbench fresh(client.positions());
+  const TestBench fresh(client.positions());
   for (const LayerIndex layer : layers) {
     if (layer == find_layer("last-change")) continue;
     INFO(layer_descriptors()[layer].id);

@@ -25,7 +25,7 @@ constexpr const char* kAxis = "scale-axis";
 constexpr std::array kLayers{kAxis, "scale-axis-boundary", "scale-axis-grown-disks", "scale-axis-disks",
                              "scale-axis-circles"};
 
-void show_scale_axis(Workbench& bench) {
+void show_scale_axis(TestBench& bench) {
   bench.show({kLayers[0], kLayers[1], kLayers[2], kLayers[3], kLayers[4]});
 }
 
@@ -41,7 +41,7 @@ struct ScalePiece {
   double radius;
 };
 
-std::vector<ScalePiece> scale_pieces(const Workbench& bench, std::string_view layer) {
+std::vector<ScalePiece> scale_pieces(const TestBench& bench, std::string_view layer) {
   std::vector<ScalePiece> out;
   const auto values = bench.instances(layer, PrimitiveKind::segment);
   for (std::size_t at = 0; at < values.size(); at += stride_of(PrimitiveKind::segment))
@@ -49,7 +49,7 @@ std::vector<ScalePiece> scale_pieces(const Workbench& bench, std::string_view la
   return out;
 }
 
-std::vector<Disk> disks(const Workbench& bench, std::string_view layer, PrimitiveKind kind = PrimitiveKind::disk) {
+std::vector<Disk> disks(const TestBench& bench, std::string_view layer, PrimitiveKind kind = PrimitiveKind::disk) {
   std::vector<Disk> out;
   const auto values = bench.instances(layer, kind);
   for (std::size_t at = 0; at < values.size(); at += stride_of(kind))
@@ -80,7 +80,7 @@ std::vector<Vec2> noisy_curve(std::size_t count, double noise, std::uint64_t see
 }  // namespace
 
 TEST_CASE("at a factor of 1 the scale axis is the axis of the union of the inner balls, instance for instance") {
-  Workbench bench;
+  TestBench bench;
   bench.show({kAxis, "a-ball-medial-axis", "scale-axis-boundary", "a-union-boundary", "scale-axis-disks",
               "a-ball-medial-disks"});
   std::vector<std::vector<Vec2>> inputs;
@@ -105,7 +105,7 @@ TEST_CASE("the scale axis of an ellipse is shorter by a formula, with the radii 
   // it is maximal in the union while the derivative of its radius is less than 1: for |x| < c^2 / sqrt(s^2 + c^2). The
   // axis ends at c^2 / a, where this derivative is 1: so shrunk balls are all maximal.
   for (const double a : {2.0, 3.0}) {
-    Workbench bench;
+    TestBench bench;
     show_scale_axis(bench);
     bench.replace(ellipse(a, 1.0, 400, {0.3, 0.1, 3}).data.positions);
     const double c2 = a * a - 1.0;
@@ -143,7 +143,7 @@ TEST_CASE("the scale axis of an ellipse is shorter by a formula, with the radii 
 
 TEST_CASE("the scale axis of a stadium is that of the stadium, with its radius, at every factor") {
   const double half = 3.0;
-  Workbench bench;
+  TestBench bench;
   show_scale_axis(bench);
   bench.replace(stadium(half, 1.0, 0.1, {0.3, 0.2, 5}).data.positions);
   for (const double s : {0.1, 0.4, 0.9, 1.05, 1.3, 2.0, 3.0}) {
@@ -176,7 +176,7 @@ TEST_CASE("two disks merge at the factor that makes them touch, and a hole close
   std::vector<Vec2> two = circle({0, 0}, 1.0, 40);
   for (const Vec2 p : circle({3.0, 0.25}, 1.0, 40)) two.push_back(p);
   const double touch = 0.5 * std::hypot(3.0, 0.25);
-  Workbench bench;
+  TestBench bench;
   show_scale_axis(bench);
   bench.replace(two);
   for (const double s : {1.0, 1.2, 0.995 * touch, 1.005 * touch, 2.0}) {
@@ -197,7 +197,7 @@ TEST_CASE("two disks merge at the factor that makes them touch, and a hole close
 }
 
 TEST_CASE("the scale axis is continuous at a factor of 1") {
-  Workbench bench;
+  TestBench bench;
   show_scale_axis(bench);
   const auto length = [&] {
     double out = 0.0;
@@ -218,7 +218,7 @@ TEST_CASE("the scale axis is continuous at a factor of 1") {
 }
 
 TEST_CASE("balls shrunk along an axis do not part, however coarsely it is sampled") {
-  Workbench bench;
+  TestBench bench;
   show_scale_axis(bench);
   bench.replace(stadium(3.0, 1.0, 0.5, {0.3, 0.2, 5}).data.positions);
   for (const double angle : {90.0, 175.0}) {
@@ -234,7 +234,7 @@ TEST_CASE("balls shrunk along an axis do not part, however coarsely it is sample
 }
 
 TEST_CASE("hairs of a noisy outline go as the factor grows, and components and cycles follow the grown union") {
-  Workbench bench;
+  TestBench bench;
   show_scale_axis(bench);
   bench.replace(noisy_curve(400, 1.0, 3));
   bench.choose(factor_in(1.0));
@@ -256,7 +256,7 @@ TEST_CASE("hairs of a noisy outline go as the factor grows, and components and c
 TEST_CASE("the scale axis follows random edits and changes of its factor as a fresh computation does") {
   for (const std::uint64_t seed : {1U, 2U, 3U}) {
     Rng rng(seed);
-    Workbench bench;
+    TestBench bench;
     show_scale_axis(bench);
     bench.replace(noisy_curve(60, 10.0, seed));
     ComputationSettings settings;
@@ -273,7 +273,7 @@ TEST_CASE("the scale axis follows random edits and changes of its factor as a fr
         case 1: bench.remove({bench.ids()[rng.below(bench.ids().size())]}); break;
         default: bench.move(bench.ids()[rng.below(bench.ids().size())], place()); break;
       }
-      Workbench fresh;
+      TestBench fresh;
       show_scale_axis(fresh);
       std::vector<Vec2> reversed = bench.positions();
       std::ranges::reverse(reversed);
@@ -288,7 +288,7 @@ TEST_CASE("the scale axis follows random edits and changes of its factor as a fr
 }
 
 TEST_CASE("fast and exact numbers give one scale axis as a graph, and inputs without an axis give nothing") {
-  Workbench bench;
+  TestBench bench;
   show_scale_axis(bench);
   bench.replace(noisy_curve(60, 8.0, 5));
   for (const double s : {1.05, 1.37}) {
@@ -320,7 +320,7 @@ TEST_CASE("fast and exact numbers give one scale axis as a graph, and inputs wit
 }
 
 TEST_CASE("the grown union is computed only where one of its layers is shown") {
-  Workbench bench;
+  TestBench bench;
   bench.show({"medial-axis"});
   bench.replace(circle({0, 0}, 1.0, 20));
   for (const NodeReport& node : bench.patch().nodes)

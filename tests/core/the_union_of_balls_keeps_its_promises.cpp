@@ -404,7 +404,7 @@ TEST_CASE("the boundary is drawn in closed curves as long as the perimeter") {
   // Alone, twice and within another; touching from outside and from inside.
   for (const Disk& disk : {Disk{{20, 0}, 1}, {{20, 0}, 1}, {{20.5, 0}, 0.25}, {{22, 0}, 1}, {{22.5, 0}, 0.5}})
     data.balls.push_back(disk);
-  Workbench bench;
+  TestBench bench;
   bench.load(data);
   for (const std::string family : {"a", "b"}) {
     const auto arcs = bench.instances(family + "-union-boundary", PrimitiveKind::arc);

@@ -74,11 +74,11 @@ Measured measured_by_intervals(const std::vector<Disk>& disks) {
   return out;
 }
 
-Measured measured(const Workbench& bench) {
+Measured measured(const TestBench& bench) {
   return {bench.measure("b-union", "area"), bench.measure("b-union", "perimeter")};
 }
 
-double length_of_arcs(const Workbench& bench, std::string_view layer) {
+double length_of_arcs(const TestBench& bench, std::string_view layer) {
   double length = 0.0;
   const auto arcs = bench.instances(layer, PrimitiveKind::arc);
   for (std::size_t at = 0; at < arcs.size(); at += stride_of(PrimitiveKind::arc)) {
@@ -94,7 +94,7 @@ ComputationSettings in(Precision precision) {
   return out;
 }
 
-void show_boundary(Workbench& bench, Precision precision) {
+void show_boundary(TestBench& bench, Precision precision) {
   bench.show({"b-union-boundary"});
   bench.choose(in(precision));
 }
@@ -118,7 +118,7 @@ TEST_CASE("a covered circle that reaches the boundary of the union in one point 
   for (const double scale : {1.0, 0.5}) {
     for (const Precision precision : {Precision::naive, Precision::fast, Precision::exact, Precision::exact_roots}) {
       INFO(id_of(precision) << ", scale " << scale);
-      Workbench bench;
+      TestBench bench;
       bench.show({"b-union-boundary"});
       ComputationSettings settings = in(precision);
       settings[Parameter::b_scale] = scale;
@@ -137,7 +137,7 @@ TEST_CASE("a covered circle that reaches the boundary of the union in one point 
 TEST_CASE("a ball touched from outside in one point keeps its whole circle") {
   for (const Precision precision : {Precision::naive, Precision::fast, Precision::exact, Precision::exact_roots}) {
     INFO(id_of(precision));
-    Workbench bench;
+    TestBench bench;
     show_boundary(bench, precision);
     bench.insert_balls({{{0, 0}, 5}, {{6, 8}, 5}, {{20, 0}, 1}});
     CHECK(bench.measure("b-union", "perimeter") == Approx(22.0 * kHalfTurn).epsilon(1e-14));
@@ -151,7 +151,7 @@ TEST_CASE("ends of an arc that are rounded to one double leave it the circle or 
   const double tiny = 0x1p-60;
   for (const Precision precision : {Precision::fast, Precision::exact, Precision::exact_roots}) {
     INFO(id_of(precision));
-    Workbench bench;
+    TestBench bench;
     show_boundary(bench, precision);
     bench.insert_balls({{{0, 0}, 5}, {{3, 4}, tiny}});
     CHECK(bench.measure("b-union", "area") == Approx(25.0 * kHalfTurn).epsilon(1e-14));
@@ -165,7 +165,7 @@ TEST_CASE("ends of an arc that are rounded to one double leave it the circle or 
     const Measured closed = measured_by_intervals(disks);
     for (const double radius : {13.0, 13.0 - 0x1p-49}) {
       disks.back().radius = radius;
-      Workbench bench;
+      TestBench bench;
       show_boundary(bench, precision);
       bench.insert_balls(disks);
       CHECK(bench.measure("b-union", "area") == Approx(closed.area).epsilon(1e-12));
@@ -183,7 +183,7 @@ TEST_CASE("unions full of coincidences have the area and perimeter of their circ
   for (const auto& [precision, count] :
        {Runs{Precision::fast, 1500}, Runs{Precision::exact, 150}, Runs{Precision::exact_roots, 30}}) {
     Rng rng(5);
-    Workbench bench;
+    TestBench bench;
     show_boundary(bench, precision);
     for (int trial = 0; trial < count; ++trial) {
       const std::vector<Disk> disks = coincidences(rng);
@@ -207,7 +207,7 @@ TEST_CASE("a union has the same measures however far from the origin it lies") {
     disk = {{static_cast<double>(rng.below(4096)) / 256.0, static_cast<double>(rng.below(4096)) / 256.0},
             static_cast<double>(128 + rng.below(384)) / 256.0};
   for (const Precision precision : {Precision::fast, Precision::exact}) {
-    Workbench home;
+    TestBench home;
     show_boundary(home, precision);
     home.insert_balls(near);
     for (const Vec2 way : {Vec2{0x1p44, 0x1p44}, {-0x1p44, 3.0}, {0x1p30, -0x1p43}, {1e9, 1e9}}) {
@@ -215,7 +215,7 @@ TEST_CASE("a union has the same measures however far from the origin it lies") {
       std::vector<Disk> far = near;
       for (Disk& disk : far) disk.center = disk.center + way;
       REQUIRE(far.front().center - way == near.front().center);
-      Workbench bench;
+      TestBench bench;
       show_boundary(bench, precision);
       bench.insert_balls(far);
       for (const char* key : {"area", "perimeter", "length"})
@@ -225,7 +225,7 @@ TEST_CASE("a union has the same measures however far from the origin it lies") {
     }
   }
   // Three balls of which the area is known.
-  Workbench bench;
+  TestBench bench;
   show_boundary(bench, Precision::fast);
   bench.insert_balls({{{1e9, 1e9}, 2}, {{1e9 + 3, 1e9}, 1.5}, {{1e9 + 1, 1e9 + 2.5}, 1.75}});
   CHECK(bench.measure("b-union", "area") == Approx(26.743).margin(1e-3));
@@ -238,11 +238,11 @@ TEST_CASE("what is measured of samples is the same however far from the origin t
   for (const bool use_shortcut : {true, false}) {
     ComputationSettings settings = in(Precision::exact);
     settings[Parameter::union_shortcut] = use_shortcut ? 1.0 : 0.0;
-    const auto show = [&settings](Workbench& bench) {
+    const auto show = [&settings](TestBench& bench) {
       bench.show({"medial-axis", "curve-normals", "a-union-boundary", "a-ball-medial-axis", "power-crust"});
       bench.choose(settings);
     };
-    Workbench home;
+    TestBench home;
     show(home);
     home.insert(near);
     REQUIRE((home.get<AUnion>().rung() == UnionRung::shortcut) == use_shortcut);
@@ -250,7 +250,7 @@ TEST_CASE("what is measured of samples is the same however far from the origin t
       INFO("shortcut " << use_shortcut << ", by " << way.x << " " << way.y);
       std::vector<Vec2> far = near;
       for (Vec2& p : far) p = p + way;
-      Workbench bench;
+      TestBench bench;
       show(bench);
       bench.insert(far);
       for (const char* key : {"area", "perimeter", "length"})
@@ -268,7 +268,7 @@ TEST_CASE("what is measured of samples is the same however far from the origin t
 TEST_CASE("the two ways to the union of certified balls measure the same") {
   for (const TestShape& shape : oracle_shapes(0.25, {.offset = 0.3, .jitter = 0.1})) {
     INFO(shape.name);
-    Workbench bench;
+    TestBench bench;
     bench.show({"a-union-boundary"});
     bench.load(shape.data);
     ComputationSettings settings = in(Precision::exact);

@@ -180,13 +180,13 @@ std::optional<Topology> topology_of_nerve(const BallUnion& balls) {
   return Topology{components, components - chi, chi, chi};
 }
 
-Topology topology_found(const Workbench& bench, std::string_view id) {
+Topology topology_found(const TestBench& bench, std::string_view id) {
   return {bench.count(id, "components"), bench.count(id, "cycles"), bench.count(id, "chi"),
           bench.count(id, "chi_dual")};
 }
 
 /// Returns whether there was something to compare.
-bool check_topology(const Workbench& bench, std::string_view id, const BallUnion& balls) {
+bool check_topology(const TestBench& bench, std::string_view id, const BallUnion& balls) {
   REQUIRE(balls.is_exact());
   const auto expected = topology_of_nerve(balls);
   if (!expected) return false;
@@ -252,7 +252,7 @@ TEST_CASE("unions of disks full of coincidences have the components and cycles o
     for (const Image& image : kImages) {
       SampleData data;
       for (const Disk& disk : disks) data.balls.push_back({image(disk.center), image.scale * disk.radius});
-      Workbench bench;
+      TestBench bench;
       bench.show({"b-ball-medial-axis"});
       bench.load(data);
       for (const double scale : {1.0, 1.5, 1.1}) {
@@ -274,7 +274,7 @@ TEST_CASE("unions of balls of samples have the components and cycles of their ne
     for (const Image& image : kImages) {
       std::vector<Vec2> moved;
       for (const Vec2 p : samples) moved.push_back(image(p));
-      Workbench bench;
+      TestBench bench;
       bench.show({"a-ball-medial-axis", "p-ball-medial-axis"});
       bench.replace(moved);
       for (const double scale : {1.0, 1.1, 0.75}) {
@@ -292,7 +292,7 @@ TEST_CASE("the nerve tells unions of rounded numbers from exact ones") {
   Rng rng(43);
   int wrong = 0;
   for (int round = 0; round < 20; ++round) {
-    Workbench bench;
+    TestBench bench;
     bench.show({"a-ball-medial-axis"});
     bench.replace(samples_on_grid(rng, 40));
     ComputationSettings settings = settings_of(Precision::fast, 1.0);

@@ -33,7 +33,7 @@ TEST_CASE("crossings that are collinear for products of doubles have finite circ
   ComputationSettings settings;
   settings.precision = Precision::fast;
   settings[Parameter::union_shortcut] = 0.0;
-  Workbench bench;
+  TestBench bench;
   bench.show({"a-ball-medial-axis", "a-v-voronoi"});
   bench.choose(settings);
   bench.load(file->data);

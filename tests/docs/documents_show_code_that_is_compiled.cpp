@@ -121,7 +121,7 @@ TEST_CASE("the document about layers shows a layer that is compiled") {
 }
 
 TEST_CASE("the documented layer draws the curve") {
-  Workbench bench({{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.1}, {2.0, 1.0}, {1.0, 1.2}, {0.0, 1.0}});
+  TestBench bench({{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.1}, {2.0, 1.0}, {1.0, 1.2}, {0.0, 1.0}});
   Layer layer = make_crust_confidence_layer(bench.graph().structures());
   LayerPatch patch;
   layer.parts.front()->reset(patch);

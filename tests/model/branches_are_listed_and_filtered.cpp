@@ -304,7 +304,7 @@ TEST_CASE("events of noise are where the union differs, below a factor of 1 too,
   REQUIRE(events.has_value());
   CHECK(std::ranges::is_sorted(*events, {}, &ScaleEvent::factor));
   CHECK(std::ranges::any_of(*events, [](const ScaleEvent& event) { return event.factor < 1.0; }));
-  test::Workbench bench;
+  test::TestBench bench;
   bench.show({"scale-axis"});
   bench.load(data);
   ComputationSettings settings;

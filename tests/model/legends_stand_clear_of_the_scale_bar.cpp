@@ -155,7 +155,7 @@ TEST_CASE("a place that is the scale bar's is next to it") {
 }
 
 TEST_CASE("what lies below a box is counted primitive by primitive") {
-  test::Workbench bench(std::vector<Vec2>{{0, 0}, {4, 0}, {4, 3}});
+  test::TestBench bench(std::vector<Vec2>{{0, 0}, {4, 0}, {4, 3}});
   const auto count = [&](const char* layer, const Box2& box) {
     const VariantLayer index = find_layer(layer);
     return shapes_below(bench.mirror(), {&index, 1}, box);

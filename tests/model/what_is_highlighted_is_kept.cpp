@@ -14,7 +14,7 @@
 #include "tests/support/workbench.h"
 
 using namespace mes;
-using mes::test::Workbench;
+using mes::test::TestBench;
 
 namespace {
 
@@ -87,7 +87,7 @@ const std::vector<Question> kBallQuestions{{"b-inner-centers", PrimitiveKind::po
                                            {"b-ball-medial-axis", PrimitiveKind::segment}};
 
 /// A place on the nth instance of a layer, where a click finds it.
-std::optional<Vec2> place_on(const Workbench& bench, const Question& question, std::size_t n) {
+std::optional<Vec2> place_on(const TestBench& bench, const Question& question, std::size_t n) {
   const std::size_t stride = stride_of(question.kind);
   const auto all = bench.instances(question.layer, question.kind);
   if ((n + 1) * stride > all.size()) return std::nullopt;
@@ -107,7 +107,7 @@ std::optional<Vec2> place_on(const Workbench& bench, const Question& question, s
 TEST_CASE("what is kept is what was shown, and follows a move as what is shown then") {
   for (const Question& question : kQuestions) {
     for (const std::size_t n : {0U, 3U, 7U}) {
-      Workbench bench(some_samples());
+      TestBench bench(some_samples());
       const auto at = place_on(bench, question, n);
       if (!at) continue;
       INFO(question.layer << ' ' << name_of(question.kind) << ' ' << n);
@@ -126,7 +126,7 @@ TEST_CASE("what is kept is what was shown, and follows a move as what is shown t
       bench.move(moves);
       const std::vector<HighlightedShape> after = highlighted_shapes(kept.annotation, bench.document());
       const std::vector<HighlightedShape> before = [&] {
-        Workbench first(some_samples());
+        TestBench first(some_samples());
         return highlighted_shapes(kept.annotation, first.document());
       }();
       REQUIRE(after.size() == before.size());
@@ -146,7 +146,7 @@ TEST_CASE("what is kept is what was shown, and follows a move as what is shown t
 }
 
 TEST_CASE("of one line its own shapes are kept, and of an element without samples all where they are") {
-  Workbench bench(some_samples());
+  TestBench bench(some_samples());
   const Provenance shown = bench.ask(bench.positions()[4], 1e-3, {"points"});
   REQUIRE(shown.lines.size() > 1);
   for (std::size_t i = 0; i < shown.lines.size(); ++i) {
@@ -172,7 +172,7 @@ TEST_CASE("what is kept of the user's balls follows them") {
   for (const double scale : {1.0, 1.125}) {
     for (const Question& question : kBallQuestions) {
       for (const std::size_t n : {0U, 1U, 4U}) {
-        Workbench bench(std::vector<Vec2>{});
+        TestBench bench(std::vector<Vec2>{});
         ComputationSettings settings;
         settings[Parameter::b_scale] = scale;
         bench.choose(settings);
@@ -216,7 +216,7 @@ TEST_CASE("the line of equal power of two balls alone follows them, whether they
                                                    {Disk{{1, 0}, 3}, Disk{{2, 3}, 1.25}},
                                                    {Disk{{-4, 2}, 1}, Disk{{3, -8}, 6}}}};
   for (const double scale : {1.0, 1.125}) {
-    Workbench bench(std::vector<Vec2>{});
+    TestBench bench(std::vector<Vec2>{});
     ComputationSettings settings;
     settings[Parameter::b_scale] = scale;
     bench.choose(settings);
@@ -265,7 +265,7 @@ TEST_CASE("more than can be kept is counted, and what no document can hold is le
 }
 
 TEST_CASE("a highlight is found by its lines, and drawn within reach at any zoom") {
-  Workbench bench(std::vector<Vec2>{{0, 0}, {4, 0}, {0, 3}});
+  TestBench bench(std::vector<Vec2>{{0, 0}, {4, 0}, {0, 3}});
   const auto on = [](std::vector<std::uint32_t> samples) { return Anchor{.at = {}, .samples = std::move(samples)}; };
   const Annotation highlight{
       .kind = AnnotationKind::highlight,

@@ -72,7 +72,7 @@ Found found_in(const GrayImage& image) {
   const auto samples = sample(tracing->curves, sampling_of_tracing(tracing->curves));
   REQUIRE(samples.has_value());
   out.samples = samples->positions;
-  Workbench bench;
+  TestBench bench;
   bench.show({"medial-axis"});
   bench.replace(samples->positions);
   out.leaves = bench.count("medial-axis", "leaves");

@@ -70,7 +70,7 @@ Decimation decimated(const SampleData& data, double epsilon) {
 
 /// The largest epsilon of the crust edges, from the layer that draws it.
 double epsilon_drawn(const std::vector<Vec2>& positions) {
-  Workbench bench;
+  TestBench bench;
   bench.show({"sampling-epsilon"});
   bench.replace(positions);
   double out = 0.0;
@@ -204,11 +204,11 @@ TEST_CASE("decimation keeps the curve, the topology of the axis and the epsilon"
     for (const double epsilon : {0.15, 0.25}) {
       INFO("input " << k << " epsilon " << epsilon);
       const SampleData data{.positions = inputs[k]};
-      Workbench before;
+      TestBench before;
       before.show({"medial-axis", "feature-size", "curve"});
       before.replace(inputs[k]);
       const Decimation rest = decimated(data, epsilon);
-      Workbench after;
+      TestBench after;
       after.show({"medial-axis", "sampling-epsilon", "curve"});
       after.replace(rest.data.positions);
       for (const char* key : {"components", "cycles"})

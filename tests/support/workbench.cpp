@@ -14,69 +14,69 @@ std::vector<LayerIndex> all_layers() {
   return layers;
 }
 
-Workbench::Workbench() {
+TestBench::TestBench() {
   graph_.set_demand(all_layers());
   graph_.set_want_statistics(true);
 }
 
-Workbench::Workbench(const std::vector<Vec2>& positions) : Workbench() {
+TestBench::TestBench(const std::vector<Vec2>& positions) : TestBench() {
   replace(positions);
 }
 
-void Workbench::show(std::initializer_list<std::string_view> layers) {
+void TestBench::show(std::initializer_list<std::string_view> layers) {
   std::vector<LayerIndex> shown;
   for (const std::string_view layer : layers) shown.push_back(find_layer(layer));
   graph_.set_demand(shown);
 }
 
-void Workbench::choose(const ComputationSettings& settings) {
+void TestBench::choose(const ComputationSettings& settings) {
   graph_.post_settings(settings);
   run();
 }
 
-void Workbench::replace(const std::vector<Vec2>& positions) {
+void TestBench::replace(const std::vector<Vec2>& positions) {
   SampleData data;
   data.positions = positions;
   load(data);
 }
 
-void Workbench::load(const SampleData& data) {
+void TestBench::load(const SampleData& data) {
   apply(replace_all(document_, data));
 }
 
-void Workbench::insert_balls(const std::vector<Disk>& disks) {
+void TestBench::insert_balls(const std::vector<Disk>& disks) {
   apply(mes::insert_balls(document_, disks));
 }
 
-void Workbench::remove_balls(const std::vector<BallId>& ids) {
+void TestBench::remove_balls(const std::vector<BallId>& ids) {
   apply(mes::remove_balls(document_, ids));
 }
 
-void Workbench::change_ball(BallId id, const Disk& to) {
+void TestBench::change_ball(BallId id, const Disk& to) {
   apply(change_balls(document_, std::vector{std::pair{id, to}}));
 }
 
-void Workbench::insert(const std::vector<Vec2>& positions) {
+void TestBench::insert(const std::vector<Vec2>& positions) {
   apply(insert_samples(document_, positions));
 }
 
-void Workbench::remove(const std::vector<SampleId>& ids) {
+void TestBench::remove(const std::vector<SampleId>& ids) {
   apply(remove_samples(document_, ids));
 }
 
-void Workbench::move(const std::vector<std::pair<SampleId, Vec2>>& targets) {
+void TestBench::move(const std::vector<std::pair<SampleId, Vec2>>& targets) {
   apply(move_samples(document_, targets));
 }
 
-void Workbench::undo() {
+void TestBench::undo() {
   apply_all(history_.undo());
 }
 
-void Workbench::redo() {
+void TestBench::redo() {
   apply_all(history_.redo());
 }
 
-void Workbench::apply(const Expected<DocumentDelta>& delta) {
+void TestBench::apply(const Expected<DocumentDelta>& delta) {
   REQUIRE(delta.has_value());
   document_.apply(*delta);
   history_.record(*delta);
@@ -84,7 +84,7 @@ void Workbench::apply(const Expected<DocumentDelta>& delta) {
   run();
 }
 
-void Workbench::apply_all(const std::vector<DocumentDelta>& deltas) {
+void TestBench::apply_all(const std::vector<DocumentDelta>& deltas) {
   for (const DocumentDelta& delta : deltas) {
     document_.apply(delta);
     graph_.post(std::make_shared<const DocumentDelta>(delta));
@@ -92,7 +92,7 @@ void Workbench::apply_all(const std::vector<DocumentDelta>& deltas) {
   run();
 }
 
-void Workbench::run() {
+void TestBench::run() {
   JobControl job;
   REQUIRE(graph_.run(patch_, job));
   for (const NodeReport& node : patch_.nodes) {
@@ -109,7 +109,7 @@ void Workbench::run() {
   REQUIRE(patch_.document_revision == document_.revision());
 }
 
-Provenance Workbench::ask(Vec2 at, double reach, const std::vector<std::string_view>& layers) {
+Provenance TestBench::ask(Vec2 at, double reach, const std::vector<std::string_view>& layers) {
   ProvenanceQuestion question;
   question.at = at;
   question.reach = reach;
@@ -117,7 +117,7 @@ Provenance Workbench::ask(Vec2 at, double reach, const std::vector<std::string_v
   return ask(std::move(question));
 }
 
-Provenance Workbench::ask(ProvenanceQuestion question) {
+Provenance TestBench::ask(ProvenanceQuestion question) {
   static std::uint64_t ticket = 0;
   question.ticket = ++ticket;
   graph_.ask(std::move(question));
@@ -130,31 +130,31 @@ Provenance Workbench::ask(ProvenanceQuestion question) {
   return answers.front();
 }
 
-std::vector<SampleId> Workbench::ids() const {
+std::vector<SampleId> TestBench::ids() const {
   std::vector<SampleId> out;
   for (const SampleSlot slot : document_.slots_in_input_order()) out.push_back(document_.id(slot));
   return out;
 }
 
-std::vector<Vec2> Workbench::positions() const {
+std::vector<Vec2> TestBench::positions() const {
   std::vector<Vec2> out;
   for (const SampleSlot slot : document_.slots_in_input_order()) out.push_back(document_.position(slot));
   return out;
 }
 
-std::vector<BallId> Workbench::ball_ids() const {
+std::vector<BallId> TestBench::ball_ids() const {
   std::vector<BallId> out;
   for (const BallSlot slot : document_.ball_slots_in_input_order()) out.push_back(document_.ball_id(slot));
   return out;
 }
 
-std::vector<Disk> Workbench::balls() const {
+std::vector<Disk> TestBench::balls() const {
   std::vector<Disk> out;
   for (const BallSlot slot : document_.ball_slots_in_input_order()) out.push_back(document_.disk(slot));
   return out;
 }
 
-const StatValue& Workbench::stat(std::string_view structure, std::string_view key) const {
+const StatValue& TestBench::stat(std::string_view structure, std::string_view key) const {
   for (const NodeReport& node : patch_.nodes) {
     if (node.structure != structure) continue;
     for (const Stat& stat : node.stats)
@@ -164,25 +164,25 @@ const StatValue& Workbench::stat(std::string_view structure, std::string_view ke
   assertion_failed("FAIL throws", __FILE_NAME__, __LINE__);
 }
 
-std::int64_t Workbench::count(std::string_view structure, std::string_view key) const {
+std::int64_t TestBench::count(std::string_view structure, std::string_view key) const {
   return std::get<std::int64_t>(stat(structure, key));
 }
 
-double Workbench::measure(std::string_view structure, std::string_view key) const {
+double TestBench::measure(std::string_view structure, std::string_view key) const {
   return std::get<double>(stat(structure, key));
 }
 
-std::span<const double> Workbench::instances(std::string_view layer, PrimitiveKind kind) const {
+std::span<const double> TestBench::instances(std::string_view layer, PrimitiveKind kind) const {
   return mirror_.instances(find_layer(layer), kind);
 }
 
-std::string Workbench::trouble() const {
+std::string TestBench::trouble() const {
   const std::string broken = broken_row(graph_);
   if (!broken.empty()) return broken;
   SampleData reversed{.positions = positions(), .balls = balls()};
   std::ranges::reverse(reversed.positions);
   std::ranges::reverse(reversed.balls);
-  Workbench fresh;
+  TestBench fresh;
   fresh.load(reversed);
   return difference(state(), fresh.state());
 }

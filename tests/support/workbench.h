@@ -29,13 +29,13 @@ std::vector<LayerIndex> all_layers();
 /// fails.
 ///
 /// Smallest use:
-///     Workbench bench(points);
+///     TestBench bench(points);
 ///     bench.insert({{1.0, 2.0}});
 ///     CHECK(bench.count("one-step-crust", "crust_edges") == 12);
-class Workbench {
+class TestBench {
  public:
-  Workbench();
-  explicit Workbench(const std::vector<Vec2>& positions);
+  TestBench();
+  explicit TestBench(const std::vector<Vec2>& positions);
 
   /// From now on only these layers.
   void show(std::initializer_list<std::string_view> layers);
