@@ -138,6 +138,12 @@ void Graph::set_demand(std::span<const VariantLayer> layers) {
   demand_changed_ = true;
 }
 
+void Graph::set_needed_structures(std::span<const std::string_view> ids) {
+  for (StructureNode& node : nodes_)
+    node.needed_itself = node.variant == kMainVariant && std::ranges::find(ids, node.structure->id()) != ids.end();
+  demand_changed_ = true;
+}
+
 void Graph::set_want_findings(bool wanted) {
   if (wanted == want_findings_) return;
   want_findings_ = wanted;
@@ -145,7 +151,7 @@ void Graph::set_want_findings(bool wanted) {
 }
 
 void Graph::mark_needed() {
-  for (StructureNode& node : nodes_) node.needed = false;
+  for (StructureNode& node : nodes_) node.needed = node.needed_itself;
   nodes_.front().needed = true;
   demanded_.clear();
   for_each_layer([this](VariantLayer layer, const LayerNode& node) {

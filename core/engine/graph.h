@@ -25,9 +25,9 @@ namespace mes {
 
 /// What it guarantees:
 ///  1. After a complete `run`, every demanded layer shows the document state of the last posted delta.
-///  2. A structure is computed only if a demanded layer needs it, and follows an edit locally when it was up to date
-///     in the run before; otherwise it is rebuilt. Nothing is computed twice in a run, nothing at all when nothing
-///     changed.
+///  2. A structure is computed only if it is needed itself or a demanded layer needs it. It follows an edit locally when
+///     it was up to date in the run before; otherwise it is rebuilt. Nothing is computed twice in a run, nothing at all
+///     when nothing changed.
 ///  3. A structure that throws is *failed*: it and what depends on it keep their last patches, and are rebuilt in the
 ///     next run in which their inputs change.
 ///  4. Lack of memory ends no run in another way: what found no room is failed, and the reason is `kOutOfMemory`.
@@ -66,6 +66,9 @@ class Graph {
   /// Layers of all variants; of what a variant shares, that of the main computation (`layer_in`).
   void set_demand(std::span<const VariantLayer> layers);
   void set_demand(std::span<const LayerIndex> of_main) { set_demand(main_layers(of_main)); }
+  /// Structures of the main computation that are kept up to date even if no demanded layer needs them. Ids that the
+  /// registry does not have are ignored.
+  void set_needed_structures(std::span<const std::string_view> ids);
   void set_want_statistics(bool wanted) { want_statistics_ = wanted; }
   /// Keeps the judges of the theorem light up to date too, and reports what they and others find.
   void set_want_findings(bool wanted);
@@ -99,7 +102,8 @@ class Graph {
     std::vector<std::size_t> inputs;
     std::optional<std::size_t> settings;  ///< the input that gives the settings; statistics may depend on them
     std::vector<VariantLayer> completes;  ///< layers for which this is the last structure to wait for
-    bool needed = false;
+    bool needed_itself = false;           ///< by `set_needed_structures`
+    bool needed = false;                  ///< by itself, or by a layer, a judge or a structure that reads it
     NodeState state = NodeState::inactive;
     std::uint64_t synced = 0;   ///< run in which it was last known to be true to its inputs; 0 = never
     std::uint64_t tried = 0;    ///< run in which it was last computed, well or not
