@@ -51,6 +51,7 @@
 #include "core/structures/crust/internal/link_cut_forest.h"
 #include "core/structures/density/sample_sizes.h"
 #include "core/structures/filters/axis_pruning.h"
+#include "core/workbench/workbench.h"
 
 using namespace mes;
 
@@ -298,6 +299,18 @@ TEST_CASE("core/engine/graph.h") {
   LayerMirror mirror;
   mirror.apply(patch);
   CHECK(graph.structures().get<Delaunay>().site_rows() == 16);
+}
+
+TEST_CASE("core/workbench/workbench.h") {
+  const std::vector<Vec2> points = ellipse();
+  std::size_t drawn = 0;
+  const auto draw = [&drawn](std::span<const double> segments) { drawn = segments.size(); };
+  Workbench bench(builtins());
+  JobControl job;
+  bench.insert(points);
+  bench.show({"medial-axis"});
+  if (bench.run(job)) draw(*bench.instances("medial-axis", PrimitiveKind::segment));
+  CHECK(drawn > 10 * stride_of(PrimitiveKind::segment));
 }
 
 TEST_CASE("core/graph/registry.h") {

@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/workbench/workbench.h"
+
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cmath>
+#include <new>
+
+#include "core/io/session.h"
+#include "core/io/text_numbers.h"
+
+namespace mes {
+namespace {
+
+std::unexpected<Error> refused(ErrorCode code, std::string text) {
+  return std::unexpected(Error{code, std::move(text), {}, 0, 0});
+}
+
+std::unexpected<Error> unknown(std::string_view what, std::string_view id) {
+  return refused(ErrorCode::usage, fmt::format("unknown {} {}", what, in_quotes(id)));
+}
+
+std::unexpected<Error> not_computed(std::string_view what, std::string_view id) {
+  return refused(ErrorCode::usage, fmt::format("{} {} was not computed", what, id));
+}
+
+std::unexpected<Error> failed(std::string_view what, std::string_view id, std::string_view reason) {
+  return refused(ErrorCode::cannot_compute, fmt::format("{} {} failed: {}", what, id, reason));
+}
+
+std::unexpected<Error> out_of_memory() {
+  return refused(ErrorCode::out_of_memory, "there is not enough memory");
+}
+
+std::unexpected<Error> stopped() {
+  return refused(ErrorCode::cancelled, "the computation was stopped");
+}
+
+bool has_failed(NodeState state) {
+  return state != NodeState::up_to_date && state != NodeState::inactive;
+}
+
+/// The value that a parameter takes. Error: `usage`.
+Expected<double> accepted(const Parameter& parameter, double value) {
+  const bool is_whole = !parameter.is_whole || value == std::floor(value);
+  if (parameter.is_limit && is_whole && !std::isnan(value)) return std::clamp(value, parameter.low, parameter.high);
+  if (is_whole && value >= parameter.low && value <= parameter.high) return value;
+  std::string text =
+      fmt::format("parameter {} expects a {} from ", parameter.id, parameter.is_whole ? "whole number" : "number");
+  append_number(text, parameter.low);
+  text += " to ";
+  append_number(text, parameter.high);
+  text += ", not ";
+  append_number(text, value);
+  return refused(ErrorCode::usage, std::move(text));
+}
+
+template <class Edit>
+auto inserted_by(const std::vector<Edit>& edits) {
+  std::vector<decltype(Edit::id)> out;
+  out.reserve(edits.size());
+  for (const Edit& edit : edits) out.push_back(edit.id);
+  return out;
+}
+
+}  // namespace
+
+Workbench::Workbench(const Registry& registry, WorkbenchOptions options)
+    : registry_(&registry), options_(std::move(options)), graph_(std::make_unique<Graph>(registry)) {
+  if (!is_one_shot()) return;
+  options_.keeps_history = options_.keeps_instances = false;
+  graph_->make_one_shot(options_.take_instances, options_.needs_scalars);
+}
+
+Expected<LoadedFile> Workbench::open(const std::filesystem::path& path, JobControl& job, const ReadRequest& request,
+                                     std::string_view format) {
+  return take(read_sample_file(path, format, &job, request));
+}
+
+Expected<LoadedFile> Workbench::open_bytes(std::string_view bytes, const std::string& name, JobControl& job,
+                                           const ReadRequest& request, std::string_view format) {
+  return take(read_sample_bytes(bytes, name, format, request, &job));
+}
+
+Expected<LoadedFile> Workbench::take(Expected<LoadedFile> file) {
+  if (!file) return file;
+  if (auto done = load(file->data); !done) return std::unexpected(std::move(done.error()));
+  if (file->session) choose(file->session->settings);
+  return file;
+}
+
+Expected<void> Workbench::load(const SampleData& data) {
+  return apply(replace_all(document_, data));
+}
+
+Expected<std::vector<SampleId>> Workbench::insert(std::span<const Vec2> positions) {
+  auto delta = insert_samples(document_, positions);
+  auto ids = delta ? inserted_by(delta->edits) : std::vector<SampleId>();
+  if (auto done = apply(std::move(delta)); !done) return std::unexpected(std::move(done.error()));
+  return ids;
+}
+
+Expected<std::vector<BallId>> Workbench::insert_balls(std::span<const Disk> disks) {
+  auto delta = mes::insert_balls(document_, disks);
+  auto ids = delta ? inserted_by(delta->ball_edits) : std::vector<BallId>();
+  if (auto done = apply(std::move(delta)); !done) return std::unexpected(std::move(done.error()));
+  return ids;
+}
+
+Expected<void> Workbench::move(std::span<const std::pair<SampleId, Vec2>> targets) {
+  return apply(move_samples(document_, targets));
+}
+
+Expected<void> Workbench::remove(std::span<const SampleId> ids) {
+  return apply(remove_samples(document_, ids));
+}
+
+Expected<void> Workbench::change_balls(std::span<const std::pair<BallId, Disk>> targets) {
+  return apply(mes::change_balls(document_, targets));
+}
+
+Expected<void> Workbench::remove_balls(std::span<const BallId> ids) {
+  return apply(mes::remove_balls(document_, ids));
+}
+
+Expected<void> Workbench::apply(Expected<DocumentDelta> delta, const std::string& name) {
+  if (!delta) return std::unexpected(std::move(delta.error()));
+  if (is_one_shot() && !delta->replaces_all())
+    return refused(ErrorCode::usage, "a one-shot workbench has no document to edit");
+  auto shared = std::make_shared<const DocumentDelta>(std::move(*delta));
+  if (!is_one_shot()) document_.apply(*shared);
+  if (options_.keeps_history) history_.record(*shared, name);
+  graph_->post(std::move(shared));
+  return {};
+}
+
+bool Workbench::apply_all(const std::vector<DocumentDelta>& deltas) {
+  for (const DocumentDelta& delta : deltas) {
+    document_.apply(delta);
+    graph_->post(std::make_shared<const DocumentDelta>(delta));
+  }
+  return !deltas.empty();
+}
+
+void Workbench::choose(const ComputationSettings& settings) {
+  settings_ = settings;
+  graph_->post_settings(settings_);
+}
+
+Expected<void> Workbench::set(std::string_view parameter, double value) {
+  const Parameter* const known = registry_->find_parameter(parameter);
+  if (known == nullptr) return unknown("parameter", parameter);
+  return set(*known, value);
+}
+
+Expected<void> Workbench::set(const Parameter& parameter, double value) {
+  const auto good = accepted(parameter, value);
+  if (!good) return std::unexpected(good.error());
+  ComputationSettings settings = settings_;
+  settings[parameter] = *good;
+  choose(settings);
+  return {};
+}
+
+void Workbench::set_precision(Precision precision) {
+  ComputationSettings settings = settings_;
+  settings.precision = precision;
+  choose(settings);
+}
+
+Expected<void> Workbench::set_precision(std::string_view id) {
+  const auto found = std::ranges::find(kPrecisionDescriptors, id, &PrecisionDescriptor::id);
+  if (found == kPrecisionDescriptors.end()) return unknown("number type", id);
+  set_precision(found->precision);
+  return {};
+}
+
+Expected<void> Workbench::show(std::span<const std::string_view> layers) {
+  std::vector<LayerIndex> shown;
+  for (const std::string_view layer : layers) {
+    shown.push_back(registry_->find_layer(layer));
+    if (shown.back() == kNoLayer) return unknown("layer", layer);
+  }
+  show(shown);
+  return {};
+}
+
+void Workbench::show(std::span<const LayerIndex> layers) {
+  shown_.assign(layers.begin(), layers.end());
+  set_demand();
+}
+
+Expected<void> Workbench::need(std::span<const std::string_view> structures) {
+  for (const std::string_view structure : structures)
+    if (std::ranges::find(registry_->structures(), structure) == registry_->structures().end())
+      return unknown("structure", structure);
+  graph_->set_needed_structures(structures);
+  return {};
+}
+
+Expected<void> Workbench::run(JobControl& job) {
+  if (!graph_->run(patch_, job)) return stopped();
+  if (options_.keeps_instances) {
+    try {
+      mirror_.apply(patch_);
+    } catch (const std::bad_alloc&) {
+      // The mirror has missed a patch. The next run sends every layer whole.
+      mirror_ = {};
+      graph_->set_demand(std::span<const LayerIndex>());
+      set_demand();
+      return out_of_memory();
+    }
+  }
+  if (patch_.nodes.empty()) return out_of_memory();  // there was no room for the reports
+  // A failed structure is the cause; blocked ones and layers follow from it.
+  for (const NodeReport& node : patch_.nodes)
+    if (node.state == NodeState::failed) return failed("structure", node.structure, node.reason);
+  for (const LayerReport& report : patch_.reports)
+    if (has_failed(report.state)) return failed("layer", registry_->layers()[report.layer.layer].id, report.reason);
+  return {};
+}
+
+Expected<void> Workbench::run_or_throw(JobControl& job) {
+  auto done = run(job);
+  if (!done && done.error().code == ErrorCode::cancelled) throw Cancelled{};
+  return done;
+}
+
+Expected<const NodeReport*> Workbench::readable_node(std::string_view structure) const {
+  if (std::ranges::find(registry_->structures(), structure) == registry_->structures().end())
+    return unknown("structure", structure);
+  if (!patch_.complete) return stopped();
+  const auto node = std::ranges::find(patch_.nodes, structure, &NodeReport::structure);
+  if (node == patch_.nodes.end() || node->state == NodeState::inactive) return not_computed("structure", structure);
+  if (node->state != NodeState::up_to_date) return failed("structure", structure, node->reason);
+  return &*node;
+}
+
+Expected<const Structure*> Workbench::structure(std::string_view id) const {
+  if (auto node = readable_node(id); !node) return std::unexpected(std::move(node.error()));
+  for (const auto& structure : graph_->structures().all())
+    if (structure->id() == id) return structure.get();
+  return unknown("structure", id);
+}
+
+Expected<StatValue> Workbench::statistic(std::string_view structure, std::string_view key) const {
+  const auto node = readable_node(structure);
+  if (!node) return std::unexpected(node.error());
+  const StatList& stats = (*node)->stats;
+  const auto found = std::ranges::find(stats, key, &Stat::key);
+  if (found != stats.end()) return found->value;
+  if (stats.empty()) return refused(ErrorCode::usage, fmt::format("structure {} has no statistics", structure));
+  return unknown("statistic", key);
+}
+
+Expected<LayerIndex> Workbench::readable(std::string_view layer) const {
+  const LayerIndex index = registry_->find_layer(layer);
+  if (index == kNoLayer) return unknown("layer", layer);
+  if (!options_.keeps_instances) return refused(ErrorCode::usage, "this workbench keeps no instances");
+  if (index >= patch_.reports.size() || patch_.reports[index].state == NodeState::inactive)
+    return not_computed("layer", layer);
+  if (const LayerReport& report = patch_.reports[index]; has_failed(report.state))
+    return failed("layer", layer, report.reason);
+  return index;
+}
+
+Expected<std::span<const double>> Workbench::instances(std::string_view layer, PrimitiveKind kind) const {
+  const auto index = readable(layer);
+  if (!index) return std::unexpected(index.error());
+  return mirror_.instances(*index, kind);
+}
+
+Expected<LayerDigest> Workbench::digest(std::string_view layer) const {
+  const auto index = readable(layer);
+  if (!index) return std::unexpected(index.error());
+  return mirror_.digest(*index);
+}
+
+Expected<Provenance> Workbench::ask(ProvenanceQuestion question, JobControl& job) {
+  question.ticket = ++ticket_;
+  graph_->ask(std::move(question));
+  if (auto done = run(job); !done) return std::unexpected(std::move(done.error()));
+  std::vector<Provenance> answers;
+  graph_->answer(answers, job);
+  // Earlier questions that were stopped may be answered now, too.
+  for (Provenance& answer : answers)
+    if (answer.ticket == ticket_) return std::move(answer);
+  return stopped();
+}
+
+}  // namespace mes

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A document together with the geometry that follows it, for callers that wait for their results.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <initializer_list>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/job_control.h"
+#include "core/document/commands.h"
+#include "core/document/history.h"
+#include "core/draw/layer_mirror.h"
+#include "core/engine/graph.h"
+#include "core/engine/theorem_light.h"
+#include "core/io/format.h"
+
+namespace mes {
+
+/// The things that a workbench keeps beside its document and its structures. The defaults suit interactive use.
+struct WorkbenchOptions {
+  bool keeps_history = true;    ///< false: nothing can be undone, and edits cost no memory
+  bool keeps_instances = true;  ///< false: layers are only in `patch()`, as changes since the run before
+  /// Makes the graph a one-shot graph, which hands instances out in pieces and keeps nothing for later edits
+  /// (`Graph::make_one_shot`). The workbench then keeps no document, history or instances: `load` replaces everything,
+  /// and other edits are refused.
+  Graph::InstanceTaker take_instances{};
+  bool needs_scalars = true;  ///< false: a one-shot graph may leave out scalars that take time to find
+};
+
+/// A workbench owns a document, its history and its settings, and computes the structures and layers that the caller
+/// asks for. An edit changes the document at once; `run` brings the results up to date. The window, which must not
+/// wait, uses an `Engine` instead.
+///
+/// What it guarantees:
+///  1. After a `run` without error, every needed structure and every shown layer is that of the present document and
+///     settings. A run computes only what has changed since the run before.
+///  2. An edit or a setting that is refused changes nothing.
+///  3. After a `run` with the error `cannot_compute`, all that does not depend on the failed structures is up to date,
+///     and `nodes()` has the reasons. The next run that changes their inputs tries them again.
+///  4. After a `run` with the error `cancelled`, instances and digests are as before it, and no structure can be read
+///     by its id. The next run completes the work.
+///  5. Results that are read by a public id are never outdated by a failure: `structure`, `statistic`, `instances` and
+///     `digest` return the results of the last run, or an error that says why there are none.
+///
+/// Smallest use:
+///     Workbench bench(builtins());
+///     JobControl job;
+///     bench.insert(points);
+///     bench.show({"medial-axis"});
+///     if (bench.run(job)) draw(*bench.instances("medial-axis", PrimitiveKind::segment));
+///
+/// Cost: an edit takes O(what it changes), a run what `Graph::run` takes, and reading O(number of structures or
+/// layers) for the lookup of an id. Lack of memory in an edit throws `std::bad_alloc`.
+/// Threads: none inside except those of the graph, which end with `run`. One thread at a time may use a workbench; other
+/// threads may watch or stop a run by its `JobControl`.
+class Workbench {
+ public:
+  /// The registry has to contain the sources `Samples` and `SettingsSource`, and to outlive the workbench.
+  explicit Workbench(const Registry& registry, WorkbenchOptions options = {});
+
+  // ---- The document. A step of undo is one edit, or all edits between `begin_step` and `end_step`.
+
+  /// Reads a file of any format and replaces the document by its data. A session also sets its settings; other files
+  /// leave the settings as they are. Returns what is known of the file, with its data. Error: as `read_sample_file`.
+  Expected<LoadedFile> open(const std::filesystem::path& path, JobControl& job, const ReadRequest& request = {},
+                            std::string_view format = {});
+  /// The same for bytes in memory; `name` stands for the file in messages.
+  Expected<LoadedFile> open_bytes(std::string_view bytes, const std::string& name, JobControl& job,
+                                  const ReadRequest& request = {}, std::string_view format = {});
+  /// Replaces the document. All samples and balls get new ids. Error: as `replace_all`.
+  Expected<void> load(const SampleData& data);
+
+  /// Returns the ids of the new samples, in the order of their positions. Error, here and below: as `change_document`.
+  Expected<std::vector<SampleId>> insert(std::span<const Vec2> positions);
+  Expected<std::vector<BallId>> insert_balls(std::span<const Disk> disks);
+  Expected<void> move(std::span<const std::pair<SampleId, Vec2>> targets);
+  Expected<void> remove(std::span<const SampleId> ids);
+  Expected<void> change_balls(std::span<const std::pair<BallId, Disk>> targets);
+  Expected<void> remove_balls(std::span<const BallId> ids);
+  /// Applies the result of a command for the present document. The error of a command is returned as it is.
+  Expected<void> apply(Expected<DocumentDelta> delta, const std::string& name = {});
+
+  /// Steps do not nest.
+  void begin_step(std::string name) { history_.begin_gesture(std::move(name)); }
+  void end_step() { history_.end_gesture(); }
+  /// False if there is nothing to undo or redo.
+  bool undo() { return apply_all(history_.undo()); }
+  bool redo() { return apply_all(history_.redo()); }
+
+  const Document& document() const { return document_; }
+  const History& history() const { return history_; }
+  /// Gives the document away; the workbench cannot be used afterwards.
+  Document take_document() && { return std::move(document_); }
+
+  // ---- Settings. They apply from the next run on.
+
+  const ComputationSettings& settings() const { return settings_; }
+  /// Values are not checked.
+  void choose(const ComputationSettings& settings);
+  /// Values beyond the range of a limit are set to the end of the range. Error: `usage` for an unknown parameter, another
+  /// value beyond its range, or a fraction where a whole number is expected.
+  Expected<void> set(std::string_view parameter, double value);
+  Expected<void> set(const Parameter& parameter, double value);
+  void set_precision(Precision precision);
+  /// Error: `usage` for an unknown number type.
+  Expected<void> set_precision(std::string_view id);
+
+  // ---- Demand. Each call replaces the one before; nothing is computed without demand.
+
+  /// Layers whose instances are computed. Error: `usage` for an unknown layer.
+  Expected<void> show(std::span<const std::string_view> layers);
+  Expected<void> show(std::initializer_list<std::string_view> layers) { return show(std::span(layers)); }
+  void show(std::span<const LayerIndex> layers);
+  /// Structures that are computed even if no shown layer reads them. Error: `usage` for an unknown structure.
+  Expected<void> need(std::span<const std::string_view> structures);
+  Expected<void> need(std::initializer_list<std::string_view> structures) { return need(std::span(structures)); }
+  template <class... S>
+  void need() {
+    graph_->set_needed_structures(std::vector<std::string_view>{get<S>().id()...});
+  }
+  /// The next runs report counters and measures. Some take O(n).
+  void set_want_statistics(bool wanted) { graph_->set_want_statistics(wanted); }
+  /// The next runs compute the judges of the theorem light, too, and report their findings.
+  void set_want_findings(bool wanted) { graph_->set_want_findings(wanted); }
+  /// Called with the id of each structure or layer before it is worked on.
+  void set_on_task(std::function<void(std::string_view)> on_task) { graph_->set_on_task(std::move(on_task)); }
+
+  // ---- Computing.
+
+  /// Brings all that is demanded up to date. Error: `cannot_compute` with the first cause, `cancelled`, or
+  /// `out_of_memory` if there is no room for the instances.
+  Expected<void> run(JobControl& job);
+  /// The same for code that is itself part of a job: throws `Cancelled` when the job is stopped.
+  Expected<void> run_or_throw(JobControl& job);
+
+  // ---- Results of the last run.
+
+  /// Error: the structure is unknown, was not needed, failed, or was left unfinished by a stop.
+  Expected<const Structure*> structure(std::string_view id) const;
+  /// A structure by its type. Its tables mean something only if it was up to date after the last run.
+  template <class T>
+  const T& get() const {
+    return graph_->structures().get<T>();
+  }
+  /// A counter or a measure of a structure, by its public key. Error: as `structure`; statistics were not wanted; there
+  /// is no such key.
+  Expected<StatValue> statistic(std::string_view structure, std::string_view key) const;
+  /// The instances of a kind, `stride_of(kind)` doubles each (core/draw/primitives.h). Valid until the next run. Error:
+  /// the layer is unknown, was not shown, failed, or instances are not kept.
+  Expected<std::span<const double>> instances(std::string_view layer, PrimitiveKind kind) const;
+  /// The digest that `mesecina compute --digest` writes. Error: as `instances`.
+  Expected<LayerDigest> digest(std::string_view layer) const;
+  /// The instances of all layers, outdated ones of hidden and failed layers included.
+  const LayerMirror& mirror() const { return mirror_; }
+
+  /// One report for each structure of the registry, in its order; empty before the first run.
+  std::span<const NodeReport> nodes() const { return patch_.nodes; }
+  /// One report for each layer, likewise.
+  std::span<const LayerReport> layers() const { return patch_.reports; }
+  /// `none` unless findings were wanted.
+  TheoremLight light() const { return light_of(patch_.nodes); }
+  /// All that the last run has to say.
+  const FramePatch& patch() const { return patch_; }
+  const Graph& graph() const { return *graph_; }
+
+  /// Runs, and answers the question about the results; its ticket is set here. Layers that are not shown are passed
+  /// over. Error: as `run`.
+  Expected<Provenance> ask(ProvenanceQuestion question, JobControl& job);
+
+ private:
+  bool is_one_shot() const { return options_.take_instances != nullptr; }
+  Expected<LoadedFile> take(Expected<LoadedFile> file);
+  bool apply_all(const std::vector<DocumentDelta>& deltas);
+  /// The layer, if its instances are those of the last run.
+  Expected<LayerIndex> readable(std::string_view layer) const;
+  Expected<const NodeReport*> readable_node(std::string_view structure) const;
+  void set_demand() { graph_->set_demand(shown_); }
+
+  const Registry* registry_;
+  WorkbenchOptions options_;
+  Document document_;
+  History history_;
+  ComputationSettings settings_;
+  std::vector<LayerIndex> shown_;
+  std::unique_ptr<Graph> graph_;
+  FramePatch patch_;
+  LayerMirror mirror_;
+  std::uint64_t ticket_ = 0;  // of the last question
+};
+
+}  // namespace mes
