@@ -102,8 +102,8 @@ class Graph {
     std::vector<std::size_t> inputs;
     std::optional<std::size_t> settings;  ///< the input that gives the settings; statistics may depend on them
     std::vector<VariantLayer> completes;  ///< layers for which this is the last structure to wait for
-    bool needed_itself = false;           ///< by `set_needed_structures`
-    bool needed = false;                  ///< by itself, or by a layer, a judge or a structure that reads it
+    bool needed_itself = false;           ///< named in `set_needed_structures`
+    bool needed = false;  ///< it is read by a demanded layer or a needed structure, is a judge, or needed itself
     NodeState state = NodeState::inactive;
     std::uint64_t synced = 0;   ///< run in which it was last known to be true to its inputs; 0 = never
     std::uint64_t tried = 0;    ///< run in which it was last computed, well or not

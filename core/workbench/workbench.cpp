@@ -176,19 +176,43 @@ Expected<void> Workbench::set_precision(std::string_view id) {
   return {};
 }
 
-Expected<void> Workbench::show(std::span<const std::string_view> layers) {
-  std::vector<LayerIndex> shown;
-  for (const std::string_view layer : layers) {
-    shown.push_back(registry_->find_layer(layer));
-    if (shown.back() == kNoLayer) return unknown("layer", layer);
+Expected<void> Workbench::compare_with(std::span<const WorkbenchVariant> variants) {
+  std::vector<Document> documents(variants.size());
+  std::vector<VariantRequest> requests;
+  std::vector<std::shared_ptr<const DocumentDelta>> deltas;
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    const bool has_document = variants[i].data != nullptr;
+    requests.push_back({variants[i].settings, has_document});
+    deltas.emplace_back();
+    if (!has_document) continue;
+    auto delta = replace_all(documents[i], *variants[i].data);
+    if (!delta) return std::unexpected(std::move(delta.error()));
+    deltas.back() = std::make_shared<const DocumentDelta>(std::move(*delta));
+    documents[i].apply(*deltas.back());
   }
-  show(shown);
+  std::erase_if(shown_, [](VariantLayer layer) { return layer.variant != kMainVariant; });
+  graph_->set_variants({});  // documents of earlier ones would stay
+  graph_->set_variants(requests);
+  for (std::size_t i = 0; i < deltas.size(); ++i)
+    if (deltas[i]) graph_->post(static_cast<VariantIndex>(i + 1), std::move(deltas[i]));
+  variant_documents_ = std::move(documents);
+  graph_->set_demand(shown_);
   return {};
 }
 
-void Workbench::show(std::span<const LayerIndex> layers) {
-  shown_.assign(layers.begin(), layers.end());
-  set_demand();
+Expected<void> Workbench::show(std::span<const std::string_view> layers) {
+  std::vector<VariantLayer> shown;
+  for (const std::string_view layer : layers) {
+    shown.emplace_back(registry_->find_layer(layer));
+    if (shown.back().layer == kNoLayer) return unknown("layer", layer);
+  }
+  show(std::move(shown));
+  return {};
+}
+
+void Workbench::show(std::vector<VariantLayer> layers) {
+  shown_ = std::move(layers);
+  graph_->set_demand(shown_);
 }
 
 Expected<void> Workbench::need(std::span<const std::string_view> structures) {
@@ -207,8 +231,8 @@ Expected<void> Workbench::run(JobControl& job) {
     } catch (const std::bad_alloc&) {
       // The mirror has missed a patch. The next run sends every layer whole.
       mirror_ = {};
-      graph_->set_demand(std::span<const LayerIndex>());
-      set_demand();
+      graph_->set_demand(std::span<const VariantLayer>());
+      graph_->set_demand(shown_);
       return out_of_memory();
     }
   }

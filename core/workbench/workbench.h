@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A document together with the geometry that follows it, for callers that wait for their results.
+// A workbench keeps a document and the geometry that follows it, for callers that wait for their results.
 #pragma once
 
 #include <filesystem>
@@ -23,7 +23,7 @@
 
 namespace mes {
 
-/// The things that a workbench keeps beside its document and its structures. The defaults suit interactive use.
+/// These options say how much a workbench keeps. The defaults suit interactive use.
 struct WorkbenchOptions {
   bool keeps_history = true;    ///< false: nothing can be undone, and edits cost no memory
   bool keeps_instances = true;  ///< false: layers are only in `patch()`, as changes since the run before
@@ -32,6 +32,12 @@ struct WorkbenchOptions {
   /// and other edits are refused.
   Graph::InstanceTaker take_instances{};
   bool needs_scalars = true;  ///< false: a one-shot graph may leave out scalars that take time to find
+};
+
+/// A variant is computed beside the document, with other settings or other data (core/draw/variant.h).
+struct WorkbenchVariant {
+  ComputationSettings settings{};
+  std::shared_ptr<const SampleData> data{};  ///< null: the variant shares the document
 };
 
 /// A workbench owns a document, its history and its settings, and computes the structures and layers that the caller
@@ -71,7 +77,7 @@ class Workbench {
   /// leave the settings as they are. Returns what is known of the file, with its data. Error: as `read_sample_file`.
   Expected<LoadedFile> open(const std::filesystem::path& path, JobControl& job, const ReadRequest& request = {},
                             std::string_view format = {});
-  /// The same for bytes in memory; `name` stands for the file in messages.
+  /// Does the same for bytes in memory; `name` stands for the file in messages.
   Expected<LoadedFile> open_bytes(std::string_view bytes, const std::string& name, JobControl& job,
                                   const ReadRequest& request = {}, std::string_view format = {});
   /// Replaces the document. All samples and balls get new ids. Error: as `replace_all`.
@@ -90,14 +96,14 @@ class Workbench {
   /// Steps do not nest.
   void begin_step(std::string name) { history_.begin_gesture(std::move(name)); }
   void end_step() { history_.end_gesture(); }
-  /// False if there is nothing to undo or redo.
+  /// Both return false if there is nothing to undo or redo.
   bool undo() { return apply_all(history_.undo()); }
   bool redo() { return apply_all(history_.redo()); }
 
-  const Document& document() const { return document_; }
+  const Document& document() const& { return document_; }
+  /// Gives the document away. The workbench cannot be used afterwards.
+  Document document() && { return std::move(document_); }
   const History& history() const { return history_; }
-  /// Gives the document away; the workbench cannot be used afterwards.
-  Document take_document() && { return std::move(document_); }
 
   // ---- Settings. They apply from the next run on.
 
@@ -112,13 +118,21 @@ class Workbench {
   /// Error: `usage` for an unknown number type.
   Expected<void> set_precision(std::string_view id);
 
+  /// Computes these variants in the same runs, in place of all earlier ones, and hides the layers of those. They are
+  /// numbered from 1; `layer_in` says which of their layers are their own. Error: as `replace_all`.
+  Expected<void> compare_with(std::span<const WorkbenchVariant> variants);
+  /// These are the documents of the variants, empty where a variant shares the workbench's.
+  const std::vector<Document>& variant_documents() const& { return variant_documents_; }
+  std::vector<Document> variant_documents() && { return std::move(variant_documents_); }
+
   // ---- Demand. Each call replaces the one before; nothing is computed without demand.
 
-  /// Layers whose instances are computed. Error: `usage` for an unknown layer.
+  /// Chooses the layers whose instances are computed. Error: `usage` for an unknown layer.
   Expected<void> show(std::span<const std::string_view> layers);
   Expected<void> show(std::initializer_list<std::string_view> layers) { return show(std::span(layers)); }
-  void show(std::span<const LayerIndex> layers);
-  /// Structures that are computed even if no shown layer reads them. Error: `usage` for an unknown structure.
+  void show(std::span<const LayerIndex> layers) { show(main_layers(layers)); }
+  void show(std::vector<VariantLayer> layers);
+  /// Chooses structures that are computed even if no shown layer reads them. Error: `usage` for an unknown structure.
   Expected<void> need(std::span<const std::string_view> structures);
   Expected<void> need(std::initializer_list<std::string_view> structures) { return need(std::span(structures)); }
   template <class... S>
@@ -137,36 +151,40 @@ class Workbench {
   /// Brings all that is demanded up to date. Error: `cannot_compute` with the first cause, `cancelled`, or
   /// `out_of_memory` if there is no room for the instances.
   Expected<void> run(JobControl& job);
-  /// The same for code that is itself part of a job: throws `Cancelled` when the job is stopped.
+  /// Does the same for code that is itself part of a job, and throws `Cancelled` when the job is stopped.
   Expected<void> run_or_throw(JobControl& job);
+  /// Prepares what only the next edit needs, so that it takes less time. Optional, after a run; ends early when stopped.
+  void get_ready(JobControl& job) { graph_->get_ready(job); }
 
   // ---- Results of the last run.
 
-  /// Error: the structure is unknown, was not needed, failed, or was left unfinished by a stop.
+  /// Returns a structure by its public id. Error: it is unknown, was not needed, failed, or was left unfinished by a
+  /// stop.
   Expected<const Structure*> structure(std::string_view id) const;
-  /// A structure by its type. Its tables mean something only if it was up to date after the last run.
+  /// Returns a structure by its type. Its tables mean something only if it was up to date after the last run.
   template <class T>
   const T& get() const {
     return graph_->structures().get<T>();
   }
-  /// A counter or a measure of a structure, by its public key. Error: as `structure`; statistics were not wanted; there
+  /// Returns a counter or a measure of a structure by its public key. Error: as `structure`; statistics were not wanted; there
   /// is no such key.
   Expected<StatValue> statistic(std::string_view structure, std::string_view key) const;
-  /// The instances of a kind, `stride_of(kind)` doubles each (core/draw/primitives.h). Valid until the next run. Error:
-  /// the layer is unknown, was not shown, failed, or instances are not kept.
+  /// Returns the instances of a kind, `stride_of(kind)` doubles each (core/draw/primitives.h). They are valid until the
+  /// next run. Error: the layer is unknown, was not shown, failed, or instances are not kept.
   Expected<std::span<const double>> instances(std::string_view layer, PrimitiveKind kind) const;
-  /// The digest that `mesecina compute --digest` writes. Error: as `instances`.
+  /// Returns the digest that `mesecina compute --digest` writes. Error: as `instances`.
   Expected<LayerDigest> digest(std::string_view layer) const;
-  /// The instances of all layers, outdated ones of hidden and failed layers included.
+  /// The mirror holds the instances of all layers, and outdated ones of layers that are hidden or failed.
   const LayerMirror& mirror() const { return mirror_; }
 
-  /// One report for each structure of the registry, in its order; empty before the first run.
+  /// There is one report for each structure of the registry, in its order, then those of variants; before the first run
+  /// there is none.
   std::span<const NodeReport> nodes() const { return patch_.nodes; }
-  /// One report for each layer, likewise.
+  /// There is one report for each layer, likewise.
   std::span<const LayerReport> layers() const { return patch_.reports; }
-  /// `none` unless findings were wanted.
+  /// The theorem light is `none` unless findings were wanted.
   TheoremLight light() const { return light_of(patch_.nodes); }
-  /// All that the last run has to say.
+  /// The patch holds all that the last run has to say.
   const FramePatch& patch() const { return patch_; }
   const Graph& graph() const { return *graph_; }
 
@@ -178,21 +196,20 @@ class Workbench {
   bool is_one_shot() const { return options_.take_instances != nullptr; }
   Expected<LoadedFile> take(Expected<LoadedFile> file);
   bool apply_all(const std::vector<DocumentDelta>& deltas);
-  /// The layer, if its instances are those of the last run.
+  /// Returns the layer if its instances are those of the last run.
   Expected<LayerIndex> readable(std::string_view layer) const;
   Expected<const NodeReport*> readable_node(std::string_view structure) const;
-  void set_demand() { graph_->set_demand(shown_); }
-
   const Registry* registry_;
   WorkbenchOptions options_;
   Document document_;
   History history_;
   ComputationSettings settings_;
-  std::vector<LayerIndex> shown_;
+  std::vector<Document> variant_documents_;
+  std::vector<VariantLayer> shown_;
   std::unique_ptr<Graph> graph_;
   FramePatch patch_;
   LayerMirror mirror_;
-  std::uint64_t ticket_ = 0;  // of the last question
+  std::uint64_t ticket_ = 0;  // that the last question got
 };
 
 }  // namespace mes

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <memory>
 #include <mutex>
 #include <numbers>
 #include <string>
@@ -95,6 +96,8 @@ TEST_CASE("a workbench computes what is shown and needed, and follows edits, und
   REQUIRE(bench.run(job));
   CHECK(segments_in(bench, "curve") == 40);
   const std::string whole = digest_in(bench, "medial-axis");
+  bench.get_ready(job);
+  CHECK(digest_in(bench, "medial-axis") == whole);
 
   REQUIRE(bench.move(std::array{std::pair{ids->front(), Vec2{2.1, 0.01}}}));
   REQUIRE(bench.run(job));
@@ -376,6 +379,43 @@ TEST_CASE("a workbench answers what lies at a place, in the present document") {
   REQUIRE(bench.insert(samples_of_ellipse(2000)));
   REQUIRE(bench.show({"points", "curve"}));
   check_refused(bench.ask(question, stopped), ErrorCode::cancelled, "the computation was stopped");
+}
+
+TEST_CASE("variants are computed beside the document, each as by a workbench of its own") {
+  JobControl job;
+  ComputationSettings settings;
+  settings[Parameter::lambda_limit] = 0.9;
+  const auto other = std::make_shared<const SampleData>(SampleData{.positions = samples_of_ellipse(25)});
+  const LayerIndex layer = builtins().find_layer("lambda-medial-axis");
+  const auto alone = [&](const SampleData& data, const ComputationSettings& chosen) {
+    Workbench bench(builtins());
+    bench.choose(chosen);
+    REQUIRE(bench.load(data));
+    REQUIRE(bench.show({"lambda-medial-axis"}));
+    REQUIRE(bench.run(job));
+    return digest_in(bench, "lambda-medial-axis");
+  };
+
+  Workbench bench(builtins());
+  const SampleData data{.positions = samples_of_ellipse(60)};
+  REQUIRE(bench.load(data));
+  REQUIRE(bench.compare_with(std::array{WorkbenchVariant{settings}, WorkbenchVariant{settings, other}}));
+  CHECK(bench.variant_documents().at(0).is_empty());
+  CHECK(bench.variant_documents().at(1).sample_count() == 25);
+  bench.show({layer_in(kMainVariant, false, layer), layer_in(1, false, layer), layer_in(2, true, layer)});
+  REQUIRE(bench.run(job));
+  CHECK(digest_in(bench, "lambda-medial-axis") == alone(data, {}));
+  CHECK(bench.mirror().digest({1, layer}).text() == alone(data, settings));
+  CHECK(bench.mirror().digest({2, layer}).text() == alone(*other, settings));
+
+  // Other variants take their place, with documents that begin anew.
+  REQUIRE(bench.compare_with(std::array{WorkbenchVariant{{}, std::make_shared<const SampleData>(data)}}));
+  bench.show({layer_in(1, true, layer)});
+  REQUIRE(bench.run(job));
+  CHECK(bench.mirror().digest({1, layer}).text() == alone(data, {}));
+  const SampleData wrong{.balls = {Disk{{0.0, 0.0}, -1.0}}};
+  CHECK_FALSE(bench.compare_with(std::array{WorkbenchVariant{{}, std::make_shared<const SampleData>(wrong)}}));
+  CHECK(bench.variant_documents().size() == 1);
 }
 
 TEST_CASE("a one-shot workbench hands out the instances that another one keeps") {
