@@ -2,13 +2,13 @@
 #include "core/resampling/internal/sampled_curve.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "core/builtins/builtins.h"
 #include "core/kernel/corner_angle.h"
+#include "core/structures/axis/medial_axis.h"
 #include "core/structures/certificate/axis_certificate.h"
 #include "core/structures/density/feature_size.h"
 
@@ -37,51 +37,38 @@ std::vector<bool> corners_of(const MovingCurve& curve, std::span<const Vec2> pos
   return out;
 }
 
+JudgedSamples::JudgedSamples() : bench_(builtins(), {.keeps_history = false}) {
+  bench_.need<FeatureSize, MedialAxis>();
+  bench_.set_want_findings(true);
+  bench_.set_want_statistics(true);
+}
+
 Expected<JudgedSamples> JudgedSamples::of(const SampleData& data, JobControl& job, bool has_curves) {
   JudgedSamples out;
-  auto delta =
-      replace_all(out.document_, {.positions = data.positions, .source = has_curves ? data.source : nullptr});
-  if (!delta) return std::unexpected(delta.error());
-  const auto shared = std::make_shared<const DocumentDelta>(std::move(*delta));
-  out.document_.apply(*shared);
+  const std::shared_ptr<const CurveSource> source = has_curves ? data.source : nullptr;
+  if (auto good = out.bench_.load({.positions = data.positions, .source = source}); !good)
+    return std::unexpected(good.error());
   out.positions_ = data.positions;
-  out.slots_ = out.document_.slots_in_input_order();
-  out.graph_->set_demand(std::array{find_layer("sampling-epsilon"), find_layer("medial-axis")});
-  out.graph_->set_want_findings(true);
-  out.graph_->set_want_statistics(true);
-  out.graph_->post(shared);
-  if (auto good = out.run(job); !good) return std::unexpected(good.error());
+  out.slots_ = out.bench_.document().slots_in_input_order();
+  if (auto good = out.bench_.run_or_throw(job); !good) return std::unexpected(good.error());
   return out;
 }
 
-Expected<void> JudgedSamples::run(JobControl& job) {
-  if (!graph_->run(patch_, job)) throw Cancelled{};
-  for (const NodeReport& node : patch_.nodes)
-    if (node.state == NodeState::failed)
-      return std::unexpected(
-          Error{ErrorCode::cannot_compute, "structure " + node.structure + " failed: " + node.reason, {}, 0, 0});
-  return {};
-}
-
 Expected<void> JudgedSamples::insert(std::span<const Vec2> positions, JobControl& job) {
-  auto delta = insert_samples(document_, positions);
-  if (!delta) return std::unexpected(delta.error());
-  const auto shared = std::make_shared<const DocumentDelta>(std::move(*delta));
-  document_.apply(*shared);
+  if (auto good = bench_.insert(positions); !good) return std::unexpected(good.error());
   positions_.insert(positions_.end(), positions.begin(), positions.end());
-  slots_ = document_.slots_in_input_order();
-  graph_->post(shared);
-  return run(job);
+  slots_ = bench_.document().slots_in_input_order();
+  return bench_.run_or_throw(job);
 }
 
 SiteSlot JudgedSamples::site_of(std::uint32_t sample) const {
-  return get<Delaunay>().site_of_sample(slots_[sample]);
+  return bench_.get<Delaunay>().site_of_sample(slots_[sample]);
 }
 
 JudgedSamples::EdgeVerdict JudgedSamples::judge(std::uint32_t a, std::uint32_t b) const {
-  const auto& sizes = get<FeatureSize>();
-  const auto& crust = get<OneStepCrust>();
-  const auto& certificate = get<AxisCertificate>();
+  const auto& sizes = bench_.get<FeatureSize>();
+  const auto& crust = bench_.get<OneStepCrust>();
+  const auto& certificate = bench_.get<AxisCertificate>();
   const SiteSlot from = site_of(a);
   const SiteSlot to = site_of(b);
   EdgeVerdict out;
@@ -91,7 +78,7 @@ JudgedSamples::EdgeVerdict JudgedSamples::judge(std::uint32_t a, std::uint32_t b
   }
   for (const SiteSlot site : {from, to}) {
     out.is_doubted = out.is_doubted || certificate.is_bad_site(site) || crust.is_odd(site);
-    get<Delaunay>().for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
+    bench_.get<Delaunay>().for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
       out.is_doubted = out.is_doubted || certificate.is_bad_edge(edge);
       if (site != from || other != to || !crust.is_crust(edge)) return;
       out.is_curve = true;
@@ -102,18 +89,14 @@ JudgedSamples::EdgeVerdict JudgedSamples::judge(std::uint32_t a, std::uint32_t b
 }
 
 double JudgedSamples::size(std::uint32_t sample) const {
-  const auto& sizes = get<FeatureSize>();
+  const auto& sizes = bench_.get<FeatureSize>();
   const SiteSlot site = site_of(sample);
   return sizes.has_size(site) ? sizes.size(site) : std::numeric_limits<double>::infinity();
 }
 
 std::int64_t JudgedSamples::count(std::string_view key) const {
-  for (const NodeReport& node : patch_.nodes) {
-    if (node.structure != "medial-axis") continue;
-    for (const Stat& stat : node.stats)
-      if (stat.key == key) return std::get<std::int64_t>(stat.value);
-  }
-  return 0;
+  const auto found = bench_.statistic("medial-axis", key);
+  return found ? std::get<std::int64_t>(*found) : 0;
 }
 
 }  // namespace mes

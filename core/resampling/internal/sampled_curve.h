@@ -3,19 +3,15 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <span>
 #include <string_view>
 #include <vector>
 
-#include "core/builtins/builtins.h"
-#include "core/document/commands.h"
-#include "core/engine/graph.h"
-#include "core/engine/theorem_light.h"
 #include "core/evolutions/moving_curve.h"
 #include "core/structures/delaunay/delaunay.h"
 #include "core/structures/density/curve_sampling.h"
 #include "core/structures/density/feature_size.h"
+#include "core/workbench/workbench.h"
 
 namespace mes {
 
@@ -49,27 +45,20 @@ class JudgedSamples {
   EdgeVerdict judge(std::uint32_t a, std::uint32_t b) const;
   /// Distance to the axis; infinite without one.
   double size(std::uint32_t sample) const;
-  TheoremLight light() const { return light_of(patch_.nodes); }
+  TheoremLight light() const { return bench_.light(); }
   /// The reason for an axis that is missing, as a sentence without a full stop; empty if there is an axis.
-  std::string why_no_axis() const { return std::string(get<FeatureSize>().reason()); }
-  const CurveSampling& curves() const { return get<CurveSampling>(); }
+  std::string why_no_axis() const { return std::string(bench_.get<FeatureSize>().reason()); }
+  const CurveSampling& curves() const { return bench_.get<CurveSampling>(); }
   /// Of the one-step axis.
   std::int64_t components() const { return count("components"); }
   std::int64_t cycles() const { return count("cycles"); }
 
  private:
-  JudgedSamples() : graph_(std::make_unique<Graph>(builtins())) {}
-  Expected<void> run(JobControl& job);
+  JudgedSamples();
   std::int64_t count(std::string_view key) const;
-  template <class T>
-  const T& get() const {
-    return graph_->structures().get<T>();
-  }
   SiteSlot site_of(std::uint32_t sample) const;
 
-  Document document_;
-  std::unique_ptr<Graph> graph_;
-  FramePatch patch_;
+  Workbench bench_;
   std::vector<Vec2> positions_;
   std::vector<SampleSlot> slots_;
 };
