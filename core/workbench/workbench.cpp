@@ -1,45 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/workbench/workbench.h"
 
-#include <fmt/core.h>
-
 #include <algorithm>
 #include <cmath>
 #include <new>
 
 #include "core/io/session.h"
-#include "core/io/text_numbers.h"
+#include "core/workbench/internal/refusals.h"
 
 namespace mes {
 namespace {
-
-std::unexpected<Error> refused(ErrorCode code, std::string text) {
-  return std::unexpected(Error{code, std::move(text), {}, 0, 0});
-}
-
-std::unexpected<Error> unknown(std::string_view what, std::string_view id) {
-  return refused(ErrorCode::usage, fmt::format("unknown {} {}", what, in_quotes(id)));
-}
-
-std::unexpected<Error> not_computed(std::string_view what, std::string_view id) {
-  return refused(ErrorCode::usage, fmt::format("{} {} was not computed", what, id));
-}
-
-std::unexpected<Error> failed(std::string_view what, std::string_view id, std::string_view reason) {
-  return refused(ErrorCode::cannot_compute, fmt::format("{} {} failed: {}", what, id, reason));
-}
-
-std::unexpected<Error> out_of_memory() {
-  return refused(ErrorCode::out_of_memory, "there is not enough memory");
-}
-
-std::unexpected<Error> stopped() {
-  return refused(ErrorCode::cancelled, "the computation was stopped");
-}
-
-bool has_failed(NodeState state) {
-  return state != NodeState::up_to_date && state != NodeState::inactive;
-}
 
 /// The value that a parameter takes. Error: `usage`.
 Expected<double> accepted(const Parameter& parameter, double value) {
@@ -53,7 +23,7 @@ Expected<double> accepted(const Parameter& parameter, double value) {
   append_number(text, parameter.high);
   text += ", not ";
   append_number(text, value);
-  return refused(ErrorCode::usage, std::move(text));
+  return refusals::usage(std::move(text));
 }
 
 template <class Edit>
@@ -68,9 +38,11 @@ auto inserted_by(const std::vector<Edit>& edits) {
 
 Workbench::Workbench(const Registry& registry, WorkbenchOptions options)
     : registry_(&registry), options_(std::move(options)), graph_(std::make_unique<Graph>(registry)) {
-  if (!is_one_shot()) return;
-  options_.keeps_history = options_.keeps_instances = false;
-  graph_->make_one_shot(options_.take_instances, options_.needs_scalars);
+  if (options_.take_instances) {
+    options_.keeps_document = options_.keeps_instances = false;
+    graph_->make_one_shot(options_.take_instances, options_.needs_scalars);
+  }
+  options_.keeps_history = options_.keeps_history && options_.keeps_document;
 }
 
 Expected<LoadedFile> Workbench::open(const std::filesystem::path& path, JobControl& job, const ReadRequest& request,
@@ -126,10 +98,10 @@ Expected<void> Workbench::remove_balls(std::span<const BallId> ids) {
 
 Expected<void> Workbench::apply(Expected<DocumentDelta> delta, const std::string& name) {
   if (!delta) return std::unexpected(std::move(delta.error()));
-  if (is_one_shot() && !delta->replaces_all())
-    return refused(ErrorCode::usage, "a one-shot workbench has no document to edit");
+  if (!options_.keeps_document && !delta->replaces_all())
+    return refusals::usage("this workbench keeps no document to edit");
   auto shared = std::make_shared<const DocumentDelta>(std::move(*delta));
-  if (!is_one_shot()) document_.apply(*shared);
+  if (options_.keeps_document) document_.apply(*shared);
   if (options_.keeps_history) history_.record(*shared, name);
   graph_->post(std::move(shared));
   return {};
@@ -150,7 +122,7 @@ void Workbench::choose(const ComputationSettings& settings) {
 
 Expected<void> Workbench::set(std::string_view parameter, double value) {
   const Parameter* const known = registry_->find_parameter(parameter);
-  if (known == nullptr) return unknown("parameter", parameter);
+  if (known == nullptr) return refusals::unknown("parameter", parameter);
   return set(*known, value);
 }
 
@@ -171,7 +143,7 @@ void Workbench::set_precision(Precision precision) {
 
 Expected<void> Workbench::set_precision(std::string_view id) {
   const auto found = std::ranges::find(kPrecisionDescriptors, id, &PrecisionDescriptor::id);
-  if (found == kPrecisionDescriptors.end()) return unknown("number type", id);
+  if (found == kPrecisionDescriptors.end()) return refusals::unknown("number type", id);
   set_precision(found->precision);
   return {};
 }
@@ -204,7 +176,7 @@ Expected<void> Workbench::show(std::span<const std::string_view> layers) {
   std::vector<VariantLayer> shown;
   for (const std::string_view layer : layers) {
     shown.emplace_back(registry_->find_layer(layer));
-    if (shown.back().layer == kNoLayer) return unknown("layer", layer);
+    if (shown.back().layer == kNoLayer) return refusals::unknown("layer", layer);
   }
   show(std::move(shown));
   return {};
@@ -218,13 +190,13 @@ void Workbench::show(std::vector<VariantLayer> layers) {
 Expected<void> Workbench::need(std::span<const std::string_view> structures) {
   for (const std::string_view structure : structures)
     if (std::ranges::find(registry_->structures(), structure) == registry_->structures().end())
-      return unknown("structure", structure);
+      return refusals::unknown("structure", structure);
   graph_->set_needed_structures(structures);
   return {};
 }
 
 Expected<void> Workbench::run(JobControl& job) {
-  if (!graph_->run(patch_, job)) return stopped();
+  if (!graph_->run(patch_, job)) return refusals::stopped();
   if (options_.keeps_instances) {
     try {
       mirror_.apply(patch_);
@@ -233,15 +205,16 @@ Expected<void> Workbench::run(JobControl& job) {
       mirror_ = {};
       graph_->set_demand(std::span<const VariantLayer>());
       graph_->set_demand(shown_);
-      return out_of_memory();
+      return refusals::out_of_memory();
     }
   }
-  if (patch_.nodes.empty()) return out_of_memory();  // there was no room for the reports
+  if (patch_.nodes.empty()) return refusals::out_of_memory();  // there was no room for the reports
   // A failed structure is the cause; blocked ones and layers follow from it.
   for (const NodeReport& node : patch_.nodes)
-    if (node.state == NodeState::failed) return failed("structure", node.structure, node.reason);
+    if (node.state == NodeState::failed) return refusals::failed("structure", node.structure, node.reason);
   for (const LayerReport& report : patch_.reports)
-    if (has_failed(report.state)) return failed("layer", registry_->layers()[report.layer.layer].id, report.reason);
+    if (has_failed(report.state))
+      return refusals::failed("layer", registry_->layers()[report.layer.layer].id, report.reason);
   return {};
 }
 
@@ -249,68 +222,6 @@ Expected<void> Workbench::run_or_throw(JobControl& job) {
   auto done = run(job);
   if (!done && done.error().code == ErrorCode::cancelled) throw Cancelled{};
   return done;
-}
-
-Expected<const NodeReport*> Workbench::readable_node(std::string_view structure) const {
-  if (std::ranges::find(registry_->structures(), structure) == registry_->structures().end())
-    return unknown("structure", structure);
-  if (!patch_.complete) return stopped();
-  const auto node = std::ranges::find(patch_.nodes, structure, &NodeReport::structure);
-  if (node == patch_.nodes.end() || node->state == NodeState::inactive) return not_computed("structure", structure);
-  if (node->state != NodeState::up_to_date) return failed("structure", structure, node->reason);
-  return &*node;
-}
-
-Expected<const Structure*> Workbench::structure(std::string_view id) const {
-  if (auto node = readable_node(id); !node) return std::unexpected(std::move(node.error()));
-  for (const auto& structure : graph_->structures().all())
-    if (structure->id() == id) return structure.get();
-  return unknown("structure", id);
-}
-
-Expected<StatValue> Workbench::statistic(std::string_view structure, std::string_view key) const {
-  const auto node = readable_node(structure);
-  if (!node) return std::unexpected(node.error());
-  const StatList& stats = (*node)->stats;
-  const auto found = std::ranges::find(stats, key, &Stat::key);
-  if (found != stats.end()) return found->value;
-  if (stats.empty()) return refused(ErrorCode::usage, fmt::format("structure {} has no statistics", structure));
-  return unknown("statistic", key);
-}
-
-Expected<LayerIndex> Workbench::readable(std::string_view layer) const {
-  const LayerIndex index = registry_->find_layer(layer);
-  if (index == kNoLayer) return unknown("layer", layer);
-  if (!options_.keeps_instances) return refused(ErrorCode::usage, "this workbench keeps no instances");
-  if (index >= patch_.reports.size() || patch_.reports[index].state == NodeState::inactive)
-    return not_computed("layer", layer);
-  if (const LayerReport& report = patch_.reports[index]; has_failed(report.state))
-    return failed("layer", layer, report.reason);
-  return index;
-}
-
-Expected<std::span<const double>> Workbench::instances(std::string_view layer, PrimitiveKind kind) const {
-  const auto index = readable(layer);
-  if (!index) return std::unexpected(index.error());
-  return mirror_.instances(*index, kind);
-}
-
-Expected<LayerDigest> Workbench::digest(std::string_view layer) const {
-  const auto index = readable(layer);
-  if (!index) return std::unexpected(index.error());
-  return mirror_.digest(*index);
-}
-
-Expected<Provenance> Workbench::ask(ProvenanceQuestion question, JobControl& job) {
-  question.ticket = ++ticket_;
-  graph_->ask(std::move(question));
-  if (auto done = run(job); !done) return std::unexpected(std::move(done.error()));
-  std::vector<Provenance> answers;
-  graph_->answer(answers, job);
-  // Earlier questions that were stopped may be answered now, too.
-  for (Provenance& answer : answers)
-    if (answer.ticket == ticket_) return std::move(answer);
-  return stopped();
 }
 
 }  // namespace mes

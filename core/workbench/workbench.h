@@ -25,11 +25,13 @@ namespace mes {
 
 /// These options say how much a workbench keeps. The defaults suit interactive use.
 struct WorkbenchOptions {
+  /// false: `load` and `open` give their data to the structures alone; the document stays empty, other edits are
+  /// refused, and there is no history.
+  bool keeps_document = true;
   bool keeps_history = true;    ///< false: nothing can be undone, and edits cost no memory
   bool keeps_instances = true;  ///< false: layers are only in `patch()`, as changes since the run before
   /// Makes the graph a one-shot graph, which hands instances out in pieces and keeps nothing for later edits
-  /// (`Graph::make_one_shot`). The workbench then keeps no document, history or instances: `load` replaces everything,
-  /// and other edits are refused.
+  /// (`Graph::make_one_shot`). The workbench then keeps no document and no instances.
   Graph::InstanceTaker take_instances{};
   bool needs_scalars = true;  ///< false: a one-shot graph may leave out scalars that take time to find
 };
@@ -71,7 +73,7 @@ class Workbench {
   /// The registry has to contain the sources `Samples` and `SettingsSource`, and to outlive the workbench.
   explicit Workbench(const Registry& registry, WorkbenchOptions options = {});
 
-  // ---- The document. A step of undo is one edit, or all edits between `begin_step` and `end_step`.
+  // The document. A step of undo is one edit, or all edits between `begin_step` and `end_step`.
 
   /// Reads a file of any format and replaces the document by its data. A session also sets its settings; other files
   /// leave the settings as they are. Returns what is known of the file, with its data. Error: as `read_sample_file`.
@@ -105,7 +107,7 @@ class Workbench {
   Document document() && { return std::move(document_); }
   const History& history() const { return history_; }
 
-  // ---- Settings. They apply from the next run on.
+  // Settings. They apply from the next run on.
 
   const ComputationSettings& settings() const { return settings_; }
   /// Values are not checked.
@@ -125,7 +127,7 @@ class Workbench {
   const std::vector<Document>& variant_documents() const& { return variant_documents_; }
   std::vector<Document> variant_documents() && { return std::move(variant_documents_); }
 
-  // ---- Demand. Each call replaces the one before; nothing is computed without demand.
+  // Demand. Each call replaces the one before; nothing is computed without demand.
 
   /// Chooses the layers whose instances are computed. Error: `usage` for an unknown layer.
   Expected<void> show(std::span<const std::string_view> layers);
@@ -146,7 +148,7 @@ class Workbench {
   /// Called with the id of each structure or layer before it is worked on.
   void set_on_task(std::function<void(std::string_view)> on_task) { graph_->set_on_task(std::move(on_task)); }
 
-  // ---- Computing.
+  // Computing.
 
   /// Brings all that is demanded up to date. Error: `cannot_compute` with the first cause, `cancelled`, or
   /// `out_of_memory` if there is no room for the instances.
@@ -156,7 +158,7 @@ class Workbench {
   /// Prepares what only the next edit needs, so that it takes less time. Optional, after a run; ends early when stopped.
   void get_ready(JobControl& job) { graph_->get_ready(job); }
 
-  // ---- Results of the last run.
+  // Results of the last run.
 
   /// Returns a structure by its public id. Error: it is unknown, was not needed, failed, or was left unfinished by a
   /// stop.
@@ -193,7 +195,6 @@ class Workbench {
   Expected<Provenance> ask(ProvenanceQuestion question, JobControl& job);
 
  private:
-  bool is_one_shot() const { return options_.take_instances != nullptr; }
   Expected<LoadedFile> take(Expected<LoadedFile> file);
   bool apply_all(const std::vector<DocumentDelta>& deltas);
   /// Returns the layer if its instances are those of the last run.

@@ -381,6 +381,26 @@ TEST_CASE("a workbench answers what lies at a place, in the present document") {
   check_refused(bench.ask(question, stopped), ErrorCode::cancelled, "the computation was stopped");
 }
 
+TEST_CASE("a workbench without a document computes what is loaded, and refuses other edits") {
+  JobControl job;
+  Workbench keeper(builtins());
+  Workbench bench(builtins(), {.keeps_document = false});
+  for (Workbench* one : {&keeper, &bench}) REQUIRE(one->show({"medial-axis", "b-union-boundary"}));
+  for (const int count : {40, 25, 60}) {
+    const SampleData data{.positions = samples_of_ellipse(count),
+                          .balls = {Disk{{0.0, 0.0}, 2.0}, Disk{{1.0, 0.0}, 0.1 * count}}};
+    for (Workbench* one : {&keeper, &bench}) {
+      REQUIRE(one->load(data));
+      REQUIRE(one->run(job));
+    }
+    for (const char* layer : {"medial-axis", "b-union-boundary"})
+      CHECK(digest_in(bench, layer) == digest_in(keeper, layer));
+  }
+  CHECK(bench.document().is_empty());
+  CHECK_FALSE(bench.undo());
+  check_refused(bench.insert(std::array{Vec2{}}), ErrorCode::usage, "this workbench keeps no document to edit");
+}
+
 TEST_CASE("variants are computed beside the document, each as by a workbench of its own") {
   JobControl job;
   ComputationSettings settings;
@@ -438,7 +458,7 @@ TEST_CASE("a one-shot workbench hands out the instances that another one keeps")
   for (const char* layer : {"medial-axis", "curve"})
     CHECK(taken[builtins().find_layer(layer)].text() == digest_in(keeper, layer));
   CHECK(bench.document().is_empty());
-  check_refused(bench.insert(data.positions), ErrorCode::usage, "a one-shot workbench has no document to edit");
+  check_refused(bench.insert(data.positions), ErrorCode::usage, "this workbench keeps no document to edit");
   check_refused(bench.digest("curve"), ErrorCode::usage, "this workbench keeps no instances");
 }
 
