@@ -312,7 +312,7 @@ TEST_CASE("scale axes of the families follow random edits and changes of the fac
 TEST_CASE("at a factor of 1 a certified union's scale axis follows edits by parts, and other settings send nothing") {
   TestBench bench;
   bench.show({"a-scale-axis", "a-scale-axis-boundary", "a-scale-axis-grown-disks", "a-scale-axis-disks",
-              "a-scale-skeleton", "lambda-axis"});
+              "a-scale-skeleton", "lambda-medial-axis"});
   std::vector<Vec2> samples = ellipse(2.0, 1.0, 400, {0.3, 0.1, 3}).data.positions;
   bench.replace(samples);
   REQUIRE(bench.count("axis-certificate", "certified") == 1);
@@ -329,7 +329,7 @@ TEST_CASE("at a factor of 1 a certified union's scale axis follows edits by part
       CHECK_FALSE(report(id).rebuilt);
     }
     for (std::size_t i = 0; i < bench.patch().layer_count; ++i)
-      CHECK(layer_descriptors()[bench.patch().layers[i].layer.layer].id == "lambda-axis");
+      CHECK(layer_descriptors()[bench.patch().layers[i].layer.layer].id == "lambda-medial-axis");
   }
   Rng rng(3);
   for (int step = 0; step < 60; ++step) {
