@@ -2,6 +2,7 @@
 #include "tests/support/workbench.h"
 
 #include <algorithm>
+#include <array>
 
 #include "core/builtins/builtins.h"
 #include "core/structures/crust/one_step_crust.h"
@@ -15,8 +16,8 @@ std::vector<LayerIndex> all_layers() {
 }
 
 TestBench::TestBench() {
-  graph_.set_demand(all_layers());
-  graph_.set_want_statistics(true);
+  bench_.show(all_layers());
+  bench_.set_want_statistics(true);
 }
 
 TestBench::TestBench(const std::vector<Vec2>& positions) : TestBench() {
@@ -24,89 +25,79 @@ TestBench::TestBench(const std::vector<Vec2>& positions) : TestBench() {
 }
 
 void TestBench::show(std::initializer_list<std::string_view> layers) {
-  std::vector<LayerIndex> shown;
-  for (const std::string_view layer : layers) shown.push_back(find_layer(layer));
-  graph_.set_demand(shown);
+  REQUIRE(bench_.show(layers));
 }
 
 void TestBench::choose(const ComputationSettings& settings) {
-  graph_.post_settings(settings);
+  bench_.choose(settings);
   run();
 }
 
 void TestBench::replace(const std::vector<Vec2>& positions) {
-  SampleData data;
-  data.positions = positions;
-  load(data);
+  load({.positions = positions});
 }
 
 void TestBench::load(const SampleData& data) {
-  apply(replace_all(document_, data));
+  edit(bench_.load(data));
 }
 
 void TestBench::insert_balls(const std::vector<Disk>& disks) {
-  apply(mes::insert_balls(document_, disks));
-}
-
-void TestBench::remove_balls(const std::vector<BallId>& ids) {
-  apply(mes::remove_balls(document_, ids));
-}
-
-void TestBench::change_ball(BallId id, const Disk& to) {
-  apply(change_balls(document_, std::vector{std::pair{id, to}}));
-}
-
-void TestBench::insert(const std::vector<Vec2>& positions) {
-  apply(insert_samples(document_, positions));
-}
-
-void TestBench::remove(const std::vector<SampleId>& ids) {
-  apply(remove_samples(document_, ids));
-}
-
-void TestBench::move(const std::vector<std::pair<SampleId, Vec2>>& targets) {
-  apply(move_samples(document_, targets));
-}
-
-void TestBench::undo() {
-  apply_all(history_.undo());
-}
-
-void TestBench::redo() {
-  apply_all(history_.redo());
-}
-
-void TestBench::apply(const Expected<DocumentDelta>& delta) {
-  REQUIRE(delta.has_value());
-  document_.apply(*delta);
-  history_.record(*delta);
-  graph_.post(std::make_shared<const DocumentDelta>(*delta));
+  REQUIRE(bench_.insert_balls(disks));
   run();
 }
 
-void TestBench::apply_all(const std::vector<DocumentDelta>& deltas) {
-  for (const DocumentDelta& delta : deltas) {
-    document_.apply(delta);
-    graph_.post(std::make_shared<const DocumentDelta>(delta));
-  }
+void TestBench::remove_balls(const std::vector<BallId>& ids) {
+  edit(bench_.remove_balls(ids));
+}
+
+void TestBench::change_ball(BallId id, const Disk& to) {
+  edit(bench_.change_balls(std::array{std::pair{id, to}}));
+}
+
+void TestBench::insert(const std::vector<Vec2>& positions) {
+  REQUIRE(bench_.insert(positions));
+  run();
+}
+
+void TestBench::remove(const std::vector<SampleId>& ids) {
+  edit(bench_.remove(ids));
+}
+
+void TestBench::move(const std::vector<std::pair<SampleId, Vec2>>& targets) {
+  edit(bench_.move(targets));
+}
+
+void TestBench::undo() {
+  bench_.undo();
+  run();
+}
+
+void TestBench::redo() {
+  bench_.redo();
+  run();
+}
+
+void TestBench::edit(const Expected<void>& done) {
+  REQUIRE(done);
   run();
 }
 
 void TestBench::run() {
   JobControl job;
-  REQUIRE(graph_.run(patch_, job));
-  for (const NodeReport& node : patch_.nodes) {
-    INFO(node.structure << ": " << node.reason);
+  check(bench_.run(job));
+}
+
+void TestBench::check(const Expected<void>& done) {
+  INFO((done ? std::string() : done.error().text));
+  REQUIRE(done);
+  const auto is_good = [](NodeState state) {
     // A source that no layer reads yet is not asked for.
-    REQUIRE((node.state == NodeState::up_to_date || node.state == NodeState::inactive));
-  }
-  for (const LayerReport& layer : patch_.reports) {
-    INFO(layer_descriptors()[layer.layer.layer].id << ": " << layer.reason);
-    REQUIRE((layer.state == NodeState::up_to_date || layer.state == NodeState::inactive));
-  }
-  contents_.apply(patch_);
-  mirror_.apply(patch_);
-  REQUIRE(patch_.document_revision == document_.revision());
+    return state == NodeState::up_to_date || state == NodeState::inactive;
+  };
+  REQUIRE(std::ranges::all_of(bench_.nodes(), is_good, &NodeReport::state));
+  REQUIRE(std::ranges::all_of(bench_.layers(), is_good, &LayerReport::state));
+  contents_.apply(patch());
+  REQUIRE(patch().document_revision == document().revision());
 }
 
 Provenance TestBench::ask(Vec2 at, double reach, const std::vector<std::string_view>& layers) {
@@ -118,66 +109,50 @@ Provenance TestBench::ask(Vec2 at, double reach, const std::vector<std::string_v
 }
 
 Provenance TestBench::ask(ProvenanceQuestion question) {
-  static std::uint64_t ticket = 0;
-  question.ticket = ++ticket;
-  graph_.ask(std::move(question));
-  run();
   JobControl job;
-  std::vector<Provenance> answers;
-  graph_.answer(answers, job);
-  REQUIRE(answers.size() == 1);
-  REQUIRE(answers.front().ticket == ticket);
-  return answers.front();
+  auto answer = bench_.ask(std::move(question), job);
+  check(answer ? Expected<void>() : std::unexpected(answer.error()));
+  return *std::move(answer);
 }
 
 std::vector<SampleId> TestBench::ids() const {
   std::vector<SampleId> out;
-  for (const SampleSlot slot : document_.slots_in_input_order()) out.push_back(document_.id(slot));
+  for (const SampleSlot slot : document().slots_in_input_order()) out.push_back(document().id(slot));
   return out;
 }
 
 std::vector<Vec2> TestBench::positions() const {
   std::vector<Vec2> out;
-  for (const SampleSlot slot : document_.slots_in_input_order()) out.push_back(document_.position(slot));
+  for (const SampleSlot slot : document().slots_in_input_order()) out.push_back(document().position(slot));
   return out;
 }
 
 std::vector<BallId> TestBench::ball_ids() const {
   std::vector<BallId> out;
-  for (const BallSlot slot : document_.ball_slots_in_input_order()) out.push_back(document_.ball_id(slot));
+  for (const BallSlot slot : document().ball_slots_in_input_order()) out.push_back(document().ball_id(slot));
   return out;
 }
 
 std::vector<Disk> TestBench::balls() const {
   std::vector<Disk> out;
-  for (const BallSlot slot : document_.ball_slots_in_input_order()) out.push_back(document_.disk(slot));
+  for (const BallSlot slot : document().ball_slots_in_input_order()) out.push_back(document().disk(slot));
   return out;
 }
 
-const StatValue& TestBench::stat(std::string_view structure, std::string_view key) const {
-  for (const NodeReport& node : patch_.nodes) {
-    if (node.structure != structure) continue;
-    for (const Stat& stat : node.stats)
-      if (stat.key == key) return stat.value;
-  }
-  FAIL("no such statistic: " << structure << " " << key);
-  assertion_failed("FAIL throws", __FILE_NAME__, __LINE__);
-}
-
 std::int64_t TestBench::count(std::string_view structure, std::string_view key) const {
-  return std::get<std::int64_t>(stat(structure, key));
+  return std::get<std::int64_t>(bench_.statistic(structure, key).value());
 }
 
 double TestBench::measure(std::string_view structure, std::string_view key) const {
-  return std::get<double>(stat(structure, key));
+  return std::get<double>(bench_.statistic(structure, key).value());
 }
 
 std::span<const double> TestBench::instances(std::string_view layer, PrimitiveKind kind) const {
-  return mirror_.instances(find_layer(layer), kind);
+  return mirror().instances(find_layer(layer), kind);
 }
 
 std::string TestBench::trouble() const {
-  const std::string broken = broken_row(graph_);
+  const std::string broken = broken_row(graph());
   if (!broken.empty()) return broken;
   SampleData reversed{.positions = positions(), .balls = balls()};
   std::ranges::reverse(reversed.positions);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A document, its history, and a graph with every layer shown that follows it edit by edit.
+// A workbench with every layer shown that is checked after each edit.
 #pragma once
 
 #include <cstdint>
@@ -12,10 +12,7 @@
 #include <vector>
 
 #include "core/builtins/builtins.h"
-#include "core/document/commands.h"
-#include "core/document/history.h"
-#include "core/draw/layer_mirror.h"
-#include "core/engine/graph.h"
+#include "core/workbench/workbench.h"
 #include "tests/support/layer_contents.h"
 #include "tests/support/state_of_graph.h"
 
@@ -52,17 +49,17 @@ class TestBench {
   void change_ball(BallId id, const Disk& to);
   void undo();
   void redo();
-  std::size_t steps_done() const { return history_.position(); }
+  std::size_t steps_done() const { return bench_.history().position(); }
 
-  const Document& document() const { return document_; }
-  const Graph& graph() const { return graph_; }
-  const FramePatch& patch() const { return patch_; }
+  const Document& document() const { return bench_.document(); }
+  const Graph& graph() const { return bench_.graph(); }
+  const FramePatch& patch() const { return bench_.patch(); }
   const LayerContents& contents() const { return contents_; }
-  const LayerMirror& mirror() const { return mirror_; }
-  GeometryState state() const { return state_of(graph_); }
+  const LayerMirror& mirror() const { return bench_.mirror(); }
+  GeometryState state() const { return state_of(graph()); }
   template <class T>
   const T& get() const {
-    return graph_.structures().get<T>();
+    return bench_.get<T>();
   }
 
   /// Live ids by increasing age.
@@ -87,17 +84,12 @@ class TestBench {
   std::string trouble() const;
 
  private:
-  void apply(const Expected<DocumentDelta>& delta);
-  void apply_all(const std::vector<DocumentDelta>& deltas);
+  void edit(const Expected<void>& done);
   void run();
-  const StatValue& stat(std::string_view structure, std::string_view key) const;
+  void check(const Expected<void>& done);
 
-  Document document_;
-  History history_;
-  Graph graph_{builtins()};
-  FramePatch patch_;
+  Workbench bench_{builtins()};
   LayerContents contents_;
-  LayerMirror mirror_;
 };
 
 /// An edge of the crust by the positions of its ends, the lexicographically smaller first.
