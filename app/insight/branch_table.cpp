@@ -10,9 +10,9 @@
 #include <utility>
 
 #include "core/builtins/builtins.h"
-#include "core/engine/graph.h"
 #include "core/io/text_numbers.h"
 #include "core/structures/balls/kept_union.h"
+#include "core/workbench/workbench.h"
 
 namespace mes {
 namespace {
@@ -28,10 +28,10 @@ std::vector<Vec2> line_of(const AxisFilter& filter, const AxisBranch& branch) {
   return out;
 }
 
-void add_shares(const Graph& graph, BranchTable& out) {
-  const auto& axis = graph.structures().get<MedialAxis>();
-  const auto& delaunay = graph.structures().get<Delaunay>();
-  const auto& lambda = graph.structures().get<LambdaAxis>();
+void add_shares(const Workbench& bench, BranchTable& out) {
+  const auto& axis = bench.get<MedialAxis>();
+  const auto& delaunay = bench.get<Delaunay>();
+  const auto& lambda = bench.get<LambdaAxis>();
   for (const EdgeSlot edge : delaunay.edge_slots()) {
     if (!delaunay.edge(edge).is_alive() || !axis.is_axis_edge(edge) || axis.is_zero_length(edge)) continue;
     const double length = delaunay.dual_length(edge);
@@ -95,43 +95,35 @@ std::string_view name_of(BranchEndKind kind) {
 // The whole axis is what a limit of 0 leaves.
 Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationSettings& settings, BranchAxis axis,
                                       JobControl& job, bool measures_area) {
-  const Document document;
-  auto delta = replace_all(document, data);
-  if (!delta) return std::unexpected(delta.error());
   ComputationSettings chosen = settings;
   if (axis == BranchAxis::whole) chosen[Parameter::lambda_limit] = 0.0;
   chosen[Parameter::a_scale] = 1.0;  // shares are of the balls as they are
-  Graph graph{builtins()};
-  const std::string_view boundary = axis == BranchAxis::angle   ? "angle-kept-boundary"
-                                    : axis == BranchAxis::cover ? "cover-kept-boundary"
-                                                                : "lambda-kept-boundary";
-  std::vector<LayerIndex> demand{find_layer("lambda-medial-axis"), find_layer("angle-medial-axis")};
-  if (axis == BranchAxis::cover) demand.push_back(find_layer("cover-medial-axis"));
-  if (measures_area) demand.push_back(find_layer(boundary));
-  graph.set_demand(demand);
-  graph.post_settings(chosen);
-  graph.post(std::make_shared<const DocumentDelta>(std::move(*delta)));
-  FramePatch patch;
-  if (!graph.run(patch, job)) throw Cancelled{};
+  Workbench bench(builtins(), {.keeps_document = false});
+  const auto& lambda = bench.get<LambdaAxis>();
+  const auto& angle = bench.get<AngleAxis>();
+  const AxisFilter& filter = axis == BranchAxis::angle   ? static_cast<const AxisFilter&>(angle)
+                             : axis == BranchAxis::cover ? bench.get<CoverAxis>()
+                                                         : static_cast<const AxisFilter&>(lambda);
+  const KeptUnion& kept = axis == BranchAxis::angle   ? static_cast<const KeptUnion&>(bench.get<AngleUnion>())
+                          : axis == BranchAxis::cover ? bench.get<CoverUnion>()
+                                                      : static_cast<const KeptUnion&>(bench.get<LambdaUnion>());
+  std::vector<std::string_view> needed{lambda.id(), angle.id(), filter.id()};
+  if (measures_area) needed.push_back(kept.id());
+  if (auto good = bench.need(needed); !good) return std::unexpected(good.error());
+  bench.choose(chosen);
+  if (auto good = bench.load(data); !good) return std::unexpected(good.error());
+  // A failure of the union alone is no error of the table.
+  (void)bench.run_or_throw(job);
   BranchTable out;
   out.measures_area = measures_area;
-  for (const NodeReport& node : patch.nodes) {
+  for (const NodeReport& node : bench.nodes()) {
     if (node.state != NodeState::failed) continue;
     std::string problem = "structure " + node.structure + " failed: " + node.reason;
     if (!is_measured_only(node.structure))
       return std::unexpected(Error{ErrorCode::cannot_compute, std::move(problem), {}, 0, 0});
     out.area_problem = std::move(problem);
   }
-  const auto& lambda = graph.structures().get<LambdaAxis>();
-  const auto& angle = graph.structures().get<AngleAxis>();
-  const AxisFilter& filter = axis == BranchAxis::angle   ? static_cast<const AxisFilter&>(angle)
-                             : axis == BranchAxis::cover ? graph.structures().get<CoverAxis>()
-                                                         : static_cast<const AxisFilter&>(lambda);
-  const KeptUnion& kept =
-      axis == BranchAxis::angle   ? static_cast<const KeptUnion&>(graph.structures().get<AngleUnion>())
-      : axis == BranchAxis::cover ? graph.structures().get<CoverUnion>()
-                                  : static_cast<const KeptUnion&>(graph.structures().get<LambdaUnion>());
-  out.branches = branches_of(filter, graph.structures().get<InnerBalls>(), lambda, angle);
+  out.branches = branches_of(filter, bench.get<InnerBalls>(), lambda, angle);
   out.lines.reserve(out.branches.size());
   for (const AxisBranch& branch : out.branches) {
     out.lines.push_back(line_of(filter, branch));
@@ -147,7 +139,7 @@ Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationS
     if (stat.key == "area") out.area = std::get<double>(stat.value);
     if (stat.key == "share_of_shape") out.share_of_shape = std::get<double>(stat.value);
   }
-  add_shares(graph, out);
+  add_shares(bench, out);
   return out;
 }
 

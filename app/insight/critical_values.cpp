@@ -4,17 +4,18 @@
 #include <new>
 #include <utility>
 
-#include "app/insight/samples_alone.h"
 #include "core/builtins/builtins.h"
 #include "core/structures/filters/lambda_axis.h"
+#include "core/workbench/workbench.h"
 
 namespace mes {
 
 Expected<std::vector<double>> critical_values_of(const SampleData& data, JobControl& job) {
-  Graph graph{builtins()};
-  if (auto good = compute_samples_alone(graph, data.positions, "lambda-medial-axis", job); !good)
-    return std::unexpected(good.error());
-  return graph.structures().get<LambdaAxis>().critical_values();
+  Workbench bench(builtins(), {.keeps_document = false});
+  bench.need<LambdaAxis>();
+  if (auto good = bench.load({.positions = data.positions}); !good) return std::unexpected(good.error());
+  if (auto good = bench.run_or_throw(job); !good) return std::unexpected(good.error());
+  return bench.get<LambdaAxis>().critical_values();
 }
 
 void CriticalValues::follow(std::uint64_t document, const std::function<SampleData()>& data) {

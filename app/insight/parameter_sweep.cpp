@@ -11,9 +11,8 @@
 
 #include "app/layers/layer_summary.h"
 #include "core/builtins/builtins.h"
-#include "core/draw/layer_mirror.h"
-#include "core/engine/graph.h"
 #include "core/io/text_numbers.h"
+#include "core/workbench/workbench.h"
 
 namespace mes {
 namespace {
@@ -28,15 +27,11 @@ std::string cell_of(double value) {
   return out;
 }
 
-Expected<Cells> cells_of(const FramePatch& patch, const LayerMirror& mirror, const std::vector<LayerIndex>& layers) {
+Cells cells_of(const Workbench& bench, const std::vector<LayerIndex>& layers) {
   Cells out;
   for (const LayerIndex layer : layers) {
-    const LayerReport& report = patch.reports[layer];
-    const std::string id(layer_descriptors()[layer].id);
-    const std::string prefix = "layers." + id + '.';
-    if (report.state == NodeState::failed || report.state == NodeState::blocked)
-      return std::unexpected(Error{ErrorCode::cannot_compute, "layer " + id + " failed: " + report.reason, {}, 0, 0});
-    const LayerSummary summary = summarise(mirror, layer);
+    const std::string prefix = "layers." + std::string(layer_descriptors()[layer].id) + '.';
+    const LayerSummary summary = summarise(bench.mirror(), layer);
     for (const PrimitiveKind kind : layer_descriptors()[layer].kinds) {
       out.emplace_back(prefix + std::string(plural_of(kind)),
                        std::to_string(summary.count[static_cast<std::size_t>(kind)]));
@@ -45,7 +40,7 @@ Expected<Cells> cells_of(const FramePatch& patch, const LayerMirror& mirror, con
       if (kind == PrimitiveKind::triangle) out.emplace_back(prefix + "area", cell_of(summary.area));
     }
   }
-  for (const NodeReport& node : patch.nodes) {
+  for (const NodeReport& node : bench.nodes()) {
     if (node.state == NodeState::inactive) continue;
     for (const Stat& stat : node.stats) {
       const std::string name = "structures." + node.structure + '.' + stat.key;
@@ -94,27 +89,19 @@ class Lines {
 
 Expected<std::string> sweep_as_csv(const ParameterSweep& sweep, const std::function<void(double)>& progress,
                                    JobControl& job) {
-  const Document document;
-  auto delta = replace_all(document, sweep.data);
-  if (!delta) return std::unexpected(delta.error());
-  Graph graph{builtins()};
-  graph.set_demand(sweep.layers);
-  graph.set_want_statistics(true);
-  graph.post(std::make_shared<const DocumentDelta>(*std::move(delta)));
+  Workbench bench(builtins(), {.keeps_document = false});
+  bench.show(sweep.layers);
+  bench.set_want_statistics(true);
+  if (auto good = bench.load(sweep.data); !good) return std::unexpected(good.error());
   ParameterAnimation range = sweep.range;
   range.start();
   ComputationSettings settings = sweep.settings;
-  FramePatch patch;
-  LayerMirror mirror;
   Lines lines(range.parameter.id);
   do {
     settings[range.parameter] = range.value();
-    graph.post_settings(settings);
-    if (!graph.run(patch, job)) throw Cancelled{};
-    mirror.apply(patch);
-    const auto cells = cells_of(patch, mirror, sweep.layers);
-    if (!cells) return std::unexpected(cells.error());
-    lines.add(range.value(), *cells);
+    bench.choose(settings);
+    if (auto good = bench.run_or_throw(job); !good) return std::unexpected(good.error());
+    lines.add(range.value(), cells_of(bench, sweep.layers));
     if (progress) progress(static_cast<double>(range.position()) / range.steps);
   } while (range.advance());
   return lines.text();

@@ -10,11 +10,11 @@
 #include <memory>
 #include <utility>
 
-#include "app/insight/samples_alone.h"
 #include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 #include "core/structures/alpha/alpha_filtration.h"
 #include "core/structures/poles/polar_union.h"
+#include "core/workbench/workbench.h"
 
 namespace mes {
 namespace {
@@ -146,8 +146,8 @@ PersistenceTable table_of(const BallFiltration& filtration) {
   return out;
 }
 
-constexpr std::array<std::string_view, kGrowths.size()> kLayers{"alpha-edges", "a-alpha-edges", "p-alpha-edges",
-                                                                "b-alpha-edges"};
+constexpr std::array<std::string_view, kGrowths.size()> kFiltrations{"alpha-filtration", "a-ball-filtration",
+                                                                     "p-ball-filtration", "b-ball-filtration"};
 
 }  // namespace
 
@@ -196,20 +196,20 @@ std::uint64_t digest_of(const Document& document, GrowthOf of, const Computation
 }
 
 Expected<PersistenceTable> persistence_table_of(const PersistenceInput& input, JobControl& job) {
-  Graph graph{builtins()};
-  graph.post_settings(input.settings);
+  Workbench bench(builtins(), {.keeps_document = false});
+  bench.choose(input.settings);
+  bench.need({kFiltrations[static_cast<std::size_t>(input.of)]});
   const SampleData alone = input.of == GrowthOf::own ? SampleData{.balls = input.data.balls}
                                                      : SampleData{.positions = input.data.positions};
-  if (auto good = compute_alone(graph, alone, kLayers[static_cast<std::size_t>(input.of)], job); !good)
-    return std::unexpected(good.error());
-  const StructureSet& set = graph.structures();
+  if (auto good = bench.load(alone); !good) return std::unexpected(good.error());
+  if (auto good = bench.run_or_throw(job); !good) return std::unexpected(good.error());
   switch (input.of) {
     case GrowthOf::samples: break;
-    case GrowthOf::inner: return table_of(set.get<ABallFiltration>());
-    case GrowthOf::polar: return table_of(set.get<PBallFiltration>());
-    case GrowthOf::own: return table_of(set.get<BBallFiltration>());
+    case GrowthOf::inner: return table_of(bench.get<ABallFiltration>());
+    case GrowthOf::polar: return table_of(bench.get<PBallFiltration>());
+    case GrowthOf::own: return table_of(bench.get<BBallFiltration>());
   }
-  return table_of(set.get<Delaunay>(), set.get<AlphaFiltration>());
+  return table_of(bench.get<Delaunay>(), bench.get<AlphaFiltration>());
 }
 
 // The hole is what can be reached from its last triangle without passing edges that are there when it is closed.

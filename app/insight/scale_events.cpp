@@ -2,13 +2,12 @@
 #include "app/insight/scale_events.h"
 
 #include <algorithm>
-#include <array>
 #include <functional>
 #include <new>
 #include <utility>
 
 #include "core/builtins/builtins.h"
-#include "core/engine/graph.h"
+#include "core/workbench/workbench.h"
 
 namespace mes {
 namespace {
@@ -26,8 +25,8 @@ double angle_for_events(const ComputationSettings& settings) {
 
 class ScaleSweep {
  public:
-  ScaleSweep(Graph& graph, ComputationSettings settings, JobControl& job)
-      : graph_(graph), settings_(std::move(settings)), job_(job) {}
+  ScaleSweep(Workbench& bench, ComputationSettings settings, JobControl& job)
+      : bench_(bench), settings_(std::move(settings)), job_(job) {}
 
   std::vector<ScaleEvent> events() {
     const Parameter& range = Parameter::scale_axis_factor;
@@ -64,22 +63,21 @@ class ScaleSweep {
   /// Of the scaled union: its axis has as many components, and a cycle for each hole.
   Topology at(double factor) {
     settings_[Parameter::scale_axis_factor] = factor;
-    graph_.post_settings(settings_);
-    if (!graph_.run(patch_, job_)) throw Cancelled{};
+    bench_.choose(settings_);
+    const auto done = bench_.run_or_throw(job_);
     ++unions_;
-    Topology out;
-    for (const NodeReport& node : patch_.nodes) {
-      if (node.state == NodeState::failed)
-        throw GeometryError("structure " + node.structure + " failed: " + node.reason);
-      if (node.structure != "scale-union") continue;
-      for (const Stat& stat : node.stats) {
-        if (stat.key == "components") out.components = std::get<std::int64_t>(stat.value);
-        if (stat.key == "cycles") out.holes = std::get<std::int64_t>(stat.value);
-        if (stat.key == "balls") balls_ += std::get<std::int64_t>(stat.value);
-        if (stat.key == "rung" && factor == 1.0) is_certified_ = std::get<std::string>(stat.value) == "shortcut";
-      }
+    if (!done) throw GeometryError(done.error().text);
+    balls_ += count("balls");
+    if (factor == 1.0) {
+      const auto rung = bench_.statistic("scale-union", "rung");
+      is_certified_ = rung && std::get<std::string>(*rung) == "shortcut";
     }
-    return out;
+    return {count("components"), count("cycles")};
+  }
+  /// Returns zero where the union has no such number.
+  std::int64_t count(std::string_view key) const {
+    const auto found = bench_.statistic("scale-union", key);
+    return found ? std::get<std::int64_t>(*found) : 0;
   }
   bool may_go_on() const { return unions_ < kMostUnions && balls_ < kMostBalls; }
 
@@ -127,10 +125,9 @@ class ScaleSweep {
     }
   }
 
-  Graph& graph_;
+  Workbench& bench_;
   ComputationSettings settings_;
   JobControl& job_;
-  FramePatch patch_;
   bool is_certified_ = false;
   int unions_ = 0;
   std::int64_t balls_ = 0;
@@ -152,19 +149,16 @@ std::string ScaleEvent::words() const {
 
 Expected<std::vector<ScaleEvent>> scale_events_of(const SampleData& data, const ComputationSettings& settings,
                                                   JobControl& job) {
-  const Document document;
-  auto delta = replace_all(document, {.positions = data.positions});
-  if (!delta) return std::unexpected(delta.error());
-  Graph graph{builtins()};
-  graph.set_demand(std::array{find_layer("scale-axis")});
-  graph.set_want_statistics(true);
-  graph.post(std::make_shared<const DocumentDelta>(std::move(*delta)));
+  Workbench bench(builtins(), {.keeps_document = false});
+  bench.need({"scale-union"});
+  bench.set_want_statistics(true);
+  if (auto good = bench.load({.positions = data.positions}); !good) return std::unexpected(good.error());
   // Other number types would take minutes for as many unions.
   ComputationSettings fast = settings;
   fast.precision = Precision::fast;
   fast[Parameter::medial_sampling_angle] = angle_for_events(settings);
   try {
-    return ScaleSweep(graph, fast, job).events();
+    return ScaleSweep(bench, fast, job).events();
   } catch (const GeometryError& error) {
     return std::unexpected(Error{ErrorCode::cannot_compute, error.what(), {}, 0, 0});
   }
