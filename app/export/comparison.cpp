@@ -132,7 +132,7 @@ Comparison compare(std::vector<PaneRequest> requests) {
   const auto variant_of = [&out](const PaneRequest& request) -> VariantIndex {
     if (request.data == out.data && request.settings == out.settings) return kMainVariant;
     const auto own = request.data == out.data ? nullptr : request.data;
-    const auto found = std::ranges::find_if(out.variants, [&](const ComputedVariant& variant) {
+    const auto found = std::ranges::find_if(out.variants, [&](const WorkbenchVariant& variant) {
       return variant.settings == request.settings && variant.data == own;
     });
     const auto index = static_cast<VariantIndex>(found - out.variants.begin()) + 1;

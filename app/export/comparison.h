@@ -70,7 +70,7 @@ struct Comparison {
   /// Of the main computation, that of the first pane.
   std::shared_ptr<const SampleData> data;
   ComputationSettings settings;
-  std::vector<ComputedVariant> variants;
+  std::vector<WorkbenchVariant> variants;
   std::vector<VariantLayer> demand;
   /// The document of a pane.
   const Document& document_of(const Pane& pane, const ComputationResult& result) const {

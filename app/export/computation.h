@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples in, finished layers out: an engine of its own, run to its end.
+// Samples in, finished layers out: a workbench that is run to its end, with progress.
 #pragma once
 
 #include <functional>
@@ -9,18 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/document/commands.h"
-#include "core/document/computation_settings.h"
-#include "core/document/document.h"
-#include "core/draw/patch.h"
+#include "core/workbench/workbench.h"
 
 namespace mes {
-
-/// A variant to compute beside it (core/draw/variant.h).
-struct ComputedVariant {
-  ComputationSettings settings;
-  std::shared_ptr<const SampleData> data;  ///< of its own; null: it shares the document
-};
 
 struct ComputationRequest {
   std::vector<VariantLayer> layers;
@@ -29,11 +20,11 @@ struct ComputationRequest {
   bool want_findings = false;
   /// Of a one-shot run: otherwise scalars of instances are not looked for, and may be 0.
   bool needs_scalars = true;
-  /// Gets every patch in order; the last one's reports are final.
+  /// Gets the patch of the run.
   std::function<void(const FramePatch&)> on_patch;
   /// What is being computed, and how much of the whole is done, in [0, 1]; some ten times a second. May be empty.
   std::function<void(std::string_view task, double fraction)> on_progress{};
-  std::vector<ComputedVariant> variants{};
+  std::vector<WorkbenchVariant> variants{};
   /// Ends it early, with the error `cancelled`.
   std::stop_token stop{};
 };
@@ -56,7 +47,7 @@ struct ComputationResult {
 Expected<ComputationResult> run_computation(const SampleData& data, const ComputationRequest& request);
 
 /// As `run_computation`, in a one-shot graph (core/engine/graph.h): layers are handed to `take` in pieces, and the data
-/// are given up as soon as they have been read. `take` is called on threads of the engine: for one layer by one of them,
+/// are given up as soon as they have been read. `take` is called on threads of the graph: for one layer by one of them,
 /// for several perhaps at once; it must not throw. The request has no variants and no `on_patch`. An error makes what
 /// was taken worthless.
 Expected<ComputationReport> run_one_shot(SampleData data, const ComputationRequest& request,
