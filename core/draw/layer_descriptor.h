@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -34,22 +35,21 @@ enum class PointsAs : std::uint8_t {
 };
 
 struct LayerDescriptor {
-  std::string_view id{};       ///< public name, kebab case
-  std::string_view name{};     ///< as shown
-  std::string_view tooltip{};  ///< one sentence, no full stop
+  std::string id{};       ///< public name, kebab case
+  std::string name{};     ///< as shown
+  std::string tooltip{};  ///< one sentence, no full stop
   LayerGroup group = LayerGroup::samples;
-  std::string_view
-      of_any_family{};     ///< what layers share that show the same of several families of balls; else empty
-  bool in_paper = false;   ///< one of the 41 layers of the 2007 paper
-  bool in_fit_box = true;  ///< counts for "fit to view"
+  std::string of_any_family{};  ///< what layers share that show the same of several families of balls; else empty
+  bool in_paper = false;        ///< one of the 41 layers of the 2007 paper
+  bool in_fit_box = true;       ///< counts for "fit to view"
   bool visible_at_start = false;
-  std::string_view scalar{};                   ///< what the scalar of an instance means; empty = none
-  bool scalars_are_names = false;              ///< they only tell elements apart, and depend on history
-  PointsAs points_as = PointsAs::dots;         ///< numbers: it draws nothing else
-  LayerStyle style{};                          ///< the default
-  std::vector<PrimitiveKind> kinds{};          ///< what it may emit, in drawing order (first = bottom)
-  std::vector<std::string_view> structures{};  ///< ids of the structures it reads
-  bool follows_settings = false;               ///< number type or parameters have a say in it
+  std::string scalar{};                   ///< what the scalar of an instance means; empty = none
+  bool scalars_are_names = false;         ///< they only tell elements apart, and depend on history
+  PointsAs points_as = PointsAs::dots;    ///< numbers: it draws nothing else
+  LayerStyle style{};                     ///< the default
+  std::vector<PrimitiveKind> kinds{};     ///< what it may emit, in drawing order (first = bottom)
+  std::vector<std::string> structures{};  ///< ids of the structures it reads
+  bool follows_settings = false;          ///< number type or parameters have a say in it
 };
 
 }  // namespace mes

@@ -6,8 +6,8 @@
 namespace mes {
 namespace {
 
-LayerDescriptor descriptor_of(std::string_view id, std::string_view name, std::string_view tooltip,
-                              std::string_view scalar, LayerStyle style, std::vector<PrimitiveKind> kinds) {
+LayerDescriptor descriptor_of(const char* id, const char* name, const char* tooltip, const std::string& scalar,
+                              LayerStyle style, std::vector<PrimitiveKind> kinds) {
   return {.id = id,
           .name = name,
           .tooltip = tooltip,

@@ -15,10 +15,12 @@ namespace mes {
 namespace {
 
 struct FilterLayer {
-  std::string_view id, name, tooltip;
+  const char* id;
+  const char* name;
+  const char* tooltip;
 };
 struct FilterLayers {
-  std::string_view scalar;
+  const char* scalar;
   FilterLayer axis, disks, circles, removed, boundary;
 };
 
@@ -58,7 +60,7 @@ constexpr FilterLayers kCover{
     {"cover-kept-boundary", "Cover kept boundary",
      "Boundary of the union of the balls along the cover medial axis: the part of the shape that is kept"}};
 
-LayerDescriptor descriptor_of(const FilterLayer& layer, std::string_view scalar, PrimitiveKind kind,
+LayerDescriptor descriptor_of(const FilterLayer& layer, const std::string& scalar, PrimitiveKind kind,
                               LayerStyle style) {
   return {.id = layer.id,
           .name = layer.name,
@@ -96,7 +98,7 @@ Layer removed(const AxisFilter& filter, const FilterLayers& layers) {
 }
 
 template <class Draw>
-Layer kept_balls(const AxisFilter& filter, const FilterLayer& layer, std::string_view scalar, PrimitiveKind kind,
+Layer kept_balls(const AxisFilter& filter, const FilterLayer& layer, const std::string& scalar, PrimitiveKind kind,
                  LayerStyle style, Draw draw) {
   const Delaunay& delaunay = filter.delaunay();
   style.color = palette::orange;

@@ -38,7 +38,9 @@ constexpr BallSetLook kLooks[] = {
 
 struct BallLayer {
   BallSet set;
-  std::string_view id, name, tooltip;
+  const char* id;
+  const char* name;
+  const char* tooltip;
   double opacity = 1.0;
   bool dashed = false;
   bool flat = false;

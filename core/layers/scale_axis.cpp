@@ -8,7 +8,7 @@
 namespace mes {
 namespace {
 
-LayerDescriptor descriptor_of(std::string_view id, std::string_view name, std::string_view tooltip, LayerStyle style,
+LayerDescriptor descriptor_of(const char* id, const char* name, const char* tooltip, LayerStyle style,
                               std::vector<PrimitiveKind> kinds) {
   return {.id = id,
           .name = name,

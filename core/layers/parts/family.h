@@ -31,16 +31,13 @@ struct UnionFamily {
   bool in_paper;  ///< the paper has this family
 };
 
-/// Text that lives as long as the program.
-std::string_view keep_text(std::string text);
-
 /// A layer of the family: `id` "v-points" becomes "a-v-points", `name` "boundary" becomes "Inner balls: boundary".
 template <class... Parts>
 Layer union_layer_of(const UnionFamily& family, const Structure& read, LayerDescriptor descriptor, Parts... parts) {
   descriptor.of_any_family = descriptor.id;
   const char small = static_cast<char>(family.letter - 'A' + 'a');
-  descriptor.id = keep_text(std::string(1, small) + '-' + std::string(descriptor.id));
-  descriptor.name = keep_text(std::string(title_of(family.group)) + ": " + std::string(descriptor.name));
+  descriptor.id = std::string{small, '-'} + descriptor.id;
+  descriptor.name = std::string(title_of(family.group)) + ": " + descriptor.name;
   descriptor.group = family.group;
   descriptor.in_paper = descriptor.in_paper && family.in_paper;
   return make_layer(std::move(descriptor), {&family.balls, &read}, std::move(parts)...);

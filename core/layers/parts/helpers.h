@@ -14,7 +14,7 @@ namespace mes {
 template <class... Parts>
 Layer make_layer(LayerDescriptor descriptor, std::vector<const Structure*> structures, Parts... parts) {
   Layer layer{std::move(descriptor), std::move(structures), {}};
-  for (const Structure* structure : layer.structures) layer.descriptor.structures.push_back(structure->id());
+  for (const Structure* structure : layer.structures) layer.descriptor.structures.emplace_back(structure->id());
   (layer.parts.push_back(std::move(parts)), ...);
   return layer;
 }

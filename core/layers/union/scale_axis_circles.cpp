@@ -21,7 +21,7 @@ Layer make_union_scale_axis_circles_layer(const UnionFamily& family) {
                       },
                       &family.scaled_sampling));
   layer.structures.push_back(&family.scaled_sampling);
-  layer.descriptor.structures.push_back(family.scaled_sampling.id());
+  layer.descriptor.structures.emplace_back(family.scaled_sampling.id());
   return layer;
 }
 
