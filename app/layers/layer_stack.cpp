@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "core/base/assert.h"
 #include "core/base/lower_case.h"
@@ -47,11 +48,12 @@ void LayerStack::set_configuration(const LayerConfiguration& configuration) {
   std::vector<bool> is_named(descriptors_.size(), false);
   std::vector<LayerIndex> named;
   const std::vector<LayerIndex> before = visible_layers();
-  missing_.clear();
+  std::vector<Missing> missing = std::exchange(missing_, {});
   for (const LayerConfiguration::Entry& entry : configuration.layers) {
     const LayerIndex layer = find(entry.layer);
     if (layer == kNoLayer) {
-      missing_.push_back({entry, named.empty() ? kNoLayer : named.back()});
+      std::erase_if(missing, [&entry](const Missing& other) { return other.entry.layer == entry.layer; });
+      add_missing(entry, named.empty() ? kNoLayer : named.back());
       continue;
     }
     if (is_named[layer]) continue;
@@ -59,6 +61,10 @@ void LayerStack::set_configuration(const LayerConfiguration& configuration) {
     named.push_back(layer);
     visible_[layer] = entry.visible;
     styles_[layer] = entry.style;
+  }
+  for (Missing& other : missing) {
+    other.entry.visible = false;
+    add_missing(std::move(other.entry), kNoLayer);
   }
   std::vector<LayerIndex> order;
   for (const LayerIndex layer : order_) {
@@ -74,6 +80,17 @@ void LayerStack::set_configuration(const LayerConfiguration& configuration) {
   if (visible_layers() != before) ++demand_revision_;
 }
 
+// More than can be are passed over, as a file that named them could not be read again.
+void LayerStack::add_missing(LayerConfiguration::Entry entry, LayerIndex above) {
+  if (missing_.size() < kMostMissing) missing_.push_back({std::move(entry), above});
+}
+
+void LayerStack::forget_missing() {
+  if (missing_.empty()) return;
+  missing_.clear();
+  ++revision_;
+}
+
 LayerIndex LayerStack::find(std::string_view id) const {
   const auto found = std::ranges::find(descriptors_, id, &LayerDescriptor::id);
   return found == descriptors_.end() ? kNoLayer : static_cast<LayerIndex>(found - descriptors_.begin());
@@ -85,7 +102,7 @@ void LayerStack::apply(const LayersChanged& change) {
     if (layer == kNoLayer) {
       const auto known = std::ranges::find(missing_, entry.layer, [](const Missing& one) { return one.entry.layer; });
       if (known == missing_.end())
-        missing_.push_back({entry, order_.empty() ? kNoLayer : order_.back()});
+        add_missing(entry, order_.empty() ? kNoLayer : order_.back());
       else
         known->entry = entry;
       ++revision_;

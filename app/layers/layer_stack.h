@@ -53,13 +53,14 @@ class LayerStack {
 
   /// All of it as a value. Solo is a way of looking and not part of it.
   LayerConfiguration configuration() const;
-  /// Layers that are not named are hidden, keep their style and go below those that are, in their present order. What is
-  /// said of layers that are missing here is kept for `configuration`. Ends solo.
+  /// Layers that are not named are hidden, keep their style and go below those that are, in their present order; missing
+  /// ones likewise. What is said of layers that are missing here is kept for `configuration`. Ends solo.
   void set_configuration(const LayerConfiguration& configuration);
   /// Changes what the difference names and leaves all else. Ends solo where a visibility changes.
   void apply(const LayersChanged& change);
   /// Layers that a configuration named and that there are not.
   std::size_t missing_count() const { return missing_.size(); }
+  void forget_missing();
 
  private:
   /// A layer that there is not, just above one that there is, or at the bottom (kNoLayer).
@@ -67,6 +68,8 @@ class LayerStack {
     LayerConfiguration::Entry entry;
     LayerIndex above = kNoLayer;
   };
+  static constexpr std::size_t kMostMissing = 1000;
+  void add_missing(LayerConfiguration::Entry entry, LayerIndex above);
   void restack(std::span<const std::string> order);
 
   std::span<const LayerDescriptor> descriptors_;

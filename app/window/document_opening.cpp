@@ -215,6 +215,7 @@ Session DocumentFlow::session_now() const {
 void DocumentFlow::show_as_in(const Session& session) {
   LayerStack& layers = uses_.work.layers();
   Editor& editor = uses_.work.editor();
+  layers.forget_missing();
   if (!session.layers.layers.empty()) layers.set_configuration(session.layers);
   uses_.work.take_family_of_layers();
   uses_.work.computation().set(session.settings);

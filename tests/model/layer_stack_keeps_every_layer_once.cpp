@@ -193,6 +193,17 @@ TEST_CASE("layers that are missing keep their places and styles") {
   restyled.layers[3].visible = false;
   stack.apply(difference(foreign, restyled));
   CHECK(stack.configuration() == restyled);
+  // A bundle that does not name them hides them, and undo shows them again.
+  const LayerConfiguration shown = stack.configuration();
   stack.set_configuration(before);
+  CHECK(stack.missing_count() == 3);
+  const LayerConfiguration hidden = stack.configuration();
+  REQUIRE(hidden.layers.size() == 8);
+  for (std::size_t i = 0; i < 3; ++i) CHECK_FALSE(hidden.layers[i].visible);
+  CHECK(
+      std::ranges::equal(hidden.layers.begin() + 3, hidden.layers.end(), before.layers.begin(), before.layers.end()));
+  stack.apply(difference(hidden, shown));
+  CHECK(stack.configuration() == shown);
+  stack.forget_missing();
   CHECK(stack.configuration() == before);
 }
