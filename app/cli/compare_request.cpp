@@ -10,6 +10,7 @@
 #include "app/cli/evolution_runner.h"
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
+#include "app/playing/session_evolution.h"
 #include "core/base/lower_case.h"
 #include "core/builtins/builtins.h"
 #include "core/document/layer_configuration.h"
@@ -294,11 +295,7 @@ std::vector<PaneChoice> panes_beside(const CompareRequest& compared) {
 
 SessionEvolution evolution_beside(const CompareRequest& compared) {
   if (compared.subject != CompareRequest::Subject::step) return {};
-  const EvolutionChoice& choice = compared.evolution;
-  SessionEvolution out{choice.evolution->descriptor.id, choice.seed, 0, {}};
-  for (const Parameter& parameter : parameters_of(builtins().evolutions().all()))
-    out.parameters.emplace_back(parameter.id, choice.values[parameter]);
-  return out;
+  return session_evolution(compared.evolution, 0);
 }
 
 }  // namespace mes::cli

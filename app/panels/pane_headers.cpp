@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "app/layers/parameter_words.h"
@@ -69,7 +70,7 @@ void PaneHeaders::draw_header(std::size_t pane, const PanePlace& place) const {
 // A slider for the value of a parameter.
 void PaneHeaders::draw_value(std::size_t pane) const {
   const auto* const chosen = std::get_if<ParameterChoice>(&panes.panes()[pane]);
-  if (chosen == nullptr || chosen->parameter.low == chosen->parameter.high) return;
+  if (chosen == nullptr || !std::isfinite(chosen->parameter.high)) return;
   const Parameter& descriptor = chosen->parameter;
   double value = chosen->value;
   if (descriptor.is_length) {

@@ -314,15 +314,14 @@ void ParametersPanel::draw_parameter(const Parameter& parameter) {
 
 void ParametersPanel::draw() {
   const float unit = gui_.unit();
-  const ComputationSettings defaults;
   const float reset = ImGui::CalcTextSize("Reset all").x + 16 * unit;
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - reset - 6 * unit);
   ImGui::InputTextWithHint("##search", "Search", &search_);
   ImGui::SameLine(0, 6 * unit);
-  ImGui::BeginDisabled(computation_.settings().values == defaults.values);
+  ImGui::BeginDisabled(changed_parameters(computation_.settings()).empty());
   if (ImGui::Button("Reset all", {reset, 0})) {
     ComputationSettings settings = computation_.settings();
-    settings.values = defaults.values;
+    for (const Parameter& parameter : builtins().parameters()) settings[parameter] = parameter.default_value;
     computation_.animation().stop();
     computation_.set(settings);
   }

@@ -31,7 +31,7 @@ std::uint64_t EvolutionPlayer::position() const {
 }
 
 EvolutionState EvolutionPlayer::beginning() const {
-  return position() == 0 ? state_of(editor_.document()) : beginning_;
+  return position() == 0 || descriptor().is_missing ? state_of(editor_.document()) : beginning_;
 }
 
 double EvolutionPlayer::first_value() const {

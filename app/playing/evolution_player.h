@@ -67,7 +67,7 @@ class EvolutionPlayer {
   /// State 0: of the document, and the revision that the document had in it. O(n).
   EvolutionState beginning() const;
   std::uint64_t beginning_revision() const {
-    return position() == 0 ? editor_.document().revision() : beginning_revision_;
+    return position() == 0 || descriptor().is_missing ? editor_.document().revision() : beginning_revision_;
   }
   /// State 0 of the parameter moved; 0 where samples move.
   double first_value() const;

@@ -25,9 +25,11 @@ EvolutionChoice choice_of(const SessionEvolution& evolution) {
 SessionEvolution session_evolution(const EvolutionChoice& choice, std::uint64_t step) {
   SessionEvolution out{choice.evolution->descriptor.id, choice.seed, step, {}};
   std::map<std::string, double> parameters;
-  for (const ParameterValues::Entry& entry : choice.values.changed()) parameters[entry.id] = entry.value;
   for (const Parameter& parameter : parameters_of(builtins().evolutions().all()))
     parameters[parameter.id] = choice.values[parameter];
+  // No more than a session may have.
+  for (const ParameterValues::Entry& entry : choice.values.changed())
+    if (parameters.size() < kMostSessionParameters) parameters.try_emplace(entry.id, entry.value);
   out.parameters.assign(parameters.begin(), parameters.end());
   return out;
 }

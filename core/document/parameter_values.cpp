@@ -11,12 +11,12 @@ auto place_of(auto& entries, std::string_view id) {
   return std::ranges::lower_bound(entries, id, {}, [](const auto& entry) -> std::string_view { return entry.id; });
 }
 
-/// Whether every value of `a` is that of `b`, too.
+/// Whether every value of `a` that is not a default is that of `b`, too.
 bool agrees(const std::vector<ParameterValues::Entry>& a, const std::vector<ParameterValues::Entry>& b) {
   return std::ranges::all_of(a, [&b](const ParameterValues::Entry& entry) {
+    if (entry.default_value == entry.value) return true;
     const auto other = place_of(b, entry.id);
-    return other != b.end() && other->id == entry.id ? other->value == entry.value
-                                                     : entry.default_value == entry.value;
+    return other != b.end() && other->id == entry.id && other->value == entry.value;
   });
 }
 
@@ -42,7 +42,7 @@ double& ParameterValues::operator[](const Parameter& parameter) {
 void ParameterValues::keep(std::string_view id, double value) {
   const auto found = place_of(entries_, id);
   if (found != entries_.end() && found->id == id)
-    found->value = value;
+    *found = Entry{std::move(found->id), value, {}, true};
   else
     entries_.insert(found, Entry{std::string(id), value, {}, true});
 }

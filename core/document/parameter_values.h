@@ -14,7 +14,7 @@ namespace mes {
 
 /// What it guarantees:
 ///  1. A parameter that was never set has its default.
-///  2. Two are equal if every parameter has the same value in both.
+///  2. Two are equal if they give the same values to the same parameters, defaults aside.
 ///  3. A value that was read for an id alone, of which no specification is known, is kept; once the parameter is asked
 ///     for, it is that value, taken into the range of the parameter.
 ///

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
-#include <cmath>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string_view>
@@ -103,7 +103,8 @@ class PaneReader {
     const auto known = std::ranges::find(computation_parameters(), id, &Parameter::id);
     if (known != computation_parameters().end()) return ParameterChoice{*known, within(*known, value.number())};
     // It changes nothing, and is there again when the session is saved.
-    return ParameterChoice{{.id = id, .low = value.number(), .high = value.number()}, value.number()};
+    constexpr double kAnything = std::numeric_limits<double>::infinity();
+    return ParameterChoice{{.id = id, .low = -kAnything, .high = kAnything}, value.number()};
   }
   std::optional<PaneChoice> family_of(JsonView value) const {
     const std::string id = text_of(value, "family");

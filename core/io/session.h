@@ -47,6 +47,9 @@ struct SessionEvolution {
   friend bool operator==(const SessionEvolution&, const SessionEvolution&) = default;
 };
 
+/// Parameters of the evolution of a session, and those of its settings that are not known.
+inline constexpr std::size_t kMostSessionParameters = 1000;
+
 struct Session {
   std::string title{};  ///< as in the window's title, without the file
   std::shared_ptr<const SampleData> data = std::make_shared<const SampleData>();

@@ -102,8 +102,6 @@ SampleData data_of(JsonView object) {
   return out;
 }
 
-constexpr std::size_t kMostParameters = 1000;
-
 // Values of a later version, which may allow more, are brought into range, and parameters that are not known are kept.
 ComputationSettings settings_from(JsonView object) {
   const auto [precision, parameters] = object.pick<2>({"precision", "parameters"});
@@ -111,11 +109,13 @@ ComputationSettings settings_from(JsonView object) {
   if (precision.is_text())
     for (const PrecisionDescriptor& descriptor : kPrecisionDescriptors)
       if (precision.text() == descriptor.id) out.precision = descriptor.precision;
-  std::size_t count = 0;
+  std::size_t unknown = 0;
   for (const auto& [id, value] : parameters.members()) {
     if (!value.is_number()) continue;
-    if (++count > kMostParameters) complain("settings", "more than a thousand parameters");
-    out.values.keep(id.text(), value.number());
+    const std::string name = id.text();
+    const bool is_known =
+        std::ranges::find(computation_parameters(), name, &Parameter::id) != computation_parameters().end();
+    if (!is_known && ++unknown <= kMostSessionParameters) out.values.keep(name, value.number());
   }
   for (const Parameter& parameter : computation_parameters())
     if (const JsonView value = parameters.find(parameter.id); value.is_number())
@@ -139,7 +139,7 @@ SessionEvolution evolution_from(JsonView object) {
   std::map<std::string, double> parameters;
   for (const auto& [id, value] : object.find("parameters").members()) {
     parameters[id.text()] = number_of(value, where);
-    if (parameters.size() > kMostParameters) complain(where, "more than a thousand parameters");
+    if (parameters.size() > kMostSessionParameters) complain(where, "more than a thousand parameters");
   }
   out.parameters.assign(parameters.begin(), parameters.end());
   return out;

@@ -278,6 +278,9 @@ TEST_CASE("every kind of pane reads back, and kinds of a later version are left 
         std::vector<PaneChoice>{EvolvedChoice{3}});
   CHECK(panes_of(R"([{"parameter":"warp","value":1},{"family":"cubes"}])") ==
         std::vector<PaneChoice>{ParameterChoice{{.id = "warp"}, 1.0}});
+  // Its range is that of every number.
+  const auto warp = std::get<ParameterChoice>(panes_of(R"([{"parameter":"warp","value":1}])").front());
+  CHECK(within(warp.parameter, -1e9) == -1e9);
   const double most = Parameter::a_scale.high;
   CHECK(panes_of(R"([{"parameter":"a-scale","value":1e9}])") ==
         std::vector<PaneChoice>{ParameterChoice{Parameter::a_scale, most}});
