@@ -113,7 +113,8 @@ Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationS
   bench.choose(chosen);
   if (auto good = bench.load(data); !good) return std::unexpected(good.error());
   // A failure of the union alone is no error of the table.
-  (void)bench.run_or_throw(job);
+  if (auto good = bench.run_or_throw(job); !good && good.error().code != ErrorCode::cannot_compute)
+    return std::unexpected(good.error());
   BranchTable out;
   out.measures_area = measures_area;
   for (const NodeReport& node : bench.nodes()) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Questions to the graph: what lies at a place, what an insertion would change, what elements come from.
 #include <algorithm>
+#include <exception>
 #include <new>
 #include <utility>
 
@@ -67,7 +68,7 @@ std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& q
   return {std::move(out)};
 }
 
-// Without memory for it an answer is empty. Those about a place take no time, and come first.
+// An answer is empty without memory for it, or where a structure fails to give one. Those about a place take no time, and come first.
 void Graph::answer(std::vector<Provenance>& out, JobControl& job) {
   static_assert(static_cast<std::size_t>(ProvenanceWish::sources_of_values) + 1 == kProvenanceWishes);
   for (std::optional<ProvenanceQuestion>& question : questions_) {
@@ -78,7 +79,7 @@ void Graph::answer(std::vector<Provenance>& out, JobControl& job) {
       find_answer(*question, found, job);
     } catch (const Cancelled&) {
       return;
-    } catch (const std::bad_alloc&) {
+    } catch (const std::exception&) {
       found.lines.clear();
       found.rows.clear();
     }

@@ -203,6 +203,7 @@ Expected<void> Workbench::run(JobControl& job) {
     } catch (const std::bad_alloc&) {
       // The mirror has missed a patch. The next run sends every layer whole.
       mirror_ = {};
+      patch_.reports.clear();  // the instances of no layer can be read
       graph_->set_demand(std::span<const VariantLayer>());
       graph_->set_demand(shown_);
       return refusals::out_of_memory();

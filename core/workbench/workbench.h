@@ -65,7 +65,8 @@ struct WorkbenchVariant {
 ///     if (bench.run(job)) draw(*bench.instances("medial-axis", PrimitiveKind::segment));
 ///
 /// Cost: an edit takes O(what it changes), a run what `Graph::run` takes, and reading O(number of structures or
-/// layers) for the lookup of an id. Lack of memory in an edit throws `std::bad_alloc`.
+/// layers) for the lookup of an id. Lack of memory in an edit throws `std::bad_alloc`;
+/// the workbench can then only be destroyed.
 /// Threads: none inside except those of the graph, which end with `run`. One thread at a time may use a workbench; other
 /// threads may watch or stop a run by its `JobControl`.
 class Workbench {
