@@ -47,6 +47,9 @@ std::span<const std::string_view> export_formats() {
 }
 
 Expected<void> run_export(const ExportRequest& request, Interruption& interruption) {
+  if (!request.structure.empty() || !request.table.empty()) return run_table_export(request, interruption);
+  if (request.layer.empty())
+    return usage_error("export needs --layer (mesecina list layers), or --structure (mesecina list structures)");
   const auto format = select_format(request.format);
   if (!format) return std::unexpected(format.error());
   const auto layers = select_layers(request.layer);

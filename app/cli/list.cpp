@@ -20,6 +20,7 @@
 #include "core/evolutions/evolution.h"
 #include "core/glyphs/fonts.h"
 #include "core/graph/structure.h"
+#include "core/graph/table_columns.h"
 #include "core/io/format.h"
 #include "core/io/text_numbers.h"
 #include "core/shapes/shape.h"
@@ -75,15 +76,39 @@ std::vector<Entry> layer_entries() {
   return out;
 }
 
+Json tables_of(const Structure& structure) {
+  Json out = Json::array();
+  for (const TableColumns& table : structure.table_columns()) {
+    Json columns = Json::array();
+    for (const TableColumn& column : table.columns)
+      columns.push_back({{"name", column.name},
+                         {"description", column.description},
+                         {"type", std::string(name_of(column.type))},
+                         {"width", column.width},
+                         {"refers_to", column.refers_to}});
+    out.push_back({{"name", table.name},
+                   {"description", table.description},
+                   {"rows_of", table.rows_of},
+                   {"columns", std::move(columns)}});
+  }
+  return out;
+}
+
 std::vector<Entry> structure_entries() {
   std::vector<Entry> out;
-  for (const std::string_view id : builtins().structures()) {
+  const StructureSet structures = builtins().make_structures();
+  for (const auto& structure : structures.all()) {
+    const std::string_view id = structure->id();
+    const Json tables = tables_of(*structure);
+    std::string names;
+    for (const Json& table : tables) names += (names.empty() ? "" : ", ") + table["name"].get<std::string>();
     Json readers = Json::array();
     for (const LayerDescriptor& layer : layer_descriptors())
       if (std::ranges::find(layer.structures, id) != layer.structures.end()) readers.push_back(layer.id);
     out.push_back({std::string(id),
-                   fmt::format("read by {} {}", readers.size(), readers.size() == 1 ? "layer" : "layers"),
-                   {{"id", id}, {"layers", readers}}});
+                   fmt::format("read by {} {}; {}", readers.size(), readers.size() == 1 ? "layer" : "layers",
+                               tables.empty() ? "no table" : "tables: " + names),
+                   {{"id", id}, {"layers", readers}, {"tables", tables}}});
   }
   return out;
 }

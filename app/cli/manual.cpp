@@ -22,6 +22,7 @@
 #include "core/evolutions/evolution.h"
 #include "core/formula/formula.h"
 #include "core/graph/structure.h"
+#include "core/graph/table_columns.h"
 #include "core/io/bundle_file.h"
 #include "core/io/format.h"
 #include "core/io/session.h"
@@ -200,7 +201,9 @@ void write_structures(Markdown& page) {
   page.section("Structures");
   page.paragraph(
       "What is computed, and from what; only what a layer shown needs is. `mesecina compute` gives the counters of\n"
-      "each, the panel of statistics shows them.");
+      "each, the panel of statistics shows them. `mesecina export FILE --structure ID --table NAME --format csv` "
+      "writes a\n"
+      "table, and `--format npy` writes it for NumPy; `mesecina list structures --json` describes all columns.");
   const StructureSet structures = builtins().make_structures();
   Rows rows;
   for (const auto& structure : structures.all()) {
@@ -209,9 +212,12 @@ void write_structures(Markdown& page) {
     std::vector<std::string_view> readers;
     for (const LayerDescriptor& layer : layer_descriptors())
       if (std::ranges::find(layer.structures, structure->id()) != layer.structures.end()) readers.push_back(layer.id);
-    rows.push_back({code(structure->id()), code(inputs), code(readers)});
+    const std::vector<TableColumns> tables = structure->table_columns();
+    std::vector<std::string_view> names;
+    for (const TableColumns& table : tables) names.push_back(table.name);
+    rows.push_back({code(structure->id()), code(inputs), code(readers), code(names)});
   }
-  page.table({"Structure", "Made from", "Read by the layers"}, rows);
+  page.table({"Structure", "Made from", "Read by the layers", "Tables"}, rows);
 }
 
 // As the program writes them, so that the examples hold.

@@ -20,11 +20,11 @@ std::vector<std::string_view> layer_ids() {
   return ids;
 }
 
+}  // namespace
+
 std::string unknown_word(std::string_view what, std::string_view word, std::span<const std::string_view> names) {
   return fmt::format("unknown {} {}; did you mean {}?", what, in_quotes(word), one_of(nearest_names(word, names)));
 }
-
-}  // namespace
 
 std::vector<std::string_view> split_list(std::string_view text) {
   std::vector<std::string_view> words;

@@ -30,6 +30,8 @@ std::vector<std::string_view> split_list(std::string_view text);
 
 /// "a", "a or b", "a, b or c".
 std::string one_of(std::span<const std::string_view> names);
+/// "unknown layer "curv"; did you mean curve?"
+std::string unknown_word(std::string_view what, std::string_view word, std::span<const std::string_view> names);
 
 /// A comma list of layer ids, or "all"; without a text the layers that are visible at start. No layer twice; in the
 /// order of the list ("all" and none: bottom first). Error: `usage`, naming the nearest ids.

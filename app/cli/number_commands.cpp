@@ -85,14 +85,19 @@ void describe_persistence(CLI::App& app, PersistenceRequest& to) {
 }
 
 void describe_export(CLI::App& app, ExportRequest& to) {
-  CLI::App* const exported = app.add_subcommand("export", "The geometry of layers, as text");
+  CLI::App* const exported =
+      app.add_subcommand("export", "The geometry of layers as text, or a table of a structure");
   add_source(*exported, to.source);
+  exported->add_option(
+      "--layer", to.layer,
+      "Layer id (mesecina list layers);\nfor geojson, wkt and svg-path also several separated by commas, or all");
+  exported->add_option("--structure", to.structure,
+                       "Structure id (mesecina list structures): a table of it is written instead, as csv or npy");
+  exported->add_option("--table", to.table, "Which table of the structure, if it has several");
   exported
-      ->add_option(
-          "--layer", to.layer,
-          "Layer id (mesecina list layers);\nfor geojson, wkt and svg-path also several separated by commas, or all")
+      ->add_option("--format", to.format,
+                   help_of_export_formats() + ";\nnpy: the table of a structure as an array of records for NumPy")
       ->required();
-  exported->add_option("--format", to.format, help_of_export_formats())->required();
   add_output(*exported, to.output, to.force);
 }
 

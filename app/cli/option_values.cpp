@@ -16,6 +16,7 @@
 #include "core/document/computation_settings.h"
 #include "core/document/parameter.h"
 #include "core/evolutions/evolution.h"
+#include "core/graph/table_columns.h"
 #include "core/io/format.h"
 #include "core/shapes/shape.h"
 
@@ -60,6 +61,21 @@ std::vector<std::string> offered_parameters() {
 std::vector<std::string> swept() {
   std::vector<std::string> out = id_list(builtins().parameters());
   for (std::string& name : out) name += '=';
+  return out;
+}
+
+std::vector<std::string> structure_ids() {
+  const auto ids = builtins().structures();
+  return {ids.begin(), ids.end()};
+}
+
+/// Of all structures, each once.
+std::vector<std::string> table_names() {
+  std::vector<std::string> out;
+  const StructureSet structures = builtins().make_structures();
+  for (const auto& structure : structures.all())
+    for (TableColumns& table : structure->table_columns())
+      if (std::ranges::find(out, table.name) == out.end()) out.push_back(std::move(table.name));
   return out;
 }
 
@@ -112,7 +128,7 @@ std::vector<std::string> compared_things() {
   return out;
 }
 
-constexpr std::array<OptionValue, 55> kValues{{
+constexpr std::array<OptionValue, 57> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"LESSON", {}, ValueKind::file},
@@ -135,6 +151,8 @@ constexpr std::array<OptionValue, 55> kValues{{
     {"--parameter", "NAME=FROM..TO", ValueKind::choice, swept},
     {"--layers", "IDS", ValueKind::choices, offered_layers},
     {"--layer", "ID", ValueKind::choice, offered_layers},
+    {"--structure", "ID", ValueKind::choice, structure_ids},
+    {"--table", "NAME", ValueKind::choice, table_names},
     {"--evolution", "ID", ValueKind::choice, evolution_ids},
     {"--compare", "WHAT=VALUES", ValueKind::choice, compared_things},
     {"--output", "FILE", ValueKind::file},

@@ -85,11 +85,15 @@ Expected<void> run_decimate(const ResampleRequest& request, Interruption& interr
 struct ExportRequest {
   Source source;
   std::string layer;
+  std::string structure;  ///< in place of a layer
+  std::string table;      ///< of the structure
   std::string format;
   std::string output;
   bool force = false;
 };
 Expected<void> run_export(const ExportRequest& request, Interruption& interruption);
+/// The same for a table of a structure.
+Expected<void> run_table_export(const ExportRequest& request, Interruption& interruption);
 
 struct RenderRequest {
   Source source;

@@ -12,6 +12,17 @@ std::vector<TableColumns> Structure::table_columns() const {
   return {};
 }
 
+std::string_view name_of(ColumnType type) {
+  switch (type) {
+    case ColumnType::float64: return "float64";
+    case ColumnType::uint32: return "uint32";
+    case ColumnType::uint8: return "uint8";
+    case ColumnType::int8: return "int8";
+    case ColumnType::boolean: return "bool";
+  }
+  return {};
+}
+
 std::size_t size_of(ColumnType type) {
   switch (type) {
     case ColumnType::float64: return 8;

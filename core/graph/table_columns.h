@@ -19,6 +19,8 @@ namespace mes {
 
 /// A boolean is one byte, 0 or 1.
 enum class ColumnType : std::uint8_t { float64, uint32, uint8, int8, boolean };
+/// "float64", as NumPy calls it.
+std::string_view name_of(ColumnType type);
 std::size_t size_of(ColumnType type);
 
 /// In a column of row numbers, the number of no row.

@@ -2,16 +2,19 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "core/base/vec2.h"
 #include "core/io/text_numbers.h"
 #include "run_binary.h"
 #include "tests/cli/inputs.h"
 #include "tests/io/temporary_folder.h"
 
+using mes::Vec2;
 using mes::test::contents_of;
 using mes::test::kDude;
 using mes::test::run;
@@ -248,4 +251,69 @@ TEST_CASE("births and deaths are a table, the longest first") {
   CHECK(none.exit_code == 0);
   CHECK_THAT(none.err, Catch::Contains("1 component, 0 holes"));
   CHECK(run({"persistence", folder.write("bad.xyz", "0 zero\n").string()}).exit_code == 3);
+}
+
+TEST_CASE("tables of a structure are written for other programs") {
+  const auto exported = [](const std::string& name) {
+    const RunResult result = run({"export", kDude, "--structure", "delaunay", "--table", name, "--format", "csv"});
+    INFO(result.err);
+    REQUIRE(result.exit_code == 0);
+    CHECK(result.err.empty());
+    return table_of(result.out);
+  };
+  const Table sites = exported("sites");
+  const Table faces = exported("faces");
+  std::map<std::string, Vec2> position;
+  for (std::size_t i = 1; i < sites.size(); ++i)
+    position[sites[i][column(sites, "row")]] = {std::stod(sites[i][column(sites, "position_x")]),
+                                                std::stod(sites[i][column(sites, "position_y")])};
+  std::size_t finite = 0;
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    if (faces[i][column(faces, "is_finite")] == "0") continue;
+    ++finite;
+    const Vec2 center{std::stod(faces[i][column(faces, "circumcenter_x")]),
+                      std::stod(faces[i][column(faces, "circumcenter_y")])};
+    const double radius = std::stod(faces[i][column(faces, "circumradius")]);
+    for (const char* corner : {"sites_0", "sites_1", "sites_2"})
+      CHECK(distance(center, position.at(faces[i][column(faces, corner)])) == Approx(radius).epsilon(1e-9));
+  }
+  const RunResult counts = run({"compute", kDude, "--layers", "delaunay"});
+  REQUIRE(counts.exit_code == 0);
+  CHECK(finite == nlohmann::json::parse(counts.out)["structures"]["delaunay"]["faces"].get<std::size_t>());
+
+  const TemporaryFolder folder;
+  const std::string file = (folder / "edges.npy").string();
+  const RunResult written =
+      run({"export", kDude, "--structure", "labels", "--table", "faces", "--format", "npy", "-o", file});
+  INFO(written.err);
+  REQUIRE(written.exit_code == 0);
+  const std::string bytes = contents_of(file);
+  CHECK(bytes.starts_with(std::string("\x93NUMPY\x01\x00", 8)));
+  CHECK(bytes.find("'is_inside'") < bytes.find('\n'));
+}
+
+TEST_CASE("a table that cannot be written is named") {
+  const auto refused = [](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{"export", kDude};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    const RunResult result = run(arguments);
+    CHECK(result.exit_code == 2);
+    CHECK(result.out.empty());
+    return result.err;
+  };
+  CHECK(refused({"--format", "csv"}) ==
+        "mesecina: export needs --layer (mesecina list layers), or --structure (mesecina list structures)\n");
+  CHECK(refused({"--structure", "delauney", "--format", "csv"}) ==
+        "mesecina: unknown structure \"delauney\"; did you mean delaunay? (mesecina list structures)\n");
+  CHECK(refused({"--structure", "delaunay", "--format", "csv"}) ==
+        "mesecina: --table says which table of delaunay: sites, faces, edges or samples\n");
+  CHECK(refused({"--structure", "delaunay", "--table", "balls", "--format", "csv"}) ==
+        "mesecina: delaunay has no table \"balls\"; it has sites, faces, edges or samples\n");
+  CHECK(refused({"--structure", "delaunay", "--table", "faces", "--format", "wkt"}) ==
+        "mesecina: a table is written as csv or npy, not \"wkt\"\n");
+  CHECK(refused({"--structure", "settings", "--format", "csv"}) == "mesecina: the structure settings has no table\n");
+  CHECK(refused({"--table", "faces", "--format", "csv"}) ==
+        "mesecina: --table needs --structure (mesecina list structures)\n");
+  CHECK(refused({"--layer", "curve", "--structure", "delaunay", "--format", "csv"}) ==
+        "mesecina: export takes --layer or --structure, not both\n");
 }
