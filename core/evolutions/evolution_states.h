@@ -7,7 +7,7 @@
 //  2. What is kept stays within the budget, but for state 0, the last state computed, and the one last given out.
 //
 // Smallest use:
-//     EvolutionStates states(state_of(document), {.evolution = *find_evolution("smooth")});
+//     EvolutionStates states(state_of(document), {.evolution = registry.evolutions().find("smooth")});
 //     auto state = states.at(12, job);
 //
 // Cost: one step for each state between the wanted one and the nearest kept one before it. When the budget is used

@@ -42,6 +42,8 @@
 #include "core/evolutions/evolution_run.h"
 #include "core/formula/formula.h"
 #include "core/glyphs/text_outlines.h"
+#include "core/graph/table_maker.h"
+#include "core/graph/write_table.h"
 #include "core/io/session.h"
 #include "core/layers/parts/helpers.h"
 #include "core/raster/trace.h"
@@ -221,10 +223,59 @@ TEST_CASE("core/document/timeline.h") {
   CHECK(replay.document().sample_count() == data.positions.size() + 1);
 }
 
+TEST_CASE("core/document/parameter.h") {
+  const Parameter reach{.id = "reach", .explanation = "Edges are at most this long", .unit = "units", .high = 10.0};
+  ParameterValues values;
+  values[reach] = 2.5;
+  CHECK(values[reach] == 2.5);
+  CHECK(values != ParameterValues());
+}
+
+namespace {
+
+/// A structure with one table.
+struct FaceTable {
+  Table<FaceSlot, FaceRow> face_;
+  std::string_view id() const { return "triangles"; }
+  bool is_face(FaceSlot face) const { return face_[face].is_alive(); }
+  std::vector<TableColumns> table_columns() const {
+    TableMaker<FaceSlot> faces("faces", "Triangles", face_.size(), [this](FaceSlot face) { return is_face(face); });
+    faces.column("circumradius", "radius of the circumcircle", face_, &FaceRow::radius);
+    faces.reference("corners", "counter-clockwise", face_, &FaceRow::v, table_name(id(), "sites"));
+    return taken(faces);
+  }
+};
+
+}  // namespace
+
+TEST_CASE("core/graph/table_maker.h, table_columns.h and write_table.h") {
+  FaceTable structure;
+  structure.face_.resize(2);
+  structure.face_[FaceSlot(std::size_t{1})].radius = 2.5;
+  for (std::size_t i = 0; i < 3; ++i) structure.face_[FaceSlot(std::size_t{1})].v[i] = SiteSlot(i);
+  std::size_t printed = 0;
+  const auto print = [&printed](const TableColumn& column, RowNumber row) {
+    double radius = 0.0;
+    column.copy_row(row, &radius);
+    CHECK(radius == 2.5);
+    ++printed;
+  };
+  for (const TableColumns& table : structure.table_columns())
+    for (RowNumber row = 0; row < table.rows; ++row)
+      if (table.is_alive(row)) print(table.columns.front(), row);
+  CHECK(printed == 1);
+
+  const TableColumns table = structure.table_columns().front();
+  std::string text;
+  write_table(table, TableFormat::csv, [&](std::string_view piece) { text += piece; });
+  CHECK(text == "row,circumradius,corners_0,corners_1,corners_2\n1,2.5,0,1,2\n");
+}
+
 TEST_CASE("core/evolutions/evolution.h") {
   const Document document = ring_document();
+  const Registry& registry = builtins();
   JobControl job;
-  EvolutionStates states(state_of(document), {.evolution = find_evolution("smooth")});
+  EvolutionStates states(state_of(document), {.evolution = registry.evolutions().find("smooth")});
   const auto state = states.at(12, job);
   REQUIRE(state);
   CHECK((*state)->positions.size() == document.sample_count());
@@ -232,8 +283,9 @@ TEST_CASE("core/evolutions/evolution.h") {
 
 TEST_CASE("core/evolutions/evolution_states.h") {
   const Document document = ring_document();
+  const Registry& registry = builtins();
   JobControl job;
-  EvolutionStates states(state_of(document), {.evolution = find_evolution("smooth")});
+  EvolutionStates states(state_of(document), {.evolution = registry.evolutions().find("smooth")});
   auto state = states.at(12, job);
   REQUIRE(state);
   CHECK(length((*state)->positions[0]) < 1.0);
