@@ -68,7 +68,7 @@ class Window {
     for (const LayerIndex layer : layers) views_.push_back({layer, layer_descriptors()[layer].style});
     camera_.set_viewport(kWidth, kHeight);
     target_ = device_.create_framebuffer({kWidth, kHeight});
-    engine_.set_demand(layers);
+    engine_.set_demand(main_layers(layers));
   }
   ~Window() { device_.destroy_framebuffer(target_); }
   Window(const Window&) = delete;

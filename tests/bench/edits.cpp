@@ -155,7 +155,7 @@ void edit(benchmark::State& state, RatioTable& table, const std::string& what, s
 void hand_over(benchmark::State& state, RatioTable& table) {
   Document document;
   Engine engine(builtins(), {});
-  engine.set_demand(layers_named({kSix[0], kSix[1], kSix[2], kSix[3], kSix[4], kSix[5]}));
+  engine.set_demand(main_layers(layers_named({kSix[0], kSix[1], kSix[2], kSix[3], kSix[4], kSix[5]})));
   const auto first = replace_with(document, test::benchmark_curve(10000));
   document.apply(*first);
   engine.post(first);

@@ -55,7 +55,8 @@ void scratch(benchmark::State& state, RatioTable& table, const char* what, std::
       if (node.state == NodeState::up_to_date) slowest += " " + node.structure + " " + std::to_string(node.update_ms);
     for (const LayerReport& report : patch.reports)
       if (report.state == NodeState::up_to_date)
-        slowest += " " + std::string(layer_descriptors()[report.layer].id) + " " + std::to_string(report.emit_ms);
+        slowest +=
+            " " + std::string(layer_descriptors()[report.layer.layer].id) + " " + std::to_string(report.emit_ms);
   }
   state.counters["raw_us"] = median(raw);
   state.counters["ratio"] = median(ours) / median(raw);
