@@ -69,7 +69,7 @@ std::vector<std::string> structure_ids() {
   return {ids.begin(), ids.end()};
 }
 
-/// Of all structures, each once.
+/// Lists the names of tables of all structures, without repetitions.
 std::vector<std::string> table_names() {
   std::vector<std::string> out;
   const StructureSet structures = builtins().make_structures();

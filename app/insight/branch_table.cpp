@@ -112,7 +112,7 @@ Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationS
   if (auto good = bench.need(needed); !good) return std::unexpected(good.error());
   bench.choose(chosen);
   if (auto good = bench.load(data); !good) return std::unexpected(good.error());
-  // A failure of the union alone is no error of the table.
+  // The table can do without the union, so a failure of the union alone is not an error.
   if (auto good = bench.run_or_throw(job); !good && good.error().code != ErrorCode::cannot_compute)
     return std::unexpected(good.error());
   BranchTable out;

@@ -24,7 +24,7 @@ ComputationSettings settings_of(const PaneChoice& choice, const ComputationSetti
   ComputationSettings out = main;
   if (const Precision* const precision = std::get_if<Precision>(&choice)) out.precision = *precision;
   if (const auto* const parameter = std::get_if<ParameterChoice>(&choice))
-    // What nobody reads would make another computation of the same.
+    // An unknown parameter would start a second computation with equal results.
     if (builtins().find_parameter(parameter->parameter.id) != nullptr) out[parameter->parameter] = parameter->value;
   const ParameterMove* const move = evolution.choice.moved_parameter();
   if (const auto* const evolved = std::get_if<EvolvedChoice>(&choice); evolved != nullptr && move != nullptr)

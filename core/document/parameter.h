@@ -32,7 +32,7 @@ struct Parameter {
   std::string window_explanation{};
   std::vector<std::string> choices{};  ///< what its whole numbers stand for, from `low`; empty: numbers
 
-  /// Parameters are told apart by their ids.
+  /// Two parameters are equal if their ids are.
   friend bool operator==(const Parameter& a, const Parameter& b) { return a.id == b.id; }
 
   // Those of the structures of the program; core/structures/inputs adds them to its registry.

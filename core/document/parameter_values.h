@@ -38,7 +38,7 @@ class ParameterValues {
   void keep(std::string_view id, double value);
   /// Gives parameters of a document their defaults, and drops what was kept for an id alone.
   void reset_for_another_document();
-  /// What was kept, or set to something else than its default; by id.
+  /// The kept values, and the set ones that differ from their defaults, sorted by id.
   std::vector<Entry> changed() const;
 
   friend bool operator==(const ParameterValues& a, const ParameterValues& b);

@@ -44,7 +44,7 @@ struct EvolutionChoice {
   ParameterValues values{};
   /// Null: it moves samples, or there is none.
   const ParameterMove* moved_parameter() const;
-  /// Evolutions are told apart by their ids.
+  /// Two choices name the same evolution if the ids are equal.
   friend bool operator==(const EvolutionChoice& a, const EvolutionChoice& b);
 };
 

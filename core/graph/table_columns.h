@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables of structures as columns, for whoever reads them without knowing the structure: files, the card, other
-// languages.
+// Columns describe the tables of a structure to code that does not know the structure: writers of files, the card,
+// bindings of other languages.
 #pragma once
 
 #include <cstddef>

@@ -79,14 +79,14 @@ struct RowsOf {
   std::string table;
   std::optional<RowNumber> infinity;
   RowsOf(std::string name)
-      : table(std::move(name)) {}  // NOLINT(google-explicit-constructor): mostly there is no more
+      : table(std::move(name)) {}  // NOLINT(google-explicit-constructor): most tables have no infinity
   RowsOf(std::string name, RowNumber at_infinity) : table(std::move(name)), infinity(at_infinity) {}
 };
 
 /// Makes a `TableColumns` whose rows are slots of one kind.
 ///
-/// What it guarantees: a table has no more rows than each of its stored columns; row numbers are told from other
-/// numbers by their type, and say where they belong.
+/// What it guarantees: every stored column has at least as many rows as the table; a column of row numbers names the
+/// table that they index.
 ///
 /// Smallest use:
 ///     TableMaker<FaceSlot> faces("faces", "Triangles", face_.size(), [this](FaceSlot face) { return is_face(face); });
@@ -214,7 +214,7 @@ class TableMaker {
     };
     return column;
   }
-  // A column of the wrong sort is a mistake of whoever lists it, seen when its structure is first asked.
+  // The assertion fails when a structure lists row numbers as plain values; a reference has to name its table.
   static TableColumn& plain(TableColumn& column) {
     MES_ASSERT(!column.is_reference);
     return column;

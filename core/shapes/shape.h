@@ -33,7 +33,7 @@ struct FormulaParameter {
   std::string default_text;
 };
 
-/// What is asked of a shape.
+/// The values that a caller chooses for a shape.
 struct ShapeValues {
   ParameterValues numbers{};
   std::vector<std::string> formulas{};  ///< in the order of its formulas

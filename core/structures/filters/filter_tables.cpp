@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What filters keep of the axis, with the values that decide, as columns; rows are those of `Delaunay`.
+// Lists the columns of axis filters: the kept part of the axis and the filter values. Rows are those of `Delaunay`.
 #include <algorithm>
 #include <array>
 
