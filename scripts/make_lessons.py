@@ -104,11 +104,11 @@ class Lesson:
     def edit(self, name, **changes):
         self.timeline.append({"edit": {"name": name, **changes}})
 
-    def move_to(self, name, points):
+    def move_to(self, name, points, **more):
         moves = []
         for i, point in enumerate(points):
             moves += [i, *flat([point])]
-        self.edit(name, move=moves)
+        self.edit(name, move=moves, **more)
         self.points = [tuple(round(x, DIGITS) for x in p) for p in points]
 
     def step(self, caption, *layers, view=None, **changed):
@@ -382,7 +382,8 @@ def smoothing():
         What is left of the axis is the branch that carries the shape.
 
         The price: the curve shrinks as well, slowly.""")):
-        lesson.move_to(f"Smooth, {steps} steps", evolved(lesson.points, "smooth", steps - done))
+        lesson.move_to(f"Smooth, {steps} steps", evolved(lesson.points, "smooth", steps - done),
+                       state=True)
         done = steps
         lesson.step(words, *layers, **look)
     return lesson

@@ -208,7 +208,7 @@ void Editor::record(const DocumentDelta& delta, const std::string& name, bool co
   note_layers();
   const auto change = std::make_shared<const DocumentDelta>(delta);
   document_.make_room_for({&delta, 1});
-  History::Draft step = history_.draft(delta, name, continues);
+  History::Draft step = history_.draft(delta, name, continues ? History::Role::continues : History::Role::plain);
   timeline_.note_edit(document_, delta, name, continues);
   document_.apply(delta);
   step.record();
@@ -292,18 +292,19 @@ Expected<void> Editor::evolve(std::span<const Vec2> positions, std::span<const S
                               const std::string& name, bool continues) {
   if (!continues) evolved_revision_ = ~std::uint64_t{0};
   return show_in_place(
-      evolved_revision_, [&](const Document& before) { return arrange_samples(before, positions, contours); }, name);
+      evolved_revision_, [&](const Document& before) { return arrange_samples(before, positions, contours); }, name,
+      true);
 }
 
 Expected<void> Editor::resample(const SampleData& data, const std::string& name, bool continues) {
   if (!continues) resampled_revision_ = ~std::uint64_t{0};
   return show_in_place(
-      resampled_revision_, [&](const Document& before) { return mes::resample(before, data); }, name);
+      resampled_revision_, [&](const Document& before) { return mes::resample(before, data); }, name, false);
 }
 
 Expected<void> Editor::show_in_place(std::uint64_t& shown,
                                      const std::function<Expected<DocumentDelta>(const Document&)>& make,
-                                     const std::string& name) {
+                                     const std::string& name, bool is_state) {
   MES_ASSERT(!in_gesture());
   note_layers();
   std::vector<DocumentDelta> changes;
@@ -325,8 +326,8 @@ Expected<void> Editor::show_in_place(std::uint64_t& shown,
     if (replaces && history_.raise_edit()) history_.step_back();
   };
   if (is_new) {
-    History::Draft step = history_.draft(*delta, name);
-    timeline_.note_evolved(document_, *delta, name, replaces);
+    History::Draft step = history_.draft(*delta, name, is_state ? History::Role::state : History::Role::plain);
+    timeline_.note_evolved(document_, *delta, name, replaces, is_state);
     go_back();
     step.record();
     shown = next.revision();

@@ -211,10 +211,10 @@ class Editor {
   Expected<void> perform(const Expected<DocumentDelta>& delta, const std::string& name, bool continues = false);
   void take_back();
   /// Makes what `make` says of the document one step; if the document is as `shown` says, it takes the place of the last
-  /// one. `shown` is the revision afterwards.
+  /// one. `shown` is the revision afterwards. `is_state`: of an evolution.
   Expected<void> show_in_place(std::uint64_t& shown,
                                const std::function<Expected<DocumentDelta>(const Document&)>& make,
-                               const std::string& name);
+                               const std::string& name, bool is_state);
   /// Applies the deltas and puts `entry` on the timeline; then `step` does the same in the history.
   void take_step(const std::vector<DocumentDelta>& deltas, const TimelineEntry& entry, void (History::*step)());
   /// What undo and redo do to the layers.

@@ -23,7 +23,7 @@ Document before_last_edit(const SessionPanes::Moment& now) {
 
 /// What the steps of an evolution are counted from.
 EvolutionState state_0(const SessionPanes::Moment& now) {
-  return state_of(names_a_state(now.history.name_of_last_edit()) ? before_last_edit(now) : now.document);
+  return state_of(now.history.last_edit_is_state() ? before_last_edit(now) : now.document);
 }
 
 /// State 0 of a parameter: its default where the value is one that steps from there make, as for the window that opens

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "core/builtins/builtins.h"
-#include "core/io/text_numbers.h"
 
 namespace mes {
 
@@ -36,16 +35,6 @@ SessionEvolution session_evolution(const EvolutionChoice& choice, std::uint64_t 
 
 std::string name_of_state(const EvolutionDescriptor& evolution, std::uint64_t step) {
   return fmt::format("{}, {} {}", evolution.name, step, step == 1 ? "step" : "steps");
-}
-
-bool names_a_state(std::string_view name) {
-  return std::ranges::any_of(builtins().evolutions().all(), [name](const auto& evolution) {
-    const std::string_view own = evolution->descriptor.name;
-    if (!name.starts_with(own) || !name.substr(own.size()).starts_with(", ")) return false;
-    const std::string_view count = name.substr(own.size() + 2);
-    const auto step = parse_count(count.substr(0, count.find(' ')));
-    return step && name == name_of_state(evolution->descriptor, *step);
-  });
 }
 
 }  // namespace mes

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <string>
-#include <string_view>
 
 #include "core/evolutions/evolution.h"
 #include "core/io/session.h"
@@ -20,7 +19,5 @@ SessionEvolution session_evolution(const EvolutionChoice& choice, std::uint64_t 
 
 /// The name of the step of undo that brings the document into a state, as "Smooth, 12 steps".
 std::string name_of_state(const EvolutionDescriptor& evolution, std::uint64_t step);
-/// Whether a step of undo has the name of a state of some evolution: what was before it is state 0.
-bool names_a_state(std::string_view name);
 
 }  // namespace mes

@@ -94,12 +94,13 @@ void History::Draft::record() noexcept {
   ++h.position_;
 }
 
-History::Draft History::draft(const DocumentDelta& delta, const std::string& name, bool continues) {
-  return {*this, {.name = name, .deltas = {delta}}, continues && can_extend(delta, name)};
+History::Draft History::draft(const DocumentDelta& delta, const std::string& name, Role role) {
+  Step step{.name = name, .deltas = {delta}, .is_state = role == Role::state};
+  return {*this, std::move(step), role == Role::continues && can_extend(delta, name)};
 }
 
-void History::record(const DocumentDelta& delta, const std::string& name) {
-  if (!delta.is_empty()) draft(delta, name).record();
+void History::record(const DocumentDelta& delta, const std::string& name, Role role) {
+  if (!delta.is_empty()) draft(delta, name, role).record();
 }
 
 bool History::can_extend(const DocumentDelta& delta, const std::string& name) const {
@@ -200,9 +201,9 @@ std::optional<std::uint64_t> History::revision_before_last_edit() const {
   return edit != nullptr ? std::optional(edit->deltas.front().from_revision) : std::nullopt;
 }
 
-std::string History::name_of_last_edit() const {
+bool History::last_edit_is_state() const {
   const Step* const edit = newest_edit();
-  return edit != nullptr ? edit->name : std::string();
+  return edit != nullptr && edit->is_state;
 }
 
 void History::step_back() {

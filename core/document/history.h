@@ -16,6 +16,7 @@
 // edit.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -36,8 +37,12 @@ class History {
   void begin_gesture(std::string name);
   void end_gesture();
   bool in_gesture() const { return gesture_open_; }
-  /// Notes an applied delta; outside a gesture it is a step of its own. Forgets what could be redone.
-  void record(const DocumentDelta& delta, const std::string& name = {});
+  /// What an edit is to the steps before: nothing, more of the last one, or a state of an evolution, whose state 0 is
+  /// what was before.
+  enum class Role : std::uint8_t { plain, continues, state };
+  /// Notes an applied delta; outside a gesture it is a step of its own, or more of the last one where `extend` is
+  /// possible. Forgets what could be redone.
+  void record(const DocumentDelta& delta, const std::string& name = {}, Role role = Role::plain);
 
   /// A step to be recorded once all else has succeeded: everything it needs is there, so `record` asks for no memory.
   /// A draft that is not recorded leaves no trace. While there is one, nothing else is done with the history but
@@ -57,8 +62,8 @@ class History {
     bool extends_;
     bool is_recorded_ = false;
   };
-  /// Of `record`; with `continues`, of `extend` where that is possible.
-  Draft draft(const DocumentDelta& delta, const std::string& name, bool continues = false);
+  /// Of `record`.
+  Draft draft(const DocumentDelta& delta, const std::string& name, Role role = Role::plain);
 
   /// Makes the delta part of the newest step if that has this name, nothing came between, and the delta only gives
   /// the same things other places; whether it did. If not, it is not recorded. Asks for no memory.
@@ -89,8 +94,8 @@ class History {
   std::vector<DocumentDelta> way_before_last_edit() const;
   /// The revision of that document.
   std::optional<std::uint64_t> revision_before_last_edit() const;
-  /// Name of the last edit, changes of layers after it passed over; empty: there is none.
-  std::string name_of_last_edit() const;
+  /// Whether the last edit led to a state of an evolution: state 0 is what was before it.
+  bool last_edit_is_state() const;
   /// What `undo` (`redo`) would give.
   std::vector<DocumentDelta> deltas_of_undo() const { return can_undo() ? back_of(steps_[position_ - 1]) : Deltas(); }
   std::vector<DocumentDelta> deltas_of_redo() const { return can_redo() ? steps_[position_].deltas : Deltas(); }
@@ -117,6 +122,7 @@ class History {
     std::string name;
     std::vector<DocumentDelta> deltas{};
     std::optional<Layers> layers{};
+    bool is_state = false;  ///< of an evolution
     bool is_edit() const { return !deltas.empty(); }
   };
   static std::vector<DocumentDelta> back_of(const Step& step);

@@ -185,11 +185,12 @@ void Timeline::note_edit(const Document& document, const DocumentDelta& delta, c
 }
 
 void Timeline::note_evolved(const Document& document, const DocumentDelta& delta, const std::string& name,
-                            bool replaces) {
+                            bool replaces, bool is_state) {
   end_overdue_gesture();
   TimelineEdit out = edit_of(document, delta);
   out.name = name;
   out.replaces = replaces;
+  out.is_state = is_state;
   const std::size_t edits = (replaces ? evolution_edits_ : 0) + delta.edits.size();
   if (replaces && evolution_at_) {
     const auto last = std::get<TimelineEdit>(entries_.back());
@@ -306,6 +307,15 @@ Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& e
   return out;
 }
 
+namespace {
+
+History::Role role_of(const TimelineEdit& edit) {
+  if (edit.is_state) return History::Role::state;
+  return edit.continues && !edit.replaces ? History::Role::continues : History::Role::plain;
+}
+
+}  // namespace
+
 Expected<void> DocumentReplay::apply_replacement(const TimelineEdit& edit) {
   if (!history_.raise_edit()) return bad_entry("a replacement has no step before it");
   std::vector<DocumentDelta> changes = history_.undo();
@@ -316,7 +326,7 @@ Expected<void> DocumentReplay::apply_replacement(const TimelineEdit& edit) {
     return std::unexpected(delta.error());
   }
   document_.apply(*delta);
-  history_.record(*delta, edit.name);
+  history_.record(*delta, edit.name, role_of(edit));
   if (!delta->is_empty()) changes.push_back(*delta);
   if (listener_) listener_(one_after_the_other(changes));
   return {};
@@ -328,7 +338,7 @@ Expected<void> DocumentReplay::apply_edit(const TimelineEdit& edit) {
   if (!delta) return std::unexpected(delta.error());
   if (delta->is_empty()) return {};
   change(*delta);
-  if (!edit.continues || !history_.extend(*delta, edit.name)) history_.record(*delta, edit.name);
+  history_.record(*delta, edit.name, role_of(edit));
   return {};
 }
 

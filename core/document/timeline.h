@@ -65,6 +65,7 @@ struct TimelineEdit {
   std::string name{};      ///< of the step of undo, outside a gesture
   bool continues = false;  ///< belongs to the step before, if that has the same name and moved the same things
   bool replaces = false;   ///< the step before is taken back first, and its place taken
+  bool is_state = false;   ///< it leads to a state of an evolution, whose state 0 is what was before
   std::vector<std::uint32_t> removed{};
   std::vector<std::pair<std::uint32_t, Vec2>> moved{};
   std::vector<Vec2> inserted{};
@@ -241,7 +242,8 @@ class Timeline {
   /// million samples does not fill the memory.
   void note_edit(const Document& document, const DocumentDelta& delta, const std::string& name, bool continues);
   /// An evolution went on to another state; `replaces` the one before. Large ones keep the last state only.
-  void note_evolved(const Document& document, const DocumentDelta& delta, const std::string& name, bool replaces);
+  void note_evolved(const Document& document, const DocumentDelta& delta, const std::string& name, bool replaces,
+                    bool is_state);
   void note_gesture_begun(const std::string& name);
   /// A gesture without edits leaves no trace. When memory runs out, the end comes with the next entry.
   void note_gesture_ended();

@@ -231,7 +231,7 @@ void each(auto& archive, Some<SourceEdit> auto& edit) {
   }
 }
 void each(auto& archive, Some<TimelineEdit> auto& edit) {
-  fields(archive, edit.name, edit.continues, edit.replaces, edit.removed, edit.moved, edit.inserted,
+  fields(archive, edit.name, edit.continues, edit.replaces, edit.is_state, edit.removed, edit.moved, edit.inserted,
          edit.removed_balls, edit.changed_balls, edit.inserted_balls, edit.curve, edit.annotations, edit.source);
 }
 void each(auto& archive, Some<GestureBegun> auto& begun) {

@@ -162,14 +162,15 @@ Box2 view_from(JsonView value) {
 TimelineEdit edit_from(JsonView object) {
   const std::string where = "edit";
   if (!object.is_object()) complain(where, "not an object");
-  const auto [name, continues, replaces, remove, move, insert, remove_balls, change_balls, insert_balls, contours,
-              annotations, source] =
-      object.pick<12>({"name", "continues", "replaces", "remove", "move", "insert", "remove_balls", "change_balls",
-                       "insert_balls", "contours", "annotations", "source"});
+  const auto [name, continues, replaces, state, remove, move, insert, remove_balls, change_balls, insert_balls,
+              contours, annotations, source] =
+      object.pick<13>({"name", "continues", "replaces", "state", "remove", "move", "insert", "remove_balls",
+                       "change_balls", "insert_balls", "contours", "annotations", "source"});
   TimelineEdit out;
   out.name = text_from(name, "name", where);
   out.continues = continues.is_flag() && continues.flag();
   out.replaces = replaces.is_flag() && replaces.flag();
+  out.is_state = state.is_flag() && state.flag();
   read_flat(remove, "remove", out.removed, where);
   read_flat(move, "move", out.moved, where);
   read_flat(insert, "insert", out.inserted, where);

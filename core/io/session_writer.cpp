@@ -102,6 +102,7 @@ json to_json(const TimelineEdit& edit) {
   if (!edit.name.empty()) out["name"] = edit.name;
   if (edit.continues) out["continues"] = true;
   if (edit.replaces) out["replaces"] = true;
+  if (edit.is_state) out["state"] = true;
   add("remove", edit.removed);
   add("move", edit.moved);
   add("insert", edit.inserted);

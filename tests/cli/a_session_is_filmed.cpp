@@ -175,9 +175,9 @@ TEST_CASE("panes of a film count the steps of an evolution from its beginning, a
   };
   // Each sample half-way to the middle of its neighbours, twice; then one is moved by hand.
   const std::string evolved =
-      R"({"edit":{"name":"Smooth, 1 step","move":[0,1,0.75,1,3,0.75,2,3,2.25,3,1,2.25]}},
-         {"edit":{"name":"Smooth, 2 steps","replaces":true,"move":[0,1.5,1.125,1,2.5,1.125,2,2.5,1.875,3,1.5,1.875]}},
-         {"edit":{"name":"Move","move":[2,4,3]}})";
+      R"({"edit":{"name":"once","state":true,"move":[0,1,0.75,1,3,0.75,2,3,2.25,3,1,2.25]}},
+         {"edit":{"name":"twice","replaces":true,"state":true,"move":[0,1.5,1.125,1,2.5,1.125,2,2.5,1.875,3,1.5,1.875]}},
+         {"edit":{"name":"Smooth, 1 step","move":[2,4,3]}})";
   const std::vector<Image> first = film("first", "smooth", R"({"step":0})", evolved);
   REQUIRE(first.size() == 4);
   CHECK(part(first[0], 316) == part(first[0], 0));

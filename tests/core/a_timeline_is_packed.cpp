@@ -49,6 +49,7 @@ TimelineEdit some_edit(Rng& random) {
   out.name = some_text(random);
   out.continues = random.below(2) == 0;
   out.replaces = random.below(2) == 0;
+  out.is_state = random.below(2) == 0;
   const auto many = [&](auto add) {
     for (std::uint64_t n = random.below(4); n > 0; --n) add();
   };

@@ -233,7 +233,7 @@ TEST_CASE("each evolution has its own share of the timeline") {
     places.resize(some);
     const DocumentDelta delta = move_samples(desk.document, places).value();
     desk.document.apply(delta);
-    desk.timeline.note_evolved(desk.document, delta, "Evolve", replaces);
+    desk.timeline.note_evolved(desk.document, delta, "Evolve", replaces, true);
     return desk.timeline.entries().size();
   };
   // Until the share is used up, each state is an entry; from then on the last one stands for those that follow.
