@@ -94,7 +94,8 @@ std::vector<fs::path> files_below(const fs::path& folder, std::string_view exten
 
 TEST_CASE("the smallest uses of core's headers are compiled") {
   const std::string compiled = bare(text_of("tests/docs/examples_of_headers_do_what_they_say.cpp")) +
-                               bare(text_of("tests/docs/examples_of_readers_do_what_they_say.cpp"));
+                               bare(text_of("tests/docs/examples_of_readers_do_what_they_say.cpp")) +
+                               bare(text_of("tests/library/examples_of_the_library_do_what_they_say.cpp"));
   std::size_t seen = 0;
   for (const fs::path& header : files_below("core", ".h")) {
     INFO(header);

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The workbench of the program behind the public one.
+#pragma once
+
+#include <memory>
+
+#include <mesecina/workbench.h>
+
+#include "core/graph/registry.h"
+#include "core/library/internal/adapter.h"
+#include "core/library/internal/table_access.h"
+#include "core/workbench/workbench.h"
+
+namespace mesecina {
+inline namespace v1 {
+
+struct Workbench::Impl {
+  Impl(const Catalogue& its_catalogue, const WorkbenchOptions& options)
+      : catalogue(its_catalogue),
+        bench(*CatalogueAccess::registry(catalogue),
+              {.keeps_history = options.keeps_history, .keeps_instances = options.keeps_instances}) {}
+  ~Impl() { last_run->store(kNoMoreRuns, std::memory_order_release); }
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  const mes::Registry& registry() const { return *CatalogueAccess::registry(catalogue); }
+
+  Catalogue catalogue;  // outlives the workbench
+  std::shared_ptr<RunNumber> last_run = std::make_shared<RunNumber>(0);
+  mes::Workbench bench;
+};
+
+}  // namespace v1
+}  // namespace mesecina

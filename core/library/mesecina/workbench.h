@@ -1,0 +1,324 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A workbench: samples and balls, and the geometry that follows them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <span>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include <mesecina/catalogue.h>
+#include <mesecina/error.h>
+#include <mesecina/geometry.h>
+#include <mesecina/table.h>
+#include <mesecina/version.h>
+
+namespace mesecina {
+inline namespace v1 {
+
+/// Stops a long call and says how far it is.
+///
+/// What it guarantees: once stopped, it stays stopped; a call that is given a stopped job throws `cancelled` and changes
+/// no data. A stop takes effect within a moment, except while a library that reads XML or decodes a picture is at work.
+/// One job may serve several calls, one after the other.
+///
+/// Threads: all functions may be called from any thread while another one does the job.
+class MESECINA_API Job {
+ public:
+  Job();
+  /// Stops when the token is asked to, too.
+  explicit Job(std::stop_token token);
+  ~Job();
+  Job(const Job&) = delete;
+  Job& operator=(const Job&) = delete;
+
+  void stop() noexcept;
+  bool is_stopped() const noexcept;
+  /// Fraction of the present task, from 0 to 1.
+  double progress() const noexcept;
+  /// Id of the structure that is being computed, or "layers"; empty before the first.
+  std::string task() const;
+
+ private:
+  friend struct JobAccess;
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+struct WorkbenchOptions {
+  bool keeps_history = true;    ///< false: nothing can be undone, and edits take less memory
+  bool keeps_instances = true;  ///< false: tables only; `instances` and `digest` are refused
+};
+
+struct ReadOptions {
+  std::string format{};          ///< id; empty: by content, then by extension
+  bool keeps_vertices = false;   ///< the vertices of curves are the samples; else curves are sampled
+  bool projects_degrees = true;  ///< longitude and latitude become kilometres; else they stay degrees
+};
+
+struct OpenedFile {
+  std::string format{};                 ///< id of the format it was read as
+  std::vector<std::string> warnings{};  ///< one line each, with file, line and column
+  std::vector<std::string> files{};     ///< all files that were read, such as contours beside the samples
+};
+
+enum class State : std::uint8_t {
+  inactive = 0,  ///< not asked for
+  up_to_date = 1,
+  failed = 2,      ///< `reason` says why
+  blocked = 3,     ///< an input failed
+  unfinished = 4,  ///< the run was stopped
+};
+
+/// A counter or a measure. A double that is not finite means that there is no such value.
+using StatisticValue = std::variant<std::int64_t, double, std::vector<std::int64_t>, std::string>;
+
+struct Statistic {
+  std::string key{};  ///< snake case, with the unit as suffix
+  StatisticValue value{};
+};
+
+enum class FindingLevel : std::uint8_t {
+  note = 0,   ///< says nothing about the theorem
+  doubt = 1,  ///< the result is exact, but a condition of the theorem does not hold somewhere
+  wrong = 2,  ///< the number type gave a wrong or inconsistent result
+};
+
+/// A reason not to trust the one-step axis.
+struct Finding {
+  std::string structure{};  ///< id of the structure that found it
+  FindingLevel level = FindingLevel::note;
+  std::string text{};           ///< one line, no full stop, without the count
+  std::int64_t count = 0;       ///< number of locations
+  std::vector<Point> places{};  ///< some of these locations, at most 64
+};
+
+/// Does the one-step axis deserve to be called the medial axis?
+enum class Light : std::uint8_t {
+  none = 0,    ///< findings were not asked for, or there is nothing to judge
+  green = 1,   ///< proved for this input
+  yellow = 2,  ///< exact, but not proved
+  red = 3,     ///< the number type gave a wrong result, or a structure failed
+};
+
+struct StructureReport {
+  std::string id{};
+  State state = State::inactive;
+  std::string reason{};                 ///< one line, when failed or blocked
+  std::vector<SampleId> witnesses{};    ///< samples that a failed structure blames
+  double milliseconds = 0.0;            ///< of its last computation, without its inputs
+  std::uint64_t touched_rows = 0;       ///< by its last update
+  bool is_rebuilt = false;              ///< its last computation was not an update
+  std::string number_type{};            ///< that decides in it; empty: none does
+  std::vector<Statistic> statistics{};  ///< if they were asked for
+};
+
+struct LayerReport {
+  std::string id{};
+  State state = State::inactive;
+  std::string reason{};
+  std::uint64_t lost = 0;  ///< primitives left out because their coordinates are not finite
+};
+
+/// A request for `make_shape`. What is not named has its default.
+struct ShapeRequest {
+  std::vector<std::pair<std::string, double>> parameters{};     ///< ids and values
+  std::vector<std::pair<std::string, std::string>> formulas{};  ///< ids and texts
+  std::optional<std::size_t> samples{};                         ///< not together with `spacing`
+  std::optional<double> spacing{};                              ///< along curves
+  double jitter = 0.0;                                          ///< each sample moves by up to so many mean spacings
+  std::uint64_t seed = 1;
+};
+
+/// Samples a shape of the catalogue. The same request gives the same samples on every machine. Error: `usage` for an
+/// unknown id, a value out of range or a request that makes no sense; `bad_input` for a formula without values.
+/// O(samples).
+MESECINA_API Data make_shape(const Catalogue& catalogue, std::string_view shape, const ShapeRequest& request = {});
+MESECINA_API Data make_shape(const Catalogue& catalogue, std::string_view shape, const ShapeRequest& request,
+                             Job& job);
+
+/// Keeps samples, balls, their history and settings, and computes the structures and layers that the caller asks for.
+/// An edit changes the data at once; `run` brings the results up to date, in time that depends on the change, not on the
+/// size of the data.
+///
+/// What it guarantees:
+///  1. After a `run` that returns, every needed structure and every shown layer is that of the present data and
+///     settings. A run computes only what has changed since the run before. Results do not depend on the edits that led
+///     to the data, up to the numbering of rows and instances.
+///  2. Every combinatorial decision about the samples is exact, except with the number type `naive`.
+///  3. A call that is refused with `usage`, `bad_input` or `cancelled` changes neither data nor settings.
+///  4. After a `run` with the error `cannot_compute`, all that does not depend on the failed structures is up to date,
+///     and `structure_reports` has the reasons. The next run that changes their inputs tries them again.
+///  5. After a `run` with the error `cancelled`, instances and digests are as before it, and no table can be read. The
+///     next run completes the work.
+///  6. Results are never outdated: what is read by an id is of the last run, or throws.
+///  7. After an edit, `load` or `open` with the error `out_of_memory`, the workbench can only be destroyed. After such a run
+///     results are errors until a later run succeeds.
+///
+/// Smallest use:
+///     mesecina::Workbench bench;
+///     bench.insert(points);
+///     bench.show({"medial-axis"});
+///     bench.run();
+///     edges = bench.instances("medial-axis", mesecina::PrimitiveKind::segment).size();
+///
+/// Cost: an edit takes O(what it changes), and so does the run after it. A first run takes O(n log n) for the one-step
+/// pipeline; the Delaunay triangulation of a million samples of a curve, for instance, takes 0.4 s on two cores. Lookups
+/// by id take O(structures or layers).
+/// Threads: one thread at a time may use a workbench. Several may call const functions while none calls another one. A
+/// run uses several threads inside, none of which outlives it. Any thread may use the `Job` of a run.
+/// Inside: the workbench wraps the document, history and geometry graph of the program; nothing of these is in this
+/// header, and they may change freely.
+/// Source: the one-step crust and medial axis are those of the theorem in docs/union_of_balls.md, with its references.
+class MESECINA_API Workbench {
+ public:
+  /// Everything that the program has.
+  Workbench();
+  explicit Workbench(const Catalogue& catalogue, const WorkbenchOptions& options = {});
+  ~Workbench();
+  /// A workbench that was moved from can be assigned to and destroyed; every other call throws `usage`.
+  Workbench(Workbench&&) noexcept;
+  Workbench& operator=(Workbench&&) noexcept;
+  const Catalogue& catalogue() const;
+
+  // Files. Formats are those of `Catalogue::formats`; paths are those of the system, in its encoding.
+
+  /// Replaces the data by those of a file. A session sets the settings, too. Error: `bad_input` with file, line and
+  /// column; `usage` for options that do not fit; `cancelled`.
+  OpenedFile open(const std::string& path, const ReadOptions& options = {});
+  OpenedFile open(const std::string& path, const ReadOptions& options, Job& job);
+  /// Does the same for bytes in memory; `name` stands for the file in messages.
+  OpenedFile open_bytes(std::string_view bytes, const std::string& name, const ReadOptions& options = {});
+  OpenedFile open_bytes(std::string_view bytes, const std::string& name, const ReadOptions& options, Job& job);
+  /// Returns the text of a file: "poff" with samples and contours, "wpoff" with balls, or "session" with all data and
+  /// settings, but without the history. Every double reads back bit for bit. Error: `usage` for another format.
+  std::string text(std::string_view format) const;
+  /// Writes that text; an empty format follows from the extension .poff, .wpoff or .json. The file appears complete or
+  /// not at all. Error: `usage`; `cannot_write`.
+  void save(const std::string& path, std::string_view format = {}) const;
+
+  // Data. Error of edits: `usage` for an id that is not alive or is named twice, and `bad_input` or `usage` for a number
+  // out of range; see geometry.h.
+
+  /// Replaces all data. All ids are new; history keeps the step.
+  void load(const Data& data);
+  /// Copies all data, samples and balls in input order. O(n log n).
+  Data data() const;
+  /// Return the new ids, in the order of the arguments.
+  std::vector<SampleId> insert(std::span<const Point> positions);
+  std::vector<BallId> insert_balls(std::span<const Ball> balls);
+  SampleId insert(Point position);
+  BallId insert_ball(const Ball& ball);
+  void move(std::span<const MovedSample> targets);
+  void move(SampleId id, Point to);
+  void change_balls(std::span<const ChangedBall> targets);
+  void remove(std::span<const SampleId> ids);
+  void remove_balls(std::span<const BallId> ids);
+
+  std::size_t sample_count() const;
+  std::size_t ball_count() const;
+  /// In input order. O(n log n).
+  std::vector<SampleId> sample_ids() const;
+  std::vector<BallId> ball_ids() const;
+  /// Nothing: it is not alive.
+  std::optional<Point> position(SampleId id) const;
+  std::optional<Ball> ball(BallId id) const;
+
+  // History. A step of undo is one edit, or all edits between `begin_step` and `end_step` (see `Step`).
+
+  /// Error: `usage` inside another step.
+  void begin_step(const std::string& name);
+  /// Does nothing outside a step.
+  void end_step() noexcept;
+  /// Return false if there is nothing to undo or redo, or a step is open.
+  bool undo();
+  bool redo();
+  bool can_undo() const;
+  bool can_redo() const;
+
+  // Settings. They apply from the next run on.
+
+  /// Error: `usage` for an unknown parameter, a value out of its range, or a fraction where it takes whole numbers.
+  void set(std::string_view parameter, double value);
+  /// Error: `usage` for an unknown parameter.
+  double value(std::string_view parameter) const;
+  /// Error: `usage` for an unknown number type.
+  void set_precision(std::string_view id);
+  std::string precision() const;
+  /// All parameters and the number type get their defaults.
+  void reset_settings();
+
+  // Demand. Each call replaces the one before. Nothing is computed without demand.
+
+  /// Chooses the layers whose instances are computed. Error: `usage` for an unknown layer.
+  void show(std::initializer_list<std::string_view> layers);
+  void show(std::span<const std::string> layers);
+  /// Chooses structures that are computed even if no shown layer reads them. Error: `usage` for an unknown structure.
+  void need(std::initializer_list<std::string_view> structures);
+  void need(std::span<const std::string> structures);
+  /// Later runs collect counters and measures, some of which take O(n).
+  void want_statistics(bool wanted = true);
+  /// Later runs judge the one-step axis, too.
+  void want_findings(bool wanted = true);
+
+  // Computing.
+
+  /// Brings all that is demanded up to date. Error: `cannot_compute` with the first cause, `out_of_memory`, `cancelled`.
+  void run();
+  void run(Job& job);
+  /// Prepares what only the next edit needs, so that it takes less time; tables and instances stay valid. Optional, after
+  /// a run. Ends early, without an error, when the job is stopped.
+  void get_ready();
+  void get_ready(Job& job);
+
+  // Results of the last run. Error: `usage` for an unknown id and for what was not asked for, `cannot_compute` for what
+  // failed, `cancelled` after a run that was stopped.
+
+  std::vector<Table> tables(std::string_view structure) const;
+  /// By the id of a table, as in "delaunay/faces".
+  Table table(std::string_view id) const;
+  /// The instances of one kind of a shown layer, none if the layer does not draw that kind.
+  Instances instances(std::string_view layer, PrimitiveKind kind) const;
+  /// 32 hexadecimal digits that depend on the things drawn, and not on ids, rows, the order of instances or the
+  /// direction of edges. Equal to those of `mesecina compute --digest`.
+  std::string digest(std::string_view layer) const;
+  StatisticValue statistic(std::string_view structure, std::string_view key) const;
+  /// The same for a statistic that is one number. Error: `usage` for another one.
+  double number(std::string_view structure, std::string_view key) const;
+  /// One for each structure of the catalogue, in its order; none before the first run.
+  std::vector<StructureReport> structure_reports() const;
+  std::vector<LayerReport> layer_reports() const;
+  std::vector<Finding> findings() const;
+  Light light() const;
+
+ private:
+  struct Impl;
+  Impl& impl();
+  const Impl& impl() const;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// Makes all edits of a block one step of undo.
+///
+///     const mesecina::Step step(bench, "Straighten");
+class Step {
+ public:
+  Step(Workbench& bench, const std::string& name) : bench_(bench) { bench_.begin_step(name); }
+  ~Step() { bench_.end_step(); }
+  Step(const Step&) = delete;
+  Step& operator=(const Step&) = delete;
+
+ private:
+  Workbench& bench_;
+};
+
+}  // namespace v1
+}  // namespace mesecina
