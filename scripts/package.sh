@@ -1,11 +1,13 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes a Debian package and a portable archive in build/package. Builds of one commit give the same bytes, in whatever
-# folder they are made, with the same packages of the system.
+# Makes Debian packages of the program, of the library and of its headers, and a portable archive of the program, in
+# build/package. Builds of one commit give the same bytes, in whatever folder they are made, with the same packages of the
+# system.
 #
-#   scripts/package.sh            installs what is missing, builds, and makes both
+#   scripts/package.sh            installs what is missing, builds, and makes all of them
 #   scripts/package.sh --check    and checks them: lintian, desktop files, the bytes of a second build in another folder,
-#                                 and both programs in a bare Debian 12 (as root; takes a second build and a download)
+#                                 both programs in a bare Debian 12, and there an example that is built with the headers
+#                                 (as root; takes a second build and a download)
 #
 # The archive holds the program, its assets and documents, and libraries: those that a desktop lacks, and apart from them
 # those that it has. It runs where it is unpacked, with glibc 2.36 or a later one.
@@ -68,31 +70,36 @@ make_archive() {
   rm -rf "$root_folder"
 }
 
-# make_packages FOLDER: prints the names of the package and of the archive.
+# make_packages FOLDER: prints the names of the package of the program, of the archive, and of the packages of the library
+# and of its headers.
 make_packages() {
   (
     cd "$1" || exit 1
     mkdir -p build/package
     rm -f build/package/*.deb build/package/*.tar.xz
     configure_program
-    build release --target mesecina mesecina_documents
+    build release --target mesecina mesecina_documents mesecina_library
     make_archive || fail "the archive could not be made"
-    # Where zsh of Debian looks.
-    configure_program -DMESECINA_ZSH_FOLDER=share/zsh/vendor-completions
+    # Where zsh and the linker of Debian look.
+    configure_program -DMESECINA_ZSH_FOLDER=share/zsh/vendor-completions \
+      -DCMAKE_INSTALL_LIBDIR="lib/$(dpkg-architecture --query DEB_HOST_MULTIARCH)"
     cpack --config build/release/CPackConfig.cmake -B build/package >build/package-cpack.log 2>&1 || {
       cat build/package-cpack.log >&2
       fail "cpack could not make the package"
     }
-    configure_program -UMESECINA_ZSH_FOLDER
-    ls "$1"/build/package/*.deb
+    configure_program -UMESECINA_ZSH_FOLDER -UCMAKE_INSTALL_LIBDIR
+    ls "$1"/build/package/mesecina_*.deb
     ls "$1"/build/package/*.tar.xz
+    ls "$1"/build/package/libmesecina[0-9]*.deb
+    ls "$1"/build/package/libmesecina-dev_*.deb
   )
 }
 
 made=$(make_packages "$root") || exit 1
-{ read -r package && read -r archive; } <<<"$made"
+{ read -r package && read -r archive && read -r library && read -r headers; } <<<"$made"
 say "The package is $package."
 say "The archive is $archive."
+say "The library is $library, and its headers are in $headers."
 if [[ ${1:-} != --check ]]; then exit 0; fi
 
 "$root/scripts/install_packages.sh" package-check || exit 1
@@ -101,7 +108,7 @@ bare=$staged/bare
 trap 'umount "$bare/proc" 2>/dev/null; chmod -R u+w "$staged"; rm -rf --one-file-system "$staged"' EXIT
 
 say "Checking it with lintian ..."
-lintian --fail-on error "$package" || fail "lintian finds errors"
+lintian --fail-on error "$package" "$library" "$headers" || fail "lintian finds errors"
 dpkg-deb --extract "$package" "$staged/files"
 desktop-file-validate "$staged/files/usr/share/applications/mesecina.desktop" || fail "the desktop entry is not valid"
 appstreamcli validate --no-net "$staged"/files/usr/share/metainfo/*.xml || fail "the metadata are not valid"
@@ -111,10 +118,12 @@ say "Building it again in another folder ..."
 mkdir "$staged/elsewhere"
 git ls-files -z --cached --others --exclude-standard | tar -c --null -T - | tar -x -C "$staged/elsewhere"
 made=$(make_packages "$staged/elsewhere") || exit 1
-{ read -r package_again && read -r archive_again; } <<<"$made"
+{ read -r package_again && read -r archive_again && read -r library_again && read -r headers_again; } <<<"$made"
 cmp "$package" "$package_again" || fail "two packages differ"
 cmp "$archive" "$archive_again" || fail "two archives differ"
-say "Both have the same bytes."
+cmp "$library" "$library_again" || fail "two packages of the library differ"
+cmp "$headers" "$headers_again" || fail "two packages of the headers differ"
+say "All have the same bytes."
 
 say "Trying both on a bare Debian 12 ..."
 log=$root/build/package-bare.log
@@ -151,3 +160,14 @@ in_bare "$unpacked/mesecina" render /usr/share/mesecina/shapes/lizard.poff -o /t
   fail "the archive does not draw"
 cmp "$bare/tmp/lizard.png" "$bare/tmp/portable.png" || fail "the archive draws something else"
 say "Both compute and draw there: $root/build/package-picture.png."
+
+say "Building an example with the packages of the library there ..."
+cp "$library" "$headers" "$bare/tmp"
+in_bare apt-get install -y --no-install-recommends "/tmp/$(basename "$library")" "/tmp/$(basename "$headers")" \
+  g++ cmake make pkg-config </dev/null >>"$log" 2>&1 || fail "the library does not install (all of it: $log)"
+in_bare sh -c 'cmake -S /usr/share/doc/libmesecina-dev/examples -B /tmp/example && cmake --build /tmp/example' \
+  >>"$log" 2>&1 || fail "the example does not build (all of it: $log)"
+in_bare /tmp/example/axis_edges /usr/share/mesecina/shapes/lizard.poff >"$staged/edges.csv" || fail "the example fails"
+build/release/mesecina export assets/shapes/lizard.poff --layer medial-axis --format csv >"$staged/exported.csv"
+[[ $(wc -l <"$staged/edges.csv") == $(wc -l <"$staged/exported.csv") ]] || fail "the example has other edges"
+say "The example has the edges of the program."
