@@ -26,7 +26,7 @@ LayerSection drawn(const LayerStack& layers, const LayerListOptions& options, bo
     if ((!only_shown || layers.is_visible(layer)) && matches_search(layers.descriptor(layer), options.search))
       out.rows.push_back(layer);
   out.shown = layers.visible_layers().size();
-  out.size = layers.size();
+  out.size = layers.order().size();
   return out;
 }
 
@@ -35,7 +35,7 @@ LayerSection section_of(const LayerStack& layers, const LayerListOptions& option
   const bool is_hidden_family = options.search.empty() && is_of_another_family(group, options.family);
   for (auto layer = static_cast<LayerIndex>(layers.size()); layer-- > 0;) {
     const LayerDescriptor& descriptor = layers.descriptor(layer);
-    if (descriptor.group != group) continue;
+    if (descriptor.group != group || descriptor.is_removed) continue;
     const bool is_shown = layers.is_visible(layer);
     ++out.size;
     out.shown += is_shown ? 1U : 0U;
@@ -53,7 +53,7 @@ LayerListing list_layers(const LayerStack& layers, const LayerListOptions& optio
   if (options.by_order) {
     out.sections.push_back(drawn(layers, options, options.only_shown));
     out.listed = out.sections.front().rows.size();
-    out.left_out = layers.size() - out.listed;
+    out.left_out = layers.order().size() - out.listed;
     return out;
   }
   if (options.search.empty() && !options.only_shown) {

@@ -19,14 +19,32 @@ void LayerStack::reset() {
   styles_.clear();
   missing_.clear();
   for (LayerIndex layer = 0; layer < descriptors_.size(); ++layer) {
-    order_.push_back(layer);
-    visible_.push_back(descriptors_[layer].visible_at_start);
+    if (!descriptors_[layer].is_removed) order_.push_back(layer);
+    visible_.push_back(descriptors_[layer].visible_at_start && !descriptors_[layer].is_removed);
     styles_.push_back(descriptors_[layer].style);
   }
   solo_ = kNoLayer;
   image_ = {};
   ++revision_;
   ++demand_revision_;
+}
+
+void LayerStack::set_descriptors(std::span<const LayerDescriptor> descriptors) {
+  const LayerConfiguration before = configuration();
+  descriptors_ = descriptors;
+  reset();
+  set_configuration(before);
+  std::vector<LayerIndex> by_index = order_;
+  std::ranges::sort(by_index);
+  for (auto layer = by_index.begin(); layer != by_index.end(); ++layer) {
+    const bool was_named = std::ranges::find(before.layers, descriptors_[*layer].id,
+                                             &LayerConfiguration::Entry::layer) != before.layers.end();
+    if (was_named) continue;
+    visible_[*layer] = descriptors_[*layer].visible_at_start;
+    std::erase(order_, *layer);
+    const auto below = layer == by_index.begin() ? order_.begin() : std::ranges::find(order_, *std::prev(layer)) + 1;
+    order_.insert(below, *layer);
+  }
 }
 
 LayerConfiguration LayerStack::configuration() const {
@@ -93,7 +111,8 @@ void LayerStack::forget_missing() {
 
 LayerIndex LayerStack::find(std::string_view id) const {
   const auto found = std::ranges::find(descriptors_, id, &LayerDescriptor::id);
-  return found == descriptors_.end() ? kNoLayer : static_cast<LayerIndex>(found - descriptors_.begin());
+  if (found == descriptors_.end() || found->is_removed) return kNoLayer;
+  return static_cast<LayerIndex>(found - descriptors_.begin());
 }
 
 void LayerStack::apply(const LayersChanged& change) {

@@ -11,15 +11,20 @@
 
 namespace mes {
 
-/// What it guarantees: `order` is always a permutation of all layers, bottom first; changing it, a style or a
+/// What it guarantees: `order` is always a permutation of all layers that are not removed, bottom first; changing it, a style or a
 /// visibility never asks for geometry by itself: `visible_layers` tells the engine what is wanted, and
 /// `demand_revision` grows only when that answer changed. Cost: O(layers). Threads: none.
 class LayerStack {
  public:
   /// Takes order, visibility and styles from the descriptors.
   explicit LayerStack(std::span<const LayerDescriptor> descriptors);
+  /// Takes the descriptors of a registry that was made from the one before by removals and additions. A layer that is gone
+  /// is a missing one from now on. One that is new looks as a missing one of its id, or else as its descriptor says, above
+  /// the layers that it is above there.
+  void set_descriptors(std::span<const LayerDescriptor> descriptors);
 
-  std::size_t size() const { return order_.size(); }
+  /// Of indices, among them those of layers that were removed. `order` has the others.
+  std::size_t size() const { return descriptors_.size(); }
   const LayerDescriptor& descriptor(LayerIndex layer) const { return descriptors_[layer]; }
   /// kNoLayer when there is none of this id.
   LayerIndex find(std::string_view id) const;

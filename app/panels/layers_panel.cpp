@@ -429,9 +429,9 @@ void LayersPanel::draw_filter_note() {
   const float unit = gui_.unit();
   ImGui::Dummy({0, 4 * unit});
   ImGui::PushFont(gui_.small());
-  const std::string text =
-      listing_.listed == 0 ? "No layer matches"
-                           : "Listed: " + std::to_string(listing_.listed) + " of " + std::to_string(layers_.size());
+  const std::string text = listing_.listed == 0 ? "No layer matches"
+                                                : "Listed: " + std::to_string(listing_.listed) + " of " +
+                                                      std::to_string(layers_.order().size());
   ImGui::AlignTextToFramePadding();
   ImGui::TextDisabled("%s", text.c_str());
   ImGui::SameLine(0, 8 * unit);

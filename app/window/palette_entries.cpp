@@ -62,6 +62,7 @@ void add_layers(const Panels::Uses& uses, Entries& out) {
   LayerStack& layers = uses.work.layers();
   for (LayerIndex layer = 0; layer < layers.size(); ++layer) {
     const LayerDescriptor& descriptor = layers.descriptor(layer);
+    if (descriptor.is_removed) continue;
     out.push_back({.kind = "Layer",
                    .name = std::string(descriptor.name),
                    .explanation = std::string(descriptor.tooltip),

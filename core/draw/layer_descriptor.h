@@ -50,6 +50,7 @@ struct LayerDescriptor {
   std::vector<PrimitiveKind> kinds{};     ///< what it may emit, in drawing order (first = bottom)
   std::vector<std::string> structures{};  ///< ids of the structures it reads
   bool follows_settings = false;          ///< number type or parameters have a say in it
+  bool is_removed = false;                ///< no layer has this index any more
 };
 
 }  // namespace mes

@@ -7,6 +7,7 @@
 #include <deque>
 #include <iterator>
 #include <mutex>
+#include <new>
 #include <optional>
 #include <thread>
 #include <utility>
@@ -16,7 +17,7 @@
 namespace mes {
 
 struct Engine::Impl {
-  Impl(const Registry& registry, Options given) : options(std::move(given)), graph(registry) {
+  Impl(const Registry& first, Options given) : options(std::move(given)), graph(first) {
     found.reserve(kProvenanceWishes);
     if (options.take_instances) graph.make_one_shot(options.take_instances, options.needs_scalars);
     graph.set_on_task([this](std::string_view id) {
@@ -79,8 +80,16 @@ struct Engine::Impl {
     questions.push_back(std::move(question));
   }
 
+  void take_registry() try {
+    if (!next_registry) return;
+    graph.set_registry(*next_registry);
+    registry = std::move(next_registry);
+  } catch (const std::bad_alloc&) {
+    next_registry.reset();
+  }
+
   bool has_to_compute() const {
-    return !deltas.empty() || !variant_steps.empty() || settings || demand_changed ||
+    return next_registry || !deltas.empty() || !variant_steps.empty() || settings || demand_changed ||
            want_statistics != has_statistics || want_findings != has_findings || unfinished;
   }
   bool has_work() const { return has_to_compute() || !questions.empty(); }
@@ -97,6 +106,7 @@ struct Engine::Impl {
       work_there.wait(lock, [&] { return stop.stop_requested() || (has_work() && !status.cancelled); });
       if (stop.stop_requested()) return;
       status.busy = has_to_compute();
+      take_registry();
       for (auto& delta : deltas) graph.post(std::move(delta));
       deltas.clear();
       for (VariantStep& step : variant_steps) {
@@ -182,7 +192,9 @@ struct Engine::Impl {
   }
 
   Options options;
-  Graph graph;  // touched by the engine's thread only
+  std::shared_ptr<const Registry> registry;       // of the graph; null: that of the beginning
+  std::shared_ptr<const Registry> next_registry;  // that the graph has not seen
+  Graph graph;                                    // touched by the engine's thread only
   JobControl job;
   JobControl job_at_leisure;  // stopped by whatever there is to do
   mutable std::mutex mutex;
@@ -218,6 +230,15 @@ struct Engine::Impl {
 Engine::Engine(const Registry& registry, Options options)
     : impl_(std::make_unique<Impl>(registry, std::move(options))) {}
 Engine::~Engine() = default;
+
+void Engine::set_registry(std::shared_ptr<const Registry> registry) {
+  const std::lock_guard lock(impl_->mutex);
+  impl_->stop_answering();
+  impl_->next_registry = std::move(registry);
+  impl_->status.cancelled = false;
+  impl_->job_stop.request_stop();
+  impl_->announce();
+}
 
 void Engine::post(std::shared_ptr<const DocumentDelta> delta) {
   const std::lock_guard lock(impl_->mutex);

@@ -81,6 +81,9 @@ class Engine {
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
+  /// Takes another registry, as `Graph::set_registry`, and keeps it alive. Demand may name its layers from now on. Where
+  /// memory does not suffice, the engine goes on with the one before and does not hear of layers that it lacks.
+  void set_registry(std::shared_ptr<const Registry> registry);
   void post(std::shared_ptr<const DocumentDelta> delta);
   /// Layers to keep up to date. A layer that comes into demand is sent whole (reset); one that leaves costs nothing.
   void set_demand(std::vector<VariantLayer> layers);

@@ -13,10 +13,57 @@
 #include "core/graph/size_refusal.h"
 
 namespace mes {
+namespace {
 
-Graph::Graph(const Registry& registry) : registry_(registry) {
-  add(std::make_unique<Variant>(Variant{.structures = registry_.make_structures()}));
+std::uint64_t next_origin() {
+  static std::atomic<std::uint64_t> count = 0;
+  return ++count;
+}
+
+}  // namespace
+
+Graph::Graph(const Registry& registry) : registry_(&registry) {
+  add(std::make_unique<Variant>(Variant{.structures = registry.make_structures()}));
   samples_ = &structures().get<Samples>();
+}
+
+Graph::Graph(const Registry& registry, const Graph& before)
+    : registry_(&registry), samples_(before.samples_), take_(before.take_), needs_scalars_(before.needs_scalars_) {
+  for (const auto& old : before.variants_) {
+    const StructureSet* const shared = variants_.empty() ? nullptr : &structures();
+    add(std::make_unique<Variant>(
+        Variant{.structures = registry.make_structures(*before.registry_, old->structures, shared, old->has_document),
+                .has_document = old->has_document}));
+  }
+  MES_ASSERT(structures().holds(*samples_));
+  for (StructureNode& node : nodes_) {
+    const auto same = std::ranges::find_if(before.nodes_, [&node](const StructureNode& old) {
+      return old.variant == node.variant && old.structure->id() == node.structure->id();
+    });
+    if (same == before.nodes_.end()) continue;
+    node.needed_itself = same->needed_itself;
+    if (same->structure != node.structure) continue;
+    StructureNode kept = *same;
+    kept.inputs = std::move(node.inputs);
+    kept.settings = node.settings;
+    kept.completes = std::move(node.completes);
+    node = std::move(kept);
+  }
+  before.for_each_layer([this](VariantLayer layer, const LayerNode& old) {
+    if (old.demanded && find(layer) != nullptr) node_of(layer).demanded = true;
+  });
+}
+
+void Graph::set_registry(const Registry& registry) {
+  Graph next(registry, *this);
+  registry_ = &registry;
+  origin_ = next.origin_;
+  nodes_.swap(next.nodes_);
+  variants_.swap(next.variants_);
+  sources_.swap(next.sources_);
+  needed_.swap(next.needed_);
+  demanded_.swap(next.demanded_);
+  demand_changed_ = true;
 }
 
 void Graph::make_one_shot(InstanceTaker take, bool needs_scalars) {
@@ -47,7 +94,7 @@ void Graph::add(std::unique_ptr<Variant> added) {
     }
     nodes_.push_back(std::move(node));
   }
-  for (Layer& layer : registry_.make_layers(variant.structures)) {
+  for (Layer& layer : registry_->make_layers(variant.structures)) {
     LayerNode node;
     const bool is_shared =
         index != kMainVariant && std::ranges::none_of(layer.structures, [&](const Structure* structure) {
@@ -73,6 +120,7 @@ void Graph::add(std::unique_ptr<Variant> added) {
   needed_.reserve(nodes_.size());
   demanded_.reserve(variants_.size() * variant.layers.size());
   demand_changed_ = true;
+  origin_ = next_origin();
 }
 
 void Graph::drop_variants(std::size_t kept) {
@@ -83,11 +131,13 @@ void Graph::drop_variants(std::size_t kept) {
     std::erase_if(node.completes, [kept](VariantLayer layer) { return layer.variant >= kept; });
   variants_.resize(kept);
   demand_changed_ = true;
+  origin_ = next_origin();
 }
 
 const Graph::LayerNode* Graph::find(VariantLayer layer) const {
   if (layer.variant >= variants_.size() || layer.layer >= variants_[layer.variant]->layers.size()) return nullptr;
-  return &variants_[layer.variant]->layers[layer.layer];
+  const LayerNode& node = variants_[layer.variant]->layers[layer.layer];
+  return node.layer.descriptor.is_removed ? nullptr : &node;
 }
 
 void Graph::set_variants(std::span<const VariantRequest> wanted) try {
@@ -98,8 +148,8 @@ void Graph::set_variants(std::span<const VariantRequest> wanted) try {
   drop_variants(kept);
   while (variants_.size() <= wanted.size()) {
     const bool has_document = wanted[variants_.size() - 1].has_document;
-    add(std::make_unique<Variant>(
-        Variant{.structures = registry_.make_structures(&structures(), has_document), .has_document = has_document}));
+    add(std::make_unique<Variant>(Variant{.structures = registry_->make_structures(&structures(), has_document),
+                                          .has_document = has_document}));
   }
   for (std::size_t i = 0; i < wanted.size(); ++i)
     variants_[i + 1]->structures.get<SettingsSource>().post(wanted[i].settings);
@@ -467,19 +517,18 @@ void Graph::report_node(StructureNode& node, NodeReport& report) {
   report.stats = node.stats;
 }
 
-// What is not needed is most of all, so nothing is written again that stands there. The main computation has the same
-// structures in each graph, and a report that is not empty is of some graph.
+// What is not needed is most of all, so nothing is written again that stands there.
 void Graph::report_inactive(const StructureNode& node, NodeReport& report) const {
-  const std::string_view id = node.structure->id();
-  const bool is_named = node.variant == kMainVariant ? !report.structure.empty() : report.structure == id;
-  if (is_named && report.variant == node.variant && report.state == NodeState::inactive) return;
+  if (!report.structure.empty() && report.state == NodeState::inactive) return;
   report = {};
-  report.structure = id;
+  report.structure = node.structure->id();
   report.variant = node.variant;
   report.kernel = node.structure->kernel();
 }
 
 void Graph::report(FramePatch& out) {
+  // A patch that is used again may be about others.
+  if (std::exchange(out.origin, origin_) != origin_) out.nodes.clear();
   out.nodes.resize(nodes_.size());
   auto needed = needed_.begin();
   for (std::size_t i = 0; i < nodes_.size(); ++i) {

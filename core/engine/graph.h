@@ -45,8 +45,13 @@ namespace mes {
 /// as soon as their structures are done, while it goes on with the structures after those; none is left at its end.
 class Graph {
  public:
-  /// The registry has to outlive it.
+  /// The registry has to outlive it, or its place as the registry of the graph.
   explicit Graph(const Registry& registry);
+  /// Takes another registry, made from the present one by removals and additions. Structures that both have, with what
+  /// they are computed from, stay as they are; others are gone or new. Demand of layers that are gone ends, and all
+  /// others are sent whole by the next run. The present registry is not needed any more. Lack of memory throws
+  /// `std::bad_alloc` and changes nothing.
+  void set_registry(const Registry& registry);
 
   /// Takes instances of layers. Those of one layer come in order, from one thread; several layers may come at once.
   using InstanceTaker = std::function<void(const InstancePiece&)>;
@@ -140,6 +145,8 @@ class Graph {
     std::vector<LayerNode> layers{};  ///< by position in the registry
   };
 
+  /// The graph of another registry, with what both have of the structures of `before`, and its demand.
+  Graph(const Registry& registry, const Graph& before);
   void add(std::unique_ptr<Variant> variant);
   void drop_variants(std::size_t kept);
   LayerNode& node_of(VariantLayer layer) { return variants_[layer.variant]->layers[layer.layer]; }
@@ -177,7 +184,8 @@ class Graph {
                                                 JobControl& job) const;
   double lap_ms();
 
-  const Registry& registry_;
+  const Registry* registry_;
+  std::uint64_t origin_ = 0;                        // of the nodes, among those of all graphs
   std::vector<std::unique_ptr<Variant>> variants_;  // the main one first
   const Samples* samples_ = nullptr;                // of the main one
   std::vector<StructureNode> nodes_;                // variant by variant, inputs before their consumers

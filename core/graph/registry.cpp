@@ -2,6 +2,7 @@
 #include "core/graph/registry.h"
 
 #include <algorithm>
+#include <unordered_set>
 #include <utility>
 
 #include "core/graph/source_structure.h"
@@ -16,28 +17,89 @@ bool follows_settings(const Structure& structure) {
   return std::ranges::any_of(structure.inputs(), [](const Structure* input) { return follows_settings(*input); });
 }
 
+bool reads(std::span<const std::string> ids, std::string_view id) {
+  return std::ranges::find(ids, id) != ids.end();
+}
+
 }  // namespace
 
-void Registry::add_structure(const MakeStructure& make) {
-  std::unique_ptr<Structure> prototype = make(prototypes_);
-  MES_ASSERT(std::ranges::find(structure_ids_, prototype->id()) == structure_ids_.end());
-  StructureEntry entry{.make = make, .inputs = {}};
+Registry::Registry(const Registry& other)
+    : evolutions_(other.evolutions_),
+      shapes_(other.shapes_),
+      parameters_(other.parameters_),
+      structures_(other.structures_),
+      layer_entries_(other.layer_entries_),
+      layers_(other.layers_) {
+  make_prototypes();
+}
+
+Registry& Registry::operator=(Registry other) noexcept {
+  std::swap(evolutions_, other.evolutions_);
+  std::swap(shapes_, other.shapes_);
+  std::swap(parameters_, other.parameters_);
+  std::swap(prototypes_, other.prototypes_);
+  std::swap(structures_, other.structures_);
+  std::swap(structure_ids_, other.structure_ids_);
+  std::swap(layer_entries_, other.layer_entries_);
+  std::swap(layers_, other.layers_);
+  return *this;
+}
+
+void Registry::make_prototypes() {
+  prototypes_ = make_structures();
+  structure_ids_.clear();
+  for (const auto& spec : structures_) structure_ids_.push_back(spec->id);
+}
+
+void Registry::add_structure(MakeStructure make) {
+  std::shared_ptr<Structure> prototype = make(prototypes_);
+  auto spec = std::make_shared<StructureSpec>(StructureSpec{.id = std::string(prototype->id())});
+  MES_ASSERT(find_spec(spec->id) == nullptr);
   for (const Structure* input : prototype->inputs()) {
-    const auto all = prototypes_.all();
-    const auto found = std::ranges::find(all, input, &std::unique_ptr<Structure>::get);
-    MES_ASSERT(found != all.end());
-    entry.inputs.push_back(static_cast<std::size_t>(found - all.begin()));
+    MES_ASSERT(find_spec(input->id()) != nullptr);
+    spec->inputs.emplace_back(input->id());
   }
+  spec->make = std::move(make);
   if (const auto* const source = dynamic_cast<const SourceStructure*>(prototype.get()))
-    entry.is_of_document = source->is_of_document();
-  structures_.push_back(std::move(entry));
-  structure_ids_.push_back(prototype->id());
+    spec->is_of_document = source->is_of_document();
+  structures_.push_back(std::move(spec));
+  structure_ids_.push_back(structures_.back()->id);
   prototypes_.add(std::move(prototype));
+}
+
+const StructureSpec* Registry::find_spec(std::string_view id) const {
+  const auto found =
+      std::ranges::find(structures_, id, [](const auto& spec) -> std::string_view { return spec->id; });
+  return found == structures_.end() ? nullptr : found->get();
+}
+
+bool Registry::remove_structure(std::string_view id) {
+  if (find_spec(id) == nullptr) return false;
+  std::vector<std::string> gone{std::string(id)};
+  const auto is_lost = [&gone](std::span<const std::string> read) {
+    return std::ranges::any_of(read, [&gone](const std::string& one) { return reads(gone, one); });
+  };
+  // Inputs stand before what reads them.
+  for (const auto& spec : structures_)
+    if (is_lost(spec->inputs)) gone.push_back(spec->id);
+  std::erase_if(structures_, [&gone](const auto& spec) { return reads(gone, spec->id); });
+  std::erase_if(layer_entries_, [&](LayerEntry& entry) {
+    const bool is_affected = is_lost(entry.reads);
+    for (const LayerIndex place : entry.places)
+      if (is_affected && place != kNoLayer) layers_[place].is_removed = true;
+    return is_affected;
+  });
+  make_prototypes();
+  return true;
 }
 
 void Registry::add_parameter(Parameter parameter) {
   MES_ASSERT(find_parameter(parameter.id) == nullptr);
   parameters_.push_back(std::move(parameter));
+}
+
+bool Registry::remove_parameter(std::string_view id) {
+  return std::erase_if(parameters_, [id](const Parameter& parameter) { return parameter.id == id; }) != 0;
 }
 
 const Parameter* Registry::find_parameter(std::string_view id) const {
@@ -53,40 +115,77 @@ void Registry::add_layer(const MakeLayer& make) {
   });
 }
 
-void Registry::add_layers(const MakeLayers& make) {
+void Registry::add_layers(MakeLayers make) {
+  LayerEntry entry;
   for (Layer& layer : make(prototypes_)) {
-    MES_ASSERT(find_layer(layer.descriptor.id) == kNoLayer);
     layer.descriptor.follows_settings = std::ranges::any_of(
         layer.structures, [](const Structure* structure) { return follows_settings(*structure); });
-    layers_.push_back(std::move(layer.descriptor));
+    for (const Structure* structure : layer.structures) entry.reads.emplace_back(structure->id());
+    const auto place = std::ranges::find(layers_, layer.descriptor.id, &LayerDescriptor::id);
+    MES_ASSERT(place == layers_.end() || place->is_removed);
+    entry.places.push_back(static_cast<LayerIndex>(place - layers_.begin()));
+    if (place == layers_.end())
+      layers_.push_back(std::move(layer.descriptor));
+    else
+      *place = std::move(layer.descriptor);
   }
-  make_layers_.push_back(make);
+  entry.make = std::move(make);
+  layer_entries_.push_back(std::move(entry));
+}
+
+bool Registry::remove_layer(std::string_view id) {
+  const LayerIndex layer = find_layer(id);
+  if (layer == kNoLayer) return false;
+  layers_[layer].is_removed = true;
+  for (LayerEntry& entry : layer_entries_) std::ranges::replace(entry.places, layer, kNoLayer);
+  std::erase_if(layer_entries_, [](const LayerEntry& entry) {
+    return std::ranges::all_of(entry.places, [](LayerIndex place) { return place == kNoLayer; });
+  });
+  return true;
 }
 
 LayerIndex Registry::find_layer(std::string_view id) const {
   const auto found = std::ranges::find(layers_, id, &LayerDescriptor::id);
-  return found == layers_.end() ? kNoLayer : static_cast<LayerIndex>(found - layers_.begin());
+  if (found == layers_.end() || found->is_removed) return kNoLayer;
+  return static_cast<LayerIndex>(found - layers_.begin());
 }
 
-// A structure all of whose inputs a variant shares is shared, too.
 StructureSet Registry::make_structures(const StructureSet* shared, bool has_document) const {
+  return make_structures(*this, StructureSet(), shared, has_document);
+}
+
+StructureSet Registry::make_structures(const Registry& other, const StructureSet& kept, const StructureSet* shared,
+                                       bool has_document) const {
   StructureSet set(shared);
-  std::vector<bool> is_own;
-  for (const StructureEntry& entry : structures_) {
-    const bool follows_own =
-        std::ranges::any_of(entry.inputs, [&is_own](std::size_t input) { return is_own[input]; });
-    const bool is_source = entry.inputs.empty();
-    is_own.push_back(shared == nullptr || (is_source ? !entry.is_of_document || has_document : follows_own));
-    if (is_own.back()) set.add(entry.make(set));
+  std::unordered_set<std::string_view> own;
+  const auto is_in_place = [&](const Structure* input) {
+    return set.holds(*input) || (shared != nullptr && shared->holds(*input));
+  };
+  for (const auto& spec : structures_) {
+    // A structure all of whose inputs a variant shares is shared, too.
+    const bool follows_own = std::ranges::any_of(spec->inputs, [&own](const auto& id) { return own.contains(id); });
+    const bool is_source = spec->inputs.empty();
+    if (shared != nullptr && !(is_source ? !spec->is_of_document || has_document : follows_own)) continue;
+    own.insert(spec->id);
+    const auto before =
+        std::ranges::find(kept.all(), spec->id, [](const auto& structure) { return structure->id(); });
+    const bool is_kept = before != kept.all().end() && other.find_spec(spec->id) == spec.get() &&
+                         std::ranges::all_of((*before)->inputs(), is_in_place);
+    set.add(is_kept ? *before : std::shared_ptr<Structure>(spec->make(set)));
   }
   return set;
 }
 
 std::vector<Layer> Registry::make_layers(const StructureSet& structures) const {
-  std::vector<Layer> out;
-  out.reserve(layers_.size());
-  for (const MakeLayers& make : make_layers_)
-    for (Layer& layer : make(structures)) out.push_back(std::move(layer));
+  std::vector<Layer> out(layers_.size());
+  for (LayerIndex layer = 0; layer < out.size(); ++layer)
+    if (layers_[layer].is_removed) out[layer].descriptor = layers_[layer];
+  for (const LayerEntry& entry : layer_entries_) {
+    std::vector<Layer> made = entry.make(structures);
+    MES_ASSERT(made.size() == entry.places.size());
+    for (std::size_t i = 0; i < made.size(); ++i)
+      if (entry.places[i] != kNoLayer) out[entry.places[i]] = std::move(made[i]);
+  }
   return out;
 }
 

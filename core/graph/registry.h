@@ -55,6 +55,14 @@ class NamedList {
   std::vector<std::shared_ptr<const T>> things_;  // as many as ids
 };
 
+/// What a registry knows of a structure.
+struct StructureSpec {
+  std::string id{};
+  std::vector<std::string> inputs{};  ///< ids
+  std::function<std::unique_ptr<Structure>(const StructureSet&)> make{};
+  bool is_of_document = false;  ///< a source that a variant without a document shares
+};
+
 /// Smallest use:
 ///     Registry registry;
 ///     registry.add_structure<Samples>();
@@ -62,16 +70,26 @@ class NamedList {
 ///     registry.add_layer(make_points_layer);
 ///     Graph graph(registry);
 ///
+/// What it guarantees: a layer keeps its index. It is not given to a layer of another id after a removal, and the layer
+/// has it again when its id is added again. A copy has the same things at the same indices, and changes by itself. So
+/// what grows and shrinks while the program runs is a copy, which graphs then follow (`Graph::set_registry`).
+///
 /// Each structure and each layer is made once when it is added, without data, to know its id, what it reads and how it
-/// is drawn. Threads: several may read while none adds.
+/// is drawn; a copy and a removal make all of them again. Threads: several may read while none changes it.
 class Registry {
  public:
-  using MakeStructure = std::function<std::unique_ptr<Structure>(const StructureSet&)>;
+  Registry() = default;
+  Registry(const Registry& other);
+  Registry(Registry&&) = default;
+  Registry& operator=(Registry other) noexcept;
+  ~Registry() = default;
+
+  using MakeStructure = decltype(StructureSpec::make);
   using MakeLayer = std::function<Layer(const StructureSet&)>;
   using MakeLayers = std::function<std::vector<Layer>(const StructureSet&)>;
 
   /// A structure whose inputs have been added before. Its id must be new.
-  void add_structure(const MakeStructure& make);
+  void add_structure(MakeStructure make);
   /// A structure whose constructor takes the given inputs.
   template <class S, class... Inputs>
   void add_structure() {
@@ -80,7 +98,13 @@ class Registry {
   /// A layer above those that have been added before, over structures that have been. Its id must be new.
   void add_layer(const MakeLayer& make);
   /// Several of them, bottom first.
-  void add_layers(const MakeLayers& make);
+  void add_layers(MakeLayers make);
+
+  /// With it goes what is computed from it: structures, and layers that read one of them together with those that were
+  /// added in the same call. False: there is none.
+  bool remove_structure(std::string_view id);
+  bool remove_layer(std::string_view id);
+  bool remove_parameter(std::string_view id);
 
   /// Evolutions (core/evolutions/evolution.h).
   NamedList<Evolution>& evolutions() { return evolutions_; }
@@ -94,11 +118,12 @@ class Registry {
 
   /// In the order in which they were added.
   std::span<const Parameter> parameters() const { return parameters_; }
-  /// Null: there is none with that id. Valid until one is added.
+  /// Null: there is none with that id. Valid until one is added or removed.
   const Parameter* find_parameter(std::string_view id) const;
   /// Public ids, inputs before consumers.
   std::span<const std::string_view> structures() const { return structure_ids_; }
-  /// In default stacking order: first = bottom. A `LayerIndex` is a position here.
+  /// In default stacking order: first = bottom. A `LayerIndex` is a position here, so that places of layers that were
+  /// removed are among them (`LayerDescriptor::is_removed`). Valid until one is added or removed.
   std::span<const LayerDescriptor> layers() const { return layers_; }
   /// The position of a public id, or kNoLayer.
   LayerIndex find_layer(std::string_view id) const;
@@ -108,23 +133,29 @@ class Registry {
   /// A variant of a shared set has settings of its own, samples and balls of its own if it has a document, and whatever
   /// depends on these: the others are not made.
   StructureSet make_structures(const StructureSet* shared = nullptr, bool has_document = false) const;
-  /// Every layer over the given structures, by position.
+  /// The same, where a set of another registry is at hand: structures of equal specs and kept inputs are those of `kept`.
+  StructureSet make_structures(const Registry& other, const StructureSet& kept, const StructureSet* shared,
+                               bool has_document) const;
+  /// Every layer over the given structures, by position; nothing at the places of those that were removed.
   std::vector<Layer> make_layers(const StructureSet& structures) const;
 
  private:
-  struct StructureEntry {
-    MakeStructure make;
-    std::vector<std::size_t> inputs;  ///< positions
-    bool is_of_document = false;      ///< a source that a variant without a document shares
+  struct LayerEntry {
+    MakeLayers make;
+    std::vector<LayerIndex> places{};  ///< of what it makes; kNoLayer: removed
+    std::vector<std::string> reads{};  ///< ids of structures
   };
+
+  void make_prototypes();
+  const StructureSpec* find_spec(std::string_view id) const;
 
   NamedList<Evolution> evolutions_;
   NamedList<ShapeDescriptor> shapes_;
   std::vector<Parameter> parameters_;
   StructureSet prototypes_;
-  std::vector<StructureEntry> structures_;
+  std::vector<std::shared_ptr<const StructureSpec>> structures_;
   std::vector<std::string_view> structure_ids_;
-  std::vector<MakeLayers> make_layers_;
+  std::vector<LayerEntry> layer_entries_;
   std::vector<LayerDescriptor> layers_;
 };
 

@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <typeinfo>
 #include <vector>
@@ -84,7 +85,7 @@ class Structure {
   bool forgoes_updates() const { return forgoes_updates_; }
 
  private:
-  std::string_view id_;
+  std::string id_;
   std::vector<Structure*> inputs_;
   bool forgoes_updates_ = false;
 };
@@ -104,9 +105,9 @@ class StructureSet {
     if (shared_ != nullptr) return shared_->get<T>();
     assertion_failed("a structure is listed after its inputs", __FILE_NAME__, __LINE__);
   }
-  void add(std::unique_ptr<Structure> structure) { structures_.push_back(std::move(structure)); }
+  void add(std::shared_ptr<Structure> structure) { structures_.push_back(std::move(structure)); }
   /// Without those of the shared set.
-  std::span<const std::unique_ptr<Structure>> all() const { return structures_; }
+  std::span<const std::shared_ptr<Structure>> all() const { return structures_; }
   bool holds(const Structure& structure) const {
     return std::ranges::any_of(structures_, [&](const auto& own) { return own.get() == &structure; });
   }
@@ -114,7 +115,7 @@ class StructureSet {
 
  private:
   const StructureSet* shared_;
-  std::vector<std::unique_ptr<Structure>> structures_;
+  std::vector<std::shared_ptr<Structure>> structures_;  // of two sets while a graph changes its registry
 };
 
 }  // namespace mes

@@ -45,6 +45,14 @@ Workbench::Workbench(const Registry& registry, WorkbenchOptions options)
   options_.keeps_history = options_.keeps_history && options_.keeps_document;
 }
 
+void Workbench::set_registry(const Registry& registry) {
+  graph_->set_registry(registry);
+  graph_->set_demand(shown_);
+  registry_ = &registry;
+  patch_.nodes.clear();
+  patch_.reports.clear();
+}
+
 Expected<LoadedFile> Workbench::open(const std::filesystem::path& path, JobControl& job, const ReadRequest& request,
                                      std::string_view format) {
   return take(read_sample_file(path, format, &job, request));

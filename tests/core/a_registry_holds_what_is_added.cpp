@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <map>
+#include <optional>
 #include <set>
+#include <string>
 
+#include "core/base/rng.h"
 #include "core/builtins/builtins.h"
 #include "core/document/commands.h"
+#include "core/engine/engine.h"
 #include "core/engine/graph.h"
 #include "core/structures/delaunay/delaunay.h"
+#include "core/workbench/workbench.h"
 
 using namespace mes;
 
@@ -108,4 +114,211 @@ TEST_CASE("what is added to the program's own is computed with it, and is nowher
   CHECK(first.data == std::vector<double>{1, 0, 0, 2, 0});
   const KindPatch second = run(insert_samples(document, std::vector<Vec2>{{0, 9}}));
   CHECK(second.count == 1);
+}
+
+namespace {
+
+/// Layer number i of some that read nothing but the samples, all in one call or each in its own.
+Layer make_numbered_layer(const StructureSet& set, int i) {
+  const auto& delaunay = set.get<Delaunay>();
+  return {.descriptor = {.id = "numbered-" + std::to_string(i), .kinds = {PrimitiveKind::segment}},
+          .structures = {&delaunay},
+          .parts = {}};
+}
+
+Registry with_longest_edges() {
+  Registry registry = builtins();
+  registry.add_structure<LongestEdges, Delaunay>();
+  registry.add_layer(make_long_edges_layer);
+  return registry;
+}
+
+const std::vector<Vec2> kFive{{0, 0}, {4, 0}, {5, 3}, {1, 6}, {2, 2}};
+
+std::vector<double> instances_of(const Workbench& bench, std::string_view layer) {
+  const auto found = bench.instances(layer, PrimitiveKind::segment);
+  REQUIRE(found);
+  return {found->begin(), found->end()};
+}
+
+}  // namespace
+
+TEST_CASE("a layer keeps its index while others come and go, and has it again") {
+  Rng rng(5);
+  Registry registry = builtins();
+  const std::size_t own = registry.layers().size();
+  std::map<std::string, LayerIndex> index_of;
+  std::set<std::string> there;
+  for (int step = 0; step < 300; ++step) {
+    const int first = static_cast<int>(rng.below(12));
+    const std::string id = "numbered-" + std::to_string(first);
+    if (there.contains(id)) {
+      CHECK(registry.remove_layer(id));
+      CHECK_FALSE(registry.remove_layer(id));
+      there.erase(id);
+    } else {
+      // Together with the next one, where that is not there either.
+      const std::string next = "numbered-" + std::to_string(first + 1);
+      const bool is_pair = !there.contains(next) && rng.below(2) == 0;
+      registry.add_layers([first, is_pair](const StructureSet& set) {
+        std::vector<Layer> out;
+        out.push_back(make_numbered_layer(set, first));
+        if (is_pair) out.push_back(make_numbered_layer(set, first + 1));
+        return out;
+      });
+      there.insert(id);
+      if (is_pair) there.insert(next);
+    }
+    if (rng.below(8) == 0) registry = Registry(registry);
+    for (const std::string& one : there) {
+      const LayerIndex index = registry.find_layer(one);
+      REQUIRE(index != kNoLayer);
+      CHECK(index >= own);
+      CHECK(index_of.try_emplace(one, index).first->second == index);
+    }
+    const std::vector<Layer> layers = registry.make_layers(registry.make_structures());
+    REQUIRE(layers.size() == registry.layers().size());
+    for (LayerIndex i = 0; i < layers.size(); ++i) {
+      const LayerDescriptor& descriptor = registry.layers()[i];
+      CHECK(layers[i].descriptor.id == descriptor.id);
+      CHECK(layers[i].descriptor.is_removed == descriptor.is_removed);
+      CHECK(descriptor.is_removed == (registry.find_layer(descriptor.id) == kNoLayer));
+      CHECK((i < own || descriptor.is_removed != there.contains(descriptor.id)));
+    }
+  }
+  CHECK(index_of.size() == 13);
+}
+
+TEST_CASE("what is computed from a structure goes with it") {
+  Registry registry = with_longest_edges();
+  const std::size_t structures = registry.structures().size();
+  CHECK_FALSE(registry.remove_structure("no-such-structure"));
+  CHECK(registry.remove_structure("longest-edges"));
+  CHECK(registry.structures().size() + 1 == structures);
+  CHECK(registry.find_layer("long-edges") == kNoLayer);
+  CHECK(registry.find_layer("delaunay") == builtins().find_layer("delaunay"));
+
+  CHECK(registry.remove_structure("delaunay"));
+  CHECK(registry.find_layer("delaunay") == kNoLayer);
+  CHECK(registry.find_layer("medial-axis") == kNoLayer);
+  CHECK(registry.find_layer("points") == builtins().find_layer("points"));
+  const StructureSet set = registry.make_structures();
+  CHECK(std::ranges::none_of(set.all(), [](const auto& structure) {
+    return std::ranges::any_of(structure->inputs(), [](const Structure* input) { return input->id() == "delaunay"; });
+  }));
+  // A copy goes its own way.
+  CHECK(with_longest_edges().find_layer("medial-axis") != kNoLayer);
+
+  registry.add_parameter({.id = "reach"});
+  REQUIRE(registry.find_parameter("reach") != nullptr);
+  CHECK(registry.remove_parameter("reach"));
+  CHECK(registry.find_parameter("reach") == nullptr);
+  CHECK_FALSE(registry.remove_parameter("reach"));
+}
+
+TEST_CASE("a workbench whose registry changes computes what is new, and nothing else") {
+  const Registry larger = with_longest_edges();
+  Workbench bench(builtins());
+  JobControl job;
+  std::vector<std::string> computed;
+  bench.set_on_task([&computed](std::string_view id) { computed.emplace_back(id); });
+  const auto ids = bench.insert(kFive);
+  REQUIRE(ids);
+  REQUIRE(bench.show({"delaunay", "medial-axis"}));
+  REQUIRE(bench.run(job));
+  const std::vector<double> edges = instances_of(bench, "delaunay");
+  REQUIRE_FALSE(bench.show({"long-edges"}));
+
+  bench.set_registry(larger);
+  // There are no results of a run that has not been.
+  CHECK_FALSE(bench.instances("delaunay", PrimitiveKind::segment));
+  REQUIRE(bench.show({"delaunay", "medial-axis", "long-edges"}));
+  computed.clear();
+  REQUIRE(bench.run(job));
+  std::erase(computed, "layers");
+  CHECK(computed == std::vector<std::string>{"longest-edges"});
+  CHECK(instances_of(bench, "delaunay") == edges);
+  CHECK(instances_of(bench, "long-edges") == std::vector<double>{0, 0, 1, 6, 0});
+
+  // Structures that stayed follow the next edit locally.
+  REQUIRE(bench.move(std::vector{std::pair((*ids)[2], Vec2{7, 3})}));
+  REQUIRE(bench.run(job));
+  const auto node = std::ranges::find(bench.nodes(), "delaunay", &NodeReport::structure);
+  REQUIRE(node != bench.nodes().end());
+  CHECK_FALSE(node->rebuilt);
+  CHECK(instances_of(bench, "long-edges").size() == 5);
+
+  bench.set_registry(builtins());
+  CHECK_FALSE(bench.show({"long-edges"}));
+  computed.clear();
+  REQUIRE(bench.run(job));
+  std::erase(computed, "layers");
+  CHECK(computed.empty());
+  CHECK(bench.instances("long-edges", PrimitiveKind::segment).error().text == "unknown layer \"long-edges\"");
+  Workbench fresh(builtins());
+  REQUIRE(fresh.load(data_of(bench.document())));
+  REQUIRE(fresh.show({"delaunay", "medial-axis"}));
+  REQUIRE(fresh.run(job));
+  for (const char* layer : {"delaunay", "medial-axis"}) CHECK(*bench.digest(layer) == *fresh.digest(layer));
+  CHECK(bench.undo());
+  REQUIRE(bench.run(job));
+  CHECK(instances_of(bench, "delaunay").size() == edges.size());
+}
+
+TEST_CASE("variants and their documents outlast a change of the registry") {
+  const Registry larger = with_longest_edges();
+  SampleData other;
+  other.positions = {{0, 0}, {3, 0}, {0, 1}};
+  ComputationSettings naive;
+  naive.precision = Precision::naive;
+  Workbench bench(builtins());
+  JobControl job;
+  REQUIRE(bench.insert(kFive));
+  REQUIRE(bench.compare_with(
+      std::vector<WorkbenchVariant>{{.data = std::make_shared<const SampleData>(other)}, {.settings = naive}}));
+  bench.set_registry(larger);
+  const LayerIndex added = larger.find_layer("long-edges");
+  bench.show({VariantLayer(kMainVariant, added), VariantLayer(1, added)});
+  REQUIRE(bench.run(job));
+  CHECK(bench.mirror().count(VariantLayer(kMainVariant, added), PrimitiveKind::segment) == 1);
+  const auto longest = bench.mirror().instances(VariantLayer(1, added), PrimitiveKind::segment);
+  CHECK(std::vector<double>(longest.begin(), longest.end()) == std::vector<double>{3, 0, 0, 1, 0});
+}
+
+TEST_CASE("an engine takes another registry while it works") {
+  const auto larger = std::make_shared<const Registry>(with_longest_edges());
+  const LayerIndex added = larger->find_layer("long-edges");
+  Engine engine(builtins(), {});
+  LayerMirror mirror;
+  const auto take = [&] {
+    while (auto patch = engine.sync()) {
+      mirror.apply(*patch);
+      engine.recycle(std::move(patch));
+    }
+  };
+  Document document;
+  const auto post = [&](const Expected<DocumentDelta>& delta) {
+    REQUIRE(delta);
+    document.apply(*delta);
+    engine.post(std::make_shared<const DocumentDelta>(*delta));
+  };
+  const LayerIndex delaunay = builtins().find_layer("delaunay");
+  engine.set_demand({delaunay});
+  post(insert_samples(document, kFive));
+  engine.set_registry(larger);
+  engine.set_demand({delaunay, added});
+  post(insert_samples(document, std::vector<Vec2>{{9, 9}}));
+  take();
+  CHECK(mirror.count(added, PrimitiveKind::segment) == 1);
+  engine.set_registry(std::make_shared<const Registry>(builtins()));
+  engine.set_demand({delaunay, added});
+  post(insert_samples(document, std::vector<Vec2>{{2, 9}}));
+  take();
+  // The indices of layers that are gone mean nothing, and harm nobody.
+  Workbench fresh(builtins());
+  JobControl job;
+  REQUIRE(fresh.load(data_of(document)));
+  REQUIRE(fresh.show({"delaunay"}));
+  REQUIRE(fresh.run(job));
+  CHECK(mirror.digest(delaunay) == *fresh.digest("delaunay"));
 }

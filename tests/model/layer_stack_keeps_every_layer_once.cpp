@@ -207,3 +207,43 @@ TEST_CASE("layers that are missing keep their places and styles") {
   stack.forget_missing();
   CHECK(stack.configuration() == before);
 }
+
+TEST_CASE("layers come and go, and those that stay look as before") {
+  const auto five = five_layers();
+  LayerStack stack(five);
+  stack.move(0, 3, true);
+  stack.set_visible(3, true);
+  LayerStyle wide = stack.style(2);
+  wide.line_width_px = 7.0;
+  stack.set_style(2, wide);
+
+  // "c" and "e" are gone; "f", which is shown at start, and "g" are new.
+  auto other = five;
+  other[2].is_removed = other[4].is_removed = true;
+  for (const std::string_view id : {"f", "g"}) {
+    other.push_back(five[1]);
+    other.back().id = id;
+    other.back().visible_at_start = id == "f";
+  }
+  const std::uint64_t demand = stack.demand_revision();
+  stack.set_descriptors(other);
+  CHECK(order_of(stack) == std::vector<LayerIndex>{1, 3, 5, 6, 0});
+  CHECK(stack.visible_layers() == std::vector<LayerIndex>{1, 3, 5, 0});
+  CHECK(stack.demand_revision() > demand);
+  CHECK(stack.find("c") == kNoLayer);
+  CHECK(stack.missing_count() == 2);
+
+  // They come back, and look as they did.
+  auto again = other;
+  again[2].is_removed = false;
+  again[5].is_removed = true;
+  stack.set_visible(6, true);
+  stack.set_descriptors(again);
+  CHECK(order_of(stack) == std::vector<LayerIndex>{1, 2, 3, 6, 0});
+  CHECK(stack.style(2) == wide);
+  CHECK_FALSE(stack.is_visible(2));
+  CHECK(stack.is_visible(6));
+  CHECK(stack.missing_count() == 2);
+  stack.reset();
+  CHECK(order_of(stack) == std::vector<LayerIndex>{0, 1, 2, 3, 6});
+}
