@@ -32,7 +32,7 @@ set(rooms
   "core/layers/union: core/layers/parts core/structures/balls"
   "core/layers: core/base core/draw core/graph core/layers/parts core/layers/union core/structures/*"
   "core/evolutions: core/base core/document core/graph core/structures/crust"
-  "core/builtins: core/shapes core/graph core/layers core/evolutions core/structures/*"
+  "core/builtins: core/io core/shapes core/graph core/layers core/evolutions core/structures/*"
   "core/engine: core/base core/draw core/document core/graph core/structures/inputs"
   "core/workbench: core/base core/kernel core/draw core/document core/io core/graph core/engine"
   "core/resampling: core/base core/kernel core/curves core/document core/draw core/graph core/builtins core/engine core/workbench core/evolutions core/structures/*"

@@ -2,6 +2,7 @@
 #include "core/builtins/builtins.h"
 
 #include "core/evolutions/evolution.h"
+#include "core/io/format_spec.h"
 #include "core/layers/layers.h"
 #include "core/shapes/shape.h"
 #include "core/structures/alpha/structures.h"
@@ -30,6 +31,7 @@ void add_builtins(Registry& registry) {
   add_pole_structures(registry);
   add_layers(registry);
   add_evolutions(registry);
+  add_formats(registry.formats());
   for (const ShapeDescriptor& shape : shapes())
     registry.shapes().add(shape.id, std::make_shared<const ShapeDescriptor>(shape));
 }

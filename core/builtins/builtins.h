@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program's own structures, layers, parameters, evolutions and shapes, as a registry.
+// The program's own structures, layers, parameters, evolutions, shapes and file formats, as a registry.
 #pragma once
 
 #include "core/graph/registry.h"

@@ -5,6 +5,7 @@
 #include <unordered_set>
 #include <utility>
 
+#include "core/base/assert.h"
 #include "core/graph/source_structure.h"
 
 namespace mes {
@@ -26,6 +27,7 @@ bool reads(std::span<const std::string> ids, std::string_view id) {
 Registry::Registry(const Registry& other)
     : evolutions_(other.evolutions_),
       shapes_(other.shapes_),
+      formats_(other.formats_),
       parameters_(other.parameters_),
       structures_(other.structures_),
       layer_entries_(other.layer_entries_),
@@ -36,6 +38,7 @@ Registry::Registry(const Registry& other)
 Registry& Registry::operator=(Registry other) noexcept {
   std::swap(evolutions_, other.evolutions_);
   std::swap(shapes_, other.shapes_);
+  std::swap(formats_, other.formats_);
   std::swap(parameters_, other.parameters_);
   std::swap(prototypes_, other.prototypes_);
   std::swap(structures_, other.structures_);

@@ -12,7 +12,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/assert.h"
+#include "core/base/named_list.h"
 #include "core/document/parameter.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/graph/layer.h"
@@ -21,39 +21,8 @@
 namespace mes {
 
 struct Evolution;
+struct Format;
 struct ShapeDescriptor;
-
-/// Things that are known by their ids, in the order in which they were added. Whoever holds one keeps it, also after it
-/// has been removed here.
-template <class T>
-class NamedList {
- public:
-  /// Its id must be new.
-  void add(std::string id, std::shared_ptr<const T> thing) {
-    MES_ASSERT(find(id) == nullptr);
-    ids_.push_back(std::move(id));
-    things_.push_back(std::move(thing));
-  }
-  /// False: there is none.
-  bool remove(std::string_view id) {
-    const auto found = std::ranges::find(ids_, id);
-    if (found == ids_.end()) return false;
-    things_.erase(things_.begin() + (found - ids_.begin()));
-    ids_.erase(found);
-    return true;
-  }
-  /// Null: there is none.
-  std::shared_ptr<const T> find(std::string_view id) const {
-    const auto found = std::ranges::find(ids_, id);
-    return found == ids_.end() ? nullptr : things_[static_cast<std::size_t>(found - ids_.begin())];
-  }
-  std::span<const std::string> ids() const { return ids_; }
-  std::span<const std::shared_ptr<const T>> all() const { return things_; }
-
- private:
-  std::vector<std::string> ids_;
-  std::vector<std::shared_ptr<const T>> things_;  // as many as ids
-};
 
 /// What a registry knows of a structure.
 struct StructureSpec {
@@ -112,6 +81,9 @@ class Registry {
   /// Shapes (core/shapes/shape.h).
   NamedList<ShapeDescriptor>& shapes() { return shapes_; }
   const NamedList<ShapeDescriptor>& shapes() const { return shapes_; }
+  /// File formats (core/io/format_spec.h), in the order in which contents are tried.
+  NamedList<Format>& formats() { return formats_; }
+  const NamedList<Format>& formats() const { return formats_; }
 
   /// A number that structures read from the settings. Its id must be new.
   void add_parameter(Parameter parameter);
@@ -151,6 +123,7 @@ class Registry {
 
   NamedList<Evolution> evolutions_;
   NamedList<ShapeDescriptor> shapes_;
+  NamedList<Format> formats_;
   std::vector<Parameter> parameters_;
   StructureSet prototypes_;
   std::vector<std::shared_ptr<const StructureSpec>> structures_;

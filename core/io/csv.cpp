@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CSV: columns between commas, or between semicolons where the comma is the decimal sign.
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/xy_table.h"
 
 namespace mes {

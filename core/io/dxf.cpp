@@ -18,7 +18,7 @@
 #include "core/io/counted_remarks.h"
 #include "core/io/curve_samples.h"
 #include "core/io/dxf_pairs.h"
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/text_numbers.h"
 #include "core/io/written_decimals.h"
 

@@ -3,7 +3,7 @@
 // equal places are one vertex.
 #include <fmt/core.h>
 
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/line_words.h"
 #include "core/io/vertex_graph.h"
 

@@ -10,7 +10,7 @@
 #include "core/base/lower_case.h"
 #include "core/io/bundle_file.h"
 #include "core/io/carried_session.h"
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/read_file.h"
 #include "core/io/text_numbers.h"
 #include "core/io/xml_source.h"
@@ -23,27 +23,32 @@ namespace fs = std::filesystem;
 // Of the progress of reading a file: until its bytes are here.
 constexpr double kFileShare = 0.2;
 
-const Format* format_named(std::string_view id) {
-  for (const Format& format : formats())
-    if (format.descriptor.id == id) return &format;
-  return nullptr;
+using Formats = NamedList<Format>;
+
+const Formats& formats_of(const ReadRequest& request) {
+  static const Formats of_program = [] {
+    Formats out;
+    add_formats(out);
+    return out;
+  }();
+  return request.formats != nullptr ? *request.formats : of_program;
 }
 
-std::string readable_ids() {
+std::string readable_ids(const Formats& formats) {
   std::string out;
-  for (const Format& format : formats()) {
-    if (!format.descriptor.can_read) continue;
+  for (const auto& format : formats.all()) {
+    if (!format->descriptor.can_read) continue;
     if (!out.empty()) out += ", ";
-    out += format.descriptor.id;
+    out += format->descriptor.id;
   }
   return out;
 }
 
-const Format* format_by_extension(const std::string& name) {
+const Format* format_by_extension(const Formats& formats, const std::string& name) {
   const std::string extension = lower_case_extension(name);
-  for (const Format& format : formats())
-    if (format.descriptor.can_read && std::ranges::count(format.descriptor.extensions, extension) != 0)
-      return &format;
+  for (const auto& format : formats.all())
+    if (format->descriptor.can_read && std::ranges::count(format->descriptor.extensions, extension) != 0)
+      return format.get();
   return nullptr;
 }
 
@@ -60,38 +65,41 @@ std::string_view known_text(std::string_view bytes) {
 
 // By content when the content is sure, then by extension, then by what the content might be. Nothing for what is known to be
 // something else.
-const Format* find_format(std::string_view bytes, const std::string& name) {
+const Format* find_format(const Formats& formats, std::string_view bytes, const std::string& name) {
   const Format* possible = nullptr;
-  for (const Format& format : formats()) {
-    if (!format.descriptor.can_read) continue;
-    const Match match = format.match(bytes);
-    if (match == Match::surely) return &format;
-    if (match == Match::maybe && possible == nullptr) possible = &format;
+  for (const auto& format : formats.all()) {
+    if (!format->descriptor.can_read) continue;
+    const Match match = format->match(bytes);
+    if (match == Match::surely) return format.get();
+    if (match == Match::maybe && possible == nullptr) possible = format.get();
   }
   if (!known_text(bytes).empty()) return nullptr;
-  const Format* by_name = format_by_extension(name);
+  const Format* by_name = format_by_extension(formats, name);
   return by_name != nullptr ? by_name : possible;
 }
 
-Expected<const Format*> choose_format(std::string_view bytes, const std::string& name, std::string_view wanted) {
+Expected<const Format*> choose_format(const Formats& formats, std::string_view bytes, const std::string& name,
+                                      std::string_view wanted) {
   if (!wanted.empty()) {
-    const Format* format = format_named(wanted);
-    if (format != nullptr && format->descriptor.can_read) return format;
-    return std::unexpected(Error{ErrorCode::usage,
-                                 in_quotes(wanted) + " is not a format that can be read (" + readable_ids() + ")",
-                                 {},
-                                 0,
-                                 0});
+    const auto format = formats.find(wanted);
+    if (format != nullptr && format->descriptor.can_read) return format.get();
+    return std::unexpected(
+        Error{ErrorCode::usage,
+              in_quotes(wanted) + " is not a format that can be read (" + readable_ids(formats) + ")",
+              {},
+              0,
+              0});
   }
-  if (const Format* format = find_format(bytes, name); format != nullptr) return format;
+  if (const Format* format = find_format(formats, bytes, name); format != nullptr) return format;
   return bad_input(
-      fmt::format("this is {}none of the formats that can be read ({})", known_text(bytes), readable_ids()), name, 1,
-      1);
+      fmt::format("this is {}none of the formats that can be read ({})", known_text(bytes), readable_ids(formats)),
+      name, 1, 1);
 }
 
-Expected<LoadedFile> read_carried(std::string_view text, const std::string& name, ReadJob& job) {
+Expected<LoadedFile> read_carried(const Format& session, std::string_view text, const std::string& name,
+                                  ReadJob& job) {
   job.begin(text);
-  auto file = format_named("session")->read(text, name, job);
+  auto file = session.read(text, name, job);
   if (!file) {
     // Lines and columns would be those of a text that cannot be looked at.
     Error error = std::move(file.error());
@@ -107,9 +115,9 @@ Expected<LoadedFile> untraceable(const std::string& name) {
 }
 
 /// Whether a format of XML or binary files knows them for its own.
-bool is_known_all_the_same(std::string_view bytes) {
-  return std::ranges::any_of(formats(), [&](const Format& format) {
-    return format.may_look_foreign && format.match(bytes) == Match::surely;
+bool is_known_all_the_same(const Formats& formats, std::string_view bytes) {
+  return std::ranges::any_of(formats.all(), [&](const auto& format) {
+    return format->may_look_foreign && format->match(bytes) == Match::surely;
   });
 }
 
@@ -124,38 +132,41 @@ Expected<LoadedFile> read_as(const Format& format, std::string_view bytes, const
                              const ReadRequest& request, const fs::path* path, ReadJob& job) {
   job.begin(bytes);
   if (!request.trace.is_default()) return format.read_traced(bytes, name, request.trace, job);
-  if (format.read_map != nullptr) return format.read_map(bytes, name, request.degrees, path, job);
-  if (path != nullptr && format.read_beside != nullptr) return format.read_beside(bytes, name, *path, job);
+  if (format.read_map) return format.read_map(bytes, name, request.degrees, path, job);
+  if (path != nullptr && format.read_beside) return format.read_beside(bytes, name, *path, job);
   return format.read(bytes, name, job);
 }
 
 Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name, std::string_view wanted,
                                 const ReadRequest& request, const fs::path* path, JobControl* control) {
   try {
+    const Formats& formats = formats_of(request);
     ReadJob job(control, path != nullptr ? kFileShare : 0.0, request.keeps_vertices);
     if (wanted.empty() && may_carry_session(bytes)) {
       const auto text = carried_session(bytes, name);
       if (!text) return std::unexpected(text.error());
-      if (*text) return request.trace.is_default() ? read_carried(**text, name, job) : untraceable(name);
+      const auto session = formats.find("session");
+      if (*text && session != nullptr)
+        return request.trace.is_default() ? read_carried(*session, **text, name, job) : untraceable(name);
     }
     if (looks_like_manifest(bytes))
       return bad_input("this is a manifest of frames that carries no session, not a text of samples", name, 1, 1);
     if (looks_like_bundles(bytes)) return bad_input("these are bundles of layers, not samples", name, 1, 1);
     const std::string_view kind = foreign_kind(bytes);
     if (kind == kUtf16Text) return bad_input("this is UTF-16 text, which must be saved as UTF-8", name, 1, 1);
-    if (!kind.empty() && !is_known_all_the_same(bytes))
+    if (!kind.empty() && !is_known_all_the_same(formats, bytes))
       return bad_input("this is " + std::string(kind) + root_of(bytes) +
                            (may_carry_session(bytes) ? " that carries no session" : "") + ", not a text of samples",
                        name, 1, 1);
     if (without_bom(bytes).find_first_not_of(" \t\r\n\v\f") == std::string_view::npos)
       return bad_input("the file is empty", name, 1, 1);
-    const auto format = choose_format(bytes, name, wanted);
+    const auto format = choose_format(formats, bytes, name, wanted);
     if (!format) return std::unexpected(format.error());
-    if (!request.trace.is_default() && (*format)->read_traced == nullptr) return untraceable(name);
+    if (!request.trace.is_default() && !(*format)->read_traced) return untraceable(name);
     auto file = read_as(**format, bytes, name, request, path, job);
     if (!file) return file;
     file->format = (*format)->descriptor.id;
-    if (path != nullptr && (*format)->read_companions != nullptr) (*format)->read_companions(*path, *file);
+    if (path != nullptr && (*format)->read_companions) (*format)->read_companions(*path, *file);
     return file;
   } catch (const Cancelled&) {
     return std::unexpected(Error{ErrorCode::cancelled, "reading was cancelled", name});
@@ -166,12 +177,12 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
 
 // A file that begins like no text (a disk image, say) is not read to its end, unless it may carry a session or a
 // format knows it.
-ReadOptions what_may_be_read(JobControl* job) {
+ReadOptions what_may_be_read(const Formats& formats, JobControl* job) {
   constexpr std::size_t kLargest = std::size_t{1} << 30U;
   return {.is_enough =
-              [](std::string_view bytes) {
+              [&formats](std::string_view bytes) {
                 if (foreign_kind(bytes).empty()) return false;
-                const bool may_be_read = may_carry_session(bytes) || is_known_all_the_same(bytes);
+                const bool may_be_read = may_carry_session(bytes) || is_known_all_the_same(formats, bytes);
                 return !may_be_read || bytes.size() > kLargest;
               },
           .job = job,
@@ -183,7 +194,7 @@ ReadOptions what_may_be_read(JobControl* job) {
 std::span<const FormatDescriptor> format_descriptors() {
   static const std::vector<FormatDescriptor> descriptors = [] {
     std::vector<FormatDescriptor> out;
-    for (const Format& format : formats()) out.push_back(format.descriptor);
+    for (const auto& format : formats_of({}).all()) out.push_back(format->descriptor);
     return out;
   }();
   return descriptors;
@@ -191,7 +202,7 @@ std::span<const FormatDescriptor> format_descriptors() {
 
 Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view format, JobControl* job,
                                       const ReadRequest& request) {
-  const auto bytes = read_whole(path, what_may_be_read(job));
+  const auto bytes = read_whole(path, what_may_be_read(formats_of(request), job));
   if (!bytes) return std::unexpected(bytes.error());
   auto file = read_bytes(*bytes, path.string(), format, request, &path, job);
   std::error_code error;
@@ -201,7 +212,7 @@ Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view for
 
 Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name, std::string_view format,
                                         const ReadRequest& request, JobControl* job) {
-  const auto bytes = read_whole(descriptor, name, what_may_be_read(job));
+  const auto bytes = read_whole(descriptor, name, what_may_be_read(formats_of(request), job));
   if (!bytes) return std::unexpected(bytes.error());
   return read_bytes(*bytes, name, format, request, nullptr, job);
 }

@@ -13,6 +13,7 @@
 
 #include "core/base/error.h"
 #include "core/base/job_control.h"
+#include "core/base/named_list.h"
 #include "core/document/commands.h"
 #include "core/document/map_plane.h"
 #include "core/io/file_fingerprint.h"
@@ -20,6 +21,7 @@
 
 namespace mes {
 
+struct Format;
 struct Session;
 
 /// How a file is read, where there is a choice.
@@ -28,6 +30,7 @@ struct ReadRequest {
   MapDegrees degrees = MapDegrees::projected;  ///< of maps; of no effect on other formats
   /// Curves have their vertices as samples, and nothing between; otherwise they are sampled by `default_sampling`.
   bool keeps_vertices = false;
+  const NamedList<Format>* formats = nullptr;  ///< that there are; null: those of the program
 };
 
 /// What a file held.
@@ -43,9 +46,9 @@ struct LoadedFile {
 };
 
 struct FormatDescriptor {
-  std::string_view id;                       ///< public name, kebab case
-  std::string_view name;                     ///< as shown
-  std::vector<std::string_view> extensions;  ///< with the dot, lower case
+  std::string id{};                       ///< public name, kebab case
+  std::string name{};                     ///< as shown
+  std::vector<std::string> extensions{};  ///< with the dot, lower case
   bool can_read = false;
   bool can_write = false;
   bool is_map = false;  ///< positions may be longitude and latitude

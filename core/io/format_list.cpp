@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The list of file formats, in the order in which contents are tried. A new one is a file that defines its function, and
 // two lines here.
-#include "core/io/format_registry.h"
+#include <memory>
+#include <utility>
+
+#include "core/io/format_spec.h"
 
 namespace mes {
 
@@ -28,14 +31,33 @@ Format tsv_format();
 Format xyz_format();
 Format pairs_format();
 
-std::span<const Format> formats() {
-  static const std::vector<Format> list{
-      session_file_format(), poff_format(), wpoff_format(),   geojson_format(), wkt_format(),      kml_format(),
-      gpx_format(),          svg_format(),  picture_format(), ipe_format(),     dxf_format(),      shapefile_format(),
-      wkb_format(),          ply_format(),  off_format(),     obj_format(),     triangle_format(), edg_format(),
-      csv_format(),          tsv_format(),  xyz_format(),     pairs_format(),
+void add_formats(NamedList<Format>& to) {
+  const auto add = [&to](Format format) {
+    std::string id = format.descriptor.id;
+    to.add(std::move(id), std::make_shared<const Format>(std::move(format)));
   };
-  return list;
+  add(session_file_format());
+  add(poff_format());
+  add(wpoff_format());
+  add(geojson_format());
+  add(wkt_format());
+  add(kml_format());
+  add(gpx_format());
+  add(svg_format());
+  add(picture_format());
+  add(ipe_format());
+  add(dxf_format());
+  add(shapefile_format());
+  add(wkb_format());
+  add(ply_format());
+  add(off_format());
+  add(obj_format());
+  add(triangle_format());
+  add(edg_format());
+  add(csv_format());
+  add(tsv_format());
+  add(xyz_format());
+  add(pairs_format());
 }
 
 }  // namespace mes

@@ -12,7 +12,7 @@
 #include <optional>
 
 #include "core/base/coordinate_range.h"
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/json_text.h"
 #include "core/io/json_view.h"
 #include "core/io/map_shapes.h"

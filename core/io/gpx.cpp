@@ -5,7 +5,7 @@
 #include <array>
 #include <optional>
 
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/map_shapes.h"
 #include "core/io/text_numbers.h"
 #include "core/io/xml_source.h"

@@ -12,7 +12,7 @@
 
 #include "core/curves/b_spline.h"
 #include "core/io/curve_samples.h"
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/text_numbers.h"
 #include "core/io/xml_source.h"
 

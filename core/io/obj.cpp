@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "core/io/ascii_text.h"
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/line_words.h"
 #include "core/io/vertex_graph.h"
 #include "core/io/written_decimals.h"

@@ -3,7 +3,7 @@
 // colours and positions in textures (NOFF, COFF, STOFF) are left out; two corners are a segment.
 #include <fmt/core.h>
 
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/line_words.h"
 #include "core/io/vertex_graph.h"
 #include "core/io/written_decimals.h"

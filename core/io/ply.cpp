@@ -9,7 +9,7 @@
 #include <cstring>
 #include <optional>
 
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/line_words.h"
 #include "core/io/vertex_graph.h"
 #include "core/io/written_decimals.h"

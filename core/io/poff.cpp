@@ -15,7 +15,7 @@
 #include <optional>
 #include <system_error>
 
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/off_header.h"
 #include "core/io/read_file.h"
 #include "core/io/repeated_corners.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sessions as a source of samples and balls: their last state.
 #include "core/document/commands.h"
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/repeated_corners.h"
 #include "core/io/session.h"
 

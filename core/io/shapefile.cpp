@@ -13,7 +13,7 @@
 #include "core/base/coordinate_range.h"
 #include "core/base/lower_case.h"
 #include "core/io/counted_remarks.h"
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/map_shapes.h"
 #include "core/io/read_file.h"
 #include "core/io/text_numbers.h"

@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/io/curve_samples.h"
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/svg_drawing.h"
 #include "core/io/text_numbers.h"
 

@@ -6,7 +6,7 @@
 #include <fmt/core.h>
 #include <system_error>
 
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/line_words.h"
 #include "core/io/read_file.h"
 #include "core/io/vertex_graph.h"

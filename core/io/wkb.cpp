@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "core/base/coordinate_range.h"
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/line_end.h"
 #include "core/io/map_shapes.h"
 #include "core/io/text_numbers.h"

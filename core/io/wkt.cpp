@@ -12,7 +12,7 @@
 
 #include "core/base/lower_case.h"
 #include "core/io/ascii_text.h"
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/map_shapes.h"
 #include "core/io/text_numbers.h"
 

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 #include <array>
 
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/off_header.h"
 
 namespace mes {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // XYZ: three columns or more between blanks; the third, a height, is left out.
-#include "core/io/format_registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/xy_table.h"
 
 namespace mes {

@@ -2,7 +2,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
-#include "core/io/format.h"
+#include "core/io/format_spec.h"
 #include "temporary_folder.h"
 
 using namespace mes;
@@ -33,7 +33,10 @@ TEST_CASE("a named format is taken at its word") {
 TEST_CASE("every format has a name, and no extension has two formats") {
   std::set<std::string_view> ids;
   std::set<std::string_view> extensions;
-  for (const FormatDescriptor& format : format_descriptors()) {
+  NamedList<Format> formats;
+  add_formats(formats);
+  for (const auto& each : formats.all()) {
+    const FormatDescriptor& format = each->descriptor;
     CHECK(ids.insert(format.id).second);
     CHECK_FALSE(format.name.empty());
     for (const std::string_view extension : format.extensions) {
@@ -42,6 +45,35 @@ TEST_CASE("every format has a name, and no extension has two formats") {
     }
   }
   CHECK(ids.contains("poff"));
+}
+
+TEST_CASE("formats that there are can be others than those of the program") {
+  NamedList<Format> formats;
+  add_formats(formats);
+  const auto dots = std::make_shared<const Format>(
+      Format{.descriptor = {.id = "dots", .name = "Dots", .extensions = {".dots"}, .can_read = true},
+             .match = [](std::string_view bytes) { return bytes.starts_with("...") ? Match::surely : Match::no; },
+             .read = [](std::string_view bytes, const std::string&, ReadJob&) -> Expected<LoadedFile> {
+               LoadedFile out;
+               for (std::size_t i = 0; i < bytes.size(); ++i)
+                 out.data.positions.push_back({static_cast<double>(i), 0});
+               return out;
+             }});
+  formats.add("dots", dots);
+  const ReadRequest request{.formats = &formats};
+  const auto read = read_sample_bytes("....", "a", {}, request);
+  REQUIRE(read.has_value());
+  CHECK(read->format == "dots");
+  CHECK(read->data.positions.size() == 4);
+  CHECK_FALSE(read_sample_bytes("....", "a").has_value());
+  CHECK(read_sample_bytes("1 2\n", "a.dots", "dots", request)->data.positions.size() == 4);
+  CHECK(read_sample_bytes("1 2\n", "a.dots", "dots").error().code == ErrorCode::usage);
+  CHECK(read_sample_bytes("x,y\n1,2\n", "a", {}, request)->format == "csv");
+
+  REQUIRE(formats.remove("csv"));
+  CHECK(read_sample_bytes("x,y\n1,2\n", "a", "csv", request).error().code == ErrorCode::usage);
+  REQUIRE(formats.remove("dots"));
+  CHECK(read_sample_bytes("....", "a", {}, request).error().code == ErrorCode::bad_input);
 }
 
 TEST_CASE("standard streams are read to their end") {
