@@ -49,6 +49,7 @@ struct LayerDescriptor {
   LayerStyle style{};                     ///< the default
   std::vector<PrimitiveKind> kinds{};     ///< what it may emit, in drawing order (first = bottom)
   std::vector<std::string> structures{};  ///< ids of the structures it reads
+  std::vector<std::string> parameters{};  ///< ids of those that have a say in it
   bool follows_settings = false;          ///< number type or parameters have a say in it
   bool is_removed = false;                ///< no layer has this index any more
 };

@@ -18,8 +18,13 @@ bool follows_settings(const Structure& structure) {
   return std::ranges::any_of(structure.inputs(), [](const Structure* input) { return follows_settings(*input); });
 }
 
-bool reads(std::span<const std::string> ids, std::string_view id) {
+bool holds(std::span<const std::string> ids, std::string_view id) {
   return std::ranges::find(ids, id) != ids.end();
+}
+
+void add_new(std::vector<std::string>& to, std::span<const std::string> ids) {
+  for (const std::string& id : ids)
+    if (!holds(to, id)) to.push_back(id);
 }
 
 }  // namespace
@@ -57,10 +62,14 @@ void Registry::make_prototypes() {
 void Registry::add_structure(MakeStructure make) {
   std::shared_ptr<Structure> prototype = make(prototypes_);
   auto spec = std::make_shared<StructureSpec>(StructureSpec{.id = std::string(prototype->id())});
-  MES_ASSERT(find_spec(spec->id) == nullptr);
+  MES_ASSERT(find_structure(spec->id) == nullptr);
+  for (const std::string_view parameter : prototype->parameters()) spec->parameters.emplace_back(parameter);
+  spec->all_parameters = spec->parameters;
   for (const Structure* input : prototype->inputs()) {
-    MES_ASSERT(find_spec(input->id()) != nullptr);
-    spec->inputs.emplace_back(input->id());
+    const StructureSpec* const known = find_structure(input->id());
+    MES_ASSERT(known != nullptr);
+    spec->inputs.push_back(known->id);
+    add_new(spec->all_parameters, known->all_parameters);
   }
   spec->make = std::move(make);
   if (const auto* const source = dynamic_cast<const SourceStructure*>(prototype.get()))
@@ -70,22 +79,22 @@ void Registry::add_structure(MakeStructure make) {
   prototypes_.add(std::move(prototype));
 }
 
-const StructureSpec* Registry::find_spec(std::string_view id) const {
+const StructureSpec* Registry::find_structure(std::string_view id) const {
   const auto found =
       std::ranges::find(structures_, id, [](const auto& spec) -> std::string_view { return spec->id; });
   return found == structures_.end() ? nullptr : found->get();
 }
 
 bool Registry::remove_structure(std::string_view id) {
-  if (find_spec(id) == nullptr) return false;
+  if (find_structure(id) == nullptr) return false;
   std::vector<std::string> gone{std::string(id)};
   const auto is_lost = [&gone](std::span<const std::string> read) {
-    return std::ranges::any_of(read, [&gone](const std::string& one) { return reads(gone, one); });
+    return std::ranges::any_of(read, [&gone](const std::string& one) { return holds(gone, one); });
   };
   // Inputs stand before what reads them.
   for (const auto& spec : structures_)
     if (is_lost(spec->inputs)) gone.push_back(spec->id);
-  std::erase_if(structures_, [&gone](const auto& spec) { return reads(gone, spec->id); });
+  std::erase_if(structures_, [&gone](const auto& spec) { return holds(gone, spec->id); });
   std::erase_if(layer_entries_, [&](LayerEntry& entry) {
     const bool is_affected = is_lost(entry.reads);
     for (const LayerIndex place : entry.places)
@@ -123,7 +132,10 @@ void Registry::add_layers(MakeLayers make) {
   for (Layer& layer : make(prototypes_)) {
     layer.descriptor.follows_settings = std::ranges::any_of(
         layer.structures, [](const Structure* structure) { return follows_settings(*structure); });
-    for (const Structure* structure : layer.structures) entry.reads.emplace_back(structure->id());
+    for (const Structure* structure : layer.structures) {
+      entry.reads.emplace_back(structure->id());
+      add_new(layer.descriptor.parameters, find_structure(structure->id())->all_parameters);
+    }
     const auto place = std::ranges::find(layers_, layer.descriptor.id, &LayerDescriptor::id);
     MES_ASSERT(place == layers_.end() || place->is_removed);
     entry.places.push_back(static_cast<LayerIndex>(place - layers_.begin()));
@@ -172,7 +184,7 @@ StructureSet Registry::make_structures(const Registry& other, const StructureSet
     own.insert(spec->id);
     const auto before =
         std::ranges::find(kept.all(), spec->id, [](const auto& structure) { return structure->id(); });
-    const bool is_kept = before != kept.all().end() && other.find_spec(spec->id) == spec.get() &&
+    const bool is_kept = before != kept.all().end() && other.find_structure(spec->id) == spec.get() &&
                          std::ranges::all_of((*before)->inputs(), is_in_place);
     set.add(is_kept ? *before : std::shared_ptr<Structure>(spec->make(set)));
   }

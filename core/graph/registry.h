@@ -27,7 +27,9 @@ struct ShapeDescriptor;
 /// What a registry knows of a structure.
 struct StructureSpec {
   std::string id{};
-  std::vector<std::string> inputs{};  ///< ids
+  std::vector<std::string> inputs{};          ///< ids
+  std::vector<std::string> parameters{};      ///< ids of those that it reads itself
+  std::vector<std::string> all_parameters{};  ///< with those of all that it is computed from
   std::function<std::unique_ptr<Structure>(const StructureSet&)> make{};
   bool is_of_document = false;  ///< a source that a variant without a document shares
 };
@@ -92,6 +94,8 @@ class Registry {
   std::span<const Parameter> parameters() const { return parameters_; }
   /// Null: there is none with that id. Valid until one is added or removed.
   const Parameter* find_parameter(std::string_view id) const;
+  /// Null: there is none with that id. Valid until one is added or removed.
+  const StructureSpec* find_structure(std::string_view id) const;
   /// Public ids, inputs before consumers.
   std::span<const std::string_view> structures() const { return structure_ids_; }
   /// In default stacking order: first = bottom. A `LayerIndex` is a position here, so that places of layers that were
@@ -119,7 +123,6 @@ class Registry {
   };
 
   void make_prototypes();
-  const StructureSpec* find_spec(std::string_view id) const;
 
   NamedList<Evolution> evolutions_;
   NamedList<ShapeDescriptor> shapes_;

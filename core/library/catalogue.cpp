@@ -51,6 +51,7 @@ LayerInfo info_of(const mes::LayerDescriptor& layer) {
                 .description = std::string(layer.tooltip),
                 .group = std::string(mes::title_of(layer.group)),
                 .structures = all_texts(layer.structures),
+                .parameters = layer.parameters,
                 .scalar = std::string(layer.scalar),
                 .is_visible_at_start = layer.visible_at_start,
                 .follows_settings = layer.follows_settings};
@@ -117,7 +118,9 @@ std::vector<StructureInfo> Catalogue::structures() const {
     for (const auto& structure : structures.all()) {
       StructureInfo& info = out.emplace_back();
       info.id = structure->id();
-      for (const mes::Structure* const input : structure->inputs()) info.inputs.emplace_back(input->id());
+      const mes::StructureSpec& spec = *impl_->registry->find_structure(structure->id());
+      info.inputs = spec.inputs;
+      info.parameters = spec.parameters;
       for (const mes::TableColumns& table : structure->table_columns())
         info.tables.push_back(v1::info_of(structure->id(), table));
     }
@@ -128,7 +131,8 @@ std::vector<StructureInfo> Catalogue::structures() const {
 std::vector<LayerInfo> Catalogue::layers() const {
   return guarded([&] {
     std::vector<LayerInfo> out;
-    for (const mes::LayerDescriptor& layer : impl_->registry->layers()) out.push_back(info_of(layer));
+    for (const mes::LayerDescriptor& layer : impl_->registry->layers())
+      if (!layer.is_removed) out.push_back(info_of(layer));
     return out;
   });
 }

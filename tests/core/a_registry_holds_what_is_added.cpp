@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <map>
 #include <optional>
 #include <set>
@@ -321,4 +322,58 @@ TEST_CASE("an engine takes another registry while it works") {
   REQUIRE(fresh.show({"delaunay"}));
   REQUIRE(fresh.run(job));
   CHECK(mirror.digest(delaunay) == *fresh.digest("delaunay"));
+}
+
+TEST_CASE("structures say which parameters they read, and layers which have a say in them") {
+  const Registry& registry = builtins();
+  const auto find = [&registry](std::string_view id) { return registry.find_structure(id); };
+  CHECK(find("a-union")->parameters == std::vector<std::string>{"union-shortcut", "a-scale"});
+  CHECK(find("delaunay")->all_parameters.empty());
+  CHECK(find("no-such-structure") == nullptr);
+  const auto& layer = registry.layers()[registry.find_layer("lambda-kept-boundary")];
+  CHECK(std::ranges::count(layer.parameters, "lambda-limit") == 1);
+  std::set<std::string> read;
+  for (const std::string_view id : registry.structures()) {
+    const StructureSpec& spec = *find(id);
+    for (const std::string& parameter : spec.parameters) CHECK(registry.find_parameter(parameter) != nullptr);
+    read.insert(spec.parameters.begin(), spec.parameters.end());
+  }
+  CHECK(read.size() == registry.parameters().size());
+}
+
+TEST_CASE("a parameter that a structure does not name leaves it as it is") {
+  Workbench bench(builtins());
+  JobControl job;
+  std::vector<Vec2> samples;
+  for (int i = 0; i < 60; ++i) {
+    const double t = 0.1047197551 * i;
+    samples.push_back({3.0 * std::cos(t), (1.0 + 0.3 * std::cos(3.0 * t)) * std::sin(t)});
+  }
+  REQUIRE(bench.insert(samples));
+  REQUIRE(bench.insert_balls(std::vector<Disk>{{{0, 0}, 1}, {{1, 0.2}, 0.7}, {{2.5, 0}, 1.1}}));
+  const auto ids = builtins().structures();
+  REQUIRE(bench.need(std::vector<std::string_view>(ids.begin(), ids.end())));
+  REQUIRE(bench.run(job));
+  std::vector<std::string> computed;
+  bench.set_on_task([&computed](std::string_view id) { computed.emplace_back(id); });
+  for (const Parameter& parameter : builtins().parameters()) {
+    INFO(parameter.id);
+    const double before = bench.settings()[parameter];
+    const double other = parameter.is_whole ? (before == parameter.low ? parameter.low + 1.0 : parameter.low)
+                                            : before + 0.01 * std::min(1.0, parameter.high - before);
+    REQUIRE(other != before);
+    computed.clear();
+    REQUIRE(bench.set(parameter, other));
+    REQUIRE(bench.run(job));
+    CHECK_FALSE(computed.empty());
+    for (const std::string& id : computed) {
+      INFO(id);
+      if (id == "settings") continue;
+      const StructureSpec& spec = *builtins().find_structure(id);
+      const bool is_named = std::ranges::count(spec.all_parameters, parameter.id) == 1;
+      const auto node = std::ranges::find(bench.nodes(), id, &NodeReport::structure);
+      REQUIRE(node != bench.nodes().end());
+      CHECK((is_named || (node->touched == 0 && !node->rebuilt)));
+    }
+  }
 }

@@ -33,8 +33,9 @@ namespace mesecina {
 inline namespace v1 {
 
 struct StructureInfo {
-  std::string id{};                   ///< kebab case, as in "one-step-crust"
-  std::vector<std::string> inputs{};  ///< ids of the structures it is computed from
+  std::string id{};                       ///< kebab case, as in "one-step-crust"
+  std::vector<std::string> inputs{};      ///< ids of the structures it is computed from
+  std::vector<std::string> parameters{};  ///< ids of those that it reads itself
   std::vector<TableInfo> tables{};
 };
 
@@ -45,6 +46,7 @@ struct LayerInfo {
   std::string group{};        ///< heading in the window's list
   std::vector<PrimitiveKind> kinds{};
   std::vector<std::string> structures{};  ///< ids of the structures it reads
+  std::vector<std::string> parameters{};  ///< ids of those that have a say in it
   std::string scalar{};                   ///< the meaning of an instance's scalar; empty: it has none
   bool is_visible_at_start = false;
   bool follows_settings = false;  ///< it depends on the number type or on parameters

@@ -51,6 +51,7 @@ class AlphaComplex final : public Structure {
   bool update(JobControl& job) override;
   void clear_changes() override;
   std::size_t touched() const override { return edge_changes_.size() + face_changes_.size() + site_changes_.size(); }
+  std::vector<std::string_view> parameters() const override { return {Parameter::alpha_radius.id}; }
   StatList statistics() const override;
   std::vector<TableColumns> table_columns() const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;

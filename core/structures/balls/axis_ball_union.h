@@ -38,6 +38,9 @@ class DiskListUnion : public BallUnion {
  public:
   /// What radii were multiplied by.
   double factor() const { return family().scale(); }
+  std::vector<std::string_view> parameters() const override {
+    return {Parameter::union_shortcut.id, Parameter::scale_axis_factor.id, Parameter::medial_sampling_angle.id};
+  }
   StatList statistics() const override;
 
  protected:
@@ -122,6 +125,10 @@ class SkeletonUnion : public AxisBallUnion {
  public:
   bool update(JobControl& job) override;
   void rebuild(JobControl& job) override;
+  std::vector<std::string_view> parameters() const override {
+    return {Parameter::union_shortcut.id, Parameter::scale_axis_factor.id, Parameter::medial_sampling_angle.id,
+            Parameter::scale_skeleton_step.id};
+  }
   StatList statistics() const override;
 
  protected:

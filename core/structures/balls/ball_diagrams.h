@@ -22,6 +22,9 @@ class PowerDiagram : public Structure {
   bool update(JobControl& job) override;
   void clear_changes() override {}
   std::size_t touched() const override { return 0; }
+  std::vector<std::string_view> parameters() const override {
+    return scale_ ? std::vector<std::string_view>{scale_->id} : std::vector<std::string_view>();
+  }
   StatList statistics() const override;
   std::vector<TableColumns> table_columns() const override;
   std::string_view kernel() const override;

@@ -81,6 +81,7 @@ class BallFiltration : public Structure {
   bool update(JobControl& job) override;
   void clear_changes() override {}
   std::size_t touched() const override { return 0; }
+  std::vector<std::string_view> parameters() const override { return {scale_.id}; }
   StatList statistics() const override;
   std::vector<TableColumns> table_columns() const override;
   std::string_view kernel() const override { return "intervals, rationals"; }

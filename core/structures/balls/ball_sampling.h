@@ -36,6 +36,7 @@ class BallSampling : public Structure {
   bool update(JobControl& job) override;
   void clear_changes() override;
   std::size_t touched() const override { return medial().changes().size() + convex().changes().size(); }
+  std::vector<std::string_view> parameters() const override { return {Parameter::medial_sampling_angle.id}; }
   StatList statistics() const override;
   std::vector<TableColumns> table_columns() const override;
   void find(std::vector<Finding>& out) const override;

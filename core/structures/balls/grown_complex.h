@@ -54,6 +54,7 @@ class GrownComplex : public Structure {
   std::size_t touched() const override {
     return corner_changes_.size() + edge_changes_.size() + triangle_changes_.size();
   }
+  std::vector<std::string_view> parameters() const override { return {Parameter::alpha_radius.id}; }
   StatList statistics() const override;
   std::vector<TableColumns> table_columns() const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;

@@ -44,6 +44,9 @@ class AxisSampling final : public Structure {
   bool update(JobControl& job) override;
   void clear_changes() override { between_.clear_changes(); }
   std::size_t touched() const override { return between_.changes().size(); }
+  std::vector<std::string_view> parameters() const override {
+    return {Parameter::medial_sampling_angle.id, Parameter::scale_axis_factor.id};
+  }
   StatList statistics() const override;
   std::vector<TableColumns> table_columns() const override;
   void find(std::vector<Finding>& out) const override;

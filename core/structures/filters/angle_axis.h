@@ -33,6 +33,9 @@ class AngleAxis final : public AxisFilter {
   double value(FaceSlot node) const override;
   std::string spoken(double value) const override;
   std::string_view measure() const override { return "object_angle"; }
+  std::vector<std::string_view> parameters() const override {
+    return {Parameter::angle_limit.id, Parameter::keep_topology.id, Parameter::angle_mode.id};
+  }
   AngleMode angle_mode() const { return static_cast<AngleMode>(wish().mode); }
   /// The largest angle on an edge of the axis, whatever the mode of the filter.
   double largest(EdgeSlot edge) const;

@@ -62,6 +62,7 @@ class AxisFilter : public Structure {
   bool update(JobControl& job) override;
   void clear_changes() override;
   std::size_t touched() const override { return edge_changes_.size() + node_changes_.size(); }
+  std::vector<std::string_view> parameters() const override { return {limit_.id, Parameter::keep_topology.id}; }
   StatList statistics() const override;
   std::vector<TableColumns> table_columns() const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;

@@ -23,6 +23,7 @@ class ScaledUserBalls final : public Structure {
   bool update(JobControl& job) override;
   void clear_changes() override {}
   std::size_t touched() const override { return changes().size(); }
+  std::vector<std::string_view> parameters() const override { return {Parameter::b_scale.id}; }
   StatList statistics() const override { return {{"scale", scale_}}; }
   std::vector<TableColumns> table_columns() const override;
 

@@ -35,6 +35,7 @@ class PoleLabels final : public Structure {
   bool update(JobControl& job) override;
   void clear_changes() override { changes_.clear(); }
   std::size_t touched() const override { return changes_.size(); }
+  std::vector<std::string_view> parameters() const override { return {Parameter::pole_propagation.id}; }
   StatList statistics() const override;
   std::vector<TableColumns> table_columns() const override;
   std::string_view kernel() const override;
