@@ -25,7 +25,7 @@ constexpr std::string_view kBundle = "bundle";
 constexpr std::string_view kStep = "step";
 
 bool has_family(VariantLayer layer) {
-  return family_of(layer_descriptors()[layer.layer]).has_value();
+  return family_of(builtins().layers()[layer.layer]).has_value();
 }
 
 ShownLayers with_family(const ShownLayers& shown, FamilyKind family) {
@@ -34,7 +34,7 @@ ShownLayers with_family(const ShownLayers& shown, FamilyKind family) {
   out.layers.clear();
   for (const LayerConfiguration::Entry& entry : in_family(layers, family).layers) {
     if (!entry.visible) continue;
-    const LayerIndex layer = find_layer(entry.layer);
+    const LayerIndex layer = builtins().find_layer(entry.layer);
     out.layers.emplace_back(layer);
     out.styles[layer] = entry.style;
   }

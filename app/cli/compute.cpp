@@ -92,7 +92,7 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
   const std::size_t contours = file.data.contours.size();
   const std::size_t balls = file.data.balls.size();
 
-  std::vector<Measured> measured(layer_descriptors().size());
+  std::vector<Measured> measured(builtins().layers().size());
   const auto take = [&](const InstancePiece& piece) {
     Measured& layer = measured[piece.layer.layer];
     layer.tally.add(piece.kind, piece.values);
@@ -119,7 +119,7 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
   for (const NodeReport& node : result->nodes) out["structures"][node.structure] = json_of(node, request.with_timing);
   out["layers"] = Json::object();
   for (const LayerIndex layer : *layers) {
-    const LayerDescriptor& descriptor = layer_descriptors()[layer];
+    const LayerDescriptor& descriptor = builtins().layers()[layer];
     Json& entry = out["layers"][std::string(descriptor.id)];
     entry = json_of(measured[layer].tally.summary(), descriptor, result->reports[layer].lost);
     if (request.with_digests) entry["digest"] = measured[layer].digest.text();

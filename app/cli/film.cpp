@@ -221,7 +221,7 @@ class Studio {
     const double units_per_px = camera.units_per_pixel() * scale_;
     const double spacing_px = typical_spacing(document) / units_per_px;
     for (render::LayerView& view : views)
-      view.style = thinned(view.style, layer_descriptors()[view.layer.layer], spacing_px);
+      view.style = thinned(view.style, builtins().layers()[view.layer.layer], spacing_px);
     add_texts(views, {document}, {camera.visible(), units_per_px}, fonts_ ? &fonts_->plain : nullptr);
     auto image =
         render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale_});
@@ -232,7 +232,7 @@ class Studio {
 
   // A picture that no longer exists is reported once; the film goes on without it.
   void follow_picture(const BackgroundImage& image) {
-    const LayerIndex layer = find_layer("image");
+    const LayerIndex layer = builtins().find_layer("image");
     if (image.file != shown_.file || image.is_upright != shown_.is_upright) {
       shown_ = image;
       scene_.clear_picture();

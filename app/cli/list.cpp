@@ -49,7 +49,7 @@ std::string hex_of(Rgb color) {
 
 std::vector<Entry> layer_entries() {
   std::vector<Entry> out;
-  for (const LayerDescriptor& layer : layer_descriptors()) {
+  for (const LayerDescriptor& layer : builtins().layers()) {
     Json kinds = Json::array();
     for (const PrimitiveKind kind : layer.kinds) kinds.push_back(name_of(kind));
     out.push_back({std::string(layer.id),
@@ -103,7 +103,7 @@ std::vector<Entry> structure_entries() {
     std::string names;
     for (const Json& table : tables) names += (names.empty() ? "" : ", ") + table["name"].get<std::string>();
     Json readers = Json::array();
-    for (const LayerDescriptor& layer : layer_descriptors())
+    for (const LayerDescriptor& layer : builtins().layers())
       if (std::ranges::find(layer.structures, id) != layer.structures.end()) readers.push_back(layer.id);
     out.push_back({std::string(id),
                    fmt::format("read by {} {}; {}", readers.size(), readers.size() == 1 ? "layer" : "layers",

@@ -91,7 +91,7 @@ void write_layers(Markdown& page) {
        {LayerGroup::samples, LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::scale_axis,
         LayerGroup::poles, LayerGroup::union_a, LayerGroup::union_p, LayerGroup::union_b, LayerGroup::diagnostics}) {
     Rows rows;
-    for (const LayerDescriptor& layer : layer_descriptors())
+    for (const LayerDescriptor& layer : builtins().layers())
       if (layer.group == group)
         rows.push_back({plain(layer.name), code(layer.id), plain(layer.tooltip), plain(layer.scalar),
                         layer.in_paper ? "yes" : "", layer.visible_at_start ? "yes" : ""});
@@ -210,7 +210,7 @@ void write_structures(Markdown& page) {
     std::vector<std::string_view> inputs;
     for (const Structure* input : structure->inputs()) inputs.push_back(input->id());
     std::vector<std::string_view> readers;
-    for (const LayerDescriptor& layer : layer_descriptors())
+    for (const LayerDescriptor& layer : builtins().layers())
       if (std::ranges::find(layer.structures, structure->id()) != layer.structures.end()) readers.push_back(layer.id);
     const std::vector<TableColumns> tables = structure->table_columns();
     std::vector<std::string_view> names;
@@ -242,10 +242,10 @@ Session example_session() {
 }
 
 Bundle example_bundle() {
-  const LayerIndex layer = find_layer("medial-axis");
+  const LayerIndex layer = builtins().find_layer("medial-axis");
   return {
       .name = "Axis alone",
-      .layers = {.layers = {{.layer = "medial-axis", .visible = true, .style = layer_descriptors()[layer].style}}}};
+      .layers = {.layers = {{.layer = "medial-axis", .visible = true, .style = builtins().layers()[layer].style}}}};
 }
 
 void write_formats(Markdown& page) {

@@ -16,7 +16,7 @@ namespace {
 
 std::vector<std::string_view> layer_ids() {
   std::vector<std::string_view> ids;
-  for (const LayerDescriptor& layer : layer_descriptors()) ids.push_back(layer.id);
+  for (const LayerDescriptor& layer : builtins().layers()) ids.push_back(layer.id);
   return ids;
 }
 
@@ -83,13 +83,13 @@ std::string one_of(std::span<const std::string_view> names) {
 }
 
 Expected<LayerIndex> select_layer(const std::string& id) {
-  const LayerIndex layer = find_layer(id);
+  const LayerIndex layer = builtins().find_layer(id);
   if (layer != kNoLayer) return layer;
   return usage_error(unknown_word("layer", id, layer_ids()) + " (mesecina list layers)");
 }
 
 Expected<std::vector<LayerIndex>> select_layers(const std::string& ids) {
-  const auto descriptors = layer_descriptors();
+  const auto descriptors = builtins().layers();
   std::vector<LayerIndex> layers;
   if (ids.empty() || ids == "all") {
     for (LayerIndex layer = 0; layer < descriptors.size(); ++layer)
@@ -154,7 +154,7 @@ Expected<std::pair<std::size_t, double>> parse_setting(const std::string& settin
 }
 
 Expected<std::shared_ptr<const Evolution>> select_evolution(const std::string& id) {
-  if (auto found = find_evolution(id)) return found;
+  if (auto found = builtins().evolutions().find(id)) return found;
   const auto all = builtins().evolutions().ids();
   const std::vector<std::string_view> ids(all.begin(), all.end());
   return usage_error(fmt::format("unknown evolution {}; it is one of {}", in_quotes(id), one_of(ids)));

@@ -30,7 +30,7 @@ std::vector<std::string> id_list(const auto& descriptors) {
 }
 
 std::vector<std::string> offered_layers() {
-  return id_list(layer_descriptors());
+  return id_list(builtins().layers());
 }
 
 std::vector<std::string> offered_formats() {

@@ -68,7 +68,7 @@ Expected<void> take_rasterized(const RenderRequest& request, PictureRequest& pic
     return usage_error("--rasterize: " + std::string(picture.format->name) + " files hold no pictures");
   const auto layers = select_layers(request.rasterized);
   if (!layers) return std::unexpected(layers.error());
-  for (const LayerIndex layer : *layers) picture.rasterized.emplace_back(layer_descriptors()[layer].id);
+  for (const LayerIndex layer : *layers) picture.rasterized.emplace_back(builtins().layers()[layer].id);
   return {};
 }
 
@@ -76,7 +76,7 @@ Expected<void> take_rasterized(const RenderRequest& request, PictureRequest& pic
 void take_configuration(const LayerConfiguration& configuration, const std::string& what, PictureRequest& picture) {
   std::size_t unknown = 0;
   for (const LayerConfiguration::Entry& entry : configuration.layers) {
-    const LayerIndex layer = find_layer(entry.layer);
+    const LayerIndex layer = builtins().find_layer(entry.layer);
     if (layer == kNoLayer) {
       ++unknown;
       continue;
@@ -122,7 +122,7 @@ std::vector<std::string_view> picture_formats() {
 Expected<PictureRequest> understand(const RenderRequest& request, std::span<const render::ColorMap> maps,
                                     const Session* session) {
   PictureRequest picture;
-  for (const LayerDescriptor& layer : layer_descriptors()) picture.shown.styles.push_back(layer.style);
+  for (const LayerDescriptor& layer : builtins().layers()) picture.shown.styles.push_back(layer.style);
   if (session != nullptr && request.layers.empty() && request.bundle.empty() && !session->layers.layers.empty()) {
     take_configuration(session->layers, "the session", picture);
   } else {
@@ -132,7 +132,7 @@ Expected<PictureRequest> understand(const RenderRequest& request, std::span<cons
   }
   if (!request.image.empty()) {
     picture.image = parse_image(request.image);
-    const LayerIndex layer = find_layer("image");
+    const LayerIndex layer = builtins().find_layer("image");
     // It belongs below everything, wherever a bundle has it.
     std::erase(picture.shown.layers, layer);
     picture.shown.layers.insert(picture.shown.layers.begin(), layer);

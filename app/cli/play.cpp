@@ -48,7 +48,7 @@ Expected<void> run_play(const PlayRequest& request, Interruption& interruption) 
     LayerDigest whole;
     nlohmann::ordered_json digests = nlohmann::ordered_json::object();
     for (const LayerIndex layer : player.layers().visible_layers()) {
-      const std::string_view id = layer_descriptors()[layer].id;
+      const std::string_view id = builtins().layers()[layer].id;
       const LayerDigest digest = mirror.digest(layer);
       digests[std::string(id)] = digest.text();
       whole += named(id, digest);

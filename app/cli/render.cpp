@@ -94,7 +94,7 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   const auto traced = read_traced(*picture, samples);
   if (!traced) return std::unexpected(traced.error());
   if (canvas && *traced) {
-    canvas->scene.set_picture(find_layer("image"), **traced);
+    canvas->scene.set_picture(builtins().find_layer("image"), **traced);
     canvas->scene.place_picture({picture->image.center, picture->image.width});
   }
   const auto data = std::make_shared<const SampleData>(input.data);

@@ -26,7 +26,7 @@ Expected<std::vector<LayerIndex>> shown_layers(const std::string& ids, const Ses
   std::vector<LayerIndex> out;
   std::size_t unknown = 0;
   for (const LayerConfiguration::Entry& entry : session->layers.layers) {
-    const LayerIndex layer = find_layer(entry.layer);
+    const LayerIndex layer = builtins().find_layer(entry.layer);
     if (layer == kNoLayer)
       ++unknown;
     else if (entry.visible && std::ranges::find(out, layer) == out.end())
@@ -37,13 +37,13 @@ Expected<std::vector<LayerIndex>> shown_layers(const std::string& ids, const Ses
 }
 
 std::optional<EvolutionChoice> evolution_in(const Session* session) {
-  if (session == nullptr || !find_evolution(session->evolution.id)) return std::nullopt;
+  if (session == nullptr || !builtins().evolutions().find(session->evolution.id)) return std::nullopt;
   return choice_of(session->evolution);
 }
 
 SessionEvolution evolution_without_history(const Session& session) {
   SessionEvolution out = session.evolution;
-  const auto evolution = find_evolution(out.id);
+  const auto evolution = builtins().evolutions().find(out.id);
   if (!evolution || evolution->moved_parameter() == nullptr) out.step = 0;
   return out;
 }

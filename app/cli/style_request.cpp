@@ -132,7 +132,7 @@ Expected<std::vector<LayerStyle>> changed_styles(std::vector<LayerStyle> styles,
       return usage_error("--set-style expects LAYER:KEY=VALUE[,KEY=VALUE...], not " + in_quotes(request));
     const auto layer = select_layer(request.substr(0, colon));
     if (!layer) return std::unexpected(layer.error());
-    const LayerDescriptor& descriptor = layer_descriptors()[*layer];
+    const LayerDescriptor& descriptor = builtins().layers()[*layer];
     if (std::ranges::find(drawn, VariantLayer(*layer)) == drawn.end())
       return usage_error(fmt::format("--set-style is given for {}, which is not drawn", descriptor.id));
     std::string_view rest = std::string_view(request).substr(colon + 1);

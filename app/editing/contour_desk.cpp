@@ -44,7 +44,7 @@ Expected<void> ContourDesk::put(const CurveOrder& contours, const std::string& n
   }
   editor_.note_layers();
   if (auto done = editor_.perform(edit); !done) return done;
-  layers_.set_visible(find_layer("contours"), true);
+  layers_.set_visible(builtins().find_layer("contours"), true);
   editor_.join_layers();
   return {};
 }

@@ -13,8 +13,8 @@ void FirstBall::follow(Editor& editor, LayerStack& layers) {
   const bool has_balls = editor.document().ball_count() != 0;
   if (has_balls == std::exchange(had_balls_, has_balls) || !has_balls) return;
   if (editor.can_redo() || layers.soloed() != kNoLayer) return;
-  const std::array of_balls{find_layer("b-inner-disks"), find_layer("b-inner-circles"),
-                            find_layer("b-inner-centers")};
+  const std::array of_balls{builtins().find_layer("b-inner-disks"), builtins().find_layer("b-inner-circles"),
+                            builtins().find_layer("b-inner-centers")};
   if (std::ranges::any_of(of_balls, [&](LayerIndex layer) { return layers.is_visible(layer); })) return;
   editor.note_layers();
   for (const LayerIndex layer : of_balls) layers.set_visible(layer, true);

@@ -20,7 +20,7 @@ constexpr Rgb kOnlyHere{0xE0, 0x1E, 0x8C};
 
 /// The layer of another pane that shows what this one does: the same, or else the same of another family of balls.
 std::optional<VariantLayer> counterpart(LayerIndex layer, const Pane& pane) {
-  const auto descriptors = layer_descriptors();
+  const auto descriptors = builtins().layers();
   const auto same = std::ranges::find(pane.shown.layers, layer, &VariantLayer::layer);
   if (same != pane.shown.layers.end()) return *same;
   const std::string_view shown = descriptors[layer].of_any_family;
@@ -147,7 +147,8 @@ Comparison compare(std::vector<PaneRequest> requests) {
               .variant = variant_of(request),
               .data = request.data};
     const bool has_document = pane.variant != kMainVariant && out.variants[pane.variant - 1].data;
-    for (VariantLayer& layer : pane.shown.layers) layer = layer_in(pane.variant, has_document, layer.layer);
+    for (VariantLayer& layer : pane.shown.layers)
+      layer = builtins().layer_in(pane.variant, has_document, layer.layer);
     out.demand.insert(out.demand.end(), pane.shown.layers.begin(), pane.shown.layers.end());
     out.panes.push_back(std::move(pane));
   }
@@ -182,7 +183,7 @@ Comparison comparison_of(const ShownPanes& shown, const LayerStack& layers) {
 
 void share_color_ranges(Comparison& comparison, const LayerMirror& mirror) {
   const auto follows = [](const LayerStyle& style) { return !style.color_map.empty() && !style.range_locked; };
-  std::vector<render::ScalarRange> ranges(layer_descriptors().size());
+  std::vector<render::ScalarRange> ranges(builtins().layers().size());
   for (const Pane& pane : comparison.panes)
     for (const VariantLayer layer : pane.shown.layers)
       if (follows(pane.shown.styles[layer.layer])) ranges[layer.layer].add(range_of(mirror, layer));
@@ -217,7 +218,7 @@ FramePatch mark_differences(Comparison& comparison, const LayerMirror& mirror, d
       patch.layer = {marks, layer.layer};
       if (!differences.find(layer, others, patch)) continue;
       LayerStyle style = marked(pane.shown.styles[layer.layer]);
-      if (!has_areas(layer_descriptors()[layer.layer])) style.opacity = 1.0;
+      if (!has_areas(builtins().layers()[layer.layer])) style.opacity = 1.0;
       pane.marks.push_back({patch.layer, style});
       out.layers.push_back(std::move(patch));
     }

@@ -17,7 +17,7 @@ namespace {
 class TaskList {
  public:
   explicit TaskList(std::span<const VariantLayer> layers) {
-    const auto descriptors = layer_descriptors();
+    const auto descriptors = builtins().layers();
     for (const VariantLayer layer : layers)
       for (const std::string_view structure : descriptors[layer.layer].structures)
         if (std::ranges::find(tasks_, structure) == tasks_.end()) tasks_.push_back(structure);

@@ -118,7 +118,7 @@ MarksPlace add_scale_marks(figure::Figure& figure, const SeenPlane& plane, const
 
 bool has_texts(std::span<const VariantLayer> layers) {
   return std::ranges::any_of(
-      layers, [](VariantLayer layer) { return layer_descriptors()[layer.layer].points_as != PointsAs::dots; });
+      layers, [](VariantLayer layer) { return builtins().layers()[layer.layer].points_as != PointsAs::dots; });
 }
 
 /// The part of the plane on the page.
@@ -157,12 +157,12 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   const std::vector<render::LayerView> views = views_of(request.shown, 0.0);
   const figure::Drawing explained{
       .mirror = source.mirror,
-      .layers = layer_descriptors(),
+      .layers = builtins().layers(),
       .views = views,
       .maps = source.maps,
       .background = request.shown.background,
       .scale = request.shown.scale,
-      .traced = {find_layer("image"), source.traced, {request.image.center, request.image.width}}};
+      .traced = {builtins().find_layer("image"), source.traced, {request.image.center, request.image.width}}};
   const bool is_annotated = request.with_annotations && !source.annotations.is_empty();
   const bool is_explained = has_legend(explained, request.legend);
   const bool is_numbered = has_texts(request.shown.layers);

@@ -179,7 +179,8 @@ Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(const 
     out->mirror.apply(
         mark_differences(comparison, out->mirror, all.is_empty() ? 0.0 : std::max(all.width(), all.height())));
   }
-  const bool is_traced = std::ranges::find(subject.shown.layers, find_layer("image")) != subject.shown.layers.end();
+  const bool is_traced =
+      std::ranges::find(subject.shown.layers, builtins().find_layer("image")) != subject.shown.layers.end();
   if (is_traced && !subject.image.file.empty()) {
     if (auto image = read_background(subject.image))
       out->traced = std::move(*image);

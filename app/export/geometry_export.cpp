@@ -13,7 +13,8 @@ namespace mes {
 std::vector<LayerIndex> layers_for(const LayerTextFormat& format, std::vector<LayerIndex> layers) {
   if (format.needs_curve)
     for (const std::string_view id : {"curve", "curve-normals"})
-      if (std::ranges::find(layers, find_layer(id)) == layers.end()) layers.push_back(find_layer(id));
+      if (std::ranges::find(layers, builtins().find_layer(id)) == layers.end())
+        layers.push_back(builtins().find_layer(id));
   return layers;
 }
 

@@ -43,7 +43,7 @@ Box2 box_of(const LayerMirror& mirror, VariantLayer layer) {
 std::vector<render::LayerView> views_of(const ShownLayers& shown, double spacing_px) {
   std::vector<render::LayerView> views;
   for (const VariantLayer layer : shown.layers) {
-    const LayerStyle style = thinned(shown.styles[layer.layer], layer_descriptors()[layer.layer], spacing_px);
+    const LayerStyle style = thinned(shown.styles[layer.layer], builtins().layers()[layer.layer], spacing_px);
     views.push_back({layer, drawn_on(style, shown.background)});
   }
   return views;
@@ -52,7 +52,7 @@ std::vector<render::LayerView> views_of(const ShownLayers& shown, double spacing
 Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const VariantLayer> layers) {
   Box2 box = samples;
   for (const VariantLayer layer : layers)
-    if (layer_descriptors()[layer.layer].in_fit_box) box.add(box_of(mirror, layer));
+    if (builtins().layers()[layer.layer].in_fit_box) box.add(box_of(mirror, layer));
   if (samples.is_empty()) return box;
   constexpr double kReach = 0.1;
   const double reach = kReach * std::max(samples.width(), samples.height());
@@ -68,7 +68,7 @@ Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const Var
 LayerConfiguration configuration_of(const ShownLayers& shown) {
   LayerConfiguration out;
   for (const auto [variant, layer] : shown.layers)
-    out.layers.push_back({std::string(layer_descriptors()[layer].id), true, shown.styles[layer]});
+    out.layers.push_back({std::string(builtins().layers()[layer].id), true, shown.styles[layer]});
   return out;
 }
 

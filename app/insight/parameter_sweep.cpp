@@ -30,9 +30,9 @@ std::string cell_of(double value) {
 Cells cells_of(const Workbench& bench, const std::vector<LayerIndex>& layers) {
   Cells out;
   for (const LayerIndex layer : layers) {
-    const std::string prefix = "layers." + std::string(layer_descriptors()[layer].id) + '.';
+    const std::string prefix = "layers." + std::string(builtins().layers()[layer].id) + '.';
     const LayerSummary summary = summarise(bench.mirror(), layer);
-    for (const PrimitiveKind kind : layer_descriptors()[layer].kinds) {
+    for (const PrimitiveKind kind : builtins().layers()[layer].kinds) {
       out.emplace_back(prefix + std::string(plural_of(kind)),
                        std::to_string(summary.count[static_cast<std::size_t>(kind)]));
       if (kind == PrimitiveKind::segment || kind == PrimitiveKind::arc)

@@ -11,21 +11,21 @@ namespace {
 using Entry = LayerConfiguration::Entry;
 
 std::optional<FamilyKind> family_of_layer(std::string_view id) {
-  const LayerIndex layer = find_layer(id);
-  return layer == kNoLayer ? std::nullopt : family_of(layer_descriptors()[layer]);
+  const LayerIndex layer = builtins().find_layer(id);
+  return layer == kNoLayer ? std::nullopt : family_of(builtins().layers()[layer]);
 }
 
 // Own balls as they are drawn by hand: shown beside the union of any family.
 bool is_plain(std::string_view id) {
-  const LayerIndex layer = find_layer(id);
-  const auto& structures = layer_descriptors()[layer].structures;
+  const LayerIndex layer = builtins().find_layer(id);
+  const auto& structures = builtins().layers()[layer].structures;
   return structures.size() == 1 && structures.front() == "scaled-balls";
 }
 
 /// The layer that shows the same of another family, as "a-v-points" and "b-v-points" do, or kNoLayer.
 LayerIndex counterpart_of(std::string_view id, FamilyKind family) {
-  const auto layers = layer_descriptors();
-  const std::string_view shown = layers[find_layer(id)].of_any_family;
+  const auto layers = builtins().layers();
+  const std::string_view shown = layers[builtins().find_layer(id)].of_any_family;
   const auto found = std::ranges::find_if(layers, [&](const LayerDescriptor& other) {
     return !shown.empty() && other.of_any_family == shown && other.group == group_of(family);
   });
@@ -67,7 +67,7 @@ LayerConfiguration in_family(const LayerConfiguration& layers, FamilyKind family
     if (!entry.visible || !of || *of == family || (is_plain(entry.layer) && !is_of_union)) continue;
     const LayerIndex counterpart = counterpart_of(entry.layer, family);
     if (counterpart == kNoLayer) continue;
-    const std::string id(layer_descriptors()[counterpart].id);
+    const std::string id(builtins().layers()[counterpart].id);
     const auto other = std::ranges::find(out.layers, id, &Entry::layer);
     if (other == out.layers.end()) {
       entry.layer = id;

@@ -110,9 +110,7 @@ void LayerStack::forget_missing() {
 }
 
 LayerIndex LayerStack::find(std::string_view id) const {
-  const auto found = std::ranges::find(descriptors_, id, &LayerDescriptor::id);
-  if (found == descriptors_.end() || found->is_removed) return kNoLayer;
-  return static_cast<LayerIndex>(found - descriptors_.begin());
+  return find_layer(descriptors_, id);
 }
 
 void LayerStack::apply(const LayersChanged& change) {

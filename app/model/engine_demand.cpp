@@ -54,7 +54,7 @@ bool EngineDemand::follow(Engine& engine, const Wanted& wanted, bool picture_is_
   if (is_news) beside.variants = shown_.variants;
   if (is_news || !beside.deltas.empty()) {
     std::vector<VariantLayer> layers = shown_.demand;
-    const VariantLayer density = find_layer("sampling-epsilon");
+    const VariantLayer density = builtins().find_layer("sampling-epsilon");
     const auto at = std::ranges::lower_bound(layers, density);
     if (wanted.with_density && (at == layers.end() || *at != density)) layers.insert(at, density);
     engine.post(

@@ -166,7 +166,7 @@ ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const Com
     }
     ShownPanes::Layers shown = layers_of(choice, layers);
     for (auto& [layer, style] : shown) {
-      layer = layer_in(variant, version.has_value(), layer.layer);
+      layer = builtins().layer_in(variant, version.has_value(), layer.layer);
       out.demand.push_back(layer);
     }
     out.panes.push_back(std::move(shown));

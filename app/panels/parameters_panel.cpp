@@ -151,7 +151,7 @@ MarkBand ParametersPanel::band(const char* id) const {
 
 void ParametersPanel::draw_scale_events(double& factor) {
   const bool is_shown = std::ranges::any_of(layers_.visible_layers(), [](LayerIndex layer) {
-    return layer_descriptors()[layer].group == LayerGroup::scale_axis;
+    return builtins().layers()[layer].group == LayerGroup::scale_axis;
   });
   if (!is_shown) return;
   const Document& document = editor_.document();
@@ -184,7 +184,7 @@ void ParametersPanel::draw_scale_events(double& factor) {
 
 void ParametersPanel::draw_critical_values(double& limit) {
   const bool is_shown = std::ranges::any_of(layers_.visible_layers(), [](LayerIndex layer) {
-    return layer_descriptors()[layer].scalar == "lambda" || layer_descriptors()[layer].id == "lambda-kept-boundary";
+    return builtins().layers()[layer].scalar == "lambda" || builtins().layers()[layer].id == "lambda-kept-boundary";
   });
   if (!is_shown) return;
   const Document& document = editor_.document();

@@ -138,7 +138,7 @@ ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, float width
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   tooltip(gui, "Drag to move this card");
   ImGui::SetCursorPos(at);
-  ImGui::TextDisabled("%s", std::string(layer_descriptors()[answer_->layer.layer].name).c_str());
+  ImGui::TextDisabled("%s", std::string(builtins().layers()[answer_->layer.layer].name).c_str());
   HeadClicks out;
   ImGui::SameLine(width - 38 * unit - keep_width);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4 * unit, 0.0F});

@@ -31,7 +31,7 @@ LayerStyle greyed(LayerStyle style) {
 
 }  // namespace
 
-Picture::Picture() : scene_(device_), moved_(find_layer("points")) {
+Picture::Picture() : scene_(device_), moved_(builtins().find_layer("points")) {
   if (std::getenv("MESECINA_CHECK_PATCHES") != nullptr) mirror_ = std::make_unique<LayerMirror>();
 }
 
@@ -245,7 +245,7 @@ ShownPanes::Layers Picture::as_drawn(ShownPanes::Layers layers, const std::optio
   for (auto& [layer, style] : layers) {
     const NodeState is = state(layer);
     const bool failed = is == NodeState::failed || is == NodeState::blocked;
-    style = thinned(style, layer_descriptors()[layer.layer], spacing_px);
+    style = thinned(style, builtins().layers()[layer.layer], spacing_px);
     style = drawn_on(failed ? greyed(style) : style, background);
   }
   return layers;

@@ -188,7 +188,7 @@ class Cells {
 
 /// The radius of the dots in the layer `points`; 0 where it is not shown.
 double dots_of(std::span<const render::LayerView> views) {
-  const LayerIndex points = find_layer("points");
+  const LayerIndex points = builtins().find_layer("points");
   const auto found = std::ranges::find(views, points, &render::LayerView::layer);
   return found == views.end() ? 0.0 : 0.5 * render::point_size_of(found->style);
 }
@@ -227,7 +227,7 @@ void add_texts(std::span<render::LayerView> views, const TextSource& source, con
   constexpr double kGap = 2.5;
   const double diagonal = std::sqrt(0.5);
   for (render::LayerView& view : views) {
-    if (layer_descriptors()[view.layer.layer].points_as == PointsAs::dots) continue;
+    if (builtins().layers()[view.layer.layer].points_as == PointsAs::dots) continue;
     auto texts = std::make_shared<render::LayerTexts>();
     view.texts = texts;
     if (font == nullptr) continue;

@@ -23,7 +23,7 @@ constexpr double kRead = 3.0;    // seconds for a caption
 /// Writes the script of a session, and knows the document as it is at that point.
 class Script {
  public:
-  explicit Script(const SampleData& data) : layers_(layer_descriptors()) {
+  explicit Script(const SampleData& data) : layers_(builtins().layers()) {
     session_.title = "Demo";
     session_.lesson.title = kDemoTitle;
     session_.data = std::make_shared<const SampleData>(data);
@@ -39,7 +39,7 @@ class Script {
     for (const LayerIndex layer : layers_.order()) layers.set_visible(layer, false);
     LayerIndex below = kNoLayer;
     for (const std::string_view id : ids) {
-      const LayerIndex layer = find_layer(id);
+      const LayerIndex layer = builtins().find_layer(id);
       if (layer == kNoLayer) continue;
       layers.set_visible(layer, true);
       if (below != kNoLayer) layers.move(layer, below, true);
@@ -51,7 +51,7 @@ class Script {
   template <class Change>
   void style(std::string_view id, Change with) {
     LayerStack layers = layers_;
-    const LayerIndex layer = find_layer(id);
+    const LayerIndex layer = builtins().find_layer(id);
     if (layer == kNoLayer) return;
     LayerStyle style = layers.style(layer);
     with(style);
@@ -227,12 +227,12 @@ Expected<void> smooth_noise(Script& script) {
   script.show({"interior-voronoi-disks", "curve", "medial-axis", "points"});
   const std::string noisy = "A little noise on the samples, and the axis grows hairs";
   script.say(noisy, 1.0);
-  EvolutionChoice noise{.evolution = find_evolution("noise")};
+  EvolutionChoice noise{.evolution = builtins().evolutions().find("noise")};
   noise.values.keep("noise-factor", kNoise);
   if (auto done = script.evolve(noise, 1, [&](std::uint64_t) { return noisy; }); !done) return done;
   script.say(noisy, 4.0);
   script.mark("Noise", noisy);
-  const EvolutionChoice smooth{.evolution = find_evolution("smooth")};
+  const EvolutionChoice smooth{.evolution = builtins().evolutions().find("smooth")};
   auto done = script.evolve(smooth, kSmoothings, [](std::uint64_t k) {
     return fmt::format("Laplacian smoothing, step {}: the hairs go, what is essential stays", k);
   });

@@ -13,7 +13,8 @@ LessonWalk::LessonWalk(const Session& session) : session_(session), playback_(se
 
 Expected<void> LessonWalk::begin() {
   now_ = start_of(session_);
-  layers_.emplace(std::move(now_.layers), [](std::string_view layer) { return find_layer(layer) != kNoLayer; });
+  layers_.emplace(std::move(now_.layers),
+                  [](std::string_view layer) { return builtins().find_layer(layer) != kNoLayer; });
   replay_.emplace();
   position_ = 0;
   return replay_->begin(*session_.data);

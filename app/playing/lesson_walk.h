@@ -17,7 +17,7 @@ namespace mes {
 /// A step of a lesson, complete: what it does not say itself is as the timeline has it.
 struct LessonScene {
   SampleData data;
-  LayerStack layers{layer_descriptors()};
+  LayerStack layers{builtins().layers()};
   ComputationSettings settings{};
   Box2 view{};  ///< empty: everything
 };

@@ -10,7 +10,8 @@ namespace {
 
 // Layers of a later version cannot be shown, and would only make each change of the others longer.
 LayerFold known_layers(LayerConfiguration configuration) {
-  return LayerFold(std::move(configuration), [](std::string_view layer) { return find_layer(layer) != kNoLayer; });
+  return LayerFold(std::move(configuration),
+                   [](std::string_view layer) { return builtins().find_layer(layer) != kNoLayer; });
 }
 
 }  // namespace
@@ -19,7 +20,7 @@ Player::Player(const Session& session, OnPatch on_patch)
     : data_(session.data),
       playback_(session.entries),
       on_patch_(std::move(on_patch)),
-      layers_(layer_descriptors()),
+      layers_(builtins().layers()),
       layer_fold_(known_layers({})),
       engine_(builtins(), {}),
       replay_({}, [this](const DocumentDelta& delta) {

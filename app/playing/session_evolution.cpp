@@ -11,7 +11,7 @@
 namespace mes {
 
 EvolutionChoice choice_of(const SessionEvolution& evolution) {
-  EvolutionChoice out{.evolution = find_evolution(evolution.id), .seed = evolution.seed};
+  EvolutionChoice out{.evolution = builtins().evolutions().find(evolution.id), .seed = evolution.seed};
   if (evolution.id.empty()) out.evolution = builtins().evolutions().all().front();
   if (!out.evolution) out.evolution = missing_evolution(evolution.id);
   for (const auto& [id, value] : evolution.parameters) out.values.keep(id, value);

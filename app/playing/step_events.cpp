@@ -116,7 +116,7 @@ void StepEvents::follow_growth(const StepRange& range) {
 
 void StepEvents::follow_factors(const StepRange& range) {
   const bool is_shown = std::ranges::any_of(uses_.layers.visible_layers(), [](LayerIndex layer) {
-    return layer_descriptors()[layer].group == LayerGroup::scale_axis;
+    return builtins().layers()[layer].group == LayerGroup::scale_axis;
   });
   if (!is_shown) return forget();
   const Document& document = uses_.editor.document();

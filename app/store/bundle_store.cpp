@@ -41,7 +41,7 @@ fs::path default_bundles_path() {
 
 std::vector<KnownLayer> known_layers() {
   std::vector<KnownLayer> out;
-  for (const LayerDescriptor& layer : layer_descriptors()) out.push_back({layer.id, layer.style});
+  for (const LayerDescriptor& layer : builtins().layers()) out.push_back({layer.id, layer.style});
   return out;
 }
 

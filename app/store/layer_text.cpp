@@ -19,10 +19,10 @@ bool holds_points(LayerIndex layer) {
 }
 bool holds_balls(LayerIndex layer) {
   return emits(layer, PrimitiveKind::disk) || emits(layer, PrimitiveKind::circle) ||
-         layer_descriptors()[layer].id == "b-inner-centers";
+         builtins().layers()[layer].id == "b-inner-centers";
 }
 bool holds_curve(LayerIndex layer) {
-  return layer_descriptors()[layer].id == "curve" || layer_descriptors()[layer].id == "curve-normals";
+  return builtins().layers()[layer].id == "curve" || builtins().layers()[layer].id == "curve-normals";
 }
 
 // One line a format.
@@ -62,7 +62,7 @@ Expected<void> check_layers(const LayerTextFormat& format, std::span<const Layer
         fmt::format("a file of format {} holds one layer; geojson, wkt and svg-path hold several", format.name));
   for (const LayerIndex layer : layers)
     if (!format.holds(layer))
-      return refuse(fmt::format("layer {} has no {} to write as {}; csv can hold it", layer_descriptors()[layer].id,
+      return refuse(fmt::format("layer {} has no {} to write as {}; csv can hold it", builtins().layers()[layer].id,
                                 format.contents, format.name));
   return {};
 }

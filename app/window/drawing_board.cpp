@@ -277,7 +277,7 @@ void DrawingBoard::follow_differences() {
         if (const LayerReport* const failed = picture_.first_failed())
           out.problem = Error{
               ErrorCode::cannot_compute,
-              fmt::format("the layer {} failed: {}", layer_descriptors()[failed->layer.layer].id, failed->reason),
+              fmt::format("the layer {} failed: {}", builtins().layers()[failed->layer.layer].id, failed->reason),
               {},
               0,
               0};

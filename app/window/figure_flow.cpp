@@ -100,7 +100,7 @@ void FigureFlow::ask_geometry(std::vector<LayerIndex> layers, const LayerTextFor
     return;
   }
   const std::string extension = "." + std::string(format.extension);
-  const std::string layer = layers.size() == 1 ? "-" + std::string(layer_descriptors()[layers.front()].id) : "";
+  const std::string layer = layers.size() == 1 ? "-" + std::string(builtins().layers()[layers.front()].id) : "";
   const auto save = [this, layers = std::move(layers), &format](const std::filesystem::path& file) {
     uses_.settings.last_folder = file.parent_path().string();
     write_geometry(file, layers, format);

@@ -15,7 +15,7 @@ namespace mes {
 Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, std::function<void()> wake)
     : messages_(messages),
       engine_(builtins(), {.wake = wake}),
-      layers_(layer_descriptors()),
+      layers_(builtins().layers()),
       bundles_(default_bundles_path(), assets, layers_),
       hold_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { hold_.post(std::move(delta)); }, &layers_),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/draw/layer_descriptor.h"
 
+#include <algorithm>
+
 namespace mes {
 
 std::string_view title_of(LayerGroup group) {
@@ -16,6 +18,12 @@ std::string_view title_of(LayerGroup group) {
     case LayerGroup::diagnostics: return "Diagnostics";
   }
   return {};
+}
+
+LayerIndex find_layer(std::span<const LayerDescriptor> layers, std::string_view id) {
+  const auto found = std::ranges::find(layers, id, &LayerDescriptor::id);
+  if (found == layers.end() || found->is_removed) return kNoLayer;
+  return static_cast<LayerIndex>(found - layers.begin());
 }
 
 }  // namespace mes

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -53,5 +54,8 @@ struct LayerDescriptor {
   bool follows_settings = false;          ///< number type or parameters have a say in it
   bool is_removed = false;                ///< no layer has this index any more
 };
+
+/// The position of a public id in a list of all layers, or kNoLayer; that of a layer that was removed does not count.
+LayerIndex find_layer(std::span<const LayerDescriptor> layers, std::string_view id);
 
 }  // namespace mes

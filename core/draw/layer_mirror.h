@@ -24,7 +24,7 @@ namespace mes {
 /// Smallest use:
 ///     LayerMirror mirror;
 ///     while (auto patch = engine.sync()) { mirror.apply(*patch); engine.recycle(std::move(patch)); }
-///     mirror.count(find_layer("medial-axis"), PrimitiveKind::segment);
+///     mirror.count(registry.find_layer("medial-axis"), PrimitiveKind::segment);
 ///
 /// Cost: O(size of the patch). Threads: none inside; several may read while none applies a patch.
 class LayerMirror {

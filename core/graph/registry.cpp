@@ -160,9 +160,13 @@ bool Registry::remove_layer(std::string_view id) {
 }
 
 LayerIndex Registry::find_layer(std::string_view id) const {
-  const auto found = std::ranges::find(layers_, id, &LayerDescriptor::id);
-  if (found == layers_.end() || found->is_removed) return kNoLayer;
-  return static_cast<LayerIndex>(found - layers_.begin());
+  return mes::find_layer(layers_, id);
+}
+
+VariantLayer Registry::layer_in(VariantIndex variant, bool has_document, LayerIndex layer) const {
+  const LayerDescriptor& descriptor = layers_[layer];
+  const bool is_shared = has_document ? descriptor.structures.empty() : !descriptor.follows_settings;
+  return {is_shared ? kMainVariant : variant, layer};
 }
 
 StructureSet Registry::make_structures(const StructureSet* shared, bool has_document) const {

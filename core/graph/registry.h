@@ -103,6 +103,9 @@ class Registry {
   std::span<const LayerDescriptor> layers() const { return layers_; }
   /// The position of a public id, or kNoLayer.
   LayerIndex find_layer(std::string_view id) const;
+  /// The layer that a variant shows: its own, or that of the main computation where they share it. `has_document` says
+  /// that the variant has samples and balls of its own.
+  VariantLayer layer_in(VariantIndex variant, bool has_document, LayerIndex layer) const;
 
   /// Every structure, inputs before consumers.
   ///

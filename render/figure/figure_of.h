@@ -6,7 +6,7 @@
 //
 // Smallest use:
 //     const Page page = page_of(camera);
-//     const Figure figure = figure_of({.mirror = mirror, .layers = layer_descriptors(), .views = views, .maps = maps}, page);
+//     const Figure figure = figure_of({.mirror = mirror, .layers = registry.layers(), .views = views, .maps = maps}, page);
 //     const std::string bytes = svg_of(figure);
 //
 // Cost: O(n log n) for n primitives, about a microsecond each. Threads: any; nothing is kept.

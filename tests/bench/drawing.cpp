@@ -18,6 +18,7 @@
 #include "render/scene.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/setup.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/shapes_benchmark.h"
 
 namespace mes::bench {

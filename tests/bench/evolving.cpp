@@ -4,10 +4,10 @@
 
 #include <cstdlib>
 
-#include "core/builtins/builtins.h"
 #include "core/evolutions/evolution.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/setup.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/shapes_benchmark.h"
 
 namespace mes::bench {

@@ -10,12 +10,12 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/draw/layer_mirror.h"
 #include "render/figure/figure_of.h"
 #include "render/figure/writers.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/setup.h"
+#include "tests/support/builtin_layers.h"
 
 namespace mes::bench {
 namespace {

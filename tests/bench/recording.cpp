@@ -15,6 +15,7 @@
 #include "render/png.h"
 #include "tests/bench/ratios.h"
 #include "tests/bench/setup.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/shapes_benchmark.h"
 
 #define STB_IMAGE_WRITE_STATIC

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 #include "core/engine/graph.h"
+#include "tests/support/builtin_layers.h"
 
 namespace mes::bench {
 

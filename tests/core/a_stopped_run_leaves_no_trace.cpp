@@ -11,6 +11,7 @@
 #include "core/document/commands.h"
 #include "core/document/history.h"
 #include "core/structures/delaunay/delaunay.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -17,6 +17,7 @@
 #include "core/structures/crust/one_step_crust.h"
 #include "core/structures/delaunay/delaunay.h"
 #include "core/workbench/workbench.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

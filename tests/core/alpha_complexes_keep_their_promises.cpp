@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/structures/alpha/alpha_complex.h"
 #include "core/structures/alpha/persistence.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/matrix_reduction.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"

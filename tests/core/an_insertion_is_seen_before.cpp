@@ -5,8 +5,8 @@
 #include <set>
 
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/structures/crust/one_step_crust.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/graph/explain.h"
 #include "core/io/format.h"
 #include "core/structures/balls/axis_ball_union.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"

@@ -10,12 +10,12 @@
 #include <sstream>
 
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/kernel/circumcircle.h"
 #include "core/structures/axis/inner_balls.h"
 #include "core/structures/crust/one_step_crust.h"
 #include "core/structures/crust/voronoi_vertices.h"
 #include "core/structures/density/feature_size.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/exact_geometry.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"

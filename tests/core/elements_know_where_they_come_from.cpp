@@ -4,10 +4,10 @@
 #include <catch2/catch.hpp>
 
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/structures/axis/inner_balls.h"
 #include "core/structures/axis/medial_axis.h"
 #include "core/structures/balls/ball_union.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/shapes.h"
 #include "tests/support/workbench.h"
 

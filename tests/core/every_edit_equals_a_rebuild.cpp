@@ -12,6 +12,7 @@
 #include "core/document/commands.h"
 #include "core/document/history.h"
 #include "core/draw/layer_mirror.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/effort.h"
 #include "tests/support/layer_contents.h"
 #include "tests/support/state_of_graph.h"

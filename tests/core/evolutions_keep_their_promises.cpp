@@ -8,6 +8,7 @@
 #include "core/builtins/builtins.h"
 #include "core/evolutions/evolution_run.h"
 #include "tests/support/bell.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/shapes.h"
 
 using namespace mes;

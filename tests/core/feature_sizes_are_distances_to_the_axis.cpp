@@ -11,8 +11,8 @@
 
 #include "core/base/box_tree.h"
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/structures/density/feature_size.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"

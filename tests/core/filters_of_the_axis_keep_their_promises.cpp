@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/structures/balls/kept_union.h"
 #include "core/structures/filters/angle_axis.h"
 #include "core/structures/filters/lambda_axis.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"

@@ -11,10 +11,10 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/structures/alpha/alpha_filtration.h"
 #include "core/structures/balls/grown_complex.h"
 #include "core/structures/poles/polar_union.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/matrix_reduction.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"

@@ -12,6 +12,7 @@
 #include "core/structures/crust/internal/open_strokes.h"
 #include "core/structures/crust/internal/spanning_tree.h"
 #include "core/structures/crust/labels.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/grid_draws.h"
 #include "tests/support/shapes_benchmark.h"
 #include "tests/support/shapes_degenerate.h"

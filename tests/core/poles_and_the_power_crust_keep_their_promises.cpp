@@ -9,10 +9,10 @@
 #include <functional>
 
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/kernel/pole_predicates.h"
 #include "core/structures/crust/curve.h"
 #include "core/structures/poles/polar_diagram.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/shapes.h"
 #include "tests/support/workbench.h"
 

@@ -7,7 +7,7 @@
 #include <functional>
 
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/shapes_benchmark.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"

@@ -9,8 +9,8 @@
 #include <string_view>
 
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/structures/balls/ball_union.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

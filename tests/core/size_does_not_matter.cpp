@@ -8,9 +8,9 @@
 
 #include "core/base/power_of_two.h"
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/kernel/roots_kernel.h"
 #include "core/kernel/rounding.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

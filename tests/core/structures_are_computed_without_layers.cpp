@@ -10,6 +10,7 @@
 #include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 #include "core/engine/graph.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

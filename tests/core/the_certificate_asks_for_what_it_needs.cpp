@@ -15,6 +15,7 @@
 #include "core/kernel/arc_predicates.h"
 #include "core/structures/balls/ball_union.h"
 #include "core/structures/certificate/axis_certificate.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

@@ -13,6 +13,7 @@
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
 #include "core/engine/engine.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/shapes_benchmark.h"
 #include "tests/support/workbench.h"
 

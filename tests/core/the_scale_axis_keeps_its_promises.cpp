@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/structures/balls/scale_axis.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"

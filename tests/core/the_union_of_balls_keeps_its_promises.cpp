@@ -19,6 +19,7 @@
 #include "core/io/format.h"
 #include "core/structures/balls/ball_union.h"
 #include "core/structures/balls/precision_difference.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/shapes.h"
 #include "tests/support/shapes_benchmark.h"
 #include "tests/support/workbench.h"

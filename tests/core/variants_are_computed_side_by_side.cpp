@@ -16,6 +16,7 @@
 #include "core/engine/graph.h"
 #include "core/structures/balls/ball_union.h"
 #include "core/structures/delaunay/delaunay.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/layer_contents.h"
 #include "tests/support/shapes_benchmark.h"
 

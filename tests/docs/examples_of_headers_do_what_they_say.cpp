@@ -293,7 +293,7 @@ TEST_CASE("core/evolutions/evolution_states.h") {
 
 TEST_CASE("core/evolutions/evolution_run.h") {
   const Document document = ring_document();
-  const EvolutionChoice choice{.evolution = find_evolution("smooth")};
+  const EvolutionChoice choice{.evolution = builtins().evolutions().find("smooth")};
   std::size_t shown = 0;
   const auto show = [&shown](const EvolutionRun::Answer& answer) {
     REQUIRE(answer.state);
@@ -326,16 +326,17 @@ TEST_CASE("core/engine/engine.h") {
 }
 
 TEST_CASE("core/draw/layer_mirror.h") {
-  Engine engine(builtins(), {});
-  engine.set_demand({find_layer("medial-axis")});
+  const Registry& registry = builtins();
+  Engine engine(registry, {});
+  engine.set_demand({registry.find_layer("medial-axis")});
   engine.post(std::make_shared<const DocumentDelta>(*insert_samples(Document(), ellipse())));
   LayerMirror mirror;
   while (auto patch = engine.sync()) {
     mirror.apply(*patch);
     engine.recycle(std::move(patch));
   }
-  mirror.count(find_layer("medial-axis"), PrimitiveKind::segment);
-  CHECK(mirror.count(find_layer("medial-axis"), PrimitiveKind::segment) > 10);
+  mirror.count(registry.find_layer("medial-axis"), PrimitiveKind::segment);
+  CHECK(mirror.count(registry.find_layer("medial-axis"), PrimitiveKind::segment) > 10);
 }
 
 TEST_CASE("core/engine/graph.h") {
@@ -385,7 +386,7 @@ TEST_CASE("core/graph/registry.h") {
 TEST_CASE("core/graph/layer.h") {
   Document document;
   Graph graph{builtins()};
-  graph.set_demand(std::vector{find_layer("curve")});
+  graph.set_demand(std::vector{builtins().find_layer("curve")});
   graph.post(std::make_shared<const DocumentDelta>(*insert_samples(document, ring())));
   FramePatch patch;
   JobControl job;

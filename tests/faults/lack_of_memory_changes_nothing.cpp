@@ -18,6 +18,7 @@
 #include "render/recording_device.h"
 #include "render/scene.h"
 #include "tests/faults/faulty_memory.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 using namespace mes::test;

@@ -21,6 +21,7 @@
 #include "core/draw/layer_mirror.h"
 #include "core/engine/graph.h"
 #include "tests/fuzz/reader_checks.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/state_of_graph.h"
 
 namespace mes::fuzz {

@@ -6,8 +6,8 @@
 
 #include "app/playing/lesson_presenter.h"
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "tests/model/random_editing.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 using namespace mes::test;

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "app/playing/lesson_walk.h"
-#include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

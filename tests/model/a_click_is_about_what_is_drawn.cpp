@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/layers/clicked_layers.h"
-#include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

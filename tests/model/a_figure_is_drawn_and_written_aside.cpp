@@ -10,8 +10,8 @@
 #include <string>
 
 #include "app/export/figure_desk.h"
-#include "core/builtins/builtins.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 using test::TemporaryFolder;

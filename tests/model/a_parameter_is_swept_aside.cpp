@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/insight/parameter_sweep.h"
-#include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

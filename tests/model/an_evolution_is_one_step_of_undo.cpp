@@ -8,6 +8,7 @@
 #include "core/builtins/builtins.h"
 #include "tests/model/positions_of.h"
 #include "tests/support/bell.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 using mes::test::Bell;

@@ -7,6 +7,7 @@
 #include "app/layers/empty_view.h"
 #include "app/playing/evolution_layers.h"
 #include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

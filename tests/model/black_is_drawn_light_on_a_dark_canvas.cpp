@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "app/picture/canvas_look.h"
-#include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

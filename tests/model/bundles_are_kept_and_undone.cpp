@@ -7,9 +7,9 @@
 #include <catch2/catch.hpp>
 
 #include "app/store/bundle_desk.h"
-#include "core/builtins/builtins.h"
 #include "core/io/bundle_file.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 using mes::test::contents_of;

@@ -8,8 +8,8 @@
 #include "app/editing/contour_desk.h"
 #include "app/editing/source_selection.h"
 #include "app/model/update_hold.h"
-#include "core/builtins/builtins.h"
 #include "tests/support/bell.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 using mes::test::Bell;

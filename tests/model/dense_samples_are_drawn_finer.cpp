@@ -10,8 +10,8 @@
 #include "app/editing/sample_spacing.h"
 #include "app/layers/layer_stack.h"
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

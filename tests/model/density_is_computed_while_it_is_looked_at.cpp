@@ -7,6 +7,7 @@
 #include "app/editing/editor.h"
 #include "app/model/engine_demand.h"
 #include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

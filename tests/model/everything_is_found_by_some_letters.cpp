@@ -6,7 +6,7 @@
 #include "app/model/fuzzy_match.h"
 #include "app/model/palette.h"
 #include "core/base/lower_case.h"
-#include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

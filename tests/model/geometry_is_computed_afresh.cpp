@@ -4,7 +4,7 @@
 #include <stop_token>
 
 #include "app/export/geometry_export.h"
-#include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "app/layers/layer_list.h"
-#include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

@@ -11,7 +11,7 @@
 #include "app/picture/scale_drawing.h"
 #include "app/picture/shapes_below.h"
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;

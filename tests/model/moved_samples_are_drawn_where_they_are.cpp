@@ -8,6 +8,7 @@
 #include "core/document/commands.h"
 #include "core/draw/layer_mirror.h"
 #include "core/engine/graph.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

@@ -8,7 +8,7 @@
 #include "app/picture/sample_texts.h"
 #include "app/store/sample_shapes.h"
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

@@ -18,6 +18,7 @@
 #include "core/draw/variant.h"
 #include "core/evolutions/evolution_states.h"
 #include "tests/support/bell.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 using mes::test::Bell;

@@ -4,7 +4,7 @@
 
 #include "app/editing/editor.h"
 #include "app/editing/hidden_samples.h"
-#include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

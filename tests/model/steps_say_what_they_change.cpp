@@ -7,7 +7,7 @@
 
 #include "app/insight/persistence_table.h"
 #include "app/playing/step_events.h"
-#include "core/builtins/builtins.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

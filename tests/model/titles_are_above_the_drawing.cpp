@@ -5,9 +5,9 @@
 #include "app/export/figure.h"
 #include "app/picture/scale_drawing.h"
 #include "app/picture/title_drawing.h"
-#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
 #include "tests/model/letters_of_one_width.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 using mes::test::half_size_a_byte;

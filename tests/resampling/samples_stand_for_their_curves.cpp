@@ -18,6 +18,7 @@
 #include "core/resampling/resampling.h"
 #include "core/structures/density/curve_sampling.h"
 #include "tests/curves/curve_parts.h"
+#include "tests/support/builtin_layers.h"
 #include "tests/support/parcels.h"
 #include "tests/support/pi.h"
 

@@ -7,6 +7,7 @@
 
 #include "core/builtins/builtins.h"
 #include "core/evolutions/evolution.h"
+#include "tests/support/builtin_layers.h"
 
 namespace mes::test {
 namespace {

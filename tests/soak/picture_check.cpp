@@ -3,8 +3,8 @@
 
 #include <algorithm>
 
-#include "core/builtins/builtins.h"
 #include "core/document/commands.h"
+#include "tests/support/builtin_layers.h"
 
 namespace mes::test {
 namespace {

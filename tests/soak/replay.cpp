@@ -6,8 +6,8 @@
 #include <iterator>
 
 #include "app/layers/layer_stack.h"
-#include "core/builtins/builtins.h"
 #include "tests/soak/picture_check.h"
+#include "tests/support/builtin_layers.h"
 
 namespace mes::test {
 

@@ -12,6 +12,7 @@
 #include "core/engine/graph.h"
 #include "core/io/format.h"
 #include "core/structures/axis/medial_axis.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 

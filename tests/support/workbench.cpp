@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
-#include "core/builtins/builtins.h"
 #include "core/structures/crust/one_step_crust.h"
+#include "tests/support/builtin_layers.h"
 
 namespace mes::test {
 

@@ -22,7 +22,7 @@ std::vector<LegendEntry> entries_of(std::span<const render::LayerView> views, Le
   std::vector<LegendEntry> out;
   if (scope == LegendScope::none) return out;
   for (auto view = views.rbegin(); view != views.rend(); ++view) {
-    const LayerDescriptor& layer = layer_descriptors()[view->layer.layer];
+    const LayerDescriptor& layer = builtins().layers()[view->layer.layer];
     const auto kind = std::ranges::find_if(layer.kinds, [&](PrimitiveKind each) { return has(view->layer, each); });
     if (kind == layer.kinds.end()) continue;
     const render::ShownMap shown = shown_map(*view);

@@ -46,7 +46,7 @@ std::string_view csv_columns(PrimitiveKind kind) {
 
 LayerText csv_of(const LayerGeometry& geometry) {
   const LayerIndex layer = geometry.layers.front();
-  const LayerDescriptor& descriptor = layer_descriptors()[layer];
+  const LayerDescriptor& descriptor = builtins().layers()[layer];
   const bool has_kind = descriptor.kinds.size() > 1;
   const bool has_scalar = !descriptor.scalar.empty();
   std::size_t columns = 0;

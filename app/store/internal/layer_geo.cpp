@@ -135,7 +135,7 @@ LayerText geojson_of(const LayerGeometry& geometry) {
   for_each_shape(geometry, out, [&](LayerIndex layer, const StraightShape& shape, const Parts& parts) {
     out.text += is_first ? "\n" : ",\n";
     is_first = false;
-    append_feature(out.text, layer_descriptors()[layer].id, shape, parts, map);
+    append_feature(out.text, builtins().layers()[layer].id, shape, parts, map);
   });
   out.text += "\n]}\n";
   return out;

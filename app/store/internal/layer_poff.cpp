@@ -43,7 +43,8 @@ using Normals = std::map<Vec2, Vec2, Before>;
 // The layer of normals draws each as a segment that begins at its sample.
 Normals normals_in(const LayerMirror& mirror) {
   Normals out;
-  const std::span<const double> segments = mirror.instances(find_layer("curve-normals"), PrimitiveKind::segment);
+  const std::span<const double> segments =
+      mirror.instances(builtins().find_layer("curve-normals"), PrimitiveKind::segment);
   for (std::size_t at = 0; at < segments.size(); at += stride_of(PrimitiveKind::segment)) {
     const Vec2 from{segments[at], segments[at + 1]};
     const Vec2 way = Vec2{segments[at + 2], segments[at + 3]} - from;
@@ -57,7 +58,7 @@ Normals normals_in(const LayerMirror& mirror) {
 
 LayerText wpoff_of(const LayerGeometry& geometry) {
   const LayerIndex layer = geometry.layers.front();
-  if (layer_descriptors()[layer].id == "b-inner-centers") return {write_wpoff(geometry.document)};
+  if (builtins().layers()[layer].id == "b-inner-centers") return {write_wpoff(geometry.document)};
   std::vector<Disk> balls;
   const PrimitiveKind kind = emits(layer, PrimitiveKind::disk) ? PrimitiveKind::disk : PrimitiveKind::circle;
   const std::span<const double> instances = geometry.mirror.instances(layer, kind);
@@ -69,7 +70,7 @@ LayerText wpoff_of(const LayerGeometry& geometry) {
 LayerText poff_of(const LayerGeometry& geometry) {
   const LayerIndex layer = geometry.layers.front();
   // In input order and with the curve order that came with them.
-  if (layer_descriptors()[layer].id == "points") return {write_poff(geometry.document)};
+  if (builtins().layers()[layer].id == "points") return {write_poff(geometry.document)};
   if (!emits(layer, PrimitiveKind::point)) {
     const SegmentChains found = chains_of(geometry.mirror.instances(layer, PrimitiveKind::segment));
     return {poff_text(found.points, found.chains, geometry.document.map())};
@@ -83,7 +84,8 @@ LayerText poff_of(const LayerGeometry& geometry) {
 
 LayerText npoff_of(const LayerGeometry& geometry) {
   const Normals normals = normals_in(geometry.mirror);
-  const SegmentChains found = chains_of(geometry.mirror.instances(find_layer("curve"), PrimitiveKind::segment));
+  const SegmentChains found =
+      chains_of(geometry.mirror.instances(builtins().find_layer("curve"), PrimitiveKind::segment));
   LayerText out;
   for (const SegmentChain& chain : found.chains) {
     bool is_first = true;

@@ -95,7 +95,7 @@ LayerText svg_path_of(const LayerGeometry& geometry) {
   LayerText out;
   PathText path(out.text);
   for (const LayerIndex layer : geometry.layers) {
-    for (const PrimitiveKind kind : layer_descriptors()[layer].kinds) {
+    for (const PrimitiveKind kind : builtins().layers()[layer].kinds) {
       const std::span<const double> instances = geometry.mirror.instances(layer, kind);
       const std::size_t stride = stride_of(kind);
       if (kind == PrimitiveKind::ray || kind == PrimitiveKind::line)

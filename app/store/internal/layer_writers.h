@@ -10,7 +10,7 @@
 namespace mes {
 
 inline bool emits(LayerIndex layer, PrimitiveKind kind) {
-  return std::ranges::find(layer_descriptors()[layer].kinds, kind) != layer_descriptors()[layer].kinds.end();
+  return std::ranges::find(builtins().layers()[layer].kinds, kind) != builtins().layers()[layer].kinds.end();
 }
 
 /// One header line, then one primitive a line; a layer that may emit several kinds has a first column `kind`.

@@ -46,7 +46,7 @@ void add_chains(std::span<const double> segments, bool has_scalar, std::vector<S
 }  // namespace
 
 std::vector<StraightShape> straight_shapes_of(const LayerMirror& mirror, LayerIndex layer, std::uint64_t& left_out) {
-  const LayerDescriptor& descriptor = layer_descriptors()[layer];
+  const LayerDescriptor& descriptor = builtins().layers()[layer];
   const bool has_scalar = !descriptor.scalar.empty();
   std::vector<StraightShape> out;
   for (const PrimitiveKind kind : descriptor.kinds) {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scripts of edits, undo, settings, layers and stopped runs: what the patches add up to is what a fresh computation
 // of the last state gives.
-#include "core/builtins/builtins.h"
 #include "core/document/history.h"
 #include "tests/fuzz/graph_run.h"
 #include "tests/fuzz/scene.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 using namespace mes::fuzz;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program's own registry, asked for by tests that need no other one.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "core/builtins/builtins.h"
+#include "core/evolutions/evolution.h"
+
+namespace mes {
+
+/// Every layer, in default stacking order: first = bottom.
+inline std::span<const LayerDescriptor> layer_descriptors() {
+  return builtins().layers();
+}
+
+/// The position of a public id, or kNoLayer.
+inline LayerIndex find_layer(std::string_view id) {
+  return builtins().find_layer(id);
+}
+
+/// Null: there is none with that public id.
+inline std::shared_ptr<const Evolution> find_evolution(std::string_view id) {
+  return builtins().evolutions().find(id);
+}
+
+/// The layer that a variant shows (`Registry::layer_in`).
+inline VariantLayer layer_in(VariantIndex variant, bool has_document, LayerIndex layer) {
+  return builtins().layer_in(variant, has_document, layer);
+}
+
+}  // namespace mes
