@@ -35,7 +35,7 @@ set(rooms
   "core/builtins: core/io core/shapes core/graph core/layers core/evolutions core/structures/*"
   "core/engine: core/base core/draw core/document core/graph core/structures/inputs"
   "core/workbench: core/base core/kernel core/draw core/document core/io core/graph core/engine"
-  "core/resampling: core/base core/kernel core/curves core/document core/draw core/graph core/builtins core/engine core/workbench core/evolutions core/structures/*"
+  "core/resampling: core/base core/kernel core/curves core/document core/draw core/graph core/engine core/workbench core/evolutions core/structures/*"
   "core/library/mesecina:"
   "core/library: core/base core/kernel core/draw core/document core/io core/shapes core/graph core/evolutions core/builtins core/engine core/workbench"
   "render: core/base core/raster core/draw"

@@ -11,6 +11,7 @@
 #include "app/cli/requests.h"
 #include "app/cli/session_settings.h"
 #include "app/insight/branch_table.h"
+#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
@@ -27,7 +28,7 @@ Expected<void> run_branches(const BranchesRequest& request, Interruption& interr
   const auto input = read_source(request.source);
   if (!input) return std::unexpected(input.error());
   JobControl job;
-  const auto table = branch_table_of(input->file.data, input->settings, *axis, job);
+  const auto table = branch_table_of(builtins(), input->file.data, input->settings, *axis, job);
   if (!table) return std::unexpected(table.error());
   auto done = write_output(request.output, branches_as_csv(table->branches), interruption,
                            {input->file.sources, request.force});

@@ -11,6 +11,7 @@
 #include "app/cli/requests.h"
 #include "app/cli/session_settings.h"
 #include "app/insight/persistence_table.h"
+#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
@@ -26,7 +27,7 @@ Expected<void> run_persistence(const PersistenceRequest& request, Interruption& 
   const auto input = read_source(request.source);
   if (!input) return std::unexpected(input.error());
   JobControl job;
-  const auto table = persistence_table_of({input->file.data, *of, input->settings}, job);
+  const auto table = persistence_table_of(builtins(), {input->file.data, *of, input->settings}, job);
   if (!table) return std::unexpected(table.error());
   const auto longest = std::ranges::find(table->rows, true, &PersistenceRow::is_hole);
   const std::string words =

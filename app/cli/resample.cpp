@@ -7,6 +7,7 @@
 #include "app/cli/messages.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
+#include "core/builtins/builtins.h"
 #include "core/io/format.h"
 #include "core/io/text_numbers.h"
 #include "core/resampling/decimate.h"
@@ -44,7 +45,7 @@ Expected<void> run_repair(const ResampleRequest& request, Interruption& interrup
   const auto input = read_input(request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
   JobControl job;
-  const auto repaired = repair(input->data, *epsilon, job);
+  const auto repaired = repair(builtins(), input->data, *epsilon, job);
   if (!repaired) return std::unexpected(repaired.error());
   if (auto done = write(request, repaired->data, *input, interruption); !done) return done;
   for (const std::string& sentence : repaired->words()) say(sentence);
@@ -58,7 +59,7 @@ Expected<void> run_decimate(const ResampleRequest& request, Interruption& interr
   const auto input = read_input(request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
   JobControl job;
-  const auto decimated = decimate(input->data, *epsilon, job);
+  const auto decimated = decimate(builtins(), input->data, *epsilon, job);
   if (!decimated) return std::unexpected(decimated.error());
   if (auto done = write(request, decimated->data, *input, interruption); !done) return done;
   say(decimated->words());

@@ -51,7 +51,8 @@ Expected<void> run_sweep(const SweepRequest& request, Interruption& interruption
   const std::string name(range->parameter.id);
   JobControl job;
   const auto text = sweep_as_csv(
-      {input->file.data, input->settings, *range, *layers}, [&](double share) { progress.show(name, share); }, job);
+      builtins(), {input->file.data, input->settings, *range, *layers},
+      [&](double share) { progress.show(name, share); }, job);
   if (!text) return std::unexpected(text.error());
   return write_output(request.output, *text, interruption, {input->file.sources, request.force});
 }

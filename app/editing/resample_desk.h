@@ -26,7 +26,8 @@ namespace mes {
 
 class ResampleDesk {
  public:
-  ResampleDesk(Editor& editor, std::function<void()> wake) : editor_(editor), job_(std::move(wake)) {}
+  ResampleDesk(const Registry& registry, Editor& editor, std::function<void()> wake)
+      : registry_(registry), editor_(editor), job_(std::move(wake)) {}
 
   enum class Wish : std::uint8_t { repair, decimate };
   void begin(Wish wish);
@@ -63,6 +64,7 @@ class ResampleDesk {
   Expected<void> apply(const Decimation& decimated);
   Report report_of(const Found& found);
 
+  const Registry& registry_;
   Editor& editor_;
   BackgroundJob<Found> job_;
   std::uint64_t begun_at_ = 0;  // revision of the document

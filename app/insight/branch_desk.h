@@ -26,7 +26,7 @@ namespace mes {
 
 class BranchDesk {
  public:
-  explicit BranchDesk(std::function<void()> wake) : job_(std::move(wake)) {}
+  BranchDesk(const Registry& registry, std::function<void()> wake) : registry_(registry), job_(std::move(wake)) {}
 
   struct State {
     std::uint64_t document = 0;  ///< revision
@@ -65,6 +65,7 @@ class BranchDesk {
   };
   void take(Done done);
 
+  const Registry& registry_;
   BackgroundJob<Done> job_;
   State wanted_;
   State state_;

@@ -9,7 +9,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 #include "core/structures/balls/kept_union.h"
 #include "core/workbench/workbench.h"
@@ -93,12 +92,13 @@ std::string_view name_of(BranchEndKind kind) {
 }
 
 // The whole axis is what a limit of 0 leaves.
-Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationSettings& settings, BranchAxis axis,
-                                      JobControl& job, bool measures_area) {
+Expected<BranchTable> branch_table_of(const Registry& registry, const SampleData& data,
+                                      const ComputationSettings& settings, BranchAxis axis, JobControl& job,
+                                      bool measures_area) {
   ComputationSettings chosen = settings;
   if (axis == BranchAxis::whole) chosen[Parameter::lambda_limit] = 0.0;
   chosen[Parameter::a_scale] = 1.0;  // shares are of the balls as they are
-  Workbench bench(builtins(), {.keeps_document = false});
+  Workbench bench(registry, {.keeps_document = false});
   const auto& lambda = bench.get<LambdaAxis>();
   const auto& angle = bench.get<AngleAxis>();
   const AxisFilter& filter = axis == BranchAxis::angle   ? static_cast<const AxisFilter&>(angle)

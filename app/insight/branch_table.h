@@ -17,6 +17,8 @@
 
 namespace mes {
 
+class Registry;
+
 /// What of the one-step axis has the branches.
 enum class BranchAxis : std::uint8_t { whole, lambda, angle, cover };
 inline constexpr std::array kBranchAxes{BranchAxis::whole, BranchAxis::lambda, BranchAxis::angle, BranchAxis::cover};
@@ -49,8 +51,9 @@ struct BranchTable {
 /// Throws `Cancelled`. Error: a structure failed; but where the union alone fails, the table is there without its area.
 /// Cost: of the axis from scratch; with `measures_area`, also of the union of the balls by the general pipeline, which
 /// is many times that.
-Expected<BranchTable> branch_table_of(const SampleData& data, const ComputationSettings& settings, BranchAxis axis,
-                                      JobControl& job, bool measures_area = true);
+Expected<BranchTable> branch_table_of(const Registry& registry, const SampleData& data,
+                                      const ComputationSettings& settings, BranchAxis axis, JobControl& job,
+                                      bool measures_area = true);
 
 /// What is kept, in one line: "12 branches, length 3.25, 1 component, 0 cycles, 98.7 % of the shape", the last only where
 /// there is a share.

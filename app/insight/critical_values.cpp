@@ -4,14 +4,13 @@
 #include <new>
 #include <utility>
 
-#include "core/builtins/builtins.h"
 #include "core/structures/filters/lambda_axis.h"
 #include "core/workbench/workbench.h"
 
 namespace mes {
 
-Expected<std::vector<double>> critical_values_of(const SampleData& data, JobControl& job) {
-  Workbench bench(builtins(), {.keeps_document = false});
+Expected<std::vector<double>> critical_values_of(const Registry& registry, const SampleData& data, JobControl& job) {
+  Workbench bench(registry, {.keeps_document = false});
   bench.need<LambdaAxis>();
   if (auto good = bench.load({.positions = data.positions}); !good) return std::unexpected(good.error());
   if (auto good = bench.run_or_throw(job); !good) return std::unexpected(good.error());
@@ -24,11 +23,11 @@ void CriticalValues::follow(std::uint64_t document, const std::function<SampleDa
   if (auto found = job_.poll()) found_ = *std::move(found);
   // One at a time: while samples are dragged, the next begins when this one has ended.
   if (job_.is_under_way() || job_.is_ending() || (found_ && found_->document == wanted_)) return;
-  job_.begin([document, samples = data()](const std::stop_token& stop) -> Found {
+  job_.begin([&registry = registry_, document, samples = data()](const std::stop_token& stop) -> Found {
     Found out{document, {}, {}};
     JobControl job(stop);
     try {
-      if (auto values = critical_values_of(samples, job))
+      if (auto values = critical_values_of(registry, samples, job))
         out.values = *std::move(values);
       else
         out.problem = values.error().text;

@@ -16,15 +16,17 @@
 
 namespace mes {
 
+class Registry;
+
 /// Ascending, each once (`LambdaAxis::critical_values`); the first is the estimate of the weak feature size. Throws
 /// `Cancelled`. Error: a structure failed. Cost: of the axis from scratch.
-Expected<std::vector<double>> critical_values_of(const SampleData& data, JobControl& job);
+Expected<std::vector<double>> critical_values_of(const Registry& registry, const SampleData& data, JobControl& job);
 
 /// Those of the document, found on a thread of their own, one at a time, while they are looked at. Threads: the
 /// window's; `wake` is called from the other.
 class CriticalValues {
  public:
-  explicit CriticalValues(std::function<void()> wake) : job_(std::move(wake)) {}
+  CriticalValues(const Registry& registry, std::function<void()> wake) : registry_(registry), job_(std::move(wake)) {}
 
   /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
   void follow(std::uint64_t document, const std::function<SampleData()>& data);
@@ -46,6 +48,7 @@ class CriticalValues {
     std::vector<double> values;
     std::string problem;
   };
+  const Registry& registry_;
   BackgroundJob<Found> job_;
   bool is_followed_ = false;
   std::uint64_t wanted_ = 0;

@@ -10,7 +10,6 @@
 #include <variant>
 
 #include "app/layers/layer_summary.h"
-#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 #include "core/workbench/workbench.h"
 
@@ -27,12 +26,13 @@ std::string cell_of(double value) {
   return out;
 }
 
-Cells cells_of(const Workbench& bench, const std::vector<LayerIndex>& layers) {
+Cells cells_of(const Registry& registry, const Workbench& bench, const std::vector<LayerIndex>& layers) {
   Cells out;
   for (const LayerIndex layer : layers) {
-    const std::string prefix = "layers." + std::string(builtins().layers()[layer].id) + '.';
+    const LayerDescriptor& descriptor = registry.layers()[layer];
+    const std::string prefix = "layers." + std::string(descriptor.id) + '.';
     const LayerSummary summary = summarise(bench.mirror(), layer);
-    for (const PrimitiveKind kind : builtins().layers()[layer].kinds) {
+    for (const PrimitiveKind kind : descriptor.kinds) {
       out.emplace_back(prefix + std::string(plural_of(kind)),
                        std::to_string(summary.count[static_cast<std::size_t>(kind)]));
       if (kind == PrimitiveKind::segment || kind == PrimitiveKind::arc)
@@ -87,9 +87,9 @@ class Lines {
 
 }  // namespace
 
-Expected<std::string> sweep_as_csv(const ParameterSweep& sweep, const std::function<void(double)>& progress,
-                                   JobControl& job) {
-  Workbench bench(builtins(), {.keeps_document = false});
+Expected<std::string> sweep_as_csv(const Registry& registry, const ParameterSweep& sweep,
+                                   const std::function<void(double)>& progress, JobControl& job) {
+  Workbench bench(registry, {.keeps_document = false});
   bench.show(sweep.layers);
   bench.set_want_statistics(true);
   if (auto good = bench.load(sweep.data); !good) return std::unexpected(good.error());
@@ -101,7 +101,7 @@ Expected<std::string> sweep_as_csv(const ParameterSweep& sweep, const std::funct
     settings[range.parameter] = range.value();
     bench.choose(settings);
     if (auto good = bench.run_or_throw(job); !good) return std::unexpected(good.error());
-    lines.add(range.value(), cells_of(bench, sweep.layers));
+    lines.add(range.value(), cells_of(registry, bench, sweep.layers));
     if (progress) progress(static_cast<double>(range.position()) / range.steps);
   } while (range.advance());
   return lines.text();
@@ -110,14 +110,15 @@ Expected<std::string> sweep_as_csv(const ParameterSweep& sweep, const std::funct
 void SweepDesk::begin(ParameterSweep sweep) {
   // A sweep that was given up may write to the old one still.
   done_ = std::make_shared<std::atomic<double>>(0.0);
-  job_.begin([sweep = std::move(sweep), done = done_](const std::stop_token& stop) -> Expected<std::string> {
+  job_.begin([&registry = registry_, sweep = std::move(sweep),
+              done = done_](const std::stop_token& stop) -> Expected<std::string> {
     JobControl job(stop);
     const auto failed = [](const char* why) {
       return std::unexpected(Error{ErrorCode::cannot_compute, why, {}, 0, 0});
     };
     try {
       return sweep_as_csv(
-          sweep, [&done](double share) { done->store(share, std::memory_order_relaxed); }, job);
+          registry, sweep, [&done](double share) { done->store(share, std::memory_order_relaxed); }, job);
     } catch (const Cancelled&) {
       return failed("the computation was stopped");
     } catch (const std::bad_alloc&) {

@@ -19,6 +19,8 @@
 
 namespace mes {
 
+class Registry;
+
 struct ParameterSweep {
   SampleData data{};
   ComputationSettings settings{};    ///< the other parameters
@@ -30,13 +32,13 @@ struct ParameterSweep {
 /// which they come. A line that lacks some has empty cells there. `progress` is called with the share that is done. Throws `Cancelled`. Error:
 /// the data cannot be a document, or a layer failed. Cost: of a run from scratch, and of a change of the parameter for each
 /// further value.
-Expected<std::string> sweep_as_csv(const ParameterSweep& sweep, const std::function<void(double)>& progress,
-                                   JobControl& job);
+Expected<std::string> sweep_as_csv(const Registry& registry, const ParameterSweep& sweep,
+                                   const std::function<void(double)>& progress, JobControl& job);
 
 /// One sweep at a time, on a thread of its own. Threads: the window's; `wake` is called from the other.
 class SweepDesk {
  public:
-  explicit SweepDesk(std::function<void()> wake) : job_(std::move(wake)) {}
+  SweepDesk(const Registry& registry, std::function<void()> wake) : registry_(registry), job_(std::move(wake)) {}
 
   void begin(ParameterSweep sweep);
   void give_up() { job_.give_up(); }
@@ -47,6 +49,7 @@ class SweepDesk {
   std::optional<Expected<std::string>> poll() { return job_.poll(); }
 
  private:
+  const Registry& registry_;
   BackgroundJob<Expected<std::string>> job_;
   std::shared_ptr<std::atomic<double>> done_ = std::make_shared<std::atomic<double>>(0.0);
 };

@@ -30,7 +30,8 @@ namespace mes {
 
 class PersistenceDesk {
  public:
-  explicit PersistenceDesk(std::function<void()> wake) : job_(std::move(wake)) {}
+  PersistenceDesk(const Registry& registry, std::function<void()> wake)
+      : registry_(registry), job_(std::move(wake)) {}
 
   /// What grows. The panels choose it.
   GrowthOf growth() const { return growth_; }
@@ -72,6 +73,7 @@ class PersistenceDesk {
   };
   void take(Done done);
 
+  const Registry& registry_;
   BackgroundJob<Done> job_;
   GrowthOf growth_ = GrowthOf::samples;
   bool is_followed_ = false;

@@ -10,7 +10,6 @@
 #include <memory>
 #include <utility>
 
-#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 #include "core/structures/alpha/alpha_filtration.h"
 #include "core/structures/poles/polar_union.h"
@@ -195,8 +194,9 @@ std::uint64_t digest_of(const Document& document, GrowthOf of, const Computation
   return document.sample_digest();
 }
 
-Expected<PersistenceTable> persistence_table_of(const PersistenceInput& input, JobControl& job) {
-  Workbench bench(builtins(), {.keeps_document = false});
+Expected<PersistenceTable> persistence_table_of(const Registry& registry, const PersistenceInput& input,
+                                                JobControl& job) {
+  Workbench bench(registry, {.keeps_document = false});
   bench.choose(input.settings);
   bench.need({kFiltrations[static_cast<std::size_t>(input.of)]});
   const SampleData alone = input.of == GrowthOf::own ? SampleData{.balls = input.data.balls}

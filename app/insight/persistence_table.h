@@ -20,6 +20,8 @@
 
 namespace mes {
 
+class Registry;
+
 /// What grows: disks about the samples, or the balls of a family.
 enum class GrowthOf : std::uint8_t { samples, inner, polar, own };
 inline constexpr std::array kGrowths{GrowthOf::samples, GrowthOf::inner, GrowthOf::polar, GrowthOf::own};
@@ -90,7 +92,8 @@ struct PersistenceTable {
 };
 
 /// Throws `Cancelled`. Error: a structure failed. Cost: the triangulation and its filtration from scratch.
-Expected<PersistenceTable> persistence_table_of(const PersistenceInput& input, JobControl& job);
+Expected<PersistenceTable> persistence_table_of(const Registry& registry, const PersistenceInput& input,
+                                                JobControl& job);
 
 /// The edges around a hole when it is closed; none of a component.
 std::vector<std::array<Vec2, 2>> outline_of(const PersistenceTable& table, const PersistenceRow& row);

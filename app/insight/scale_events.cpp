@@ -6,7 +6,6 @@
 #include <new>
 #include <utility>
 
-#include "core/builtins/builtins.h"
 #include "core/workbench/workbench.h"
 
 namespace mes {
@@ -147,9 +146,9 @@ std::string ScaleEvent::words() const {
   return out;
 }
 
-Expected<std::vector<ScaleEvent>> scale_events_of(const SampleData& data, const ComputationSettings& settings,
-                                                  JobControl& job) {
-  Workbench bench(builtins(), {.keeps_document = false});
+Expected<std::vector<ScaleEvent>> scale_events_of(const Registry& registry, const SampleData& data,
+                                                  const ComputationSettings& settings, JobControl& job) {
+  Workbench bench(registry, {.keeps_document = false});
   bench.need({"scale-union"});
   bench.set_want_statistics(true);
   if (auto good = bench.load({.positions = data.positions}); !good) return std::unexpected(good.error());
@@ -177,11 +176,11 @@ void ScaleEvents::follow(std::uint64_t document, const ComputationSettings& sett
   job_.give_up();
   if (job_.is_ending()) return;
   begun_ = wanted_;
-  job_.begin([state = wanted_, samples = data()](const std::stop_token& stop) -> Found {
+  job_.begin([&registry = registry_, state = wanted_, samples = data()](const std::stop_token& stop) -> Found {
     Found out{state, {}, {}};
     JobControl job(stop);
     try {
-      if (auto events = scale_events_of(samples, state.settings, job))
+      if (auto events = scale_events_of(registry, samples, state.settings, job))
         out.events = *std::move(events);
       else
         out.problem = events.error().text;

@@ -18,6 +18,8 @@
 
 namespace mes {
 
+class Registry;
+
 /// The topology just below and just above.
 struct ScaleEvent {
   double factor = 1.0;
@@ -42,14 +44,14 @@ struct ScaleEvent {
 ///
 /// Throws `Cancelled`. Error: a structure failed, or 39 unions are too much. Cost: at most 400 unions, and none after 4 * 10^7
 /// balls.
-Expected<std::vector<ScaleEvent>> scale_events_of(const SampleData& data, const ComputationSettings& settings,
-                                                  JobControl& job);
+Expected<std::vector<ScaleEvent>> scale_events_of(const Registry& registry, const SampleData& data,
+                                                  const ComputationSettings& settings, JobControl& job);
 
 /// Events of the document, found on a thread of their own, one at a time, while they are looked at. Threads: the
 /// window's; `wake` is called from the other.
 class ScaleEvents {
  public:
-  explicit ScaleEvents(std::function<void()> wake) : job_(std::move(wake)) {}
+  ScaleEvents(const Registry& registry, std::function<void()> wake) : registry_(registry), job_(std::move(wake)) {}
 
   /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
   void follow(std::uint64_t document, const ComputationSettings& settings, const std::function<SampleData()>& data);
@@ -76,6 +78,7 @@ class ScaleEvents {
     std::vector<ScaleEvent> events;
     std::string problem;
   };
+  const Registry& registry_;
   BackgroundJob<Found> job_;
   bool is_followed_ = false;
   State wanted_;

@@ -106,8 +106,10 @@ struct Thinned {
 
 class Decimator {
  public:
-  Decimator(const SampleData& data, const MovingCurve& curve, const JudgedSamples& before, double epsilon)
-      : data_(data),
+  Decimator(const Registry& registry, const SampleData& data, const MovingCurve& curve, const JudgedSamples& before,
+            double epsilon)
+      : registry_(registry),
+        data_(data),
         epsilon_(epsilon),
         light_(before.light()),
         components_(before.components()),
@@ -151,7 +153,7 @@ class Decimator {
     Thinned out;
     std::vector<std::uint32_t> number;
     out.data = without(data_, gone(), number);
-    const auto now = JudgedSamples::of(out.data, job);
+    const auto now = JudgedSamples::of(registry_, out.data, job);
     if (!now) return std::unexpected(now.error());
     out.light = now->light();
     out.has_same_axis = now->components() == components_ && now->cycles() == cycles_ &&
@@ -170,6 +172,7 @@ class Decimator {
   }
 
  private:
+  const Registry& registry_;
   const SampleData& data_;
   double epsilon_;
   TheoremLight light_;
@@ -181,11 +184,11 @@ class Decimator {
 
 }  // namespace
 
-Expected<Decimation> decimate(const SampleData& data, double epsilon, JobControl& job) {
-  const auto before = JudgedSamples::of(data, job);
+Expected<Decimation> decimate(const Registry& registry, const SampleData& data, double epsilon, JobControl& job) {
+  const auto before = JudgedSamples::of(registry, data, job);
   if (!before) return std::unexpected(before.error());
   const MovingCurve curve = curve_of(data, job);
-  Decimator decimator(data, curve, *before, epsilon);
+  Decimator decimator(registry, data, curve, *before, epsilon);
   // An edge that is no curve edge, or too long now, gets the sample in its middle back; where the axis is another one, all
   // do. At the latest it is that of all samples.
   for (;;) {

@@ -12,6 +12,8 @@
 
 namespace mes {
 
+class Registry;
+
 struct Decimation {
   std::vector<std::uint32_t> removed;  ///< numbers of samples, rising
   SampleData data;                     ///< what is left, with the loops and balls
@@ -39,6 +41,6 @@ struct Decimation {
 ///
 /// How many go is not the largest possible number. Throws `Cancelled`. Error: a structure failed.
 /// Cost: O(n log n), a few times.
-Expected<Decimation> decimate(const SampleData& data, double epsilon, JobControl& job);
+Expected<Decimation> decimate(const Registry& registry, const SampleData& data, double epsilon, JobControl& job);
 
 }  // namespace mes

@@ -115,8 +115,9 @@ class RepairedChain {
 
 class Repairer {
  public:
-  Repairer(JudgedSamples& samples, const MovingCurve& curve, double epsilon)
-      : samples_(samples),
+  Repairer(const Registry& registry, JudgedSamples& samples, const MovingCurve& curve, double epsilon)
+      : registry_(registry),
+        samples_(samples),
         epsilon_(epsilon),
         most_(most_samples(samples.positions().size())),
         is_corner_(corners_of(curve, samples.positions(), epsilon)) {
@@ -181,7 +182,7 @@ class Repairer {
       if (auto good = halve_all(too_long, kMostRounds, job); !good) return good;
     }
     if (samples_.light() != TheoremLight::yellow) return {};
-    auto again = JudgedSamples::of(before, job);
+    auto again = JudgedSamples::of(registry_, before, job);
     if (!again) return std::unexpected(again.error());
     samples_ = *std::move(again);
     chains_ = chains;
@@ -296,6 +297,7 @@ class Repairer {
     return true;
   }
 
+  const Registry& registry_;
   JudgedSamples& samples_;
   double epsilon_;
   std::size_t most_;  // samples
@@ -312,14 +314,14 @@ std::string place_and_more(Vec2 place, std::size_t count) {
 
 }  // namespace
 
-Expected<Repair> repair(const SampleData& data, double epsilon, JobControl& job) {
-  auto on_curves = repair_on_curves(data, epsilon, job);
+Expected<Repair> repair(const Registry& registry, const SampleData& data, double epsilon, JobControl& job) {
+  auto on_curves = repair_on_curves(registry, data, epsilon, job);
   if (!on_curves) return std::unexpected(on_curves.error());
   if (*on_curves) return **std::move(on_curves);
-  auto samples = JudgedSamples::of(data, job);
+  auto samples = JudgedSamples::of(registry, data, job);
   if (!samples) return std::unexpected(samples.error());
   const MovingCurve curve = curve_of(data, job);
-  Repairer repairer(*samples, curve, epsilon);
+  Repairer repairer(registry, *samples, curve, epsilon);
   Repair out;
   out.epsilon_before = repairer.largest();
   out.light_before = samples->light();

@@ -12,6 +12,8 @@
 
 namespace mes {
 
+class Registry;
+
 /// A place where the curve turns at once.
 struct SampledCorner {
   Vec2 place{};
@@ -59,6 +61,6 @@ struct Repair {
 /// Then feature sizes are estimates from the samples of each moment. Throws `Cancelled`. Error: a structure failed.
 /// Cost: O(n) and a few local updates for each round of halving.
 /// Source of the spline: Yuksel, Schaefer and Keyser, "Parameterization and applications of Catmull-Rom curves", 2011.
-Expected<Repair> repair(const SampleData& data, double epsilon, JobControl& job);
+Expected<Repair> repair(const Registry& registry, const SampleData& data, double epsilon, JobControl& job);
 
 }  // namespace mes

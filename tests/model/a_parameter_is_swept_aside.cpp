@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/insight/parameter_sweep.h"
+#include "core/builtins/builtins.h"
 #include "tests/support/builtin_layers.h"
 
 using namespace mes;
@@ -65,14 +66,14 @@ TEST_CASE("a table has a line for each value, the same aside as at once") {
   JobControl job;
   std::vector<double> shares;
   const auto text = sweep_as_csv(
-      sweep_of_square(2), [&](double share) { shares.push_back(share); }, job);
+      builtins(), sweep_of_square(2), [&](double share) { shares.push_back(share); }, job);
   REQUIRE(text.has_value());
   CHECK(text->starts_with("alpha-radius,layers.alpha-edges.segments,layers.alpha-edges.length,"));
   CHECK(text->find("\n0.5,0,0,") != std::string::npos);
   CHECK(text->find("\n1,4,8,") != std::string::npos);
   CHECK(std::ranges::count(*text, '\n') == 4);
   CHECK(shares == std::vector{0.0, 0.5, 1.0});
-  SweepDesk desk([] {});
+  SweepDesk desk(builtins(), [] {});
   CHECK_FALSE(desk.poll().has_value());
   desk.begin(sweep_of_square(2));
   const auto aside = wait_for_sweep(desk);
@@ -96,7 +97,7 @@ TEST_CASE("a table holds what only some of its values have, whichever comes firs
     sweep.range.from = from;
     sweep.range.to = to;
     JobControl job;
-    const auto text = sweep_as_csv(sweep, {}, job);
+    const auto text = sweep_as_csv(builtins(), sweep, {}, job);
     REQUIRE(text.has_value());
     return cells_by_value(*text);
   };
@@ -108,7 +109,7 @@ TEST_CASE("a table holds what only some of its values have, whichever comes firs
 }
 
 TEST_CASE("a sweep that is given up brings nothing, and the next one brings its own") {
-  SweepDesk desk([] {});
+  SweepDesk desk(builtins(), [] {});
   desk.begin(sweep_of_square(ParameterAnimation::kMostSteps));
   desk.give_up();
   CHECK_FALSE(desk.is_under_way());
@@ -120,5 +121,5 @@ TEST_CASE("a sweep that is given up brings nothing, and the next one brings its 
   CHECK(std::ranges::count(**done, '\n') == 3);
   JobControl stopped;
   stopped.stop_at_look(1);
-  CHECK_THROWS_AS(sweep_as_csv(sweep_of_square(1), {}, stopped), Cancelled);
+  CHECK_THROWS_AS(sweep_as_csv(builtins(), sweep_of_square(1), {}, stopped), Cancelled);
 }

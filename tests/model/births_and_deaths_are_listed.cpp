@@ -9,6 +9,7 @@
 #include "app/insight/persistence_desk.h"
 #include "app/insight/persistence_table.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 
@@ -16,7 +17,7 @@ namespace {
 
 PersistenceTable table_of_samples(const SampleData& data) {
   JobControl job;
-  auto out = persistence_table_of({data}, job);
+  auto out = persistence_table_of(builtins(), {data}, job);
   REQUIRE(out.has_value());
   return *std::move(out);
 }
@@ -118,7 +119,7 @@ TEST_CASE("few samples have few classes, and words and CSV say which") {
 }
 
 TEST_CASE("a class stays chosen while it is there, and nothing is chosen by an outdated table") {
-  PersistenceDesk desk([] {});
+  PersistenceDesk desk(builtins(), [] {});
   SampleData data = ring(200, 3);
   CHECK_FALSE(desk.pick({0.0, 0.0}, 1.0));
   wait_for_table(desk, 1, data);

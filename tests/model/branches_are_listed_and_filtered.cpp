@@ -11,6 +11,7 @@
 #include "app/insight/critical_values.h"
 #include "app/insight/scale_events.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "tests/support/shapes.h"
 #include "tests/support/workbench.h"
 
@@ -22,7 +23,7 @@ BranchTable table_of(const SampleData& data, BranchAxis axis = BranchAxis::whole
   ComputationSettings settings;
   settings[Parameter::lambda_limit] = lambda;
   JobControl job;
-  auto out = branch_table_of(data, settings, axis, job);
+  auto out = branch_table_of(builtins(), data, settings, axis, job);
   REQUIRE(out.has_value());
   return *std::move(out);
 }
@@ -82,7 +83,7 @@ TEST_CASE("the table of branches is the same whatever a filter makes of its angl
         ComputationSettings settings;
         settings[Parameter::angle_mode] = mode;
         JobControl job;
-        const auto table = branch_table_of(data, settings, axis, job);
+        const auto table = branch_table_of(builtins(), data, settings, axis, job);
         REQUIRE(table.has_value());
         if (first.empty()) first = branches_as_csv(table->branches);
         CHECK(branches_as_csv(table->branches) == first);
@@ -102,7 +103,7 @@ TEST_CASE("the angle of a branch is the largest along it, also where the filter 
     ComputationSettings settings;
     settings[Parameter::angle_mode] = mode;
     JobControl job;
-    const auto table = branch_table_of(rectangle(), settings, BranchAxis::angle, job);
+    const auto table = branch_table_of(builtins(), rectangle(), settings, BranchAxis::angle, job);
     REQUIRE(table.has_value());
     if (whole.empty()) whole = branches_as_csv(table->branches);
     CHECK(branches_as_csv(table->branches) == whole);
@@ -112,7 +113,7 @@ TEST_CASE("the angle of a branch is the largest along it, also where the filter 
     settings[Parameter::angle_mode] = mode;
     settings[Parameter::angle_limit] = 20.0;
     JobControl job;
-    const auto table = branch_table_of(rectangle(), settings, BranchAxis::angle, job);
+    const auto table = branch_table_of(builtins(), rectangle(), settings, BranchAxis::angle, job);
     REQUIRE(table.has_value());
     REQUIRE_FALSE(table->branches.empty());
     for (const AxisBranch& branch : table->branches) CHECK(branch.angle >= 20.0);
@@ -170,7 +171,7 @@ TEST_CASE("the branch at a place is the one whose line is nearest there") {
 }
 
 TEST_CASE("the desk has the table of the state asked for last, and keeps what is chosen where it is still there") {
-  BranchDesk desk({});
+  BranchDesk desk(builtins(), {});
   const SampleData data = rectangle();
   ComputationSettings settings;
   settings[Parameter::lambda_limit] = 0.3;
@@ -202,7 +203,7 @@ TEST_CASE("a repaired and a decimated sampling are one step of undo each, and ed
     loop.points.push_back(i);
   }
   REQUIRE(editor.load(data));
-  ResampleDesk desk(editor, {});
+  ResampleDesk desk(builtins(), editor, {});
   const auto run = [&](ResampleDesk::Wish wish) {
     desk.begin(wish);
     std::optional<ResampleDesk::Report> out;
@@ -238,11 +239,11 @@ TEST_CASE("critical values are those of the lambda axis, found beside the window
   SampleData rectangle;
   rectangle.positions = {{0, 0}, {4, 0}, {4, 2}, {0, 2}};
   JobControl job;
-  const auto values = critical_values_of(rectangle, job);
+  const auto values = critical_values_of(builtins(), rectangle, job);
   REQUIRE(values.has_value());
   REQUIRE(values->size() == 1);
   CHECK(values->front() == Approx(std::sqrt(5.0)));
-  CHECK(critical_values_of({}, job)->empty());
+  CHECK(critical_values_of(builtins(), {}, job)->empty());
 }
 
 TEST_CASE("what is kept is said in one line, for each filter") {
@@ -250,14 +251,14 @@ TEST_CASE("what is kept is said in one line, for each filter") {
   rectangle.positions = {{0, 0}, {4, 0}, {4, 2}, {0, 2}};
   JobControl job;
   for (const BranchAxis axis : kBranchAxes) {
-    const auto table = branch_table_of(rectangle, {}, axis, job);
+    const auto table = branch_table_of(builtins(), rectangle, {}, axis, job);
     REQUIRE(table.has_value());
     CHECK(table->area == Approx(5.0 * std::numbers::pi));
     CHECK(kept_in_words(*table) == "1 branch, length 0, 1 component, 0 cycles, 100 % of the shape");
   }
   // The union is taken only where it is asked for, and where it fails the rest is said.
   for (const BranchAxis axis : kBranchAxes) {
-    auto table = branch_table_of(rectangle, {}, axis, job, false);
+    auto table = branch_table_of(builtins(), rectangle, {}, axis, job, false);
     REQUIRE(table.has_value());
     CHECK_FALSE(table->measures_area);
     CHECK(table->area == 0.0);
@@ -268,7 +269,7 @@ TEST_CASE("what is kept is said in one line, for each filter") {
           "1 branch, length 0, 1 component, 0 cycles, share of the shape unknown: structure lambda-union failed: no "
           "room");
   }
-  const auto none = branch_table_of({}, {}, BranchAxis::cover, job);
+  const auto none = branch_table_of(builtins(), {}, {}, BranchAxis::cover, job);
   REQUIRE(none.has_value());
   CHECK(none->branches.empty());
   CHECK_FALSE(none->reason.empty());
@@ -286,13 +287,13 @@ TEST_CASE("events of the scale axis are where disks touch and holes are filled")
   circle({0, 0}, 1.0, 24, two.positions);
   circle({3, 0.25}, 1.0, 24, two.positions);
   JobControl job;
-  const auto merged = scale_events_of(two, {}, job);
+  const auto merged = scale_events_of(builtins(), two, {}, job);
   REQUIRE(merged.has_value());
   REQUIRE(merged->size() == 1);
   CHECK(merged->front().factor == Approx(0.5 * std::hypot(3.0, 0.25)).margin(0.01));
   CHECK(merged->front().words() == "components 2 to 1");
   SampleData none;
-  CHECK(scale_events_of(none, {}, job)->empty());
+  CHECK(scale_events_of(builtins(), none, {}, job)->empty());
 }
 
 TEST_CASE("events of noise are where the union differs, below a factor of 1 too, and in order") {
@@ -300,7 +301,7 @@ TEST_CASE("events of noise are where the union differs, below a factor of 1 too,
   Rng rng(8);
   for (int i = 0; i < 60; ++i) data.positions.push_back({rng.uniform(), rng.uniform()});
   JobControl job;
-  const auto events = scale_events_of(data, {}, job);
+  const auto events = scale_events_of(builtins(), data, {}, job);
   REQUIRE(events.has_value());
   CHECK(std::ranges::is_sorted(*events, {}, &ScaleEvent::factor));
   CHECK(std::ranges::any_of(*events, [](const ScaleEvent& event) { return event.factor < 1.0; }));
@@ -325,10 +326,10 @@ TEST_CASE("events of noise are where the union differs, below a factor of 1 too,
 TEST_CASE("a certified shape has no events below a factor of 1, and a stopped search throws") {
   SampleData data = test::rounded_rectangle(3.0, 1.0, 0.3, 0.02).data;
   JobControl job;
-  const auto events = scale_events_of(data, {}, job);
+  const auto events = scale_events_of(builtins(), data, {}, job);
   REQUIRE(events.has_value());
   for (const ScaleEvent& event : *events) CHECK(event.factor > 1.0);
   JobControl stopped;
   stopped.stop_at_look(200);
-  CHECK_THROWS_AS(scale_events_of(data, {}, stopped), Cancelled);
+  CHECK_THROWS_AS(scale_events_of(builtins(), data, {}, stopped), Cancelled);
 }

@@ -7,6 +7,7 @@
 
 #include "app/insight/persistence_table.h"
 #include "app/playing/step_events.h"
+#include "core/builtins/builtins.h"
 #include "tests/support/builtin_layers.h"
 
 using namespace mes;
@@ -15,7 +16,7 @@ namespace {
 
 PersistenceTable table_of_input(const PersistenceInput& input) {
   JobControl job;
-  auto out = persistence_table_of(input, job);
+  auto out = persistence_table_of(builtins(), input, job);
   REQUIRE(out.has_value());
   return *std::move(out);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/resampling/decimate.h"
 #include "core/resampling/repair.h"
 #include "core/structures/density/feature_size.h"
@@ -51,7 +52,7 @@ SampleData loop_of(std::vector<Vec2> positions) {
 
 Repair repaired(const SampleData& data, double epsilon = kDenseEpsilon) {
   JobControl job;
-  auto out = repair(data, epsilon, job);
+  auto out = repair(builtins(), data, epsilon, job);
   REQUIRE(out.has_value());
   // Samples stay, new ones follow.
   REQUIRE(out->data.positions.size() == data.positions.size() + out->inserted);
@@ -61,7 +62,7 @@ Repair repaired(const SampleData& data, double epsilon = kDenseEpsilon) {
 
 Decimation decimated(const SampleData& data, double epsilon) {
   JobControl job;
-  auto out = decimate(data, epsilon, job);
+  auto out = decimate(builtins(), data, epsilon, job);
   REQUIRE(out.has_value());
   REQUIRE(std::ranges::is_sorted(out->removed));
   REQUIRE(out->removed.size() + out->data.positions.size() == data.positions.size());

@@ -308,7 +308,7 @@ TEST_CASE("repair of samples of known curves puts new ones on the curves, and ke
   for (const CurveSet& curves : all) {
     const SampleData data = opened(curves, {.rule = SamplingRule::count, .count = 10});
     JobControl job;
-    const auto repaired = repair(data, 0.25, job);
+    const auto repaired = repair(builtins(), data, 0.25, job);
     REQUIRE(repaired);
     CHECK(repaired->is_on_curves);
     CHECK(repaired->inserted > 0);
@@ -348,14 +348,14 @@ TEST_CASE("samples of which most lie off their curves are repaired along a curve
   SampleData data = opened(shape.curves, {.rule = SamplingRule::count, .count = 16});
   for (Vec2& p : data.positions) p = 1.5 * p;
   JobControl job;
-  const auto repaired = repair(data, 0.25, job);
+  const auto repaired = repair(builtins(), data, 0.25, job);
   REQUIRE(repaired);
   CHECK_FALSE(repaired->is_on_curves);
   CHECK(repaired->light_after == TheoremLight::green);
   // One of them stays where it is, and new ones lie on the curves.
   SampleData one = opened(shape.curves, {.rule = SamplingRule::count, .count = 16});
   one.positions[3] = {0.1, 0.05};
-  const auto partly = repair(one, 0.25, job);
+  const auto partly = repair(builtins(), one, 0.25, job);
   REQUIRE(partly);
   CHECK(partly->is_on_curves);
   CHECK(partly->off_curve == 1);

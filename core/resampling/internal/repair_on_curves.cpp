@@ -92,9 +92,10 @@ struct Step {
 
 }  // namespace
 
-Expected<std::optional<Repair>> repair_on_curves(const SampleData& data, double epsilon, JobControl& job) {
+Expected<std::optional<Repair>> repair_on_curves(const Registry& registry, const SampleData& data, double epsilon,
+                                                 JobControl& job) {
   if (!data.source) return std::nullopt;
-  auto samples = JudgedSamples::of(data, job, true);
+  auto samples = JudgedSamples::of(registry, data, job, true);
   if (!samples) return std::unexpected(samples.error());
   SamplingRequest request = data.source->sampling;
   if (request.count == 0) request.count = kUsualSamples;

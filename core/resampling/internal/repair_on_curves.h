@@ -10,6 +10,7 @@ namespace mes {
 
 /// Where the data know the curves of their samples, and at least half of these lie on them: what `repair` gives. Nothing
 /// otherwise. The same errors.
-Expected<std::optional<Repair>> repair_on_curves(const SampleData& data, double epsilon, JobControl& job);
+Expected<std::optional<Repair>> repair_on_curves(const Registry& registry, const SampleData& data, double epsilon,
+                                                 JobControl& job);
 
 }  // namespace mes

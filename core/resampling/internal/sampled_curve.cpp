@@ -6,7 +6,6 @@
 #include <limits>
 #include <numbers>
 
-#include "core/builtins/builtins.h"
 #include "core/kernel/corner_angle.h"
 #include "core/structures/axis/medial_axis.h"
 #include "core/structures/certificate/axis_certificate.h"
@@ -37,14 +36,15 @@ std::vector<bool> corners_of(const MovingCurve& curve, std::span<const Vec2> pos
   return out;
 }
 
-JudgedSamples::JudgedSamples() : bench_(builtins(), {.keeps_history = false}) {
+JudgedSamples::JudgedSamples(const Registry& registry) : bench_(registry, {.keeps_history = false}) {
   bench_.need<FeatureSize, MedialAxis>();
   bench_.set_want_findings(true);
   bench_.set_want_statistics(true);
 }
 
-Expected<JudgedSamples> JudgedSamples::of(const SampleData& data, JobControl& job, bool has_curves) {
-  JudgedSamples out;
+Expected<JudgedSamples> JudgedSamples::of(const Registry& registry, const SampleData& data, JobControl& job,
+                                          bool has_curves) {
+  JudgedSamples out(registry);
   const std::shared_ptr<const CurveSource> source = has_curves ? data.source : nullptr;
   if (auto good = out.bench_.load({.positions = data.positions, .source = source}); !good)
     return std::unexpected(good.error());

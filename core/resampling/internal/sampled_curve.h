@@ -26,12 +26,13 @@ double turn_at(Vec2 before, Vec2 at, Vec2 after);
 /// four times as much as at its two neighbours together, which a smooth curve with too few samples does not.
 std::vector<bool> corners_of(const MovingCurve& curve, std::span<const Vec2> positions, double epsilon);
 
-/// Samples and the structures that judge them, following each change locally.
+/// Samples and the structures of a registry that judge them, following each change locally.
 class JudgedSamples {
  public:
   /// With the curves that they were taken from, or without. Error: of `replace_all`, or a structure that failed. Throws
   /// `Cancelled`.
-  static Expected<JudgedSamples> of(const SampleData& data, JobControl& job, bool has_curves = false);
+  static Expected<JudgedSamples> of(const Registry& registry, const SampleData& data, JobControl& job,
+                                    bool has_curves = false);
 
   Expected<void> insert(std::span<const Vec2> positions, JobControl& job);
   std::span<const Vec2> positions() const { return positions_; }
@@ -54,7 +55,7 @@ class JudgedSamples {
   std::int64_t cycles() const { return count("cycles"); }
 
  private:
-  JudgedSamples();
+  explicit JudgedSamples(const Registry& registry);
   std::int64_t count(std::string_view key) const;
   SiteSlot site_of(std::uint32_t sample) const;
 
