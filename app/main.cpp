@@ -11,6 +11,7 @@
 #include "app/cli/messages.h"
 #include "app/window/run_window.h"
 #include "core/base/keep_memory.h"
+#include "core/builtins/builtins.h"
 
 namespace {
 
@@ -45,7 +46,7 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   // Ignored, as some parents leave it, it would keep the exit codes of children from us.
   std::signal(SIGCHLD, SIG_DFL);
-  return mes::cli::run_command_line(argc, argv, [argv](std::vector<std::string> files) {
-    return mes::run_window({.files = std::move(files), .executable = argv[0]});
+  return mes::cli::run_command_line(mes::builtins(), argc, argv, [argv](std::vector<std::string> files) {
+    return mes::run_window(mes::builtins(), {.files = std::move(files), .executable = argv[0]});
   });
 }

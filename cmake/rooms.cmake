@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Which rooms there are, and which others each of them may include. A room is a folder; what
-# lies in its folder `internal` is for that room only. Every room comes after those it uses, so no arrow leads back. Run at each configuration, and as a test:
+# lies in its folder `internal` is for that room only. Every room comes after those it uses, so no arrow leads back. `core/*`
+# stands for all rooms below core but core/builtins, which only the program itself names: everything else reads a registry
+# that it is given. Run at each configuration, and as a test:
 #
 #   cmake -DROOT=. -P cmake/rooms.cmake
 cmake_policy(VERSION 3.25)
@@ -57,7 +59,7 @@ set(rooms
   "app/panels: core/* app/ui app/layers app/editing app/insight app/playing app/model app/store app/picture app/export app/canvas app/canvas/tools app/recording app/actions render"
   "app/window: core/* app/panels app/ui app/layers app/editing app/insight app/playing app/model app/store app/picture app/export app/canvas app/canvas/tools app/recording app/actions app/system render"
   "app/cli: core/* app/layers app/editing app/insight app/playing app/model app/store app/picture app/export app/recording app/actions app/system render render/figure"
-  "app: app/cli app/window core/base")
+  "app: app/cli app/window core/base core/builtins")
 
 if(NOT DEFINED ROOT)
   set(ROOT ${PROJECT_SOURCE_DIR})
@@ -69,7 +71,8 @@ foreach(line IN LISTS rooms)
   string(REGEX MATCH "^([^:]+):(.*)$" matched "${line}")
   set(room ${CMAKE_MATCH_1})
   string(STRIP "${CMAKE_MATCH_2}" allowed)
-  # What a room may include, as one regular expression; `core/*` is every room below core that is listed above.
+  # What a room may include, as one regular expression; `core/*` is every room below core that is listed above,
+  # but core/builtins.
   set(pattern "${room}")
   # All that lies below it, by room: what it may use, and what that may use.
   set(below_${room} ${room})
@@ -84,7 +87,7 @@ foreach(line IN LISTS rooms)
       list(APPEND below_${room} ${below_${other}})
     else()
       foreach(below IN LISTS known)
-        if(below MATCHES "^${folder}/")
+        if(below MATCHES "^${folder}/" AND NOT below STREQUAL "core/builtins")
           string(APPEND pattern "|${below}")
           list(APPEND below_${room} ${below_${below}})
         endif()

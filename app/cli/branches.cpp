@@ -11,12 +11,11 @@
 #include "app/cli/requests.h"
 #include "app/cli/session_settings.h"
 #include "app/insight/branch_table.h"
-#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
 
-Expected<void> run_branches(const BranchesRequest& request, Interruption& interruption) {
+Expected<void> run_branches(const Registry& registry, const BranchesRequest& request, Interruption& interruption) {
   const auto axis = std::ranges::find(kBranchAxes, request.layer, layer_of);
   if (axis == kBranchAxes.end()) {
     std::vector<std::string_view> known;
@@ -25,10 +24,10 @@ Expected<void> run_branches(const BranchesRequest& request, Interruption& interr
         fmt::format("--layer: {} has no branches; those that have are {}", in_quotes(request.layer), one_of(known)));
   }
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_source(request.source);
+  const auto input = read_source(registry, request.source);
   if (!input) return std::unexpected(input.error());
   JobControl job;
-  const auto table = branch_table_of(builtins(), input->file.data, input->settings, *axis, job);
+  const auto table = branch_table_of(registry, input->file.data, input->settings, *axis, job);
   if (!table) return std::unexpected(table.error());
   auto done = write_output(request.output, branches_as_csv(table->branches), interruption,
                            {input->file.sources, request.force});

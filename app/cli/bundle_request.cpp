@@ -12,6 +12,7 @@
 #include "app/store/sample_shapes.h"
 #include "core/base/lower_case.h"
 #include "core/draw/layer_descriptor.h"
+#include "core/graph/registry.h"
 #include "core/io/bundle_file.h"
 #include "core/io/text_numbers.h"
 
@@ -41,10 +42,10 @@ Error unknown_bundle(const std::string& name, const std::vector<Bundle>& bundles
 }
 
 /// The bundle of this name in the file; the first for an empty name.
-Expected<Bundle> bundle_of_file(const std::string& file, const std::optional<std::string>& name,
-                                std::vector<SourceFile>& sources) {
+Expected<Bundle> bundle_of_file(const Registry& registry, const std::string& file,
+                                const std::optional<std::string>& name, std::vector<SourceFile>& sources) {
   if (const auto fingerprint = fingerprint_of_file(file)) sources.push_back({file, *fingerprint});
-  auto loaded = read_bundle_file(file, known_layers());
+  auto loaded = read_bundle_file(file, known_layers(registry.layers()));
   if (!loaded) return std::unexpected(loaded.error());
   for (const std::string& warning : loaded->warnings) say(warning);
   if (name) {
@@ -59,17 +60,17 @@ Expected<Bundle> bundle_of_file(const std::string& file, const std::optional<std
 
 }  // namespace
 
-std::vector<AvailableBundle> available_bundles() {
+std::vector<AvailableBundle> available_bundles(const Registry& registry) {
   std::vector<AvailableBundle> out;
   const fs::path own = default_bundles_path();
   std::error_code error;
   if (!own.empty() && fs::exists(own, error)) {
-    auto loaded = read_bundle_file(own, known_layers());
+    auto loaded = read_bundle_file(own, known_layers(registry.layers()));
     if (!loaded) say(loaded.error().message());
     if (loaded)
       for (Bundle& bundle : loaded->bundles) out.push_back({std::move(bundle), false});
   }
-  StartingBundles starting = read_starting_bundles(find_assets({}));
+  StartingBundles starting = read_starting_bundles(registry.layers(), find_assets({}));
   if (!starting.message.empty()) say(starting.message);
   for (Bundle& bundle : starting.bundles)
     if (std::ranges::none_of(out, [&](const AvailableBundle& has) { return has.bundle.name == bundle.name; }))
@@ -77,20 +78,21 @@ std::vector<AvailableBundle> available_bundles() {
   return out;
 }
 
-Expected<Bundle> find_bundle(const std::string& name_or_file, std::vector<SourceFile>& sources) {
+Expected<Bundle> find_bundle(const Registry& registry, const std::string& name_or_file,
+                             std::vector<SourceFile>& sources) {
   std::vector<Bundle> bundles;
-  for (AvailableBundle& each : available_bundles()) bundles.push_back(std::move(each.bundle));
+  for (AvailableBundle& each : available_bundles(registry)) bundles.push_back(std::move(each.bundle));
   if (const Bundle* bundle = bundle_named(bundles, name_or_file)) return *bundle;
   std::error_code error;
   const std::string extension = lower_case_extension(name_or_file);
-  if (fs::exists(name_or_file, error)) return bundle_of_file(name_or_file, {}, sources);
+  if (fs::exists(name_or_file, error)) return bundle_of_file(registry, name_or_file, {}, sources);
   // Names of files and of bundles may hold colons too.
   for (std::size_t colon = name_or_file.find(':'); colon != std::string::npos;
        colon = name_or_file.find(':', colon + 1))
     if (const std::string file = name_or_file.substr(0, colon); fs::is_regular_file(file, error))
-      return bundle_of_file(file, name_or_file.substr(colon + 1), sources);
+      return bundle_of_file(registry, file, name_or_file.substr(colon + 1), sources);
   if (extension == ".json" || extension == ".bnd" || name_or_file.find('/') != std::string::npos)
-    return bundle_of_file(name_or_file, {}, sources);
+    return bundle_of_file(registry, name_or_file, {}, sources);
   Error out = unknown_bundle(name_or_file, bundles, {});
   out.text += " (mesecina list bundles)";
   return std::unexpected(std::move(out));

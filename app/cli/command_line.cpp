@@ -139,31 +139,32 @@ std::vector<CommandHelp> all_commands() {
   return help_of(app);
 }
 
-Expected<void> run_command(const CLI::App& command, const Arguments& arguments) {
+Expected<void> run_command(const Registry& registry, const CLI::App& command, const Arguments& arguments) {
   Interruption interruption;
   const auto run = [&](const auto& request, auto function) -> Expected<void> {
-    if (const auto good = settings_of(request.source, {}, true); !good) return std::unexpected(good.error());
-    return function(request, interruption);
+    if (const auto good = settings_of(registry, request.source, {}, true); !good)
+      return std::unexpected(good.error());
+    return function(registry, request, interruption);
   };
   if (command.get_name() == "compute") return run(arguments.compute, run_compute);
   if (command.get_name() == "sweep") return run(arguments.sweep, run_sweep);
   if (command.get_name() == "branches") return run(arguments.branches, run_branches);
   if (command.get_name() == "persistence") return run(arguments.persistence, run_persistence);
-  if (command.get_name() == "repair") return run_repair(arguments.repair, interruption);
-  if (command.get_name() == "decimate") return run_decimate(arguments.decimate, interruption);
+  if (command.get_name() == "repair") return run_repair(registry, arguments.repair, interruption);
+  if (command.get_name() == "decimate") return run_decimate(registry, arguments.decimate, interruption);
   if (command.get_name() == "export") return run(arguments.exported, run_export);
   if (command.get_name() == "render") return run(arguments.render, run_render);
-  if (command.get_name() == "demo") return run_demo(arguments.demo, interruption);
-  if (command.get_name() == "lesson") return run_lesson(arguments.lesson, interruption);
-  if (command.get_name() == "play") return run_play(arguments.play, interruption);
-  if (command.get_name() == "evolve") return run_evolve(arguments.evolve, interruption);
-  if (command.get_name() == "shape") return run_shape(arguments.shape, interruption);
+  if (command.get_name() == "demo") return run_demo(registry, arguments.demo, interruption);
+  if (command.get_name() == "lesson") return run_lesson(registry, arguments.lesson, interruption);
+  if (command.get_name() == "play") return run_play(registry, arguments.play, interruption);
+  if (command.get_name() == "evolve") return run_evolve(registry, arguments.evolve, interruption);
+  if (command.get_name() == "shape") return run_shape(registry, arguments.shape, interruption);
   if (command.get_name() == "sample") return run_sample(arguments.sample, interruption);
   if (command.get_name() == "text") return run_text(arguments.text, interruption);
-  if (command.get_name() == "manual") return run_manual(arguments.manual, all_commands(), interruption);
+  if (command.get_name() == "manual") return run_manual(registry, arguments.manual, all_commands(), interruption);
   if (command.get_name() == "completions")
-    return run_completions(arguments.completions, all_commands(), interruption);
-  return run_list(arguments.list, interruption);
+    return run_completions(registry, arguments.completions, all_commands(), interruption);
+  return run_list(registry, arguments.list, interruption);
 }
 
 /// What is not expected: options that there are not, and words that are too many.
@@ -230,7 +231,7 @@ std::optional<Error> mistaken_command(const CLI::App& app, const std::vector<std
                0};
 }
 
-int run(int argc, const char* const* argv, const OpenWindow& open_window) {
+int run(const Registry& registry, int argc, const char* const* argv, const OpenWindow& open_window) {
   CLI::App app;
   Arguments arguments;
   describe_commands(app, arguments);
@@ -249,7 +250,7 @@ int run(int argc, const char* const* argv, const OpenWindow& open_window) {
   }
   if (const auto chosen = app.get_subcommands(); !chosen.empty()) {
     if (!arguments.files.empty()) return refuse(app, "unexpected " + in_quotes(arguments.files.front()));
-    const auto done = run_command(*chosen.front(), arguments);
+    const auto done = run_command(registry, *chosen.front(), arguments);
     return done ? kExitDone : report(done.error());
   }
   if (const auto mistake = mistaken_command(app, arguments.files)) return report(*mistake);
@@ -258,9 +259,9 @@ int run(int argc, const char* const* argv, const OpenWindow& open_window) {
 
 }  // namespace
 
-int run_command_line(int argc, const char* const* argv, const OpenWindow& open_window) {
+int run_command_line(const Registry& registry, int argc, const char* const* argv, const OpenWindow& open_window) {
   try {
-    return run(argc, argv, open_window);
+    return run(registry, argc, argv, open_window);
   } catch (const std::bad_alloc&) {
     return report({ErrorCode::out_of_memory, "there is not enough memory", {}, 0, 0});
   } catch (const std::system_error& error) {

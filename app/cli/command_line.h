@@ -6,12 +6,17 @@
 #include <string>
 #include <vector>
 
+namespace mes {
+class Registry;
+}
+
 namespace mes::cli {
 
 /// Opens the window on files and gives the exit code.
 using OpenWindow = std::function<int(std::vector<std::string> files)>;
 
-/// Runs the command that the arguments ask for, the window when they ask for none; gives the exit code.
-int run_command_line(int argc, const char* const* argv, const OpenWindow& open_window);
+/// Runs the command that the arguments ask for, with what the registry has, or the window when they ask for none; gives
+/// the exit code.
+int run_command_line(const Registry& registry, int argc, const char* const* argv, const OpenWindow& open_window);
 
 }  // namespace mes::cli

@@ -12,8 +12,8 @@
 #include "app/cli/names.h"
 #include "app/playing/session_evolution.h"
 #include "core/base/lower_case.h"
-#include "core/builtins/builtins.h"
 #include "core/document/layer_configuration.h"
+#include "core/graph/registry.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
@@ -24,17 +24,18 @@ constexpr std::string_view kFamily = "family";
 constexpr std::string_view kBundle = "bundle";
 constexpr std::string_view kStep = "step";
 
-bool has_family(VariantLayer layer) {
-  return family_of(builtins().layers()[layer.layer]).has_value();
+bool has_family(const ShownLayers& shown) {
+  return std::ranges::any_of(
+      shown.layers, [&](VariantLayer layer) { return family_of(shown.descriptors[layer.layer]).has_value(); });
 }
 
 ShownLayers with_family(const ShownLayers& shown, FamilyKind family) {
   const LayerConfiguration layers = configuration_of(shown);
   ShownLayers out = shown;
   out.layers.clear();
-  for (const LayerConfiguration::Entry& entry : in_family(layers, family).layers) {
+  for (const LayerConfiguration::Entry& entry : in_family(shown.descriptors, layers, family).layers) {
     if (!entry.visible) continue;
-    const LayerIndex layer = builtins().find_layer(entry.layer);
+    const LayerIndex layer = find_layer(shown.descriptors, entry.layer);
     out.layers.emplace_back(layer);
     out.styles[layer] = entry.style;
   }
@@ -49,10 +50,11 @@ std::optional<FamilyKind> family_named(const std::string& letter) {
 }
 
 /// NAME, or NAME:KEY=VALUE[,KEY=VALUE...]; the key `seed` is of all evolutions. What is not said is as in `base`.
-Expected<EvolutionChoice> evolution_of(const std::string& text, const EvolutionChoice& base) {
+Expected<EvolutionChoice> evolution_of(const Registry& registry, const std::string& text,
+                                       const EvolutionChoice& base) {
   constexpr std::string_view kSeed = "seed=";
   const std::size_t colon = text.find(':');
-  const auto evolution = select_evolution(text.substr(0, colon));
+  const auto evolution = select_evolution(registry, text.substr(0, colon));
   if (!evolution) return std::unexpected(evolution.error());
   EvolutionChoice out = base;
   out.evolution = *evolution;
@@ -74,7 +76,8 @@ Expected<EvolutionChoice> evolution_of(const std::string& text, const EvolutionC
 
 class Reader {
  public:
-  Reader(const RenderRequest& request, std::span<const render::ColorMap> maps) : request_(request), maps_(maps) {}
+  Reader(const Registry& registry, const RenderRequest& request, std::span<const render::ColorMap> maps)
+      : registry_(registry), request_(request), maps_(maps) {}
 
   Expected<CompareRequest> read() {
     const std::size_t equals = request_.compared.find('=');
@@ -94,7 +97,7 @@ class Reader {
     }
     if (out_.subject == CompareRequest::Subject::step) {
       if (request_.evolution.empty()) return std::move(out_);
-      const auto evolution = evolution_of(request_.evolution, {});
+      const auto evolution = evolution_of(registry_, request_.evolution, {});
       if (!evolution) return std::unexpected(evolution.error());
       out_.evolution = *evolution;
     }
@@ -131,7 +134,7 @@ class Reader {
       RenderRequest one = request_;
       one.bundle = value;
       one.layers.clear();
-      auto picture = understand(one, maps_, nullptr);
+      auto picture = understand(registry_, one, maps_, nullptr);
       if (!picture) return std::unexpected(picture.error());
       out_.bundles.push_back(std::move(*picture));
       return {};
@@ -143,17 +146,18 @@ class Reader {
       out_.steps.push_back(*step);
       return {};
     }
-    const std::vector<std::string_view> known = compared_subjects();
+    const std::vector<std::string_view> known = compared_subjects(registry_);
     if (std::ranges::find(known, subject) == known.end())
       return usage_error("--compare: unknown subject " + in_quotes(subject) + "; it is one of " + one_of(known));
     out_.subject = Subject::parameter;
-    const auto parsed = parse_setting(subject + '=' + value, builtins().parameters(), "--compare");
+    const auto parsed = parse_setting(subject + '=' + value, registry_.parameters(), "--compare");
     if (!parsed) return std::unexpected(parsed.error());
-    out_.parameter = builtins().parameters()[parsed->first];
+    out_.parameter = registry_.parameters()[parsed->first];
     out_.values.push_back(parsed->second);
     return {};
   }
 
+  const Registry& registry_;
   const RenderRequest& request_;
   std::span<const render::ColorMap> maps_;
   CompareRequest out_;
@@ -196,13 +200,14 @@ Expected<ComputationSettings> moved_settings(const CompareRequest& compared, con
 
 }  // namespace
 
-std::vector<std::string_view> compared_subjects() {
+std::vector<std::string_view> compared_subjects(const Registry& registry) {
   std::vector<std::string_view> out{kPrecision, kFamily, kBundle, kStep};
-  for (const Parameter& parameter : builtins().parameters()) out.push_back(parameter.id);
+  for (const Parameter& parameter : registry.parameters()) out.push_back(parameter.id);
   return out;
 }
 
-Expected<CompareRequest> understand_comparison(const RenderRequest& request, std::span<const render::ColorMap> maps) {
+Expected<CompareRequest> understand_comparison(const Registry& registry, const RenderRequest& request,
+                                               std::span<const render::ColorMap> maps) {
   if (request.compared.empty()) {
     if (request.with_differences) return usage_error("--differences needs --compare");
     if (request.has_free_cameras) return usage_error("--free-cameras needs --compare");
@@ -211,21 +216,21 @@ Expected<CompareRequest> understand_comparison(const RenderRequest& request, std
   }
   if (request.has_free_cameras && !request.view.empty())
     return usage_error("--free-cameras excludes --view: each pane shows all that is in it");
-  auto out = Reader(request, maps).read();
+  auto out = Reader(registry, request, maps).read();
   if (out && out->subject != CompareRequest::Subject::step && !request.evolution.empty())
     return usage_error("--evolution needs --compare step=...");
   if (out && request.bounds != kBoundsOfView) return usage_error("--bounds excludes --compare");
   return out;
 }
 
-Expected<void> take_evolution(CompareRequest& compared, const RenderRequest& request,
+Expected<void> take_evolution(const Registry& registry, CompareRequest& compared, const RenderRequest& request,
                               const std::optional<EvolutionChoice>& of_session) {
   if (compared.subject != CompareRequest::Subject::step) return {};
   const bool is_named = !request.evolution.empty();
   if (!is_named && !of_session) return usage_error("--compare step: name the evolution with --evolution");
   if (!of_session) return {};
   const auto evolution =
-      is_named ? evolution_of(request.evolution, *of_session) : Expected<EvolutionChoice>(*of_session);
+      is_named ? evolution_of(registry, request.evolution, *of_session) : Expected<EvolutionChoice>(*of_session);
   if (!evolution) return std::unexpected(evolution.error());
   compared.evolution = *evolution;
   return {};
@@ -235,7 +240,7 @@ Expected<std::vector<PaneRequest>> panes_of(const CompareRequest& compared, cons
                                             const ComputationSettings& settings,
                                             const std::shared_ptr<const SampleData>& data) {
   using Subject = CompareRequest::Subject;
-  if (compared.subject == Subject::family && std::ranges::none_of(picture.shown.layers, has_family))
+  if (compared.subject == Subject::family && !has_family(picture.shown))
     return usage_error("--compare family: name layers of a family, as in --layers a-union-boundary");
   const ParameterMove* const move = compared.evolution.moved_parameter();
   std::map<std::uint64_t, std::shared_ptr<const SampleData>> states;
@@ -293,9 +298,9 @@ std::vector<PaneChoice> panes_beside(const CompareRequest& compared) {
   return out;
 }
 
-SessionEvolution evolution_beside(const CompareRequest& compared) {
+SessionEvolution evolution_beside(const Registry& registry, const CompareRequest& compared) {
   if (compared.subject != CompareRequest::Subject::step) return {};
-  return session_evolution(compared.evolution, 0);
+  return session_evolution(registry, compared.evolution, 0);
 }
 
 }  // namespace mes::cli

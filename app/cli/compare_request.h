@@ -18,6 +18,10 @@
 #include "core/evolutions/evolution.h"
 #include "core/io/session.h"
 
+namespace mes {
+class Registry;
+}
+
 namespace mes::cli {
 
 /// What is compared, understood as far as it can be without the samples.
@@ -35,15 +39,16 @@ struct CompareRequest {
 };
 
 /// What `--compare` can compare.
-std::vector<std::string_view> compared_subjects();
+std::vector<std::string_view> compared_subjects(const Registry& registry);
 
 /// An evolution that is not named is not yet known. Error: `usage`, naming what there is; `bad_input` for a bundle that
 /// cannot be read.
-Expected<CompareRequest> understand_comparison(const RenderRequest& request, std::span<const render::ColorMap> maps);
+Expected<CompareRequest> understand_comparison(const Registry& registry, const RenderRequest& request,
+                                               std::span<const render::ColorMap> maps);
 
 /// Takes what the command does not say of the evolution whose steps are compared from the session (nothing: it has none):
 /// which it is, its parameters and its seed. Error: `usage` where neither names one.
-Expected<void> take_evolution(CompareRequest& compared, const RenderRequest& request,
+Expected<void> take_evolution(const Registry& registry, CompareRequest& compared, const RenderRequest& request,
                               const std::optional<EvolutionChoice>& of_session);
 
 /// The panes, where `picture`, `settings` and `data` say what all have in common. Steps of an evolution are computed
@@ -56,6 +61,6 @@ Expected<std::vector<PaneRequest>> panes_of(const CompareRequest& compared, cons
 /// where that is not among the steps; as many as a session can have.
 std::vector<PaneChoice> panes_beside(const CompareRequest& compared);
 /// The evolution whose states they show; none for other comparisons.
-SessionEvolution evolution_beside(const CompareRequest& compared);
+SessionEvolution evolution_beside(const Registry& registry, const CompareRequest& compared);
 
 }  // namespace mes::cli

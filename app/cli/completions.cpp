@@ -27,13 +27,14 @@ std::span<const Shell> shells() {
   return kShells;
 }
 
-Expected<void> run_completions(const CompletionsRequest& request, std::span<const CommandHelp> commands,
-                               Interruption& interruption) {
+Expected<void> run_completions(const Registry& registry, const CompletionsRequest& request,
+                               std::span<const CommandHelp> commands, Interruption& interruption) {
   if (auto good = check_output(request.output); !good) return good;
   std::vector<std::string_view> names;
   for (const Shell& shell : kShells) {
     names.push_back(shell.name);
-    if (shell.name == request.shell) return write_output(request.output, shell.script(commands), interruption);
+    if (shell.name == request.shell)
+      return write_output(request.output, shell.script(registry, commands), interruption);
   }
   return usage_error("no completions for " + in_quotes(request.shell) + "; the shell is one of " + one_of(names));
 }

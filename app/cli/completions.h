@@ -9,6 +9,10 @@
 
 #include "app/cli/command_help.h"
 
+namespace mes {
+class Registry;
+}
+
 namespace mes::cli {
 
 /// The words with spaces between them.
@@ -16,14 +20,14 @@ std::string joined_words(const std::vector<std::string>& words);
 
 struct Shell {
   std::string_view name;
-  std::string (*script)(std::span<const CommandHelp> commands);
+  std::string (*script)(const Registry& registry, std::span<const CommandHelp> commands);
 };
 
 std::span<const Shell> shells();
 
 /// Each of them is read by its shell as it stands; equal programs give equal bytes.
-std::string bash_completions(std::span<const CommandHelp> commands);
-std::string zsh_completions(std::span<const CommandHelp> commands);
-std::string fish_completions(std::span<const CommandHelp> commands);
+std::string bash_completions(const Registry& registry, std::span<const CommandHelp> commands);
+std::string zsh_completions(const Registry& registry, std::span<const CommandHelp> commands);
+std::string fish_completions(const Registry& registry, std::span<const CommandHelp> commands);
 
 }  // namespace mes::cli

@@ -32,10 +32,10 @@ _mesecina() {
   COMPREPLY=()
 )";
 
-std::string reply(const OptionValue& value) {
+std::string reply(const Registry& registry, const OptionValue& value) {
   switch (value.kind) {
-    case ValueKind::choice: return R"(_mesecina_choices "$current" ')" + joined_words(value.offer()) + '\'';
-    case ValueKind::choices: return R"(_mesecina_list "$current" ')" + joined_words(value.offer()) + '\'';
+    case ValueKind::choice: return R"(_mesecina_choices "$current" ')" + joined_words(value.offer(registry)) + '\'';
+    case ValueKind::choices: return R"(_mesecina_list "$current" ')" + joined_words(value.offer(registry)) + '\'';
     case ValueKind::file: return R"(_mesecina_files "$current" -f)";
     case ValueKind::folder: return R"(_mesecina_files "$current" -d)";
     case ValueKind::text: break;
@@ -48,20 +48,20 @@ std::string last_word(const std::string& name) {
 }
 
 // After the option, or at its place, what fits.
-std::string cases_of(const CommandHelp& command, std::string_view indent) {
+std::string cases_of(const Registry& registry, const CommandHelp& command, std::string_view indent) {
   std::string out;
   std::string at_its_place = ":";
   std::vector<std::string> names;
   for (const OptionHelp& option : command.options) {
     if (option.is_positional) {
-      at_its_place = reply(*option.value);
+      at_its_place = reply(registry, *option.value);
       continue;
     }
     names.insert(names.end(), option.names.begin(), option.names.end());
     if (option.value == nullptr) continue;
     std::string pattern;
     for (const std::string& name : option.names) pattern += (pattern.empty() ? "" : " | ") + name;
-    out += fmt::format("{}{}) {} ;;\n", indent, pattern, reply(*option.value));
+    out += fmt::format("{}{}) {} ;;\n", indent, pattern, reply(registry, *option.value));
   }
   return out + fmt::format("{}*) if [[ $current == -* ]]; then _mesecina_choices \"$current\" '{}'; else {}; fi ;;\n",
                            indent, joined_words(names), at_its_place);
@@ -69,7 +69,7 @@ std::string cases_of(const CommandHelp& command, std::string_view indent) {
 
 }  // namespace
 
-std::string bash_completions(std::span<const CommandHelp> commands) {
+std::string bash_completions(const Registry& registry, std::span<const CommandHelp> commands) {
   std::string out(kBegin);
   std::vector<std::string> names;
   std::vector<std::string> options;
@@ -79,7 +79,7 @@ std::string bash_completions(std::span<const CommandHelp> commands) {
   out += "  case $command in\n";
   for (const CommandHelp& command : commands.subspan(1))
     out += fmt::format("    {})\n      case $before in\n{}      esac ;;\n", last_word(command.name),
-                       cases_of(command, "        "));
+                       cases_of(registry, command, "        "));
   out += "    *)\n      _mesecina_choices \"$current\" '" + joined_words(options) + "'\n" +
          "      if [[ $current != -* ]]; then\n        local files=()\n" +
          "        mapfile -t files < <(compgen -f -- \"$current\")\n        compopt -o filenames\n        " +

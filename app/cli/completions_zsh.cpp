@@ -21,16 +21,17 @@ std::string quoted_for_zsh(std::string_view text, std::string_view special) {
 }
 
 // ":NAME:ACTION"; what it is called, and how it is completed.
-std::string action(const OptionHelp& option) {
+std::string action(const Registry& registry, const OptionHelp& option) {
   const OptionValue& value = *option.value;
   const std::string name = value.name.empty() ? option.names.back() : std::string(value.name);
   switch (value.kind) {
     case ValueKind::choice:
       // Nothing but a value follows the name of a parameter at once.
       return value.name.ends_with("VALUE")
-                 ? fmt::format(":{}:{{compadd -S \"\" -- {}}}", name, joined_words(value.offer()))
-                 : fmt::format(":{}:({})", name, joined_words(value.offer()));
-    case ValueKind::choices: return fmt::format(":{0}:_values -s , {0} {1}", name, joined_words(value.offer()));
+                 ? fmt::format(":{}:{{compadd -S \"\" -- {}}}", name, joined_words(value.offer(registry)))
+                 : fmt::format(":{}:({})", name, joined_words(value.offer(registry)));
+    case ValueKind::choices:
+      return fmt::format(":{0}:_values -s , {0} {1}", name, joined_words(value.offer(registry)));
     case ValueKind::file: return ':' + name + ":_files";
     case ValueKind::folder: return ':' + name + ":_files -/";
     case ValueKind::text: break;
@@ -38,10 +39,11 @@ std::string action(const OptionHelp& option) {
   return ':' + name + ": ";
 }
 
-std::string specification(const OptionHelp& option) {
-  if (option.is_positional) return '\'' + (option.may_repeat ? "*" + action(option) : action(option)) + '\'';
+std::string specification(const Registry& registry, const OptionHelp& option) {
+  if (option.is_positional)
+    return '\'' + (option.may_repeat ? "*" + action(registry, option) : action(registry, option)) + '\'';
   const std::string text = '[' + quoted_for_zsh(brief(option.text), "[]:\\") + ']';
-  const std::string value = option.value == nullptr ? "" : action(option);
+  const std::string value = option.value == nullptr ? "" : action(registry, option);
   if (option.names.size() == 1)
     return '\'' + std::string(option.may_repeat ? "*" : "") + option.names.front() + text + value + '\'';
   std::string all;
@@ -53,15 +55,15 @@ std::string specification(const OptionHelp& option) {
   return fmt::format("'({})'{{{}}}'{}{}'", all, braces, text, value);
 }
 
-std::string arguments(const CommandHelp& command, const std::string& indent) {
+std::string arguments(const Registry& registry, const CommandHelp& command, const std::string& indent) {
   std::string out = "_arguments";
-  for (const OptionHelp& option : command.options) out += " \\\n" + indent + specification(option);
+  for (const OptionHelp& option : command.options) out += " \\\n" + indent + specification(registry, option);
   return out;
 }
 
 }  // namespace
 
-std::string zsh_completions(std::span<const CommandHelp> commands) {
+std::string zsh_completions(const Registry& registry, std::span<const CommandHelp> commands) {
   std::string out = "#compdef mesecina\n# Completions of mesecina for zsh, written by `mesecina completions zsh`.\n";
   out += "_mesecina_first() {\n  local -a commands=(\n";
   std::string cases;
@@ -69,12 +71,12 @@ std::string zsh_completions(std::span<const CommandHelp> commands) {
     const std::string name = command.name.substr(command.name.rfind(' ') + 1);
     out += fmt::format("    '{}:{}'\n", name, quoted_for_zsh(command.summary, ""));
     cases += fmt::format("    {})\n      shift words\n      ((CURRENT--))\n      {}\n      ;;\n", name,
-                         arguments(command, "        "));
+                         arguments(registry, command, "        "));
   }
   out += "  )\n  _describe command commands\n  _files\n}\n";
   out +=
       "_mesecina() {\n  if ((CURRENT == 2)) && [[ $words[2] != -* ]]; then\n    _mesecina_first\n    return\n  fi\n";
-  out += "  case $words[2] in\n" + cases + "    *)\n      " + arguments(commands.front(), "        ") +
+  out += "  case $words[2] in\n" + cases + "    *)\n      " + arguments(registry, commands.front(), "        ") +
          "\n      ;;\n  esac\n}\n_mesecina \"$@\"\n";
   return out;
 }

@@ -14,9 +14,9 @@
 #include "app/cli/session_settings.h"
 #include "app/layers/layer_summary.h"
 #include "app/layers/statistics_text.h"
-#include "core/builtins/builtins.h"
 #include "core/draw/layer_digest.h"
 #include "core/engine/theorem_light.h"
+#include "core/graph/registry.h"
 
 namespace mes::cli {
 namespace {
@@ -80,25 +80,25 @@ Json diagnostics_of(std::span<const NodeReport> nodes) {
 
 }  // namespace
 
-Expected<void> run_compute(const ComputeRequest& request, Interruption& interruption) {
-  if (const auto good = select_layers(request.layers); !good) return std::unexpected(good.error());
+Expected<void> run_compute(const Registry& registry, const ComputeRequest& request, Interruption& interruption) {
+  if (const auto good = select_layers(registry, request.layers); !good) return std::unexpected(good.error());
   if (auto good = check_output(request.output); !good) return good;
-  auto input = read_source(request.source);
+  auto input = read_source(registry, request.source);
   if (!input) return std::unexpected(input.error());
-  const auto layers = shown_layers(request.layers, input->session());
+  const auto layers = shown_layers(registry, request.layers, input->session());
   if (!layers) return std::unexpected(layers.error());
   LoadedFile& file = input->file;
   const std::size_t samples = file.data.positions.size();
   const std::size_t contours = file.data.contours.size();
   const std::size_t balls = file.data.balls.size();
 
-  std::vector<Measured> measured(builtins().layers().size());
+  std::vector<Measured> measured(registry.layers().size());
   const auto take = [&](const InstancePiece& piece) {
     Measured& layer = measured[piece.layer.layer];
     layer.tally.add(piece.kind, piece.values);
     if (request.with_digests) layer.digest += digest_of(piece.kind, piece.values, !piece.scalars_are_names);
   };
-  const auto result = measure_with_progress(std::move(file.data),
+  const auto result = measure_with_progress(registry, std::move(file.data),
                                             {.layers = main_layers(*layers),
                                              .settings = input->settings,
                                              .want_statistics = true,
@@ -119,7 +119,7 @@ Expected<void> run_compute(const ComputeRequest& request, Interruption& interrup
   for (const NodeReport& node : result->nodes) out["structures"][node.structure] = json_of(node, request.with_timing);
   out["layers"] = Json::object();
   for (const LayerIndex layer : *layers) {
-    const LayerDescriptor& descriptor = builtins().layers()[layer];
+    const LayerDescriptor& descriptor = registry.layers()[layer];
     Json& entry = out["layers"][std::string(descriptor.id)];
     entry = json_of(measured[layer].tally.summary(), descriptor, result->reports[layer].lost);
     if (request.with_digests) entry["digest"] = measured[layer].digest.text();

@@ -9,23 +9,25 @@
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
 #include "app/cli/session_settings.h"
-#include "core/builtins/builtins.h"
 #include "core/evolutions/evolution.h"
+#include "core/graph/registry.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
 namespace {
 
-/// The first one, as it is by default.
-EvolutionChoice first_evolution() {
-  return {.evolution = builtins().evolutions().all().front()};
+/// The first one, as it is by default; null where there is none.
+EvolutionChoice first_evolution(const Registry& registry) {
+  const auto all = registry.evolutions().all();
+  return {.evolution = all.empty() ? nullptr : all.front()};
 }
 
 /// Where the command does not say, as in `base`.
-Expected<EvolutionChoice> choice_of(const EvolveRequest& request, const EvolutionChoice& base) {
+Expected<EvolutionChoice> choice_of(const Registry& registry, const EvolveRequest& request,
+                                    const EvolutionChoice& base) {
   EvolutionChoice out = base;
   if (!request.evolution.empty()) {
-    const auto evolution = select_evolution(request.evolution);
+    const auto evolution = select_evolution(registry, request.evolution);
     if (!evolution) return std::unexpected(evolution.error());
     out.evolution = *evolution;
   }
@@ -50,19 +52,20 @@ Expected<EvolutionChoice> choice_of(const EvolveRequest& request, const Evolutio
 
 }  // namespace
 
-Expected<void> run_evolve(const EvolveRequest& request, Interruption& interruption) {
+Expected<void> run_evolve(const Registry& registry, const EvolveRequest& request, Interruption& interruption) {
   // Refuses unknown names before the file is read.
   if (!request.evolution.empty())
-    if (const auto good = choice_of(request, first_evolution()); !good) return std::unexpected(good.error());
+    if (const auto good = choice_of(registry, request, first_evolution(registry)); !good)
+      return std::unexpected(good.error());
   const auto steps = whole_number("--steps", request.steps);
   if (!steps) return std::unexpected(steps.error());
   if (auto good = check_output(request.output); !good) return good;
   const auto input = read_input(request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
-  const auto of_session = evolution_in(input->session.get());
+  const auto of_session = evolution_in(registry, input->session.get());
   if (request.evolution.empty() && !of_session)
     return usage_error("--evolution is required: the file is no session with an evolution");
-  const auto choice = choice_of(request, of_session.value_or(first_evolution()));
+  const auto choice = choice_of(registry, request, of_session.value_or(first_evolution(registry)));
   if (!choice) return std::unexpected(choice.error());
 
   Document document;

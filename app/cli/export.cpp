@@ -12,6 +12,7 @@
 #include "app/cli/session_settings.h"
 #include "app/export/geometry_export.h"
 #include "app/store/layer_text.h"
+#include "core/graph/registry.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
@@ -24,11 +25,11 @@ Expected<const LayerTextFormat*> select_format(const std::string& name) {
 }
 
 // The line of the progress is gone when it returns.
-Expected<LayerText> compute_text(const SampleData& data, const LayerTextFormat& format,
+Expected<LayerText> compute_text(const Registry& registry, const SampleData& data, const LayerTextFormat& format,
                                  const std::vector<LayerIndex>& layers, const ComputationSettings& settings) {
   Progress progress;
   return compute_layer_text(
-      data, format,
+      registry, data, format,
       {.layers = main_layers(layers),
        .settings = settings,
        .on_patch = {},
@@ -46,20 +47,20 @@ std::span<const std::string_view> export_formats() {
   return names;
 }
 
-Expected<void> run_export(const ExportRequest& request, Interruption& interruption) {
-  if (!request.structure.empty() || !request.table.empty()) return run_table_export(request, interruption);
+Expected<void> run_export(const Registry& registry, const ExportRequest& request, Interruption& interruption) {
+  if (!request.structure.empty() || !request.table.empty()) return run_table_export(registry, request, interruption);
   if (request.layer.empty())
     return usage_error("export needs --layer (mesecina list layers), or --structure (mesecina list structures)");
   const auto format = select_format(request.format);
   if (!format) return std::unexpected(format.error());
-  const auto layers = select_layers(request.layer);
+  const auto layers = select_layers(registry, request.layer);
   if (!layers) return std::unexpected(layers.error());
-  if (auto good = check_layers(**format, *layers); !good) return good;
+  if (auto good = check_layers(registry.layers(), **format, *layers); !good) return good;
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_source(request.source);
+  const auto input = read_source(registry, request.source);
   if (!input) return std::unexpected(input.error());
 
-  const auto out = compute_text(input->file.data, **format, *layers, input->settings);
+  const auto out = compute_text(registry, input->file.data, **format, *layers, input->settings);
   if (!out) return std::unexpected(out.error());
   if (const std::string remark = remark_about(*out, **format); !remark.empty()) say(remark);
   return write_output(request.output, out->text, interruption, {input->file.sources, request.force});

@@ -12,7 +12,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
 #include "app/cli/session_settings.h"
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 #include "core/graph/write_table.h"
 #include "core/io/text_numbers.h"
 #include "core/workbench/workbench.h"
@@ -33,13 +33,13 @@ std::string in_words(const std::vector<TableColumns>& tables) {
 }
 
 /// Says whether there is such a table before the file is read. A structure with one table needs no name of it.
-Expected<std::string> select_table(const ExportRequest& request) {
+Expected<std::string> select_table(const Registry& registry, const ExportRequest& request) {
   if (!request.layer.empty()) return usage_error("export takes --layer or --structure, not both");
   if (request.structure.empty()) return usage_error("--table needs --structure (mesecina list structures)");
-  const auto ids = builtins().structures();
+  const auto ids = registry.structures();
   if (std::ranges::find(ids, request.structure) == ids.end())
     return usage_error(unknown_word("structure", request.structure, ids) + " (mesecina list structures)");
-  const auto tables = tables_of(builtins().make_structures(), request.structure);
+  const auto tables = tables_of(registry.make_structures(), request.structure);
   if (tables.empty()) return usage_error(fmt::format("the structure {} has no table", request.structure));
   if (request.table.empty() && tables.size() == 1) return tables.front().name;
   if (request.table.empty())
@@ -52,23 +52,23 @@ Expected<std::string> select_table(const ExportRequest& request) {
 
 }  // namespace
 
-Expected<void> run_table_export(const ExportRequest& request, Interruption& interruption) {
-  const auto name = select_table(request);
+Expected<void> run_table_export(const Registry& registry, const ExportRequest& request, Interruption& interruption) {
+  const auto name = select_table(registry, request);
   if (!name) return std::unexpected(name.error());
   const auto format = find_table_format(request.format);
   if (!format) return usage_error("a table is written as csv or npy, not " + in_quotes(request.format));
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_source(request.source);
+  const auto input = read_source(registry, request.source);
   if (!input) return std::unexpected(input.error());
 
   std::string bytes;
   {
     Progress progress;
-    Workbench bench(builtins(), {.keeps_history = false, .keeps_instances = false});
+    Workbench bench(registry, {.keeps_history = false, .keeps_instances = false});
     bench.choose(input->settings);
     if (auto loaded = bench.load(input->file.data); !loaded) return loaded;
     if (auto known = bench.need({std::string_view(request.structure)}); !known) return known;
-    const auto ids = builtins().structures();
+    const auto ids = registry.structures();
     bench.set_on_task([&](std::string_view task) {
       const auto at = std::ranges::find(ids, task) - ids.begin();
       progress.show(task, static_cast<double>(at) / static_cast<double>(ids.size()));

@@ -25,7 +25,7 @@
 #include "app/store/background_loader.h"
 #include "app/store/color_maps.h"
 #include "app/store/sample_shapes.h"
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 #include "core/io/carried_session.h"
 #include "core/io/temporary.h"
 #include "core/io/text_numbers.h"
@@ -107,8 +107,9 @@ std::uint64_t frames_of(const PlayStep& step, double fps) {
 class Studio {
  public:
   /// `panes`: of the session; those beside the main one are computed afresh for each picture.
-  Studio(render::GlDevice& device, const Film& film, const SessionPanes& panes)
-      : device_(device),
+  Studio(const Registry& registry, render::GlDevice& device, const Film& film, const SessionPanes& panes)
+      : registry_(registry),
+        device_(device),
         scene_(device),
         film_(film),
         panes_(panes),
@@ -144,7 +145,11 @@ class Studio {
     std::vector<render::LayerView> views;
     for (const LayerIndex layer : layers.visible_layers()) views.push_back({layer, layers.style(layer)});
     auto shot = shoot(views, camera, player.document(),
-                      {legend_of(scene_, views, film_.legend), player.caption(), film_.marks, {}, title_.drawing});
+                      {legend_of(registry_.layers(), scene_, views, film_.legend),
+                       player.caption(),
+                       film_.marks,
+                       {},
+                       title_.drawing});
     if (!shot) return std::unexpected(shot.error());
     return CapturedPicture(std::move(shot->image), std::move(shot->overlay));
   }
@@ -158,19 +163,20 @@ class Studio {
 
   // As `mesecina render --compare` lays them out, with the caption in the first one.
   Expected<CapturedPicture> draw_panes(const Player& player) {
-    Comparison comparison =
-        compare(panes_.requests({player.document(), player.history(), player.layers(), player.settings()}));
+    Comparison comparison = compare(
+        registry_, panes_.requests({player.document(), player.history(), player.layers(), player.settings()}));
     for (const VariantLayer layer : held_) scene_.forget(layer);
     held_ = comparison.demand;
     LayerMirror mirror;
-    const auto result = run_computation(*comparison.data, {.layers = comparison.demand,
-                                                           .settings = comparison.settings,
-                                                           .on_patch =
-                                                               [&](const FramePatch& patch) {
-                                                                 mirror.apply(patch);
-                                                                 scene_.apply(patch);
-                                                               },
-                                                           .variants = comparison.variants});
+    const auto result = run_computation(registry_, *comparison.data,
+                                        {.layers = comparison.demand,
+                                         .settings = comparison.settings,
+                                         .on_patch =
+                                             [&](const FramePatch& patch) {
+                                               mirror.apply(patch);
+                                               scene_.apply(patch);
+                                             },
+                                         .variants = comparison.variants});
     if (!result) return std::unexpected(result.error());
     share_color_ranges(comparison, mirror);
     follow_picture(player.layers().image());
@@ -204,7 +210,8 @@ class Studio {
       std::vector<render::LayerView> views;
       for (const VariantLayer layer : pane.shown.layers) views.push_back({layer, pane.shown.styles[layer.layer]});
       auto shot = shoot(views, camera, document,
-                        {legend_of(scene_, views, one.legend), i == 0 ? player.caption() : std::string(), one.marks});
+                        {legend_of(registry_.layers(), scene_, views, one.legend),
+                         i == 0 ? player.caption() : std::string(), one.marks});
       if (!shot) return std::unexpected(shot.error());
       out.add(std::move(shot->image), std::move(shot->overlay));
     }
@@ -221,8 +228,9 @@ class Studio {
     const double units_per_px = camera.units_per_pixel() * scale_;
     const double spacing_px = typical_spacing(document) / units_per_px;
     for (render::LayerView& view : views)
-      view.style = thinned(view.style, builtins().layers()[view.layer.layer], spacing_px);
-    add_texts(views, {document}, {camera.visible(), units_per_px}, fonts_ ? &fonts_->plain : nullptr);
+      view.style = thinned(view.style, registry_.layers()[view.layer.layer], spacing_px);
+    add_texts(registry_.layers(), views, {document}, {camera.visible(), units_per_px},
+              fonts_ ? &fonts_->plain : nullptr);
     auto image =
         render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale_});
     if (!image) return std::unexpected(image.error());
@@ -232,7 +240,7 @@ class Studio {
 
   // A picture that no longer exists is reported once; the film goes on without it.
   void follow_picture(const BackgroundImage& image) {
-    const LayerIndex layer = builtins().find_layer("image");
+    const LayerIndex layer = registry_.find_layer("image");
     if (image.file != shown_.file || image.is_upright != shown_.is_upright) {
       shown_ = image;
       scene_.clear_picture();
@@ -249,6 +257,7 @@ class Studio {
   static constexpr double kMargin = 0.06;      // around the document, where no view is chosen
   static constexpr double kReference = 800.0;  // sizes of styles are meant for a view about this high
 
+  const Registry& registry_;
   render::GlDevice& device_;
   render::Scene scene_;
   Film film_;
@@ -275,7 +284,8 @@ void carry(FrameWriter& writer, const Session& session) {
     say("the frames carry no session: it would be too long");
 }
 
-Expected<void> make_film(const Session& session, const std::string& name, const FilmRequest& request) {
+Expected<void> make_film(const Registry& registry, const Session& session, const std::string& name,
+                         const FilmRequest& request) {
   const auto film = understood_film(request);
   if (!film) return std::unexpected(film.error());
   std::optional<ScratchFolder> temporary;
@@ -290,9 +300,9 @@ Expected<void> make_film(const Session& session, const std::string& name, const 
   const auto context = render::EglContext::create();
   if (!context) return std::unexpected(context.error());
   render::GlDevice device;
-  const SessionPanes panes(session);
-  Studio studio(device, *film, panes);
-  Player player(session, [&studio](const FramePatch& patch) { studio.apply(patch); });
+  const SessionPanes panes(registry, session);
+  Studio studio(registry, device, *film, panes);
+  Player player(registry, session, [&studio](const FramePatch& patch) { studio.apply(patch); });
 
   FrameWriterOptions options{.first = film->shard.index, .stride = film->shard.count};
   if (film->shard.count > 1)

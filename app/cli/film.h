@@ -10,7 +10,8 @@
 
 namespace mes {
 class FrameWriter;
-}
+class Registry;
+}  // namespace mes
 
 namespace mes::cli {
 
@@ -32,7 +33,8 @@ struct FilmRequest {
 Expected<void> check(const FilmRequest& request);
 
 /// Error: `cannot_write` also when the folder has such frames already. `name` stands for the session in messages.
-Expected<void> make_film(const Session& session, const std::string& name, const FilmRequest& request);
+Expected<void> make_film(const Registry& registry, const Session& session, const std::string& name,
+                         const FilmRequest& request);
 
 /// The manifest of the frames holds the session, without the folders of its author. Says when it is too long for that.
 void carry(FrameWriter& writer, const Session& session);

@@ -42,7 +42,7 @@ struct Chosen {
 
 /// The lesson of a file, or the one of this name that comes with the program. Error: `usage` where the word is neither
 /// the name of such a lesson nor looks like the name of a file; `bad_input` where the file holds no lesson.
-Expected<Chosen> lesson_of(const std::string& word) {
+Expected<Chosen> lesson_of(const Registry& registry, const std::string& word) {
   std::error_code error;
   std::string file = word;
   if (word != "-" && !std::filesystem::exists(word, error)) {
@@ -53,7 +53,7 @@ Expected<Chosen> lesson_of(const std::string& word) {
       if (lesson.name != word) continue;
       file = lesson.file.string();
       if (!file.empty()) break;
-      auto made = session_of(lesson, assets);
+      auto made = session_of(registry, lesson, assets);
       if (!made) return std::unexpected(made.error());
       return Chosen{std::move(*made)};
     }
@@ -198,9 +198,9 @@ Expected<void> prepare_frames(const std::filesystem::path& folder) {
 }
 
 /// A picture a step, each with the time at which its step begins.
-Expected<void> write_frames(const std::filesystem::path& folder, const Session& session,
+Expected<void> write_frames(const Registry& registry, const std::filesystem::path& folder, const Session& session,
                             const std::vector<std::size_t>& steps, const Pixels& pixels, bool with_source) {
-  auto printer = LessonPrinter::make(session, pixels.look);
+  auto printer = LessonPrinter::make(registry, session, pixels.look);
   if (!printer) return std::unexpected(printer.error());
   FrameWriter writer({folder, {pixels.size.width, pixels.size.height}});
   if (with_source) carry(writer, session);
@@ -221,8 +221,8 @@ Expected<void> write_frames(const std::filesystem::path& folder, const Session& 
 }
 
 /// The frames, and the video of them.
-Expected<void> write_film(const LessonRequest& request, const Session& session, const std::vector<std::size_t>& steps,
-                          const Pixels& pixels) {
+Expected<void> write_film(const Registry& registry, const LessonRequest& request, const Session& session,
+                          const std::vector<std::size_t>& steps, const Pixels& pixels) {
   constexpr double kFramesASecond = 25.0;
   std::optional<ScratchFolder> temporary;
   if (request.frames.empty()) {
@@ -232,7 +232,7 @@ Expected<void> write_film(const LessonRequest& request, const Session& session, 
   }
   const std::filesystem::path folder = temporary ? temporary->path() : std::filesystem::path(request.frames);
   if (auto ready = prepare_frames(folder); !ready) return ready;
-  if (auto done = write_frames(folder, session, steps, pixels, request.with_source && !temporary);
+  if (auto done = write_frames(registry, folder, session, steps, pixels, request.with_source && !temporary);
       !done || request.video.empty())
     return done;
   Progress progress;
@@ -248,12 +248,13 @@ std::string packed_lesson(const Session& session) {
 }
 
 /// Everything is made before anything is written.
-Expected<std::vector<Output>> make_outputs(const LessonRequest& request, const Session& session,
-                                           const std::vector<std::size_t>& steps, const LessonLook& look) {
+Expected<std::vector<Output>> make_outputs(const Registry& registry, const LessonRequest& request,
+                                           const Session& session, const std::vector<std::size_t>& steps,
+                                           const LessonLook& look) {
   std::vector<Output> out;
   if (!request.vtt.empty()) out.push_back({request.vtt, web_vtt_of(session.lesson, steps)});
   if (request.pdf.empty() && request.html.empty()) return out;
-  auto printer = LessonPrinter::make(session, look);
+  auto printer = LessonPrinter::make(registry, session, look);
   if (!printer) return std::unexpected(printer.error());
   figure::BookInfo info = printer->info();
   if (request.with_source && !request.pdf.empty()) info.session = packed_lesson(session);
@@ -277,23 +278,23 @@ Expected<std::vector<Output>> make_outputs(const LessonRequest& request, const S
 
 }  // namespace
 
-Expected<void> run_lesson(const LessonRequest& request, Interruption& interruption) {
+Expected<void> run_lesson(const Registry& registry, const LessonRequest& request, Interruption& interruption) {
   const auto look = parse_look(request);
   if (!look) return std::unexpected(look.error());
   const auto pixels = parse_pixels(request, *look);
   if (!pixels) return std::unexpected(pixels.error());
   if (auto good = check_outputs(request); !good) return good;
-  const auto lesson = lesson_of(request.file);
+  const auto lesson = lesson_of(registry, request.file);
   if (!lesson) return std::unexpected(lesson.error());
   const Session& session = *lesson->session;
   const auto steps = parse_steps(request.steps, session.lesson.steps.size());
   if (!steps) return std::unexpected(steps.error());
   const bool has_frames = !request.frames.empty() || !request.video.empty();
   if (files_of(request).empty() && !has_frames) return write_output({}, listed(session, *steps), interruption);
-  const auto outputs = make_outputs(request, session, *steps, *look);
+  const auto outputs = make_outputs(registry, request, session, *steps, *look);
   if (!outputs) return std::unexpected(outputs.error());
   if (has_frames)
-    if (auto done = write_film(request, session, *steps, *pixels); !done) return done;
+    if (auto done = write_film(registry, request, session, *steps, *pixels); !done) return done;
   for (const Output& output : *outputs)
     if (auto done = write_output(output.file, output.bytes, interruption, {lesson->sources, request.force}); !done)
       return done;

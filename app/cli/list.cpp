@@ -15,10 +15,10 @@
 #include "app/store/layer_text.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
-#include "core/builtins/builtins.h"
 #include "core/document/parameter.h"
 #include "core/evolutions/evolution.h"
 #include "core/glyphs/fonts.h"
+#include "core/graph/registry.h"
 #include "core/graph/structure.h"
 #include "core/graph/table_columns.h"
 #include "core/io/format.h"
@@ -47,9 +47,9 @@ std::string hex_of(Rgb color) {
   return out;
 }
 
-std::vector<Entry> layer_entries() {
+std::vector<Entry> layer_entries(const Registry& registry) {
   std::vector<Entry> out;
-  for (const LayerDescriptor& layer : builtins().layers()) {
+  for (const LayerDescriptor& layer : registry.layers()) {
     Json kinds = Json::array();
     for (const PrimitiveKind kind : layer.kinds) kinds.push_back(name_of(kind));
     out.push_back({std::string(layer.id),
@@ -94,16 +94,16 @@ Json tables_of(const Structure& structure) {
   return out;
 }
 
-std::vector<Entry> structure_entries() {
+std::vector<Entry> structure_entries(const Registry& registry) {
   std::vector<Entry> out;
-  const StructureSet structures = builtins().make_structures();
+  const StructureSet structures = registry.make_structures();
   for (const auto& structure : structures.all()) {
     const std::string_view id = structure->id();
     const Json tables = tables_of(*structure);
     std::string names;
     for (const Json& table : tables) names += (names.empty() ? "" : ", ") + table["name"].get<std::string>();
     Json readers = Json::array();
-    for (const LayerDescriptor& layer : builtins().layers())
+    for (const LayerDescriptor& layer : registry.layers())
       if (std::ranges::find(layer.structures, id) != layer.structures.end()) readers.push_back(layer.id);
     out.push_back({std::string(id),
                    fmt::format("read by {} {}; {}", readers.size(), readers.size() == 1 ? "layer" : "layers",
@@ -113,7 +113,7 @@ std::vector<Entry> structure_entries() {
   return out;
 }
 
-std::vector<Entry> format_entries() {
+std::vector<Entry> format_entries(const Registry& /*registry*/) {
   std::vector<Entry> out;
   for (const FormatDescriptor& format : format_descriptors()) {
     const bool is_exported = std::ranges::find(export_formats(), format.id) != export_formats().end();
@@ -164,25 +164,25 @@ Entry entry_of(const Parameter& parameter, const Json& evolutions) {
            {"evolutions", evolutions}}};
 }
 
-Json readers_of(const Parameter& parameter) {
+Json readers_of(const Registry& registry, const Parameter& parameter) {
   Json out = Json::array();
-  for (const auto& evolution : builtins().evolutions().all())
+  for (const auto& evolution : registry.evolutions().all())
     if (const auto own = parameters_of(*evolution); std::ranges::find(own, parameter) != own.end())
       out.push_back(evolution->descriptor.id);
   return out;
 }
 
-std::vector<Entry> parameter_entries() {
+std::vector<Entry> parameter_entries(const Registry& registry) {
   std::vector<Entry> out;
-  for (const Parameter& parameter : builtins().parameters()) out.push_back(entry_of(parameter, Json::array()));
-  for (const Parameter& parameter : parameters_of(builtins().evolutions().all()))
-    out.push_back(entry_of(parameter, readers_of(parameter)));
+  for (const Parameter& parameter : registry.parameters()) out.push_back(entry_of(parameter, Json::array()));
+  for (const Parameter& parameter : parameters_of(registry.evolutions().all()))
+    out.push_back(entry_of(parameter, readers_of(registry, parameter)));
   return out;
 }
 
-std::vector<Entry> evolution_entries() {
+std::vector<Entry> evolution_entries(const Registry& registry) {
   std::vector<Entry> out;
-  for (const auto& each : builtins().evolutions().all()) {
+  for (const auto& each : registry.evolutions().all()) {
     const EvolutionDescriptor& evolution = each->descriptor;
     Json parameters = Json::array();
     for (const Parameter& parameter : parameters_of(*each)) parameters.push_back(parameter.id);
@@ -197,7 +197,7 @@ std::vector<Entry> evolution_entries() {
   return out;
 }
 
-std::vector<Entry> precision_entries() {
+std::vector<Entry> precision_entries(const Registry& /*registry*/) {
   std::vector<Entry> out;
   for (const PrecisionDescriptor& precision : kPrecisionDescriptors)
     out.push_back({std::string(precision.id),
@@ -206,7 +206,7 @@ std::vector<Entry> precision_entries() {
   return out;
 }
 
-std::vector<Entry> action_entries() {
+std::vector<Entry> action_entries(const Registry& /*registry*/) {
   std::vector<Entry> out;
   for (const ActionDescriptor& action : action_descriptors()) {
     std::string text(action.tooltip);
@@ -226,9 +226,9 @@ std::vector<Entry> action_entries() {
   return out;
 }
 
-std::vector<Entry> bundle_entries() {
+std::vector<Entry> bundle_entries(const Registry& registry) {
   std::vector<Entry> out;
-  for (const auto& [bundle, is_built_in] : available_bundles()) {
+  for (const auto& [bundle, is_built_in] : available_bundles(registry)) {
     Json shown = Json::array();
     std::string text;
     for (const LayerConfiguration::Entry& entry : bundle.layers.layers) {
@@ -244,7 +244,7 @@ std::vector<Entry> bundle_entries() {
   return out;
 }
 
-std::vector<Entry> color_map_entries() {
+std::vector<Entry> color_map_entries(const Registry& /*registry*/) {
   const LoadedColorMaps loaded = load_color_maps(find_assets({}), user_color_map_folder());
   for (const Error& problem : loaded.problems) say("a colour map is left out: " + problem.message());
   std::vector<Entry> out;
@@ -257,10 +257,10 @@ std::vector<Entry> color_map_entries() {
   return out;
 }
 
-std::vector<Entry> lesson_entries() {
+std::vector<Entry> lesson_entries(const Registry& registry) {
   std::vector<Entry> out;
   for (const ShippedLesson& lesson : read_shipped_lessons(find_assets({}))) {
-    const auto session = session_of(lesson, find_assets({}));
+    const auto session = session_of(registry, lesson, find_assets({}));
     if (!session) {
       say(fmt::format("a lesson is left out: {}: it cannot be read", lesson.name));
       continue;
@@ -273,9 +273,9 @@ std::vector<Entry> lesson_entries() {
   return out;
 }
 
-std::vector<Entry> shape_entries() {
+std::vector<Entry> shape_entries(const Registry& registry) {
   std::vector<Entry> out;
-  for (const auto& each : builtins().shapes().all()) {
+  for (const auto& each : registry.shapes().all()) {
     const ShapeDescriptor& shape = *each;
     std::string text(shape.explanation);
     Json parameters = Json::array();
@@ -306,7 +306,7 @@ std::vector<Entry> shape_entries() {
   return out;
 }
 
-std::vector<Entry> font_entries() {
+std::vector<Entry> font_entries(const Registry& /*registry*/) {
   std::vector<Entry> out;
   for (const std::string& family : font_families()) {
     const std::string name = printable(family);
@@ -317,7 +317,7 @@ std::vector<Entry> font_entries() {
 
 struct Listing {
   std::string_view name;
-  std::vector<Entry> (*entries)();
+  std::vector<Entry> (*entries)(const Registry& registry);
 };
 
 constexpr std::array<Listing, 12> kListings{{{"layers", layer_entries},
@@ -353,12 +353,12 @@ std::vector<std::string> listed_things() {
   return out;
 }
 
-Expected<void> run_list(const ListRequest& request, Interruption& interruption) {
+Expected<void> run_list(const Registry& registry, const ListRequest& request, Interruption& interruption) {
   std::vector<std::string_view> names;
   for (const Listing& listing : kListings) {
     names.push_back(listing.name);
     if (listing.name != request.what) continue;
-    const std::vector<Entry> entries = listing.entries();
+    const std::vector<Entry> entries = listing.entries(registry);
     if (!request.as_json) return write_output({}, table_of(entries), interruption);
     Json out = Json::array();
     for (const Entry& entry : entries) out.push_back(entry.json);

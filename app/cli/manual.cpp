@@ -17,10 +17,10 @@
 #include "app/store/layer_text.h"
 #include "app/store/sample_shapes.h"
 #include "core/base/coordinate_range.h"
-#include "core/builtins/builtins.h"
 #include "core/document/parameter.h"
 #include "core/evolutions/evolution.h"
 #include "core/formula/formula.h"
+#include "core/graph/registry.h"
 #include "core/graph/structure.h"
 #include "core/graph/table_columns.h"
 #include "core/io/bundle_file.h"
@@ -81,7 +81,7 @@ void write_gestures(Markdown& page) {
   page.table({"With the mouse", "What it does"}, rows);
 }
 
-void write_layers(Markdown& page) {
+void write_layers(const Registry& registry, Markdown& page) {
   page.section("Layers");
   page.paragraph(
       "In the order in which they are stacked at first, the lowest first; dragging rows of the panel restacks\n"
@@ -91,7 +91,7 @@ void write_layers(Markdown& page) {
        {LayerGroup::samples, LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::scale_axis,
         LayerGroup::poles, LayerGroup::union_a, LayerGroup::union_p, LayerGroup::union_b, LayerGroup::diagnostics}) {
     Rows rows;
-    for (const LayerDescriptor& layer : builtins().layers())
+    for (const LayerDescriptor& layer : registry.layers())
       if (layer.group == group)
         rows.push_back({plain(layer.name), code(layer.id), plain(layer.tooltip), plain(layer.scalar),
                         layer.in_paper ? "yes" : "", layer.visible_at_start ? "yes" : ""});
@@ -100,9 +100,9 @@ void write_layers(Markdown& page) {
   }
 }
 
-void write_starting_bundles(Markdown& page, const fs::path& assets) {
+void write_starting_bundles(const Registry& registry, Markdown& page, const fs::path& assets) {
   Rows rows;
-  for (const Bundle& bundle : read_starting_bundles(assets).bundles) {
+  for (const Bundle& bundle : read_starting_bundles(registry.layers(), assets).bundles) {
     std::vector<std::string_view> shown;
     for (const LayerConfiguration::Entry& entry : bundle.layers.layers)
       if (entry.visible) shown.push_back(entry.layer);
@@ -143,7 +143,7 @@ const std::vector<std::string>& parameter_titles() {
   return titles;
 }
 
-void write_computation(Markdown& page) {
+void write_computation(const Registry& registry, Markdown& page) {
   page.section("Number types");
   page.paragraph("Chosen in the status bar, or by `--precision`.");
   Rows rows;
@@ -153,15 +153,15 @@ void write_computation(Markdown& page) {
 
   page.section("Parameters of the computation");
   page.paragraph("Set in the panel of parameters, or by `--set NAME=VALUE`.");
-  page.table(parameter_titles(), rows_of(builtins().parameters()));
+  page.table(parameter_titles(), rows_of(registry.parameters()));
 }
 
-void write_evolutions(Markdown& page) {
+void write_evolutions(const Registry& registry, Markdown& page) {
   page.section("Evolutions");
   page.paragraph(
       "Steps of a computation that moves the samples or adds some; on the slider of the window, or by\n"
       "`mesecina evolve`.");
-  for (const auto& each : builtins().evolutions().all()) {
+  for (const auto& each : registry.evolutions().all()) {
     const EvolutionDescriptor& evolution = each->descriptor;
     page.subsection(evolution.name);
     page.paragraph(fmt::format("{}. Id {}.{}", plain(evolution.tooltip), code(evolution.id),
@@ -170,7 +170,7 @@ void write_evolutions(Markdown& page) {
   }
 }
 
-void write_shapes(Markdown& page) {
+void write_shapes(const Registry& registry, Markdown& page) {
   page.section("Shapes");
   page.paragraph(
       "What `mesecina shape NAME` makes, with its parameters and their defaults, set by `--set KEY=VALUE`. Curves "
@@ -180,7 +180,7 @@ void write_shapes(Markdown& page) {
       "and\n" +
       formula_functions_in_words() + '.');
   Rows rows;
-  for (const auto& each : builtins().shapes().all()) {
+  for (const auto& each : registry.shapes().all()) {
     const ShapeDescriptor& shape = *each;
     std::string parameters;
     const auto add = [&](std::string_view id, const std::string& value) {
@@ -197,20 +197,20 @@ void write_shapes(Markdown& page) {
   page.table({"Shape", "Id", "What it is", "Parameters"}, rows);
 }
 
-void write_structures(Markdown& page) {
+void write_structures(const Registry& registry, Markdown& page) {
   page.section("Structures");
   page.paragraph(
       "What is computed, and from what; only what a layer shown needs is. `mesecina compute` gives the counters of\n"
       "each, the panel of statistics shows them. `mesecina export FILE --structure ID --table NAME --format csv` "
       "writes a\n"
       "table, and `--format npy` writes it for NumPy; `mesecina list structures --json` describes all columns.");
-  const StructureSet structures = builtins().make_structures();
+  const StructureSet structures = registry.make_structures();
   Rows rows;
   for (const auto& structure : structures.all()) {
     std::vector<std::string_view> inputs;
     for (const Structure* input : structure->inputs()) inputs.push_back(input->id());
     std::vector<std::string_view> readers;
-    for (const LayerDescriptor& layer : builtins().layers())
+    for (const LayerDescriptor& layer : registry.layers())
       if (std::ranges::find(layer.structures, structure->id()) != layer.structures.end()) readers.push_back(layer.id);
     const std::vector<TableColumns> tables = structure->table_columns();
     std::vector<std::string_view> names;
@@ -241,14 +241,13 @@ Session example_session() {
   return out;
 }
 
-Bundle example_bundle() {
-  const LayerIndex layer = builtins().find_layer("medial-axis");
-  return {
-      .name = "Axis alone",
-      .layers = {.layers = {{.layer = "medial-axis", .visible = true, .style = builtins().layers()[layer].style}}}};
+Bundle example_bundle(const Registry& registry) {
+  const LayerIndex layer = registry.find_layer("medial-axis");
+  const LayerStyle style = layer == kNoLayer ? LayerStyle() : registry.layers()[layer].style;
+  return {.name = "Axis alone", .layers = {.layers = {{.layer = "medial-axis", .visible = true, .style = style}}}};
 }
 
-void write_formats(Markdown& page) {
+void write_formats(const Registry& registry, Markdown& page) {
   page.section("Files");
   Rows rows;
   for (const FormatDescriptor& format : format_descriptors())
@@ -338,7 +337,7 @@ void write_formats(Markdown& page) {
       "One JSON object with a list of bundles, layers bottom first. `.bnd` files of the Mesecina of 2007 and 2009 "
       "are\n"
       "read, not written.");
-  const Bundle bundle = example_bundle();
+  const Bundle bundle = example_bundle(registry);
   page.block(write_bundles({&bundle, 1}), "json");
 
   page.subsection("Maps of one's own");
@@ -403,31 +402,31 @@ void write_commands(Markdown& page, std::span<const CommandHelp> commands) {
 
 }  // namespace
 
-Expected<void> run_manual(const ManualRequest& request, std::span<const CommandHelp> commands,
-                          Interruption& interruption) {
+Expected<void> run_manual(const Registry& registry, const ManualRequest& request,
+                          std::span<const CommandHelp> commands, Interruption& interruption) {
   if (auto good = check_output(request.output); !good) return good;
   if (request.as_man_page) return write_output(request.output, man_page(commands), interruption);
   const fs::path assets = find_assets({});
-  if (const std::string message = read_starting_bundles(assets).message; !message.empty())
+  if (const std::string message = read_starting_bundles(registry.layers(), assets).message; !message.empty())
     return std::unexpected(Error{ErrorCode::bad_input, message});
-  return write_output(request.output, manual_text(commands, assets), interruption);
+  return write_output(request.output, manual_text(registry, commands, assets), interruption);
 }
 
-std::string manual_text(std::span<const CommandHelp> commands, const fs::path& assets) {
+std::string manual_text(const Registry& registry, std::span<const CommandHelp> commands, const fs::path& assets) {
   Markdown page("Mesecina: the manual");
   page.introduction(
       "Everything that has a name, written by `mesecina manual` from the tables that the program works with. For a\n"
       "first walk through the window see the [README](../README.md).");
   write_actions(page);
   write_gestures(page);
-  write_layers(page);
-  write_starting_bundles(page, assets);
+  write_layers(registry, page);
+  write_starting_bundles(registry, page, assets);
   write_color_maps(page, assets);
-  write_computation(page);
-  write_evolutions(page);
-  write_shapes(page);
-  write_structures(page);
-  write_formats(page);
+  write_computation(registry, page);
+  write_evolutions(registry, page);
+  write_shapes(registry, page);
+  write_structures(registry, page);
+  write_formats(registry, page);
   write_annotations(page);
   write_lessons(page);
   write_commands(page, commands);

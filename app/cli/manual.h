@@ -8,10 +8,15 @@
 
 #include "app/cli/command_help.h"
 
+namespace mes {
+class Registry;
+}
+
 namespace mes::cli {
 
 /// Markdown, with a table of contents. Equal programs give equal bytes: nothing of the user's is in it, and of the
 /// machine nothing but the bundles and colour maps in `assets`.
-std::string manual_text(std::span<const CommandHelp> commands, const std::filesystem::path& assets);
+std::string manual_text(const Registry& registry, std::span<const CommandHelp> commands,
+                        const std::filesystem::path& assets);
 
 }  // namespace mes::cli

@@ -8,15 +8,15 @@
 #include <numeric>
 
 #include "app/cli/messages.h"
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
 namespace {
 
-std::vector<std::string_view> layer_ids() {
+std::vector<std::string_view> layer_ids(const Registry& registry) {
   std::vector<std::string_view> ids;
-  for (const LayerDescriptor& layer : builtins().layers()) ids.push_back(layer.id);
+  for (const LayerDescriptor& layer : registry.layers()) ids.push_back(layer.id);
   return ids;
 }
 
@@ -82,14 +82,14 @@ std::string one_of(std::span<const std::string_view> names) {
   return out;
 }
 
-Expected<LayerIndex> select_layer(const std::string& id) {
-  const LayerIndex layer = builtins().find_layer(id);
+Expected<LayerIndex> select_layer(const Registry& registry, const std::string& id) {
+  const LayerIndex layer = registry.find_layer(id);
   if (layer != kNoLayer) return layer;
-  return usage_error(unknown_word("layer", id, layer_ids()) + " (mesecina list layers)");
+  return usage_error(unknown_word("layer", id, layer_ids(registry)) + " (mesecina list layers)");
 }
 
-Expected<std::vector<LayerIndex>> select_layers(const std::string& ids) {
-  const auto descriptors = builtins().layers();
+Expected<std::vector<LayerIndex>> select_layers(const Registry& registry, const std::string& ids) {
+  const auto descriptors = registry.layers();
   std::vector<LayerIndex> layers;
   if (ids.empty() || ids == "all") {
     for (LayerIndex layer = 0; layer < descriptors.size(); ++layer)
@@ -97,7 +97,7 @@ Expected<std::vector<LayerIndex>> select_layers(const std::string& ids) {
     return layers;
   }
   for (const std::string_view word : split_list(ids)) {
-    const auto layer = select_layer(std::string(word));
+    const auto layer = select_layer(registry, std::string(word));
     if (!layer) return std::unexpected(layer.error());
     if (std::ranges::find(layers, *layer) == layers.end()) layers.push_back(*layer);
   }
@@ -153,9 +153,9 @@ Expected<std::pair<std::size_t, double>> parse_setting(const std::string& settin
   return std::pair{index, *value};
 }
 
-Expected<std::shared_ptr<const Evolution>> select_evolution(const std::string& id) {
-  if (auto found = builtins().evolutions().find(id)) return found;
-  const auto all = builtins().evolutions().ids();
+Expected<std::shared_ptr<const Evolution>> select_evolution(const Registry& registry, const std::string& id) {
+  if (auto found = registry.evolutions().find(id)) return found;
+  const auto all = registry.evolutions().ids();
   const std::vector<std::string_view> ids(all.begin(), all.end());
   return usage_error(fmt::format("unknown evolution {}; it is one of {}", in_quotes(id), one_of(ids)));
 }
@@ -169,7 +169,8 @@ Expected<std::uint64_t> whole_number(std::string_view what, const std::string& t
                                  is_any ? "2^64 - 1" : std::to_string(most), in_quotes(text)));
 }
 
-Expected<ComputationSettings> settings_of(const Source& source, const ComputationSettings& base, bool is_quiet) {
+Expected<ComputationSettings> settings_of(const Registry& registry, const Source& source,
+                                          const ComputationSettings& base, bool is_quiet) {
   ComputationSettings settings = base;
   if (!source.precision.empty()) {
     const auto precision = select_precision(source.precision);
@@ -177,9 +178,9 @@ Expected<ComputationSettings> settings_of(const Source& source, const Computatio
     settings.precision = *precision;
   }
   for (const std::string& setting : source.settings) {
-    const auto parsed = parse_setting(setting, builtins().parameters(), "--set", is_quiet);
+    const auto parsed = parse_setting(setting, registry.parameters(), "--set", is_quiet);
     if (!parsed) return std::unexpected(parsed.error());
-    settings[builtins().parameters()[parsed->first]] = parsed->second;
+    settings[registry.parameters()[parsed->first]] = parsed->second;
   }
   return settings;
 }

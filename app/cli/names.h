@@ -16,6 +16,10 @@
 #include "core/document/computation_settings.h"
 #include "core/evolutions/evolution.h"
 
+namespace mes {
+class Registry;
+}
+
 namespace mes::cli {
 
 /// Letters to insert, remove or replace to get from one word to the other. O(product of their lengths).
@@ -35,8 +39,8 @@ std::string unknown_word(std::string_view what, std::string_view word, std::span
 
 /// A comma list of layer ids, or "all"; without a text the layers that are visible at start. No layer twice; in the
 /// order of the list ("all" and none: bottom first). Error: `usage`, naming the nearest ids.
-Expected<std::vector<LayerIndex>> select_layers(const std::string& ids);
-Expected<LayerIndex> select_layer(const std::string& id);
+Expected<std::vector<LayerIndex>> select_layers(const Registry& registry, const std::string& ids);
+Expected<LayerIndex> select_layer(const Registry& registry, const std::string& id);
 
 /// NAME=VALUE as a position in `parameters` and its value. Error: `usage`, naming the option and the nearest parameters
 /// or the range. A limit beyond its range is taken to the end of it, which is said unless `is_quiet`.
@@ -44,7 +48,7 @@ Expected<std::pair<std::size_t, double>> parse_setting(const std::string& settin
                                                        std::span<const Parameter> parameters,
                                                        std::string_view option = "--set", bool is_quiet = false);
 
-Expected<std::shared_ptr<const Evolution>> select_evolution(const std::string& id);
+Expected<std::shared_ptr<const Evolution>> select_evolution(const Registry& registry, const std::string& id);
 Expected<Precision> select_precision(const std::string& id);
 
 /// Error: `usage`, "WHAT expects a whole number from LEAST to MOST, not ...".
@@ -53,7 +57,7 @@ Expected<std::uint64_t> whole_number(std::string_view what, const std::string& t
 
 /// Number type and parameters as asked for, each by itself before that of `base`. Error: `usage`, naming what there is.
 /// Remarks are made unless `is_quiet`.
-Expected<ComputationSettings> settings_of(const Source& source, const ComputationSettings& base = {},
-                                          bool is_quiet = false);
+Expected<ComputationSettings> settings_of(const Registry& registry, const Source& source,
+                                          const ComputationSettings& base = {}, bool is_quiet = false);
 
 }  // namespace mes::cli

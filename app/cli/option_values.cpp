@@ -11,11 +11,11 @@
 #include "app/cli/requests.h"
 #include "app/export/page_size.h"
 #include "app/model/paper_place.h"
-#include "core/builtins/builtins.h"
 #include "core/curves/sampling.h"
 #include "core/document/computation_settings.h"
 #include "core/document/parameter.h"
 #include "core/evolutions/evolution.h"
+#include "core/graph/registry.h"
 #include "core/graph/table_columns.h"
 #include "core/io/format.h"
 #include "core/shapes/shape.h"
@@ -29,103 +29,115 @@ std::vector<std::string> id_list(const auto& descriptors) {
   return out;
 }
 
-std::vector<std::string> offered_layers() {
-  return id_list(builtins().layers());
+std::vector<std::string> offered_layers(const Registry& registry) {
+  return id_list(registry.layers());
 }
 
-std::vector<std::string> offered_formats() {
+std::vector<std::string> offered_formats(const Registry& /*registry*/) {
   return id_list(format_descriptors());
 }
 
-std::vector<std::string> exported() {
+std::vector<std::string> exported(const Registry& /*registry*/) {
   const auto formats = export_formats();
   return {formats.begin(), formats.end()};
 }
 
-std::vector<std::string> picture_format_names() {
+std::vector<std::string> picture_format_names(const Registry& /*registry*/) {
   const auto formats = picture_formats();
   return {formats.begin(), formats.end()};
 }
 
-std::vector<std::string> offered_precisions() {
+std::vector<std::string> offered_precisions(const Registry& /*registry*/) {
   return id_list(kPrecisionDescriptors);
 }
 
-std::vector<std::string> offered_parameters() {
-  std::vector<std::string> out = id_list(builtins().parameters());
-  for (const Parameter& parameter : parameters_of(builtins().evolutions().all())) out.emplace_back(parameter.id);
+std::vector<std::string> offered_parameters(const Registry& registry) {
+  std::vector<std::string> out = id_list(registry.parameters());
+  for (const Parameter& parameter : parameters_of(registry.evolutions().all())) out.emplace_back(parameter.id);
   for (std::string& name : out) name += '=';
   return out;
 }
 
-std::vector<std::string> swept() {
-  std::vector<std::string> out = id_list(builtins().parameters());
+std::vector<std::string> swept(const Registry& registry) {
+  std::vector<std::string> out = id_list(registry.parameters());
   for (std::string& name : out) name += '=';
   return out;
 }
 
-std::vector<std::string> structure_ids() {
-  const auto ids = builtins().structures();
+std::vector<std::string> structure_ids(const Registry& registry) {
+  const auto ids = registry.structures();
   return {ids.begin(), ids.end()};
 }
 
 /// Lists the names of tables of all structures, without repetitions.
-std::vector<std::string> table_names() {
+std::vector<std::string> table_names(const Registry& registry) {
   std::vector<std::string> out;
-  const StructureSet structures = builtins().make_structures();
+  const StructureSet structures = registry.make_structures();
   for (const auto& structure : structures.all())
     for (TableColumns& table : structure->table_columns())
       if (std::ranges::find(out, table.name) == out.end()) out.push_back(std::move(table.name));
   return out;
 }
 
-std::vector<std::string> evolution_ids() {
-  const auto ids = builtins().evolutions().ids();
+std::vector<std::string> evolution_ids(const Registry& registry) {
+  const auto ids = registry.evolutions().ids();
   return {ids.begin(), ids.end()};
 }
 
-std::vector<std::string> shape_ids() {
-  const auto ids = builtins().shapes().ids();
+std::vector<std::string> shape_ids(const Registry& registry) {
+  const auto ids = registry.shapes().ids();
   return {ids.begin(), ids.end()};
 }
 
-std::vector<std::string> sampling_rule_ids() {
+std::vector<std::string> sampling_rule_ids(const Registry& /*registry*/) {
   return id_list(sampling_rules());
 }
 
 /// Of all shapes, each once: scripts of shells do not know which shape was named.
-std::vector<std::string> shape_parameters() {
+std::vector<std::string> shape_parameters(const Registry& registry) {
   std::vector<std::string> out;
   const auto add = [&out](std::string_view id) {
     std::string name = std::string(id) + '=';
     if (std::ranges::find(out, name) == out.end()) out.push_back(std::move(name));
   };
-  for (const auto& shape : builtins().shapes().all()) {
+  for (const auto& shape : registry.shapes().all()) {
     for (const Parameter& parameter : shape->parameters) add(parameter.id);
     for (const FormulaParameter& formula : shape->formulas) add(formula.id);
   }
   return out;
 }
 
-std::vector<std::string> page_sizes() {
+std::vector<std::string> page_sizes(const Registry& /*registry*/) {
   std::vector<std::string> out;
   for (const PagePreset& preset : page_presets()) out.emplace_back(preset.name);
   return out;
 }
 
-std::vector<std::string> bounds() {
+std::vector<std::string> bounds(const Registry& /*registry*/) {
   return {std::string(kBoundsOfView), std::string(kBoundsOfInk)};
 }
 
-std::vector<std::string> corners() {
+std::vector<std::string> corners(const Registry& /*registry*/) {
   const auto corners = place_corners();
   return {corners.begin(), corners.end()};
 }
 
-std::vector<std::string> compared_things() {
+std::vector<std::string> compared_things(const Registry& registry) {
   std::vector<std::string> out;
-  for (const std::string_view subject : compared_subjects()) out.push_back(std::string(subject) + '=');
+  for (const std::string_view subject : compared_subjects(registry)) out.push_back(std::string(subject) + '=');
   return out;
+}
+
+std::vector<std::string> things_to_list(const Registry& /*registry*/) {
+  return listed_things();
+}
+
+std::vector<std::string> offered_shells(const Registry& /*registry*/) {
+  return shell_names();
+}
+
+std::vector<std::string> offered_sides(const Registry& /*registry*/) {
+  return figure_sides();
 }
 
 constexpr std::array<OptionValue, 57> kValues{{
@@ -135,16 +147,16 @@ constexpr std::array<OptionValue, 57> kValues{{
     {"--pdf", "FILE", ValueKind::file},
     {"--html", "FILE", ValueKind::file},
     {"--vtt", "FILE", ValueKind::file},
-    {"WHAT", {}, ValueKind::choice, listed_things},
+    {"WHAT", {}, ValueKind::choice, things_to_list},
     {"NAME", {}, ValueKind::choice, shape_ids},
     {"TEXT", {}},
-    {"SHELL", {}, ValueKind::choice, shell_names},
+    {"SHELL", {}, ValueKind::choice, offered_shells},
     {"--from", "FORMAT", ValueKind::choice, offered_formats},
     {"--format", "FORMAT", ValueKind::choice, exported},
     {"--to", "FORMAT", ValueKind::choice, picture_format_names},
     {"--threshold", "N"},
     {"--specks", "AREA"},
-    {"--figure-side", "SIDE", ValueKind::choice, figure_sides},
+    {"--figure-side", "SIDE", ValueKind::choice, offered_sides},
     {"--precision", "TYPE", ValueKind::choice, offered_precisions},
     {"--set", "NAME=VALUE", ValueKind::choice, offered_parameters},
     {"--set", "KEY=VALUE", ValueKind::choice, shape_parameters, "shape"},

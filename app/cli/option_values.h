@@ -7,6 +7,10 @@
 #include <string_view>
 #include <vector>
 
+namespace mes {
+class Registry;
+}
+
 namespace mes::cli {
 
 enum class ValueKind : std::uint8_t { text, file, folder, choice, choices };  // choices: separated by commas
@@ -15,8 +19,8 @@ struct OptionValue {
   std::string_view option;  ///< "--layers"; "FILE" for what is given by its position
   std::string_view name;    ///< in help pages; empty where the option's own name says enough
   ValueKind kind = ValueKind::text;
-  std::vector<std::string> (*offer)() = nullptr;  ///< what there is to choose from
-  std::string_view command = {};                  ///< the only one that it is so in; empty: all others
+  std::vector<std::string> (*offer)(const Registry& registry) = nullptr;  ///< what there is to choose from
+  std::string_view command = {};  ///< the only one that it is so in; empty: all others
 };
 
 /// Of an option of a command. A text without a name of its own for options that are not in the table.

@@ -11,12 +11,12 @@
 #include "app/cli/requests.h"
 #include "app/cli/session_settings.h"
 #include "app/insight/persistence_table.h"
-#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
 
-Expected<void> run_persistence(const PersistenceRequest& request, Interruption& interruption) {
+Expected<void> run_persistence(const Registry& registry, const PersistenceRequest& request,
+                               Interruption& interruption) {
   const auto of = std::ranges::find(kGrowths, request.of, word_of);
   if (of == kGrowths.end()) {
     std::vector<std::string_view> known;
@@ -24,10 +24,10 @@ Expected<void> run_persistence(const PersistenceRequest& request, Interruption& 
     return usage_error(fmt::format("--of: {} does not grow; what does is {}", in_quotes(request.of), one_of(known)));
   }
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_source(request.source);
+  const auto input = read_source(registry, request.source);
   if (!input) return std::unexpected(input.error());
   JobControl job;
-  const auto table = persistence_table_of(builtins(), {input->file.data, *of, input->settings}, job);
+  const auto table = persistence_table_of(registry, {input->file.data, *of, input->settings}, job);
   if (!table) return std::unexpected(table.error());
   const auto longest = std::ranges::find(table->rows, true, &PersistenceRow::is_hole);
   const std::string words =

@@ -14,7 +14,7 @@
 #include "app/cli/session_settings.h"
 #include "app/cli/style_request.h"
 #include "core/base/lower_case.h"
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
@@ -56,7 +56,7 @@ Expected<void> check_kind(const RenderRequest& request, const figure::Format* fo
 }
 
 /// The layers that are to be pictures in a vector format.
-Expected<void> take_rasterized(const RenderRequest& request, PictureRequest& picture) {
+Expected<void> take_rasterized(const Registry& registry, const RenderRequest& request, PictureRequest& picture) {
   constexpr double kLeast = 10.0;
   constexpr double kMost = 2400.0;
   const auto dpi = parse_number(request.dpi);
@@ -66,17 +66,18 @@ Expected<void> take_rasterized(const RenderRequest& request, PictureRequest& pic
   if (request.rasterized.empty()) return {};
   if (!picture.format->has_images)
     return usage_error("--rasterize: " + std::string(picture.format->name) + " files hold no pictures");
-  const auto layers = select_layers(request.rasterized);
+  const auto layers = select_layers(registry, request.rasterized);
   if (!layers) return std::unexpected(layers.error());
-  for (const LayerIndex layer : *layers) picture.rasterized.emplace_back(builtins().layers()[layer].id);
+  for (const LayerIndex layer : *layers) picture.rasterized.emplace_back(registry.layers()[layer].id);
   return {};
 }
 
 /// Layers and styles; unknown layers are reported. `what` has them.
-void take_configuration(const LayerConfiguration& configuration, const std::string& what, PictureRequest& picture) {
+void take_configuration(const Registry& registry, const LayerConfiguration& configuration, const std::string& what,
+                        PictureRequest& picture) {
   std::size_t unknown = 0;
   for (const LayerConfiguration::Entry& entry : configuration.layers) {
-    const LayerIndex layer = builtins().find_layer(entry.layer);
+    const LayerIndex layer = registry.find_layer(entry.layer);
     if (layer == kNoLayer) {
       ++unknown;
       continue;
@@ -95,15 +96,15 @@ void take_configuration(const LayerConfiguration& configuration, const std::stri
   say_unknown_layers(unknown, what);
 }
 
-Expected<void> take_bundle(const std::string& name_or_file, PictureRequest& picture) {
-  const auto bundle = find_bundle(name_or_file, picture.sources);
+Expected<void> take_bundle(const Registry& registry, const std::string& name_or_file, PictureRequest& picture) {
+  const auto bundle = find_bundle(registry, name_or_file, picture.sources);
   if (!bundle) return std::unexpected(bundle.error());
-  take_configuration(bundle->layers, "bundle " + in_quotes(bundle->name), picture);
+  take_configuration(registry, bundle->layers, "bundle " + in_quotes(bundle->name), picture);
   return {};
 }
 
-Expected<void> take_layers(const std::string& ids, PictureRequest& picture) {
-  auto layers = select_layers(ids);
+Expected<void> take_layers(const Registry& registry, const std::string& ids, PictureRequest& picture) {
+  auto layers = select_layers(registry, ids);
   if (!layers) return std::unexpected(layers.error());
   // The stacking order is the registry's, whatever the order of the words.
   std::ranges::sort(*layers);
@@ -119,27 +120,30 @@ std::vector<std::string_view> picture_formats() {
   return out;
 }
 
-Expected<PictureRequest> understand(const RenderRequest& request, std::span<const render::ColorMap> maps,
-                                    const Session* session) {
+Expected<PictureRequest> understand(const Registry& registry, const RenderRequest& request,
+                                    std::span<const render::ColorMap> maps, const Session* session) {
   PictureRequest picture;
-  for (const LayerDescriptor& layer : builtins().layers()) picture.shown.styles.push_back(layer.style);
+  picture.shown.descriptors = registry.layers();
+  for (const LayerDescriptor& layer : registry.layers()) picture.shown.styles.push_back(layer.style);
   if (session != nullptr && request.layers.empty() && request.bundle.empty() && !session->layers.layers.empty()) {
-    take_configuration(session->layers, "the session", picture);
+    take_configuration(registry, session->layers, "the session", picture);
   } else {
-    const auto taken =
-        request.bundle.empty() ? take_layers(request.layers, picture) : take_bundle(request.bundle, picture);
+    const auto taken = request.bundle.empty() ? take_layers(registry, request.layers, picture)
+                                              : take_bundle(registry, request.bundle, picture);
     if (!taken) return std::unexpected(taken.error());
   }
   if (!request.image.empty()) {
     picture.image = parse_image(request.image);
-    const LayerIndex layer = builtins().find_layer("image");
+    const LayerIndex layer = registry.find_layer("image");
+    if (layer == kNoLayer) return usage_error("--image: there is no layer for pictures");
     // It belongs below everything, wherever a bundle has it.
     std::erase(picture.shown.layers, layer);
     picture.shown.layers.insert(picture.shown.layers.begin(), layer);
   }
   std::vector<std::string> map_names;
   for (const render::ColorMap& map : maps) map_names.push_back(map.name);
-  auto styles = changed_styles(std::move(picture.shown.styles), request.styles, picture.shown.layers, map_names);
+  auto styles =
+      changed_styles(registry, std::move(picture.shown.styles), request.styles, picture.shown.layers, map_names);
   if (!styles) return std::unexpected(styles.error());
   picture.shown.styles = std::move(*styles);
   const auto format = format_of(request);
@@ -157,7 +161,7 @@ Expected<PictureRequest> understand(const RenderRequest& request, std::span<cons
   if (request.bounds != kBoundsOfView && request.bounds != kBoundsOfInk)
     return usage_error("--bounds expects view or tight, not " + in_quotes(request.bounds));
   picture.is_tight = request.bounds == kBoundsOfInk;
-  if (auto good = take_rasterized(request, picture); !good) return std::unexpected(good.error());
+  if (auto good = take_rasterized(registry, request, picture); !good) return std::unexpected(good.error());
   if (!request.view.empty()) {
     const auto view = parse_view(request.view);
     if (!view) return std::unexpected(view.error());

@@ -18,6 +18,10 @@
 #include "render/colormap.h"
 #include "render/figure/writers.h"
 
+namespace mes {
+class Registry;
+}
+
 namespace mes::cli {
 
 inline constexpr std::string_view kPixelExtension = ".png";
@@ -39,7 +43,7 @@ struct PictureRequest {
 
 /// Layers, their styles and the view are those of `session` (null: none) where the request names none. Error: `usage`,
 /// or `bad_input` for a bundle that cannot be read.
-Expected<PictureRequest> understand(const RenderRequest& request, std::span<const render::ColorMap> maps,
-                                    const Session* session);
+Expected<PictureRequest> understand(const Registry& registry, const RenderRequest& request,
+                                    std::span<const render::ColorMap> maps, const Session* session);
 
 }  // namespace mes::cli

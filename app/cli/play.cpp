@@ -8,8 +8,8 @@
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
 #include "app/playing/player.h"
-#include "core/builtins/builtins.h"
 #include "core/draw/layer_mirror.h"
+#include "core/graph/registry.h"
 
 namespace mes::cli {
 namespace {
@@ -24,14 +24,14 @@ Expected<std::shared_ptr<const Session>> read(const std::string& file) {
 
 }  // namespace
 
-Expected<void> run_play(const PlayRequest& request, Interruption& interruption) {
+Expected<void> run_play(const Registry& registry, const PlayRequest& request, Interruption& interruption) {
   if (auto good = check(request.film); !good) return good;
   const auto session = read(request.session);
   if (!session) return std::unexpected(session.error());
   if (!request.film.frames.empty() || !request.film.video.empty())
-    return make_film(**session, request.session, request.film);
+    return make_film(registry, **session, request.session, request.film);
   LayerMirror mirror;
-  Player player(**session, [&mirror](const FramePatch& patch) { mirror.apply(patch); });
+  Player player(registry, **session, [&mirror](const FramePatch& patch) { mirror.apply(patch); });
   Progress progress;
   std::string out;
   const std::size_t count = player.steps().size();
@@ -48,7 +48,7 @@ Expected<void> run_play(const PlayRequest& request, Interruption& interruption) 
     LayerDigest whole;
     nlohmann::ordered_json digests = nlohmann::ordered_json::object();
     for (const LayerIndex layer : player.layers().visible_layers()) {
-      const std::string_view id = builtins().layers()[layer].id;
+      const std::string_view id = registry.layers()[layer].id;
       const LayerDigest digest = mirror.digest(layer);
       digests[std::string(id)] = digest.text();
       whole += named(id, digest);

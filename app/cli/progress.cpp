@@ -50,17 +50,19 @@ void Progress::show(std::string_view task, double fraction) {
   last_ = now;
 }
 
-Expected<ComputationResult> compute_with_progress(const SampleData& data, ComputationRequest request) {
+Expected<ComputationResult> compute_with_progress(const Registry& registry, const SampleData& data,
+                                                  ComputationRequest request) {
   Progress progress;
   request.on_progress = [&progress](std::string_view task, double fraction) { progress.show(task, fraction); };
-  return run_computation(data, request);
+  return run_computation(registry, data, request);
 }
 
-Expected<ComputationReport> measure_with_progress(SampleData data, ComputationRequest request,
+Expected<ComputationReport> measure_with_progress(const Registry& registry, SampleData data,
+                                                  ComputationRequest request,
                                                   std::function<void(const InstancePiece&)> take) {
   Progress progress;
   request.on_progress = [&progress](std::string_view task, double fraction) { progress.show(task, fraction); };
-  return run_one_shot(std::move(data), request, std::move(take));
+  return run_one_shot(registry, std::move(data), request, std::move(take));
 }
 
 }  // namespace mes::cli

@@ -33,10 +33,12 @@ class Progress {
 };
 
 /// `run_computation`, whose progress a terminal shows until it ends.
-Expected<ComputationResult> compute_with_progress(const SampleData& data, ComputationRequest request);
+Expected<ComputationResult> compute_with_progress(const Registry& registry, const SampleData& data,
+                                                  ComputationRequest request);
 
 /// `run_one_shot`, in the same way.
-Expected<ComputationReport> measure_with_progress(SampleData data, ComputationRequest request,
+Expected<ComputationReport> measure_with_progress(const Registry& registry, SampleData data,
+                                                  ComputationRequest request,
                                                   std::function<void(const InstancePiece&)> take);
 
 /// "3 s", "2 min 05 s", "1 h 02 min".

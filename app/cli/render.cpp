@@ -19,7 +19,7 @@
 #include "app/store/background_loader.h"
 #include "app/store/color_maps.h"
 #include "app/store/sample_shapes.h"
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 #include "core/io/carried_session.h"
 #include "render/egl_context.h"
 
@@ -39,8 +39,8 @@ Expected<std::optional<render::Image>> read_traced(PictureRequest& picture, cons
 }
 
 /// What the picture carries; empty for nothing.
-std::string session_of(const RenderRequest& request, const PictureRequest& picture, const LoadedFile& input,
-                       const ComputationSettings& settings, const CompareRequest& compared,
+std::string session_of(const Registry& registry, const RenderRequest& request, const PictureRequest& picture,
+                       const LoadedFile& input, const ComputationSettings& settings, const CompareRequest& compared,
                        const Comparison& comparison) {
   const bool can_carry = picture.format == nullptr || picture.format->carries_session;
   if (!request.with_source || !can_carry) return {};
@@ -54,8 +54,9 @@ std::string session_of(const RenderRequest& request, const PictureRequest& pictu
                                         is_of_first ? comparison.settings : settings, picture.view.value_or(Box2{}));
   session.panes = panes_beside(compared);
   if (request.has_free_cameras) session.pane_views.resize(session.panes.size());
-  session.evolution = evolution_beside(compared);
-  if (session.evolution.id.empty() && input.session) session.evolution = evolution_without_history(*input.session);
+  session.evolution = evolution_beside(registry, compared);
+  if (session.evolution.id.empty() && input.session)
+    session.evolution = evolution_without_history(registry, *input.session);
   auto packed = packed_session(session);
   if (!packed) say("the picture carries no source: it would be too long");
   return std::move(packed).value_or("");
@@ -63,24 +64,25 @@ std::string session_of(const RenderRequest& request, const PictureRequest& pictu
 
 }  // namespace
 
-Expected<void> run_render(const RenderRequest& request, Interruption& interruption) {
+Expected<void> run_render(const Registry& registry, const RenderRequest& request, Interruption& interruption) {
   LoadedColorMaps maps = load_color_maps(find_assets({}), user_color_map_folder());
-  auto picture = understand(request, maps.maps, nullptr);
+  auto picture = understand(registry, request, maps.maps, nullptr);
   if (!picture) return std::unexpected(picture.error());
-  auto compared = understand_comparison(request, maps.maps);
+  auto compared = understand_comparison(registry, request, maps.maps);
   if (!compared) return std::unexpected(compared.error());
   if (auto good = check_output(request.output); !good) return good;
   if (std::ranges::any_of(picture->shown.styles, [](const LayerStyle& style) { return !style.color_map.empty(); }))
     for (const Error& problem : maps.problems) say("a colour map is left out: " + problem.message());
-  const auto source = read_source(request.source);
+  const auto source = read_source(registry, request.source);
   if (!source) return std::unexpected(source.error());
   const LoadedFile& input = source->file;
   const ComputationSettings& settings = source->settings;
   if (source->session() != nullptr) {
-    picture = understand(request, maps.maps, source->session());
+    picture = understand(registry, request, maps.maps, source->session());
     if (!picture) return std::unexpected(picture.error());
   }
-  if (auto good = take_evolution(*compared, request, evolution_in(source->session())); !good) return good;
+  if (auto good = take_evolution(registry, *compared, request, evolution_in(registry, source->session())); !good)
+    return good;
 
   std::optional<Canvas> canvas;
   if (picture->format == nullptr) {
@@ -94,27 +96,28 @@ Expected<void> run_render(const RenderRequest& request, Interruption& interrupti
   const auto traced = read_traced(*picture, samples);
   if (!traced) return std::unexpected(traced.error());
   if (canvas && *traced) {
-    canvas->scene.set_picture(builtins().find_layer("image"), **traced);
+    canvas->scene.set_picture(registry.find_layer("image"), **traced);
     canvas->scene.place_picture({picture->image.center, picture->image.width});
   }
   const auto data = std::make_shared<const SampleData>(input.data);
   auto panes = panes_of(*compared, *picture, settings, data);
   if (!panes) return std::unexpected(panes.error());
   if (panes->empty()) panes->push_back({.words = {}, .shown = picture->shown, .settings = settings, .data = data});
-  Comparison comparison = compare(std::move(*panes));
+  Comparison comparison = compare(registry, std::move(*panes));
   LayerMirror mirror;
-  const auto result = compute_with_progress(*comparison.data, {.layers = comparison.demand,
-                                                               .settings = comparison.settings,
-                                                               .on_patch =
-                                                                   [&](const FramePatch& patch) {
-                                                                     if (canvas) canvas->scene.apply(patch);
-                                                                     mirror.apply(patch);
-                                                                   },
-                                                               .variants = comparison.variants});
+  const auto result = compute_with_progress(registry, *comparison.data,
+                                            {.layers = comparison.demand,
+                                             .settings = comparison.settings,
+                                             .on_patch =
+                                                 [&](const FramePatch& patch) {
+                                                   if (canvas) canvas->scene.apply(patch);
+                                                   mirror.apply(patch);
+                                                 },
+                                             .variants = comparison.variants});
   if (!result) return std::unexpected(result.error());
 
   const Box2 bounds = result->document.bounding_box();
-  std::string session = session_of(request, *picture, input, settings, *compared, comparison);
+  std::string session = session_of(registry, request, *picture, input, settings, *compared, comparison);
   const FigureSource drawn_from{
       .mirror = mirror,
       .bounds = bounds,

@@ -51,8 +51,8 @@ void add_paper(render::Image& image, const render::Scene& scene, const render::C
       .place = request.legend_at,
       .words = annotated.words,
       .hides = [&](const Box2& box) { return shapes_below(source.mirror, shown.layers, below(plane, box)); }};
-  const PlacedLegend legend = place_legend(legend_of(scene, views_of(shown, 0.0), request.legend), *fonts,
-                                           shown.scale, around, shown.background);
+  const PlacedLegend legend = place_legend(legend_of(shown.descriptors, scene, views_of(shown, 0.0), request.legend),
+                                           *fonts, shown.scale, around, shown.background);
   paint(image, *fonts, legend, shown.scale);
   if (legend.lacks_room) say(kLegendLacksRoom);
 }
@@ -87,7 +87,7 @@ Expected<render::Image> draw_in_bands(render::Device& device, render::Scene& sce
 
 Seen seen_by(const PictureRequest& picture, const Box2& samples, const LayerMirror& mirror) {
   if (picture.view) return {*picture.view, 0.0};
-  return {fit_box(samples, mirror, picture.shown.layers), kFitMargin};
+  return {fit_box(picture.shown.descriptors, samples, mirror, picture.shown.layers), kFitMargin};
 }
 
 render::Camera camera_for(const PictureSize& size, const Seen& seen, bool has_axes, double scale, int band) {
@@ -119,7 +119,8 @@ Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const re
   all.insert(all.end(), marks.begin(), marks.end());
   const auto fonts = PaperFonts::read(find_assets({}));
   if (!fonts) say("annotations, numbers, legend, scale bar and axes are left out: " + fonts.error().message());
-  add_texts(all, {source.document}, {camera.visible(), units_per_px}, fonts ? &fonts->plain : nullptr);
+  add_texts(shown.descriptors, all, {source.document}, {camera.visible(), units_per_px},
+            fonts ? &fonts->plain : nullptr);
   auto image = draw_in_bands(canvas.device, canvas.scene, camera, all,
                              {.background = shown.background, .content_scale = shown.scale});
   if (image) add_paper(*image, canvas.scene, camera, shown, request, source, title, fonts ? &*fonts : nullptr);

@@ -14,6 +14,10 @@
 #include "app/model/scale_marks.h"
 #include "core/base/error.h"
 
+namespace mes {
+class Registry;
+}
+
 namespace mes::cli {
 
 /// Options of reading: what is traced in a picture (empty: found automatically), degrees of a map, sampling of curves.
@@ -42,7 +46,7 @@ struct ComputeRequest {
   std::string output;
   bool force = false;  ///< overwrites the output even if it was read and has changed since
 };
-Expected<void> run_compute(const ComputeRequest& request, Interruption& interruption);
+Expected<void> run_compute(const Registry& registry, const ComputeRequest& request, Interruption& interruption);
 
 struct SweepRequest {
   Source source;
@@ -52,7 +56,7 @@ struct SweepRequest {
   std::string output;
   bool force = false;
 };
-Expected<void> run_sweep(const SweepRequest& request, Interruption& interruption);
+Expected<void> run_sweep(const Registry& registry, const SweepRequest& request, Interruption& interruption);
 
 struct BranchesRequest {
   Source source;
@@ -60,7 +64,7 @@ struct BranchesRequest {
   std::string output;
   bool force = false;
 };
-Expected<void> run_branches(const BranchesRequest& request, Interruption& interruption);
+Expected<void> run_branches(const Registry& registry, const BranchesRequest& request, Interruption& interruption);
 
 struct PersistenceRequest {
   Source source;
@@ -68,7 +72,8 @@ struct PersistenceRequest {
   std::string output;
   bool force = false;
 };
-Expected<void> run_persistence(const PersistenceRequest& request, Interruption& interruption);
+Expected<void> run_persistence(const Registry& registry, const PersistenceRequest& request,
+                               Interruption& interruption);
 
 /// Of `repair` and `decimate`.
 struct ResampleRequest {
@@ -79,8 +84,8 @@ struct ResampleRequest {
   std::string output;
   bool force = false;
 };
-Expected<void> run_repair(const ResampleRequest& request, Interruption& interruption);
-Expected<void> run_decimate(const ResampleRequest& request, Interruption& interruption);
+Expected<void> run_repair(const Registry& registry, const ResampleRequest& request, Interruption& interruption);
+Expected<void> run_decimate(const Registry& registry, const ResampleRequest& request, Interruption& interruption);
 
 struct ExportRequest {
   Source source;
@@ -91,9 +96,9 @@ struct ExportRequest {
   std::string output;
   bool force = false;
 };
-Expected<void> run_export(const ExportRequest& request, Interruption& interruption);
+Expected<void> run_export(const Registry& registry, const ExportRequest& request, Interruption& interruption);
 /// The same for a table of a structure.
-Expected<void> run_table_export(const ExportRequest& request, Interruption& interruption);
+Expected<void> run_table_export(const Registry& registry, const ExportRequest& request, Interruption& interruption);
 
 struct RenderRequest {
   Source source;
@@ -124,18 +129,18 @@ struct RenderRequest {
   std::string output;
   bool force = false;
 };
-Expected<void> run_render(const RenderRequest& request, Interruption& interruption);
+Expected<void> run_render(const Registry& registry, const RenderRequest& request, Interruption& interruption);
 
 struct PlayRequest {
   std::string session;
   FilmRequest film;
 };
-Expected<void> run_play(const PlayRequest& request, Interruption& interruption);
+Expected<void> run_play(const Registry& registry, const PlayRequest& request, Interruption& interruption);
 
 struct DemoRequest {
   FilmRequest film;
 };
-Expected<void> run_demo(const DemoRequest& request, Interruption& interruption);
+Expected<void> run_demo(const Registry& registry, const DemoRequest& request, Interruption& interruption);
 
 struct LessonRequest {
   std::string file;   ///< or the name of a lesson that comes with the program
@@ -157,7 +162,7 @@ struct LessonRequest {
   bool with_source = true;  ///< the PDF carries the session
   bool force = false;
 };
-Expected<void> run_lesson(const LessonRequest& request, Interruption& interruption);
+Expected<void> run_lesson(const Registry& registry, const LessonRequest& request, Interruption& interruption);
 
 struct EvolveRequest {
   std::string file;
@@ -171,7 +176,7 @@ struct EvolveRequest {
   std::string output;
   bool force = false;
 };
-Expected<void> run_evolve(const EvolveRequest& request, Interruption& interruption);
+Expected<void> run_evolve(const Registry& registry, const EvolveRequest& request, Interruption& interruption);
 
 struct ShapeCommand {
   std::string name;                   ///< id of a shape
@@ -183,7 +188,7 @@ struct ShapeCommand {
   std::string output;
   bool force = false;
 };
-Expected<void> run_shape(const ShapeCommand& request, Interruption& interruption);
+Expected<void> run_shape(const Registry& registry, const ShapeCommand& request, Interruption& interruption);
 
 struct SampleRequest {
   std::string file;
@@ -222,21 +227,21 @@ struct ListRequest {
   std::string what;
   bool as_json = false;
 };
-Expected<void> run_list(const ListRequest& request, Interruption& interruption);
+Expected<void> run_list(const Registry& registry, const ListRequest& request, Interruption& interruption);
 
 struct ManualRequest {
   bool as_man_page = false;
   std::string output;
 };
-Expected<void> run_manual(const ManualRequest& request, std::span<const CommandHelp> commands,
-                          Interruption& interruption);
+Expected<void> run_manual(const Registry& registry, const ManualRequest& request,
+                          std::span<const CommandHelp> commands, Interruption& interruption);
 
 struct CompletionsRequest {
   std::string shell;
   std::string output;
 };
-Expected<void> run_completions(const CompletionsRequest& request, std::span<const CommandHelp> commands,
-                               Interruption& interruption);
+Expected<void> run_completions(const Registry& registry, const CompletionsRequest& request,
+                               std::span<const CommandHelp> commands, Interruption& interruption);
 
 /// What `list` can list.
 std::vector<std::string> listed_things();

@@ -7,7 +7,6 @@
 #include "app/cli/messages.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
-#include "core/builtins/builtins.h"
 #include "core/io/format.h"
 #include "core/io/text_numbers.h"
 #include "core/resampling/decimate.h"
@@ -38,28 +37,28 @@ Expected<void> write(const ResampleRequest& request, const SampleData& data, con
 
 }  // namespace
 
-Expected<void> run_repair(const ResampleRequest& request, Interruption& interruption) {
+Expected<void> run_repair(const Registry& registry, const ResampleRequest& request, Interruption& interruption) {
   const auto epsilon = epsilon_of(request);
   if (!epsilon) return std::unexpected(epsilon.error());
   if (auto good = check_output(request.output); !good) return good;
   const auto input = read_input(request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
   JobControl job;
-  const auto repaired = repair(builtins(), input->data, *epsilon, job);
+  const auto repaired = repair(registry, input->data, *epsilon, job);
   if (!repaired) return std::unexpected(repaired.error());
   if (auto done = write(request, repaired->data, *input, interruption); !done) return done;
   for (const std::string& sentence : repaired->words()) say(sentence);
   return {};
 }
 
-Expected<void> run_decimate(const ResampleRequest& request, Interruption& interruption) {
+Expected<void> run_decimate(const Registry& registry, const ResampleRequest& request, Interruption& interruption) {
   const auto epsilon = epsilon_of(request);
   if (!epsilon) return std::unexpected(epsilon.error());
   if (auto good = check_output(request.output); !good) return good;
   const auto input = read_input(request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
   JobControl job;
-  const auto decimated = decimate(builtins(), input->data, *epsilon, job);
+  const auto decimated = decimate(registry, input->data, *epsilon, job);
   if (!decimated) return std::unexpected(decimated.error());
   if (auto done = write(request, decimated->data, *input, interruption); !done) return done;
   say(decimated->words());

@@ -9,24 +9,26 @@
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/playing/session_evolution.h"
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 
 namespace mes::cli {
 
-Expected<SourceInput> read_source(const Source& source) {
+Expected<SourceInput> read_source(const Registry& registry, const Source& source) {
   auto file = read_input(source.file, source.from, source.reading);
   if (!file) return std::unexpected(file.error());
-  const auto settings = settings_of(source, file->session ? file->session->settings : ComputationSettings());
+  const auto settings =
+      settings_of(registry, source, file->session ? file->session->settings : ComputationSettings());
   if (!settings) return std::unexpected(settings.error());
   return SourceInput{std::move(*file), *settings};
 }
 
-Expected<std::vector<LayerIndex>> shown_layers(const std::string& ids, const Session* session) {
-  if (!ids.empty() || session == nullptr || session->layers.layers.empty()) return select_layers(ids);
+Expected<std::vector<LayerIndex>> shown_layers(const Registry& registry, const std::string& ids,
+                                               const Session* session) {
+  if (!ids.empty() || session == nullptr || session->layers.layers.empty()) return select_layers(registry, ids);
   std::vector<LayerIndex> out;
   std::size_t unknown = 0;
   for (const LayerConfiguration::Entry& entry : session->layers.layers) {
-    const LayerIndex layer = builtins().find_layer(entry.layer);
+    const LayerIndex layer = registry.find_layer(entry.layer);
     if (layer == kNoLayer)
       ++unknown;
     else if (entry.visible && std::ranges::find(out, layer) == out.end())
@@ -36,14 +38,14 @@ Expected<std::vector<LayerIndex>> shown_layers(const std::string& ids, const Ses
   return out;
 }
 
-std::optional<EvolutionChoice> evolution_in(const Session* session) {
-  if (session == nullptr || !builtins().evolutions().find(session->evolution.id)) return std::nullopt;
-  return choice_of(session->evolution);
+std::optional<EvolutionChoice> evolution_in(const Registry& registry, const Session* session) {
+  if (session == nullptr || !registry.evolutions().find(session->evolution.id)) return std::nullopt;
+  return choice_of(registry, session->evolution);
 }
 
-SessionEvolution evolution_without_history(const Session& session) {
+SessionEvolution evolution_without_history(const Registry& registry, const Session& session) {
   SessionEvolution out = session.evolution;
-  const auto evolution = builtins().evolutions().find(out.id);
+  const auto evolution = registry.evolutions().find(out.id);
   if (!evolution || evolution->moved_parameter() == nullptr) out.step = 0;
   return out;
 }

@@ -8,7 +8,7 @@
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
 #include "app/cli/sampling_request.h"
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 #include "core/io/format.h"
 #include "core/io/text_numbers.h"
 #include "core/shapes/shape.h"
@@ -16,9 +16,9 @@
 namespace mes::cli {
 namespace {
 
-Expected<std::shared_ptr<const ShapeDescriptor>> select_shape(const std::string& id) {
-  if (auto shape = builtins().shapes().find(id)) return shape;
-  const auto ids = builtins().shapes().ids();
+Expected<std::shared_ptr<const ShapeDescriptor>> select_shape(const Registry& registry, const std::string& id) {
+  if (auto shape = registry.shapes().find(id)) return shape;
+  const auto ids = registry.shapes().ids();
   const std::vector<std::string_view> names(ids.begin(), ids.end());
   return usage_error("there is no shape " + in_quotes(id) + "; did you mean " + one_of(nearest_names(id, names)) +
                      "? (mesecina list shapes)");
@@ -46,8 +46,8 @@ Expected<ShapeValues> values_of(const ShapeDescriptor& shape, const std::vector<
 
 }  // namespace
 
-Expected<void> run_shape(const ShapeCommand& request, Interruption& interruption) {
-  const auto shape = select_shape(request.name);
+Expected<void> run_shape(const Registry& registry, const ShapeCommand& request, Interruption& interruption) {
+  const auto shape = select_shape(registry, request.name);
   if (!shape) return std::unexpected(shape.error());
   const auto values = values_of(**shape, request.settings);
   if (!values) return std::unexpected(values.error());

@@ -11,7 +11,7 @@
 #include "app/cli/names.h"
 #include "app/cli/picture.h"
 #include "app/export/page_size.h"
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 #include "core/io/text_numbers.h"
 #include "render/figure/figure.h"
 
@@ -120,7 +120,7 @@ std::string style_keys() {
   return out;
 }
 
-Expected<std::vector<LayerStyle>> changed_styles(std::vector<LayerStyle> styles,
+Expected<std::vector<LayerStyle>> changed_styles(const Registry& registry, std::vector<LayerStyle> styles,
                                                  std::span<const std::string> requests,
                                                  std::span<const VariantLayer> drawn,
                                                  std::span<const std::string> color_maps) {
@@ -130,9 +130,9 @@ Expected<std::vector<LayerStyle>> changed_styles(std::vector<LayerStyle> styles,
     const std::size_t colon = request.find(':');
     if (colon == std::string::npos)
       return usage_error("--set-style expects LAYER:KEY=VALUE[,KEY=VALUE...], not " + in_quotes(request));
-    const auto layer = select_layer(request.substr(0, colon));
+    const auto layer = select_layer(registry, request.substr(0, colon));
     if (!layer) return std::unexpected(layer.error());
-    const LayerDescriptor& descriptor = builtins().layers()[*layer];
+    const LayerDescriptor& descriptor = registry.layers()[*layer];
     if (std::ranges::find(drawn, VariantLayer(*layer)) == drawn.end())
       return usage_error(fmt::format("--set-style is given for {}, which is not drawn", descriptor.id));
     std::string_view rest = std::string_view(request).substr(colon + 1);

@@ -10,11 +10,15 @@
 #include "core/draw/layer_style.h"
 #include "core/draw/variant.h"
 
+namespace mes {
+class Registry;
+}
+
 namespace mes::cli {
 
 /// The styles of all layers, by layer, changed as `requests` say, one after the other.
 /// Error: `usage`, naming the nearest words there are; also for a layer that is not among `drawn`.
-Expected<std::vector<LayerStyle>> changed_styles(std::vector<LayerStyle> styles,
+Expected<std::vector<LayerStyle>> changed_styles(const Registry& registry, std::vector<LayerStyle> styles,
                                                  std::span<const std::string> requests,
                                                  std::span<const VariantLayer> drawn,
                                                  std::span<const std::string> color_maps);

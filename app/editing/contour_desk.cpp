@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "core/builtins/builtins.h"
-
 namespace mes {
 namespace {
 
@@ -44,7 +42,7 @@ Expected<void> ContourDesk::put(const CurveOrder& contours, const std::string& n
   }
   editor_.note_layers();
   if (auto done = editor_.perform(edit); !done) return done;
-  layers_.set_visible(builtins().find_layer("contours"), true);
+  if (const LayerIndex layer = layers_.find("contours"); layer != kNoLayer) layers_.set_visible(layer, true);
   editor_.join_layers();
   return {};
 }

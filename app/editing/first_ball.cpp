@@ -2,10 +2,9 @@
 #include "app/editing/first_ball.h"
 
 #include <algorithm>
-#include <array>
+#include <string_view>
 #include <utility>
-
-#include "core/builtins/builtins.h"
+#include <vector>
 
 namespace mes {
 
@@ -13,9 +12,11 @@ void FirstBall::follow(Editor& editor, LayerStack& layers) {
   const bool has_balls = editor.document().ball_count() != 0;
   if (has_balls == std::exchange(had_balls_, has_balls) || !has_balls) return;
   if (editor.can_redo() || layers.soloed() != kNoLayer) return;
-  const std::array of_balls{builtins().find_layer("b-inner-disks"), builtins().find_layer("b-inner-circles"),
-                            builtins().find_layer("b-inner-centers")};
-  if (std::ranges::any_of(of_balls, [&](LayerIndex layer) { return layers.is_visible(layer); })) return;
+  std::vector<LayerIndex> of_balls;
+  for (const std::string_view id : {"b-inner-disks", "b-inner-circles", "b-inner-centers"})
+    if (const LayerIndex layer = layers.find(id); layer != kNoLayer) of_balls.push_back(layer);
+  if (of_balls.empty() || std::ranges::any_of(of_balls, [&](LayerIndex layer) { return layers.is_visible(layer); }))
+    return;
   editor.note_layers();
   for (const LayerIndex layer : of_balls) layers.set_visible(layer, true);
   editor.join_layers();

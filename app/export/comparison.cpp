@@ -9,9 +9,9 @@
 #include "app/layers/ball_families.h"
 #include "app/picture/pane_sheet.h"
 #include "core/base/assert.h"
-#include "core/builtins/builtins.h"
 #include "core/draw/instance_difference.h"
 #include "core/draw/variant.h"
+#include "core/graph/registry.h"
 
 namespace mes {
 namespace {
@@ -20,7 +20,7 @@ constexpr Rgb kOnlyHere{0xE0, 0x1E, 0x8C};
 
 /// The layer of another pane that shows what this one does: the same, or else the same of another family of balls.
 std::optional<VariantLayer> counterpart(LayerIndex layer, const Pane& pane) {
-  const auto descriptors = builtins().layers();
+  const auto descriptors = pane.shown.descriptors;
   const auto same = std::ranges::find(pane.shown.layers, layer, &VariantLayer::layer);
   if (same != pane.shown.layers.end()) return *same;
   const std::string_view shown = descriptors[layer].of_any_family;
@@ -106,7 +106,7 @@ std::vector<PaneRequest> pane_requests(
     const PanesOfWindow& panes, const std::shared_ptr<const SampleData>& data,
     const std::function<std::shared_ptr<const SampleData>(std::size_t pane)>& own_data) {
   const auto& [shown, layers, settings, words] = panes;
-  ShownLayers main{.layers = main_layers(layers.visible_layers())};
+  ShownLayers main{.descriptors = layers.descriptors(), .layers = main_layers(layers.visible_layers())};
   for (LayerIndex layer = 0; layer < layers.size(); ++layer) main.styles.push_back(layers.style(layer));
   std::vector<PaneRequest> out{{words.front(), main, settings, data}};
   for (std::size_t i = 0; i < shown.panes.size() && i + 1 < words.size(); ++i) {
@@ -124,7 +124,7 @@ std::vector<PaneRequest> pane_requests(
   return out;
 }
 
-Comparison compare(std::vector<PaneRequest> requests) {
+Comparison compare(const Registry& registry, std::vector<PaneRequest> requests) {
   MES_ASSERT(!requests.empty() && requests.size() <= kMostPanes);
   Comparison out;
   out.data = requests.front().data;
@@ -147,8 +147,7 @@ Comparison compare(std::vector<PaneRequest> requests) {
               .variant = variant_of(request),
               .data = request.data};
     const bool has_document = pane.variant != kMainVariant && out.variants[pane.variant - 1].data;
-    for (VariantLayer& layer : pane.shown.layers)
-      layer = builtins().layer_in(pane.variant, has_document, layer.layer);
+    for (VariantLayer& layer : pane.shown.layers) layer = registry.layer_in(pane.variant, has_document, layer.layer);
     out.demand.insert(out.demand.end(), pane.shown.layers.begin(), pane.shown.layers.end());
     out.panes.push_back(std::move(pane));
   }
@@ -163,7 +162,7 @@ Comparison comparison_of(const ShownPanes& shown, const LayerStack& layers) {
   out.variants.resize(shown.variants.size());
   Pane main{.label = {},
             .letter = pane_letter(0),
-            .shown = {.layers = main_layers(layers.visible_layers())},
+            .shown = {.descriptors = layers.descriptors(), .layers = main_layers(layers.visible_layers())},
             .data = nullptr};
   for (LayerIndex layer = 0; layer < layers.size(); ++layer) main.shown.styles.push_back(layers.style(layer));
   out.panes.push_back(main);
@@ -183,7 +182,7 @@ Comparison comparison_of(const ShownPanes& shown, const LayerStack& layers) {
 
 void share_color_ranges(Comparison& comparison, const LayerMirror& mirror) {
   const auto follows = [](const LayerStyle& style) { return !style.color_map.empty() && !style.range_locked; };
-  std::vector<render::ScalarRange> ranges(builtins().layers().size());
+  std::vector<render::ScalarRange> ranges(comparison.panes.front().shown.descriptors.size());
   for (const Pane& pane : comparison.panes)
     for (const VariantLayer layer : pane.shown.layers)
       if (follows(pane.shown.styles[layer.layer])) ranges[layer.layer].add(range_of(mirror, layer));
@@ -218,7 +217,7 @@ FramePatch mark_differences(Comparison& comparison, const LayerMirror& mirror, d
       patch.layer = {marks, layer.layer};
       if (!differences.find(layer, others, patch)) continue;
       LayerStyle style = marked(pane.shown.styles[layer.layer]);
-      if (!has_areas(builtins().layers()[layer.layer])) style.opacity = 1.0;
+      if (!has_areas(pane.shown.descriptors[layer.layer])) style.opacity = 1.0;
       pane.marks.push_back({patch.layer, style});
       out.layers.push_back(std::move(patch));
     }

@@ -6,8 +6,8 @@
 // the same part of the plane at the same scale.
 //
 // Smallest use:
-//     Comparison comparison = compare(std::move(requests));
-//     run_computation(*comparison.data, {.layers = comparison.demand, ..., .variants = comparison.variants});
+//     Comparison comparison = compare(registry, std::move(requests));
+//     run_computation(registry, *comparison.data, {.layers = comparison.demand, ..., .variants = comparison.variants});
 //     share_color_ranges(comparison, mirror);
 //     const auto drawn = draw_pane_figure(request, comparison, sources);
 //
@@ -80,8 +80,8 @@ struct Comparison {
 };
 
 /// Panes with the same settings and the same data (by address) are of one variant. One pane at least, `kMostPanes` at
-/// most.
-Comparison compare(std::vector<PaneRequest> panes);
+/// most. Their layers are those of the registry.
+Comparison compare(const Registry& registry, std::vector<PaneRequest> panes);
 
 /// The panes of the window, main pane first: to be compared by what is drawn. They have no data.
 Comparison comparison_of(const ShownPanes& shown, const LayerStack& layers);

@@ -8,7 +8,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 
 namespace mes {
 namespace {
@@ -16,8 +16,8 @@ namespace {
 /// The work as a list of tasks in the order of the graph, so that "the third of seven" is known.
 class TaskList {
  public:
-  explicit TaskList(std::span<const VariantLayer> layers) {
-    const auto descriptors = builtins().layers();
+  TaskList(const Registry& registry, std::span<const VariantLayer> layers) {
+    const auto descriptors = registry.layers();
     for (const VariantLayer layer : layers)
       for (const std::string_view structure : descriptors[layer.layer].structures)
         if (std::ranges::find(tasks_, structure) == tasks_.end()) tasks_.push_back(structure);
@@ -46,7 +46,8 @@ class TaskList {
 };
 
 /// Runs the workbench on a thread of its own, while this one reports how far it is.
-Expected<ComputationReport> run_to_end(Workbench& bench, const ComputationRequest& request) {
+Expected<ComputationReport> run_to_end(const Registry& registry, Workbench& bench,
+                                       const ComputationRequest& request) {
   bench.choose(request.settings);
   bench.show(request.layers);
   bench.set_want_statistics(request.want_statistics);
@@ -63,7 +64,7 @@ Expected<ComputationReport> run_to_end(Workbench& bench, const ComputationReques
   };
   JobControl job(request.stop);
   auto running = std::async(std::launch::async, [&] { return bench.run(job); });
-  TaskList tasks(request.layers);
+  TaskList tasks(registry, request.layers);
   constexpr std::chrono::milliseconds kBetweenLooks{100};
   while (running.wait_for(kBetweenLooks) == std::future_status::timeout) {
     const std::string now = task_now();
@@ -84,11 +85,12 @@ Expected<ComputationReport> run_to_end(Workbench& bench, const ComputationReques
 
 }  // namespace
 
-Expected<ComputationResult> run_computation(const SampleData& data, const ComputationRequest& request) {
-  Workbench bench(builtins(), {.keeps_history = false, .keeps_instances = false});
+Expected<ComputationResult> run_computation(const Registry& registry, const SampleData& data,
+                                            const ComputationRequest& request) {
+  Workbench bench(registry, {.keeps_history = false, .keeps_instances = false});
   if (auto good = bench.load(data); !good) return std::unexpected(good.error());
   if (auto good = bench.compare_with(request.variants); !good) return std::unexpected(good.error());
-  auto report = run_to_end(bench, request);
+  auto report = run_to_end(registry, bench, request);
   if (!report) return std::unexpected(report.error());
   return ComputationResult{.document = std::move(bench).document(),
                            .documents = std::move(bench).variant_documents(),
@@ -96,12 +98,12 @@ Expected<ComputationResult> run_computation(const SampleData& data, const Comput
                            .reports = std::move(report->reports)};
 }
 
-Expected<ComputationReport> run_one_shot(SampleData data, const ComputationRequest& request,
+Expected<ComputationReport> run_one_shot(const Registry& registry, SampleData data, const ComputationRequest& request,
                                          std::function<void(const InstancePiece&)> take) {
-  Workbench bench(builtins(), {.take_instances = std::move(take), .needs_scalars = request.needs_scalars});
+  Workbench bench(registry, {.take_instances = std::move(take), .needs_scalars = request.needs_scalars});
   if (auto good = bench.load(data); !good) return std::unexpected(good.error());
   data = {};
-  return run_to_end(bench, request);
+  return run_to_end(registry, bench, request);
 }
 
 }  // namespace mes

@@ -44,13 +44,14 @@ struct ComputationResult {
 
 /// Error: `cannot_compute` with the reason when a structure failed, `usage` when the samples do not make a document.
 /// The functions of the request are called on the calling thread, any one.
-Expected<ComputationResult> run_computation(const SampleData& data, const ComputationRequest& request);
+Expected<ComputationResult> run_computation(const Registry& registry, const SampleData& data,
+                                            const ComputationRequest& request);
 
 /// As `run_computation`, in a one-shot graph (core/engine/graph.h): layers are handed to `take` in pieces, and the data
 /// are given up as soon as they have been read. `take` is called on threads of the graph: for one layer by one of them,
 /// for several perhaps at once; it must not throw. The request has no variants and no `on_patch`. An error makes what
 /// was taken worthless.
-Expected<ComputationReport> run_one_shot(SampleData data, const ComputationRequest& request,
+Expected<ComputationReport> run_one_shot(const Registry& registry, SampleData data, const ComputationRequest& request,
                                          std::function<void(const InstancePiece&)> take);
 
 }  // namespace mes

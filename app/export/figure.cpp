@@ -14,7 +14,6 @@
 #include "app/picture/shapes_below.h"
 #include "app/picture/title_drawing.h"
 #include "app/store/sample_shapes.h"
-#include "core/builtins/builtins.h"
 #include "core/draw/variant.h"
 #include "render/camera.h"
 #include "render/figure/raster.h"
@@ -39,7 +38,7 @@ struct FittedBox {
 
 FittedBox fitted_box(const FigureRequest& request, const FigureSource& source) {
   if (const Box2* const box = std::get_if<Box2>(&request.part)) return {*box, 0.0};
-  return {fit_box(source.bounds, source.mirror, request.shown.layers), kFitMargin};
+  return {fit_box(request.shown.descriptors, source.bounds, source.mirror, request.shown.layers), kFitMargin};
 }
 
 /// The height of a page such that what is shown fills it, margins included.
@@ -116,9 +115,9 @@ MarksPlace add_scale_marks(figure::Figure& figure, const SeenPlane& plane, const
   return place_of_marks(request.marks, plane, measure);
 }
 
-bool has_texts(std::span<const VariantLayer> layers) {
+bool has_texts(const ShownLayers& shown) {
   return std::ranges::any_of(
-      layers, [](VariantLayer layer) { return builtins().layers()[layer.layer].points_as != PointsAs::dots; });
+      shown.layers, [&](VariantLayer layer) { return shown.descriptors[layer.layer].points_as != PointsAs::dots; });
 }
 
 /// The part of the plane on the page.
@@ -155,17 +154,18 @@ const figure::FigureLayer* largest_layer(const figure::Figure& figure) {
 Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSource& source) {
   figure::Page page = page_for(request, source);
   const std::vector<render::LayerView> views = views_of(request.shown, 0.0);
-  const figure::Drawing explained{
-      .mirror = source.mirror,
-      .layers = builtins().layers(),
-      .views = views,
-      .maps = source.maps,
-      .background = request.shown.background,
-      .scale = request.shown.scale,
-      .traced = {builtins().find_layer("image"), source.traced, {request.image.center, request.image.width}}};
+  const figure::Drawing explained{.mirror = source.mirror,
+                                  .layers = request.shown.descriptors,
+                                  .views = views,
+                                  .maps = source.maps,
+                                  .background = request.shown.background,
+                                  .scale = request.shown.scale,
+                                  .traced = {find_layer(request.shown.descriptors, "image"),
+                                             source.traced,
+                                             {request.image.center, request.image.width}}};
   const bool is_annotated = request.with_annotations && !source.annotations.is_empty();
   const bool is_explained = has_legend(explained, request.legend);
-  const bool is_numbered = has_texts(request.shown.layers);
+  const bool is_numbered = has_texts(request.shown);
   std::optional<PaperFonts> fonts;
   DrawnFigure out;
   if (is_annotated || is_explained || is_numbered || !request.title.empty() || !request.marks.is_empty()) {
@@ -186,7 +186,8 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
     const double units_per_px = page.units_per_point * figure::kPointsPerPixel * request.shown.scale;
     std::vector<render::LayerView> all = views_of(request.shown, spacing / units_per_px);
     all.insert(all.end(), request.marks_above.begin(), request.marks_above.end());
-    add_texts(all, {source.document}, {plane_on(page), units_per_px}, fonts ? &fonts->plain : nullptr);
+    add_texts(request.shown.descriptors, all, {source.document}, {plane_on(page), units_per_px},
+              fonts ? &fonts->plain : nullptr);
     figure::Drawing drawing = explained;
     drawing.views = all;
     figure::Figure figure = figure::figure_of(drawing, page);

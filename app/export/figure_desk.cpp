@@ -8,7 +8,6 @@
 #include "app/export/pane_figure.h"
 #include "app/picture/pane_sheet.h"
 #include "app/store/background_loader.h"
-#include "core/builtins/builtins.h"
 #include "core/io/atomic_file.h"
 #include "core/io/carried_session.h"
 #include "render/figure/raster.h"
@@ -128,14 +127,16 @@ struct FigureDesk::Contents {
   }
 };
 
-FigureDesk::FigureDesk(std::function<void()> wake)
-    : computing_(wake), drawing_(wake), writing_(wake), saving_(std::move(wake)) {}
+FigureDesk::FigureDesk(const Registry& registry, std::function<void()> wake)
+    : registry_(registry), computing_(wake), drawing_(wake), writing_(wake), saving_(std::move(wake)) {}
 
 void FigureDesk::begin(FigureSubject subject) {
   end();
   is_open_ = true;
   has_panes_ = !subject.panes.empty();
-  computing_.begin([subject = std::move(subject)](const std::stop_token& stop) { return compute(subject, stop); });
+  computing_.begin([&registry = registry_, subject = std::move(subject)](const std::stop_token& stop) {
+    return compute(registry, subject, stop);
+  });
 }
 
 void FigureDesk::end() {
@@ -151,7 +152,8 @@ void FigureDesk::end() {
   save_to_.reset();
 }
 
-Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(const FigureSubject& subject,
+Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(const Registry& registry,
+                                                                          const FigureSubject& subject,
                                                                           const std::stop_token& stop) try {
   auto out = std::make_shared<Contents>();
   out->subject = subject;
@@ -159,14 +161,14 @@ Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(const 
   std::vector<PaneRequest> panes = subject.panes;
   if (panes.empty())
     panes.push_back({{}, subject.shown, subject.settings, std::make_shared<const SampleData>(subject.data)});
-  out->comparison = compare(std::move(panes));
+  out->comparison = compare(registry, std::move(panes));
   Comparison& comparison = out->comparison;
-  auto result =
-      run_computation(*comparison.data, {.layers = comparison.demand,
-                                         .settings = comparison.settings,
-                                         .on_patch = [&](const FramePatch& patch) { out->mirror.apply(patch); },
-                                         .variants = comparison.variants,
-                                         .stop = stop});
+  auto result = run_computation(registry, *comparison.data,
+                                {.layers = comparison.demand,
+                                 .settings = comparison.settings,
+                                 .on_patch = [&](const FramePatch& patch) { out->mirror.apply(patch); },
+                                 .variants = comparison.variants,
+                                 .stop = stop});
   if (!result) return std::unexpected(result.error());
   out->result = std::move(*result);
   for (const Pane& pane : comparison.panes)
@@ -179,8 +181,8 @@ Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(const 
     out->mirror.apply(
         mark_differences(comparison, out->mirror, all.is_empty() ? 0.0 : std::max(all.width(), all.height())));
   }
-  const bool is_traced =
-      std::ranges::find(subject.shown.layers, builtins().find_layer("image")) != subject.shown.layers.end();
+  const bool is_traced = std::ranges::find(subject.shown.layers, find_layer(subject.shown.descriptors, "image")) !=
+                         subject.shown.layers.end();
   if (is_traced && !subject.image.file.empty()) {
     if (auto image = read_background(subject.image))
       out->traced = std::move(*image);

@@ -73,7 +73,7 @@ struct FigurePreview {
 /// Threads: the window's.
 class FigureDesk {
  public:
-  explicit FigureDesk(std::function<void()> wake);
+  FigureDesk(const Registry& registry, std::function<void()> wake);
 
   void begin(FigureSubject subject);
   /// Gives up everything but a file that is being saved.
@@ -124,7 +124,8 @@ class FigureDesk {
     Wanted wanted;
     Expected<std::string> bytes;
   };
-  static Expected<std::shared_ptr<const Contents>> compute(const FigureSubject& subject, const std::stop_token& stop);
+  static Expected<std::shared_ptr<const Contents>> compute(const Registry& registry, const FigureSubject& subject,
+                                                           const std::stop_token& stop);
   static Drawn draw(const Contents& contents, const Wanted& wanted);
   static Expected<DrawnFigure> draw_figure_of(const Contents& contents, const Wanted& wanted);
   void begin_drawing();
@@ -135,6 +136,7 @@ class FigureDesk {
   bool take_drawn();
   bool take_written();
 
+  const Registry& registry_;
   bool is_open_ = false;
   bool has_panes_ = false;
   Wanted wanted_;

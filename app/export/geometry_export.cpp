@@ -6,29 +6,31 @@
 #include <string_view>
 #include <utility>
 
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 
 namespace mes {
 
-std::vector<LayerIndex> layers_for(const LayerTextFormat& format, std::vector<LayerIndex> layers) {
+std::vector<LayerIndex> layers_for(const Registry& registry, const LayerTextFormat& format,
+                                   std::vector<LayerIndex> layers) {
   if (format.needs_curve)
     for (const std::string_view id : {"curve", "curve-normals"})
-      if (std::ranges::find(layers, builtins().find_layer(id)) == layers.end())
-        layers.push_back(builtins().find_layer(id));
+      if (const LayerIndex layer = registry.find_layer(id);
+          layer != kNoLayer && std::ranges::find(layers, layer) == layers.end())
+        layers.push_back(layer);
   return layers;
 }
 
-Expected<LayerText> compute_layer_text(const SampleData& data, const LayerTextFormat& format,
-                                       ComputationRequest request) {
+Expected<LayerText> compute_layer_text(const Registry& registry, const SampleData& data,
+                                       const LayerTextFormat& format, ComputationRequest request) {
   std::vector<LayerIndex> layers;
   for (const VariantLayer layer : request.layers) layers.push_back(layer.layer);
-  if (auto good = check_layers(format, layers); !good) return std::unexpected(good.error());
+  if (auto good = check_layers(registry.layers(), format, layers); !good) return std::unexpected(good.error());
   LayerMirror mirror;
-  request.layers = main_layers(layers_for(format, layers));
+  request.layers = main_layers(layers_for(registry, format, layers));
   request.on_patch = [&mirror](const FramePatch& patch) { mirror.apply(patch); };
-  const auto result = run_computation(data, request);
+  const auto result = run_computation(registry, data, request);
   if (!result) return std::unexpected(result.error());
-  return format.write({.layers = layers, .mirror = mirror, .document = result->document});
+  return format.write({.registry = registry, .layers = layers, .mirror = mirror, .document = result->document});
 }
 
 std::string remark_about(const LayerText& text, const LayerTextFormat& format) {

@@ -11,12 +11,13 @@
 namespace mes {
 
 /// What is computed for a text of these layers: they, and what else the format needs.
-std::vector<LayerIndex> layers_for(const LayerTextFormat& format, std::vector<LayerIndex> layers);
+std::vector<LayerIndex> layers_for(const Registry& registry, const LayerTextFormat& format,
+                                   std::vector<LayerIndex> layers);
 
 /// Computes the layers and writes them. `request.layers` are those to be written; its `on_patch` is not used. Errors of
 /// `check_layers` and `run_computation`. Any thread.
-Expected<LayerText> compute_layer_text(const SampleData& data, const LayerTextFormat& format,
-                                       ComputationRequest request);
+Expected<LayerText> compute_layer_text(const Registry& registry, const SampleData& data,
+                                       const LayerTextFormat& format, ComputationRequest request);
 
 /// What the text lacks, one sentence; empty where it lacks nothing.
 std::string remark_about(const LayerText& text, const LayerTextFormat& format);

@@ -83,17 +83,20 @@ Expected<render::Image> picture_of(const LessonPage& page, double pixels_per_poi
   return out;
 }
 
-LessonPrinter::LessonPrinter(const Session& session, const LessonLook& look, std::shared_ptr<const PaperFonts> fonts)
-    : session_(&session),
+LessonPrinter::LessonPrinter(const Registry& registry, const Session& session, const LessonLook& look,
+                             std::shared_ptr<const PaperFonts> fonts)
+    : registry_(&registry),
+      session_(&session),
       look_(look),
       fonts_(std::move(fonts)),
       maps_(load_color_maps(find_assets({}), user_color_map_folder()).maps),
-      walk_(std::make_unique<LessonWalk>(session)) {}
+      walk_(std::make_unique<LessonWalk>(registry, session)) {}
 
-Expected<LessonPrinter> LessonPrinter::make(const Session& session, const LessonLook& look) {
+Expected<LessonPrinter> LessonPrinter::make(const Registry& registry, const Session& session,
+                                            const LessonLook& look) {
   auto fonts = PaperFonts::read(find_assets({}));
   if (!fonts) return std::unexpected(fonts.error());
-  return LessonPrinter(session, look, std::make_shared<const PaperFonts>(std::move(*fonts)));
+  return LessonPrinter(registry, session, look, std::make_shared<const PaperFonts>(std::move(*fonts)));
 }
 
 const std::string& LessonPrinter::title() const {
@@ -117,7 +120,8 @@ const render::Image* LessonPrinter::traced(const BackgroundImage& image, std::ve
 }
 
 Expected<void> LessonPrinter::draw(const LessonScene& scene, const Box2& place, LessonPage& page) {
-  FigureRequest request{.shown = {.layers = main_layers(scene.layers.visible_layers()),
+  FigureRequest request{.shown = {.descriptors = scene.layers.descriptors(),
+                                  .layers = main_layers(scene.layers.visible_layers()),
                                   .styles = {},
                                   .background = look_.background,
                                   .scale = look_.scale},
@@ -131,10 +135,10 @@ Expected<void> LessonPrinter::draw(const LessonScene& scene, const Box2& place, 
     request.shown.styles.push_back(scene.layers.style(layer));
   if (!scene.view.is_empty()) request.part = scene.view;
   LayerMirror mirror;
-  const auto result =
-      run_computation(scene.data, {.layers = request.shown.layers,
-                                   .settings = scene.settings,
-                                   .on_patch = [&mirror](const FramePatch& patch) { mirror.apply(patch); }});
+  const auto result = run_computation(*registry_, scene.data,
+                                      {.layers = request.shown.layers,
+                                       .settings = scene.settings,
+                                       .on_patch = [&mirror](const FramePatch& patch) { mirror.apply(patch); }});
   if (!result) return std::unexpected(result.error());
   const Box2 bounds = result->document.bounding_box();
   auto drawn = draw_figure(

@@ -4,7 +4,7 @@
 // All pages of a lesson have one layout, so that nothing jumps from one to the next but what the step changes.
 //
 // Smallest use:
-//     auto printer = LessonPrinter::make(session, {});
+//     auto printer = LessonPrinter::make(registry, session, {});
 //     figure::PdfBook book(printer->info());
 //     for (std::size_t i = 0; i < session.lesson.steps.size(); ++i) {
 //       const auto page = printer->page(i);
@@ -76,8 +76,9 @@ Expected<render::Image> picture_of(const LessonPage& page, double pixels_per_poi
 /// What it guarantees: a page depends on session, look and step alone. Cost: a fresh computation a page. Threads: none.
 class LessonPrinter {
  public:
-  /// The session has to outlive it, and has a step at least. Error: the fonts of the program cannot be read.
-  static Expected<LessonPrinter> make(const Session& session, const LessonLook& look);
+  /// Registry and session have to outlive it, and the session has a step at least. Error: the fonts of the program
+  /// cannot be read.
+  static Expected<LessonPrinter> make(const Registry& registry, const Session& session, const LessonLook& look);
 
   /// Title and fonts of a book of the pages.
   figure::BookInfo info() const;
@@ -87,11 +88,13 @@ class LessonPrinter {
   Expected<LessonPage> page(std::size_t step);
 
  private:
-  LessonPrinter(const Session& session, const LessonLook& look, std::shared_ptr<const PaperFonts> fonts);
+  LessonPrinter(const Registry& registry, const Session& session, const LessonLook& look,
+                std::shared_ptr<const PaperFonts> fonts);
   Expected<void> draw(const LessonScene& scene, const Box2& place, LessonPage& page);
   const render::Image* traced(const BackgroundImage& image, std::vector<std::string>& remarks);
   figure::Figure paper(const CaptionText& caption, std::size_t step, std::vector<std::string>& remarks) const;
 
+  const Registry* registry_;
   const Session* session_;
   LessonLook look_;
   std::shared_ptr<const PaperFonts> fonts_;

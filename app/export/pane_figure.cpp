@@ -79,7 +79,9 @@ double SeenByAll::proportions() const {
 }
 
 SeenByAll seen_alone(const Comparison& comparison, std::span<const FigureSource> sources, std::size_t pane) {
-  return {fit_box(sources[pane].bounds, sources[pane].mirror, comparison.panes[pane].shown.layers), kFitMargin};
+  return {fit_box(comparison.panes[pane].shown.descriptors, sources[pane].bounds, sources[pane].mirror,
+                  comparison.panes[pane].shown.layers),
+          kFitMargin};
 }
 
 SeenByAll seen_by_all(const Comparison& comparison, std::span<const FigureSource> sources,

@@ -40,8 +40,9 @@ double first_value(const ParameterMove& move, double value, const EvolutionChoic
 
 }  // namespace
 
-SessionPanes::SessionPanes(const Session& session)
-    : evolution_(choice_of(session.evolution)),
+SessionPanes::SessionPanes(const Registry& registry, const Session& session)
+    : registry_(registry),
+      evolution_(choice_of(registry, session.evolution)),
       steps_(std::min(session.evolution.step, kMostSteps)),
       views_(session.pane_views) {
   list_.set(session.panes);
@@ -53,7 +54,7 @@ std::vector<PaneRequest> SessionPanes::requests(const Moment& now) const {
   PaneEvolution evolution{.choice = evolution_};
   if (const ParameterMove* const move = evolution_.moved_parameter(); move != nullptr)
     evolution.first = first_value(*move, now.settings[move->parameter], evolution_, steps_);
-  const ShownPanes shown = shown_panes(list_, now.layers, now.settings, evolution);
+  const ShownPanes shown = shown_panes(registry_, list_, now.layers, now.settings, evolution);
   const auto data = std::make_shared<const SampleData>(data_of(now.document));
   EvolutionStates states(state_0(now), evolution_);
   std::vector<std::shared_ptr<const SampleData>> versions;
@@ -70,7 +71,8 @@ std::vector<PaneRequest> SessionPanes::requests(const Moment& now) const {
       versions.push_back(std::make_shared<const SampleData>(data_of(before_last_edit(now))));
     }
   }
-  const FamilyKind family = family_of(now.layers.configuration()).value_or(FamilyKind::inner);
+  const FamilyKind family =
+      family_of(now.layers.descriptors(), now.layers.configuration()).value_or(FamilyKind::inner);
   auto out = pane_requests({shown, now.layers, now.settings, words_of(list_, {now.settings, family})}, data,
                            [&](std::size_t pane) -> std::shared_ptr<const SampleData> {
                              const VariantIndex variant = shown.variant[pane];

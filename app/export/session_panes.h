@@ -2,8 +2,8 @@
 // The panes of a session, as they are at one moment of its timeline.
 //
 // Smallest use:
-//     const SessionPanes panes(session);
-//     Comparison comparison = compare(panes.requests({document, history, layers, settings}));
+//     const SessionPanes panes(registry, session);
+//     Comparison comparison = compare(registry, panes.requests({document, history, layers, settings}));
 //
 // Cost: O(document) a call, beside the steps of an evolution that a pane shows a state of. Threads: any.
 #pragma once
@@ -22,7 +22,8 @@ namespace mes {
 
 class SessionPanes {
  public:
-  explicit SessionPanes(const Session& session);
+  /// The registry has to outlive it.
+  SessionPanes(const Registry& registry, const Session& session);
 
   /// There is only the main one.
   bool is_empty() const { return list_.is_empty(); }
@@ -42,6 +43,7 @@ class SessionPanes {
   std::vector<PaneRequest> requests(const Moment& now) const;
 
  private:
+  const Registry& registry_;
   PaneList list_;
   EvolutionChoice evolution_;
   std::uint64_t steps_ = 0;  ///< of the session at its end

@@ -7,7 +7,6 @@
 
 #include "app/editing/sample_spacing.h"
 #include "app/picture/canvas_look.h"
-#include "core/builtins/builtins.h"
 #include "core/draw/primitive_values.h"
 #include "core/draw/variant.h"
 
@@ -43,16 +42,17 @@ Box2 box_of(const LayerMirror& mirror, VariantLayer layer) {
 std::vector<render::LayerView> views_of(const ShownLayers& shown, double spacing_px) {
   std::vector<render::LayerView> views;
   for (const VariantLayer layer : shown.layers) {
-    const LayerStyle style = thinned(shown.styles[layer.layer], builtins().layers()[layer.layer], spacing_px);
+    const LayerStyle style = thinned(shown.styles[layer.layer], shown.descriptors[layer.layer], spacing_px);
     views.push_back({layer, drawn_on(style, shown.background)});
   }
   return views;
 }
 
-Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const VariantLayer> layers) {
+Box2 fit_box(std::span<const LayerDescriptor> descriptors, const Box2& samples, const LayerMirror& mirror,
+             std::span<const VariantLayer> layers) {
   Box2 box = samples;
   for (const VariantLayer layer : layers)
-    if (builtins().layers()[layer.layer].in_fit_box) box.add(box_of(mirror, layer));
+    if (descriptors[layer.layer].in_fit_box) box.add(box_of(mirror, layer));
   if (samples.is_empty()) return box;
   constexpr double kReach = 0.1;
   const double reach = kReach * std::max(samples.width(), samples.height());
@@ -68,7 +68,7 @@ Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const Var
 LayerConfiguration configuration_of(const ShownLayers& shown) {
   LayerConfiguration out;
   for (const auto [variant, layer] : shown.layers)
-    out.layers.push_back({std::string(builtins().layers()[layer].id), true, shown.styles[layer]});
+    out.layers.push_back({std::string(shown.descriptors[layer].id), true, shown.styles[layer]});
   return out;
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/box2.h"
 #include "core/base/color.h"
 #include "core/document/layer_configuration.h"
+#include "core/draw/layer_descriptor.h"
 #include "core/draw/layer_mirror.h"
 #include "core/draw/layer_style.h"
 #include "render/scene.h"
@@ -19,10 +20,11 @@ namespace mes {
 inline constexpr double kFitMargin = 0.05;
 
 struct ShownLayers {
-  std::vector<VariantLayer> layers{};  ///< bottom first
-  std::vector<LayerStyle> styles{};    ///< of all layers of one variant, by index
-  std::optional<Rgb> background{};     ///< none: transparent
-  double scale = 1.0;                  ///< factor for line widths and point sizes
+  std::span<const LayerDescriptor> descriptors;  ///< of all layers that there are, by index
+  std::vector<VariantLayer> layers{};            ///< bottom first
+  std::vector<LayerStyle> styles{};              ///< of all layers of one variant, by index
+  std::optional<Rgb> background{};               ///< none: transparent
+  double scale = 1.0;                            ///< factor for line widths and point sizes
 };
 
 /// The layers of one variant with their styles, as sessions have them.
@@ -35,6 +37,7 @@ std::vector<render::LayerView> views_of(const ShownLayers& shown, double spacing
 /// What "fit" shows: the samples, and the shown layers that count for it. Those may carry the box beyond the samples
 /// by a tenth of their extent at most: the balls of a good sample stay within that, and one huge ball at a hole of
 /// the curve must not shrink everything else to a dot.
-Box2 fit_box(const Box2& samples, const LayerMirror& mirror, std::span<const VariantLayer> layers);
+Box2 fit_box(std::span<const LayerDescriptor> descriptors, const Box2& samples, const LayerMirror& mirror,
+             std::span<const VariantLayer> layers);
 
 }  // namespace mes

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <optional>
+#include <span>
 
 #include "app/insight/parameter_animation.h"
 #include "core/document/computation_settings.h"
 #include "core/engine/engine.h"
+#include "core/graph/registry.h"
 
 namespace mes {
 
@@ -14,8 +16,11 @@ namespace mes {
 /// complete picture, no more than its speed allows, and has its value back at the end. Threads: the window's.
 class ComputationControl {
  public:
-  /// The engine outlives it.
-  explicit ComputationControl(Engine& engine) : engine_(engine) {}
+  /// Registry and engine outlive it.
+  ComputationControl(const Registry& registry, Engine& engine) : registry_(registry), engine_(engine) {}
+
+  /// All parameters that the settings can have.
+  std::span<const Parameter> parameters() const { return registry_.parameters(); }
 
   const ComputationSettings& settings() const { return settings_; }
   void set(const ComputationSettings& settings);
@@ -32,6 +37,7 @@ class ComputationControl {
   std::optional<double> next_due(double now) const;
 
  private:
+  const Registry& registry_;
   Engine& engine_;
   ComputationSettings settings_{};
   ParameterAnimation animation_{};

@@ -3,33 +3,35 @@
 
 #include <algorithm>
 
-#include "core/builtins/builtins.h"
-
 namespace mes {
 namespace {
 
 using Entry = LayerConfiguration::Entry;
 
-std::optional<FamilyKind> family_of_layer(std::string_view id) {
-  const LayerIndex layer = builtins().find_layer(id);
-  return layer == kNoLayer ? std::nullopt : family_of(builtins().layers()[layer]);
+using Descriptors = std::span<const LayerDescriptor>;
+
+/// Null: there is none with that id.
+const LayerDescriptor* descriptor_of(Descriptors descriptors, std::string_view id) {
+  const LayerIndex layer = find_layer(descriptors, id);
+  return layer == kNoLayer ? nullptr : &descriptors[layer];
+}
+
+std::optional<FamilyKind> family_of_layer(const LayerDescriptor* layer) {
+  return layer == nullptr ? std::nullopt : family_of(*layer);
 }
 
 // Own balls as they are drawn by hand: shown beside the union of any family.
-bool is_plain(std::string_view id) {
-  const LayerIndex layer = builtins().find_layer(id);
-  const auto& structures = builtins().layers()[layer].structures;
-  return structures.size() == 1 && structures.front() == "scaled-balls";
+bool is_plain(const LayerDescriptor& layer) {
+  return layer.structures.size() == 1 && layer.structures.front() == "scaled-balls";
 }
 
-/// The layer that shows the same of another family, as "a-v-points" and "b-v-points" do, or kNoLayer.
-LayerIndex counterpart_of(std::string_view id, FamilyKind family) {
-  const auto layers = builtins().layers();
-  const std::string_view shown = layers[builtins().find_layer(id)].of_any_family;
-  const auto found = std::ranges::find_if(layers, [&](const LayerDescriptor& other) {
+/// The layer that shows the same of another family, as "a-v-points" and "b-v-points" do, or null.
+const LayerDescriptor* counterpart_of(Descriptors descriptors, const LayerDescriptor& layer, FamilyKind family) {
+  const std::string_view shown = layer.of_any_family;
+  const auto found = std::ranges::find_if(descriptors, [&](const LayerDescriptor& other) {
     return !shown.empty() && other.of_any_family == shown && other.group == group_of(family);
   });
-  return found == layers.end() ? kNoLayer : static_cast<LayerIndex>(found - layers.begin());
+  return found == descriptors.end() ? nullptr : &*found;
 }
 
 }  // namespace
@@ -57,17 +59,19 @@ bool has_balls(const Document& document, FamilyKind family) {
   return family == FamilyKind::own ? document.ball_count() != 0 : document.sample_count() != 0;
 }
 
-LayerConfiguration in_family(const LayerConfiguration& layers, FamilyKind family) {
+LayerConfiguration in_family(Descriptors descriptors, const LayerConfiguration& layers, FamilyKind family) {
   LayerConfiguration out = layers;
-  const bool is_of_union = std::ranges::any_of(layers.layers, [](const Entry& entry) {
-    return entry.visible && family_of_layer(entry.layer) == FamilyKind::own && !is_plain(entry.layer);
+  const bool is_of_union = std::ranges::any_of(layers.layers, [&](const Entry& entry) {
+    const LayerDescriptor* const layer = descriptor_of(descriptors, entry.layer);
+    return entry.visible && family_of_layer(layer) == FamilyKind::own && !is_plain(*layer);
   });
   for (Entry& entry : out.layers) {
-    const auto of = family_of_layer(entry.layer);
-    if (!entry.visible || !of || *of == family || (is_plain(entry.layer) && !is_of_union)) continue;
-    const LayerIndex counterpart = counterpart_of(entry.layer, family);
-    if (counterpart == kNoLayer) continue;
-    const std::string id(builtins().layers()[counterpart].id);
+    const LayerDescriptor* const layer = descriptor_of(descriptors, entry.layer);
+    const auto of = family_of_layer(layer);
+    if (!entry.visible || !of || *of == family || (is_plain(*layer) && !is_of_union)) continue;
+    const LayerDescriptor* const counterpart = counterpart_of(descriptors, *layer, family);
+    if (counterpart == nullptr) continue;
+    const std::string id(counterpart->id);
     const auto other = std::ranges::find(out.layers, id, &Entry::layer);
     if (other == out.layers.end()) {
       entry.layer = id;
@@ -81,11 +85,12 @@ LayerConfiguration in_family(const LayerConfiguration& layers, FamilyKind family
   return out;
 }
 
-std::optional<FamilyKind> family_of(const LayerConfiguration& layers) {
+std::optional<FamilyKind> family_of(Descriptors descriptors, const LayerConfiguration& layers) {
   std::optional<FamilyKind> out;
   for (const Entry& entry : layers.layers) {
-    const auto of = family_of_layer(entry.layer);
-    if (!entry.visible || !of || is_plain(entry.layer)) continue;
+    const LayerDescriptor* const layer = descriptor_of(descriptors, entry.layer);
+    const auto of = family_of_layer(layer);
+    if (!entry.visible || !of || is_plain(*layer)) continue;
     if (out && *out != *of) return std::nullopt;
     out = of;
   }
@@ -101,10 +106,11 @@ bool FamilyChoice::follow(const Document& document) {
   return true;
 }
 
-LayerConfiguration adapted(const LayerConfiguration& bundle, FamilyKind family, const Document& document) {
-  const auto of = family_of(bundle);
+LayerConfiguration adapted(Descriptors descriptors, const LayerConfiguration& bundle, FamilyKind family,
+                           const Document& document) {
+  const auto of = family_of(descriptors, bundle);
   if (!of || (*of != FamilyKind::inner && has_balls(document, *of))) return bundle;
-  return in_family(bundle, family);
+  return in_family(descriptors, bundle, family);
 }
 
 }  // namespace mes

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -24,12 +25,15 @@ std::optional<FamilyKind> family_of(const LayerDescriptor& descriptor);
 /// Whether the document has what the balls are made of: samples, or balls of its own.
 bool has_balls(const Document& document, FamilyKind family);
 
+/// `descriptors`, here and below, are those of all layers that there are; entries of others are passed over.
+///
 /// The layers with those of every other family that are visible replaced by those of this one. A layer takes the place
 /// of its counterpart; it has the style that is given for it, or else that of the counterpart. Own balls that are drawn
 /// without their union stay.
-LayerConfiguration in_family(const LayerConfiguration& layers, FamilyKind family);
+LayerConfiguration in_family(std::span<const LayerDescriptor> descriptors, const LayerConfiguration& layers,
+                             FamilyKind family);
 /// The one family whose union the visible layers are about; nothing: none, or several.
-std::optional<FamilyKind> family_of(const LayerConfiguration& layers);
+std::optional<FamilyKind> family_of(std::span<const LayerDescriptor> descriptors, const LayerConfiguration& layers);
 
 /// Which family the window is about.
 ///
@@ -57,6 +61,7 @@ class FamilyChoice {
 
 /// A bundle for the family the window is about: one of inner balls stands for all families, and one of another family
 /// for those that the document has.
-LayerConfiguration adapted(const LayerConfiguration& bundle, FamilyKind family, const Document& document);
+LayerConfiguration adapted(std::span<const LayerDescriptor> descriptors, const LayerConfiguration& bundle,
+                           FamilyKind family, const Document& document);
 
 }  // namespace mes

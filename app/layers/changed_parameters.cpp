@@ -8,7 +8,6 @@
 
 #include "app/layers/parameter_words.h"
 #include "core/base/lower_case.h"
-#include "core/builtins/builtins.h"
 
 namespace mes {
 
@@ -27,9 +26,10 @@ std::string value_text(const Parameter& descriptor, double value) {
   return descriptor.unit.empty() || descriptor.is_length ? out : out + ' ' + descriptor.unit;
 }
 
-std::vector<ChangedParameter> changed_parameters(const ComputationSettings& settings) {
+std::vector<ChangedParameter> changed_parameters(std::span<const Parameter> parameters,
+                                                 const ComputationSettings& settings) {
   std::vector<ChangedParameter> out;
-  for (const Parameter& parameter : builtins().parameters())
+  for (const Parameter& parameter : parameters)
     if (const double value = settings[parameter]; value != parameter.default_value)
       out.push_back({parameter, title_of(parameter) + ' ' + value_text(parameter, value)});
   std::ranges::stable_partition(out,

@@ -16,8 +16,9 @@ struct ChangedParameter {
   std::string text{};  ///< "Inner balls: scale 2.14 ×", "Union shortcut off"
 };
 
-/// Those of the document first, else in the order of the table.
-std::vector<ChangedParameter> changed_parameters(const ComputationSettings& settings);
+/// Those of the document first, else in the order in which the parameters are given.
+std::vector<ChangedParameter> changed_parameters(std::span<const Parameter> parameters,
+                                                 const ComputationSettings& settings);
 
 /// "2.14 ×", "150°", "on".
 std::string value_text(const Parameter& descriptor, double value);

@@ -34,8 +34,9 @@ void show_instead(ShowInstead what, LayerStack& layers) {
     case ShowInstead::own_balls:
       return show(layers, {"b-inner-disks", "b-inner-circles", "b-inner-centers", "b-ball-medial-axis"});
     case ShowInstead::inner_family:
-      return layers.set_configuration(in_family(layers.configuration(), FamilyKind::inner));
-    case ShowInstead::own_family: return layers.set_configuration(in_family(layers.configuration(), FamilyKind::own));
+      return layers.set_configuration(in_family(layers.descriptors(), layers.configuration(), FamilyKind::inner));
+    case ShowInstead::own_family:
+      return layers.set_configuration(in_family(layers.descriptors(), layers.configuration(), FamilyKind::own));
   }
 }
 

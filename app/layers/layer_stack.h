@@ -25,6 +25,8 @@ class LayerStack {
 
   /// Of indices, among them those of layers that were removed. `order` has the others.
   std::size_t size() const { return descriptors_.size(); }
+  /// By index.
+  std::span<const LayerDescriptor> descriptors() const { return descriptors_; }
   const LayerDescriptor& descriptor(LayerIndex layer) const { return descriptors_[layer]; }
   /// kNoLayer when there is none of this id.
   LayerIndex find(std::string_view id) const;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 
 namespace mes {
 
@@ -44,7 +44,7 @@ bool EngineDemand::follow(Engine& engine, const Wanted& wanted, bool picture_is_
   if (asks_again_ && waits_to_ask_again(engine)) return false;
   const bool is_news = !is_told(wanted) || asks_for_nothing_;
   if (is_news || (!wanted.panes.is_empty() && styled_ != wanted.layers.revision()))
-    shown_ = shown_panes(wanted.panes, wanted.layers, wanted.settings, wanted.evolution);
+    shown_ = shown_panes(wanted.registry, wanted.panes, wanted.layers, wanted.settings, wanted.evolution);
   styled_ = wanted.layers.revision();
   VariantStep beside;
   if (documents != nullptr) {
@@ -54,9 +54,10 @@ bool EngineDemand::follow(Engine& engine, const Wanted& wanted, bool picture_is_
   if (is_news) beside.variants = shown_.variants;
   if (is_news || !beside.deltas.empty()) {
     std::vector<VariantLayer> layers = shown_.demand;
-    const VariantLayer density = builtins().find_layer("sampling-epsilon");
+    const VariantLayer density = wanted.registry.find_layer("sampling-epsilon");
     const auto at = std::ranges::lower_bound(layers, density);
-    if (wanted.with_density && (at == layers.end() || *at != density)) layers.insert(at, density);
+    if (wanted.with_density && density.layer != kNoLayer && (at == layers.end() || *at != density))
+      layers.insert(at, density);
     engine.post(
         {.deltas = {}, .settings = wanted.settings, .demand = std::move(layers), .beside = std::move(beside)});
   }

@@ -21,6 +21,7 @@ class EngineDemand {
  public:
   /// What is wanted, with the revisions that say when it changes.
   struct Wanted {
+    const Registry& registry;
     const LayerStack& layers;
     const PaneList& panes;
     const ComputationSettings& settings;

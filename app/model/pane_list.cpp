@@ -7,8 +7,8 @@
 
 #include "app/layers/parameter_words.h"
 #include "core/base/assert.h"
-#include "core/builtins/builtins.h"
 #include "core/draw/variant.h"
+#include "core/graph/registry.h"
 
 namespace mes {
 namespace {
@@ -19,13 +19,14 @@ struct Overloaded : Cases... {
 };
 
 /// The settings of a pane.
-ComputationSettings settings_of(const PaneChoice& choice, const ComputationSettings& main,
+ComputationSettings settings_of(const Registry& registry, const PaneChoice& choice, const ComputationSettings& main,
                                 const PaneEvolution& evolution) {
   ComputationSettings out = main;
   if (const Precision* const precision = std::get_if<Precision>(&choice)) out.precision = *precision;
   if (const auto* const parameter = std::get_if<ParameterChoice>(&choice))
-    // An unknown parameter would start a second computation with equal results.
-    if (builtins().find_parameter(parameter->parameter.id) != nullptr) out[parameter->parameter] = parameter->value;
+    // An unknown parameter would start a second computation with equal results. A session may name one by its id alone.
+    if (const Parameter* const known = registry.find_parameter(parameter->parameter.id))
+      out[*known] = parameter->value;
   const ParameterMove* const move = evolution.choice.moved_parameter();
   if (const auto* const evolved = std::get_if<EvolvedChoice>(&choice); evolved != nullptr && move != nullptr)
     out[move->parameter] =
@@ -50,7 +51,7 @@ ShownPanes::Layers visible_in(const LayerConfiguration& configuration, const Lay
 
 ShownPanes::Layers layers_of(const PaneChoice& choice, const LayerStack& layers) {
   if (const FamilyKind* const family = std::get_if<FamilyKind>(&choice))
-    return visible_in(in_family(layers.configuration(), *family), layers);
+    return visible_in(in_family(layers.descriptors(), layers.configuration(), *family), layers);
   if (const Bundle* const bundle = std::get_if<Bundle>(&choice)) return visible_in(bundle->layers, layers);
   return visible_layers(layers);
 }
@@ -146,13 +147,13 @@ PaneChoice next_choice(const PaneList& list, const ComputationSettings& settings
   return settings.precision;
 }
 
-ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const ComputationSettings& settings,
-                       const PaneEvolution& evolution) {
+ShownPanes shown_panes(const Registry& registry, const PaneList& list, const LayerStack& layers,
+                       const ComputationSettings& settings, const PaneEvolution& evolution) {
   ShownPanes out;
   out.demand = main_layers(layers.visible_layers());
   for (const PaneChoice& choice : list.panes()) {
     VariantIndex variant = kMainVariant;
-    const ComputationSettings own = settings_of(choice, settings, evolution);
+    const ComputationSettings own = settings_of(registry, choice, settings, evolution);
     const std::optional<VersionChoice> version = version_of(choice, evolution);
     if (own != settings || version) {
       std::size_t found = 0;
@@ -166,7 +167,7 @@ ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const Com
     }
     ShownPanes::Layers shown = layers_of(choice, layers);
     for (auto& [layer, style] : shown) {
-      layer = builtins().layer_in(variant, version.has_value(), layer.layer);
+      layer = registry.layer_in(variant, version.has_value(), layer.layer);
       out.demand.push_back(layer);
     }
     out.panes.push_back(std::move(shown));

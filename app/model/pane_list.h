@@ -9,7 +9,7 @@
 // Smallest use:
 //     PaneList panes;
 //     panes.add(Precision::exact);
-//     const ShownPanes shown = shown_panes(panes, layers, settings);
+//     const ShownPanes shown = shown_panes(registry, panes, layers, settings);
 //     engine.post({.deltas = {}, .settings = settings, .demand = shown.demand, .beside = {shown.variants}});
 //
 // Cost: O(layers) a pane. Threads: none.
@@ -32,6 +32,8 @@
 #include "core/evolutions/evolution.h"
 
 namespace mes {
+
+class Registry;
 
 /// As in the window: "Exact", "Inner balls: scale 1.1", "Polar balls", the name of the bundle, "Step 10", "Before the
 /// last edit".
@@ -99,8 +101,8 @@ struct ShownPanes {
 };
 /// Those of the main pane.
 ShownPanes::Layers visible_layers(const LayerStack& layers);
-/// A state in which a parameter would leave its range is shown as the main pane is.
-ShownPanes shown_panes(const PaneList& list, const LayerStack& layers, const ComputationSettings& settings,
-                       const PaneEvolution& evolution = {});
+/// The layers are those of the registry. A state in which a parameter would leave its range is shown as the main pane is.
+ShownPanes shown_panes(const Registry& registry, const PaneList& list, const LayerStack& layers,
+                       const ComputationSettings& settings, const PaneEvolution& evolution = {});
 
 }  // namespace mes

@@ -28,7 +28,7 @@ ChangedChips::ChangedChips(const Gui& gui, ComputationControl& computation, Mess
     : gui_(gui),
       computation_(computation),
       messages_(messages),
-      changed_(changed_parameters(computation.settings())) {
+      changed_(changed_parameters(computation.parameters(), computation.settings())) {
   for (const ChangedParameter& changed : changed_)
     widths_.push_back(text_width(changed.text) + (kCross + 2) * gui_.unit());
 }

@@ -267,7 +267,7 @@ void LayersPanel::draw_context_menu(LayerIndex layer) {
 
 void LayersPanel::draw_export_menu(LayerIndex layer) const {
   const auto formats = layer_text_formats();
-  const auto holds = [layer](const LayerTextFormat& format) { return format.holds(layer); };
+  const auto holds = [this, layer](const LayerTextFormat& format) { return format.holds(layers_.descriptor(layer)); };
   if (!ImGui::BeginMenu("Export geometry", std::ranges::any_of(formats, holds))) return;
   for (const LayerTextFormat& format : formats) {
     if (!holds(format)) continue;

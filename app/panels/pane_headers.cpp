@@ -11,7 +11,6 @@
 #include "app/ui/number_field.h"
 #include "app/ui/slider.h"
 #include "app/ui/widgets.h"
-#include "core/builtins/builtins.h"
 
 namespace mes {
 namespace {
@@ -110,7 +109,7 @@ void PaneHeaders::draw_menu(std::size_t pane) const {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Parameter")) {
-    for (const Parameter& parameter : builtins().parameters()) {
+    for (const Parameter& parameter : parameters) {
       const auto* const known = std::get_if<ParameterChoice>(&now);
       const bool is_this = known != nullptr && known->parameter == parameter;
       const double value = is_this ? known->value : settings[parameter];

@@ -3,6 +3,7 @@
 // each.
 #pragma once
 
+#include <span>
 #include <string>
 #include <vector>
 
@@ -20,6 +21,7 @@ struct PaneHeaders {
   const ActionBindings& actions;
   PaneList& panes;
   const BundleDesk& bundles;
+  std::span<const Parameter> parameters;  ///< all that there are
   const ComputationSettings& settings;
   const std::vector<std::string>& words;  ///< of each pane, the main one first
   const EvolutionPlayer& evolution;

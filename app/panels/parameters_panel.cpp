@@ -15,7 +15,6 @@
 #include "app/ui/widgets.h"
 #include "core/base/color.h"
 #include "core/base/lower_case.h"
-#include "core/builtins/builtins.h"
 #include "imgui_stdlib.h"
 
 namespace mes {
@@ -150,8 +149,8 @@ MarkBand ParametersPanel::band(const char* id) const {
 }
 
 void ParametersPanel::draw_scale_events(double& factor) {
-  const bool is_shown = std::ranges::any_of(layers_.visible_layers(), [](LayerIndex layer) {
-    return builtins().layers()[layer].group == LayerGroup::scale_axis;
+  const bool is_shown = std::ranges::any_of(layers_.visible_layers(), [this](LayerIndex layer) {
+    return layers_.descriptor(layer).group == LayerGroup::scale_axis;
   });
   if (!is_shown) return;
   const Document& document = editor_.document();
@@ -183,8 +182,9 @@ void ParametersPanel::draw_scale_events(double& factor) {
 }
 
 void ParametersPanel::draw_critical_values(double& limit) {
-  const bool is_shown = std::ranges::any_of(layers_.visible_layers(), [](LayerIndex layer) {
-    return builtins().layers()[layer].scalar == "lambda" || builtins().layers()[layer].id == "lambda-kept-boundary";
+  const bool is_shown = std::ranges::any_of(layers_.visible_layers(), [this](LayerIndex layer) {
+    const LayerDescriptor& descriptor = layers_.descriptor(layer);
+    return descriptor.scalar == "lambda" || descriptor.id == "lambda-kept-boundary";
   });
   if (!is_shown) return;
   const Document& document = editor_.document();
@@ -318,10 +318,10 @@ void ParametersPanel::draw() {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - reset - 6 * unit);
   ImGui::InputTextWithHint("##search", "Search", &search_);
   ImGui::SameLine(0, 6 * unit);
-  ImGui::BeginDisabled(changed_parameters(computation_.settings()).empty());
+  ImGui::BeginDisabled(changed_parameters(computation_.parameters(), computation_.settings()).empty());
   if (ImGui::Button("Reset all", {reset, 0})) {
     ComputationSettings settings = computation_.settings();
-    for (const Parameter& parameter : builtins().parameters()) settings[parameter] = parameter.default_value;
+    for (const Parameter& parameter : computation_.parameters()) settings[parameter] = parameter.default_value;
     computation_.animation().stop();
     computation_.set(settings);
   }
@@ -329,7 +329,7 @@ void ParametersPanel::draw() {
   tooltip(gui_, "Give every parameter its default");
   ImGui::BeginChild("list");
   bool any = false;
-  for (const Parameter& parameter : builtins().parameters()) {
+  for (const Parameter& parameter : computation_.parameters()) {
     if (!matches(parameter, search_)) continue;
     any = true;
     draw_parameter(parameter);

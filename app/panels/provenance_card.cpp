@@ -8,7 +8,6 @@
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
-#include "core/builtins/builtins.h"
 
 namespace mes {
 namespace {
@@ -126,7 +125,8 @@ void ProvenanceCard::draw_shapes(const Gui& gui, const Canvas& canvas) const {
   }
 }
 
-ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, float width, const std::string& keep_key) {
+ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, const LayerStack& layers, float width,
+                                                     const std::string& keep_key) {
   const float unit = gui.unit();
   const ImVec2 at = ImGui::GetCursorPos();
   const float keep_width = ImGui::CalcTextSize("Keep").x + 8 * unit;
@@ -138,7 +138,7 @@ ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, float width
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   tooltip(gui, "Drag to move this card");
   ImGui::SetCursorPos(at);
-  ImGui::TextDisabled("%s", std::string(builtins().layers()[answer_->layer.layer].name).c_str());
+  ImGui::TextDisabled("%s", std::string(layers.descriptor(answer_->layer.layer).name).c_str());
   HeadClicks out;
   ImGui::SameLine(width - 38 * unit - keep_width);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4 * unit, 0.0F});
@@ -242,7 +242,8 @@ bool ProvenanceCard::is_of(const Editor& editor) const {
 }
 
 std::optional<ProvenanceCard::Keep> ProvenanceCard::draw(const Gui& gui, Canvas& canvas, const Editor& editor,
-                                                         ImVec2 corner, ImVec2 room, const std::string& keep_key) {
+                                                         const LayerStack& layers, ImVec2 corner, ImVec2 room,
+                                                         const std::string& keep_key) {
   if (answer_ && !is_of(editor)) clear();
   if (!answer_) return std::nullopt;
   draw_shapes(gui, canvas);
@@ -260,7 +261,7 @@ std::optional<ProvenanceCard::Keep> ProvenanceCard::draw(const Gui& gui, Canvas&
                    ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
                    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   const float inside = width - (ImGui::GetScrollMaxY() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F);
-  const HeadClicks head = draw_head(gui, inside, keep_key);
+  const HeadClicks head = draw_head(gui, layers, inside, keep_key);
   const std::optional<std::size_t> clicked = draw_lines(gui, inside);
   draw_rows(gui, inside);
   draw_foot(gui);

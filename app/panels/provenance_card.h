@@ -46,8 +46,8 @@ class ProvenanceCard {
   };
   /// `corner`: lower left. Draws the shapes behind all panels. A click on a row shows where it is, one with Shift held
   /// asks to keep it highlighted, as the button does for all rows. `keep_key`: that of the action that keeps all, or empty.
-  std::optional<Keep> draw(const Gui& gui, Canvas& canvas, const Editor& editor, ImVec2 corner, ImVec2 room,
-                           const std::string& keep_key);
+  std::optional<Keep> draw(const Gui& gui, Canvas& canvas, const Editor& editor, const LayerStack& layers,
+                           ImVec2 corner, ImVec2 room, const std::string& keep_key);
   /// `select_sources` was called for what is shown: the new selection does not take it away. O(1).
   void keep_for(const Editor& editor) { selection_revision_ = editor.selection().revision(); }
   /// Asks about the same place below the layer of what is shown, if the button for that was pressed since the last call.
@@ -69,7 +69,7 @@ class ProvenanceCard {
   void draw_rows(const Gui& gui, float width);
   void draw_foot(const Gui& gui);
   std::vector<VariantLayer> layers_beneath() const;
-  HeadClicks draw_head(const Gui& gui, float width, const std::string& keep_key);
+  HeadClicks draw_head(const Gui& gui, const LayerStack& layers, float width, const std::string& keep_key);
   bool is_of(const Editor& editor) const;
 
   std::uint64_t ticket_ = 0;

@@ -9,7 +9,6 @@
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
-#include "core/builtins/builtins.h"
 #include "imgui_stdlib.h"
 
 namespace mes {
@@ -41,9 +40,9 @@ SliderRange range_of(const Parameter& parameter) {
 }  // namespace
 
 void ShapeDialog::open() {
-  is_open_ = true;
+  is_open_ = !shapes_->all().empty();
   if (values_.empty())
-    for (const auto& shape : builtins().shapes().all()) values_.push_back(values_of(*shape));
+    for (const auto& shape : shapes_->all()) values_.push_back(values_of(*shape));
 }
 
 void ShapeDialog::press(const KeyChord& chord) {
@@ -51,8 +50,8 @@ void ShapeDialog::press(const KeyChord& chord) {
 }
 
 void ShapeDialog::draw_list(const Gui& gui) {
-  for (std::size_t i = 0; i < builtins().shapes().all().size(); ++i) {
-    const ShapeDescriptor& one = *builtins().shapes().all()[i];
+  for (std::size_t i = 0; i < shapes_->all().size(); ++i) {
+    const ShapeDescriptor& one = *shapes_->all()[i];
     if (ImGui::Selectable(std::string(one.name).c_str(), i == chosen_)) chosen_ = i;
     tooltip(gui, std::string(one.explanation));
   }
@@ -84,7 +83,7 @@ void ShapeDialog::draw_parameters(const Gui& gui) {
 }
 
 const ShapeDescriptor& ShapeDialog::shape() const {
-  return *builtins().shapes().all()[chosen_];
+  return *shapes_->all()[chosen_];
 }
 
 void ShapeDialog::follow_wish() {

@@ -10,6 +10,7 @@
 #include "app/panels/sample_maker.h"
 #include "app/panels/sampling_controls.h"
 #include "app/ui/dialog.h"
+#include "core/graph/registry.h"
 #include "core/shapes/shape.h"
 
 namespace mes {
@@ -17,12 +18,13 @@ namespace mes {
 /// Threads: the window's.
 class ShapeDialog final : public Dialog {
  public:
-  /// What is done with the samples, and what wakes the window.
-  void set_uses(SampleMaker::Make make, std::function<void()> wake) {
+  /// The shapes, which outlive it; what is done with the samples, and what wakes the window.
+  void set_uses(const NamedList<ShapeDescriptor>& shapes, SampleMaker::Make make, std::function<void()> wake) {
+    shapes_ = &shapes;
     maker_.set_uses(std::move(make), std::move(wake));
   }
 
-  /// As it was when it was closed.
+  /// As it was when it was closed. Stays closed where there are no shapes.
   void open();
 
   bool is_open() const override { return is_open_; }
@@ -44,6 +46,7 @@ class ShapeDialog final : public Dialog {
   void follow_wish();
   const ShapeDescriptor& shape() const;
 
+  const NamedList<ShapeDescriptor>* shapes_ = nullptr;
   bool is_open_ = false;
   std::size_t chosen_ = 0;
   std::vector<ShapeValues> values_;  // of each shape

@@ -8,7 +8,7 @@ namespace {
 
 std::vector<LegendEntry> figure_legend_of(const figure::Drawing& drawing, LegendScope scope) {
   return entries_of(
-      drawing.views, scope, [&](const render::LayerView& view) { return shown_map(drawing, view); },
+      drawing.layers, drawing.views, scope, [&](const render::LayerView& view) { return shown_map(drawing, view); },
       [&](VariantLayer layer, PrimitiveKind kind) { return !drawing.mirror.instances(layer, kind).empty(); });
 }
 

@@ -213,10 +213,11 @@ class LegendLayout {
 
 }  // namespace
 
-std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views,
-                                   LegendScope scope) {
+std::vector<LegendEntry> legend_of(std::span<const LayerDescriptor> descriptors, const render::Scene& scene,
+                                   std::span<const render::LayerView> views, LegendScope scope) {
   return entries_of(
-      views, scope, [&](const render::LayerView& view) { return scene.shown_map(view.layer, view.style); },
+      descriptors, views, scope,
+      [&](const render::LayerView& view) { return scene.shown_map(view.layer, view.style); },
       [&](VariantLayer layer, PrimitiveKind kind) { return scene.instances(layer, kind) > 0; });
 }
 

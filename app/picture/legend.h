@@ -3,7 +3,7 @@
 // key, of all other layers a sample of how they are drawn, and the name.
 //
 // Smallest use:
-//     const std::vector<LegendEntry> entries = legend_of(scene, views);
+//     const std::vector<LegendEntry> entries = legend_of(layers, scene, views);
 //     const PlacedLegend legend = place_legend(entries, fonts, 1.0, {.room = room}, kWhiteCanvas);  // legend_place.h
 //
 // Cost: some hundred rectangles a layer. Threads: any, with a picture of its own.
@@ -16,6 +16,7 @@
 
 #include "app/layers/legend_scope.h"
 #include "app/picture/paper_drawing.h"
+#include "core/draw/layer_descriptor.h"
 #include "core/draw/layer_style.h"
 #include "core/draw/primitives.h"
 #include "render/colormap.h"
@@ -50,8 +51,10 @@ struct LegendEntry {
   friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
 };
 
-/// The entries of layers, topmost first; `views` are bottom first. The maps are those of the scene.
-std::vector<LegendEntry> legend_of(const render::Scene& scene, std::span<const render::LayerView> views,
+/// The entries of layers, topmost first; `views` are bottom first, `descriptors` those of all layers. The maps are those
+/// of the scene.
+std::vector<LegendEntry> legend_of(std::span<const LayerDescriptor> descriptors, const render::Scene& scene,
+                                   std::span<const render::LayerView> views,
                                    LegendScope scope = LegendScope::color_maps);
 
 /// The ends of a range and a few round numbers between, with as few digits as distinguish them. A range of one value

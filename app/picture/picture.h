@@ -37,10 +37,11 @@ namespace mes {
 ///     computed them.
 ///  5. However many large disks there are, a moving picture is painted within a fraction of a second (detail.h).
 ///
-/// An OpenGL context must be current as long as the object exists. Threads: the window's.
+/// An OpenGL context must be current as long as the object exists, and the descriptors of all layers outlive it. Threads:
+/// the window's.
 class Picture {
  public:
-  Picture();
+  explicit Picture(std::span<const LayerDescriptor> layers);
 
   void set_color_maps(std::vector<render::ColorMap> maps) { scene_.set_color_maps(std::move(maps)); }
   /// Sets the letters of layers that are texts; without them these show nothing.
@@ -163,6 +164,7 @@ class Picture {
   void set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style);
   std::uint32_t largest_painted_layer(const render::Camera& camera, const LayerStack& layers) const;
 
+  std::span<const LayerDescriptor> layers_;
   render::GlDevice device_;
   render::Scene scene_;
   std::unique_ptr<LayerMirror> mirror_;     // null unless patches are checked

@@ -5,7 +5,7 @@
 //
 // Smallest use:
 //     const PictureOverlay overlay =
-//         picture_overlay_of({legend_of(scene, views), caption}, fonts, {camera, scale, background});
+//         picture_overlay_of({legend_of(layers, scene, views), caption}, fonts, {camera, scale, background});
 //     overlay.paint(image);
 //
 // Cost: some microseconds to make, some milliseconds to paint. Threads: const calls may run at the same time.

@@ -10,7 +10,6 @@
 #include <utility>
 
 #include "core/base/rng.h"
-#include "core/builtins/builtins.h"
 #include "core/draw/variant.h"
 #include "render/look.h"
 
@@ -187,8 +186,8 @@ class Cells {
 };
 
 /// The radius of the dots in the layer `points`; 0 where it is not shown.
-double dots_of(std::span<const render::LayerView> views) {
-  const LayerIndex points = builtins().find_layer("points");
+double dots_of(std::span<const LayerDescriptor> layers, std::span<const render::LayerView> views) {
+  const LayerIndex points = find_layer(layers, "points");
   const auto found = std::ranges::find(views, points, &render::LayerView::layer);
   return found == views.end() ? 0.0 : 0.5 * render::point_size_of(found->style);
 }
@@ -220,19 +219,19 @@ std::vector<SampleSlot> numbers_with_room(const TextSource& source, const TextPa
   return out;
 }
 
-void add_texts(std::span<render::LayerView> views, const TextSource& source, const TextPart& part,
-               const render::Font* font) {
+void add_texts(std::span<const LayerDescriptor> layers, std::span<render::LayerView> views, const TextSource& source,
+               const TextPart& part, const render::Font* font) {
   constexpr double kApart = 0.35;   // of the size of the letters
   constexpr double kHeight = 0.75;  // from a digit to one of the line above
   constexpr double kGap = 2.5;
   const double diagonal = std::sqrt(0.5);
   for (render::LayerView& view : views) {
-    if (builtins().layers()[view.layer.layer].points_as == PointsAs::dots) continue;
+    if (layers[view.layer.layer].points_as == PointsAs::dots) continue;
     auto texts = std::make_shared<render::LayerTexts>();
     view.texts = texts;
     if (font == nullptr) continue;
     const double size = render::point_size_of(view.style);
-    const double aside = diagonal * dots_of(views) + kGap;
+    const double aside = diagonal * dots_of(layers, views) + kGap;
     double digit = 0.0;
     for (char c = '0'; c <= '9'; ++c) digit = std::max(digit, render::text_width(*font, size, std::string(1, c)));
     const NumberRoom room{digit, kApart * size, kHeight * size, {aside, -aside}};

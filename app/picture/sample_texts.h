@@ -12,7 +12,7 @@
 //
 // Smallest use:
 //     std::vector<render::LayerView> views = ...;
-//     add_texts(views, {document, &index}, {camera.visible(), camera.units_per_pixel()}, &font);
+//     add_texts(layers, views, {document, &index}, {camera.visible(), camera.units_per_pixel()}, &font);
 //     scene.draw(camera, views, {});
 //
 // Cost: a few milliseconds at most with an index, however many samples there are; O(samples) without. Threads: any
@@ -26,6 +26,7 @@
 #include "app/editing/place_index.h"
 #include "core/base/box2.h"
 #include "core/document/document.h"
+#include "core/draw/layer_descriptor.h"
 #include "render/layer_texts.h"
 #include "render/scene.h"
 
@@ -43,9 +44,9 @@ struct TextPart {
 };
 
 /// Gives views of layers that are texts what they show; nothing without a font (null). The texts keep clear of the dots
-/// of the layer `points`.
-void add_texts(std::span<render::LayerView> views, const TextSource& source, const TextPart& part,
-               const render::Font* font);
+/// of the layer `points`. `layers` are all that there are.
+void add_texts(std::span<const LayerDescriptor> layers, std::span<render::LayerView> views, const TextSource& source,
+               const TextPart& part, const render::Font* font);
 
 /// How much room a number takes, in logical pixels.
 struct NumberRoom {

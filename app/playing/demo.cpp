@@ -9,8 +9,8 @@
 
 #include "app/layers/layer_stack.h"
 #include "core/base/job_control.h"
-#include "core/builtins/builtins.h"
 #include "core/evolutions/evolution_states.h"
+#include "core/graph/registry.h"
 
 namespace mes {
 namespace {
@@ -23,7 +23,7 @@ constexpr double kRead = 3.0;    // seconds for a caption
 /// Writes the script of a session, and knows the document as it is at that point.
 class Script {
  public:
-  explicit Script(const SampleData& data) : layers_(builtins().layers()) {
+  Script(const Registry& registry, const SampleData& data) : registry_(registry), layers_(registry.layers()) {
     session_.title = "Demo";
     session_.lesson.title = kDemoTitle;
     session_.data = std::make_shared<const SampleData>(data);
@@ -39,7 +39,7 @@ class Script {
     for (const LayerIndex layer : layers_.order()) layers.set_visible(layer, false);
     LayerIndex below = kNoLayer;
     for (const std::string_view id : ids) {
-      const LayerIndex layer = builtins().find_layer(id);
+      const LayerIndex layer = layers_.find(id);
       if (layer == kNoLayer) continue;
       layers.set_visible(layer, true);
       if (below != kNoLayer) layers.move(layer, below, true);
@@ -51,7 +51,7 @@ class Script {
   template <class Change>
   void style(std::string_view id, Change with) {
     LayerStack layers = layers_;
-    const LayerIndex layer = builtins().find_layer(id);
+    const LayerIndex layer = layers_.find(id);
     if (layer == kNoLayer) return;
     LayerStyle style = layers.style(layer);
     with(style);
@@ -96,6 +96,12 @@ class Script {
     return {};
   }
 
+  /// One that the registry lacks refuses each step.
+  std::shared_ptr<const Evolution> evolution(const std::string& id) const {
+    auto found = registry_.evolutions().find(id);
+    return found ? found : missing_evolution(id);
+  }
+
   Session finish() && {
     session_.layers = layers_.configuration();
     session_.settings = settings_;
@@ -115,6 +121,7 @@ class Script {
     if (!changed.is_empty()) note(std::move(changed));
   }
 
+  const Registry& registry_;
   Session session_;
   DocumentReplay replay_;
   LayerStack layers_;
@@ -227,12 +234,12 @@ Expected<void> smooth_noise(Script& script) {
   script.show({"interior-voronoi-disks", "curve", "medial-axis", "points"});
   const std::string noisy = "A little noise on the samples, and the axis grows hairs";
   script.say(noisy, 1.0);
-  EvolutionChoice noise{.evolution = builtins().evolutions().find("noise")};
+  EvolutionChoice noise{.evolution = script.evolution("noise")};
   noise.values.keep("noise-factor", kNoise);
   if (auto done = script.evolve(noise, 1, [&](std::uint64_t) { return noisy; }); !done) return done;
   script.say(noisy, 4.0);
   script.mark("Noise", noisy);
-  const EvolutionChoice smooth{.evolution = builtins().evolutions().find("smooth")};
+  const EvolutionChoice smooth{.evolution = script.evolution("smooth")};
   auto done = script.evolve(smooth, kSmoothings, [](std::uint64_t k) {
     return fmt::format("Laplacian smoothing, step {}: the hairs go, what is essential stays", k);
   });
@@ -246,7 +253,7 @@ Expected<void> smooth_noise(Script& script) {
 
 }  // namespace
 
-Expected<Session> demo_session(const SampleData& shape) {
+Expected<Session> demo_session(const Registry& registry, const SampleData& shape) {
   const std::vector<std::uint32_t> order = pen_order(shape);
   if (order.empty()) return std::unexpected(Error{ErrorCode::bad_input, "the shape of the demo has no contour"});
   Box2 box;
@@ -256,7 +263,7 @@ Expected<Session> demo_session(const SampleData& shape) {
   box.add(box.low - Vec2{room.x, 2.2 * room.y});
   box.add(box.high + room);
 
-  Script script({});
+  Script script(registry, {});
   set_styles(script);
   script.show({"points"});
   script.compute_in(Precision::fast, true);

@@ -65,7 +65,7 @@ std::vector<LayerIndex> layers_to_show(const Evolution& evolution, const LayerSt
   };
   if (std::ranges::any_of(layers.visible_layers(), follows)) return {};
   std::vector<std::string> ids{"points", "curve"};
-  auto shown = mes::family_of(layers.configuration());
+  auto shown = mes::family_of(layers.descriptors(), layers.configuration());
   if (!shown && document.sample_count() == 0 && document.ball_count() != 0) shown = FamilyKind::own;
   const std::string prefix = shown ? std::string(letter_of(*shown)) + "-" : "";
   if (is_skeleton(evolution)) {

@@ -22,7 +22,7 @@ Expected<void> LessonPresenter::start(std::shared_ptr<const Session> session, st
   const Session& lesson = *session;
   Editor::Aside aside = uses_.editor.put_aside();
   run_.emplace(Run{.session = std::move(session),
-                   .walk = LessonWalk(lesson),
+                   .walk = LessonWalk(uses_.registry, lesson),
                    .aside = std::move(aside),
                    .layers_before = uses_.layers.configuration(),
                    .settings_before = uses_.settings()});

@@ -27,7 +27,7 @@ namespace mes {
 /// Cost: of a step forward what its entries change, of one back a replay. Threads: none.
 ///
 /// Smallest use:
-///     LessonPresenter presenter({editor, layers, settings, set_settings, look_at});
+///     LessonPresenter presenter({registry, editor, layers, settings, set_settings, look_at});
 ///     presenter.start(session, 0);
 ///     presenter.go_to(1);
 ///     while (presenter.is_playing()) presenter.advance(now, picture_is_complete);
@@ -35,6 +35,7 @@ namespace mes {
 class LessonPresenter {
  public:
   struct Uses {
+    const Registry& registry;
     Editor& editor;
     LayerStack& layers;
     std::function<ComputationSettings()> settings;

@@ -8,16 +8,17 @@
 
 #include "app/layers/layer_stack.h"
 #include "app/playing/playback.h"
-#include "core/builtins/builtins.h"
 #include "core/document/layer_fold.h"
 #include "core/io/session.h"
 
 namespace mes {
 
+class Registry;
+
 /// A step of a lesson, complete: what it does not say itself is as the timeline has it.
 struct LessonScene {
   SampleData data;
-  LayerStack layers{builtins().layers()};
+  LayerStack layers;
   ComputationSettings settings{};
   Box2 view{};  ///< empty: everything
 };
@@ -27,12 +28,12 @@ struct LessonScene {
 /// from the beginning; each scene copies the samples. Threads: none.
 ///
 /// Smallest use:
-///     LessonWalk walk(session);
+///     LessonWalk walk(registry, session);
 ///     for (std::size_t i = 0; i < session.lesson.steps.size(); ++i) show(walk.scene(i));
 class LessonWalk : private Stage {
  public:
-  /// The session has to outlive it.
-  explicit LessonWalk(const Session& session);
+  /// Registry and session have to outlive it.
+  LessonWalk(const Registry& registry, const Session& session);
 
   /// Error: an entry makes no sense, and is named.
   Expected<LessonScene> scene(std::size_t step);
@@ -45,6 +46,7 @@ class LessonWalk : private Stage {
   void change_settings(const ComputationSettings& settings) override { now_.settings = settings; }
   void look_at(const Box2& box) override { now_.view = box; }
 
+  const Registry& registry_;
   const Session& session_;
   Playback playback_;
   PlayStart now_;  // its layers are in `layers_`

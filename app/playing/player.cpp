@@ -3,31 +3,31 @@
 
 #include <utility>
 
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 
 namespace mes {
 namespace {
 
 // Layers of a later version cannot be shown, and would only make each change of the others longer.
-LayerFold known_layers(LayerConfiguration configuration) {
+LayerFold known_layers(const Registry& registry, LayerConfiguration configuration) {
   return LayerFold(std::move(configuration),
-                   [](std::string_view layer) { return builtins().find_layer(layer) != kNoLayer; });
+                   [&registry](std::string_view layer) { return registry.find_layer(layer) != kNoLayer; });
 }
 
 }  // namespace
 
-Player::Player(const Session& session, OnPatch on_patch)
+Player::Player(const Registry& registry, const Session& session, OnPatch on_patch)
     : data_(session.data),
       playback_(session.entries),
       on_patch_(std::move(on_patch)),
-      layers_(builtins().layers()),
-      layer_fold_(known_layers({})),
-      engine_(builtins(), {}),
+      layers_(registry.layers()),
+      layer_fold_(known_layers(registry, {})),
+      engine_(registry, {}),
       replay_({}, [this](const DocumentDelta& delta) {
         deltas_.push_back(std::make_shared<const DocumentDelta>(delta));
       }) {
   PlayStart start = start_of(session);
-  layer_fold_ = known_layers(std::move(start.layers));
+  layer_fold_ = known_layers(registry, std::move(start.layers));
   settings_ = start.settings;
   view_ = start.view;
   if (!layer_fold_.configuration().layers.empty()) layers_.set_configuration(layer_fold_.configuration());

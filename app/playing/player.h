@@ -14,13 +14,15 @@
 
 namespace mes {
 
+class Registry;
+
 /// What it guarantees: after `apply` and `complete` of the steps in order, document, layers, settings and view are
 /// those of that moment, and the patches handed on make the whole picture; the same session gives the same pictures
 /// in every run. What is drawn first within a layer depends on the steps before, so each step is to be completed also
 /// where no caller looks at it. The cost of a step grows with what its entries change, not with what came before.
 ///
 /// Smallest use:
-///     Player player(session, [&](const FramePatch& patch) { scene.apply(patch); });
+///     Player player(registry, session, [&](const FramePatch& patch) { scene.apply(patch); });
 ///     for (const PlayStep& step : player.steps()) {
 ///       player.apply(step);
 ///       player.complete();
@@ -31,7 +33,8 @@ namespace mes {
 class Player : private Stage {
  public:
   using OnPatch = std::function<void(const FramePatch&)>;
-  Player(const Session& session, OnPatch on_patch);
+  /// The registry has to outlive it.
+  Player(const Registry& registry, const Session& session, OnPatch on_patch);
 
   const std::vector<PlayStep>& steps() const { return playback_.steps(); }
   /// Error: an entry makes no sense; nothing after it can be played.

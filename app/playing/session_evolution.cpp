@@ -6,25 +6,26 @@
 #include <map>
 #include <string>
 
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 
 namespace mes {
 
-EvolutionChoice choice_of(const SessionEvolution& evolution) {
-  EvolutionChoice out{.evolution = builtins().evolutions().find(evolution.id), .seed = evolution.seed};
-  if (evolution.id.empty()) out.evolution = builtins().evolutions().all().front();
+EvolutionChoice choice_of(const Registry& registry, const SessionEvolution& evolution) {
+  const auto all = registry.evolutions().all();
+  EvolutionChoice out{.evolution = registry.evolutions().find(evolution.id), .seed = evolution.seed};
+  if (evolution.id.empty() && !all.empty()) out.evolution = all.front();
   if (!out.evolution) out.evolution = missing_evolution(evolution.id);
   for (const auto& [id, value] : evolution.parameters) out.values.keep(id, value);
-  for (const Parameter& parameter : parameters_of(builtins().evolutions().all()))
+  for (const Parameter& parameter : parameters_of(all))
     for (const auto& [id, value] : evolution.parameters)
       if (id == parameter.id) out.values[parameter] = std::clamp(value, parameter.low, parameter.high);
   return out;
 }
 
-SessionEvolution session_evolution(const EvolutionChoice& choice, std::uint64_t step) {
+SessionEvolution session_evolution(const Registry& registry, const EvolutionChoice& choice, std::uint64_t step) {
   SessionEvolution out{choice.evolution->descriptor.id, choice.seed, step, {}};
   std::map<std::string, double> parameters;
-  for (const Parameter& parameter : parameters_of(builtins().evolutions().all()))
+  for (const Parameter& parameter : parameters_of(registry.evolutions().all()))
     parameters[parameter.id] = choice.values[parameter];
   // No more than a session may have.
   for (const ParameterValues::Entry& entry : choice.values.changed())

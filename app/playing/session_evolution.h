@@ -10,12 +10,14 @@
 
 namespace mes {
 
-/// An evolution that the program lacks is a `missing_evolution`; a parameter that it lacks is kept, and others are brought
+class Registry;
+
+/// An evolution that the registry lacks is a `missing_evolution`; a parameter that it lacks is kept, and others are brought
 /// into their range. Without an id: the first evolution.
-EvolutionChoice choice_of(const SessionEvolution& evolution);
+EvolutionChoice choice_of(const Registry& registry, const SessionEvolution& evolution);
 
 /// With the document in state `step`.
-SessionEvolution session_evolution(const EvolutionChoice& choice, std::uint64_t step);
+SessionEvolution session_evolution(const Registry& registry, const EvolutionChoice& choice, std::uint64_t step);
 
 /// The name of the step of undo that brings the document into a state, as "Smooth, 12 steps".
 std::string name_of_state(const EvolutionDescriptor& evolution, std::uint64_t step);

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "app/playing/evolution_layers.h"
-#include "core/builtins/builtins.h"
 
 namespace mes {
 namespace {
@@ -115,8 +114,8 @@ void StepEvents::follow_growth(const StepRange& range) {
 }
 
 void StepEvents::follow_factors(const StepRange& range) {
-  const bool is_shown = std::ranges::any_of(uses_.layers.visible_layers(), [](LayerIndex layer) {
-    return builtins().layers()[layer].group == LayerGroup::scale_axis;
+  const bool is_shown = std::ranges::any_of(uses_.layers.visible_layers(), [this](LayerIndex layer) {
+    return uses_.layers.descriptor(layer).group == LayerGroup::scale_axis;
   });
   if (!is_shown) return forget();
   const Document& document = uses_.editor.document();

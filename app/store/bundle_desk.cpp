@@ -13,8 +13,8 @@ namespace mes {
 namespace fs = std::filesystem;
 
 BundleDesk::BundleDesk(fs::path file, const fs::path& assets, LayerStack& layers)
-    : layers_(layers), store_(std::move(file)) {
-  StartingBundles starting = read_starting_bundles(assets);
+    : layers_(layers), store_(layers.descriptors(), std::move(file)) {
+  StartingBundles starting = read_starting_bundles(layers.descriptors(), assets);
   starting_ = std::move(starting.bundles);
   BundleStore::Loaded loaded = store_.load(starting_);
   list_.replace(std::move(loaded.bundles));
@@ -74,7 +74,7 @@ Expected<void> BundleDesk::undo() {
 }
 
 Expected<std::string> BundleDesk::import(const fs::path& file) {
-  const auto loaded = read_bundle_file(file, known_layers());
+  const auto loaded = read_bundle_file(file, known_layers(layers_.descriptors()));
   if (!loaded) return std::unexpected(loaded.error());
   const std::vector<std::string> names = list_.import(loaded->bundles);
   auto written = write();

@@ -7,7 +7,6 @@
 
 #include "app/store/bundles.h"
 #include "app/system/data_folder.h"
-#include "core/builtins/builtins.h"
 #include "core/io/atomic_file.h"
 #include "core/io/file_lock.h"
 
@@ -39,13 +38,13 @@ fs::path default_bundles_path() {
   return folder.empty() ? folder : folder / "bundles.json";
 }
 
-std::vector<KnownLayer> known_layers() {
+std::vector<KnownLayer> known_layers(std::span<const LayerDescriptor> descriptors) {
   std::vector<KnownLayer> out;
-  for (const LayerDescriptor& layer : builtins().layers()) out.push_back({layer.id, layer.style});
+  for (const LayerDescriptor& layer : descriptors) out.push_back({layer.id, layer.style});
   return out;
 }
 
-StartingBundles read_starting_bundles(const fs::path& assets) {
+StartingBundles read_starting_bundles(std::span<const LayerDescriptor> descriptors, const fs::path& assets) {
   std::vector<fs::path> files;
   std::error_code error;
   for (const fs::directory_entry& entry : fs::directory_iterator(assets / "bundles", error))
@@ -54,7 +53,7 @@ StartingBundles read_starting_bundles(const fs::path& assets) {
   StartingBundles out;
   if (files.empty()) out.message = "the bundles that come with the program are missing";
   for (const fs::path& file : files) {
-    auto loaded = read_bundle_file(file, known_layers());
+    auto loaded = read_bundle_file(file, known_layers(descriptors));
     if (loaded)
       std::ranges::move(loaded->bundles, std::back_inserter(out.bundles));
     else if (out.message.empty())
@@ -66,7 +65,7 @@ StartingBundles read_starting_bundles(const fs::path& assets) {
 std::optional<std::vector<Bundle>> BundleStore::read(std::string& message) {
   std::error_code error;
   if (path_.empty() || !fs::exists(path_, error)) return std::nullopt;
-  auto loaded = read_bundle_file(path_, known_layers());
+  auto loaded = read_bundle_file(path_, known_layers(descriptors_));
   if (loaded) return std::move(loaded->bundles);
   // Reading a pipe would block until it is written to.
   const std::string bytes = fs::is_regular_file(path_, error) ? bytes_of(path_) : std::string();

@@ -70,15 +70,16 @@ std::vector<Bundle> merge_bundles(std::span<const Bundle> base, std::span<const 
 /// $XDG_DATA_HOME/mesecina/bundles.json; empty when no home folder is known.
 std::filesystem::path default_bundles_path();
 
-/// Every layer of the program, for reading bundles.
-std::vector<KnownLayer> known_layers();
+/// Every layer with its default style, for reading bundles.
+std::vector<KnownLayer> known_layers(std::span<const LayerDescriptor> descriptors);
 
 /// Those that come with the program, in the order of their file names.
 struct StartingBundles {
   std::vector<Bundle> bundles;
   std::string message;  ///< for the user, one line: the first file that could not be read; empty when all is well
 };
-StartingBundles read_starting_bundles(const std::filesystem::path& assets);
+StartingBundles read_starting_bundles(std::span<const LayerDescriptor> descriptors,
+                                      const std::filesystem::path& assets);
 
 /// The file of the bundles, shared by every running window.
 ///
@@ -88,8 +89,9 @@ StartingBundles read_starting_bundles(const std::filesystem::path& assets);
 /// overwritten. Threads: none; other processes may use the file at any time.
 class BundleStore {
  public:
-  explicit BundleStore(std::filesystem::path path, std::chrono::milliseconds patience = UpdateLock::kPatience)
-      : path_(std::move(path)), patience_(patience) {}
+  BundleStore(std::span<const LayerDescriptor> descriptors, std::filesystem::path path,
+              std::chrono::milliseconds patience = UpdateLock::kPatience)
+      : descriptors_(descriptors), path_(std::move(path)), patience_(patience) {}
 
   struct Loaded {
     std::vector<Bundle> bundles;
@@ -104,6 +106,7 @@ class BundleStore {
   std::optional<std::vector<Bundle>> read(std::string& message);
   /// Leaves a file that is not the one expected alone.
   Expected<Replaced> replace(const std::string& text, const std::optional<FileFingerprint>& expected) const;
+  std::span<const LayerDescriptor> descriptors_;
   std::filesystem::path path_;
   std::chrono::milliseconds patience_;  // for the lock
   std::vector<Bundle> seen_;            // as last read or written

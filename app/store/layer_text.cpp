@@ -6,23 +6,21 @@
 #include <array>
 
 #include "app/store/internal/layer_writers.h"
-#include "core/builtins/builtins.h"
 
 namespace mes {
 namespace {
 
-bool holds_all(LayerIndex /*layer*/) {
+bool holds_all(const LayerDescriptor& /*layer*/) {
   return true;
 }
-bool holds_points(LayerIndex layer) {
+bool holds_points(const LayerDescriptor& layer) {
   return emits(layer, PrimitiveKind::point) || emits(layer, PrimitiveKind::segment);
 }
-bool holds_balls(LayerIndex layer) {
-  return emits(layer, PrimitiveKind::disk) || emits(layer, PrimitiveKind::circle) ||
-         builtins().layers()[layer].id == "b-inner-centers";
+bool holds_balls(const LayerDescriptor& layer) {
+  return emits(layer, PrimitiveKind::disk) || emits(layer, PrimitiveKind::circle) || layer.id == "b-inner-centers";
 }
-bool holds_curve(LayerIndex layer) {
-  return builtins().layers()[layer].id == "curve" || builtins().layers()[layer].id == "curve-normals";
+bool holds_curve(const LayerDescriptor& layer) {
+  return layer.id == "curve" || layer.id == "curve-normals";
 }
 
 // One line a format.
@@ -55,14 +53,15 @@ const LayerTextFormat* find_layer_text_format(std::string_view name) {
   return found == kFormats.end() ? nullptr : &*found;
 }
 
-Expected<void> check_layers(const LayerTextFormat& format, std::span<const LayerIndex> layers) {
+Expected<void> check_layers(std::span<const LayerDescriptor> descriptors, const LayerTextFormat& format,
+                            std::span<const LayerIndex> layers) {
   const auto refuse = [](std::string text) { return std::unexpected(Error{ErrorCode::usage, std::move(text)}); };
   if (layers.size() > 1 && !format.is_of_many)
     return refuse(
         fmt::format("a file of format {} holds one layer; geojson, wkt and svg-path hold several", format.name));
   for (const LayerIndex layer : layers)
-    if (!format.holds(layer))
-      return refuse(fmt::format("layer {} has no {} to write as {}; csv can hold it", builtins().layers()[layer].id,
+    if (!format.holds(descriptors[layer]))
+      return refuse(fmt::format("layer {} has no {} to write as {}; csv can hold it", descriptors[layer].id,
                                 format.contents, format.name));
   return {};
 }

@@ -16,8 +16,11 @@
 
 namespace mes {
 
+class Registry;
+
 /// What is written.
 struct LayerGeometry {
+  const Registry& registry;
   std::span<const LayerIndex> layers;  ///< in drawing order
   const LayerMirror& mirror;           ///< holds them, and the layers that `LayerTextFormat::needs` adds
   const Document& document;
@@ -40,7 +43,7 @@ struct LayerTextFormat {
   bool is_of_many = false;      ///< it holds several layers at once
   bool needs_curve = false;     ///< the layers `curve` and `curve-normals` have to be computed too
   std::string_view contents{};  ///< what a layer needs for it: "points"; empty: any layer
-  bool (*holds)(LayerIndex layer) = nullptr;
+  bool (*holds)(const LayerDescriptor& layer) = nullptr;
   LayerText (*write)(const LayerGeometry& geometry) = nullptr;
 };
 
@@ -53,7 +56,9 @@ const LayerTextFormat* find_layer_text_format(std::string_view name);
 /// header names the columns of one of them, and the others fill the same places.
 std::string_view csv_columns(PrimitiveKind kind);
 
-/// Checks that the format holds these layers. Error: `usage`, with the layer and a format that holds it.
-Expected<void> check_layers(const LayerTextFormat& format, std::span<const LayerIndex> layers);
+/// Checks that the format holds these layers; `descriptors` are those of all layers. Error: `usage`, with the layer and a
+/// format that holds it.
+Expected<void> check_layers(std::span<const LayerDescriptor> descriptors, const LayerTextFormat& format,
+                            std::span<const LayerIndex> layers);
 
 }  // namespace mes

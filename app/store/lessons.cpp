@@ -30,9 +30,10 @@ std::vector<ShippedLesson> read_shipped_lessons(const fs::path& assets) {
   return out;
 }
 
-Expected<std::shared_ptr<const Session>> session_of(const ShippedLesson& lesson, const fs::path& assets) {
+Expected<std::shared_ptr<const Session>> session_of(const Registry& registry, const ShippedLesson& lesson,
+                                                    const fs::path& assets) {
   if (lesson.file.empty()) {
-    auto demo = demo_of(read_sample_shapes(assets));
+    auto demo = demo_of(registry, read_sample_shapes(assets));
     if (!demo) return std::unexpected(demo.error());
     return std::make_shared<const Session>(std::move(*demo));
   }
@@ -44,12 +45,12 @@ Expected<std::shared_ptr<const Session>> session_of(const ShippedLesson& lesson,
   return loaded->session;
 }
 
-Expected<Session> demo_of(std::span<const SampleShape> shapes) {
+Expected<Session> demo_of(const Registry& registry, std::span<const SampleShape> shapes) {
   if (shapes.empty())
     return std::unexpected(Error{ErrorCode::bad_input, "the sample shapes that come with the program are missing"});
   const auto shape = read_sample_file(shapes.front().file);
   if (!shape) return std::unexpected(shape.error());
-  return demo_session(shape->data);
+  return demo_session(registry, shape->data);
 }
 
 }  // namespace mes

@@ -14,6 +14,8 @@
 
 namespace mes {
 
+class Registry;
+
 struct ShippedLesson {
   std::filesystem::path file{};  ///< empty: the demo, which the program makes
   std::string name{};            ///< of the file, without its extension
@@ -25,9 +27,10 @@ std::vector<ShippedLesson> read_shipped_lessons(const std::filesystem::path& ass
 
 /// The demo, of the first of these shapes, with its scenes as steps of a lesson (app/playing/demo.h). Error: `bad_input`
 /// without a shape; what reading it and `demo_session` say.
-Expected<Session> demo_of(std::span<const SampleShape> shapes);
+Expected<Session> demo_of(const Registry& registry, std::span<const SampleShape> shapes);
 
 /// What a lesson shows. Error: its file cannot be read, or holds no session.
-Expected<std::shared_ptr<const Session>> session_of(const ShippedLesson& lesson, const std::filesystem::path& assets);
+Expected<std::shared_ptr<const Session>> session_of(const Registry& registry, const ShippedLesson& lesson,
+                                                    const std::filesystem::path& assets);
 
 }  // namespace mes

@@ -24,11 +24,12 @@ Messages begun_with(const std::string& problem) {
 
 }  // namespace
 
-App::App(std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets, LoadedSettings loaded)
+App::App(const Registry& registry, std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets,
+         LoadedSettings loaded)
     : settings_(default_settings_path(), std::move(loaded.settings)),
       messages_(begun_with(loaded.message)),
       screen_(std::move(window), assets),
-      work_(assets, messages_, GlfwWindow::wake),
+      work_(registry, assets, messages_, GlfwWindow::wake),
       board_(work_, settings_.settings(), messages_, screen_, assets, GlfwWindow::wake),
       demo_(work_, board_.fitter(), messages_),
       lesson_(work_, board_, messages_),
@@ -46,8 +47,9 @@ App::App(std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets
                                [this] { screen_.clock.settle(); });
 }
 
-App::App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded)
-    : App(std::move(window), find_assets(options.executable), std::move(loaded)) {
+App::App(const Registry& registry, std::unique_ptr<GlfwWindow> window, const WindowOptions& options,
+         LoadedSettings loaded)
+    : App(registry, std::move(window), find_assets(options.executable), std::move(loaded)) {
   documents_.open_first(options.files);
 }
 

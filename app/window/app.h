@@ -32,13 +32,16 @@ namespace mes {
 /// hears events first, then what needs OpenGL, then the engine with its thread, the window last.
 class App {
  public:
-  App(std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded);
+  /// The registry outlives it.
+  App(const Registry& registry, std::unique_ptr<GlfwWindow> window, const WindowOptions& options,
+      LoadedSettings loaded);
 
   /// Until the user has left, or a signal asks for it.
   void run(const Termination& termination);
 
  private:
-  App(std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets, LoadedSettings loaded);
+  App(const Registry& registry, std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets,
+      LoadedSettings loaded);
   void bind_actions();
   void deselect();
   bool clear_selection();

@@ -52,7 +52,7 @@ DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const std::functio
                 }},
                wake) {
   const auto make = [this](const SampleData& data, const std::string& name) { open_made(data, name); };
-  uses_.dialogs.shape.set_uses(make, wake);
+  uses_.dialogs.shape.set_uses(uses_.work.registry().shapes(), make, wake);
   uses_.dialogs.text.set_uses(make, wake);
   if (auto font = own_font(assets)) uses_.dialogs.text.set_own_font(*std::move(font));
 }
@@ -212,7 +212,7 @@ ActionBindings::Condition DocumentFlow::when_presentable() const {
 
 void DocumentFlow::start_demo() {
   uses_.demo.end(true);
-  const auto session = demo_of(shapes_);
+  const auto session = demo_of(uses_.work.registry(), shapes_);
   if (!session) {
     report(session.error());
     return;

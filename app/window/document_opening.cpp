@@ -96,7 +96,7 @@ void DocumentFlow::open_shape(const SampleShape& shape) {
 void DocumentFlow::open_lesson(const ShippedLesson& lesson) {
   if (lesson.file.empty()) {
     if (files_.is_reading() || files_.is_saving()) return;
-    const auto session = demo_of(shapes_);
+    const auto session = demo_of(uses_.work.registry(), shapes_);
     if (!session) return report(session.error());
     uses_.demo.end(true);
     return uses_.lesson.start(*session);
@@ -219,7 +219,7 @@ void DocumentFlow::show_as_in(const Session& session) {
   if (!session.layers.layers.empty()) layers.set_configuration(session.layers);
   uses_.work.take_family_of_layers();
   uses_.work.computation().set(session.settings);
-  uses_.work.evolution().resume(choice_of(session.evolution), session.evolution.step);
+  uses_.work.evolution().resume(choice_of(uses_.work.registry(), session.evolution), session.evolution.step);
   uses_.work.panes().set(session.panes);
   uses_.work.panes().set_free_cameras(!session.pane_views.empty());
   uses_.board.see_in_panes(session.pane_views);

@@ -13,7 +13,6 @@
 #include "app/picture/scale_drawing.h"
 #include "app/store/color_maps.h"
 #include "app/ui/theme.h"
-#include "core/builtins/builtins.h"
 
 namespace mes {
 namespace {
@@ -29,6 +28,7 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
       settings_(settings),
       messages_(messages),
       screen_(screen),
+      picture_(work.layers().descriptors()),
       values_(work.editor()),
       snapper_(work.editor(), work.annotations(), settings.snap,
                [this] {
@@ -275,12 +275,12 @@ void DrawingBoard::follow_differences() {
                                    all.is_empty() ? 0.0 : std::max(all.width(), all.height())};
         // Such a layer shows an earlier state, and would differ for no reason of its own.
         if (const LayerReport* const failed = picture_.first_failed())
-          out.problem = Error{
-              ErrorCode::cannot_compute,
-              fmt::format("the layer {} failed: {}", builtins().layers()[failed->layer.layer].id, failed->reason),
-              {},
-              0,
-              0};
+          out.problem = Error{ErrorCode::cannot_compute,
+                              fmt::format("the layer {} failed: {}",
+                                          work_.layers().descriptor(failed->layer.layer).id, failed->reason),
+                              {},
+                              0,
+                              0};
         return out;
       },
       picture_);

@@ -8,13 +8,12 @@
 
 #include "app/export/geometry_export.h"
 #include "app/model/record_settings.h"
-#include "core/builtins/builtins.h"
 #include "core/io/atomic_file.h"
 
 namespace mes {
 
 FigureFlow::FigureFlow(Uses uses, std::function<void()> wake)
-    : uses_(std::move(uses)), desk_(wake), writing_geometry_(std::move(wake)) {
+    : uses_(std::move(uses)), desk_(uses_.work.registry(), wake), writing_geometry_(std::move(wake)) {
   uses_.dialogs.figure.set_uses({.desk = desk_,
                                  .settings = uses_.settings.figure,
                                  .ask_file = [this] { ask_file(); },
@@ -60,6 +59,7 @@ FigureSubject FigureFlow::subject() const {
   out.session =
       uses_.work.session_for_picture(uses_.title(), uses_.board.view().free_box(), uses_.board.pane_views());
   const LayerStack& layers = uses_.work.layers();
+  out.shown.descriptors = layers.descriptors();
   out.shown.layers = main_layers(layers.visible_layers());
   for (LayerIndex layer = 0; layer < layers.size(); ++layer) out.shown.styles.push_back(layers.style(layer));
   out.shown.background = uses_.board.picture().canvas();
@@ -95,12 +95,13 @@ void FigureFlow::ask_geometry(std::vector<LayerIndex> layers, const LayerTextFor
     uses_.messages.problem("No layer is shown whose geometry could be exported");
     return;
   }
-  if (auto good = check_layers(format, layers); !good) {
+  if (auto good = check_layers(uses_.work.layers().descriptors(), format, layers); !good) {
     uses_.messages.problem(good.error().message());
     return;
   }
   const std::string extension = "." + std::string(format.extension);
-  const std::string layer = layers.size() == 1 ? "-" + std::string(builtins().layers()[layers.front()].id) : "";
+  const std::string layer =
+      layers.size() == 1 ? "-" + std::string(uses_.work.layers().descriptor(layers.front()).id) : "";
   const auto save = [this, layers = std::move(layers), &format](const std::filesystem::path& file) {
     uses_.settings.last_folder = file.parent_path().string();
     write_geometry(file, layers, format);
@@ -114,12 +115,12 @@ void FigureFlow::write_geometry(const std::filesystem::path& file, const std::ve
                                 const LayerTextFormat& format) {
   const ComputationRequest request{
       .layers = main_layers(layers), .settings = uses_.work.computation().settings(), .on_patch = {}};
-  writing_geometry_.begin([file, data = data_of(uses_.work.document()), request,
+  writing_geometry_.begin([&registry = uses_.work.registry(), file, data = data_of(uses_.work.document()), request,
                            &format](const std::stop_token& stop) -> WrittenGeometry {
     try {
       ComputationRequest stoppable = request;
       stoppable.stop = stop;
-      const auto text = compute_layer_text(data, format, std::move(stoppable));
+      const auto text = compute_layer_text(registry, data, format, std::move(stoppable));
       if (!text) return {file, std::unexpected(text.error())};
       if (auto written = write_file_atomically(file, text->text); !written)
         return {file, std::unexpected(written.error())};

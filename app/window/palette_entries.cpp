@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "app/layers/parameter_words.h"
-#include "core/builtins/builtins.h"
 #include "core/evolutions/evolution.h"
 
 namespace mes {
@@ -73,7 +72,7 @@ void add_layers(const Panels::Uses& uses, Entries& out) {
 }
 
 void add_parameters(const Panels::Uses& uses, Entries& out) {
-  for (const Parameter& parameter : builtins().parameters()) {
+  for (const Parameter& parameter : uses.work.computation().parameters()) {
     out.push_back({.kind = "Parameter",
                    .name = title_of(parameter),
                    .explanation = spoken_explanation(parameter),

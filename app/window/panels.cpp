@@ -381,8 +381,8 @@ void Panels::draw_over(Sides& sides) {
   else
     list.PushClipRect(on_screen(places[0].left, places[0].top),
                       on_screen(places[0].left + places[0].width, places[0].top + places[0].height), true);
-  const auto keep = uses_.board.provenance().draw(gui, uses_.board.canvas(), uses_.work.editor(), corner(),
-                                                  {width, 0.6F * (screen.y - sides.top - sides.bottom)},
+  const auto keep = uses_.board.provenance().draw(gui, uses_.board.canvas(), uses_.work.editor(), uses_.work.layers(),
+                                                  corner(), {width, 0.6F * (screen.y - sides.top - sides.bottom)},
                                                   uses_.actions.keymap().key_of(ActionId::keep_highlight));
   list.PopClipRect();
   if (keep) uses_.board.keep_highlight(keep->line);
@@ -410,6 +410,7 @@ void Panels::divide(Sides& sides) {
               uses_.actions,
               uses_.work.panes(),
               uses_.work.bundles(),
+              uses_.work.computation().parameters(),
               uses_.work.computation().settings(),
               words,
               uses_.work.evolution(),

@@ -8,7 +8,7 @@
 
 namespace mes {
 
-int run_window(const WindowOptions& options) {
+int run_window(const Registry& registry, const WindowOptions& options) {
   constexpr int kNoDisplay = 4;
   const Termination termination([] { GlfwWindow::wake(); });
   LoadedSettings loaded = load_settings(default_settings_path());
@@ -20,7 +20,7 @@ int run_window(const WindowOptions& options) {
     std::fprintf(stderr, "mesecina: %s\n", window.error().message().c_str());
     return kNoDisplay;
   }
-  App app(std::move(*window), options, std::move(loaded));
+  App app(registry, std::move(*window), options, std::move(loaded));
   app.run(termination);
   return termination.signal() == 0 ? 0 : 128 + termination.signal();
 }

@@ -7,13 +7,15 @@
 
 namespace mes {
 
+class Registry;
+
 struct WindowOptions {
   std::vector<std::string> files;  ///< the first is opened; none: a built-in shape
   std::string executable;          ///< as the program was called; finds what comes with it
 };
 
-/// Runs until the window is closed. Exit code of the program: 0, or 4 without display or OpenGL, with one line on
-/// stderr.
-int run_window(const WindowOptions& options);
+/// Runs until the window is closed, and shows what the registry has. Exit code of the program: 0, or 4 without display or
+/// OpenGL, with one line on stderr.
+int run_window(const Registry& registry, const WindowOptions& options);
 
 }  // namespace mes

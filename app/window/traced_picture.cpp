@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/window/traced_picture.h"
 
-#include "core/builtins/builtins.h"
-
 namespace mes {
 
 void TracedPicture::trace(const std::filesystem::path& file) {
@@ -30,7 +28,7 @@ void TracedPicture::take_new(const BackgroundLoader::Outcome& outcome, const Box
   loader_.take_as_read(outcome.file);
   editor_.change_layers("Picture underneath", [&] {
     layers_.set_image(placed_in(free, {.file = outcome.file}, picture_.background_aspect()));
-    layers_.set_visible(builtins().find_layer("image"), true);
+    if (const LayerIndex layer = layers_.find("image"); layer != kNoLayer) layers_.set_visible(layer, true);
   });
 }
 
@@ -39,7 +37,7 @@ bool TracedPicture::show_image(const BackgroundLoader::Outcome& outcome) {
     messages_.problem(outcome.image.error().message());
     return false;
   }
-  if (picture_.set_background(builtins().find_layer("image"), *outcome.image)) return true;
+  if (picture_.set_background(layers_.find("image"), *outcome.image)) return true;
   messages_.problem(
       Error{ErrorCode::out_of_memory, "there is not enough graphics memory for it", outcome.file}.message());
   return false;

@@ -6,29 +6,30 @@
 
 #include "app/export/carried.h"
 #include "app/playing/session_evolution.h"
-#include "core/builtins/builtins.h"
 #include "core/draw/variant.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
 
-Workspace::Workspace(const std::filesystem::path& assets, Messages& messages, std::function<void()> wake)
-    : messages_(messages),
-      engine_(builtins(), {.wake = wake}),
-      layers_(builtins().layers()),
+Workspace::Workspace(const Registry& registry, const std::filesystem::path& assets, Messages& messages,
+                     std::function<void()> wake)
+    : registry_(registry),
+      messages_(messages),
+      engine_(registry, {.wake = wake}),
+      layers_(registry.layers()),
       bundles_(default_bundles_path(), assets, layers_),
       hold_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { hold_.post(std::move(delta)); }, &layers_),
       curve_selector_(editor_, wake),
       contour_desk_(editor_, layers_, wake),
       curve_sampler_(editor_, wake),
-      branches_(builtins(), wake),
-      persistence_(builtins(), wake),
-      sweep_(builtins(), wake),
-      resampling_(builtins(), editor_, wake),
-      scale_events_(builtins(), wake),
-      critical_values_(builtins(), wake),
-      evolution_(builtins().evolutions(), editor_,
+      branches_(registry, wake),
+      persistence_(registry, wake),
+      sweep_(registry, wake),
+      resampling_(registry, editor_, wake),
+      scale_events_(registry, wake),
+      critical_values_(registry, wake),
+      evolution_(registry.evolutions(), editor_,
                  {[this](const Parameter& parameter) { return computation_.settings()[parameter]; },
                   [this](const Parameter& parameter, double value) { computation_.set(parameter, value); }},
                  wake),
@@ -87,9 +88,9 @@ void Workspace::leave_document() {
 
 void Workspace::choose_bundle(std::size_t index) {
   const Bundle bundle = bundles_.bundles()[index];
-  const LayerConfiguration as = adapted(bundle.layers, family(), document());
+  const LayerConfiguration as = adapted(layers_.descriptors(), bundle.layers, family(), document());
   editor_.change_layers("Bundle " + in_quotes(bundle.name), [&] { bundles_.choose(index, as); });
-  if (const auto shown = family_of(as)) family_.note_shown(*shown);
+  if (const auto shown = family_of(layers_.descriptors(), as)) family_.note_shown(*shown);
   messages_.remark(fmt::format("Bundle {}: {}", index + 1, bundle.name));
 }
 
@@ -99,17 +100,17 @@ void Workspace::choose_family(FamilyKind family) {
 }
 
 void Workspace::take_family_of_layers() {
-  if (const auto shown = family_of(layers_.configuration())) family_.note_shown(*shown);
+  if (const auto shown = family_of(layers_.descriptors(), layers_.configuration())) family_.note_shown(*shown);
 }
 
 // A bundle that is shown as it was saved stays the one that is shown.
 void Workspace::show_family() {
   const auto current = bundles_.current();
   if (!current || bundles_.is_changed()) {
-    layers_.set_configuration(in_family(layers_.configuration(), family()));
+    layers_.set_configuration(in_family(layers_.descriptors(), layers_.configuration(), family()));
     return;
   }
-  LayerConfiguration as = in_family(bundles_.bundles()[*current].layers, family());
+  LayerConfiguration as = in_family(layers_.descriptors(), bundles_.bundles()[*current].layers, family());
   as.image = layers_.image();
   bundles_.choose(*current, as);
 }
@@ -163,7 +164,7 @@ std::vector<std::string> Workspace::words_of_panes() const {
 }
 
 SessionEvolution Workspace::evolution_now() const {
-  return session_evolution(evolution_.choice(), evolution_.position());
+  return session_evolution(registry_, evolution_.choice(), evolution_.position());
 }
 
 // Without the history, the document is in state 0.

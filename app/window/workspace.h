@@ -42,8 +42,11 @@ namespace mes {
 /// engine. It knows no window, no panels and no OpenGL. Threads: the window's; `wake` is called from others.
 class Workspace {
  public:
-  Workspace(const std::filesystem::path& assets, Messages& messages, std::function<void()> wake);
+  /// The registry outlives it.
+  Workspace(const Registry& registry, const std::filesystem::path& assets, Messages& messages,
+            std::function<void()> wake);
 
+  const Registry& registry() const { return registry_; }
   Engine& engine() { return engine_; }
   const Engine& engine() const { return engine_; }
   ComputationControl& computation() { return computation_; }
@@ -145,7 +148,8 @@ class Workspace {
   void bind_computation(ActionBindings& actions);
   void bind_bundles(ActionBindings& actions);
   EngineDemand::Wanted wanted() const {
-    return {layers_,
+    return {registry_,
+            layers_,
             panes_,
             computation_.settings(),
             document().revision(),
@@ -158,10 +162,11 @@ class Workspace {
   void show_family();
   void follow_family();
 
+  const Registry& registry_;
   Messages& messages_;
   Refusal refusal_{messages_};
   Engine engine_;
-  ComputationControl computation_{engine_};
+  ComputationControl computation_{registry_, engine_};
   LayerStack layers_;
   BundleDesk bundles_;
   UpdateHold hold_;

@@ -8,6 +8,7 @@
 #include "app/playing/lesson_desk.h"
 #include "app/playing/lesson_presenter.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "tests/model/random_editing.h"
 #include "tests/support/builtin_layers.h"
 
@@ -78,7 +79,7 @@ TEST_CASE("a marked step shows its moment, whatever was done since") {
 
     const auto read = read_session(write_session(room.session()), "lesson.json");
     REQUIRE(read);
-    LessonWalk walk(*read);
+    LessonWalk walk(builtins(), *read);
     REQUIRE(read->lesson.steps.size() == moments.size());
     for (std::size_t i = 0; i < moments.size(); ++i) {
       INFO("step " << i);

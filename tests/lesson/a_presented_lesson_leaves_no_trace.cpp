@@ -6,6 +6,7 @@
 
 #include "app/playing/lesson_presenter.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "tests/model/random_editing.h"
 #include "tests/support/builtin_layers.h"
 
@@ -26,7 +27,7 @@ struct PresentingRoom {
                   last_revision = std::max(last_revision, delta->to_revision);
                 },
                 &layers};
-  LessonPresenter presenter{{editor, layers, [this] { return settings; },
+  LessonPresenter presenter{{builtins(), editor, layers, [this] { return settings; },
                              [this](const ComputationSettings& wanted) { settings = wanted; },
                              [this](const Box2& box) { view = box; }}};
 };
@@ -82,7 +83,7 @@ TEST_CASE("a lesson shows each of its steps, and gives back what was there") {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     INFO("seed " << seed);
     const auto session = random_lesson(seed, 120);
-    LessonWalk walk(*session);
+    LessonWalk walk(builtins(), *session);
     PresentingRoom room;
     RandomEditing script(seed + 100);
     REQUIRE(room.editor.load(script.data()));

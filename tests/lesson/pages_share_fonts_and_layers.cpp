@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "app/export/lesson_pages.h"
+#include "core/builtins/builtins.h"
 #include "tests/cli/run_binary.h"
 #include "tests/io/temporary_folder.h"
 
@@ -79,7 +80,7 @@ TEST_CASE("a layer is one group for all pages, and each new one lies where its p
 
 TEST_CASE("a lesson is a page a step, with its words, an outline and one set of fonts") {
   const Session session = two_steps();
-  auto printer = LessonPrinter::make(session, {});
+  auto printer = LessonPrinter::make(builtins(), session, {});
   REQUIRE(printer);
   figure::PdfBook book(printer->info());
   std::vector<std::string> names;
@@ -108,8 +109,8 @@ TEST_CASE("a lesson is a page a step, with its words, an outline and one set of 
 
 TEST_CASE("a page does not depend on those drawn before it") {
   const Session session = two_steps();
-  auto printer = LessonPrinter::make(session, {});
-  auto other = LessonPrinter::make(session, {});
+  auto printer = LessonPrinter::make(builtins(), session, {});
+  auto other = LessonPrinter::make(builtins(), session, {});
   REQUIRE(printer);
   REQUIRE(other);
   REQUIRE(printer->page(2));
@@ -131,7 +132,7 @@ TEST_CASE("a caption that is too long becomes smaller, and then ends with its pa
   std::string words;
   while (words.size() < 9'000) words += "words and more ";
   session.lesson.steps = {{.caption = words.substr(0, 1500)}, {.caption = words}, {.caption = "$\\nonsense$"}};
-  auto printer = LessonPrinter::make(session, {});
+  auto printer = LessonPrinter::make(builtins(), session, {});
   REQUIRE(printer);
   const auto smaller = printer->page(0);
   const auto cut = printer->page(1);
@@ -172,7 +173,7 @@ TEST_CASE("drawing and caption share the page, whatever its shape") {
 
 TEST_CASE("a page in pixels has its drawing beside its caption") {
   const Session session = two_steps();
-  auto printer = LessonPrinter::make(session, {});
+  auto printer = LessonPrinter::make(builtins(), session, {});
   REQUIRE(printer);
   const auto page = printer->page(1);
   REQUIRE(page);

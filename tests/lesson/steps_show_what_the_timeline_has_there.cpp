@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "app/playing/lesson_walk.h"
+#include "core/builtins/builtins.h"
 #include "tests/support/builtin_layers.h"
 
 using namespace mes;
@@ -49,7 +50,7 @@ TEST_CASE("a step shows the document, layers, view and settings of its place on 
     session.lesson.steps.push_back({.position = position});
   const std::vector<std::size_t> samples{2, 2, 2, 3, 3, 4, 3, 3, 3};
   const std::vector<bool> has_curve{true, true, true, true, true, true, true, false, false};
-  LessonWalk walk(session);
+  LessonWalk walk(builtins(), session);
   // There and back again: a scene does not depend on those before.
   for (const int direction : {1, -1})
     for (std::size_t k = 0; k < samples.size(); ++k) {
@@ -71,7 +72,7 @@ TEST_CASE("what a step says itself goes before what the timeline has") {
   const LayerStyle style{.color = {1, 2, 3}};
   session.lesson.steps = {
       {.position = 3, .layers = {{{"voronoi", true, style}}, {}}, .settings = roots, .view = box(-1, 1)}};
-  const auto scene = LessonWalk(session).scene(0);
+  const auto scene = LessonWalk(builtins(), session).scene(0);
   REQUIRE(scene);
   CHECK(scene->layers.visible_layers() == std::vector<LayerIndex>{find_layer("voronoi")});
   CHECK(scene->layers.style(find_layer("voronoi")) == style);
@@ -86,7 +87,7 @@ TEST_CASE("a timeline without layers and view shows what the session shows") {
   session.view = box(2, 3);
   session.settings.precision = Precision::exact;
   session.lesson.steps.resize(1);
-  const auto scene = LessonWalk(session).scene(0);
+  const auto scene = LessonWalk(builtins(), session).scene(0);
   REQUIRE(scene);
   CHECK(scene->layers.visible_layers() == std::vector<LayerIndex>{find_layer("delaunay")});
   CHECK(scene->view == box(2, 3));
@@ -97,7 +98,7 @@ TEST_CASE("an entry that makes no sense is named, and steps before it are still 
   Session session = session_with_edits();
   session.entries.push_back(TimelineEdit{.name = "Delete", .removed = {77}});
   session.lesson.steps = {{.position = 9}, {.position = 3}, {.position = 9}};
-  LessonWalk walk(session);
+  LessonWalk walk(builtins(), session);
   for (const std::size_t bad : {0U, 2U}) {
     const auto refused = walk.scene(bad);
     REQUIRE_FALSE(refused);

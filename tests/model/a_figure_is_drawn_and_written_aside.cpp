@@ -10,6 +10,7 @@
 #include <string>
 
 #include "app/export/figure_desk.h"
+#include "core/builtins/builtins.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/support/builtin_layers.h"
 
@@ -31,6 +32,7 @@ SampleData samples_of_circle(int n) {
 FigureSubject subject_of(SampleData data) {
   FigureSubject out;
   out.data = std::move(data);
+  out.shown.descriptors = layer_descriptors();
   for (const LayerDescriptor& layer : layer_descriptors()) out.shown.styles.push_back(layer.style);
   out.shown.layers = {find_layer("delaunay"), find_layer("points")};
   out.shown.background = Rgb{27, 30, 34};
@@ -43,10 +45,10 @@ FigureSubject subject_of(SampleData data) {
 /// Waits as the window does, frame by frame.
 struct FigureBench {
   std::atomic<int> wakes = 0;
-  FigureDesk desk{[this] {
-    ++wakes;
-    wakes.notify_all();
-  }};
+  FigureDesk desk{builtins(), [this] {
+                    ++wakes;
+                    wakes.notify_all();
+                  }};
 
   template <class Condition>
   void until(Condition condition) {

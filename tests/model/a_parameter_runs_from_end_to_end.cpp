@@ -64,7 +64,7 @@ TEST_CASE("a range to begin with starts from the value of now where magnitudes c
 
 TEST_CASE("a parameter that ran has the value back that it had before, at its end or when it is asked for") {
   Engine engine(builtins(), {});
-  ComputationControl control(engine);
+  ComputationControl control(builtins(), engine);
   control.set(Parameter::a_scale, 1.25);
   ParameterAnimation& animation = control.animation();
   animation.aim(Parameter::a_scale, 1.25);

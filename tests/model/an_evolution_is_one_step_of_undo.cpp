@@ -441,14 +441,14 @@ TEST_CASE("an evolution that the program lacks is kept with its state") {
   desk.insert();
   const std::vector<Vec2> positions = positions_of(desk.editor.document());
   const SessionEvolution lloyd{.id = "lloyd", .seed = 5, .step = 7, .parameters = {{"lloyd-pull", 0.25}}};
-  const auto now = [&] { return session_evolution(desk.player.choice(), desk.player.position()); };
-  desk.player.resume(choice_of(lloyd), lloyd.step);
+  const auto now = [&] { return session_evolution(builtins(), desk.player.choice(), desk.player.position()); };
+  desk.player.resume(choice_of(builtins(), lloyd), lloyd.step);
   SessionEvolution saved = now();
   CHECK(saved.id == "lloyd");
   CHECK(saved.seed == 5);
   CHECK(saved.step == 7);
   CHECK(std::ranges::count(saved.parameters, lloyd.parameters.front()) == 1);
-  CHECK(choice_of(saved) == choice_of(lloyd));
+  CHECK(choice_of(builtins(), saved) == choice_of(builtins(), lloyd));
   // It has no other state: the samples and the steps of undo stay.
   for (const std::uint64_t k : {8U, 0U}) {
     desk.player.step_to(k);
@@ -466,7 +466,7 @@ TEST_CASE("an evolution that the program lacks is kept with its state") {
 
   JobControl job;
   const EvolutionState state = state_of(desk.editor.document());
-  const auto next = next_state(state, 0, choice_of(lloyd), job);
+  const auto next = next_state(state, 0, choice_of(builtins(), lloyd), job);
   REQUIRE_FALSE(next);
   CHECK(next.error().text == "the evolution lloyd is not available here");
 }

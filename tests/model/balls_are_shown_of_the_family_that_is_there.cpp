@@ -57,7 +57,7 @@ TEST_CASE("every layer of a family has its counterpart in each other one") {
     if (!family) continue;
     LayerConfiguration only = of({std::string(layer.id), "b-union-boundary"});
     for (const FamilyKind to : kBallFamilies) {
-      const auto ids = visible(in_family(only, to));
+      const auto ids = visible(in_family(layer_descriptors(), only, to));
       INFO(layer.id);
       REQUIRE_FALSE(ids.empty());
       for (const std::string& id : ids) CHECK(family_of(layer_descriptors()[find_layer(id)]) == to);
@@ -66,11 +66,11 @@ TEST_CASE("every layer of a family has its counterpart in each other one") {
 }
 
 TEST_CASE("a bundle of the union is that of the chosen family, in its order and with its styles") {
-  const LayerConfiguration own = in_family(of(kUnion), FamilyKind::own);
+  const LayerConfiguration own = in_family(layer_descriptors(), of(kUnion), FamilyKind::own);
   CHECK(visible(own) == std::vector<std::string>{"b-inner-disks", "b-dual-faces", "b-union-boundary", "b-v-points"});
   for (const Entry& entry : own.layers) CHECK(entry.style.opacity == 0.3);
-  CHECK(family_of(own) == FamilyKind::own);
-  CHECK(in_family(own, FamilyKind::inner) == of(kUnion));
+  CHECK(family_of(layer_descriptors(), own) == FamilyKind::own);
+  CHECK(in_family(layer_descriptors(), own, FamilyKind::inner) == of(kUnion));
 }
 
 TEST_CASE("another family takes the places of the one before, and each layer keeps its own style") {
@@ -79,19 +79,19 @@ TEST_CASE("another family takes the places of the one before, and each layer kee
   style.point_size_px = 17.0;
   layers.set_style(layers.find("p-v-points"), style);
   const LayerConfiguration before = layers.configuration();
-  layers.set_configuration(in_family(before, FamilyKind::polar));
+  layers.set_configuration(in_family(layer_descriptors(), before, FamilyKind::polar));
   CHECK(visible(layers.configuration()) == std::vector<std::string>{"points", "p-dual-faces", "p-v-points"});
   CHECK(layers.style(layers.find("p-v-points")).point_size_px == 17.0);
   CHECK(layers.style(layers.find("a-v-points")).opacity == 0.3);
-  CHECK(in_family(layers.configuration(), FamilyKind::inner) == before);
+  CHECK(in_family(layer_descriptors(), layers.configuration(), FamilyKind::inner) == before);
 }
 
 TEST_CASE("own balls that are drawn without their union stay beside the union of others") {
   const LayerConfiguration layers = of({"b-inner-disks", "b-inner-centers", "a-union-boundary"});
-  CHECK(family_of(layers) == FamilyKind::inner);
-  CHECK(visible(in_family(layers, FamilyKind::polar)) ==
+  CHECK(family_of(layer_descriptors(), layers) == FamilyKind::inner);
+  CHECK(visible(in_family(layer_descriptors(), layers, FamilyKind::polar)) ==
         std::vector<std::string>{"b-inner-disks", "b-inner-centers", "p-union-boundary"});
-  CHECK(visible(in_family(layers, FamilyKind::own)) ==
+  CHECK(visible(in_family(layer_descriptors(), layers, FamilyKind::own)) ==
         std::vector<std::string>{"b-inner-disks", "b-inner-centers", "b-union-boundary"});
 }
 
@@ -113,13 +113,15 @@ TEST_CASE("the family is one that the document has, and changes only when it has
 
 TEST_CASE("bundles of inner balls stand for all, those of others for what the document has") {
   const LayerConfiguration inner = of(kUnion);
-  const LayerConfiguration polar = in_family(inner, FamilyKind::polar);
-  CHECK(adapted(inner, FamilyKind::own, Plane(9, 5).document()) == in_family(inner, FamilyKind::own));
-  CHECK(adapted(polar, FamilyKind::inner, Plane(9, 0).document()) == polar);
-  CHECK(adapted(polar, FamilyKind::own, Plane(0, 5).document()) == in_family(inner, FamilyKind::own));
+  const LayerConfiguration polar = in_family(layer_descriptors(), inner, FamilyKind::polar);
+  CHECK(adapted(layer_descriptors(), inner, FamilyKind::own, Plane(9, 5).document()) ==
+        in_family(layer_descriptors(), inner, FamilyKind::own));
+  CHECK(adapted(layer_descriptors(), polar, FamilyKind::inner, Plane(9, 0).document()) == polar);
+  CHECK(adapted(layer_descriptors(), polar, FamilyKind::own, Plane(0, 5).document()) ==
+        in_family(layer_descriptors(), inner, FamilyKind::own));
   const LayerConfiguration both = of({"a-dual-faces", "p-dual-faces"});
-  CHECK(adapted(both, FamilyKind::own, Plane(0, 5).document()) == both);
-  CHECK(adapted(of({"points"}), FamilyKind::own, Plane(0, 5).document()) == of({"points"}));
+  CHECK(adapted(layer_descriptors(), both, FamilyKind::own, Plane(0, 5).document()) == both);
+  CHECK(adapted(layer_descriptors(), of({"points"}), FamilyKind::own, Plane(0, 5).document()) == of({"points"}));
 }
 
 TEST_CASE("where nothing is seen the reason is given, and what is offered is of what there is") {
@@ -145,7 +147,7 @@ TEST_CASE("where nothing is seen the reason is given, and what is offered is of 
 TEST_CASE("what is offered shows layers of what there is") {
   LayerStack layers = stack_showing(kUnion);
   show_instead(ShowInstead::own_family, layers);
-  CHECK(visible(layers.configuration()) == visible(in_family(of(kUnion), FamilyKind::own)));
+  CHECK(visible(layers.configuration()) == visible(in_family(layer_descriptors(), of(kUnion), FamilyKind::own)));
   show_instead(ShowInstead::samples, layers);
   CHECK(layers.is_visible(layers.find("points")));
 }

@@ -104,8 +104,8 @@ TEST_CASE("what two windows made of the bundles is put together") {
 TEST_CASE("bundles outlive the window, and two windows lose nothing") {
   const TemporaryFolder folder;
   const auto file = folder / "data/bundles.json";
-  BundleStore one(file);
-  BundleStore two(file);
+  BundleStore one(layer_descriptors(), file);
+  BundleStore two(layer_descriptors(), file);
   const std::vector<Bundle> starting{{"start", look("points")}};
   BundleList first(one.load(starting).bundles);
   BundleList second(two.load(starting).bundles);
@@ -118,10 +118,10 @@ TEST_CASE("bundles outlive the window, and two windows lose nothing") {
   REQUIRE(both);
   CHECK(names_of_bundles(both->bundles) == "start! second first ");
   CHECK(both->message.empty());
-  CHECK(names_of_bundles(BundleStore(file).load({}).bundles) == "start! second first ");
+  CHECK(names_of_bundles(BundleStore(layer_descriptors(), file).load({}).bundles) == "start! second first ");
   second.replace({});
   REQUIRE(two.write(second.bundles()));
-  CHECK(BundleStore(file).load(starting).bundles.empty());
+  CHECK(BundleStore(layer_descriptors(), file).load(starting).bundles.empty());
 }
 
 TEST_CASE("undo takes back what was done here and nothing that another window did") {
@@ -141,19 +141,19 @@ TEST_CASE("undo takes back what was done here and nothing that another window di
   CHECK(names_of_bundles(one.bundles()) == "a! b! other's! ");
   REQUIRE(one.undo());
   CHECK(names_of_bundles(one.bundles()) == "a! other's! ");
-  CHECK(names_of_bundles(BundleStore(file).load({}).bundles) == "a! other's! ");
+  CHECK(names_of_bundles(BundleStore(layer_descriptors(), file).load({}).bundles) == "a! other's! ");
 }
 
 TEST_CASE("a program that has the lock and goes no further stops no other") {
   const TemporaryFolder folder;
   const auto file = folder / "bundles.json";
-  BundleStore store(file, std::chrono::milliseconds(0));
+  BundleStore store(layer_descriptors(), file, std::chrono::milliseconds(0));
   static_cast<void>(store.load({}));
   const int held = ::open((file.string() + ".lock").c_str(), O_RDWR | O_CREAT, 0600);
   REQUIRE(::flock(held, LOCK_EX) == 0);
   CHECK(store.write(std::vector<Bundle>{{"a"}}));
   ::close(held);
-  CHECK(names_of_bundles(BundleStore(file).load({}).bundles) == "a ");
+  CHECK(names_of_bundles(BundleStore(layer_descriptors(), file).load({}).bundles) == "a ");
 }
 
 TEST_CASE("a file of bundles that cannot be used is set aside") {
@@ -162,7 +162,7 @@ TEST_CASE("a file of bundles that cannot be used is set aside") {
   const std::string future = "{\"mesecina\":\"bundles\",\"schema\":9}";
   for (const std::string& bytes : {std::string("{ broken"), future, std::string("still broken")}) {
     folder.write("bundles.json", bytes);
-    BundleStore store(file);
+    BundleStore store(layer_descriptors(), file);
     const auto loaded = store.load({{"start"}});
     CHECK(names_of_bundles(loaded.bundles) == "start ");
     CHECK(loaded.message.find("they were set aside as") != std::string::npos);
@@ -171,27 +171,27 @@ TEST_CASE("a file of bundles that cannot be used is set aside") {
   CHECK(contents_of(folder / "bundles.json.later") == future);
   CHECK(contents_of(folder / "bundles.json.broken") == "{ broken");
   CHECK(contents_of(folder / "bundles.json.broken-2") == "still broken");
-  BundleStore store(file);
+  BundleStore store(layer_descriptors(), file);
   static_cast<void>(store.load({}));
   folder.write("bundles.json", future);
   const auto written = store.write(std::vector<Bundle>{{"a"}});
   REQUIRE(written);
   CHECK(contents_of(folder / "bundles.json.later-2") == future);
-  CHECK(names_of_bundles(BundleStore(file).load({}).bundles) == "a ");
+  CHECK(names_of_bundles(BundleStore(layer_descriptors(), file).load({}).bundles) == "a ");
 }
 
 TEST_CASE("a pipe in the place of the bundles is set aside") {
   const TemporaryFolder folder;
   const auto file = folder / "bundles.json";
   REQUIRE(mkfifo(file.c_str(), 0600) == 0);
-  const auto loaded = BundleStore(file).load({{"start"}});
+  const auto loaded = BundleStore(layer_descriptors(), file).load({{"start"}});
   CHECK(names_of_bundles(loaded.bundles) == "start ");
   CHECK(loaded.message.find("this is not a file") != std::string::npos);
   CHECK(std::filesystem::is_fifo(folder / "bundles.json.broken"));
 }
 
 TEST_CASE("without a home bundles live as long as the window") {
-  BundleStore store({});
+  BundleStore store(layer_descriptors(), {});
   CHECK(names_of_bundles(store.load({{"start"}}).bundles) == "start ");
   CHECK(store.write(std::vector<Bundle>{{"a"}}));
 }
@@ -243,7 +243,7 @@ TEST_CASE("undo of a bundle leads back to the one before, changed as it was") {
 }
 
 TEST_CASE("the starting bundles name layers that exist") {
-  const auto [bundles, message] = read_starting_bundles("assets");
+  const auto [bundles, message] = read_starting_bundles(layer_descriptors(), "assets");
   CHECK(message.empty());
   CHECK(bundles.size() >= 9);
   for (const Bundle& bundle : bundles) {
@@ -259,11 +259,11 @@ TEST_CASE("the starting bundles name layers that exist") {
 
 TEST_CASE("starting bundles that are broken or missing are reported, and the others are there") {
   const TemporaryFolder assets;
-  CHECK_THAT(read_starting_bundles(assets.path()).message, Catch::Contains("missing"));
+  CHECK_THAT(read_starting_bundles(layer_descriptors(), assets.path()).message, Catch::Contains("missing"));
   std::filesystem::create_directories(assets / "bundles");
   assets.write("bundles/a.json", "{");
   std::filesystem::copy_file("assets/bundles/starting.json", assets / "bundles/b.json");
-  const auto [bundles, message] = read_starting_bundles(assets.path());
+  const auto [bundles, message] = read_starting_bundles(layer_descriptors(), assets.path());
   CHECK(bundles.size() >= 9);
   CHECK_THAT(message, Catch::Contains("a.json"));
   LayerStack layers(layer_descriptors());
@@ -274,7 +274,7 @@ TEST_CASE("starting bundles that are broken or missing are reported, and the oth
 TEST_CASE("what the window does to bundles is on disk at once and can be undone") {
   const TemporaryFolder folder;
   const auto file = folder / "bundles.json";
-  const auto on_disk = [&] { return names_of_bundles(BundleStore(file).load({}).bundles); };
+  const auto on_disk = [&] { return names_of_bundles(BundleStore(layer_descriptors(), file).load({}).bundles); };
   const std::vector<LayerDescriptor> descriptors{{.id = "points", .visible_at_start = true}, {.id = "curve"}};
   LayerStack layers(descriptors);
   BundleDesk desk(file, {}, layers);

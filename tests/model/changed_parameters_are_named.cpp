@@ -3,6 +3,7 @@
 #include <catch2/catch.hpp>
 
 #include "app/layers/changed_parameters.h"
+#include "core/builtins/builtins.h"
 
 using namespace mes;
 
@@ -10,7 +11,8 @@ namespace {
 
 std::string names_of_changed(const ComputationSettings& settings) {
   std::string out;
-  for (const ChangedParameter& changed : changed_parameters(settings)) out += '[' + changed.text + ']';
+  for (const ChangedParameter& changed : changed_parameters(builtins().parameters(), settings))
+    out += '[' + changed.text + ']';
   return out;
 }
 

@@ -25,7 +25,7 @@ TEST_CASE("the engine keeps the density of samples up to date while it is looked
   REQUIRE(editor.load(data));
   engine.set_want_findings(true);
   const auto summary_where = [&](bool with_density) {
-    EngineDemand::Wanted wanted{layers, list, settings, editor.document().revision()};
+    EngineDemand::Wanted wanted{builtins(), layers, list, settings, editor.document().revision()};
     wanted.with_density = with_density;
     CHECK(demand.follow(engine, wanted, false));
     CHECK_FALSE(demand.follow(engine, wanted, false));

@@ -15,6 +15,7 @@
 #include "app/store/bundles.h"
 #include "core/io/atomic_file.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 using mes::test::contents_of;
@@ -96,8 +97,8 @@ TEST_CASE("what a window writes that could not wait for the lock of the bundles 
   const Hooks hooks;
   const TemporaryFolder folder;
   const fs::path file = folder / "bundles.json";
-  BundleStore slow(file);
-  BundleStore hasty(file, std::chrono::milliseconds(0));
+  BundleStore slow(layer_descriptors(), file);
+  BundleStore hasty(layer_descriptors(), file, std::chrono::milliseconds(0));
   REQUIRE(slow.write(std::vector<Bundle>{{"old"}}));
   static_cast<void>(hasty.load({}));
   int times = 0;
@@ -109,7 +110,7 @@ TEST_CASE("what a window writes that could not wait for the lock of the bundles 
   REQUIRE(written);
   CHECK(times > 1);
   std::set<std::string> names;
-  for (const Bundle& bundle : BundleStore(file).load({}).bundles) names.insert(bundle.name);
+  for (const Bundle& bundle : BundleStore(layer_descriptors(), file).load({}).bundles) names.insert(bundle.name);
   CHECK(names == std::set<std::string>{"old", "mine", "his"});
 }
 

@@ -4,6 +4,7 @@
 #include <stop_token>
 
 #include "app/export/geometry_export.h"
+#include "core/builtins/builtins.h"
 #include "tests/support/builtin_layers.h"
 
 using namespace mes;
@@ -14,7 +15,7 @@ const SampleData kHouse{.positions = {{0, 0}, {4, 0}, {4, 3}, {2, 5}, {0, 3}}};
 
 Expected<LayerText> text_of_house(std::string_view format, std::vector<VariantLayer> layers,
                                   std::stop_token stop = {}) {
-  return compute_layer_text(kHouse, *find_layer_text_format(format),
+  return compute_layer_text(builtins(), kHouse, *find_layer_text_format(format),
                             {.layers = std::move(layers), .settings = {}, .on_patch = {}, .stop = std::move(stop)});
 }
 

@@ -202,7 +202,7 @@ TEST_CASE("a view of the layer has its numbers, clear of the dots that are shown
     std::vector<render::LayerView> views;
     for (const LayerIndex layer : layers)
       views.push_back({layer, layer == points ? LayerStyle{.point_size_px = dot} : letters});
-    add_texts(views, {editor.document(), &editor.index()}, part_with_square(1.0, 300.0), with);
+    add_texts(layer_descriptors(), views, {editor.document(), &editor.index()}, part_with_square(1.0, 300.0), with);
     for (const render::LayerView& view : views) CHECK((view.texts != nullptr) == (view.layer == indices));
     return views.back().texts;
   };

@@ -66,7 +66,7 @@ TEST_CASE("panes with settings of their own share the layers that do not depend 
   list.add(Precision::exact);
   list.add(ParameterChoice{Parameter::a_scale, 1.5});
   list.add(settings.precision);
-  const ShownPanes shown = shown_panes(list, layers, settings);
+  const ShownPanes shown = shown_panes(builtins(), list, layers, settings);
   CHECK(words_of(list.panes()[1]) == "Inner balls: scale 1.5");
   REQUIRE(shown.variants.size() == 2);
   CHECK(shown.variants[0].settings.precision == Precision::exact);
@@ -94,7 +94,7 @@ TEST_CASE("panes of another family or a bundle show other layers of the same com
   Bundle bundle{.name = "Axis"};
   bundle.layers = stack_with_only({"medial-axis"}).configuration();
   list.add(bundle);
-  const ShownPanes shown = shown_panes(list, layers, {});
+  const ShownPanes shown = shown_panes(builtins(), list, layers, {});
   CHECK(shown.variants.empty());
   REQUIRE(shown.panes.size() == 2);
   const std::vector<VariantLayer> polar = layers_of(shown.panes[0]);
@@ -142,7 +142,7 @@ TEST_CASE("the engine follows panes as they come, change and go") {
   REQUIRE(editor.load(data));
   LayerMirror mirror;
   const auto follow = [&] {
-    const EngineDemand::Wanted wanted{layers, list, settings, editor.document().revision()};
+    const EngineDemand::Wanted wanted{builtins(), layers, list, settings, editor.document().revision()};
     const bool is_news = demand.follow(engine, wanted, false);
     CHECK(demand.is_told(wanted));
     CHECK_FALSE(demand.follow(engine, wanted, false));
@@ -372,7 +372,12 @@ struct Versions {
     REQUIRE(editor.load(data));
   }
   EngineDemand::Wanted wanted() const {
-    return {layers, list, settings, editor.document().revision(), {evolution.choice(), evolution.first_value()},
+    return {builtins(),
+            layers,
+            list,
+            settings,
+            editor.document().revision(),
+            {evolution.choice(), evolution.first_value()},
             is_held};
   }
   /// As the window does, frame by frame, until all panes show what they are to.
@@ -410,7 +415,8 @@ std::vector<LayerDigest> digests_of(const SampleData& data) {
   LayerMirror mirror;
   const std::vector<VariantLayer> layers{find_layer("points"), find_layer("medial-axis"), find_layer("curve")};
   REQUIRE(run_computation(
-      data, {.layers = layers, .settings = {}, .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }}));
+      builtins(), data,
+      {.layers = layers, .settings = {}, .on_patch = [&](const FramePatch& patch) { mirror.apply(patch); }}));
   std::vector<LayerDigest> out;
   for (const VariantLayer layer : layers) out.push_back(mirror.digest(layer));
   return out;
@@ -554,7 +560,7 @@ TEST_CASE("where an evolution moves a parameter, panes share the document") {
   window.list.add(EvolvedChoice{5});
   window.list.add(EvolvedChoice{1'000'000'000});
   const PaneEvolution evolution{window.evolution.choice(), window.evolution.first_value()};
-  const ShownPanes shown = shown_panes(window.list, window.layers, window.settings, evolution);
+  const ShownPanes shown = shown_panes(builtins(), window.list, window.layers, window.settings, evolution);
   const ParameterMove& move = *scaling->moved_parameter();
   REQUIRE(shown.variants.size() >= 1);
   CHECK_FALSE(shown.variants[0].has_document);

@@ -47,6 +47,7 @@ Drawn figure_drawn(FigureRequest request, PlacedAnnotations annotations = {}) {
   const Document document = square_of_samples();
   const LayerMirror mirror;
   const Box2 bounds = document.bounding_box();
+  request.shown.descriptors = layer_descriptors();
   request.shown.layers = {find_layer("indices")};
   for (const LayerDescriptor& layer : layer_descriptors()) request.shown.styles.push_back(layer.style);
   auto out = draw_figure(request, {.mirror = mirror,

@@ -16,6 +16,7 @@
 #include "app/store/bundles.h"
 #include "core/io/file_lock.h"
 #include "tests/io/temporary_folder.h"
+#include "tests/support/builtin_layers.h"
 
 using namespace mes;
 using mes::test::TemporaryFolder;
@@ -58,7 +59,7 @@ TEST_CASE("windows that save bundles at the same moment lose none of them") {
   constexpr int kEach = 8;
   const auto name = [](int window, int i) { return fmt::format("{} of window {}", i, window); };
   CHECK(all_at_once(kWindows, [&](int window) {
-    BundleStore store(file);
+    BundleStore store(layer_descriptors(), file);
     BundleList list(store.load({}).bundles);
     for (int i = 0; i < kEach; ++i) {
       if (!list.save(name(window, i), {})) return false;
@@ -69,7 +70,7 @@ TEST_CASE("windows that save bundles at the same moment lose none of them") {
     return true;
   }));
   std::set<std::string> found;
-  for (const Bundle& bundle : BundleStore(file).load({}).bundles) found.insert(bundle.name);
+  for (const Bundle& bundle : BundleStore(layer_descriptors(), file).load({}).bundles) found.insert(bundle.name);
   CHECK(found.size() == kWindows * kEach);
   for (int window = 0; window < kWindows; ++window)
     for (int i = 0; i < kEach; ++i) CHECK(found.contains(name(window, i)));

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "app/picture/legend.h"
-#include "core/builtins/builtins.h"
 #include "core/draw/variant.h"
 #include "render/scene.h"
 
@@ -17,12 +16,13 @@ namespace mes {
 /// `shown_map` gives the map of a view, `has` says whether a layer draws something of a kind. A layer that draws nothing
 /// has no entry.
 template <class ShownMapOf, class Has>
-std::vector<LegendEntry> entries_of(std::span<const render::LayerView> views, LegendScope scope,
+std::vector<LegendEntry> entries_of(std::span<const LayerDescriptor> descriptors,
+                                    std::span<const render::LayerView> views, LegendScope scope,
                                     const ShownMapOf& shown_map, const Has& has) {
   std::vector<LegendEntry> out;
   if (scope == LegendScope::none) return out;
   for (auto view = views.rbegin(); view != views.rend(); ++view) {
-    const LayerDescriptor& layer = builtins().layers()[view->layer.layer];
+    const LayerDescriptor& layer = descriptors[view->layer.layer];
     const auto kind = std::ranges::find_if(layer.kinds, [&](PrimitiveKind each) { return has(view->layer, each); });
     if (kind == layer.kinds.end()) continue;
     const render::ShownMap shown = shown_map(*view);

@@ -6,7 +6,6 @@
 
 #include "app/store/internal/layer_writers.h"
 #include "core/base/arc.h"
-#include "core/builtins/builtins.h"
 #include "core/draw/primitive_values.h"
 #include "core/io/text_numbers.h"
 
@@ -46,7 +45,7 @@ std::string_view csv_columns(PrimitiveKind kind) {
 
 LayerText csv_of(const LayerGeometry& geometry) {
   const LayerIndex layer = geometry.layers.front();
-  const LayerDescriptor& descriptor = builtins().layers()[layer];
+  const LayerDescriptor& descriptor = geometry.registry.layers()[layer];
   const bool has_kind = descriptor.kinds.size() > 1;
   const bool has_scalar = !descriptor.scalar.empty();
   std::size_t columns = 0;

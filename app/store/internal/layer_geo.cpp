@@ -8,7 +8,6 @@
 #include "app/store/internal/layer_writers.h"
 #include "app/store/internal/shapes_on_earth.h"
 #include "app/store/internal/straight_shapes.h"
-#include "core/builtins/builtins.h"
 #include "core/io/text_numbers.h"
 
 namespace mes {
@@ -44,7 +43,7 @@ template <class Use>
 void for_each_shape(const LayerGeometry& geometry, LayerText& out, Use use) {
   const std::optional<MapPlane>& map = geometry.document.map();
   for (const LayerIndex layer : geometry.layers) {
-    for (const StraightShape& shape : straight_shapes_of(geometry.mirror, layer, out.left_out)) {
+    for (const StraightShape& shape : straight_shapes_of(geometry, layer, out.left_out)) {
       const Parts parts = map ? parts_on_earth(shape, *map) : Parts{shape.corners};
       if (parts.empty())
         ++out.off_earth;
@@ -135,7 +134,7 @@ LayerText geojson_of(const LayerGeometry& geometry) {
   for_each_shape(geometry, out, [&](LayerIndex layer, const StraightShape& shape, const Parts& parts) {
     out.text += is_first ? "\n" : ",\n";
     is_first = false;
-    append_feature(out.text, builtins().layers()[layer].id, shape, parts, map);
+    append_feature(out.text, geometry.registry.layers()[layer].id, shape, parts, map);
   });
   out.text += "\n]}\n";
   return out;

@@ -7,7 +7,6 @@
 
 #include "app/store/internal/layer_writers.h"
 #include "app/store/internal/segment_chains.h"
-#include "core/builtins/builtins.h"
 #include "core/io/format.h"
 #include "core/io/text_numbers.h"
 
@@ -41,10 +40,10 @@ struct Before {
 using Normals = std::map<Vec2, Vec2, Before>;
 
 // The layer of normals draws each as a segment that begins at its sample.
-Normals normals_in(const LayerMirror& mirror) {
+Normals normals_in(const LayerGeometry& geometry) {
   Normals out;
   const std::span<const double> segments =
-      mirror.instances(builtins().find_layer("curve-normals"), PrimitiveKind::segment);
+      geometry.mirror.instances(geometry.registry.find_layer("curve-normals"), PrimitiveKind::segment);
   for (std::size_t at = 0; at < segments.size(); at += stride_of(PrimitiveKind::segment)) {
     const Vec2 from{segments[at], segments[at + 1]};
     const Vec2 way = Vec2{segments[at + 2], segments[at + 3]} - from;
@@ -58,9 +57,10 @@ Normals normals_in(const LayerMirror& mirror) {
 
 LayerText wpoff_of(const LayerGeometry& geometry) {
   const LayerIndex layer = geometry.layers.front();
-  if (builtins().layers()[layer].id == "b-inner-centers") return {write_wpoff(geometry.document)};
+  const LayerDescriptor& descriptor = geometry.registry.layers()[layer];
+  if (descriptor.id == "b-inner-centers") return {write_wpoff(geometry.document)};
   std::vector<Disk> balls;
-  const PrimitiveKind kind = emits(layer, PrimitiveKind::disk) ? PrimitiveKind::disk : PrimitiveKind::circle;
+  const PrimitiveKind kind = emits(descriptor, PrimitiveKind::disk) ? PrimitiveKind::disk : PrimitiveKind::circle;
   const std::span<const double> instances = geometry.mirror.instances(layer, kind);
   for (std::size_t at = 0; at < instances.size(); at += stride_of(kind))
     balls.push_back({{instances[at], instances[at + 1]}, instances[at + 2]});
@@ -69,9 +69,10 @@ LayerText wpoff_of(const LayerGeometry& geometry) {
 
 LayerText poff_of(const LayerGeometry& geometry) {
   const LayerIndex layer = geometry.layers.front();
+  const LayerDescriptor& descriptor = geometry.registry.layers()[layer];
   // In input order and with the curve order that came with them.
-  if (builtins().layers()[layer].id == "points") return {write_poff(geometry.document)};
-  if (!emits(layer, PrimitiveKind::point)) {
+  if (descriptor.id == "points") return {write_poff(geometry.document)};
+  if (!emits(descriptor, PrimitiveKind::point)) {
     const SegmentChains found = chains_of(geometry.mirror.instances(layer, PrimitiveKind::segment));
     return {poff_text(found.points, found.chains, geometry.document.map())};
   }
@@ -83,9 +84,9 @@ LayerText poff_of(const LayerGeometry& geometry) {
 }
 
 LayerText npoff_of(const LayerGeometry& geometry) {
-  const Normals normals = normals_in(geometry.mirror);
+  const Normals normals = normals_in(geometry);
   const SegmentChains found =
-      chains_of(geometry.mirror.instances(builtins().find_layer("curve"), PrimitiveKind::segment));
+      chains_of(geometry.mirror.instances(geometry.registry.find_layer("curve"), PrimitiveKind::segment));
   LayerText out;
   for (const SegmentChain& chain : found.chains) {
     bool is_first = true;

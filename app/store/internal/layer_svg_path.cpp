@@ -4,7 +4,6 @@
 
 #include "app/store/internal/layer_writers.h"
 #include "app/store/internal/segment_chains.h"
-#include "core/builtins/builtins.h"
 #include "core/draw/primitive_values.h"
 #include "core/io/text_numbers.h"
 
@@ -95,7 +94,7 @@ LayerText svg_path_of(const LayerGeometry& geometry) {
   LayerText out;
   PathText path(out.text);
   for (const LayerIndex layer : geometry.layers) {
-    for (const PrimitiveKind kind : builtins().layers()[layer].kinds) {
+    for (const PrimitiveKind kind : geometry.registry.layers()[layer].kinds) {
       const std::span<const double> instances = geometry.mirror.instances(layer, kind);
       const std::size_t stride = stride_of(kind);
       if (kind == PrimitiveKind::ray || kind == PrimitiveKind::line)

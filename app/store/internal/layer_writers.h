@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "app/store/layer_text.h"
-#include "core/builtins/builtins.h"
+#include "core/graph/registry.h"
 
 namespace mes {
 
-inline bool emits(LayerIndex layer, PrimitiveKind kind) {
-  return std::ranges::find(builtins().layers()[layer].kinds, kind) != builtins().layers()[layer].kinds.end();
+inline bool emits(const LayerDescriptor& layer, PrimitiveKind kind) {
+  return std::ranges::find(layer.kinds, kind) != layer.kinds.end();
 }
 
 /// One header line, then one primitive a line; a layer that may emit several kinds has a first column `kind`.

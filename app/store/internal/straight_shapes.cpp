@@ -7,8 +7,8 @@
 
 #include "app/store/internal/round_shapes.h"
 #include "app/store/internal/segment_chains.h"
-#include "core/builtins/builtins.h"
 #include "core/draw/primitive_values.h"
+#include "core/graph/registry.h"
 
 namespace mes {
 namespace {
@@ -45,12 +45,13 @@ void add_chains(std::span<const double> segments, bool has_scalar, std::vector<S
 
 }  // namespace
 
-std::vector<StraightShape> straight_shapes_of(const LayerMirror& mirror, LayerIndex layer, std::uint64_t& left_out) {
-  const LayerDescriptor& descriptor = builtins().layers()[layer];
+std::vector<StraightShape> straight_shapes_of(const LayerGeometry& geometry, LayerIndex layer,
+                                              std::uint64_t& left_out) {
+  const LayerDescriptor& descriptor = geometry.registry.layers()[layer];
   const bool has_scalar = !descriptor.scalar.empty();
   std::vector<StraightShape> out;
   for (const PrimitiveKind kind : descriptor.kinds) {
-    const std::span<const double> instances = mirror.instances(layer, kind);
+    const std::span<const double> instances = geometry.mirror.instances(layer, kind);
     const std::size_t stride = stride_of(kind);
     if (kind == PrimitiveKind::ray || kind == PrimitiveKind::line) {
       left_out += instances.size() / stride;

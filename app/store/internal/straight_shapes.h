@@ -24,6 +24,7 @@ struct StraightShape {
 
 /// All shapes of a layer, with segments joined to chains; a closed chain ends where it begins. Rays and lines are counted
 /// in `left_out`.
-std::vector<StraightShape> straight_shapes_of(const LayerMirror& mirror, LayerIndex layer, std::uint64_t& left_out);
+std::vector<StraightShape> straight_shapes_of(const LayerGeometry& geometry, LayerIndex layer,
+                                              std::uint64_t& left_out);
 
 }  // namespace mes
