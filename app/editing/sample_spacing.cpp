@@ -182,7 +182,7 @@ LayerStyle thinned(LayerStyle style, const LayerDescriptor& descriptor, double s
   constexpr double kThinnestLine = 0.3;
   if (!style.thin_when_dense || !is_made_of_samples(descriptor) || !(spacing_px > 0.0)) return style;
   const double point = style.point_size_px;
-  if (descriptor.id == "points" && point == descriptor.style.point_size_px)
+  if (descriptor.data == LayerData::samples && point == descriptor.style.point_size_px)
     style.point_size_px = std::min(point, std::max(kSmallestApart, kShareOfSpacing * spacing_px));
   if (spacing_px >= kDense) return style;
   const double factor = std::max(kThinnest, spacing_px / kDense);

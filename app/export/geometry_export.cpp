@@ -3,7 +3,6 @@
 
 #include <fmt/core.h>
 #include <algorithm>
-#include <string_view>
 #include <utility>
 
 #include "core/graph/registry.h"
@@ -13,8 +12,8 @@ namespace mes {
 std::vector<LayerIndex> layers_for(const Registry& registry, const LayerTextFormat& format,
                                    std::vector<LayerIndex> layers) {
   if (format.needs_curve)
-    for (const std::string_view id : {"curve", "curve-normals"})
-      if (const LayerIndex layer = registry.find_layer(id);
+    for (const LayerData data : {LayerData::curve, LayerData::curve_normals})
+      if (const LayerIndex layer = find_layer(registry.layers(), data);
           layer != kNoLayer && std::ranges::find(layers, layer) == layers.end())
         layers.push_back(layer);
   return layers;

@@ -184,7 +184,8 @@ void ParametersPanel::draw_scale_events(double& factor) {
 void ParametersPanel::draw_critical_values(double& limit) {
   const bool is_shown = std::ranges::any_of(layers_.visible_layers(), [this](LayerIndex layer) {
     const LayerDescriptor& descriptor = layers_.descriptor(layer);
-    return descriptor.scalar == "lambda" || descriptor.id == "lambda-kept-boundary";
+    return descriptor.scalar == "lambda" ||
+           std::ranges::find(descriptor.parameters, Parameter::lambda_limit.id) != descriptor.parameters.end();
   });
   if (!is_shown) return;
   const Document& document = editor_.document();

@@ -32,12 +32,11 @@ bool is_skeleton(const Evolution& evolution) {
   return move != nullptr && move->renews_balls;
 }
 
-constexpr std::array<std::string_view, 3> kSkeletons{"a-skeleton-union", "p-skeleton-union", "b-skeleton-union"};
 constexpr std::array<std::string_view, 4> kScaled{"scale-union", "a-scale-union", "p-scale-union", "b-scale-union"};
 
 /// It shows what such an evolution changes.
 bool is_of_skeleton(const LayerDescriptor& layer) {
-  return std::ranges::find_first_of(layer.structures, kSkeletons) != layer.structures.end();
+  return std::ranges::find(layer.parameters, Parameter::scale_skeleton_step.id) != layer.parameters.end();
 }
 bool is_of_scale_axis(const LayerDescriptor& layer) {
   return is_of_skeleton(layer) || std::ranges::find_first_of(layer.structures, kScaled) != layer.structures.end();

@@ -17,10 +17,10 @@ bool holds_points(const LayerDescriptor& layer) {
   return emits(layer, PrimitiveKind::point) || emits(layer, PrimitiveKind::segment);
 }
 bool holds_balls(const LayerDescriptor& layer) {
-  return emits(layer, PrimitiveKind::disk) || emits(layer, PrimitiveKind::circle) || layer.id == "b-inner-centers";
+  return emits(layer, PrimitiveKind::disk) || emits(layer, PrimitiveKind::circle) || layer.data == LayerData::balls;
 }
 bool holds_curve(const LayerDescriptor& layer) {
-  return layer.id == "curve" || layer.id == "curve-normals";
+  return layer.data == LayerData::curve || layer.data == LayerData::curve_normals;
 }
 
 // One line a format.

@@ -20,6 +20,12 @@ std::string_view title_of(LayerGroup group) {
   return {};
 }
 
+LayerIndex find_layer(std::span<const LayerDescriptor> layers, LayerData data) {
+  const auto found = std::ranges::find_if(
+      layers, [data](const LayerDescriptor& layer) { return layer.data == data && !layer.is_removed; });
+  return found == layers.end() ? kNoLayer : static_cast<LayerIndex>(found - layers.begin());
+}
+
 LayerIndex find_layer(std::span<const LayerDescriptor> layers, std::string_view id) {
   const auto found = std::ranges::find(layers, id, &LayerDescriptor::id);
   if (found == layers.end() || found->is_removed) return kNoLayer;

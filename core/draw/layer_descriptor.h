@@ -35,11 +35,15 @@ enum class PointsAs : std::uint8_t {
   numbers,  ///< of samples, beside them: from 0 since the data were opened, with letters as high as dots are wide
 };
 
+/// What of a file the layer shows: file formats that hold such things can be written of it.
+enum class LayerData : std::uint8_t { other, samples, balls, curve, curve_normals };
+
 struct LayerDescriptor {
   std::string id{};       ///< public name, kebab case
   std::string name{};     ///< as shown
   std::string tooltip{};  ///< one sentence, no full stop
   LayerGroup group = LayerGroup::samples;
+  LayerData data = LayerData::other;
   std::string of_any_family{};  ///< what layers share that show the same of several families of balls; else empty
   bool in_paper = false;        ///< one of the 41 layers of the 2007 paper
   bool in_fit_box = true;       ///< counts for "fit to view"
@@ -57,5 +61,7 @@ struct LayerDescriptor {
 
 /// The position of a public id in a list of all layers, or kNoLayer; that of a layer that was removed does not count.
 LayerIndex find_layer(std::span<const LayerDescriptor> layers, std::string_view id);
+/// The position of the first that shows something of a file, or kNoLayer, likewise.
+LayerIndex find_layer(std::span<const LayerDescriptor> layers, LayerData data);
 
 }  // namespace mes

@@ -11,6 +11,7 @@ Layer make_b_inner_centers_layer(const StructureSet& set) {
        .name = "Own balls: centres",
        .tooltip = "Centres of your own balls; drag one to move its ball, turn the wheel on it to change the radius",
        .group = LayerGroup::union_b,
+       .data = LayerData::balls,
        .of_any_family = "inner-centers",
        .visible_at_start = true,
        .scalar = "radius",

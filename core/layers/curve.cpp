@@ -11,6 +11,7 @@ Layer make_curve_layer(const StructureSet& set) {
        .name = "Curve",
        .tooltip = "Delaunay edges accepted by the one-step crust test",
        .group = LayerGroup::crust_axis,
+       .data = LayerData::curve,
        .visible_at_start = true,
        .scalar = "confidence",
        .style = {.color = palette::blue, .line_width_px = 2},

@@ -13,6 +13,7 @@ Layer make_curve_normals_layer(const StructureSet& set) {
        .name = "Curve normals",
        .tooltip = "Normal vector at every ordered curve sample",
        .group = LayerGroup::crust_axis,
+       .data = LayerData::curve_normals,
        .style = {.color = palette::blue, .opacity = 0.6},
        .kinds = {PrimitiveKind::segment}},
       {&delaunay, &curve},

@@ -10,6 +10,7 @@ Layer make_points_layer(const StructureSet& set) {
                      .name = "Points",
                      .tooltip = "The sample points",
                      .group = LayerGroup::samples,
+                     .data = LayerData::samples,
                      .in_paper = true,
                      .visible_at_start = true,
                      .scalar = "id",

@@ -42,8 +42,8 @@ using Normals = std::map<Vec2, Vec2, Before>;
 // The layer of normals draws each as a segment that begins at its sample.
 Normals normals_in(const LayerGeometry& geometry) {
   Normals out;
-  const std::span<const double> segments =
-      geometry.mirror.instances(geometry.registry.find_layer("curve-normals"), PrimitiveKind::segment);
+  const std::span<const double> segments = geometry.mirror.instances(
+      find_layer(geometry.registry.layers(), LayerData::curve_normals), PrimitiveKind::segment);
   for (std::size_t at = 0; at < segments.size(); at += stride_of(PrimitiveKind::segment)) {
     const Vec2 from{segments[at], segments[at + 1]};
     const Vec2 way = Vec2{segments[at + 2], segments[at + 3]} - from;
@@ -58,7 +58,7 @@ Normals normals_in(const LayerGeometry& geometry) {
 LayerText wpoff_of(const LayerGeometry& geometry) {
   const LayerIndex layer = geometry.layers.front();
   const LayerDescriptor& descriptor = geometry.registry.layers()[layer];
-  if (descriptor.id == "b-inner-centers") return {write_wpoff(geometry.document)};
+  if (descriptor.data == LayerData::balls) return {write_wpoff(geometry.document)};
   std::vector<Disk> balls;
   const PrimitiveKind kind = emits(descriptor, PrimitiveKind::disk) ? PrimitiveKind::disk : PrimitiveKind::circle;
   const std::span<const double> instances = geometry.mirror.instances(layer, kind);
@@ -71,7 +71,7 @@ LayerText poff_of(const LayerGeometry& geometry) {
   const LayerIndex layer = geometry.layers.front();
   const LayerDescriptor& descriptor = geometry.registry.layers()[layer];
   // In input order and with the curve order that came with them.
-  if (descriptor.id == "points") return {write_poff(geometry.document)};
+  if (descriptor.data == LayerData::samples) return {write_poff(geometry.document)};
   if (!emits(descriptor, PrimitiveKind::point)) {
     const SegmentChains found = chains_of(geometry.mirror.instances(layer, PrimitiveKind::segment));
     return {poff_text(found.points, found.chains, geometry.document.map())};
@@ -85,8 +85,8 @@ LayerText poff_of(const LayerGeometry& geometry) {
 
 LayerText npoff_of(const LayerGeometry& geometry) {
   const Normals normals = normals_in(geometry);
-  const SegmentChains found =
-      chains_of(geometry.mirror.instances(geometry.registry.find_layer("curve"), PrimitiveKind::segment));
+  const SegmentChains found = chains_of(
+      geometry.mirror.instances(find_layer(geometry.registry.layers(), LayerData::curve), PrimitiveKind::segment));
   LayerText out;
   for (const SegmentChain& chain : found.chains) {
     bool is_first = true;
