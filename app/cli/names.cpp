@@ -16,7 +16,8 @@ namespace {
 
 std::vector<std::string_view> layer_ids(const Registry& registry) {
   std::vector<std::string_view> ids;
-  for (const LayerDescriptor& layer : registry.layers()) ids.push_back(layer.id);
+  for (const LayerDescriptor& layer : registry.layers())
+    if (!layer.is_removed) ids.push_back(layer.id);
   return ids;
 }
 
@@ -93,7 +94,8 @@ Expected<std::vector<LayerIndex>> select_layers(const Registry& registry, const 
   std::vector<LayerIndex> layers;
   if (ids.empty() || ids == "all") {
     for (LayerIndex layer = 0; layer < descriptors.size(); ++layer)
-      if (ids == "all" || descriptors[layer].visible_at_start) layers.push_back(layer);
+      if (!descriptors[layer].is_removed && (ids == "all" || descriptors[layer].visible_at_start))
+        layers.push_back(layer);
     return layers;
   }
   for (const std::string_view word : split_list(ids)) {

@@ -40,7 +40,8 @@ fs::path default_bundles_path() {
 
 std::vector<KnownLayer> known_layers(std::span<const LayerDescriptor> descriptors) {
   std::vector<KnownLayer> out;
-  for (const LayerDescriptor& layer : descriptors) out.push_back({layer.id, layer.style});
+  for (const LayerDescriptor& layer : descriptors)
+    if (!layer.is_removed) out.push_back({layer.id, layer.style});
   return out;
 }
 
