@@ -75,7 +75,7 @@ std::string wrapped(std::string_view text, std::size_t indent) {
   return out;
 }
 
-void describe_commands(CLI::App& app, Arguments& to) {
+void describe_commands(const Registry& registry, CLI::App& app, Arguments& to) {
   app.name("mesecina");
   app.description(
       "Sample-based geometry in the plane, live: Delaunay, Voronoi, one-step crust, inner balls, medial axis.\n"
@@ -86,20 +86,20 @@ void describe_commands(CLI::App& app, Arguments& to) {
   app.option_defaults()->always_capture_default(false);
   app.require_subcommand(0, 1);
 
-  describe_compute(app, to.compute);
-  describe_sweep(app, to.sweep);
-  describe_branches(app, to.branches);
-  describe_persistence(app, to.persistence);
-  describe_repair(app, to.repair);
-  describe_decimate(app, to.decimate);
-  describe_export(app, to.exported);
-  describe_render(app, to.render);
+  describe_compute(registry, app, to.compute);
+  describe_sweep(registry, app, to.sweep);
+  describe_branches(registry, app, to.branches);
+  describe_persistence(registry, app, to.persistence);
+  describe_repair(registry, app, to.repair);
+  describe_decimate(registry, app, to.decimate);
+  describe_export(registry, app, to.exported);
+  describe_render(registry, app, to.render);
   describe_play(app, to.play);
   describe_demo(app, to.demo);
   describe_lesson(app, to.lesson);
-  describe_evolve(app, to.evolve);
+  describe_evolve(registry, app, to.evolve);
   describe_shape(app, to.shape);
-  describe_sample(app, to.sample);
+  describe_sample(registry, app, to.sample);
   describe_text(app, to.text);
 
   CLI::App* const list = app.add_subcommand("list", "What there is to name");
@@ -131,11 +131,11 @@ void describe_commands(CLI::App& app, Arguments& to) {
 }
 
 /// The program itself first, then its commands.
-std::vector<CommandHelp> all_commands() {
+std::vector<CommandHelp> all_commands(const Registry& registry) {
   // Parsing changes what a parser says of its defaults, so this is one that has parsed nothing.
   CLI::App app;
   Arguments arguments;
-  describe_commands(app, arguments);
+  describe_commands(registry, app, arguments);
   return help_of(app);
 }
 
@@ -159,11 +159,12 @@ Expected<void> run_command(const Registry& registry, const CLI::App& command, co
   if (command.get_name() == "play") return run_play(registry, arguments.play, interruption);
   if (command.get_name() == "evolve") return run_evolve(registry, arguments.evolve, interruption);
   if (command.get_name() == "shape") return run_shape(registry, arguments.shape, interruption);
-  if (command.get_name() == "sample") return run_sample(arguments.sample, interruption);
+  if (command.get_name() == "sample") return run_sample(registry, arguments.sample, interruption);
   if (command.get_name() == "text") return run_text(arguments.text, interruption);
-  if (command.get_name() == "manual") return run_manual(registry, arguments.manual, all_commands(), interruption);
+  if (command.get_name() == "manual")
+    return run_manual(registry, arguments.manual, all_commands(registry), interruption);
   if (command.get_name() == "completions")
-    return run_completions(registry, arguments.completions, all_commands(), interruption);
+    return run_completions(registry, arguments.completions, all_commands(registry), interruption);
   return run_list(registry, arguments.list, interruption);
 }
 
@@ -234,7 +235,7 @@ std::optional<Error> mistaken_command(const CLI::App& app, const std::vector<std
 int run(const Registry& registry, int argc, const char* const* argv, const OpenWindow& open_window) {
   CLI::App app;
   Arguments arguments;
-  describe_commands(app, arguments);
+  describe_commands(registry, app, arguments);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {

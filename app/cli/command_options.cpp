@@ -5,21 +5,23 @@
 #include <iterator>
 #include <vector>
 
-#include "core/io/format.h"
+#include "core/graph/registry.h"
+#include "core/io/format_spec.h"
 
 namespace mes::cli {
 
 namespace {
 
-std::vector<FormatDescriptor> map_formats() {
+std::string ids_of_formats(const Registry& registry, bool only_maps) {
   std::vector<FormatDescriptor> out;
-  std::ranges::copy_if(format_descriptors(), std::back_inserter(out), &FormatDescriptor::is_map);
-  return out;
+  for (const auto& format : registry.formats().all())
+    if (format->descriptor.is_map || !only_maps) out.push_back(format->descriptor);
+  return ids_of(out);
 }
 
 }  // namespace
 
-void add_reading(CLI::App& command, ReadingOptions& reading) {
+void add_reading(const Registry& registry, CLI::App& command, ReadingOptions& reading) {
   command.add_option("--threshold", reading.threshold,
                      "Of a picture (PNG, JPEG, BMP, PGM): what is traced and the rest are separated between the\n"
                      "grey values N and N + 1, from 0 to 254; default: found by Otsu's method");
@@ -30,7 +32,7 @@ void add_reading(CLI::App& command, ReadingOptions& reading) {
                      "Of a picture: trace what is dark or what is light; default: what there is less of along\n"
                      "its edge");
   command.add_flag("--degrees", reading.keeps_degrees,
-                   "Of a map (" + ids_of(map_formats()) +
+                   "Of a map (" + ids_of_formats(registry, true) +
                        "): longitude and latitude stay as they are, in\n"
                        "degrees; default: they are projected to kilometres about the middle of the map");
   command.add_flag("--vertices", reading.keeps_vertices,
@@ -38,9 +40,9 @@ void add_reading(CLI::App& command, ReadingOptions& reading) {
                    "between them");
 }
 
-void add_format(CLI::App& command, std::string& from) {
+void add_format(const Registry& registry, CLI::App& command, std::string& from) {
   command.add_option("--from", from,
-                     "Format of the input: " + ids_of(format_descriptors()) +
+                     "Format of the input: " + ids_of_formats(registry, false) +
                          ";\ndefault: found by what it holds, then by its name");
 }
 
@@ -53,8 +55,8 @@ void add_output(CLI::App& command, std::string& output, bool& force) {
   add_force(command, force);
 }
 
-void add_source(CLI::App& command, Source& source) {
-  add_input(command, source);
+void add_source(const Registry& registry, CLI::App& command, Source& source) {
+  add_input(registry, command, source);
   command.add_option("--precision", source.precision,
                      "Number type: " + ids_of(kPrecisionDescriptors) +
                          ";\n"

@@ -20,38 +20,39 @@ std::string ids_of(const auto& descriptors) {
 }
 
 /// How a picture or a map becomes samples.
-void add_reading(CLI::App& command, ReadingOptions& reading);
+void add_reading(const Registry& registry, CLI::App& command, ReadingOptions& reading);
 void add_force(CLI::App& command, bool& force);
 
-void add_format(CLI::App& command, std::string& from);
+void add_format(const Registry& registry, CLI::App& command, std::string& from);
 /// The file for the results.
 void add_output(CLI::App& command, std::string& output);
 void add_output(CLI::App& command, std::string& output, bool& force);
-void add_source(CLI::App& command, Source& source);
+void add_source(const Registry& registry, CLI::App& command, Source& source);
 
 /// What is read, and how; into `file`, `from` and `reading` of the request.
 template <class Request>
-void add_input(CLI::App& command, Request& request, const char* what = "Samples to read, or - for standard input") {
+void add_input(const Registry& registry, CLI::App& command, Request& request,
+               const char* what = "Samples to read, or - for standard input") {
   command.add_option("FILE", request.file, what)->required();
-  add_format(command, request.from);
-  add_reading(command, request.reading);
+  add_format(registry, command, request.from);
+  add_reading(registry, command, request.reading);
 }
 
 // Each adds a command.
-void describe_compute(CLI::App& app, ComputeRequest& to);
-void describe_sweep(CLI::App& app, SweepRequest& to);
-void describe_branches(CLI::App& app, BranchesRequest& to);
-void describe_persistence(CLI::App& app, PersistenceRequest& to);
-void describe_repair(CLI::App& app, ResampleRequest& to);
-void describe_decimate(CLI::App& app, ResampleRequest& to);
-void describe_export(CLI::App& app, ExportRequest& to);
-void describe_render(CLI::App& app, RenderRequest& to);
+void describe_compute(const Registry& registry, CLI::App& app, ComputeRequest& to);
+void describe_sweep(const Registry& registry, CLI::App& app, SweepRequest& to);
+void describe_branches(const Registry& registry, CLI::App& app, BranchesRequest& to);
+void describe_persistence(const Registry& registry, CLI::App& app, PersistenceRequest& to);
+void describe_repair(const Registry& registry, CLI::App& app, ResampleRequest& to);
+void describe_decimate(const Registry& registry, CLI::App& app, ResampleRequest& to);
+void describe_export(const Registry& registry, CLI::App& app, ExportRequest& to);
+void describe_render(const Registry& registry, CLI::App& app, RenderRequest& to);
 void describe_play(CLI::App& app, PlayRequest& to);
 void describe_demo(CLI::App& app, DemoRequest& to);
 void describe_lesson(CLI::App& app, LessonRequest& to);
-void describe_evolve(CLI::App& app, EvolveRequest& to);
+void describe_evolve(const Registry& registry, CLI::App& app, EvolveRequest& to);
 void describe_shape(CLI::App& app, ShapeCommand& to);
-void describe_sample(CLI::App& app, SampleRequest& to);
+void describe_sample(const Registry& registry, CLI::App& app, SampleRequest& to);
 void describe_text(CLI::App& app, TextCommand& to);
 
 }  // namespace mes::cli

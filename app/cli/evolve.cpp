@@ -60,7 +60,7 @@ Expected<void> run_evolve(const Registry& registry, const EvolveRequest& request
   const auto steps = whole_number("--steps", request.steps);
   if (!steps) return std::unexpected(steps.error());
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.file, request.from, request.reading);
+  const auto input = read_input(registry, request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
   const auto of_session = evolution_in(registry, input->session.get());
   if (request.evolution.empty() && !of_session)

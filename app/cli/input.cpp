@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "app/cli/messages.h"
+#include "core/graph/registry.h"
+#include "core/io/format_spec.h"
 #include "core/io/text_numbers.h"
 
 namespace mes::cli {
@@ -37,10 +39,9 @@ Expected<ReadRequest> understood_reading(const ReadingOptions& options) {
   return request;
 }
 
-bool is_map(std::string_view format) {
-  const auto formats = format_descriptors();
-  const auto found = std::ranges::find(formats, format, &FormatDescriptor::id);
-  return found != formats.end() && found->is_map;
+bool is_map(const Registry& registry, std::string_view format) {
+  const auto found = registry.formats().find(format);
+  return found != nullptr && found->descriptor.is_map;
 }
 
 }  // namespace
@@ -49,13 +50,15 @@ std::vector<std::string> figure_sides() {
   return {"dark", "light"};
 }
 
-Expected<LoadedFile> read_input(const std::string& file, const std::string& format, const ReadingOptions& options) {
-  const auto request = understood_reading(options);
+Expected<LoadedFile> read_input(const Registry& registry, const std::string& file, const std::string& format,
+                                const ReadingOptions& options) {
+  auto request = understood_reading(options);
   if (!request) return std::unexpected(request.error());
+  request->formats = &registry.formats();
   auto loaded = file == "-" ? read_sample_stream(STDIN_FILENO, file, format, *request)
                             : read_sample_file(file, format, nullptr, *request);
   if (!loaded) return loaded;
-  if (options.keeps_degrees && !is_map(loaded->format))
+  if (options.keeps_degrees && !is_map(registry, loaded->format))
     return std::unexpected(Error{ErrorCode::usage, "only maps have degrees to keep, and this is none", file});
   for (const std::string& warning : loaded->warnings) say(warning);
   return loaded;

@@ -14,7 +14,7 @@ namespace mes::cli {
 /// Reads a file, or standard input when its name is "-". What is odd but bearable in it is said on stderr. Error: also
 /// `usage` for options of tracing that contradict each other, before anything is read, or that are given for a file
 /// that is not a picture, and for degrees to keep of a file that is not a map.
-Expected<LoadedFile> read_input(const std::string& file, const std::string& format,
+Expected<LoadedFile> read_input(const Registry& registry, const std::string& file, const std::string& format,
                                 const ReadingOptions& options = {});
 
 /// The values of `--figure-side`.

@@ -64,7 +64,7 @@ Expected<Chosen> lesson_of(const Registry& registry, const std::string& word) {
                          one_of(nearest_names(word, known)) + '?');
     }
   }
-  auto input = read_input(file, {});
+  auto input = read_input(registry, file, {});
   if (!input) return std::unexpected(input.error());
   if (!input->session)
     return std::unexpected(Error{ErrorCode::bad_input, "this is not a session but " + input->format, file});

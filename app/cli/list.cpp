@@ -21,7 +21,7 @@
 #include "core/graph/registry.h"
 #include "core/graph/structure.h"
 #include "core/graph/table_columns.h"
-#include "core/io/format.h"
+#include "core/io/format_spec.h"
 #include "core/io/text_numbers.h"
 #include "core/shapes/shape.h"
 
@@ -50,6 +50,7 @@ std::string hex_of(Rgb color) {
 std::vector<Entry> layer_entries(const Registry& registry) {
   std::vector<Entry> out;
   for (const LayerDescriptor& layer : registry.layers()) {
+    if (layer.is_removed) continue;
     Json kinds = Json::array();
     for (const PrimitiveKind kind : layer.kinds) kinds.push_back(name_of(kind));
     out.push_back({std::string(layer.id),
@@ -64,6 +65,7 @@ std::vector<Entry> layer_entries(const Registry& registry) {
                     {"kinds", kinds},
                     {"scalar", layer.scalar.empty() ? Json() : Json(layer.scalar)},
                     {"structures", layer.structures},
+                    {"parameters", layer.parameters},
                     {"style",
                      {{"color", hex_of(layer.style.color)},
                       {"opacity", layer.style.opacity},
@@ -99,23 +101,30 @@ std::vector<Entry> structure_entries(const Registry& registry) {
   const StructureSet structures = registry.make_structures();
   for (const auto& structure : structures.all()) {
     const std::string_view id = structure->id();
+    const StructureSpec& spec = *registry.find_structure(id);
     const Json tables = tables_of(*structure);
     std::string names;
     for (const Json& table : tables) names += (names.empty() ? "" : ", ") + table["name"].get<std::string>();
     Json readers = Json::array();
     for (const LayerDescriptor& layer : registry.layers())
-      if (std::ranges::find(layer.structures, id) != layer.structures.end()) readers.push_back(layer.id);
+      if (!layer.is_removed && std::ranges::find(layer.structures, id) != layer.structures.end())
+        readers.push_back(layer.id);
     out.push_back({std::string(id),
                    fmt::format("read by {} {}; {}", readers.size(), readers.size() == 1 ? "layer" : "layers",
                                tables.empty() ? "no table" : "tables: " + names),
-                   {{"id", id}, {"layers", readers}, {"tables", tables}}});
+                   {{"id", id},
+                    {"inputs", spec.inputs},
+                    {"parameters", spec.parameters},
+                    {"layers", readers},
+                    {"tables", tables}}});
   }
   return out;
 }
 
-std::vector<Entry> format_entries(const Registry& /*registry*/) {
+std::vector<Entry> format_entries(const Registry& registry) {
   std::vector<Entry> out;
-  for (const FormatDescriptor& format : format_descriptors()) {
+  for (const auto& each : registry.formats().all()) {
+    const FormatDescriptor& format = each->descriptor;
     const bool is_exported = std::ranges::find(export_formats(), format.id) != export_formats().end();
     std::string text = std::string(format.name) + " (";
     for (std::size_t i = 0; i < format.extensions.size(); ++i) {

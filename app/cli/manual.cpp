@@ -24,7 +24,7 @@
 #include "core/graph/structure.h"
 #include "core/graph/table_columns.h"
 #include "core/io/bundle_file.h"
-#include "core/io/format.h"
+#include "core/io/format_spec.h"
 #include "core/io/session.h"
 #include "core/io/text_numbers.h"
 #include "core/shapes/shape.h"
@@ -92,7 +92,7 @@ void write_layers(const Registry& registry, Markdown& page) {
         LayerGroup::poles, LayerGroup::union_a, LayerGroup::union_p, LayerGroup::union_b, LayerGroup::diagnostics}) {
     Rows rows;
     for (const LayerDescriptor& layer : registry.layers())
-      if (layer.group == group)
+      if (layer.group == group && !layer.is_removed)
         rows.push_back({plain(layer.name), code(layer.id), plain(layer.tooltip), plain(layer.scalar),
                         layer.in_paper ? "yes" : "", layer.visible_at_start ? "yes" : ""});
     page.subsection(title_of(group));
@@ -211,7 +211,8 @@ void write_structures(const Registry& registry, Markdown& page) {
     for (const Structure* input : structure->inputs()) inputs.push_back(input->id());
     std::vector<std::string_view> readers;
     for (const LayerDescriptor& layer : registry.layers())
-      if (std::ranges::find(layer.structures, structure->id()) != layer.structures.end()) readers.push_back(layer.id);
+      if (!layer.is_removed && std::ranges::find(layer.structures, structure->id()) != layer.structures.end())
+        readers.push_back(layer.id);
     const std::vector<TableColumns> tables = structure->table_columns();
     std::vector<std::string_view> names;
     for (const TableColumns& table : tables) names.push_back(table.name);
@@ -250,9 +251,12 @@ Bundle example_bundle(const Registry& registry) {
 void write_formats(const Registry& registry, Markdown& page) {
   page.section("Files");
   Rows rows;
-  for (const FormatDescriptor& format : format_descriptors())
-    rows.push_back({plain(format.name), code(format.id), code(format.extensions), format.can_read ? "yes" : "",
-                    format.can_write ? "yes" : ""});
+  for (const auto& each : registry.formats().all()) {
+    const FormatDescriptor& format = each->descriptor;
+    rows.push_back({plain(format.name), code(format.id),
+                    code(std::vector<std::string_view>(format.extensions.begin(), format.extensions.end())),
+                    format.can_read ? "yes" : "", format.can_write ? "yes" : ""});
+  }
   page.table({"Format of samples", "Id", "Names end in", "Read", "Written"}, rows);
   page.paragraph(
       "The format is found by what a file holds, then by its name; `--from ID` overrides both. Files appear\n"

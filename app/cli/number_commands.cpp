@@ -20,9 +20,9 @@ std::string help_of_export_formats() {
 
 }  // namespace
 
-void describe_compute(CLI::App& app, ComputeRequest& to) {
+void describe_compute(const Registry& registry, CLI::App& app, ComputeRequest& to) {
   CLI::App* const compute = app.add_subcommand("compute", "Counts and measures of structures and layers, as JSON");
-  add_source(*compute, to.source);
+  add_source(registry, *compute, to.source);
   compute->add_option("--layers", to.layers,
                       "Layer ids separated by commas (mesecina list layers), or all;\n"
                       "default: those of the session, if FILE is one or carries one, and\n"
@@ -33,10 +33,10 @@ void describe_compute(CLI::App& app, ComputeRequest& to) {
   add_output(*compute, to.output, to.force);
 }
 
-void describe_sweep(CLI::App& app, SweepRequest& to) {
+void describe_sweep(const Registry& registry, CLI::App& app, SweepRequest& to) {
   CLI::App* const sweep =
       app.add_subcommand("sweep", "Counts and measures while a parameter goes through its values, as CSV");
-  add_source(*sweep, to.source);
+  add_source(registry, *sweep, to.source);
   sweep->add_option("--parameter", to.parameter, "NAME=FROM..TO, as in lambda-limit=0..20 (mesecina list parameters)")
       ->required();
   sweep->add_option("--steps", to.steps, "How many steps from the first value to the last, both of them shown")
@@ -51,9 +51,9 @@ void describe_sweep(CLI::App& app, SweepRequest& to) {
       "structures.");
 }
 
-void describe_branches(CLI::App& app, BranchesRequest& to) {
+void describe_branches(const Registry& registry, CLI::App& app, BranchesRequest& to) {
   CLI::App* const branches = app.add_subcommand("branches", "The branches of an axis with their measures, as CSV");
-  add_source(*branches, to.source);
+  add_source(registry, *branches, to.source);
   branches
       ->add_option("--layer", to.layer,
                    "Which axis: medial-axis, lambda-medial-axis, angle-medial-axis or\n"
@@ -67,10 +67,10 @@ void describe_branches(CLI::App& app, BranchesRequest& to) {
       "layer's.");
 }
 
-void describe_persistence(CLI::App& app, PersistenceRequest& to) {
+void describe_persistence(const Registry& registry, CLI::App& app, PersistenceRequest& to) {
   CLI::App* const persistence = app.add_subcommand(
       "persistence", "Births and deaths of components and holes of growing disks or balls, as CSV");
-  add_source(*persistence, to.source);
+  add_source(registry, *persistence, to.source);
   persistence
       ->add_option("--of", to.of,
                    "What grows: samples, as disks of one radius; or the inner, polar or own balls, where\na ball of "
@@ -84,10 +84,10 @@ void describe_persistence(CLI::App& app, PersistenceRequest& to) {
       "those below 0 are of what the balls have before they grow.");
 }
 
-void describe_export(CLI::App& app, ExportRequest& to) {
+void describe_export(const Registry& registry, CLI::App& app, ExportRequest& to) {
   CLI::App* const exported =
       app.add_subcommand("export", "The geometry of layers as text, or a table of a structure");
-  add_source(*exported, to.source);
+  add_source(registry, *exported, to.source);
   exported->add_option(
       "--layer", to.layer,
       "Layer id (mesecina list layers);\nfor geojson, wkt and svg-path also several separated by commas, or all");

@@ -17,7 +17,6 @@
 #include "core/evolutions/evolution.h"
 #include "core/graph/registry.h"
 #include "core/graph/table_columns.h"
-#include "core/io/format.h"
 #include "core/shapes/shape.h"
 
 namespace mes::cli {
@@ -30,11 +29,15 @@ std::vector<std::string> id_list(const auto& descriptors) {
 }
 
 std::vector<std::string> offered_layers(const Registry& registry) {
-  return id_list(registry.layers());
+  std::vector<std::string> out;
+  for (const LayerDescriptor& layer : registry.layers())
+    if (!layer.is_removed) out.push_back(layer.id);
+  return out;
 }
 
-std::vector<std::string> offered_formats(const Registry& /*registry*/) {
-  return id_list(format_descriptors());
+std::vector<std::string> offered_formats(const Registry& registry) {
+  const auto ids = registry.formats().ids();
+  return {ids.begin(), ids.end()};
 }
 
 std::vector<std::string> exported(const Registry& /*registry*/) {

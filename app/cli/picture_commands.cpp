@@ -94,10 +94,10 @@ void add_film(CLI::App& command, FilmRequest& film) {
 
 }  // namespace
 
-void describe_render(CLI::App& app, RenderRequest& to) {
+void describe_render(const Registry& registry, CLI::App& app, RenderRequest& to) {
   CLI::App* const render =
       app.add_subcommand("render", "A picture of layers, in pixels or as vector graphics; needs no display");
-  add_source(*render, to.source);
+  add_source(registry, *render, to.source);
   render->add_option("--layers", to.layers,
                      "Layer ids separated by commas, or all; default: those of the session, if FILE\n"
                      "is one or carries one, and else those visible at start.\n"

@@ -14,8 +14,8 @@
 namespace mes::cli {
 namespace {
 
-Expected<std::shared_ptr<const Session>> read(const std::string& file) {
-  auto loaded = read_input(file, {});
+Expected<std::shared_ptr<const Session>> read(const Registry& registry, const std::string& file) {
+  auto loaded = read_input(registry, file, {});
   if (!loaded) return std::unexpected(loaded.error());
   if (!loaded->session)
     return std::unexpected(Error{ErrorCode::bad_input, "this is not a session but " + loaded->format, file});
@@ -26,7 +26,7 @@ Expected<std::shared_ptr<const Session>> read(const std::string& file) {
 
 Expected<void> run_play(const Registry& registry, const PlayRequest& request, Interruption& interruption) {
   if (auto good = check(request.film); !good) return good;
-  const auto session = read(request.session);
+  const auto session = read(registry, request.session);
   if (!session) return std::unexpected(session.error());
   if (!request.film.frames.empty() || !request.film.video.empty())
     return make_film(registry, **session, request.session, request.film);

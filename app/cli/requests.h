@@ -206,7 +206,7 @@ struct SampleRequest {
   std::string output;
   bool force = false;
 };
-Expected<void> run_sample(const SampleRequest& request, Interruption& interruption);
+Expected<void> run_sample(const Registry& registry, const SampleRequest& request, Interruption& interruption);
 
 struct TextCommand {
   std::string text;

@@ -41,7 +41,7 @@ Expected<void> run_repair(const Registry& registry, const ResampleRequest& reque
   const auto epsilon = epsilon_of(request);
   if (!epsilon) return std::unexpected(epsilon.error());
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.file, request.from, request.reading);
+  const auto input = read_input(registry, request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
   JobControl job;
   const auto repaired = repair(registry, input->data, *epsilon, job);
@@ -55,7 +55,7 @@ Expected<void> run_decimate(const Registry& registry, const ResampleRequest& req
   const auto epsilon = epsilon_of(request);
   if (!epsilon) return std::unexpected(epsilon.error());
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.file, request.from, request.reading);
+  const auto input = read_input(registry, request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
   JobControl job;
   const auto decimated = decimate(registry, input->data, *epsilon, job);

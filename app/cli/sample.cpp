@@ -85,11 +85,11 @@ Expected<SamplingRequest> sampling_of(const SampleRequest& request) {
 
 }  // namespace
 
-Expected<void> run_sample(const SampleRequest& request, Interruption& interruption) {
+Expected<void> run_sample(const Registry& registry, const SampleRequest& request, Interruption& interruption) {
   const auto sampling = sampling_of(request);
   if (!sampling) return std::unexpected(sampling.error());
   if (auto good = check_output(request.output); !good) return good;
-  const auto input = read_input(request.file, request.from, request.reading);
+  const auto input = read_input(registry, request.file, request.from, request.reading);
   if (!input) return std::unexpected(input.error());
   if (input->data.positions.empty())
     return std::unexpected(Error{ErrorCode::bad_input, "there are no samples and no curves", request.file});

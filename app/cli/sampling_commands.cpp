@@ -7,16 +7,16 @@
 namespace mes::cli {
 namespace {
 
-void add_resampling(CLI::App& command, ResampleRequest& request, const char* epsilon) {
-  add_input(command, request);
+void add_resampling(const Registry& registry, CLI::App& command, ResampleRequest& request, const char* epsilon) {
+  add_input(registry, command, request);
   command.add_option("--epsilon", request.epsilon, epsilon)->capture_default_str();
   add_output(command, request.output, request.force);
 }
 }  // namespace
 
-void describe_repair(CLI::App& app, ResampleRequest& to) {
+void describe_repair(const Registry& registry, CLI::App& app, ResampleRequest& to) {
   CLI::App* const repair = app.add_subcommand("repair", "Samples inserted where the curve has too few of them");
-  add_resampling(*repair, to,
+  add_resampling(registry, *repair, to,
                  "Curve edges are halved while half their length is more than this part of the\n"
                  "distance of their ends to the axis; above 0, at most 1");
   repair->footer(
@@ -26,19 +26,19 @@ void describe_repair(CLI::App& app, ResampleRequest& to) {
       "samples is dense enough at a corner.");
 }
 
-void describe_decimate(CLI::App& app, ResampleRequest& to) {
+void describe_decimate(const Registry& registry, CLI::App& app, ResampleRequest& to) {
   CLI::App* const decimate =
       app.add_subcommand("decimate", "Samples taken away that the curve and the topology of the axis do not need");
-  add_resampling(*decimate, to,
+  add_resampling(registry, *decimate, to,
                  "The rest is to have, along the curve, half the distance of neighbours at most this\n"
                  "part of their distance to the axis; above 0, at most 1");
   decimate->footer(
       "The curve goes through the rest in the same order, and the axis has as many components and cycles as before.");
 }
 
-void describe_evolve(CLI::App& app, EvolveRequest& to) {
+void describe_evolve(const Registry& registry, CLI::App& app, EvolveRequest& to) {
   CLI::App* const evolve = app.add_subcommand("evolve", "Samples after some steps of an evolution, as POFF");
-  add_input(*evolve, to);
+  add_input(registry, *evolve, to);
   evolve->add_option("--evolution", to.evolution,
                      "Evolution id (mesecina list evolutions); required, unless FILE is a session\n"
                      "with an evolution");
@@ -75,11 +75,11 @@ void describe_shape(CLI::App& app, ShapeCommand& to) {
   add_output(*shape, to.output, to.force);
 }
 
-void describe_sample(CLI::App& app, SampleRequest& to) {
+void describe_sample(const Registry& registry, CLI::App& app, SampleRequest& to) {
   CLI::App* const sample = app.add_subcommand(
       "sample",
       "Other samples of the curves of a drawing, a map or a picture, or of a curve through samples, as POFF");
-  add_input(*sample, to, "File to read, or - for standard input");
+  add_input(registry, *sample, to, "File to read, or - for standard input");
   sample->add_option("--rule", to.rule,
                      "Where samples lie: " + ids_of(sampling_rules()) +
                          ";\n"

@@ -14,7 +14,7 @@
 namespace mes::cli {
 
 Expected<SourceInput> read_source(const Registry& registry, const Source& source) {
-  auto file = read_input(source.file, source.from, source.reading);
+  auto file = read_input(registry, source.file, source.from, source.reading);
   if (!file) return std::unexpected(file.error());
   const auto settings =
       settings_of(registry, source, file->session ? file->session->settings : ComputationSettings());

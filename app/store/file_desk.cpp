@@ -32,15 +32,20 @@ fs::path key_of(const fs::path& file) {
 
 }  // namespace
 
-FileDesk::FileDesk(Editor& editor, std::function<Session()> session_now, std::function<void()> wake)
-    : editor_(editor), session_now_(std::move(session_now)), reading_(wake), writing_(std::move(wake)) {
+FileDesk::FileDesk(Editor& editor, std::function<Session()> session_now, std::function<void()> wake,
+                   const NamedList<Format>* formats)
+    : editor_(editor),
+      session_now_(std::move(session_now)),
+      formats_(formats),
+      reading_(wake),
+      writing_(std::move(wake)) {
   note_all_as_saved();
 }
 FileDesk::~FileDesk() = default;
 
-Expected<LoadedFile> FileDesk::read(const fs::path& file, MapDegrees degrees, JobControl& control) {
+Expected<LoadedFile> FileDesk::read(const fs::path& file, const ReadRequest& request, JobControl& control) {
   try {
-    return read_sample_file(file, {}, &control, {.degrees = degrees});
+    return read_sample_file(file, {}, &control, request);
   } catch (const std::bad_alloc&) {
     return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file.string()});
   } catch (const std::exception& error) {
@@ -67,7 +72,7 @@ void FileDesk::read(const Asked& asked, Reading& reading, ReadFiles& out) {
   std::vector<LoadedFile> files;
   for (const fs::path& file : asked.files) {
     out.outcome.file = file;
-    auto loaded = read(file, asked.degrees, reading.control);
+    auto loaded = read(file, {.degrees = asked.degrees, .formats = asked.formats}, reading.control);
     if (!loaded) {
       out.outcome.error = std::move(loaded.error());
       return;
@@ -151,6 +156,7 @@ void FileDesk::prepare(Reading& reading, ReadFiles& out) {
 void FileDesk::begin(Asked asked) {
   cancel_reading();
   note_work(asked);
+  asked.formats = formats_;
   attempts_ = 0;
   asked_ = std::move(asked);
   progress_ = std::make_shared<Reading>();

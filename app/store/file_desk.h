@@ -45,7 +45,9 @@ namespace mes {
 class FileDesk {
  public:
   /// `session_now` gives what a session file is to hold.
-  FileDesk(Editor& editor, std::function<Session()> session_now, std::function<void()> wake);
+  /// Formats: those that there are, which outlive it; null: those of the program.
+  FileDesk(Editor& editor, std::function<Session()> session_now, std::function<void()> wake,
+           const NamedList<Format>* formats = nullptr);
   ~FileDesk();
 
   /// Begins to read; a reading under way is given up. Of several files those are opened together that bring something
@@ -139,6 +141,7 @@ class FileDesk {
     std::string remark{};                        // on what was made
     std::shared_ptr<const Session> recovered{};  // no file
     MapDegrees degrees = MapDegrees::projected;
+    const NamedList<Format>* formats = nullptr;
     Editor::Work work{};        // that there was then
     bool was_modified = false;  // so it was asked about
   };
@@ -173,7 +176,8 @@ class FileDesk {
   Outcome take_over(ReadFiles& read);
   /// Destroys what was read on another thread, or on this one if no thread can be started.
   void drop(ReadFilesPointer read);
-  static Expected<LoadedFile> read(const std::filesystem::path& file, MapDegrees degrees, JobControl& control);
+  static Expected<LoadedFile> read(const std::filesystem::path& file, const ReadRequest& request,
+                                   JobControl& control);
   static void read(const Asked& asked, Reading& reading, ReadFiles& out);
   static void join(const Asked& asked, std::vector<LoadedFile> files, ReadFiles& out);
   static void prepare(Reading& reading, ReadFiles& out);
@@ -224,6 +228,7 @@ class FileDesk {
 
   Editor& editor_;
   std::function<Session()> session_now_;
+  const NamedList<Format>* formats_;  // null: those of the program
   Held held_;
   std::optional<Held> contested_;         // what a saving that ended with a conflict would have led to
   Asked asked_;                           // while it is read

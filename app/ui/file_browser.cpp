@@ -11,7 +11,7 @@
 #include "app/ui/widgets.h"
 #include "core/base/lower_case.h"
 #include "core/io/carried_session.h"
-#include "core/io/format.h"
+#include "core/io/format_spec.h"
 
 namespace mes {
 
@@ -20,25 +20,26 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Of what can be opened, each once.
-std::vector<std::string_view> known_extensions() {
+std::vector<std::string_view> known_extensions(const NamedList<Format>* formats) {
   std::vector<std::string_view> out{".txt", ".bnd"};
   const auto add = [&out](std::string_view extension) {
     if (std::ranges::find(out, extension) == out.end()) out.push_back(extension);
   };
-  for (const FormatDescriptor& format : format_descriptors())
-    if (format.can_read) std::ranges::for_each(format.extensions, add);
+  if (formats != nullptr)
+    for (const auto& format : formats->all())
+      if (format->descriptor.can_read) std::ranges::for_each(format->descriptor.extensions, add);
   std::ranges::for_each(kCarrierExtensions, add);
   return out;
 }
 
-bool is_known(const std::string& name) {
-  const std::vector<std::string_view> known = known_extensions();
+bool is_known(const NamedList<Format>* formats, const std::string& name) {
+  const std::vector<std::string_view> known = known_extensions(formats);
   return std::ranges::find(known, lower_case_extension(name)) != known.end();
 }
 
-std::vector<std::string> known_patterns() {
+std::vector<std::string> known_patterns(const NamedList<Format>* formats) {
   std::vector<std::string> out;
-  for (const std::string_view extension : known_extensions()) out.push_back(fmt::format("*{}", extension));
+  for (const std::string_view extension : known_extensions(formats)) out.push_back(fmt::format("*{}", extension));
   return out;
 }
 
@@ -61,6 +62,10 @@ constexpr const char* kDesktopTitle = "##desktop-dialog";
 
 FileBrowser::FileBrowser() = default;
 FileBrowser::~FileBrowser() = default;
+
+void FileBrowser::use_formats(const NamedList<Format>& formats) {
+  formats_ = &formats;
+}
 
 void FileBrowser::use_desktop(const std::string& window, std::function<void()> wake, std::function<void()> settle) {
   settle_ = std::move(settle);
@@ -89,7 +94,7 @@ void FileBrowser::ask_desktop_first() {
   if (!is_saving_) {
     std::vector<std::string> patterns;
     for (const std::string& extension : purpose_.extensions) patterns.push_back('*' + extension);
-    if (patterns.empty()) patterns = known_patterns();
+    if (patterns.empty()) patterns = known_patterns(formats_);
     question.filters = {{"What can be opened", std::move(patterns)}, {"All files", {"*"}}};
   }
   try {
@@ -171,8 +176,8 @@ void FileBrowser::ask_save(const fs::path& folder, const std::string& name, Then
 
 void FileBrowser::list_wanted() {
   if (all_files_) return files_.set_filter({});
-  files_.set_filter([wanted = purpose_.extensions](const std::string& name) {
-    return wanted.empty() ? is_known(name) : std::ranges::count(wanted, lower_case_extension(name)) > 0;
+  files_.set_filter([wanted = purpose_.extensions, formats = formats_](const std::string& name) {
+    return wanted.empty() ? is_known(formats, name) : std::ranges::count(wanted, lower_case_extension(name)) > 0;
   });
 }
 

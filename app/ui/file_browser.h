@@ -14,8 +14,11 @@
 #include "app/system/desktop_dialog.h"
 #include "app/ui/dialog.h"
 #include "app/ui/name_field.h"
+#include "core/base/named_list.h"
 
 namespace mes {
+
+struct Format;
 
 /// What a file is asked for when it is not the document.
 struct FilePurpose {
@@ -43,6 +46,8 @@ class FileBrowser final : public Dialog {
 
   FileBrowser();
   ~FileBrowser() override;
+  /// What can be opened; they outlive it. Without them nothing can.
+  void use_formats(const NamedList<Format>& formats);
   /// `window`: above which it is to lie, as in DesktopQuestion. `wake` is called from another thread when an answer
   /// has come, `settle` when it was taken and other dialogs are to be drawn.
   void use_desktop(const std::string& window, std::function<void()> wake, std::function<void()> settle);
@@ -83,6 +88,7 @@ class FileBrowser final : public Dialog {
 
   std::unique_ptr<Desktop> desktop_;  // null: the own dialog is shown
   std::function<void()> settle_;
+  const NamedList<Format>* formats_ = nullptr;
   bool is_open_ = false;
   bool is_saving_ = false;
   bool all_files_ = false;

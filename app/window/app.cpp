@@ -43,6 +43,7 @@ App::App(const Registry& registry, std::unique_ptr<GlfwWindow> window, const std
               recording_, keys_.actions(), messages_, panels_.presenter(), panels_.mark_drag()}) {
   bind_actions();
   recording_.desk().set_take_source([this] { return session_for_lesson(documents_.session_now()); });
+  dialogs_.browser.use_formats(registry.formats());
   dialogs_.browser.use_desktop(screen_.window->desktop_handle(), GlfwWindow::wake,
                                [this] { screen_.clock.settle(); });
 }

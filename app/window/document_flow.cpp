@@ -37,7 +37,7 @@ DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const std::functio
             uses_.work.editor().note_layers();
             return session_now();
           },
-          wake),
+          wake, &uses_.work.registry().formats()),
       keeper_(
           uses_.work, uses_.messages, [this] { return session_now(); }, wake),
       figures_({uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages, uses_.settings,

@@ -191,15 +191,6 @@ ReadOptions what_may_be_read(const Formats& formats, JobControl* job) {
 
 }  // namespace
 
-std::span<const FormatDescriptor> format_descriptors() {
-  static const std::vector<FormatDescriptor> descriptors = [] {
-    std::vector<FormatDescriptor> out;
-    for (const auto& format : formats_of({}).all()) out.push_back(format->descriptor);
-    return out;
-  }();
-  return descriptors;
-}
-
 Expected<LoadedFile> read_sample_file(const fs::path& path, std::string_view format, JobControl* job,
                                       const ReadRequest& request) {
   const auto bytes = read_whole(path, what_may_be_read(formats_of(request), job));

@@ -54,9 +54,6 @@ struct FormatDescriptor {
   bool is_map = false;  ///< positions may be longitude and latitude
 };
 
-/// Every format, in the order in which contents are tried.
-std::span<const FormatDescriptor> format_descriptors();
-
 /// Reads a file; the format is found by content first, extension second, unless `format` names one. A picture or a
 /// figure that carries a session is read as that session. A `.contours` file beside a POFF file is read too, if it is a
 /// regular file. Never allocates by what a header promises. Error: `bad_input` with file, line, column; `usage` for a

@@ -9,7 +9,7 @@
 #include "core/draw/layer_descriptor.h"
 #include "core/evolutions/evolution.h"
 #include "core/graph/structure.h"
-#include "core/io/format.h"
+#include "core/io/format_spec.h"
 #include "core/kernel/precision.h"
 #include "core/library/internal/adapter.h"
 #include "core/library/internal/table_access.h"
@@ -157,16 +157,18 @@ std::vector<ShapeInfo> Catalogue::shapes() const {
   });
 }
 
-std::vector<FormatInfo> Catalogue::formats() {
-  return guarded([] {
+std::vector<FormatInfo> Catalogue::formats() const {
+  return guarded([&] {
     constexpr std::array<std::string_view, 3> kWritten{"poff", "wpoff", "session"};
     std::vector<FormatInfo> out;
-    for (const mes::FormatDescriptor& format : mes::format_descriptors())
+    for (const auto& each : impl_->registry->formats().all()) {
+      const mes::FormatDescriptor& format = each->descriptor;
       out.push_back({.id = std::string(format.id),
                      .name = std::string(format.name),
                      .extensions = all_texts(format.extensions),
                      .can_read = format.can_read,
                      .can_write = std::ranges::find(kWritten, format.id) != kWritten.end()});
+    }
     return out;
   });
 }

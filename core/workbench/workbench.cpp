@@ -34,6 +34,11 @@ auto inserted_by(const std::vector<Edit>& edits) {
   return out;
 }
 
+ReadRequest with_formats(ReadRequest request, const Registry& registry) {
+  if (request.formats == nullptr) request.formats = &registry.formats();
+  return request;
+}
+
 }  // namespace
 
 Workbench::Workbench(const Registry& registry, WorkbenchOptions options)
@@ -55,12 +60,12 @@ void Workbench::set_registry(const Registry& registry) {
 
 Expected<LoadedFile> Workbench::open(const std::filesystem::path& path, JobControl& job, const ReadRequest& request,
                                      std::string_view format) {
-  return take(read_sample_file(path, format, &job, request));
+  return take(read_sample_file(path, format, &job, with_formats(request, *registry_)));
 }
 
 Expected<LoadedFile> Workbench::open_bytes(std::string_view bytes, const std::string& name, JobControl& job,
                                            const ReadRequest& request, std::string_view format) {
-  return take(read_sample_bytes(bytes, name, format, request, &job));
+  return take(read_sample_bytes(bytes, name, format, with_formats(request, *registry_), &job));
 }
 
 Expected<LoadedFile> Workbench::take(Expected<LoadedFile> file) {

@@ -280,7 +280,7 @@ TEST_CASE("the catalogue has what there is, each id once") {
   CHECK(ids_of(catalogue.layers()).contains("medial-axis"));
   CHECK(ids_of(catalogue.evolutions()).contains("smooth"));
   CHECK(ids_of(Catalogue::precisions()).size() == 4);
-  CHECK(ids_of(Catalogue::formats()).contains("poff"));
+  CHECK(ids_of(Catalogue::builtin().formats()).contains("poff"));
   for (const LayerInfo& layer : catalogue.layers())
     for (const std::string& id : layer.structures) CHECK(structures.contains(id));
   for (const StructureInfo& structure : catalogue.structures())

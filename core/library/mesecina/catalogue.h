@@ -124,8 +124,9 @@ class MESECINA_API Catalogue {
   std::vector<ParameterInfo> parameters() const;
   std::vector<EvolutionInfo> evolutions() const;
   std::vector<ShapeInfo> shapes() const;
-  /// Formats and number types are the same in every catalogue.
-  static std::vector<FormatInfo> formats();
+  /// In the order in which contents are tried.
+  std::vector<FormatInfo> formats() const;
+  /// Number types are the same in every catalogue.
   static std::vector<PrecisionInfo> precisions();
 
  private:
