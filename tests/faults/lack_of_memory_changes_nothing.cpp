@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <catch2/catch.hpp>
+#include <new>
 
 #include "app/editing/place_index.h"
 #include "app/model/memory_problem.h"
@@ -18,6 +19,7 @@
 #include "render/recording_device.h"
 #include "render/scene.h"
 #include "tests/faults/faulty_memory.h"
+#include "tests/support/added_to_registry.h"
 #include "tests/support/builtin_layers.h"
 
 using namespace mes;
@@ -190,6 +192,41 @@ TEST_CASE("where variants find no room, the main computation goes on, and they c
     run();
     CHECK(mirror.digest(layer_in(1, false, boundary)) == expected);
     CHECK(mirror.digest(layer_in(2, false, boundary)) == expected);
+    return has_failed;
+  });
+  CHECK(failures > 20);
+}
+
+TEST_CASE("where a registry finds no room, the graph goes on with the one that it has") {
+  const Registry& before = registry_of_one_layer();
+  const Registry after = before;
+  const LayerIndex layer = before.find_layer("doubled-points");
+  const int failures = with_each_allocation_failing([&](int call) {
+    Document document;
+    Graph graph{before};
+    LayerMirror mirror;
+    FramePatch patch;
+    JobControl job;
+    const auto add = [&](std::size_t count) {
+      const DocumentDelta delta = insert_samples(document, some_places(count, 8 + count)).value();
+      document.apply(delta);
+      graph.post(std::make_shared<const DocumentDelta>(delta));
+      REQUIRE(graph.run(patch, job));
+      mirror.apply(patch);
+    };
+    graph.set_demand(std::array{layer});
+    add(20);
+    bool has_failed = false;
+    try {
+      const FailingMemory failing(call, false);
+      has_failed = true;
+      graph.set_registry(after);
+      has_failed = failing.has_failed();
+    } catch (const std::bad_alloc&) {
+      CHECK(has_failed);
+    }
+    add(5);
+    CHECK(mirror.count(layer, PrimitiveKind::point) == 25);
     return has_failed;
   });
   CHECK(failures > 20);
