@@ -57,6 +57,7 @@ Data make_shape(const Catalogue& catalogue, std::string_view shape, const ShapeR
 
 Data make_shape(const Catalogue& catalogue, std::string_view shape, const ShapeRequest& request, Job& job) {
   return guarded([&] {
+    JobAccess::control(job).checkpoint();
     const auto known = CatalogueAccess::registry(catalogue)->shapes().find(shape);
     if (!known) refuse_unknown("shape", shape);
     return outer(taken(mes::make_shape(*known, inner(*known, request), &JobAccess::control(job))));

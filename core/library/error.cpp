@@ -6,6 +6,7 @@
 #include <new>
 
 #include "core/base/assert.h"
+#include "core/io/text_numbers.h"
 #include "core/library/internal/adapter.h"
 
 namespace mesecina {
@@ -54,8 +55,8 @@ std::string_view name_of(ErrorCode code) noexcept {
 }
 
 Error::Error(Details details) {
-  std::string message =
-      mes::Error{mes::ErrorCode::usage, details.text, details.file, details.line, details.column}.message();
+  std::string message = mes::printable(
+      mes::Error{mes::ErrorCode::usage, details.text, details.file, details.line, details.column}.message());
   impl_ = std::make_shared<const Impl>(Impl{std::move(details), std::move(message)});
 }
 Error::Error(ErrorCode code, std::string text) : Error(Details{.code = code, .text = std::move(text)}) {}
@@ -98,7 +99,7 @@ void refuse(std::string text) {
 }
 
 void refuse_unknown(std::string_view what, std::string_view id) {
-  refuse(fmt::format("unknown {} \"{}\"", what, id));
+  refuse(fmt::format("unknown {} {}", what, mes::in_quotes(std::string(id))));
 }
 
 void raise_current() {

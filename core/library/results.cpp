@@ -3,6 +3,8 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <functional>
+#include <set>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -69,10 +71,11 @@ Finding outer(const mes::Finding& finding, const std::string& structure) {
 }
 
 /// The error of a run or of a result, with the structure to blame and its witnesses.
-[[noreturn]] void raise_of(const mes::Error& error, std::span<const mes::NodeReport> nodes, std::string_view blamed) {
+[[noreturn]] void raise_of(const mes::Error& error, std::span<const mes::NodeReport> nodes,
+                           const std::set<std::string, std::less<>>& blamed) {
   if (error.code != mes::ErrorCode::cannot_compute) raise(error);
-  const auto is_cause = [blamed](const mes::NodeReport& node) {
-    return node.state == mes::NodeState::failed && (blamed.empty() || node.structure == blamed);
+  const auto is_cause = [&blamed](const mes::NodeReport& node) {
+    return node.state == mes::NodeState::failed && (blamed.empty() || blamed.contains(node.structure));
   };
   const auto node = std::ranges::find_if(nodes, is_cause);
   Error::Details details{.code = ErrorCode::cannot_compute, .text = error.text};
@@ -81,6 +84,28 @@ Finding outer(const mes::Finding& finding, const std::string& structure) {
     details.witnesses = all_outer(node->witnesses);
   }
   throw Error(std::move(details));
+}
+
+/// Structures by their ids, and all that they are computed from.
+void add_with_inputs(const mes::Registry& registry, std::string_view structure,
+                     std::set<std::string, std::less<>>& to) {
+  const mes::StructureSpec* const spec = registry.find_structure(structure);
+  if (spec == nullptr || !to.insert(spec->id).second) return;
+  for (const std::string& input : spec->inputs) add_with_inputs(registry, input, to);
+}
+
+std::set<std::string, std::less<>> structures_behind(const mes::Registry& registry, std::string_view layer) {
+  std::set<std::string, std::less<>> out;
+  const mes::LayerIndex index = registry.find_layer(layer);
+  if (index == mes::kNoLayer) return out;
+  for (const std::string& structure : registry.layers()[index].structures) add_with_inputs(registry, structure, out);
+  return out;
+}
+
+std::set<std::string, std::less<>> with_inputs(const mes::Registry& registry, std::string_view structure) {
+  std::set<std::string, std::less<>> out;
+  add_with_inputs(registry, structure, out);
+  return out;
 }
 
 /// Tells the job what is being computed, as long as it lives.
@@ -147,8 +172,11 @@ void Workbench::run(Job& job) {
   Impl& to = impl();
   to.last_run->fetch_add(1, std::memory_order_acq_rel);
   guarded([&] {
+    to.has_gap_before = std::exchange(to.was_stopped, true);
     const TaskWatch watch(to.bench, job);
-    if (const auto done = to.bench.run(JobAccess::control(job)); !done) raise_of(done.error(), to.bench.nodes(), {});
+    const auto done = to.bench.run(JobAccess::control(job));
+    to.was_stopped = !done && done.error().code != mes::ErrorCode::cannot_compute;
+    if (!done) raise_of(done.error(), to.bench.nodes(), {});
   });
 }
 
@@ -166,7 +194,7 @@ std::vector<Table> Workbench::tables(std::string_view structure) const {
   const Impl& of = impl();
   return guarded([&] {
     const auto found = of.bench.structure(structure);
-    if (!found) raise_of(found.error(), of.bench.nodes(), structure);
+    if (!found) raise_of(found.error(), of.bench.nodes(), with_inputs(of.registry(), structure));
     const auto node = std::ranges::find(of.bench.nodes(), structure, &mes::NodeReport::structure);
     std::vector<Table> out;
     for (mes::TableColumns& table : (*found)->table_columns()) {
@@ -175,7 +203,7 @@ std::vector<Table> Workbench::tables(std::string_view structure) const {
       access->table = std::move(table);
       access->last_run = of.last_run;
       access->run = of.last_run->load(std::memory_order_acquire);
-      access->is_rebuilt = node->rebuilt;
+      access->is_rebuilt = node->rebuilt || of.has_gap_before;
       out.push_back(Table(std::move(access)));
     }
     return out;
@@ -197,7 +225,7 @@ Instances Workbench::instances(std::string_view layer, PrimitiveKind kind) const
   return guarded([&] {
     if (static_cast<std::size_t>(kind) >= mes::kPrimitiveKinds) refuse("there is no such kind of primitive");
     const auto values = bench.instances(layer, static_cast<mes::PrimitiveKind>(kind));
-    if (!values) raise_of(values.error(), bench.nodes(), {});
+    if (!values) raise_of(values.error(), bench.nodes(), structures_behind(impl().registry(), layer));
     return Instances{kind, *values};
   });
 }
@@ -206,7 +234,7 @@ std::string Workbench::digest(std::string_view layer) const {
   const mes::Workbench& bench = impl().bench;
   return guarded([&] {
     const auto digest = bench.digest(layer);
-    if (!digest) raise_of(digest.error(), bench.nodes(), {});
+    if (!digest) raise_of(digest.error(), bench.nodes(), structures_behind(impl().registry(), layer));
     return digest->text();
   });
 }
@@ -215,7 +243,7 @@ StatisticValue Workbench::statistic(std::string_view structure, std::string_view
   const mes::Workbench& bench = impl().bench;
   return guarded([&] {
     auto value = bench.statistic(structure, key);
-    if (!value) raise_of(value.error(), bench.nodes(), structure);
+    if (!value) raise_of(value.error(), bench.nodes(), with_inputs(impl().registry(), structure));
     return std::move(*value);
   });
 }

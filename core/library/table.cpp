@@ -179,6 +179,7 @@ void Table::write(std::string_view format, const std::function<void(std::string_
   const mes::TableColumns& table = access_->current();
   const auto known = mes::find_table_format(format);
   if (!known) refuse_unknown("format of tables", format);
+  if (!sink) refuse("a table is written to nothing");
   const auto checked_sink = [&sink](std::string_view bytes) {
     try {
       sink(bytes);

@@ -75,8 +75,10 @@ OpenedFile Workbench::open(const std::string& path, const ReadOptions& options) 
 
 OpenedFile Workbench::open(const std::string& path, const ReadOptions& options, Job& job) {
   mes::Workbench& bench = impl().bench;
-  return guarded(
-      [&] { return outer(taken(bench.open(path, JobAccess::control(job), inner(options), options.format))); });
+  return guarded([&] {
+    JobAccess::control(job).checkpoint();
+    return outer(taken(bench.open(path, JobAccess::control(job), inner(options), options.format)));
+  });
 }
 
 OpenedFile Workbench::open_bytes(std::string_view bytes, const std::string& name, const ReadOptions& options) {
@@ -88,6 +90,7 @@ OpenedFile Workbench::open_bytes(std::string_view bytes, const std::string& name
                                  Job& job) {
   mes::Workbench& bench = impl().bench;
   return guarded([&] {
+    JobAccess::control(job).checkpoint();
     return outer(taken(bench.open_bytes(bytes, name, JobAccess::control(job), inner(options), options.format)));
   });
 }
@@ -161,6 +164,14 @@ void Workbench::change_balls(std::span<const ChangedBall> targets) {
 void Workbench::remove(std::span<const SampleId> ids) {
   mes::Workbench& bench = impl().bench;
   guarded([&] { taken(bench.remove(all_inner(ids))); });
+}
+
+void Workbench::remove(SampleId id) {
+  remove(std::span(&id, 1));
+}
+
+void Workbench::remove_ball(BallId id) {
+  remove_balls(std::span(&id, 1));
 }
 
 void Workbench::remove_balls(std::span<const BallId> ids) {

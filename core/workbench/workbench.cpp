@@ -52,8 +52,8 @@ Workbench::Workbench(const Registry& registry, WorkbenchOptions options)
 
 void Workbench::set_registry(const Registry& registry) {
   graph_->set_registry(registry);
-  graph_->set_demand(shown_);
   registry_ = &registry;
+  graph_->set_demand(shown_);
   patch_.nodes.clear();
   patch_.reports.clear();
 }
@@ -209,6 +209,10 @@ Expected<void> Workbench::need(std::span<const std::string_view> structures) {
 }
 
 Expected<void> Workbench::run(JobControl& job) {
+  if (job.stop_requested()) {
+    patch_.complete = false;
+    return refusals::stopped();
+  }
   if (!graph_->run(patch_, job)) return refusals::stopped();
   if (options_.keeps_instances) {
     try {

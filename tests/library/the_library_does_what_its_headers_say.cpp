@@ -233,6 +233,56 @@ TEST_CASE("tables are written as files, and what the caller throws comes back") 
   CHECK_THROWS_AS(faces.write("npy", [](std::string_view) { throw std::range_error("full"); }), std::range_error);
 }
 
+TEST_CASE("a stopped job stops every call, also where there is nothing to do") {
+  Workbench bench;
+  const std::vector<SampleId> ids = bench.insert(ellipse(20));
+  bench.need({"delaunay"});
+  bench.run();
+  Job job;
+  job.stop();
+  CHECK(code_of([&] { bench.run(job); }) == ErrorCode::cancelled);
+  CHECK(code_of([&] { bench.tables("delaunay"); }) == ErrorCode::cancelled);
+  CHECK(code_of([&] { bench.open_bytes("POFF 1 0 0\n0 0\n", "a.poff", {}, job); }) == ErrorCode::cancelled);
+  CHECK(code_of([&] { make_shape(Catalogue::builtin(), "circle", {}, job); }) == ErrorCode::cancelled);
+  CHECK_FALSE(code_of([&] { bench.get_ready(job); }));
+  CHECK(bench.sample_count() == 20);
+
+  // What the stopped run may have changed is not known any more.
+  bench.move(ids[3], {2.5, 0.5});
+  CHECK(code_of([&] { bench.run(job); }) == ErrorCode::cancelled);
+  bench.run();
+  CHECK_FALSE(bench.table("delaunay/faces").changes());
+  bench.move(ids[3], {2.4, 0.5});
+  bench.run();
+  CHECK(bench.table("delaunay/faces").changes());
+  bench.remove(ids[3]);
+  CHECK(bench.sample_count() == 19);
+}
+
+TEST_CASE("an error is one printable line") {
+  Workbench bench;
+  bench.need({"delaunay"});
+  bench.run();
+  const auto line_of = [](auto call) -> std::string {
+    try {
+      call();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return {};
+  };
+  const std::vector<std::string> lines{
+      line_of([] { throw Error(ErrorCode::usage, "a\nb"); }), line_of([&] { bench.value("a\nb"); }),
+      line_of([&] { bench.open_bytes("POFF", "a\nb.poff"); }),
+      line_of([&] { bench.table("delaunay/faces").write("c\nsv", [](std::string_view) {}); })};
+  for (const std::string& line : lines) {
+    INFO(line);
+    CHECK_FALSE(line.empty());
+    CHECK(line.find('\n') == std::string::npos);
+  }
+  CHECK(code_of([&] { bench.table("delaunay/faces").write("csv", {}); }) == ErrorCode::usage);
+}
+
 TEST_CASE("a stopped job stops a run, and the next run completes it") {
   Workbench bench;
   bench.insert(ellipse(100));

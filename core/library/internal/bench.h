@@ -27,6 +27,8 @@ struct Workbench::Impl {
 
   Catalogue catalogue;  // outlives the workbench
   std::shared_ptr<RunNumber> last_run = std::make_shared<RunNumber>(0);
+  bool was_stopped = false;     // the last run, or it found no room
+  bool has_gap_before = false;  // the run before it was: changes of tables were forgotten
   mes::Workbench bench;
 };
 

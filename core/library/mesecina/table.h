@@ -285,7 +285,7 @@ class MESECINA_API Table {
   /// Error: `usage` for an unknown name.
   Column column(std::string_view name) const;
   /// Rows that the last run changed; empty lists: none. Nothing: any row may differ, since the structure was computed
-  /// as a whole or does not follow its rows. Who leaves out a run misses its changes.
+  /// as a whole or does not follow its rows, or the run before was stopped. Who leaves out a run misses its changes.
   std::optional<RowChanges> changes() const;
   /// No run has begun since the table was made, and its workbench lives.
   bool is_current() const noexcept;

@@ -27,7 +27,7 @@ inline namespace v1 {
 /// Stops a long call and says how far it is.
 ///
 /// What it guarantees: once stopped, it stays stopped; a call that is given a stopped job throws `cancelled` and changes
-/// no data. A stop takes effect within a moment, except while a library that reads XML or decodes a picture is at work.
+/// no data, but for `get_ready`, which ends. A stop takes effect within a moment, except while a library that reads XML or decodes a picture is at work.
 /// One job may serve several calls, one after the other.
 ///
 /// Threads: all functions may be called from any thread while another one does the job.
@@ -221,7 +221,9 @@ class MESECINA_API Workbench {
   void move(SampleId id, Point to);
   void change_balls(std::span<const ChangedBall> targets);
   void remove(std::span<const SampleId> ids);
+  void remove(SampleId id);
   void remove_balls(std::span<const BallId> ids);
+  void remove_ball(BallId id);
 
   std::size_t sample_count() const;
   std::size_t ball_count() const;
@@ -246,7 +248,8 @@ class MESECINA_API Workbench {
 
   // Settings. They apply from the next run on.
 
-  /// Error: `usage` for an unknown parameter, a value out of its range, or a fraction where it takes whole numbers.
+  /// A value beyond the range of a limit is set to its end. Error: `usage` for an unknown parameter, another value out of
+  /// its range, or a fraction where it takes whole numbers.
   void set(std::string_view parameter, double value);
   /// Error: `usage` for an unknown parameter.
   double value(std::string_view parameter) const;
