@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Which rooms there are, and which others each of them may include. A room is a folder; what
 # lies in its folder `internal` is for that room only. Every room comes after those it uses, so no arrow leads back. `core/*`
-# stands for all rooms below core but core/builtins, which only the program itself names: everything else reads a registry
-# that it is given. Run at each configuration, and as a test:
+# stands for all rooms below core but core/builtins, which only app/main.cpp and the library name: everything else reads a
+# registry that it is given. Run at each configuration, and as a test:
 #
 #   cmake -DROOT=. -P cmake/rooms.cmake
 cmake_policy(VERSION 3.25)

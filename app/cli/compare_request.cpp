@@ -36,6 +36,7 @@ ShownLayers with_family(const ShownLayers& shown, FamilyKind family) {
   for (const LayerConfiguration::Entry& entry : in_family(shown.descriptors, layers, family).layers) {
     if (!entry.visible) continue;
     const LayerIndex layer = find_layer(shown.descriptors, entry.layer);
+    if (layer == kNoLayer) continue;
     out.layers.emplace_back(layer);
     out.styles[layer] = entry.style;
   }

@@ -29,7 +29,7 @@ bool is_plain(const LayerDescriptor& layer) {
 const LayerDescriptor* counterpart_of(Descriptors descriptors, const LayerDescriptor& layer, FamilyKind family) {
   const std::string_view shown = layer.of_any_family;
   const auto found = std::ranges::find_if(descriptors, [&](const LayerDescriptor& other) {
-    return !shown.empty() && other.of_any_family == shown && other.group == group_of(family);
+    return !shown.empty() && !other.is_removed && other.of_any_family == shown && other.group == group_of(family);
   });
   return found == descriptors.end() ? nullptr : &*found;
 }

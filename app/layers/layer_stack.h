@@ -18,9 +18,9 @@ class LayerStack {
  public:
   /// Takes order, visibility and styles from the descriptors.
   explicit LayerStack(std::span<const LayerDescriptor> descriptors);
-  /// Takes the descriptors of a registry that was made from the one before by removals and additions. A layer that is gone
-  /// is a missing one from now on. One that is new looks as a missing one of its id, or else as its descriptor says, above
-  /// the layers that it is above there.
+  /// Takes the descriptors of a registry that was made from the one before, which still lives. A layer that is gone is a
+  /// missing one from now on. One that is new looks as a missing one of its id, or else as its descriptor says, above the
+  /// layers that it is above there. Ends solo.
   void set_descriptors(std::span<const LayerDescriptor> descriptors);
 
   /// Of indices, among them those of layers that were removed. `order` has the others.

@@ -35,7 +35,9 @@ Graph::Graph(const Registry& registry, const Graph& before)
         Variant{.structures = registry.make_structures(*before.registry_, old->structures, shared, old->has_document),
                 .has_document = old->has_document}));
   }
-  MES_ASSERT(structures().holds(*samples_));
+  // What was posted to a source cannot be asked for again.
+  for (const StructureNode& old : before.nodes_)
+    MES_ASSERT(old.source == nullptr || variants_[old.variant]->structures.holds(*old.structure));
   for (StructureNode& node : nodes_) {
     const auto same = std::ranges::find_if(before.nodes_, [&node](const StructureNode& old) {
       return old.variant == node.variant && old.structure->id() == node.structure->id();
@@ -50,7 +52,10 @@ Graph::Graph(const Registry& registry, const Graph& before)
     node = std::move(kept);
   }
   before.for_each_layer([this](VariantLayer layer, const LayerNode& old) {
-    if (old.demanded && find(layer) != nullptr) node_of(layer).demanded = true;
+    if (find(layer) == nullptr) return;
+    LayerNode& node = node_of(layer);
+    node.demanded = old.demanded && (layer.variant == kMainVariant || !node.structures.empty());
+    node.sent = old.sent && node.demanded;
   });
 }
 
@@ -177,8 +182,8 @@ void Graph::set_demand(std::span<const VariantLayer> layers) {
   for (const VariantLayer layer : layers) {
     if (find(layer) == nullptr) continue;
     LayerNode& node = node_of(layer);
-    MES_ASSERT(layer.variant == kMainVariant || !node.structures.empty());
-    node.demanded = true;
+    // A variant that shares it may have had it by itself before the registry changed.
+    if (layer.variant == kMainVariant || !node.structures.empty()) node.demanded = true;
   }
   for_each_layer([](VariantLayer /*layer*/, LayerNode& node) {
     if (node.demanded) return;

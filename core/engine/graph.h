@@ -47,10 +47,10 @@ class Graph {
  public:
   /// The registry has to outlive it, or its place as the registry of the graph.
   explicit Graph(const Registry& registry);
-  /// Takes another registry, made from the present one by removals and additions. Structures that both have, with what
-  /// they are computed from, stay as they are; others are gone or new. Demand of layers that are gone ends, and all
-  /// others are sent whole by the next run. The present registry is not needed any more. Lack of memory throws
-  /// `std::bad_alloc` and changes nothing.
+  /// Takes another registry, made from the present one by removals and additions, of which none is of a source. Structures
+  /// that both have, with what they are computed from, stay as they are; others are gone or new. Demand of layers that are
+  /// gone ends, and all others are sent whole by the next run. The present registry is not needed any more. Lack of memory
+  /// throws `std::bad_alloc` and changes nothing.
   void set_registry(const Registry& registry);
 
   /// Takes instances of layers. Those of one layer come in order, from one thread; several layers may come at once.

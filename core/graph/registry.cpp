@@ -111,7 +111,10 @@ void Registry::add_parameter(Parameter parameter) {
 }
 
 bool Registry::remove_parameter(std::string_view id) {
-  return std::erase_if(parameters_, [id](const Parameter& parameter) { return parameter.id == id; }) != 0;
+  const auto found = std::ranges::find(parameters_, id, &Parameter::id);
+  if (found == parameters_.end()) return false;
+  parameters_.erase(found);
+  return true;
 }
 
 const Parameter* Registry::find_parameter(std::string_view id) const {

@@ -46,7 +46,7 @@ struct StructureSpec {
 /// what grows and shrinks while the program runs is a copy, which graphs then follow (`Graph::set_registry`).
 ///
 /// Each structure and each layer is made once when it is added, without data, to know its id, what it reads and how it
-/// is drawn; a copy and a removal make all of them again. Threads: several may read while none changes it.
+/// is drawn; copies and removals make all again. A change that throws ends its use. Threads: many read or one changes.
 class Registry {
  public:
   Registry() = default;
@@ -66,7 +66,7 @@ class Registry {
   void add_structure() {
     add_structure([](const StructureSet& set) { return std::make_unique<S>(set.get<Inputs>()...); });
   }
-  /// A layer above those that have been added before, over structures that have been. Its id must be new.
+  /// A layer above all others, or at the place of a removed one of its id, over structures that have been added.
   void add_layer(const MakeLayer& make);
   /// Several of them, bottom first.
   void add_layers(MakeLayers make);

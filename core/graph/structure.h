@@ -66,7 +66,7 @@ class Structure {
   virtual std::vector<TableColumns> table_columns() const;
   /// Ids of the parameters that it reads in the settings itself. Others leave it as it is.
   virtual std::vector<std::string_view> parameters() const { return {}; }
-  /// Number type that decides in this structure, as its documentation calls it; empty where no number decides.
+  /// Number type that decides in this structure, as its documentation calls it (a literal); empty where none decides.
   virtual std::string_view kernel() const { return {}; }
   /// Adds what speaks against the results. Called while the theorem light is on screen; cheap when there is nothing
   /// to report.

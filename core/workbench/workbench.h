@@ -73,8 +73,8 @@ class Workbench {
  public:
   /// The registry has to contain the sources `Samples` and `SettingsSource`, and to outlive the workbench.
   explicit Workbench(const Registry& registry, WorkbenchOptions options = {});
-  /// Takes another registry, which was made from the present one by removals and additions and outlives the workbench in
-  /// its place. Document, history, settings and demand stay as they are; there are no results before the next run, which
+  /// Takes another registry, which was made from the present one without a change of its sources and outlives the workbench
+  /// in its place. Document, history, settings and demand stay as they are; there are no results before the next run, which
   /// computes what is new. Structures that are gone are not needed any more.
   void set_registry(const Registry& registry);
 

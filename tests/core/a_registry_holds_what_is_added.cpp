@@ -266,6 +266,20 @@ TEST_CASE("a workbench whose registry changes computes what is new, and nothing 
   CHECK(instances_of(bench, "delaunay").size() == edges.size());
 }
 
+TEST_CASE("a registry without one of the sources is refused, and nothing changes") {
+  Registry without = builtins();
+  REQUIRE(without.remove_structure("balls"));
+  Workbench bench(builtins());
+  JobControl job;
+  REQUIRE(bench.insert_balls(std::vector<Disk>{{{0, 0}, 1}, {{1, 0}, 1}}));
+  REQUIRE(bench.show({"b-union-boundary"}));
+  REQUIRE(bench.run(job));
+  const LayerDigest before = *bench.digest("b-union-boundary");
+  CHECK_THROWS_AS(bench.set_registry(without), AssertionFailure);
+  REQUIRE(bench.run(job));
+  CHECK(*bench.digest("b-union-boundary") == before);
+}
+
 TEST_CASE("variants and their documents outlast a change of the registry") {
   const Registry larger = with_longest_edges();
   SampleData other;

@@ -73,6 +73,13 @@ TEST_CASE("a bundle of the union is that of the chosen family, in its order and 
   CHECK(in_family(layer_descriptors(), own, FamilyKind::inner) == of(kUnion));
 }
 
+TEST_CASE("a layer whose counterpart was removed stays") {
+  std::vector<LayerDescriptor> layers(layer_descriptors().begin(), layer_descriptors().end());
+  layers[find_layer("b-v-points")].is_removed = true;
+  CHECK(visible(in_family(layers, of(kUnion), FamilyKind::own)) ==
+        std::vector<std::string>{"b-inner-disks", "b-dual-faces", "b-union-boundary", "a-v-points"});
+}
+
 TEST_CASE("another family takes the places of the one before, and each layer keeps its own style") {
   LayerStack layers = stack_showing({"points", "a-dual-faces", "a-v-points"});
   LayerStyle style = layers.style(layers.find("p-v-points"));
