@@ -23,9 +23,9 @@ class LayerStack {
   /// layers that it is above there. Ends solo.
   void set_descriptors(std::span<const LayerDescriptor> descriptors);
 
-  /// Of indices, among them those of layers that were removed. `order` has the others.
+  /// Counts indices, also those of layers that were removed. `order` has the layers that are there.
   std::size_t size() const { return descriptors_.size(); }
-  /// By index.
+  /// The descriptor of a layer is at its index.
   std::span<const LayerDescriptor> descriptors() const { return descriptors_; }
   const LayerDescriptor& descriptor(LayerIndex layer) const { return descriptors_[layer]; }
   /// kNoLayer when there is none of this id.

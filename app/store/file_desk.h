@@ -45,7 +45,7 @@ namespace mes {
 class FileDesk {
  public:
   /// `session_now` gives what a session file is to hold.
-  /// Formats: those that there are, which outlive it; null: those of the program.
+  /// It reads files of these formats, which outlive it; null: those of the program.
   FileDesk(Editor& editor, std::function<Session()> session_now, std::function<void()> wake,
            const NamedList<Format>* formats = nullptr);
   ~FileDesk();

@@ -46,7 +46,7 @@ class FileBrowser final : public Dialog {
 
   FileBrowser();
   ~FileBrowser() override;
-  /// What can be opened; they outlive it. Without them nothing can.
+  /// Lists files of these formats, which outlive the browser. It lists none before this call.
   void use_formats(const NamedList<Format>& formats);
   /// `window`: above which it is to lie, as in DesktopQuestion. `wake` is called from another thread when an answer
   /// has come, `settle` when it was taken and other dialogs are to be drawn.

@@ -37,8 +37,8 @@ class History {
   void begin_gesture(std::string name);
   void end_gesture();
   bool in_gesture() const { return gesture_open_; }
-  /// What an edit is to the steps before: nothing, more of the last one, or a state of an evolution, whose state 0 is
-  /// what was before.
+  /// An edit is a step of its own, or continues the last step, or leads to a state of an evolution. State 0 is the
+  /// document before that edit.
   enum class Role : std::uint8_t { plain, continues, state };
   /// Notes an applied delta; outside a gesture it is a step of its own, or more of the last one where `extend` is
   /// possible. Forgets what could be redone.
@@ -62,7 +62,7 @@ class History {
     bool extends_;
     bool is_recorded_ = false;
   };
-  /// Of `record`.
+  /// Prepares what `record` does.
   Draft draft(const DocumentDelta& delta, const std::string& name, Role role = Role::plain);
 
   /// Makes the delta part of the newest step if that has this name, nothing came between, and the delta only gives

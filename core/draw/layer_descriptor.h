@@ -35,7 +35,7 @@ enum class PointsAs : std::uint8_t {
   numbers,  ///< of samples, beside them: from 0 since the data were opened, with letters as high as dots are wide
 };
 
-/// What of a file the layer shows: file formats that hold such things can be written of it.
+/// Layers of some kinds show data of a file. They can be written in file formats for such data.
 enum class LayerData : std::uint8_t { other, samples, balls, curve, curve_normals };
 
 struct LayerDescriptor {

@@ -329,7 +329,7 @@ TEST_CASE("an engine takes another registry while it works") {
   engine.set_demand({delaunay, added});
   post(insert_samples(document, std::vector<Vec2>{{2, 9}}));
   take();
-  // The indices of layers that are gone mean nothing, and harm nobody.
+  // Demand for a layer that was removed is ignored.
   Workbench fresh(builtins());
   JobControl job;
   REQUIRE(fresh.load(data_of(document)));

@@ -2,7 +2,7 @@
 // The one exception of the library.
 //
 // What it guarantees:
-//  1. Functions of the library throw nothing but `Error`, and `std::bad_alloc` where there is no room even for that.
+//  1. Functions of the library throw `Error`, or `std::bad_alloc` if there is no memory for an `Error`.
 //     What a callback of the caller throws passes through unchanged.
 //  2. `what()` is one printable line, with file, line and column where they are known.
 //  3. Copying an error neither throws nor allocates.

@@ -78,7 +78,7 @@ enum class State : std::uint8_t {
   unfinished = 4,  ///< the run was stopped
 };
 
-/// A counter or a measure. A double that is not finite means that there is no such value.
+/// A counter or a measure. A double is not finite if the measure has no value.
 using StatisticValue = std::variant<std::int64_t, double, std::vector<std::int64_t>, std::string>;
 
 struct Statistic {
