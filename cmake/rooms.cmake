@@ -39,7 +39,7 @@ set(rooms
   "core/workbench: core/base core/kernel core/draw core/document core/io core/graph core/engine"
   "core/resampling: core/base core/kernel core/curves core/document core/draw core/graph core/engine core/workbench core/evolutions core/structures/*"
   "core/library/mesecina:"
-  "core/library: core/base core/kernel core/draw core/document core/io core/shapes core/graph core/evolutions core/builtins core/engine core/workbench"
+  "core/library: core/base core/kernel core/draw core/document core/io core/shapes core/graph core/evolutions core/builtins core/engine core/workbench core/curves core/structures/inputs"
   "render: core/base core/raster core/draw"
   "render/figure: core/base core/draw render"
   "app/system: core/io"

@@ -87,14 +87,13 @@ void write_layers(const Registry& registry, Markdown& page) {
       "In the order in which they are stacked at first, the lowest first; dragging rows of the panel restacks\n"
       "them. *Number* is what a colour map can colour by. *Paper*: one of the layers of the paper of 2007.\n"
       "*At start*: shown until you choose otherwise.");
-  for (const LayerGroup group :
-       {LayerGroup::samples, LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::scale_axis,
-        LayerGroup::poles, LayerGroup::union_a, LayerGroup::union_p, LayerGroup::union_b, LayerGroup::diagnostics}) {
+  for (const LayerGroup group : kLayerGroups) {
     Rows rows;
     for (const LayerDescriptor& layer : registry.layers())
       if (layer.group == group && !layer.is_removed)
         rows.push_back({plain(layer.name), code(layer.id), plain(layer.tooltip), plain(layer.scalar),
                         layer.in_paper ? "yes" : "", layer.visible_at_start ? "yes" : ""});
+    if (rows.empty()) continue;
     page.subsection(title_of(group));
     page.table({"Layer", "Id", "What it shows", "Number", "Paper", "At start"}, rows);
   }

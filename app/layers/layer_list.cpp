@@ -2,17 +2,11 @@
 #include "app/layers/layer_list.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
 #include <ranges>
 
 namespace mes {
 namespace {
-
-constexpr std::array kGroups{
-    LayerGroup::samples,    LayerGroup::delaunay_voronoi, LayerGroup::crust_axis, LayerGroup::scale_axis,
-    LayerGroup::poles,      LayerGroup::union_a,          LayerGroup::union_p,    LayerGroup::union_b,
-    LayerGroup::diagnostics};
 
 bool is_of_another_family(LayerGroup group, FamilyKind family) {
   return std::ranges::any_of(kBallFamilies,
@@ -61,7 +55,7 @@ LayerListing list_layers(const LayerStack& layers, const LayerListOptions& optio
     out.sections.front().title = "Shown";
     if (out.sections.front().rows.empty()) out.sections.clear();
   }
-  for (const LayerGroup group : kGroups) {
+  for (const LayerGroup group : kLayerGroups) {
     LayerSection section = section_of(layers, options, group);
     out.listed += section.rows.size();
     const bool is_filtered = options.only_shown || !options.search.empty();

@@ -16,6 +16,7 @@ std::string_view title_of(LayerGroup group) {
     case LayerGroup::union_p: return "Polar balls";
     case LayerGroup::union_b: return "Own balls";
     case LayerGroup::diagnostics: return "Diagnostics";
+    case LayerGroup::experiments: return "Experiments";
   }
   return {};
 }

@@ -2,6 +2,7 @@
 // What everybody may know of a layer: the command line, the window, the manual page, the renderer.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -23,8 +24,15 @@ enum class LayerGroup : std::uint8_t {
   union_a,
   union_p,
   union_b,
-  diagnostics
+  diagnostics,
+  experiments  ///< of the user; the program itself has none
 };
+
+/// In the order in which they are listed.
+inline constexpr std::array kLayerGroups{
+    LayerGroup::experiments, LayerGroup::samples,    LayerGroup::delaunay_voronoi, LayerGroup::crust_axis,
+    LayerGroup::scale_axis,  LayerGroup::poles,      LayerGroup::union_a,          LayerGroup::union_p,
+    LayerGroup::union_b,     LayerGroup::diagnostics};
 
 /// Heading of the group in the layer panel, e.g. "Delaunay & Voronoi".
 std::string_view title_of(LayerGroup group);

@@ -24,6 +24,7 @@
 
 #include "core/base/arc.h"
 #include "core/base/change_set.h"
+#include "core/base/error.h"
 #include "core/base/prefetch.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/patch.h"
@@ -55,6 +56,9 @@ class Instance {
         {arc.center.x, arc.center.y, arc.radius, arc.from.x, arc.from.y, arc.to.x, arc.to.y, scalar});
   }
 
+  /// The same by kind, coordinates first and the scalar behind them.
+  void set_values(PrimitiveKind kind, const std::array<double, 8>& values);
+
   /// A scalar that takes time to find is not needed, and may be 0, unless this says so. True by default.
   bool wants_scalar() const { return wants_scalar_; }
   void set_wants_scalar(bool wanted) { wants_scalar_ = wanted; }
@@ -85,6 +89,16 @@ class Instance {
   bool is_lost_ = false;
   bool wants_scalar_ = true;
 };
+
+inline void Instance::set_values(PrimitiveKind kind, const std::array<double, 8>& values) {
+  double sum = 0.0;
+  const std::size_t size = stride_of(kind);
+  for (std::size_t i = 0; i < size; ++i) sum += std::abs(values[i]) * 0x1p-8;
+  values_ = values;
+  kind_ = kind;
+  is_set_ = std::isfinite(sum);
+  is_lost_ = !is_set_;
+}
 
 /// Where the primitives of a table's rows stand in the drawing buffers of one layer.
 ///
@@ -174,7 +188,8 @@ class InstancePlaces {
         place_[row] = encode(kind, hole);
         Instance instance;
         emit(row, instance);
-        MES_ASSERT(instance.is_set() && instance.kind() == kind);
+        if (!instance.is_set() || instance.kind() != kind)
+          throw GeometryError("a row is drawn in another way, though no change of it is named");
         write(hole, instance, patch);
       }
       drop_tail();

@@ -107,6 +107,12 @@ class StructureSet {
     if (shared_ != nullptr) return shared_->get<T>();
     assertion_failed("a structure is listed after its inputs", __FILE_NAME__, __LINE__);
   }
+  /// By its id; null: there is none.
+  Structure* find(std::string_view id) const {
+    for (const auto& structure : structures_)
+      if (structure->id() == id) return structure.get();
+    return shared_ == nullptr ? nullptr : shared_->find(id);
+  }
   void add(std::shared_ptr<Structure> structure) { structures_.push_back(std::move(structure)); }
   /// Without those of the shared set.
   std::span<const std::shared_ptr<Structure>> all() const { return structures_; }

@@ -21,6 +21,23 @@ std::vector<mesecina::Point> points_of_ellipse(int count) {
 
 }  // namespace
 
+MESECINA_EXPERIMENT(experiment) {
+  experiment.add_layer({.id = "long-edges",
+                        .name = "Long edges",
+                        .description = "Delaunay edges, coloured by their length",
+                        .rows = "delaunay/edges",
+                        .kinds = {mesecina::PrimitiveKind::segment},
+                        .scalar = "length"},
+                       [](const mesecina::Inputs& inputs) {
+                         const auto ends = inputs.column<std::array<mesecina::Row, 2>>("delaunay/edges/sites");
+                         const auto place = inputs.column<mesecina::Point>("delaunay/sites/position");
+                         return [=](mesecina::Row edge, mesecina::Drawn& out) {
+                           const mesecina::Point a = place[ends[edge][0]], b = place[ends[edge][1]];
+                           out.segment(a, b, std::hypot(b.x - a.x, b.y - a.y));
+                         };
+                       });
+}
+
 TEST_CASE("headers and library have the same version") {
   if (!mesecina::is_compatible()) std::puts("the library is older than the headers");
   CHECK(mesecina::is_compatible());
@@ -76,4 +93,15 @@ TEST_CASE("a workbench computes the medial axis of points") {
   bench.run();
   edges = bench.instances("medial-axis", mesecina::PrimitiveKind::segment).size();
   CHECK(edges == 37);
+}
+
+TEST_CASE("an experiment adds a layer") {
+  const mesecina::Catalogue catalogue =
+      mesecina::with_experiment(mesecina::Catalogue::builtin(), MESECINA_EXPERIMENT_ENTRY);
+  mesecina::Workbench bench(catalogue);
+  bench.insert(points_of_ellipse(30));
+  bench.show({"long-edges", "delaunay"});
+  bench.run();
+  CHECK(bench.instances("long-edges", mesecina::PrimitiveKind::segment).size() ==
+        bench.instances("delaunay", mesecina::PrimitiveKind::segment).size());
 }

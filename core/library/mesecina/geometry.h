@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Points, balls, their ids, and the primitives that layers draw. Plain values without invariants.
+// Points, balls, their ids, exact predicates, and the primitives that layers draw. Plain values without invariants.
 //
 // What it guarantees:
 //  1. The types are trivially copyable and have no padding that matters: a `Point` is two doubles, a `Ball` three.
@@ -12,6 +12,7 @@
 // Smallest use:
 //     const mesecina::Ball ball{{0.0, 1.0}, 0.5};
 //     const double top = ball.center.y + ball.radius;
+//     const bool is_left = mesecina::orientation({0.0, 0.0}, {1.0, 0.0}, ball.center) > 0;
 //
 // Threads: plain values.
 #pragma once
@@ -60,6 +61,23 @@ struct ChangedBall {
   BallId id{};
   Ball to{};
 };
+
+// Exact predicates return the sign of what they ask, -1, 0 or 1, without any rounding. Numbers are finite. O(1).
+
+/// 1: a, b, c turn counter-clockwise; 0: they lie on a line.
+MESECINA_API int orientation(Point a, Point b, Point c);
+/// 1: d lies inside the circle through a, b, c; 0: on it; if a, b, c turn clockwise, the other sign.
+MESECINA_API int side_of_circle(Point a, Point b, Point c, Point d);
+/// 1: c lies inside the circle with the diameter ab; 0: on it.
+MESECINA_API int side_of_diametral_circle(Point a, Point b, Point c);
+/// 1: the power of d to the orthogonal circle of a, b, c is less than its squared radius, so that their triangle is not regular;
+/// if the centres of a, b, c turn clockwise, the other sign.
+MESECINA_API int side_of_power_circle(const Ball& a, const Ball& b, const Ball& c, const Ball& d);
+/// The order of the lengths of ab and cd.
+MESECINA_API int compare_distances(Point a, Point b, Point c, Point d);
+/// The order of the radii of the circles through a, b, c and d, e, f. Through points on a line there is a circle that is
+/// larger than any other.
+MESECINA_API int compare_circumradii(Point a, Point b, Point c, Point d, Point e, Point f);
 
 /// A known curve through the samples, for data whose order is known.
 struct Contour {

@@ -17,6 +17,7 @@
 
 #include <mesecina/catalogue.h>
 #include <mesecina/error.h>
+#include <mesecina/experiment.h>
 #include <mesecina/geometry.h>
 #include <mesecina/table.h>
 #include <mesecina/version.h>

@@ -295,6 +295,7 @@ class MESECINA_API Table {
   void write(std::string_view format, const std::function<void(std::string_view bytes)>& sink) const;
 
  private:
+  friend class Inputs;
   friend class Workbench;
   explicit Table(std::shared_ptr<const TableAccess> access) noexcept;
   std::shared_ptr<const TableAccess> access_;

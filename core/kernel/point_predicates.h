@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Exact signs of the usual questions about points and disks, for code that asks some of them. What asks millions has
+// predicates of its own.
+//
+// Smallest use:
+//     if (side_of_circle(a, b, c, d) > 0) flip(edge);
+#pragma once
+
+#include "core/base/disk.h"
+#include "core/base/vec2.h"
+
+namespace mes {
+
+// Each returns -1, 0 or 1. Coordinates are finite, and radii are not negative.
+
+/// 1: a, b, c turn counter-clockwise; 0: they lie on a line.
+int orientation(Vec2 a, Vec2 b, Vec2 c);
+/// 1: d lies inside the circle through a, b, c, if these turn counter-clockwise; 0: on it. The sign is the other one if they
+/// turn clockwise.
+int side_of_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
+/// 1: c lies inside the circle with the diameter ab; 0: on it.
+int side_of_diametral_circle(Vec2 a, Vec2 b, Vec2 c);
+/// 1: d lies inside the orthogonal circle of a, b, c, if their centres turn counter-clockwise: its power to that circle
+/// is less than its squared radius. The sign is the other one if they turn clockwise.
+int side_of_power_circle(const Disk& a, const Disk& b, const Disk& c, const Disk& d);
+/// The order of the lengths of ab and cd.
+int compare_distances(Vec2 a, Vec2 b, Vec2 c, Vec2 d);
+/// The order of the radii of the circles through a, b, c and through d, e, f. A circle through points on a line is larger than
+/// any other.
+int compare_circumradii(Vec2 a, Vec2 b, Vec2 c, Vec2 d, Vec2 e, Vec2 f);
+
+}  // namespace mes

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/experiments.h"
+
+#include <dlfcn.h>
+#include <fmt/core.h>
+
+#include <exception>
+#include <ranges>
+#include <utility>
+
+#include "core/document/parameter.h"
+#include "core/evolutions/evolution.h"
+#include "core/graph/registry.h"
+#include "core/library/internal/experiment_parts.h"
+#include "core/library/internal/inputs.h"
+#include "core/shapes/shape.h"
+
+namespace mes {
+namespace {
+
+#define MESECINA_TEXT_(text) #text
+#define MESECINA_TEXT(text) MESECINA_TEXT_(text)
+constexpr const char* kEntry = MESECINA_TEXT(MESECINA_EXPERIMENT_ENTRY);
+
+std::unexpected<Error> failure(const std::filesystem::path& file, std::string_view text) {
+  return std::unexpected(
+      Error{.code = ErrorCode::bad_input, .text = mesecina::one_line(text), .file = file.string()});
+}
+
+/// What the loader says, without the file that stands before it.
+std::string loader_error(const std::filesystem::path& file) {
+  const char* const said = dlerror();
+  std::string text = said == nullptr ? "it cannot be loaded" : said;
+  const std::string prefix = file.string() + ": ";
+  return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
+}
+
+}  // namespace
+
+Expected<ExperimentLibrary> ExperimentLibrary::load(const std::filesystem::path& file) {
+  std::error_code failed;
+  // Without a slash the loader would look elsewhere.
+  const std::filesystem::path full = std::filesystem::absolute(file, failed);
+  if (failed) return failure(file, failed.message());
+  if (!std::filesystem::is_regular_file(full, failed)) return failure(file, "there is no such file");
+  void* library = nullptr;
+  try {
+    library = dlopen(full.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
+  } catch (const std::exception& error) {
+    return failure(file, fmt::format("a static initialiser threw: {}", error.what()));
+  } catch (...) {
+    return failure(file, "a static initialiser threw something");
+  }
+  if (library == nullptr) return failure(file, loader_error(full));
+  void* const entry = dlsym(library, kEntry);
+  if (entry == nullptr)
+    return failure(file, fmt::format("it has no experiment for version {} of the binary interface", MESECINA_ABI));
+  return ExperimentLibrary(file, entry);
+}
+
+Expected<ExperimentContents> ExperimentLibrary::add_to(Registry& registry) const {
+  using Add = void (*)(mesecina::Experiment&);
+  Registry changed = registry;
+  mesecina::Experiment::Impl impl{changed};
+  mesecina::Experiment experiment(impl);
+  try {
+    mesecina::shielded([&] { reinterpret_cast<Add>(entry_)(experiment); });
+  } catch (const GeometryError& error) {
+    return failure(file_, error.what());
+  } catch (const Cancelled&) {
+    return failure(file_, "it stopped by itself");
+  }
+  registry = std::move(changed);
+  return std::move(impl.added);
+}
+
+void remove_experiment(const ExperimentContents& contents, Registry& registry) {
+  for (const std::string& id : contents.layers) registry.remove_layer(id);
+  for (const std::string& id : std::views::reverse(contents.structures)) registry.remove_structure(id);
+  for (const std::string& id : contents.parameters) registry.remove_parameter(id);
+  for (const std::string& id : contents.evolutions) registry.evolutions().remove(id);
+  for (const std::string& id : contents.shapes) registry.shapes().remove(id);
+}
+
+}  // namespace mes

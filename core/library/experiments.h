@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Experiments for the program: what a shared library adds to a registry, and how it is taken away again.
+//
+// Smallest use:
+//     Registry registry = builtins;
+//     const auto library = ExperimentLibrary::load("gabriel.so");
+//     if (!library) return std::unexpected(library.error());
+//     const auto added = library->add_to(registry);
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+
+namespace mes {
+
+class Registry;
+
+/// Ids of what an experiment has added, in this order.
+struct ExperimentContents {
+  std::vector<std::string> parameters{};
+  std::vector<std::string> structures{};
+  std::vector<std::string> layers{};
+  std::vector<std::string> evolutions{};
+  std::vector<std::string> shapes{};
+  bool is_empty() const {
+    return parameters.empty() && structures.empty() && layers.empty() && evolutions.empty() && shapes.empty();
+  }
+};
+
+/// A shared library with experiments. It stays loaded until the program ends, so whatever refers to its code may.
+class ExperimentLibrary {
+ public:
+  /// Error: `bad_input` if it cannot be loaded, or was made for another ABI. Runs its static initialisers.
+  static Expected<ExperimentLibrary> load(const std::filesystem::path& file);
+  /// Adds all that it has, or nothing. Error: `bad_input` with the reason, which the file stands before; registry as
+  /// before.
+  Expected<ExperimentContents> add_to(Registry& registry) const;
+
+ private:
+  ExperimentLibrary(std::filesystem::path file, void* entry) : file_(std::move(file)), entry_(entry) {}
+  std::filesystem::path file_;
+  void* entry_;  // the function that adds
+};
+
+/// Takes away what was added, and whatever was computed from it.
+void remove_experiment(const ExperimentContents& contents, Registry& registry);
+
+}  // namespace mes

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/library/internal/external_structure.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "core/base/assert.h"
+
+namespace mesecina {
+inline namespace v1 {
+namespace {
+
+/// The table of the program whose rows are those of a table of the experiment; null: there is none.
+const mes::TableColumns* rows_behind(Inputs::Impl& read, const mes::TableColumns& table) {
+  if (table.rows_of.empty()) return nullptr;
+  try {
+    return &read.find(table.rows_of);
+  } catch (const Error&) {
+    return nullptr;  // rows of a table that is no input
+  }
+}
+
+}  // namespace
+
+std::vector<mes::Structure*> inputs_in(const mes::StructureSet& set, const std::vector<std::string>& ids,
+                                       bool with_settings) {
+  std::vector<mes::Structure*> out;
+  for (const std::string& id : ids) {
+    out.push_back(set.find(id));
+    MES_ASSERT(out.back() != nullptr);
+  }
+  if (with_settings) out.push_back(&set.get<mes::SettingsSource>());
+  return out;
+}
+
+ExternalStructure::ExternalStructure(std::shared_ptr<const ExternalStructureSpec> spec, const mes::StructureSet& set)
+    : mes::Structure(spec->id, inputs_in(set, spec->inputs, !spec->parameters.empty())),
+      spec_(std::move(spec)),
+      theirs_(shielded([&] { return spec_->make(); })) {
+  if (!theirs_) throw mes::GeometryError("it makes no structure");
+  for (const mes::Structure* input : inputs()) read_.structures.push_back(input);
+  if (!spec_->parameters.empty()) read_.settings = settings_ = &set.get<mes::SettingsSource>();
+  read_.parameters = spec_->parameters;
+}
+
+void ExternalStructure::keep_parameters() {
+  values_.clear();
+  for (const mes::Parameter& parameter : spec_->parameters) values_.push_back(settings_->current()[parameter]);
+}
+
+bool ExternalStructure::may_update() const {
+  for (std::size_t i = 0; i < values_.size(); ++i)
+    if (values_[i] != settings_->current()[spec_->parameters[i]]) return false;
+  return true;
+}
+
+void ExternalStructure::rebuild(mes::JobControl& job) {
+  has_changes_ = false;
+  touched_ = 0;
+  read_.begin(&job);
+  shielded([&] { theirs_->rebuild(Inputs(read_)); });
+  read_.begin(nullptr);
+  keep_parameters();
+}
+
+bool ExternalStructure::update(mes::JobControl& job) {
+  if (!may_update()) return false;
+  has_changes_ = false;
+  touched_ = 0;
+  // The settings have changed where it does not look.
+  if (std::ranges::all_of(
+          inputs(), [this](const mes::Structure* input) { return input == settings_ || input->touched() == 0; }))
+    return true;
+  read_.begin(&job);
+  const bool is_done = shielded([&] { return theirs_->update(Inputs(read_)); });
+  read_.begin(nullptr);
+  if (!is_done) return false;
+  has_changes_ = true;
+  for (const mes::TableColumns& table : table_columns())
+    touched_ += table.changes ? table.changes->touched.size() + table.changes->removed.size() : table.rows + 1;
+  return true;
+}
+
+void ExternalStructure::clear_changes() {
+  has_changes_ = false;
+  touched_ = 0;
+}
+
+std::size_t ExternalStructure::touched() const {
+  return touched_;
+}
+
+mes::StatList ExternalStructure::statistics() const {
+  mes::StatList out;
+  try {
+    for (Statistic& statistic : theirs_->statistics())
+      out.push_back({std::move(statistic.key), std::move(statistic.value)});
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (...) {
+    out.clear();  // what it cannot say is left out
+  }
+  return out;
+}
+
+std::vector<mes::TableColumns> ExternalStructure::table_columns() const {
+  std::vector<mes::TableColumns> out;
+  // Layers that are drawn side by side ask for them.
+  Inputs::Impl read;
+  read.structures = read_.structures;
+  try {
+    for (OwnTable& own : theirs_->tables()) {
+      OwnTable::Impl& impl = OwnTableAccess::impl(own);
+      mes::TableColumns table = std::move(impl.table);
+      const mes::TableColumns* const behind = rows_behind(read, table);
+      if (behind != nullptr) table.kind = behind->kind;
+      if (impl.alive != nullptr) {
+        table.rows = std::min(table.rows, impl.alive->size());
+        table.is_alive = [flags = impl.alive](mes::RowNumber row) { return (*flags)[row] != 0; };
+      } else if (behind != nullptr) {
+        table.rows = std::min(table.rows, behind->rows);
+        table.is_alive = behind->is_alive;
+      } else {
+        table.is_alive = [](mes::RowNumber) { return true; };
+      }
+      if (table.changes && !has_changes_) table.changes = mes::RowChanges{};
+      out.push_back(std::move(table));
+    }
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (...) {
+    out.clear();
+  }
+  return out;
+}
+
+std::vector<std::string_view> ExternalStructure::parameters() const {
+  std::vector<std::string_view> out;
+  for (const mes::Parameter& parameter : spec_->parameters) out.push_back(parameter.id);
+  return out;
+}
+
+void ExternalStructure::find(std::vector<mes::Finding>& out) const {
+  try {
+    for (const Finding& finding : theirs_->findings()) {
+      mes::Finding added;
+      added.level = static_cast<mes::FindingLevel>(finding.level);
+      added.text = one_line(finding.text);
+      added.count = finding.count;
+      for (const Point& place : finding.places)
+        if (added.places.size() < mes::kMostPlaces) added.places.push_back({place.x, place.y});
+      out.push_back(std::move(added));
+    }
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (...) {
+    // What it cannot say is left out.
+  }
+}
+
+}  // namespace v1
+}  // namespace mesecina

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an experiment adds to a registry, behind the public `Experiment`.
+#pragma once
+
+#include <mesecina/experiment.h>
+
+#include "core/graph/registry.h"
+#include "core/library/experiments.h"
+
+namespace mesecina {
+inline namespace v1 {
+
+struct Experiment::Impl {
+  mes::Registry& registry;
+  mes::ExperimentContents added{};
+};
+
+}  // namespace v1
+}  // namespace mesecina
