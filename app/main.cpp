@@ -46,7 +46,10 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   // Ignored, as some parents leave it, it would keep the exit codes of children from us.
   std::signal(SIGCHLD, SIG_DFL);
-  return mes::cli::run_command_line(mes::builtins(), argc, argv, [argv](std::vector<std::string> files) {
-    return mes::run_window(mes::builtins(), {.files = std::move(files), .executable = argv[0]});
-  });
+  return mes::cli::run_command_line(
+      mes::builtins(), argc, argv, [argv](std::vector<std::string> files, std::vector<std::string> experiments) {
+        return mes::run_window(
+            mes::builtins(),
+            {.files = std::move(files), .experiments = std::move(experiments), .executable = argv[0]});
+      });
 }

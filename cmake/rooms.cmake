@@ -44,6 +44,7 @@ set(rooms
   "render/figure: core/base core/draw render"
   "app/system: core/io"
   "app/actions: core/base"
+  "app/experiments: core/* app/system"
   "app/layers: core/*"
   "app/editing: core/* app/layers app/system"
   "app/insight: core/* app/layers app/system"
@@ -57,8 +58,8 @@ set(rooms
   "app/recording: core/* app/layers app/model app/picture app/system render"
   "app/ui: core/* app/model app/actions app/canvas app/system render"
   "app/panels: core/* app/ui app/layers app/editing app/insight app/playing app/model app/store app/picture app/export app/canvas app/canvas/tools app/recording app/actions render"
-  "app/window: core/* app/panels app/ui app/layers app/editing app/insight app/playing app/model app/store app/picture app/export app/canvas app/canvas/tools app/recording app/actions app/system render"
-  "app/cli: core/* app/layers app/editing app/insight app/playing app/model app/store app/picture app/export app/recording app/actions app/system render render/figure"
+  "app/window: core/* app/experiments app/panels app/ui app/layers app/editing app/insight app/playing app/model app/store app/picture app/export app/canvas app/canvas/tools app/recording app/actions app/system render"
+  "app/cli: core/* app/experiments app/layers app/editing app/insight app/playing app/model app/store app/picture app/export app/recording app/actions app/system render render/figure"
   "app: app/cli app/window core/base core/builtins")
 
 if(NOT DEFINED ROOT)

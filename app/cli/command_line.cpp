@@ -16,6 +16,8 @@
 #include "app/cli/messages.h"
 #include "app/cli/names.h"
 #include "app/cli/requests.h"
+#include "app/experiments/experiment.h"
+#include "app/experiments/trial.h"
 #include "core/base/coordinate_range.h"
 #include "core/io/text_numbers.h"
 
@@ -35,6 +37,7 @@ Exit codes: 0 done, 1 could not be completed, 2 usage, 3 bad input, 4 output imp
 /// Everything the parser fills in.
 struct Arguments {
   std::vector<std::string> files;
+  std::vector<std::string> experiments;
   ComputeRequest compute;
   SweepRequest sweep;
   BranchesRequest branches;
@@ -51,6 +54,8 @@ struct Arguments {
   SampleRequest sample;
   TextCommand text;
   ListRequest list;
+  NewRequest begin;
+  CheckRequest check;
   ManualRequest manual;
   CompletionsRequest completions;
 };
@@ -73,6 +78,14 @@ std::string wrapped(std::string_view text, std::size_t indent) {
   }
   out.pop_back();
   return out;
+}
+
+void add_experiments(CLI::App& command, std::vector<std::string>& experiments) {
+  command
+      .add_option("--with", experiments,
+                  "An experiment, or a folder of them: C++ sources that are compiled, or shared libraries")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
 void describe_commands(const Registry& registry, CLI::App& app, Arguments& to) {
@@ -101,6 +114,7 @@ void describe_commands(const Registry& registry, CLI::App& app, Arguments& to) {
   describe_shape(app, to.shape);
   describe_sample(registry, app, to.sample);
   describe_text(app, to.text);
+  describe_experiment_commands(app, to.begin, to.check);
 
   CLI::App* const list = app.add_subcommand("list", "What there is to name");
   std::string things;
@@ -118,8 +132,11 @@ void describe_commands(const Registry& registry, CLI::App& app, Arguments& to) {
   completions->add_option("SHELL", to.completions.shell, "bash, zsh or fish")->required();
   add_output(*completions, to.completions.output);
 
-  for (CLI::App* const command : app.get_subcommands({}))
+  add_experiments(app, to.experiments);
+  for (CLI::App* const command : app.get_subcommands({})) {
     command->set_help_flag("-h,--help", "Print this help and exit");
+    add_experiments(*command, to.experiments);
+  }
   // An empty value is most likely an unset variable of a script, and never the same as no option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
   for (CLI::App* const command : app.get_subcommands({}))
@@ -161,6 +178,8 @@ Expected<void> run_command(const Registry& registry, const CLI::App& command, co
   if (command.get_name() == "shape") return run_shape(registry, arguments.shape, interruption);
   if (command.get_name() == "sample") return run_sample(registry, arguments.sample, interruption);
   if (command.get_name() == "text") return run_text(arguments.text, interruption);
+  if (command.get_name() == "new") return run_new(registry, arguments.begin, interruption);
+  if (command.get_name() == "check") return run_check(registry, arguments.check, interruption);
   if (command.get_name() == "manual")
     return run_manual(registry, arguments.manual, all_commands(registry), interruption);
   if (command.get_name() == "completions")
@@ -251,17 +270,20 @@ int run(const Registry& registry, int argc, const char* const* argv, const OpenW
   }
   if (const auto chosen = app.get_subcommands(); !chosen.empty()) {
     if (!arguments.files.empty()) return refuse(app, "unexpected " + in_quotes(arguments.files.front()));
-    const auto done = run_command(registry, *chosen.front(), arguments);
+    const auto extended = with_experiments(registry, arguments.experiments);
+    if (!extended) return report(extended.error());
+    const auto done = run_command(**extended, *chosen.front(), arguments);
     return done ? kExitDone : report(done.error());
   }
   if (const auto mistake = mistaken_command(app, arguments.files)) return report(*mistake);
-  return open_window(std::move(arguments.files));
+  return open_window(std::move(arguments.files), std::move(arguments.experiments));
 }
 
 }  // namespace
 
 int run_command_line(const Registry& registry, int argc, const char* const* argv, const OpenWindow& open_window) {
   try {
+    if (argc == 3 && std::string_view(argv[1]) == kTrialCommand) return run_trial(registry, argv[2]);
     return run(registry, argc, argv, open_window);
   } catch (const std::bad_alloc&) {
     return report({ErrorCode::out_of_memory, "there is not enough memory", {}, 0, 0});

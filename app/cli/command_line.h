@@ -13,7 +13,7 @@ class Registry;
 namespace mes::cli {
 
 /// Opens the window on files and gives the exit code.
-using OpenWindow = std::function<int(std::vector<std::string> files)>;
+using OpenWindow = std::function<int(std::vector<std::string> files, std::vector<std::string> experiments)>;
 
 /// Runs the command that the arguments ask for, with what the registry has, or the window when they ask for none; gives
 /// the exit code.

@@ -54,5 +54,6 @@ void describe_evolve(const Registry& registry, CLI::App& app, EvolveRequest& to)
 void describe_shape(CLI::App& app, ShapeCommand& to);
 void describe_sample(const Registry& registry, CLI::App& app, SampleRequest& to);
 void describe_text(CLI::App& app, TextCommand& to);
+void describe_experiment_commands(CLI::App& app, NewRequest& to_begin, CheckRequest& to_check);
 
 }  // namespace mes::cli

@@ -135,6 +135,10 @@ std::vector<std::string> things_to_list(const Registry& /*registry*/) {
   return listed_things();
 }
 
+std::vector<std::string> offered_beginnings(const Registry& /*registry*/) {
+  return things_to_begin();
+}
+
 std::vector<std::string> offered_shells(const Registry& /*registry*/) {
   return shell_names();
 }
@@ -143,7 +147,7 @@ std::vector<std::string> offered_sides(const Registry& /*registry*/) {
   return figure_sides();
 }
 
-constexpr std::array<OptionValue, 57> kValues{{
+constexpr std::array<OptionValue, 60> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"LESSON", {}, ValueKind::file},
@@ -151,7 +155,9 @@ constexpr std::array<OptionValue, 57> kValues{{
     {"--html", "FILE", ValueKind::file},
     {"--vtt", "FILE", ValueKind::file},
     {"WHAT", {}, ValueKind::choice, things_to_list},
+    {"WHAT", {}, ValueKind::choice, offered_beginnings, "new"},
     {"NAME", {}, ValueKind::choice, shape_ids},
+    {"NAME", {}, ValueKind::text, nullptr, "new"},
     {"TEXT", {}},
     {"SHELL", {}, ValueKind::choice, offered_shells},
     {"--from", "FORMAT", ValueKind::choice, offered_formats},
@@ -201,6 +207,7 @@ constexpr std::array<OptionValue, 57> kValues{{
     {"--corner-radius", "R"},
     {"--jitter", "J"},
     {"--shard", "I/N"},
+    {"--with", "FILE", ValueKind::file},
 }};
 constexpr OptionValue kText{{}, "TEXT"};
 

@@ -229,6 +229,19 @@ struct ListRequest {
 };
 Expected<void> run_list(const Registry& registry, const ListRequest& request, Interruption& interruption);
 
+struct NewRequest {
+  std::string what;
+  std::string name;
+  std::string output;  ///< empty: NAME.cpp
+  bool force = false;
+};
+Expected<void> run_new(const Registry& registry, const NewRequest& request, Interruption& interruption);
+
+struct CheckRequest {
+  std::vector<std::string> files;
+};
+Expected<void> run_check(const Registry& registry, const CheckRequest& request, Interruption& interruption);
+
 struct ManualRequest {
   bool as_man_page = false;
   std::string output;
@@ -242,6 +255,9 @@ struct CompletionsRequest {
 };
 Expected<void> run_completions(const Registry& registry, const CompletionsRequest& request,
                                std::span<const CommandHelp> commands, Interruption& interruption);
+
+/// What `new` can begin.
+std::vector<std::string> things_to_begin();
 
 /// What `list` can list.
 std::vector<std::string> listed_things();

@@ -80,7 +80,7 @@ int ChildProcess::start(const std::vector<std::string>& words, const fs::path& f
   return reason;
 }
 
-bool ChildProcess::wait(const std::stop_token& stop) {
+bool ChildProcess::wait(const std::stop_token& stop, Clock::time_point until) {
   int status = 0;
   Clock::time_point asked{};
   for (;;) {
@@ -88,6 +88,7 @@ bool ChildProcess::wait(const std::stop_token& stop) {
       const std::lock_guard lock(children().mutex);
       if (const pid_t ended = ::waitpid(pid_, &status, WNOHANG); ended != 0) {
         std::erase(children().running, pid_);
+        if (ended == pid_ && WIFSIGNALED(status)) signal_ = WTERMSIG(status);
         return ended == pid_ && WIFEXITED(status) && WEXITSTATUS(status) == 0;
       }
     }
@@ -95,7 +96,7 @@ bool ChildProcess::wait(const std::stop_token& stop) {
     if (stop.stop_requested() && asked.time_since_epoch().count() == 0) {
       ::kill(pid_, SIGTERM);
       asked = now;
-    } else if (asked.time_since_epoch().count() != 0 && now - asked > kPatience) {
+    } else if (now > until || (asked.time_since_epoch().count() != 0 && now - asked > kPatience)) {
       ::kill(pid_, SIGKILL);
     }
     std::this_thread::sleep_for(kLookInterval);
@@ -113,6 +114,14 @@ std::string ChildProcess::complaint() {
     if (!text.empty()) last = text;
   }
   return last;
+}
+
+std::string ChildProcess::complaints() {
+  std::rewind(errors_);
+  std::string out;
+  std::array<char, 4096> piece{};
+  while (const std::size_t size = std::fread(piece.data(), 1, piece.size(), errors_)) out.append(piece.data(), size);
+  return out;
 }
 
 bool is_program_on_path(const std::string& name) {

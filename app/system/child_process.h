@@ -25,13 +25,20 @@ class ChildProcess {
 
   /// Looked for on the PATH. 0 or the reason.
   int start(const std::vector<std::string>& words, const std::filesystem::path& folder);
-  /// Whether it ended well. It is asked to end when a stop is requested, and made to end when it does not.
-  bool wait(const std::stop_token& stop);
+  /// Whether it ended well. It is asked to end when a stop is requested, and made to end when it does not or when the
+  /// time is over.
+  bool wait(const std::stop_token& stop, std::chrono::steady_clock::time_point until = kNoEnd);
+  /// The signal that ended it, or 0.
+  int signal() const { return signal_; }
   /// The last printable line it complained with.
   std::string complaint();
+  /// All that it complained with.
+  std::string complaints();
 
  private:
+  static constexpr auto kNoEnd = std::chrono::steady_clock::time_point::max();
   pid_t pid_ = -1;
+  int signal_ = 0;
   std::FILE* errors_ = nullptr;
 };
 

@@ -27,4 +27,8 @@ fs::path config_folder() {
   return folder("XDG_CONFIG_HOME", ".config");
 }
 
+fs::path cache_folder() {
+  return folder("XDG_CACHE_HOME", ".cache");
+}
+
 }  // namespace mes

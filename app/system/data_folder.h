@@ -10,5 +10,7 @@ namespace mes {
 std::filesystem::path data_folder();
 /// $XDG_CONFIG_HOME/mesecina or ~/.config/mesecina; empty when no home folder is known.
 std::filesystem::path config_folder();
+/// $XDG_CACHE_HOME/mesecina or ~/.cache/mesecina; empty when no home folder is known.
+std::filesystem::path cache_folder();
 
 }  // namespace mes

@@ -10,8 +10,9 @@ namespace mes {
 class Registry;
 
 struct WindowOptions {
-  std::vector<std::string> files;  ///< the first is opened; none: a built-in shape
-  std::string executable;          ///< as the program was called; finds what comes with it
+  std::vector<std::string> files;          ///< the first is opened; none: a built-in shape
+  std::vector<std::string> experiments{};  ///< files or folders, added while the window is open
+  std::string executable;                  ///< as the program was called; finds what comes with it
 };
 
 /// Runs until the window is closed, and shows what the registry has. Exit code of the program: 0, or 4 without display or

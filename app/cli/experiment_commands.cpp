@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina new` and `mesecina check`: the beginning of an experiment, and what it has to hold.
+#include <fmt/core.h>
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string_view>
+
+#include "app/cli/command_options.h"
+#include "app/cli/messages.h"
+#include "app/cli/names.h"
+#include "app/cli/output.h"
+#include "app/cli/requests.h"
+#include "app/experiments/check.h"
+#include "app/experiments/experiment.h"
+#include "app/store/sample_shapes.h"
+#include "core/graph/registry.h"
+#include "core/io/read_file.h"
+
+namespace mes::cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_kebab_case(std::string_view name) {
+  if (name.empty() || name.back() == '-' || !(name.front() >= 'a' && name.front() <= 'z')) return false;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const char c = name[i];
+    if (!((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c == '-' && name[i - 1] != '-'))) return false;
+  }
+  return true;
+}
+
+/// "beta-skeleton" becomes "BetaSkeleton".
+std::string class_name(std::string_view id) {
+  std::string out;
+  bool begins = true;
+  for (const char c : id) {
+    if (c != '-') out += begins ? static_cast<char>(std::toupper(static_cast<unsigned char>(c))) : c;
+    begins = c == '-';
+  }
+  return out;
+}
+
+void replace_all(std::string& text, std::string_view what, std::string_view with) {
+  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
+    text.replace(at, what.size(), with);
+}
+
+}  // namespace
+
+std::vector<std::string> things_to_begin() {
+  return {"structure", "layer", "evolution", "shape"};
+}
+
+void describe_experiment_commands(CLI::App& app, NewRequest& to_begin, CheckRequest& to_check) {
+  CLI::App* const begin = app.add_subcommand("new", "The source of an experiment to begin with");
+  std::string things;
+  for (const std::string& thing : things_to_begin()) things += (things.empty() ? "" : "|") + thing;
+  begin->add_option("WHAT", to_begin.what, things)->required();
+  begin->add_option("NAME", to_begin.name, "Its id: small letters, digits and hyphens")->required();
+  begin->add_option("-o,--output", to_begin.output,
+                    "Write to this file instead of NAME.cpp, or - for standard output");
+  begin->add_flag("--force", to_begin.force, "Overwrite the file if there is one");
+
+  CLI::App* const check = app.add_subcommand(
+      "check", "What an experiment has to hold: updates, degenerate input, numbers, threads, time");
+  check->add_option("FILE", to_check.files, "Experiments, or folders of them, each after those that it reads")
+      ->required();
+}
+
+Expected<void> run_new(const Registry& registry, const NewRequest& request, Interruption& interruption) {
+  const std::vector<std::string> things = things_to_begin();
+  if (std::ranges::find(things, request.what) == things.end()) {
+    const std::vector<std::string_view> names(things.begin(), things.end());
+    return usage_error(fmt::format("there is no beginning of a {}; there are those of {}", in_quotes(request.what),
+                                   fmt::format("{}, {}, {} and {}", names[0], names[1], names[2], names[3])));
+  }
+  if (!is_kebab_case(request.name))
+    return usage_error(in_quotes(request.name) + " is no id: small letters and digits, with a hyphen between words");
+  if (registry.find_structure(request.name) != nullptr || registry.find_layer(request.name) != kNoLayer ||
+      registry.evolutions().find(request.name) != nullptr || registry.shapes().find(request.name) != nullptr)
+    return usage_error("the program has " + in_quotes(request.name) + " already; choose another name");
+  const fs::path assets = find_assets({});
+  auto text = read_regular_file(assets / "experiments" / (request.what + ".cpp"));
+  if (!text) return std::unexpected(text.error());
+  replace_all(*text, "my-" + request.what, request.name);
+  replace_all(*text, class_name("my-" + request.what), class_name(request.name));
+  const std::string file = request.output.empty() ? request.name + ".cpp" : request.output;
+  std::error_code error;
+  if (!is_standard_output(file) && !request.force && fs::exists(file, error))
+    return cannot_write("the file is there already; --force overwrites it", file);
+  if (auto written = write_output(file, *text, interruption); !written) return written;
+  if (!is_standard_output(file)) say(fmt::format("{} is written; mesecina --with {} shows it", file, file));
+  return {};
+}
+
+Expected<void> run_check(const Registry& registry, const CheckRequest& request, Interruption& interruption) {
+  Registry all = registry;
+  std::size_t bad = 0;
+  std::string out;
+  for (const std::string& name : request.files) {
+    const auto files = experiment_files(name);
+    if (!files) return std::unexpected(files.error());
+    for (const fs::path& file : *files) {
+      std::vector<CompilerMessage> messages;
+      const auto prepared = prepare_experiment(ExperimentTools::of_this_program(), file, {}, messages);
+      if (!prepared) return std::unexpected(prepared.error());
+      auto added = prepared->library->add_to(all);
+      if (!added)
+        return std::unexpected(Error{.code = added.error().code, .text = added.error().text, .file = file.string()});
+      for (const CompilerMessage& message : messages)
+        say(Error{
+            .text = "warning: " + message.text, .file = message.file, .line = message.line, .column = message.column}
+                .message());
+      for (const CheckResult& result : check_experiment(all, *added)) {
+        out += fmt::format("{:<28} {:<24} {}\n", result.subject, result.property, result.result);
+        bad += result.is_good ? 0 : 1;
+      }
+    }
+  }
+  if (auto written = write_output("-", out, interruption); !written) return written;
+  if (bad == 0) return {};
+  return std::unexpected(Error{ErrorCode::cannot_compute,
+                               bad == 1 ? std::string("one check failed") : fmt::format("{} checks failed", bad)});
+}
+
+}  // namespace mes::cli

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/experiments/experiment.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <system_error>
+#include <utility>
+
+#include "app/experiments/trial.h"
+#include "app/system/data_folder.h"
+#include "core/graph/registry.h"
+
+namespace mes {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_library(const fs::path& file) {
+  return file.extension() == ".so";
+}
+
+}  // namespace
+
+bool is_experiment_file(const fs::path& file) {
+  constexpr std::array<std::string_view, 4> kExtensions{".cpp", ".cc", ".cxx", ".so"};
+  return std::ranges::find(kExtensions, file.extension().string()) != kExtensions.end();
+}
+
+Expected<std::vector<fs::path>> experiment_files(const fs::path& name) {
+  const auto failure = [&name](std::string text) {
+    return std::unexpected(Error{.code = ErrorCode::bad_input, .text = std::move(text), .file = name.string()});
+  };
+  std::error_code error;
+  if (fs::is_directory(name, error)) {
+    std::vector<fs::path> out;
+    for (auto at = fs::directory_iterator(name, error); !error && at != fs::directory_iterator(); at.increment(error))
+      if (at->is_regular_file(error) && is_experiment_file(at->path())) out.push_back(at->path());
+    if (error) return failure(error.message());
+    if (out.empty()) return failure("the folder has no experiment, which is a .cpp or .so file");
+    std::ranges::sort(out);
+    return out;
+  }
+  if (!fs::exists(name, error)) return failure("there is no such file");
+  if (!is_experiment_file(name)) return failure("an experiment is a .cpp or .so file, or a folder of them");
+  return std::vector{name};
+}
+
+ExperimentTools ExperimentTools::of_this_program() {
+  std::error_code error;
+  return {.program = fs::read_symlink("/proc/self/exe", error)};
+}
+
+Expected<PreparedExperiment> prepare_experiment(const ExperimentTools& tools, const fs::path& file,
+                                                const std::stop_token& stop, std::vector<CompilerMessage>& messages) {
+  PreparedExperiment out{.file = file};
+  fs::path library = file;
+  if (!is_library(file)) {
+    const auto compiler = Compiler::find();
+    if (!compiler) {
+      Error error = compiler.error();
+      error.file = file.string();
+      return std::unexpected(std::move(error));
+    }
+    auto compiled = compile_experiment(*compiler, file, stop, messages);
+    if (!compiled) return std::unexpected(std::move(compiled.error()));
+    out.messages = std::move(compiled->messages);
+    library = std::move(compiled->library);
+  }
+  const auto named = [&file](Error error) {
+    error.file = file.string();
+    return std::unexpected(std::move(error));
+  };
+  if (!tools.program.empty())
+    if (const auto good = try_experiment(tools.program, cache_folder() / "experiments", library, stop); !good)
+      return named(good.error());
+  auto loaded = ExperimentLibrary::load(library);
+  if (!loaded) return named(std::move(loaded.error()));
+  out.library = *std::move(loaded);
+  return out;
+}
+
+Expected<std::shared_ptr<const Registry>> with_experiments(const Registry& registry,
+                                                           std::span<const std::string> names) {
+  // The registry of the program lives as long as the program.
+  if (names.empty()) return std::shared_ptr<const Registry>(std::shared_ptr<void>(), &registry);
+  auto out = std::make_shared<Registry>(registry);
+  for (const std::string& name : names) {
+    const auto files = experiment_files(name);
+    if (!files) return std::unexpected(files.error());
+    for (const fs::path& file : *files) {
+      std::vector<CompilerMessage> messages;
+      const auto prepared = prepare_experiment(ExperimentTools::of_this_program(), file, {}, messages);
+      if (!prepared) return std::unexpected(prepared.error());
+      auto added = prepared->library->add_to(*out);
+      if (!added) {
+        added.error().file = file.string();
+        return std::unexpected(std::move(added.error()));
+      }
+    }
+  }
+  return out;
+}
+
+}  // namespace mes
