@@ -17,7 +17,8 @@
 namespace mes {
 
 struct Engine::Impl {
-  Impl(const Registry& first, Options given) : options(std::move(given)), graph(first) {
+  Impl(std::shared_ptr<const Registry> first, Options given)
+      : options(std::move(given)), registry(std::move(first)), graph(*registry) {
     found.reserve(kProvenanceWishes);
     if (options.take_instances) graph.make_one_shot(options.take_instances, options.needs_scalars);
     graph.set_on_task([this](std::string_view id) {
@@ -192,7 +193,7 @@ struct Engine::Impl {
   }
 
   Options options;
-  std::shared_ptr<const Registry> registry;       // of the graph; null: that of the beginning
+  std::shared_ptr<const Registry> registry;       // of the graph
   std::shared_ptr<const Registry> next_registry;  // that the graph has not seen
   Graph graph;                                    // touched by the engine's thread only
   JobControl job;
@@ -228,7 +229,9 @@ struct Engine::Impl {
 };
 
 Engine::Engine(const Registry& registry, Options options)
-    : impl_(std::make_unique<Impl>(registry, std::move(options))) {}
+    : Engine(std::shared_ptr<const Registry>(std::shared_ptr<const Registry>(), &registry), std::move(options)) {}
+Engine::Engine(std::shared_ptr<const Registry> registry, Options options)
+    : impl_(std::make_unique<Impl>(std::move(registry), std::move(options))) {}
 Engine::~Engine() = default;
 
 void Engine::set_registry(std::shared_ptr<const Registry> registry) {

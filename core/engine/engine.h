@@ -77,6 +77,8 @@ class Engine {
 
   /// The registry has to outlive it.
   Engine(const Registry& registry, Options options);
+  /// Keeps the registry alive until it has taken another.
+  Engine(std::shared_ptr<const Registry> registry, Options options);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
