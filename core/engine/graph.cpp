@@ -196,6 +196,7 @@ void Graph::withdraw(LayerPatch& patch) {
   patch.clear();
   LayerNode& node = node_of(patch.layer);
   for (const PrimitiveKind kind : node.layer.descriptor.kinds) patch[kind].reset = true;
+  for (const PrimitiveKind kind : node.earlier_kinds) patch[kind].reset = true;
   node.sent = false;
 }
 
@@ -314,6 +315,8 @@ void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
       for (const auto& part : node.layer.parts) part->update(patch);
     } else {
       const auto start = std::chrono::steady_clock::now();
+      if (!is_one_shot())
+        for (const PrimitiveKind kind : node.earlier_kinds) patch[kind].reset = true;
       for (const auto& part : node.layer.parts) {
         if (job.stop_requested()) {
           is_stopped_ = true;

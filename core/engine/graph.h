@@ -129,6 +129,8 @@ class Graph {
   struct LayerNode {
     Layer layer;  ///< without parts where a variant shares it
     std::vector<std::size_t> structures;
+    /// Kinds that it does not emit, of which the consumer may hold instances: the layer of an earlier registry did.
+    std::vector<PrimitiveKind> earlier_kinds{};
     bool demanded = false;
     bool sent = false;  ///< the consumer holds instances of it
     NodeState state = NodeState::inactive;

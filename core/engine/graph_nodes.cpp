@@ -52,6 +52,12 @@ Graph::Graph(const Registry& registry, const Graph& before)
     LayerNode& node = node_of(layer);
     node.demanded = old.demanded && (layer.variant == kMainVariant || !node.structures.empty());
     node.sent = old.sent && node.demanded;
+    node.earlier_kinds = old.earlier_kinds;
+    node.earlier_kinds.insert(node.earlier_kinds.end(), old.layer.descriptor.kinds.begin(),
+                              old.layer.descriptor.kinds.end());
+    std::erase_if(node.earlier_kinds, [&kinds = node.layer.descriptor.kinds](PrimitiveKind kind) {
+      return std::ranges::find(kinds, kind) != kinds.end();
+    });
   });
 }
 

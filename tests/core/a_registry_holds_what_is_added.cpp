@@ -280,6 +280,43 @@ TEST_CASE("a registry without one of the sources is refused, and nothing changes
   CHECK(*bench.digest("b-union-boundary") == before);
 }
 
+TEST_CASE("a layer that takes the place of one of other kinds leaves no instances of that one") {
+  Registry with_points = with_longest_edges();
+  REQUIRE(with_points.remove_layer("long-edges"));
+  with_points.add_layer([](const StructureSet& set) {
+    const auto& samples = set.get<Samples>();
+    Layer layer{
+        .descriptor = {.id = "long-edges", .kinds = {PrimitiveKind::point}}, .structures = {&samples}, .parts = {}};
+    layer.parts.push_back(table_part(
+        {PrimitiveKind::point}, [&samples] { return samples.row_count(); }, samples.changes(),
+        [&samples](SampleSlot row, Instance& out) {
+          if (samples.is_alive(row)) out.point(samples.position(row));
+        }));
+    return layer;
+  });
+  const auto first = std::make_shared<const Registry>(with_longest_edges());
+  const LayerIndex layer = first->find_layer("long-edges");
+  REQUIRE(with_points.find_layer("long-edges") == layer);
+  Engine engine(first, {});
+  LayerMirror mirror;
+  const auto take = [&] {
+    while (auto patch = engine.sync()) {
+      mirror.apply(*patch);
+      engine.recycle(std::move(patch));
+    }
+    return std::pair(mirror.count(layer, PrimitiveKind::segment), mirror.count(layer, PrimitiveKind::point));
+  };
+  engine.set_demand({layer});
+  const auto delta = insert_samples(Document(), kFive);
+  REQUIRE(delta);
+  engine.post(std::make_shared<const DocumentDelta>(*delta));
+  CHECK(take() == std::pair(1U, 0U));
+  engine.set_registry(std::make_shared<const Registry>(with_points));
+  CHECK(take() == std::pair(0U, 5U));
+  engine.set_registry(first);
+  CHECK(take() == std::pair(1U, 0U));
+}
+
 TEST_CASE("variants and their documents outlast a change of the registry") {
   const Registry larger = with_longest_edges();
   SampleData other;
