@@ -238,14 +238,16 @@ class Studio {
     return Shot{std::move(*image), picture_overlay_of(std::move(content), fonts_, {camera, scale_, kWhiteCanvas})};
   }
 
-  // A picture that no longer exists is reported once; the film goes on without it.
+  // A picture that no longer exists, or that no layer shows, is reported once; the film goes on without it.
   void follow_picture(const BackgroundImage& image) {
     const LayerIndex layer = registry_.find_layer("image");
     if (image.file != shown_.file || image.is_upright != shown_.is_upright) {
       shown_ = image;
       scene_.clear_picture();
       if (!image.file.empty()) {
-        if (const auto read = read_background(image))
+        if (layer == kNoLayer)
+          say("the picture underneath is left out: there is no layer for pictures");
+        else if (const auto read = read_background(image))
           scene_.set_picture(layer, *read);
         else
           say("the picture underneath is left out: " + read.error().message());

@@ -26,9 +26,14 @@
 namespace mes::cli {
 namespace {
 
-/// The picture to trace, given its place if it has none; nothing without one.
-Expected<std::optional<render::Image>> read_traced(PictureRequest& picture, const Box2& samples) {
+/// The picture to trace, given its place if it has none; nothing without one, or without a layer that would show it.
+Expected<std::optional<render::Image>> read_traced(const Registry& registry, PictureRequest& picture,
+                                                   const Box2& samples) {
   if (picture.image.file.empty()) return std::nullopt;
+  if (registry.find_layer("image") == kNoLayer) {
+    say("the picture underneath is left out: there is no layer for pictures");
+    return std::nullopt;
+  }
   if (const auto fingerprint = fingerprint_of_file(picture.image.file))
     picture.sources.push_back({picture.image.file, *fingerprint});
   auto image = read_background(picture.image);
@@ -93,7 +98,7 @@ Expected<void> run_render(const Registry& registry, const RenderRequest& request
   }
   Box2 samples;
   for (const Vec2 position : input.data.positions) samples.add(position);
-  const auto traced = read_traced(*picture, samples);
+  const auto traced = read_traced(registry, *picture, samples);
   if (!traced) return std::unexpected(traced.error());
   if (canvas && *traced) {
     canvas->scene.set_picture(registry.find_layer("image"), **traced);

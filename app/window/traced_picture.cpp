@@ -28,7 +28,7 @@ void TracedPicture::take_new(const BackgroundLoader::Outcome& outcome, const Box
   loader_.take_as_read(outcome.file);
   editor_.change_layers("Picture underneath", [&] {
     layers_.set_image(placed_in(free, {.file = outcome.file}, picture_.background_aspect()));
-    if (const LayerIndex layer = layers_.find("image"); layer != kNoLayer) layers_.set_visible(layer, true);
+    layers_.set_visible(layers_.find("image"), true);
   });
 }
 
@@ -37,7 +37,12 @@ bool TracedPicture::show_image(const BackgroundLoader::Outcome& outcome) {
     messages_.problem(outcome.image.error().message());
     return false;
   }
-  if (picture_.set_background(layers_.find("image"), *outcome.image)) return true;
+  const LayerIndex layer = layers_.find("image");
+  if (layer == kNoLayer) {
+    messages_.problem("The picture underneath is not shown: there is no layer for pictures");
+    return false;
+  }
+  if (picture_.set_background(layer, *outcome.image)) return true;
   messages_.problem(
       Error{ErrorCode::out_of_memory, "there is not enough graphics memory for it", outcome.file}.message());
   return false;

@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
@@ -17,6 +18,7 @@
 
 #include "app/cli/command_line.h"
 #include "core/builtins/builtins.h"
+#include "core/io/session.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/support/added_to_registry.h"
 
@@ -200,4 +202,20 @@ TEST_CASE("shapes that were added are made") {
   CHECK_THAT(done_with_additions({"shape", "test-square", "--set", "side=4", "--samples", "8"}),
              Catch::StartsWith("POFF 8 0 0\n") && Catch::Contains("\n4 4\n"));
   check_refused({"shape", "test-square"}, "there is no shape", "test-square");
+}
+
+TEST_CASE("a picture that a session names is left out, in one line, where no layer shows pictures") {
+  Registry without = builtins();
+  REQUIRE(without.remove_layer("image"));
+  const TemporaryFolder folder;
+  Session session;
+  session.data = std::make_shared<const SampleData>(SampleData{.positions = {{0, 0}, {1, 0}, {0, 1}}});
+  session.layers.layers = {{"points", true, {}}};
+  session.layers.image.file = folder.write("leaf.png", "no picture, which is not looked at").string();
+  const std::string file = folder.write("corner.json", write_session(session)).string();
+  const std::string figure = (folder / "corner.svg").string();
+  const Ran ran = run_with(without, {"render", file, "-o", figure});
+  CHECK(ran.exit_code == kDone);
+  CHECK(ran.err == "mesecina: the picture underneath is left out: there is no layer for pictures\n");
+  CHECK_THAT(text_of(figure), Catch::Contains("<svg"));
 }
