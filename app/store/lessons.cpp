@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/playing/demo.h"
+#include "core/graph/registry.h"
 #include "core/io/format.h"
 
 namespace mes {
@@ -37,7 +38,7 @@ Expected<std::shared_ptr<const Session>> session_of(const Registry& registry, co
     if (!demo) return std::unexpected(demo.error());
     return std::make_shared<const Session>(std::move(*demo));
   }
-  const auto loaded = read_sample_file(lesson.file);
+  const auto loaded = read_sample_file(lesson.file, {}, nullptr, {.formats = &registry.formats()});
   if (!loaded) return std::unexpected(loaded.error());
   if (!loaded->session)
     return std::unexpected(
@@ -48,7 +49,7 @@ Expected<std::shared_ptr<const Session>> session_of(const Registry& registry, co
 Expected<Session> demo_of(const Registry& registry, std::span<const SampleShape> shapes) {
   if (shapes.empty())
     return std::unexpected(Error{ErrorCode::bad_input, "the sample shapes that come with the program are missing"});
-  const auto shape = read_sample_file(shapes.front().file);
+  const auto shape = read_sample_file(shapes.front().file, {}, nullptr, {.formats = &registry.formats()});
   if (!shape) return std::unexpected(shape.error());
   return demo_session(registry, shape->data);
 }
