@@ -46,6 +46,7 @@ SessionPanes::SessionPanes(const Registry& registry, const Session& session)
       steps_(std::min(session.evolution.step, kMostSteps)),
       views_(session.pane_views) {
   list_.set(session.panes);
+  list_.resolve(registry);
   // What a session in memory lacks is everything.
   if (!views_.empty()) views_.resize(list_.panes().size());
 }

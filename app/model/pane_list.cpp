@@ -115,6 +115,19 @@ void PaneList::set(std::vector<PaneChoice> panes) {
   ++revision_;
 }
 
+void PaneList::resolve(const Registry& registry) {
+  for (PaneChoice& pane : panes_) {
+    auto* const choice = std::get_if<ParameterChoice>(&pane);
+    const Parameter* const known = choice != nullptr ? registry.find_parameter(choice->parameter.id) : nullptr;
+    if (known == nullptr) continue;
+    choice->parameter = *known;
+    const double value = within(*known, choice->value);
+    if (choice->value == value) continue;
+    choice->value = value;
+    ++revision_;
+  }
+}
+
 void PaneList::set_free_cameras(bool are_free) {
   if (has_free_cameras_ == are_free) return;
   has_free_cameras_ = are_free;

@@ -53,6 +53,8 @@ class PaneList {
   /// Each pane has a view of its own.
   bool has_free_cameras() const { return has_free_cameras_; }
   void set_free_cameras(bool are_free);
+  /// Parameters are those of the registry from now on, with values in their range. One that it lacks is kept.
+  void resolve(const Registry& registry);
 
   /// Does nothing if the list is full.
   void add(PaneChoice choice);

@@ -221,6 +221,7 @@ void DocumentFlow::show_as_in(const Session& session) {
   uses_.work.computation().set(session.settings);
   uses_.work.evolution().resume(choice_of(uses_.work.registry(), session.evolution), session.evolution.step);
   uses_.work.panes().set(session.panes);
+  uses_.work.panes().resolve(uses_.work.registry());
   uses_.work.panes().set_free_cameras(!session.pane_views.empty());
   uses_.board.see_in_panes(session.pane_views);
   if (!session.view.is_empty()) uses_.board.fitter().set_target(session.view);
