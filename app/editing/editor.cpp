@@ -467,6 +467,23 @@ void Editor::take_layers_as_noted() {
   noted_revision_ = layers_->revision();
 }
 
+void Editor::replace_layers(const std::function<void()>& replace) {
+  if (layers_ == nullptr) return replace();
+  note_layers();
+  const LayerConfiguration before = layers_->configuration();
+  const bool is_saved = saved_layers_ == before;
+  const bool is_pending = layers_->revision() != noted_revision_;
+  replace();
+  if (is_saved) set_saved_layers(layers_->configuration());
+  if (!noted_layers_) return;
+  LayersChanged change = difference(before, layers_->configuration());
+  if (is_pending)
+    mes::apply(change, *noted_layers_);
+  else
+    take_layers_as_noted();
+  if (!change.is_empty()) timeline_.note(std::move(change));
+}
+
 void Editor::set_saved_layers(std::optional<LayerConfiguration> layers) {
   saved_layers_ = std::move(layers);
   compared_revision_ = ~std::uint64_t{0};

@@ -107,6 +107,9 @@ class Editor {
     change();
     note_layers(name);
   }
+  /// The function replaces the layers that there are by those of another registry. That is no step of undo, and where the
+  /// layers were not modified they are not afterwards.
+  void replace_layers(const std::function<void()>& replace);
   /// Makes it part of the newest step instead: an edit shows what it made.
   void join_layers();
   /// The layers were brought back with the document: they are on its timeline already.

@@ -8,19 +8,19 @@ namespace mes {
 
 void ResampleDesk::begin(Wish wish) {
   begun_at_ = editor_.document().revision();
-  job_.begin([&registry = registry_, wish, wanted = epsilon,
+  job_.begin([registry = registry_.share(), wish, wanted = epsilon,
               data = data_of(editor_.document())](const std::stop_token& stop) -> Found {
     Found out{wish, {}, {}, {}};
     JobControl job(stop);
     try {
       if (wish == Wish::repair) {
-        auto repaired = repair(registry, data, wanted, job);
+        auto repaired = repair(*registry, data, wanted, job);
         if (repaired)
           out.repaired = *std::move(repaired);
         else
           out.problem = repaired.error().message();
       } else {
-        auto decimated = decimate(registry, data, wanted, job);
+        auto decimated = decimate(*registry, data, wanted, job);
         if (decimated)
           out.decimated = *std::move(decimated);
         else

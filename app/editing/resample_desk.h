@@ -15,10 +15,12 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/editing/editor.h"
 #include "app/system/background_job.h"
+#include "core/graph/live_registry.h"
 #include "core/resampling/decimate.h"
 #include "core/resampling/repair.h"
 
@@ -26,8 +28,8 @@ namespace mes {
 
 class ResampleDesk {
  public:
-  ResampleDesk(const Registry& registry, Editor& editor, std::function<void()> wake)
-      : registry_(registry), editor_(editor), job_(std::move(wake)) {}
+  ResampleDesk(LiveRegistry registry, Editor& editor, std::function<void()> wake)
+      : registry_(std::move(registry)), editor_(editor), job_(std::move(wake)) {}
 
   enum class Wish : std::uint8_t { repair, decimate };
   void begin(Wish wish);
@@ -64,7 +66,7 @@ class ResampleDesk {
   Expected<void> apply(const Decimation& decimated);
   Report report_of(const Found& found);
 
-  const Registry& registry_;
+  LiveRegistry registry_;
   Editor& editor_;
   BackgroundJob<Found> job_;
   std::uint64_t begun_at_ = 0;  // revision of the document

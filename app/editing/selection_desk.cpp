@@ -284,7 +284,8 @@ Expected<void> SelectionDesk::add(std::vector<Vec2> samples, std::vector<Disk> b
 Expected<SelectionDesk::Pasted> SelectionDesk::paste(std::string_view text, Vec2 step, MapDegrees degrees) {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     return std::unexpected(Error{ErrorCode::bad_input, "There is no text on the clipboard"});
-  auto read = read_sample_bytes(text, "clipboard", {}, {.degrees = degrees, .keeps_vertices = true});
+  auto read = read_sample_bytes(text, "clipboard", {},
+                                {.degrees = degrees, .keeps_vertices = true, .formats = &registry_.now().formats()});
   if (!read) return std::unexpected(read.error());
   SampleData& data = read->data;
   if (data.positions.empty() && data.balls.empty())

@@ -10,6 +10,7 @@
 
 #include "app/editing/editor.h"
 #include "core/edit/arrangement.h"
+#include "core/graph/live_registry.h"
 #include "core/io/format.h"
 
 namespace mes {
@@ -26,7 +27,7 @@ namespace mes {
 /// window and no OpenGL.
 class SelectionDesk {
  public:
-  explicit SelectionDesk(Editor& editor) : editor_(editor) {}
+  SelectionDesk(LiveRegistry registry, Editor& editor) : registry_(std::move(registry)), editor_(editor) {}
 
   /// In units of the document.
   struct Numbers {
@@ -104,6 +105,7 @@ class SelectionDesk {
   Expected<void> add_contours(const std::vector<SampleData::Contour>& contours, const std::vector<SampleSlot>& rows,
                               const std::string& name);
 
+  LiveRegistry registry_;
   Editor& editor_;
   mutable Numbers numbers_;
   mutable std::pair<std::uint64_t, std::uint64_t> numbers_of_{~std::uint64_t{0}, 0};  // revisions

@@ -106,6 +106,7 @@ void note_lines(FigurePreview& preview, const figure::Figure& figure) {
 
 /// Everything that a figure is made of, whatever its settings.
 struct FigureDesk::Contents {
+  std::shared_ptr<const Registry> registry;  // whose layers these are
   FigureSubject subject;
   LayerMirror mirror;
   Comparison comparison;  // of one pane, or of several with the marks of their differences
@@ -127,14 +128,14 @@ struct FigureDesk::Contents {
   }
 };
 
-FigureDesk::FigureDesk(const Registry& registry, std::function<void()> wake)
-    : registry_(registry), computing_(wake), drawing_(wake), writing_(wake), saving_(std::move(wake)) {}
+FigureDesk::FigureDesk(LiveRegistry registry, std::function<void()> wake)
+    : registry_(std::move(registry)), computing_(wake), drawing_(wake), writing_(wake), saving_(std::move(wake)) {}
 
 void FigureDesk::begin(FigureSubject subject) {
   end();
   is_open_ = true;
   has_panes_ = !subject.panes.empty();
-  computing_.begin([&registry = registry_, subject = std::move(subject)](const std::stop_token& stop) {
+  computing_.begin([registry = registry_.share(), subject = std::move(subject)](const std::stop_token& stop) {
     return compute(registry, subject, stop);
   });
 }
@@ -152,18 +153,19 @@ void FigureDesk::end() {
   save_to_.reset();
 }
 
-Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(const Registry& registry,
+Expected<std::shared_ptr<const FigureDesk::Contents>> FigureDesk::compute(std::shared_ptr<const Registry> registry,
                                                                           const FigureSubject& subject,
                                                                           const std::stop_token& stop) try {
   auto out = std::make_shared<Contents>();
+  out->registry = registry;
   out->subject = subject;
   out->session = packed_session(subject.session);
   std::vector<PaneRequest> panes = subject.panes;
   if (panes.empty())
     panes.push_back({{}, subject.shown, subject.settings, std::make_shared<const SampleData>(subject.data)});
-  out->comparison = compare(registry, std::move(panes));
+  out->comparison = compare(*registry, std::move(panes));
   Comparison& comparison = out->comparison;
-  auto result = run_computation(registry, *comparison.data,
+  auto result = run_computation(*registry, *comparison.data,
                                 {.layers = comparison.demand,
                                  .settings = comparison.settings,
                                  .on_patch = [&](const FramePatch& patch) { out->mirror.apply(patch); },

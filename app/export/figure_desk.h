@@ -17,6 +17,7 @@
 #include "app/system/background_job.h"
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"
+#include "core/graph/live_registry.h"
 #include "core/io/session.h"
 #include "render/figure/writers.h"
 
@@ -73,7 +74,7 @@ struct FigurePreview {
 /// Threads: the window's.
 class FigureDesk {
  public:
-  FigureDesk(const Registry& registry, std::function<void()> wake);
+  FigureDesk(LiveRegistry registry, std::function<void()> wake);
 
   void begin(FigureSubject subject);
   /// Gives up everything but a file that is being saved.
@@ -124,8 +125,8 @@ class FigureDesk {
     Wanted wanted;
     Expected<std::string> bytes;
   };
-  static Expected<std::shared_ptr<const Contents>> compute(const Registry& registry, const FigureSubject& subject,
-                                                           const std::stop_token& stop);
+  static Expected<std::shared_ptr<const Contents>> compute(std::shared_ptr<const Registry> registry,
+                                                           const FigureSubject& subject, const std::stop_token& stop);
   static Drawn draw(const Contents& contents, const Wanted& wanted);
   static Expected<DrawnFigure> draw_figure_of(const Contents& contents, const Wanted& wanted);
   void begin_drawing();
@@ -136,7 +137,7 @@ class FigureDesk {
   bool take_drawn();
   bool take_written();
 
-  const Registry& registry_;
+  LiveRegistry registry_;
   bool is_open_ = false;
   bool has_panes_ = false;
   Wanted wanted_;

@@ -15,10 +15,10 @@ bool BranchDesk::follow(const State& wanted, const std::function<SampleData()>& 
   }
   // One at a time: while samples are dragged, a table of some moment is better than none.
   if (job_.is_under_way() || is_current() || failed_ == wanted_) return is_new;
-  job_.begin([&registry = registry_, state = wanted, samples = data()](const std::stop_token& stop) -> Done {
+  job_.begin([registry = registry_.share(), state = wanted, samples = data()](const std::stop_token& stop) -> Done {
     try {
       JobControl job(stop);
-      auto table = branch_table_of(registry, samples, state.settings, state.axis, job, state.measures_area);
+      auto table = branch_table_of(*registry, samples, state.settings, state.axis, job, state.measures_area);
       if (!table) return {state, nullptr, table.error().message()};
       return {state, std::make_shared<const BranchTable>(std::move(*table)), {}};
     } catch (const Cancelled&) {

@@ -18,15 +18,18 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/insight/branch_table.h"
 #include "app/system/background_job.h"
+#include "core/graph/live_registry.h"
 
 namespace mes {
 
 class BranchDesk {
  public:
-  BranchDesk(const Registry& registry, std::function<void()> wake) : registry_(registry), job_(std::move(wake)) {}
+  BranchDesk(LiveRegistry registry, std::function<void()> wake)
+      : registry_(std::move(registry)), job_(std::move(wake)) {}
 
   struct State {
     std::uint64_t document = 0;  ///< revision
@@ -65,7 +68,7 @@ class BranchDesk {
   };
   void take(Done done);
 
-  const Registry& registry_;
+  LiveRegistry registry_;
   BackgroundJob<Done> job_;
   State wanted_;
   State state_;

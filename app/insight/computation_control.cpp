@@ -3,8 +3,18 @@
 
 namespace mes {
 
+void ComputationControl::follow_registry() {
+  if (registry_.now().find_parameter(animation_.parameter.id) == nullptr) give_back();
+  ComputationSettings settings = settings_;
+  settings.values = ParameterValues(settings_.values.changed());
+  for (const Parameter& parameter : parameters()) settings[parameter] = within(parameter, settings[parameter]);
+  set(settings);
+}
+
+// A value that was read for an id alone becomes one of the parameter.
 void ComputationControl::set(const ComputationSettings& settings) {
   settings_ = settings;
+  for (const Parameter& parameter : parameters()) static_cast<void>(settings_[parameter]);
   engine_.set_settings(settings_);
 }
 

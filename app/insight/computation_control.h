@@ -4,23 +4,28 @@
 
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "app/insight/parameter_animation.h"
 #include "core/document/computation_settings.h"
 #include "core/engine/engine.h"
-#include "core/graph/registry.h"
+#include "core/graph/live_registry.h"
 
 namespace mes {
 
-/// What it guarantees: the engine hears of each change of the settings; an animated parameter takes one step for each
-/// complete picture, no more than its speed allows, and has its value back at the end. Threads: the window's.
+/// What it guarantees: the engine hears of each change of the settings, whose parameters are those of the registry; an
+/// animated parameter takes one step for each complete picture, no more than its speed allows, and has its value back at
+/// the end. Threads: the window's.
 class ComputationControl {
  public:
-  /// Registry and engine outlive it.
-  ComputationControl(const Registry& registry, Engine& engine) : registry_(registry), engine_(engine) {}
+  /// The engine outlives it.
+  ComputationControl(LiveRegistry registry, Engine& engine) : registry_(std::move(registry)), engine_(engine) {}
+  /// To be called when the registry was replaced. A parameter at its default has the new default, and other values are
+  /// brought into the new range. The value of a parameter that is gone is kept for when it comes back.
+  void follow_registry();
 
   /// All parameters that the settings can have.
-  std::span<const Parameter> parameters() const { return registry_.parameters(); }
+  std::span<const Parameter> parameters() const { return registry_.now().parameters(); }
 
   const ComputationSettings& settings() const { return settings_; }
   void set(const ComputationSettings& settings);
@@ -37,7 +42,7 @@ class ComputationControl {
   std::optional<double> next_due(double now) const;
 
  private:
-  const Registry& registry_;
+  LiveRegistry registry_;
   Engine& engine_;
   ComputationSettings settings_{};
   ParameterAnimation animation_{};

@@ -23,11 +23,11 @@ void CriticalValues::follow(std::uint64_t document, const std::function<SampleDa
   if (auto found = job_.poll()) found_ = *std::move(found);
   // One at a time: while samples are dragged, the next begins when this one has ended.
   if (job_.is_under_way() || job_.is_ending() || (found_ && found_->document == wanted_)) return;
-  job_.begin([&registry = registry_, document, samples = data()](const std::stop_token& stop) -> Found {
+  job_.begin([registry = registry_.share(), document, samples = data()](const std::stop_token& stop) -> Found {
     Found out{document, {}, {}};
     JobControl job(stop);
     try {
-      if (auto values = critical_values_of(registry, samples, job))
+      if (auto values = critical_values_of(*registry, samples, job))
         out.values = *std::move(values);
       else
         out.problem = values.error().text;

@@ -13,10 +13,9 @@
 #include "core/base/error.h"
 #include "core/base/job_control.h"
 #include "core/document/commands.h"
+#include "core/graph/live_registry.h"
 
 namespace mes {
-
-class Registry;
 
 /// Ascending, each once (`LambdaAxis::critical_values`); the first is the estimate of the weak feature size. Throws
 /// `Cancelled`. Error: a structure failed. Cost: of the axis from scratch.
@@ -26,7 +25,8 @@ Expected<std::vector<double>> critical_values_of(const Registry& registry, const
 /// window's; `wake` is called from the other.
 class CriticalValues {
  public:
-  CriticalValues(const Registry& registry, std::function<void()> wake) : registry_(registry), job_(std::move(wake)) {}
+  CriticalValues(LiveRegistry registry, std::function<void()> wake)
+      : registry_(std::move(registry)), job_(std::move(wake)) {}
 
   /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
   void follow(std::uint64_t document, const std::function<SampleData()>& data);
@@ -48,7 +48,7 @@ class CriticalValues {
     std::vector<double> values;
     std::string problem;
   };
-  const Registry& registry_;
+  LiveRegistry registry_;
   BackgroundJob<Found> job_;
   bool is_followed_ = false;
   std::uint64_t wanted_ = 0;

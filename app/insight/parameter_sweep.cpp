@@ -110,7 +110,7 @@ Expected<std::string> sweep_as_csv(const Registry& registry, const ParameterSwee
 void SweepDesk::begin(ParameterSweep sweep) {
   // A sweep that was given up may write to the old one still.
   done_ = std::make_shared<std::atomic<double>>(0.0);
-  job_.begin([&registry = registry_, sweep = std::move(sweep),
+  job_.begin([registry = registry_.share(), sweep = std::move(sweep),
               done = done_](const std::stop_token& stop) -> Expected<std::string> {
     JobControl job(stop);
     const auto failed = [](const char* why) {
@@ -118,7 +118,7 @@ void SweepDesk::begin(ParameterSweep sweep) {
     };
     try {
       return sweep_as_csv(
-          registry, sweep, [&done](double share) { done->store(share, std::memory_order_relaxed); }, job);
+          *registry, sweep, [&done](double share) { done->store(share, std::memory_order_relaxed); }, job);
     } catch (const Cancelled&) {
       return failed("the computation was stopped");
     } catch (const std::bad_alloc&) {

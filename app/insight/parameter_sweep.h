@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/insight/parameter_animation.h"
@@ -16,10 +17,9 @@
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"
 #include "core/draw/layer_descriptor.h"
+#include "core/graph/live_registry.h"
 
 namespace mes {
-
-class Registry;
 
 struct ParameterSweep {
   SampleData data{};
@@ -38,7 +38,8 @@ Expected<std::string> sweep_as_csv(const Registry& registry, const ParameterSwee
 /// One sweep at a time, on a thread of its own. Threads: the window's; `wake` is called from the other.
 class SweepDesk {
  public:
-  SweepDesk(const Registry& registry, std::function<void()> wake) : registry_(registry), job_(std::move(wake)) {}
+  SweepDesk(LiveRegistry registry, std::function<void()> wake)
+      : registry_(std::move(registry)), job_(std::move(wake)) {}
 
   void begin(ParameterSweep sweep);
   void give_up() { job_.give_up(); }
@@ -49,7 +50,7 @@ class SweepDesk {
   std::optional<Expected<std::string>> poll() { return job_.poll(); }
 
  private:
-  const Registry& registry_;
+  LiveRegistry registry_;
   BackgroundJob<Expected<std::string>> job_;
   std::shared_ptr<std::atomic<double>> done_ = std::make_shared<std::atomic<double>>(0.0);
 };

@@ -12,10 +12,10 @@ void PersistenceDesk::follow(std::uint64_t document, const std::function<Persist
   if (auto done = job_.poll()) take(*std::move(done));
   // One at a time: while samples are dragged, a table of some moment is better than none.
   if (job_.is_under_way() || job_.is_ending() || is_current() || failed_ == wanted_) return;
-  job_.begin([&registry = registry_, document, input = input()](const std::stop_token& stop) -> Done {
+  job_.begin([registry = registry_.share(), document, input = input()](const std::stop_token& stop) -> Done {
     try {
       JobControl job(stop);
-      auto table = persistence_table_of(registry, input, job);
+      auto table = persistence_table_of(*registry, input, job);
       if (!table) return {document, nullptr, table.error().message()};
       return {document, std::make_shared<const PersistenceTable>(std::move(*table)), {}};
     } catch (const Cancelled&) {

@@ -25,13 +25,14 @@
 
 #include "app/insight/persistence_table.h"
 #include "app/system/background_job.h"
+#include "core/graph/live_registry.h"
 
 namespace mes {
 
 class PersistenceDesk {
  public:
-  PersistenceDesk(const Registry& registry, std::function<void()> wake)
-      : registry_(registry), job_(std::move(wake)) {}
+  PersistenceDesk(LiveRegistry registry, std::function<void()> wake)
+      : registry_(std::move(registry)), job_(std::move(wake)) {}
 
   /// What grows. The panels choose it.
   GrowthOf growth() const { return growth_; }
@@ -73,7 +74,7 @@ class PersistenceDesk {
   };
   void take(Done done);
 
-  const Registry& registry_;
+  LiveRegistry registry_;
   BackgroundJob<Done> job_;
   GrowthOf growth_ = GrowthOf::samples;
   bool is_followed_ = false;

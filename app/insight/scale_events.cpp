@@ -176,11 +176,11 @@ void ScaleEvents::follow(std::uint64_t document, const ComputationSettings& sett
   job_.give_up();
   if (job_.is_ending()) return;
   begun_ = wanted_;
-  job_.begin([&registry = registry_, state = wanted_, samples = data()](const std::stop_token& stop) -> Found {
+  job_.begin([registry = registry_.share(), state = wanted_, samples = data()](const std::stop_token& stop) -> Found {
     Found out{state, {}, {}};
     JobControl job(stop);
     try {
-      if (auto events = scale_events_of(registry, samples, state.settings, job))
+      if (auto events = scale_events_of(*registry, samples, state.settings, job))
         out.events = *std::move(events);
       else
         out.problem = events.error().text;

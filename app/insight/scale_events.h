@@ -15,10 +15,9 @@
 #include "core/base/job_control.h"
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"
+#include "core/graph/live_registry.h"
 
 namespace mes {
-
-class Registry;
 
 /// The topology just below and just above.
 struct ScaleEvent {
@@ -51,7 +50,8 @@ Expected<std::vector<ScaleEvent>> scale_events_of(const Registry& registry, cons
 /// window's; `wake` is called from the other.
 class ScaleEvents {
  public:
-  ScaleEvents(const Registry& registry, std::function<void()> wake) : registry_(registry), job_(std::move(wake)) {}
+  ScaleEvents(LiveRegistry registry, std::function<void()> wake)
+      : registry_(std::move(registry)), job_(std::move(wake)) {}
 
   /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
   void follow(std::uint64_t document, const ComputationSettings& settings, const std::function<SampleData()>& data);
@@ -78,7 +78,7 @@ class ScaleEvents {
     std::vector<ScaleEvent> events;
     std::string problem;
   };
-  const Registry& registry_;
+  LiveRegistry registry_;
   BackgroundJob<Found> job_;
   bool is_followed_ = false;
   State wanted_;

@@ -123,14 +123,15 @@ bool PaneDocuments::is_complete() const {
   return has_edit && deltas_.empty() && (steps.empty() || has_found(beginning(), steps));
 }
 
+void PaneDocuments::forget_states() {
+  computing_.give_up();
+  begun_.reset();
+  found_.reset();
+}
+
 void PaneDocuments::follow_evolution() {
   std::vector<std::uint64_t> steps = steps_wanted();
-  if (steps.empty()) {
-    computing_.give_up();
-    begun_.reset();
-    found_.reset();
-    return;
-  }
+  if (steps.empty()) return forget_states();
   if (auto found = computing_.poll()) {
     begun_.reset();
     take(std::move(*found));

@@ -42,6 +42,8 @@ class PaneDocuments {
   /// Variants 1, 2, ... show these versions, or none of their own. The engine makes variants anew as `Graph` does.
   /// `is_held`: the engine does not know the present document yet, and what is shown waits for it.
   void follow(const std::vector<std::optional<VersionChoice>>& versions, bool is_held = false);
+  /// The evolution was replaced by another one of its id: its states are computed again.
+  void forget_states();
   /// What has changed, for the engine, once.
   std::vector<VariantDelta> take_deltas() { return std::exchange(deltas_, {}); }
   /// All versions are of the present document, or could not be had.

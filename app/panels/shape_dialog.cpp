@@ -40,9 +40,23 @@ SliderRange range_of(const Parameter& parameter) {
 }  // namespace
 
 void ShapeDialog::open() {
-  is_open_ = !shapes_->all().empty();
-  if (values_.empty())
-    for (const auto& shape : shapes_->all()) values_.push_back(values_of(*shape));
+  is_open_ = follow_registry();
+}
+
+bool ShapeDialog::follow_registry() {
+  std::shared_ptr<const ShapeDescriptor> shape = registry_->now().shapes().find(chosen_id_);
+  if (!shape && !shapes().empty()) shape = shapes().front();
+  if (!shape) return false;
+  chosen_id_ = shape->id;
+  chosen_ = &choices_[chosen_id_];
+  if (chosen_->shape == shape) return true;
+  // Numbers are kept, as far as the shape that takes the place of another has these parameters.
+  ShapeValues values = values_of(*shape);
+  if (chosen_->shape)
+    for (const Parameter& parameter : shape->parameters)
+      values.numbers[parameter] = within(parameter, chosen_->values.numbers[parameter]);
+  *chosen_ = {std::move(shape), std::move(values)};
+  return true;
 }
 
 void ShapeDialog::press(const KeyChord& chord) {
@@ -50,25 +64,26 @@ void ShapeDialog::press(const KeyChord& chord) {
 }
 
 void ShapeDialog::draw_list(const Gui& gui) {
-  for (std::size_t i = 0; i < shapes_->all().size(); ++i) {
-    const ShapeDescriptor& one = *shapes_->all()[i];
-    if (ImGui::Selectable(std::string(one.name).c_str(), i == chosen_)) chosen_ = i;
-    tooltip(gui, std::string(one.explanation));
+  for (const auto& one : shapes()) {
+    if (ImGui::Selectable(one->name.c_str(), one->id == chosen_id_)) chosen_id_ = one->id;
+    tooltip(gui, one->explanation);
   }
+  follow_registry();
 }
 
 void ShapeDialog::draw_parameters(const Gui& gui) {
   const float width = ImGui::GetContentRegionAvail().x;
-  ShapeValues& values = values_[chosen_];
-  ImGui::PushID(static_cast<int>(chosen_));
-  for (std::size_t i = 0; i < shape().formulas.size(); ++i) {
-    const FormulaParameter& formula = shape().formulas[i];
+  ShapeValues& values = chosen_->values;
+  const ShapeDescriptor& shape = *chosen_->shape;
+  ImGui::PushID(chosen_id_.c_str());
+  for (std::size_t i = 0; i < shape.formulas.size(); ++i) {
+    const FormulaParameter& formula = shape.formulas[i];
     ImGui::TextUnformatted(formula.id.c_str());
     ImGui::SetNextItemWidth(width);
     ImGui::InputText(fmt::format("##{}", formula.id).c_str(), &values.formulas[i]);
     tooltip(gui, formula.explanation);
   }
-  for (const Parameter& parameter : shape().parameters) {
+  for (const Parameter& parameter : shape.parameters) {
     const SliderRange range = range_of(parameter);
     ImGui::TextUnformatted(parameter.id.c_str());
     slider(gui, fmt::format("##{}", parameter.id).c_str(), values.numbers[parameter], range.low, range.high,
@@ -82,21 +97,18 @@ void ShapeDialog::draw_parameters(const Gui& gui) {
   ImGui::PopID();
 }
 
-const ShapeDescriptor& ShapeDialog::shape() const {
-  return *shapes_->all()[chosen_];
-}
-
 void ShapeDialog::follow_wish() {
-  ShapeRequest request{.values = values_[chosen_], .sampling = sampling_.sampling()};
-  if (wished_of_ == chosen_ && wished_for_ == request) return;
-  maker_.want([chosen = &shape(), request](JobControl& job) {
-    return SampleMaking::Made{make_shape(*chosen, request, &job)};
+  ShapeRequest request{.values = chosen_->values, .sampling = sampling_.sampling()};
+  if (wished_of_ == chosen_->shape && wished_for_ == request) return;
+  maker_.want([registry = registry_->share(), shape = chosen_->shape, request](JobControl& job) {
+    return SampleMaking::Made{make_shape(*shape, request, &job)};
   });
   wished_for_ = std::move(request);
-  wished_of_ = chosen_;
+  wished_of_ = chosen_->shape;
 }
 
 void ShapeDialog::draw(const Gui& gui) {
+  if (is_open_ && !follow_registry()) cancel();
   large_dialog(gui, kShapeDialogId, is_open_, {kShapeDialogWidth, kShapeDialogHeight}, [&](ImVec2 size) {
     const float unit = gui.unit();
     ImGui::BeginChild("shapes", {std::min(kShapeListWidth * unit, 0.25F * size.x), 0});
@@ -105,7 +117,7 @@ void ShapeDialog::draw(const Gui& gui) {
     ImGui::SameLine(0, 12 * unit);
     ImGui::BeginChild("settings", {std::min(kShapeSettingsWidth * unit, 0.35F * size.x), 0});
     ImGui::PushFont(gui.bold());
-    ImGui::TextUnformatted(shape().name.c_str());
+    ImGui::TextUnformatted(chosen_->shape->name.c_str());
     ImGui::PopFont();
     ImGui::BeginChild("choices", {0, -ImGui::GetFrameHeightWithSpacing()});
     draw_parameters(gui);
@@ -114,7 +126,7 @@ void ShapeDialog::draw(const Gui& gui) {
     follow_wish();
     maker_.draw_facts(gui);
     ImGui::EndChild();
-    if (maker_.draw_buttons(gui, std::string(shape().name), "The shape becomes a document of its own")) cancel();
+    if (maker_.draw_buttons(gui, chosen_->shape->name, "The shape becomes a document of its own")) cancel();
     ImGui::EndChild();
     ImGui::SameLine(0, 16 * unit);
     ImGui::BeginChild("preview");

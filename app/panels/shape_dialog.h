@@ -3,14 +3,17 @@
 #pragma once
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
-#include <vector>
+#include <utility>
 
 #include "app/panels/sample_maker.h"
 #include "app/panels/sampling_controls.h"
 #include "app/ui/dialog.h"
-#include "core/graph/registry.h"
+#include "core/graph/live_registry.h"
 #include "core/shapes/shape.h"
 
 namespace mes {
@@ -18,9 +21,9 @@ namespace mes {
 /// Threads: the window's.
 class ShapeDialog final : public Dialog {
  public:
-  /// The shapes, which outlive it; what is done with the samples, and what wakes the window.
-  void set_uses(const NamedList<ShapeDescriptor>& shapes, SampleMaker::Make make, std::function<void()> wake) {
-    shapes_ = &shapes;
+  /// The registry, whose shapes are listed; what is done with the samples, and what wakes the window.
+  void set_uses(LiveRegistry registry, SampleMaker::Make make, std::function<void()> wake) {
+    registry_ = std::move(registry);
     maker_.set_uses(std::move(make), std::move(wake));
   }
 
@@ -44,16 +47,23 @@ class ShapeDialog final : public Dialog {
   void draw_parameters(const Gui& gui);
   /// Wishes for it again if a parameter is another than before.
   void follow_wish();
-  const ShapeDescriptor& shape() const;
+  std::span<const std::shared_ptr<const ShapeDescriptor>> shapes() const { return registry_->now().shapes().all(); }
+  /// Takes the shape of the chosen id from the present registry, or its first one. False: there is none.
+  bool follow_registry();
 
-  const NamedList<ShapeDescriptor>* shapes_ = nullptr;
+  struct Choice {
+    std::shared_ptr<const ShapeDescriptor> shape;
+    ShapeValues values;
+  };
+  std::optional<LiveRegistry> registry_;
   bool is_open_ = false;
-  std::size_t chosen_ = 0;
-  std::vector<ShapeValues> values_;  // of each shape
+  std::string chosen_id_;                  // of a shape
+  std::map<std::string, Choice> choices_;  // by the ids of shapes
+  Choice* chosen_ = nullptr;               // of these; null before the first
   SamplingControls sampling_;
   SampleMaker maker_;
   std::optional<ShapeRequest> wished_for_;
-  std::size_t wished_of_ = 0;  // index among the shapes
+  std::shared_ptr<const ShapeDescriptor> wished_of_;
 };
 
 }  // namespace mes

@@ -30,8 +30,8 @@ LayerStyle greyed(LayerStyle style) {
 
 }  // namespace
 
-Picture::Picture(std::span<const LayerDescriptor> layers)
-    : layers_(layers), scene_(device_), moved_(find_layer(layers, "points")) {
+Picture::Picture(LiveRegistry registry)
+    : registry_(std::move(registry)), scene_(device_), moved_(registry_.now().find_layer("points")) {
   if (std::getenv("MESECINA_CHECK_PATCHES") != nullptr) mirror_ = std::make_unique<LayerMirror>();
 }
 
@@ -245,7 +245,7 @@ ShownPanes::Layers Picture::as_drawn(ShownPanes::Layers layers, const std::optio
   for (auto& [layer, style] : layers) {
     const NodeState is = state(layer);
     const bool failed = is == NodeState::failed || is == NodeState::blocked;
-    style = thinned(style, layers_[layer.layer], spacing_px);
+    style = thinned(style, registry_.now().layers()[layer.layer], spacing_px);
     style = drawn_on(failed ? greyed(style) : style, background);
   }
   return layers;
@@ -301,7 +301,7 @@ std::vector<render::LayerView> Picture::views_of(const ShownPanes::Layers& layer
 // Texts are of the document, and go before what the engine has still to compute.
 void Picture::add_texts(std::vector<render::LayerView>& views, const Editor& editor, const Document* version,
                         const render::Camera& camera, double content_scale) const {
-  mes::add_texts(layers_, views,
+  mes::add_texts(registry_.now().layers(), views,
                  version != nullptr ? TextSource{*version} : TextSource{editor.document(), &editor.index()},
                  {camera.visible(), camera.units_per_pixel() * content_scale}, letters_ ? &*letters_ : nullptr);
 }
@@ -318,7 +318,7 @@ Expected<void> Picture::capture(render::FrameCapture& capture, const render::Cam
 }
 
 std::vector<LegendEntry> Picture::legend(const ShownPanes::Layers& layers, LegendScope scope) const {
-  return legend_of(layers_, scene_, views_of(layers, 1), scope);
+  return legend_of(registry_.now().layers(), scene_, views_of(layers, 1), scope);
 }
 
 void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,

@@ -20,6 +20,7 @@
 #include "core/draw/layer_mirror.h"
 #include "core/engine/engine.h"
 #include "core/engine/memory_lack.h"
+#include "core/graph/live_registry.h"
 #include "render/frame_capture.h"
 #include "render/gl_device.h"
 #include "render/kept_frame.h"
@@ -37,11 +38,10 @@ namespace mes {
 ///     computed them.
 ///  5. However many large disks there are, a moving picture is painted within a fraction of a second (detail.h).
 ///
-/// An OpenGL context must be current as long as the object exists, and the descriptors of all layers outlive it. Threads:
-/// the window's.
+/// An OpenGL context must be current as long as the object exists. Threads: the window's.
 class Picture {
  public:
-  explicit Picture(std::span<const LayerDescriptor> layers);
+  explicit Picture(LiveRegistry registry);
 
   void set_color_maps(std::vector<render::ColorMap> maps) { scene_.set_color_maps(std::move(maps)); }
   /// Sets the letters of layers that are texts; without them these show nothing.
@@ -164,7 +164,7 @@ class Picture {
   void set_mark(std::uint32_t slot, PrimitiveKind kind, const LayerStyle& style);
   std::uint32_t largest_painted_layer(const render::Camera& camera, const LayerStack& layers) const;
 
-  std::span<const LayerDescriptor> layers_;
+  LiveRegistry registry_;
   render::GlDevice device_;
   render::Scene scene_;
   std::unique_ptr<LayerMirror> mirror_;     // null unless patches are checked

@@ -10,13 +10,41 @@
 
 namespace mes {
 
-EvolutionPlayer::EvolutionPlayer(const NamedList<Evolution>& evolutions, Editor& editor, Settings settings,
-                                 std::function<void()> wake)
-    : evolutions_(evolutions),
+EvolutionPlayer::EvolutionPlayer(LiveRegistry registry, Editor& editor, Settings settings, std::function<void()> wake)
+    : registry_(std::move(registry)),
       editor_(editor),
       settings_(std::move(settings)),
       run_({.wake = std::move(wake)}),
-      choice_{.evolution = evolutions.all().front()} {}
+      choice_{.evolution = evolutions().front()} {}
+
+bool EvolutionPlayer::follow_registry() {
+  const auto found = registry_.now().evolutions().find(descriptor().id);
+  if (found == choice_.evolution || (!found && descriptor().is_missing)) return false;
+  const std::uint64_t k = position();
+  const std::uint64_t wanted = target();
+  const Direction direction = direction_;
+  const bool moved_parameter = evolution().moved_parameter() != nullptr;
+  cancel();
+  choice_.evolution = found ? found : missing_evolution(descriptor().id);
+  if (!found) {
+    if (k == 0) return true;
+    if (moved_parameter) beginning_revision_ = ~std::uint64_t{0};
+    shown_ = k;
+    shown_revision_ = editor_.document().revision();
+    return true;
+  }
+  choice_.values = ParameterValues(choice_.values.changed());
+  for (const Parameter& parameter : parameters_of(*found))
+    choice_.values[parameter] = within(parameter, choice_.values[parameter]);
+  // A session left a missing evolution here, of which the beginning was not known.
+  if (k != 0 && (found->moved_parameter() != nullptr ? moved_.k == 0 : beginning_revision_ == ~std::uint64_t{0}))
+    resume(EvolutionChoice(choice_), k);
+  else
+    restart_from_beginning();
+  if (wanted != position()) step_to(wanted);
+  direction_ = direction;
+  return true;
+}
 
 bool EvolutionPlayer::has_beginning() const {
   if (evolution().moved_parameter() != nullptr) return true;
@@ -136,7 +164,8 @@ std::optional<double> EvolutionPlayer::proposed_length() const {
 }
 
 void EvolutionPlayer::choose_next(int places) {
-  const auto all = evolutions_.all();
+  const auto all = evolutions();
+  if (all.empty()) return;
   const auto count = static_cast<int>(all.size());
   // One that is missing here counts as the first.
   const auto found = std::ranges::find(all, choice_.evolution);

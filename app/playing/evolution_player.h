@@ -9,7 +9,7 @@
 
 #include "app/editing/editor.h"
 #include "core/evolutions/evolution_run.h"
-#include "core/graph/registry.h"
+#include "core/graph/live_registry.h"
 
 namespace mes {
 
@@ -26,7 +26,7 @@ namespace mes {
 ///     of the one before is complete and the speed allows it.
 ///
 /// Smallest use:
-///     EvolutionPlayer player(registry.evolutions(), editor, settings, wake);
+///     EvolutionPlayer player(registry, editor, settings, wake);
 ///     player.step_to(12);
 ///     ... each frame: player.follow(picture_is_complete, seconds_since_start);
 ///
@@ -41,11 +41,14 @@ class EvolutionPlayer {
     std::function<double(const Parameter&)> value;
     std::function<void(const Parameter&, double)> set;
   };
-  /// The evolutions outlive it, and there is one.
-  EvolutionPlayer(const NamedList<Evolution>& evolutions, Editor& editor, Settings settings,
-                  std::function<void()> wake);
+  /// The registry has an evolution.
+  EvolutionPlayer(LiveRegistry registry, Editor& editor, Settings settings, std::function<void()> wake);
+  /// To be called when the registry was replaced. An evolution that is gone is a missing one, as in a session, until it
+  /// comes back; the document stays in its state. One that was replaced goes on from the same state 0. True where the
+  /// evolution is another one now.
+  bool follow_registry();
 
-  std::span<const std::shared_ptr<const Evolution>> evolutions() const { return evolutions_.all(); }
+  std::span<const std::shared_ptr<const Evolution>> evolutions() const { return registry_.now().evolutions().all(); }
 
   const EvolutionChoice& choice() const { return choice_; }
   const EvolutionDescriptor& descriptor() const { return evolution().descriptor; }
@@ -124,7 +127,7 @@ class EvolutionPlayer {
   std::optional<double> proposed_length() const;
   void move_parameter(const ParameterMove& move, std::uint64_t k);
 
-  const NamedList<Evolution>& evolutions_;
+  LiveRegistry registry_;
   Editor& editor_;
   Settings settings_;
   EvolutionRun run_;

@@ -35,7 +35,7 @@ namespace mes {
 class LessonPresenter {
  public:
   struct Uses {
-    const Registry& registry;
+    LiveRegistry registry;
     Editor& editor;
     LayerStack& layers;
     std::function<ComputationSettings()> settings;

@@ -5,24 +5,24 @@
 #include <cmath>
 #include <utility>
 
-#include "core/graph/registry.h"
-
 namespace mes {
 
-LessonWalk::LessonWalk(const Registry& registry, const Session& session)
-    : registry_(registry), session_(session), playback_(session.entries) {}
+LessonWalk::LessonWalk(LiveRegistry registry, const Session& session)
+    : registry_(std::move(registry)), session_(session), playback_(session.entries) {}
 
 Expected<void> LessonWalk::begin() {
   now_ = start_of(session_);
-  layers_.emplace(std::move(now_.layers),
-                  [&registry = registry_](std::string_view layer) { return registry.find_layer(layer) != kNoLayer; });
+  begun_with_ = registry_.share();
+  layers_.emplace(std::move(now_.layers), [registry = begun_with_](std::string_view layer) {
+    return registry->find_layer(layer) != kNoLayer;
+  });
   replay_.emplace();
   position_ = 0;
   return replay_->begin(*session_.data);
 }
 
 Expected<void> LessonWalk::go_to(std::size_t position) {
-  if (!replay_ || position < position_)
+  if (!replay_ || position < position_ || registry_.share() != begun_with_)
     if (auto begun = begin(); !begun) {
       replay_.reset();
       return begun;
@@ -39,7 +39,7 @@ Expected<LessonScene> LessonWalk::scene(std::size_t step) {
   if (auto done = go_to(std::min(wanted.position, session_.entries.size())); !done)
     return std::unexpected(done.error());
   LessonScene out{.data = data_of(replay_->document()),
-                  .layers = LayerStack(registry_.layers()),
+                  .layers = LayerStack(registry_.now().layers()),
                   .settings = wanted.settings.value_or(now_.settings),
                   .view = wanted.view.is_empty() ? now_.view : wanted.view};
   // The layers of the step above those of the timeline: what it does not name is hidden and keeps its style.

@@ -3,17 +3,17 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <string>
 
 #include "app/layers/layer_stack.h"
 #include "app/playing/playback.h"
 #include "core/document/layer_fold.h"
+#include "core/graph/live_registry.h"
 #include "core/io/session.h"
 
 namespace mes {
-
-class Registry;
 
 /// A step of a lesson, complete: what it does not say itself is as the timeline has it.
 struct LessonScene {
@@ -23,7 +23,7 @@ struct LessonScene {
   Box2 view{};  ///< empty: everything
 };
 
-/// What it guarantees: a scene depends on the session and the step alone, not on the scenes that were asked for before.
+/// What it guarantees: a scene depends on the session, the registry and the step alone, not on the scenes that were asked for before.
 /// Cost: a step is reached from the one before it by what its entries change, and one that lies before that by a replay
 /// from the beginning; each scene copies the samples. Threads: none.
 ///
@@ -32,8 +32,8 @@ struct LessonScene {
 ///     for (std::size_t i = 0; i < session.lesson.steps.size(); ++i) show(walk.scene(i));
 class LessonWalk : private Stage {
  public:
-  /// Registry and session have to outlive it.
-  LessonWalk(const Registry& registry, const Session& session);
+  /// The session has to outlive it.
+  LessonWalk(LiveRegistry registry, const Session& session);
 
   /// Error: an entry makes no sense, and is named.
   Expected<LessonScene> scene(std::size_t step);
@@ -46,7 +46,8 @@ class LessonWalk : private Stage {
   void change_settings(const ComputationSettings& settings) override { now_.settings = settings; }
   void look_at(const Box2& box) override { now_.view = box; }
 
-  const Registry& registry_;
+  LiveRegistry registry_;
+  std::shared_ptr<const Registry> begun_with_;  // whose layers are in `layers_`
   const Session& session_;
   Playback playback_;
   PlayStart now_;  // its layers are in `layers_`

@@ -41,6 +41,13 @@ void BundleDesk::choose(std::size_t index, const LayerConfiguration& as) {
   offers_undo_ = false;
 }
 
+void BundleDesk::replace_layers(const std::function<void()>& replace) {
+  const bool is_shown = current() && !is_changed();
+  replace();
+  store_.set_descriptors(layers_.descriptors());
+  if (is_shown) current_.note_saved(current_.name(), layers_);
+}
+
 Expected<void> BundleDesk::save(const std::string& name) {
   auto checked = checked_bundle_name(name);
   if (!checked) return std::unexpected(checked.error());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,6 +37,9 @@ class BundleDesk {
   void choose(std::size_t index, const LayerConfiguration& as);
   /// To be called when the layers may have changed otherwise, as by undo.
   void follow_layers() { current_.follow(layers_); }
+  /// The function replaces the layers that there are by those of another registry: a bundle that is shown as it was saved
+  /// stays the one that is shown.
+  void replace_layers(const std::function<void()>& replace);
   /// The layers as they are, under a new name or over the bundle of that name.
   Expected<void> save(const std::string& name);
   Expected<void> rename(std::size_t index, const std::string& name);

@@ -93,6 +93,9 @@ class BundleStore {
               std::chrono::milliseconds patience = UpdateLock::kPatience)
       : descriptors_(descriptors), path_(std::move(path)), patience_(patience) {}
 
+  /// Layers that bundles may leave the style of.
+  void set_descriptors(std::span<const LayerDescriptor> descriptors) { descriptors_ = descriptors; }
+
   struct Loaded {
     std::vector<Bundle> bundles;
     std::string message;  ///< for the user, one line; empty when all is well

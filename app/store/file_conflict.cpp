@@ -30,7 +30,8 @@ std::optional<std::size_t> shared_edits(const Session& mine, const Session& thei
 
 }  // namespace
 
-FileConflict look_into(const std::filesystem::path& file, const Document& document, const Session* mine) {
+FileConflict look_into(const std::filesystem::path& file, const Document& document, const Session* mine,
+                       const NamedList<Format>& formats) {
   FileConflict out{.file = file, .mine = {document.sample_count(), document.ball_count()}};
   if (mine != nullptr) out.mine.edits = edits_in(mine->entries, mine->entries.size());
   std::error_code error;
@@ -38,7 +39,7 @@ FileConflict look_into(const std::filesystem::path& file, const Document& docume
     out.problem = "it is not a regular file any more";
     return out;
   }
-  auto loaded = read_sample_file(file);
+  auto loaded = read_sample_file(file, {}, nullptr, {.formats = &formats});
   if (!loaded) {
     out.found = fingerprint_of_file(file);
     out.problem = loaded.error().text;

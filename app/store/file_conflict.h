@@ -7,11 +7,14 @@
 #include <optional>
 #include <string>
 
+#include "core/base/named_list.h"
 #include "core/document/document.h"
 #include "core/io/file_fingerprint.h"
 #include "core/io/session.h"
 
 namespace mes {
+
+struct Format;
 
 /// What a document or a file holds, in counts.
 struct Holdings {
@@ -30,7 +33,8 @@ struct FileConflict {
   std::optional<FileFingerprint> found{};     ///< what all this is about
 };
 
-/// Reads the file. `mine` is null for a document that is not saved as a session.
-FileConflict look_into(const std::filesystem::path& file, const Document& document, const Session* mine);
+/// Reads the file, of one of the formats. `mine` is null for a document that is not saved as a session.
+FileConflict look_into(const std::filesystem::path& file, const Document& document, const Session* mine,
+                       const NamedList<Format>& formats);
 
 }  // namespace mes

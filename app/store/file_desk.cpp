@@ -32,11 +32,11 @@ fs::path key_of(const fs::path& file) {
 
 }  // namespace
 
-FileDesk::FileDesk(Editor& editor, std::function<Session()> session_now, std::function<void()> wake,
-                   const NamedList<Format>* formats)
-    : editor_(editor),
+FileDesk::FileDesk(LiveRegistry registry, Editor& editor, std::function<Session()> session_now,
+                   std::function<void()> wake)
+    : registry_(std::move(registry)),
+      editor_(editor),
       session_now_(std::move(session_now)),
-      formats_(formats),
       reading_(wake),
       writing_(std::move(wake)) {
   note_all_as_saved();
@@ -72,7 +72,7 @@ void FileDesk::read(const Asked& asked, Reading& reading, ReadFiles& out) {
   std::vector<LoadedFile> files;
   for (const fs::path& file : asked.files) {
     out.outcome.file = file;
-    auto loaded = read(file, {.degrees = asked.degrees, .formats = asked.formats}, reading.control);
+    auto loaded = read(file, {.degrees = asked.degrees, .formats = &asked.registry->formats()}, reading.control);
     if (!loaded) {
       out.outcome.error = std::move(loaded.error());
       return;
@@ -156,7 +156,7 @@ void FileDesk::prepare(Reading& reading, ReadFiles& out) {
 void FileDesk::begin(Asked asked) {
   cancel_reading();
   note_work(asked);
-  asked.formats = formats_;
+  asked.registry = registry_.share();
   attempts_ = 0;
   asked_ = std::move(asked);
   progress_ = std::make_shared<Reading>();
@@ -370,6 +370,7 @@ void FileDesk::begin_saving(Held after) {
   finish_saving();
   contested_.reset();
   Saving saving;
+  saving.registry = registry_.share();
   const Document& now = editor_.document();
   saving.of = editor_.timeline().data();
   saving.revision = now.revision();
@@ -413,7 +414,8 @@ void FileDesk::write_part(const Saving& saving, const Part& part, Written& out) 
   if (part.expected) {
     const auto written = replace_file(part.file, text, *part.expected);
     if (!written) out.error = written.error();
-    if (written == Replaced::changed) out.conflict = look_into(part.file, *saving.document, saving.session.get());
+    if (written == Replaced::changed)
+      out.conflict = look_into(part.file, *saving.document, saving.session.get(), saving.registry->formats());
   } else if (const auto written = write_file_atomically(part.file, text); !written) {
     out.error = written.error();
   }
@@ -430,7 +432,7 @@ FileDesk::Written FileDesk::write(const Saving& saving) {
     for (const Part& part : saving.parts) {
       at = &part.file;
       if (!part.expected || is_as_expected(part.file, *part.expected)) continue;
-      out.conflict = look_into(part.file, *saving.document, saving.session.get());
+      out.conflict = look_into(part.file, *saving.document, saving.session.get(), saving.registry->formats());
       return out;
     }
     for (const Part& part : saving.parts) {

@@ -17,6 +17,7 @@
 #include "app/store/file_conflict.h"
 #include "app/system/background_job.h"
 #include "core/base/job_control.h"
+#include "core/graph/live_registry.h"
 #include "core/io/format.h"
 #include "core/io/session.h"
 
@@ -44,10 +45,8 @@ namespace mes {
 /// Threads: the window's; `wake` is called from the reader's.
 class FileDesk {
  public:
-  /// `session_now` gives what a session file is to hold.
-  /// It reads files of these formats, which outlive it; null: those of the program.
-  FileDesk(Editor& editor, std::function<Session()> session_now, std::function<void()> wake,
-           const NamedList<Format>* formats = nullptr);
+  /// `session_now` gives what a session file is to hold. Files are read by the formats of the registry.
+  FileDesk(LiveRegistry registry, Editor& editor, std::function<Session()> session_now, std::function<void()> wake);
   ~FileDesk();
 
   /// Begins to read; a reading under way is given up. Of several files those are opened together that bring something
@@ -141,7 +140,7 @@ class FileDesk {
     std::string remark{};                        // on what was made
     std::shared_ptr<const Session> recovered{};  // no file
     MapDegrees degrees = MapDegrees::projected;
-    const NamedList<Format>* formats = nullptr;
+    std::shared_ptr<const Registry> registry{};
     Editor::Work work{};        // that there was then
     bool was_modified = false;  // so it was asked about
   };
@@ -201,6 +200,7 @@ class FileDesk {
   };
   /// What is to be written, and what is true once it is.
   struct Saving {
+    std::shared_ptr<const Registry> registry;  // what another program wrote to a file is read by its formats
     std::vector<Part> parts;
     Held after;
     std::uint64_t revision = 0;  // of the document that is written
@@ -226,9 +226,9 @@ class FileDesk {
   Saved saved(Written written);
   static void write_part(const Saving& saving, const Part& part, Written& out);
 
+  LiveRegistry registry_;
   Editor& editor_;
   std::function<Session()> session_now_;
-  const NamedList<Format>* formats_;  // null: those of the program
   Held held_;
   std::optional<Held> contested_;         // what a saving that ended with a conflict would have led to
   Asked asked_;                           // while it is read

@@ -37,10 +37,10 @@ Expected<TracePreview> read_preview(const std::filesystem::path& file, const std
   return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file.string()});
 }
 
-Expected<TraceDesk::Samples> read_samples(const std::filesystem::path& file, const TraceRequest& request,
-                                          const std::stop_token& stop) {
+Expected<TraceDesk::Samples> read_samples(const Registry& registry, const std::filesystem::path& file,
+                                          const TraceRequest& request, const std::stop_token& stop) {
   JobControl job(stop);
-  auto loaded = read_sample_file(file, "picture", &job, {.trace = request});
+  auto loaded = read_sample_file(file, "picture", &job, {.trace = request, .formats = &registry.formats()});
   if (!loaded) return std::unexpected(std::move(loaded.error()));
   TraceDesk::Samples out{.data = std::move(loaded->data)};
   for (const std::string& warning : loaded->warnings) out.remark += (out.remark.empty() ? "" : "; ") + warning;
@@ -117,7 +117,9 @@ std::optional<TraceCounts> TraceDesk::counts(const TraceRequest& request) {
 }
 
 void TraceDesk::trace(const TraceRequest& request) {
-  tracing_.begin([file = file_, request](const std::stop_token& stop) { return read_samples(file, request, stop); });
+  tracing_.begin([registry = registry_.share(), file = file_, request](const std::stop_token& stop) {
+    return read_samples(*registry, file, request, stop);
+  });
 }
 
 std::optional<Expected<TraceDesk::Samples>> TraceDesk::poll_samples() {

@@ -7,10 +7,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "app/system/background_job.h"
 #include "core/base/error.h"
 #include "core/document/commands.h"
+#include "core/graph/live_registry.h"
 #include "core/raster/trace.h"
 
 namespace mes {
@@ -39,7 +41,8 @@ struct TracePreview {
 /// Threads: the window's; `wake` is called from the reading ones.
 class TraceDesk {
  public:
-  explicit TraceDesk(std::function<void()> wake) : reading_(wake), deciding_(wake), tracing_(std::move(wake)) {}
+  TraceDesk(LiveRegistry registry, std::function<void()> wake)
+      : registry_(std::move(registry)), reading_(wake), deciding_(wake), tracing_(std::move(wake)) {}
 
   void begin(const std::filesystem::path& file);
   /// Forgets the picture, and gives up what is under way.
@@ -72,6 +75,7 @@ class TraceDesk {
   std::optional<Expected<Samples>> poll_samples();
 
  private:
+  LiveRegistry registry_;
   std::filesystem::path file_;
   std::optional<TracePreview> preview_;
   std::uint64_t number_ = 0;

@@ -20,26 +20,26 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Of what can be opened, each once.
-std::vector<std::string_view> known_extensions(const NamedList<Format>* formats) {
+std::vector<std::string_view> known_extensions(const std::optional<LiveRegistry>& registry) {
   std::vector<std::string_view> out{".txt", ".bnd"};
   const auto add = [&out](std::string_view extension) {
     if (std::ranges::find(out, extension) == out.end()) out.push_back(extension);
   };
-  if (formats != nullptr)
-    for (const auto& format : formats->all())
+  if (registry)
+    for (const auto& format : registry->now().formats().all())
       if (format->descriptor.can_read) std::ranges::for_each(format->descriptor.extensions, add);
   std::ranges::for_each(kCarrierExtensions, add);
   return out;
 }
 
-bool is_known(const NamedList<Format>* formats, const std::string& name) {
-  const std::vector<std::string_view> known = known_extensions(formats);
+bool is_known(const std::optional<LiveRegistry>& registry, const std::string& name) {
+  const std::vector<std::string_view> known = known_extensions(registry);
   return std::ranges::find(known, lower_case_extension(name)) != known.end();
 }
 
-std::vector<std::string> known_patterns(const NamedList<Format>* formats) {
+std::vector<std::string> known_patterns(const std::optional<LiveRegistry>& registry) {
   std::vector<std::string> out;
-  for (const std::string_view extension : known_extensions(formats)) out.push_back(fmt::format("*{}", extension));
+  for (const std::string_view extension : known_extensions(registry)) out.push_back(fmt::format("*{}", extension));
   return out;
 }
 
@@ -62,10 +62,6 @@ constexpr const char* kDesktopTitle = "##desktop-dialog";
 
 FileBrowser::FileBrowser() = default;
 FileBrowser::~FileBrowser() = default;
-
-void FileBrowser::use_formats(const NamedList<Format>& formats) {
-  formats_ = &formats;
-}
 
 void FileBrowser::use_desktop(const std::string& window, std::function<void()> wake, std::function<void()> settle) {
   settle_ = std::move(settle);
@@ -94,7 +90,7 @@ void FileBrowser::ask_desktop_first() {
   if (!is_saving_) {
     std::vector<std::string> patterns;
     for (const std::string& extension : purpose_.extensions) patterns.push_back('*' + extension);
-    if (patterns.empty()) patterns = known_patterns(formats_);
+    if (patterns.empty()) patterns = known_patterns(registry_);
     question.filters = {{"What can be opened", std::move(patterns)}, {"All files", {"*"}}};
   }
   try {
@@ -176,8 +172,8 @@ void FileBrowser::ask_save(const fs::path& folder, const std::string& name, Then
 
 void FileBrowser::list_wanted() {
   if (all_files_) return files_.set_filter({});
-  files_.set_filter([wanted = purpose_.extensions, formats = formats_](const std::string& name) {
-    return wanted.empty() ? is_known(formats, name) : std::ranges::count(wanted, lower_case_extension(name)) > 0;
+  files_.set_filter([wanted = purpose_.extensions, registry = registry_](const std::string& name) {
+    return wanted.empty() ? is_known(registry, name) : std::ranges::count(wanted, lower_case_extension(name)) > 0;
   });
 }
 

@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/model/file_list.h"
@@ -14,11 +15,9 @@
 #include "app/system/desktop_dialog.h"
 #include "app/ui/dialog.h"
 #include "app/ui/name_field.h"
-#include "core/base/named_list.h"
+#include "core/graph/live_registry.h"
 
 namespace mes {
-
-struct Format;
 
 /// What a file is asked for when it is not the document.
 struct FilePurpose {
@@ -46,8 +45,8 @@ class FileBrowser final : public Dialog {
 
   FileBrowser();
   ~FileBrowser() override;
-  /// Lists files of these formats, which outlive the browser. It lists none before this call.
-  void use_formats(const NamedList<Format>& formats);
+  /// Lists files of the formats of this registry. It lists none before this call.
+  void use_formats(LiveRegistry registry) { registry_ = std::move(registry); }
   /// `window`: above which it is to lie, as in DesktopQuestion. `wake` is called from another thread when an answer
   /// has come, `settle` when it was taken and other dialogs are to be drawn.
   void use_desktop(const std::string& window, std::function<void()> wake, std::function<void()> settle);
@@ -88,7 +87,7 @@ class FileBrowser final : public Dialog {
 
   std::unique_ptr<Desktop> desktop_;  // null: the own dialog is shown
   std::function<void()> settle_;
-  const NamedList<Format>* formats_ = nullptr;
+  std::optional<LiveRegistry> registry_;
   bool is_open_ = false;
   bool is_saving_ = false;
   bool all_files_ = false;

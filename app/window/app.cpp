@@ -24,12 +24,12 @@ Messages begun_with(const std::string& problem) {
 
 }  // namespace
 
-App::App(const Registry& registry, std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets,
+App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets,
          LoadedSettings loaded)
     : settings_(default_settings_path(), std::move(loaded.settings)),
       messages_(begun_with(loaded.message)),
       screen_(std::move(window), assets),
-      work_(registry, assets, messages_, GlfwWindow::wake),
+      work_(std::move(registry), assets, messages_, GlfwWindow::wake),
       board_(work_, settings_.settings(), messages_, screen_, assets, GlfwWindow::wake),
       demo_(work_, board_.fitter(), messages_),
       lesson_(work_, board_, messages_),
@@ -43,14 +43,14 @@ App::App(const Registry& registry, std::unique_ptr<GlfwWindow> window, const std
               recording_, keys_.actions(), messages_, panels_.presenter(), panels_.mark_drag()}) {
   bind_actions();
   recording_.desk().set_take_source([this] { return session_for_lesson(documents_.session_now()); });
-  dialogs_.browser.use_formats(registry.formats());
+  dialogs_.browser.use_formats(work_.live_registry());
   dialogs_.browser.use_desktop(screen_.window->desktop_handle(), GlfwWindow::wake,
                                [this] { screen_.clock.settle(); });
 }
 
-App::App(const Registry& registry, std::unique_ptr<GlfwWindow> window, const WindowOptions& options,
+App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const WindowOptions& options,
          LoadedSettings loaded)
-    : App(registry, std::move(window), find_assets(options.executable), std::move(loaded)) {
+    : App(std::move(registry), std::move(window), find_assets(options.executable), std::move(loaded)) {
   documents_.open_first(options.files);
 }
 

@@ -32,15 +32,13 @@ namespace mes {
 /// hears events first, then what needs OpenGL, then the engine with its thread, the window last.
 class App {
  public:
-  /// The registry outlives it.
-  App(const Registry& registry, std::unique_ptr<GlfwWindow> window, const WindowOptions& options,
-      LoadedSettings loaded);
+  App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded);
 
   /// Until the user has left, or a signal asks for it.
   void run(const Termination& termination);
 
  private:
-  App(const Registry& registry, std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets,
+  App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets,
       LoadedSettings loaded);
   void bind_actions();
   void deselect();

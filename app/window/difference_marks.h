@@ -9,7 +9,7 @@
 //
 // Smallest use, once a frame:
 //     marks.follow(is_wanted ? std::optional(state) : std::nullopt, is_later, panes_revision,
-//                  [&] { return DifferenceMarks::Panes{comparison_of(shown, layers), picture.instances(), extent}; },
+//                  [&] { return DifferenceMarks::Panes{registry, comparison_of(shown, layers), picture.instances(), extent}; },
 //                  picture);
 //
 // Cost: O(instances of all panes) a comparison, beside the window. Threads: the window's; `wake` is called from others.
@@ -45,6 +45,7 @@ class DifferenceMarks {
   };
   /// What is compared.
   struct Panes {
+    std::shared_ptr<const Registry> registry;  ///< whose layers these are
     Comparison comparison;
     std::shared_ptr<const LayerMirror> drawn;
     double extent = 0.0;             ///< of all that is drawn

@@ -32,18 +32,18 @@ DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const std::functio
       shapes_(read_sample_shapes(assets)),
       lessons_(read_shipped_lessons(assets)),
       files_(
-          uses_.work.editor(),
+          uses_.work.live_registry(), uses_.work.editor(),
           [this] {
             uses_.work.editor().note_layers();
             return session_now();
           },
-          wake, &uses_.work.registry().formats()),
+          wake),
       keeper_(
           uses_.work, uses_.messages, [this] { return session_now(); }, wake),
       figures_({uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages, uses_.settings,
                 [this] { return files_.title(); }, [this] { return browse_folder(); }},
                wake),
-      tracing_({uses_.board, uses_.dialogs, uses_.messages,
+      tracing_({uses_.work.live_registry(), uses_.board, uses_.dialogs, uses_.messages,
                 [this](std::function<void()> then) { with_saved_work(std::move(then)); },
                 [this](TraceDesk::Samples samples, const std::string& title) {
                   traced_with_next_.clear();
@@ -52,7 +52,7 @@ DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const std::functio
                 }},
                wake) {
   const auto make = [this](const SampleData& data, const std::string& name) { open_made(data, name); };
-  uses_.dialogs.shape.set_uses(uses_.work.registry().shapes(), make, wake);
+  uses_.dialogs.shape.set_uses(uses_.work.live_registry(), make, wake);
   uses_.dialogs.text.set_uses(make, wake);
   if (auto font = own_font(assets)) uses_.dialogs.text.set_own_font(*std::move(font));
 }

@@ -28,7 +28,7 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
       settings_(settings),
       messages_(messages),
       screen_(screen),
-      picture_(work.layers().descriptors()),
+      picture_(work.live_registry()),
       values_(work.editor()),
       snapper_(work.editor(), work.annotations(), settings.snap,
                [this] {
@@ -271,8 +271,8 @@ void DrawingBoard::follow_differences() {
           if (const Box2 box = (i == 0 ? work_.document() : work_.document_of_pane(i - 1)).bounding_box();
               !box.is_empty())
             all.add(box);
-        DifferenceMarks::Panes out{comparison_of(work_.shown_panes(), work_.layers()), picture_.instances(),
-                                   all.is_empty() ? 0.0 : std::max(all.width(), all.height())};
+        DifferenceMarks::Panes out{work_.live_registry().share(), comparison_of(work_.shown_panes(), work_.layers()),
+                                   picture_.instances(), all.is_empty() ? 0.0 : std::max(all.width(), all.height())};
         // Such a layer shows an earlier state, and would differ for no reason of its own.
         if (const LayerReport* const failed = picture_.first_failed())
           out.problem = Error{ErrorCode::cannot_compute,

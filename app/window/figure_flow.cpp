@@ -13,7 +13,7 @@
 namespace mes {
 
 FigureFlow::FigureFlow(Uses uses, std::function<void()> wake)
-    : uses_(std::move(uses)), desk_(uses_.work.registry(), wake), writing_geometry_(std::move(wake)) {
+    : uses_(std::move(uses)), desk_(uses_.work.live_registry(), wake), writing_geometry_(std::move(wake)) {
   uses_.dialogs.figure.set_uses({.desk = desk_,
                                  .settings = uses_.settings.figure,
                                  .ask_file = [this] { ask_file(); },
@@ -113,14 +113,19 @@ void FigureFlow::ask_geometry(std::vector<LayerIndex> layers, const LayerTextFor
 
 void FigureFlow::write_geometry(const std::filesystem::path& file, const std::vector<LayerIndex>& layers,
                                 const LayerTextFormat& format) {
+  for (const LayerIndex layer : layers)
+    if (const LayerDescriptor& descriptor = uses_.work.layers().descriptor(layer); descriptor.is_removed) {
+      uses_.messages.problem(fmt::format("The layer {} is not there any more", descriptor.name));
+      return;
+    }
   const ComputationRequest request{
       .layers = main_layers(layers), .settings = uses_.work.computation().settings(), .on_patch = {}};
-  writing_geometry_.begin([&registry = uses_.work.registry(), file, data = data_of(uses_.work.document()), request,
-                           &format](const std::stop_token& stop) -> WrittenGeometry {
+  writing_geometry_.begin([registry = uses_.work.live_registry().share(), file, data = data_of(uses_.work.document()),
+                           request, &format](const std::stop_token& stop) -> WrittenGeometry {
     try {
       ComputationRequest stoppable = request;
       stoppable.stop = stop;
-      const auto text = compute_layer_text(registry, data, format, std::move(stoppable));
+      const auto text = compute_layer_text(*registry, data, format, std::move(stoppable));
       if (!text) return {file, std::unexpected(text.error())};
       if (auto written = write_file_atomically(file, text->text); !written)
         return {file, std::unexpected(written.error())};

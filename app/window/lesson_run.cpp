@@ -11,7 +11,8 @@ LessonRun::LessonRun(Workspace& work, DrawingBoard& board, Messages& messages)
     : work_(work),
       board_(board),
       messages_(messages),
-      presenter_({work.registry(), work.editor(), work.layers(), [&work] { return work.computation().settings(); },
+      presenter_({work.live_registry(), work.editor(), work.layers(),
+                  [&work] { return work.computation().settings(); },
                   [&work](const ComputationSettings& settings) { work.computation().set(settings); },
                   [this](const Box2& box) { look_at(box); }}),
       desk_(work.editor(), [&work, &board] {

@@ -9,6 +9,7 @@
 #include "app/panels/dialogs.h"
 #include "app/store/trace_desk.h"
 #include "app/window/drawing_board.h"
+#include "core/graph/live_registry.h"
 
 namespace mes {
 
@@ -17,6 +18,7 @@ namespace mes {
 class TraceFlow {
  public:
   struct Uses {
+    LiveRegistry registry;
     DrawingBoard& board;
     Dialogs& dialogs;
     Messages& messages;

@@ -11,30 +11,42 @@
 
 namespace mes {
 
-Workspace::Workspace(const Registry& registry, const std::filesystem::path& assets, Messages& messages,
+Workspace::Workspace(LiveRegistry registry, const std::filesystem::path& assets, Messages& messages,
                      std::function<void()> wake)
-    : registry_(registry),
+    : registry_(std::move(registry)),
       messages_(messages),
-      engine_(registry, {.wake = wake}),
-      layers_(registry.layers()),
+      engine_(registry_.share(), {.wake = wake}),
+      layers_(registry_.now().layers()),
       bundles_(default_bundles_path(), assets, layers_),
       hold_([this](std::shared_ptr<const DocumentDelta> delta) { engine_.post(std::move(delta)); }),
       editor_([this](std::shared_ptr<const DocumentDelta> delta) { hold_.post(std::move(delta)); }, &layers_),
       curve_selector_(editor_, wake),
       contour_desk_(editor_, layers_, wake),
       curve_sampler_(editor_, wake),
-      branches_(registry, wake),
-      persistence_(registry, wake),
-      sweep_(registry, wake),
-      resampling_(registry, editor_, wake),
-      scale_events_(registry, wake),
-      critical_values_(registry, wake),
-      evolution_(registry.evolutions(), editor_,
+      branches_(registry_, wake),
+      persistence_(registry_, wake),
+      sweep_(registry_, wake),
+      resampling_(registry_, editor_, wake),
+      scale_events_(registry_, wake),
+      critical_values_(registry_, wake),
+      evolution_(registry_, editor_,
                  {[this](const Parameter& parameter) { return computation_.settings()[parameter]; },
                   [this](const Parameter& parameter, double value) { computation_.set(parameter, value); }},
                  wake),
       pane_documents_(editor_, evolution_, wake) {
   if (const std::string message = bundles_.take_message(); !message.empty()) messages_.problem(message);
+}
+
+void Workspace::set_registry(std::shared_ptr<const Registry> registry) {
+  // The layers are looked at until those of the next one take their place.
+  const std::shared_ptr<const Registry> before = registry_.share();
+  registry_.set(std::move(registry));
+  engine_.set_registry(registry_.share());
+  editor_.replace_layers(
+      [this] { bundles_.replace_layers([this] { layers_.set_descriptors(registry_.now().layers()); }); });
+  computation_.follow_registry();
+  if (evolution_.follow_registry()) pane_documents_.forget_states();
+  panes_.resolve(registry_.now());
 }
 
 void Workspace::report(const Expected<void>& done) {
@@ -164,7 +176,7 @@ std::vector<std::string> Workspace::words_of_panes() const {
 }
 
 SessionEvolution Workspace::evolution_now() const {
-  return session_evolution(registry_, evolution_.choice(), evolution_.position());
+  return session_evolution(registry_.now(), evolution_.choice(), evolution_.position());
 }
 
 // Without the history, the document is in state 0.

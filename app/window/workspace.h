@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "app/actions/action_bindings.h"
@@ -34,6 +35,7 @@
 #include "app/playing/evolution_player.h"
 #include "app/store/bundle_desk.h"
 #include "core/engine/engine.h"
+#include "core/graph/live_registry.h"
 #include "core/io/session.h"
 
 namespace mes {
@@ -42,11 +44,17 @@ namespace mes {
 /// engine. It knows no window, no panels and no OpenGL. Threads: the window's; `wake` is called from others.
 class Workspace {
  public:
-  /// The registry outlives it.
-  Workspace(const Registry& registry, const std::filesystem::path& assets, Messages& messages,
+  Workspace(LiveRegistry registry, const std::filesystem::path& assets, Messages& messages,
             std::function<void()> wake);
 
-  const Registry& registry() const { return registry_; }
+  /// Takes another registry, made from the present one by removals and additions. What it lacks is shown no more, and is
+  /// as it was when it comes back: layers, parameters, the chosen evolution. What was begun with the present one ends
+  /// with it. Nothing of it is a step of undo.
+  void set_registry(std::shared_ptr<const Registry> registry);
+  /// Valid until the next `set_registry`.
+  const Registry& registry() const { return registry_.now(); }
+  /// Follows `set_registry`.
+  const LiveRegistry& live_registry() const { return registry_; }
   Engine& engine() { return engine_; }
   const Engine& engine() const { return engine_; }
   ComputationControl& computation() { return computation_; }
@@ -148,7 +156,7 @@ class Workspace {
   void bind_computation(ActionBindings& actions);
   void bind_bundles(ActionBindings& actions);
   EngineDemand::Wanted wanted() const {
-    return {registry_,
+    return {registry_.now(),
             layers_,
             panes_,
             computation_.settings(),
@@ -162,7 +170,7 @@ class Workspace {
   void show_family();
   void follow_family();
 
-  const Registry& registry_;
+  LiveRegistry registry_;
   Messages& messages_;
   Refusal refusal_{messages_};
   Engine engine_;
@@ -173,7 +181,7 @@ class Workspace {
   bool is_held_by_action_ = false;
   Editor editor_;
   AnnotationDesk annotations_{editor_};
-  SelectionDesk selection_desk_{editor_};
+  SelectionDesk selection_desk_{registry_, editor_};
   CurveSelector curve_selector_;
   ContourDesk contour_desk_;
   CurveSampler curve_sampler_;

@@ -42,6 +42,7 @@
 #include "core/evolutions/evolution_run.h"
 #include "core/formula/formula.h"
 #include "core/glyphs/text_outlines.h"
+#include "core/graph/live_registry.h"
 #include "core/graph/table_maker.h"
 #include "core/graph/write_table.h"
 #include "core/io/session.h"
@@ -364,6 +365,18 @@ TEST_CASE("core/workbench/workbench.h") {
   bench.show({"medial-axis"});
   if (bench.run(job)) draw(*bench.instances("medial-axis", PrimitiveKind::segment));
   CHECK(drawn > 10 * stride_of(PrimitiveKind::segment));
+}
+
+TEST_CASE("core/graph/live_registry.h") {
+  Registry changed = builtins();
+  REQUIRE(changed.remove_layer("points"));
+  LiveRegistry registry(builtins());
+  const LiveRegistry of_a_desk = registry;
+  const auto of_a_job = of_a_desk.share();
+  registry.set(std::make_shared<const Registry>(changed));
+  of_a_desk.now().find_layer("points");
+  CHECK(of_a_desk.now().find_layer("points") == kNoLayer);
+  CHECK(of_a_job->find_layer("points") != kNoLayer);
 }
 
 TEST_CASE("core/graph/registry.h") {

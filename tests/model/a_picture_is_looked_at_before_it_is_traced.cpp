@@ -6,6 +6,7 @@
 
 #include "app/store/trace_desk.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "tests/io/temporary_folder.h"
 
 using namespace mes;
@@ -26,7 +27,7 @@ std::string disk(int side, bool has_hole) {
 /// A desk, and the way to wait for what it reads.
 struct Waited {
   std::counting_semaphore<> woken{0};
-  TraceDesk desk{[this] { woken.release(); }};
+  TraceDesk desk{builtins(), [this] { woken.release(); }};
 
   template <class Poll>
   auto next(Poll poll) {

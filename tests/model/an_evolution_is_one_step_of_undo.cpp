@@ -39,7 +39,7 @@ struct EvolutionBench {
   }};
   ComputationSettings computation;
   Bell bell;
-  EvolutionPlayer player{builtins().evolutions(),
+  EvolutionPlayer player{builtins(),
                          editor,
                          {[this](const Parameter& parameter) { return computation[parameter]; },
                           [this](const Parameter& parameter, double value) { computation[parameter] = value; }},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/store/file_desk.h"
+#include "core/builtins/builtins.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/support/bell.h"
 
@@ -16,7 +17,7 @@ struct DeskBench {
   TemporaryFolder folder;
   Bell bell;
   Editor editor{{}};
-  FileDesk desk{editor,
+  FileDesk desk{builtins(), editor,
                 [this] { return Session{.data = editor.timeline().data(), .entries = editor.timeline().entries()}; },
                 bell.ring()};
 

@@ -350,7 +350,7 @@ struct Versions {
   Engine engine{builtins(), {}};
   Editor editor{[this](std::shared_ptr<const DocumentDelta> delta) { engine.post(std::move(delta)); }};
   ComputationSettings settings;
-  EvolutionPlayer evolution{builtins().evolutions(),
+  EvolutionPlayer evolution{builtins(),
                             editor,
                             {[this](const Parameter& parameter) { return settings[parameter]; },
                              [this](const Parameter& parameter, double value) { settings[parameter] = value; }},

@@ -7,6 +7,7 @@
 
 #include "app/editing/selection_desk.h"
 #include "core/base/rng.h"
+#include "core/builtins/builtins.h"
 #include "core/io/format.h"
 
 using namespace mes;
@@ -15,7 +16,7 @@ namespace {
 
 struct SelectionBench {
   Editor editor{[](auto) {}};
-  SelectionDesk desk{editor};
+  SelectionDesk desk{builtins(), editor};
 
   explicit SelectionBench(SampleData data) { REQUIRE(editor.load(data)); }
   const Document& document() const { return editor.document(); }

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/editing/first_ball.h"
+#include "app/editing/selection_desk.h"
 #include "app/export/geometry_export.h"
 #include "app/insight/computation_control.h"
 #include "app/insight/parameter_sweep.h"
@@ -19,8 +21,16 @@
 #include "app/playing/player.h"
 #include "app/playing/session_evolution.h"
 #include "app/store/bundles.h"
+#include "app/store/file_conflict.h"
+#include "app/store/file_desk.h"
+#include "app/store/lessons.h"
+#include "app/store/trace_desk.h"
 #include "core/builtins/builtins.h"
+#include "core/graph/live_registry.h"
+#include "core/io/format_spec.h"
+#include "tests/io/temporary_folder.h"
 #include "tests/support/added_to_registry.h"
+#include "tests/support/bell.h"
 
 using namespace mes;
 using namespace mes::test;
@@ -170,4 +180,102 @@ TEST_CASE("layers of the program that a registry lacks are left out") {
   CHECK(in_family(registry.layers(), unknown, FamilyKind::own) == unknown);
   CHECK_FALSE(family_of(registry.layers(), unknown));
   CHECK(choice_of(registry, {}).evolution->descriptor.is_missing);
+}
+
+TEST_CASE("parameters of a session that were added have values in their range, in panes too") {
+  PaneList list;
+  list.add(ParameterChoice{{.id = "doubling-factor", .low = -1e300, .high = 1e300}, 99.0});
+  const std::uint64_t revision = list.revision();
+  list.resolve(builtins());
+  CHECK(list.revision() == revision);
+  CHECK(words_of(list.panes().front()) == "Doubling factor 99");
+  list.resolve(registry_with_additions());
+  CHECK(list.revision() != revision);
+  CHECK(words_of(list.panes().front()) == "Doubling factor 10");
+  Engine engine(registry_with_additions(), {});
+  ComputationControl control(registry_with_additions(), engine);
+  ComputationSettings read;
+  read.values.keep("doubling-factor", 99.0);
+  read.values.keep("not-known", 99.0);
+  control.set(read);
+  const auto changed = control.settings().values.changed();
+  REQUIRE(changed.size() == 2);
+  CHECK(changed[0].id == "doubling-factor");
+  CHECK(changed[0].value == 10.0);
+  CHECK(changed[1].value == 99.0);
+}
+
+TEST_CASE("a lesson shows the layers of the present registry") {
+  LiveRegistry registry{builtins()};
+  Session session = session_with_addition();
+  session.lesson.steps = {{.caption = "After", .position = 1}};
+  LessonWalk walk(registry, session);
+  const auto before = walk.scene(0);
+  REQUIRE(before);
+  CHECK(before->layers.visible_layers().empty());
+  registry.set(std::make_shared<const Registry>(registry_with_additions()));
+  const auto after = walk.scene(0);
+  REQUIRE(after);
+  CHECK(after->layers.visible_layers() == std::vector{added_layer()});
+  CHECK(after->data.positions == before->data.positions);
+}
+
+TEST_CASE("files and pasted text are read by the formats of the present registry") {
+  const TemporaryFolder folder;
+  const auto file = folder.write("corner.three", "three 0 0 1 0 0 1");
+  LiveRegistry registry{builtins()};
+  Bell bell;
+  Editor editor{{}};
+  FileDesk files(
+      registry, editor, [] { return Session(); }, bell.ring());
+  SelectionDesk desk(registry, editor);
+  TraceDesk tracing(registry, bell.ring());
+  const auto opened = [&] {
+    files.open(file);
+    std::optional<FileDesk::Outcome> outcome;
+    bell.wait_until([&] { return (outcome = files.poll()).has_value(); });
+    return !outcome->error;
+  };
+  const auto traced = [&] {
+    tracing.begin(file);
+    tracing.trace({});
+    std::optional<Expected<TraceDesk::Samples>> samples;
+    bell.wait_until([&] { return (samples = tracing.poll_samples()).has_value(); });
+    return *samples && (*samples)->data.positions == kCorner.positions;
+  };
+  const auto holdings = [&] { return look_into(file, {}, nullptr, registry.now().formats()).theirs; };
+  const ShippedLesson lesson{file, "three", "Three"};
+  const auto refusal = [&] { return session_of(registry.now(), lesson, {}).error().text; };
+  CHECK_FALSE(opened());
+  CHECK_FALSE(desk.paste("three 0 0 1 0 0 1", {1, 0}, MapDegrees::projected));
+  CHECK_FALSE(traced());
+  CHECK_FALSE(holdings());
+  CHECK(refusal() != "this is not a session but three");
+
+  Registry with = builtins();
+  const auto read = [](std::string_view, const std::string&, ReadJob&) -> Expected<LoadedFile> {
+    return LoadedFile{.data = kCorner, .format = {}, .warnings = {}, .session = nullptr};
+  };
+  Format three;
+  three.descriptor = {.id = "three", .name = "Three", .extensions = {".three"}, .can_read = true};
+  three.match = [](std::string_view bytes) { return bytes.starts_with("three ") ? Match::surely : Match::no; };
+  three.read = read;
+  with.formats().add("three", std::make_shared<const Format>(three));
+  // What is traced is read as a picture.
+  REQUIRE(with.formats().remove("picture"));
+  Format picture = three;
+  picture.descriptor.id = "picture";
+  picture.read_traced = [read](std::string_view bytes, const std::string& name, const TraceRequest&, ReadJob& job) {
+    return read(bytes, name, job);
+  };
+  with.formats().add("picture", std::make_shared<const Format>(picture));
+  registry.set(std::make_shared<const Registry>(with));
+  CHECK(opened());
+  CHECK(editor.document().sample_count() == 3);
+  CHECK(desk.paste("three 0 0 1 0 0 1", {1, 0}, MapDegrees::projected));
+  CHECK(editor.document().sample_count() == 6);
+  CHECK(traced());
+  REQUIRE(holdings());
+  CHECK(holdings()->samples == 3);
+  CHECK(refusal() == "this is not a session but three");
 }

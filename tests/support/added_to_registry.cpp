@@ -84,28 +84,38 @@ void add_doubled_points(Registry& registry) {
 
 }  // namespace
 
+void add_additions(Registry& registry) {
+  add_doubled_points(registry);
+  registry.evolutions().add("doubling", std::make_shared<const Evolution>(
+                                            Evolution{.descriptor = {.id = "doubling",
+                                                                     .name = "Doubling",
+                                                                     .tooltip = "Moves samples away from the origin",
+                                                                     .parameters = {kDoublingTimes}},
+                                                      .move = SampleMove(doubled_state)}));
+  registry.shapes().add(
+      "test-square",
+      std::make_shared<const ShapeDescriptor>(ShapeDescriptor{
+          .id = "test-square",
+          .name = "Test square",
+          .explanation = "A square at the origin",
+          .parameters =
+              {{.id = "side", .explanation = "Length of its sides", .low = 0.1, .high = 100.0, .default_value = 1.0}},
+          .formulas = {},
+          .make = made_square}));
+}
+
+void remove_additions(Registry& registry) {
+  registry.remove_structure("doubled-samples");
+  registry.remove_parameter(kDoublingFactor.id);
+  registry.evolutions().remove("doubling");
+  registry.shapes().remove("test-square");
+}
+
 const Registry& registry_with_additions() {
   static const Registry registry = [] {
     Registry out;
     add_builtins(out);
-    add_doubled_points(out);
-    out.evolutions().add("doubling", std::make_shared<const Evolution>(
-                                         Evolution{.descriptor = {.id = "doubling",
-                                                                  .name = "Doubling",
-                                                                  .tooltip = "Moves samples away from the origin",
-                                                                  .parameters = {kDoublingTimes}},
-                                                   .move = SampleMove(doubled_state)}));
-    out.shapes().add("test-square", std::make_shared<const ShapeDescriptor>(
-                                        ShapeDescriptor{.id = "test-square",
-                                                        .name = "Test square",
-                                                        .explanation = "A square at the origin",
-                                                        .parameters = {{.id = "side",
-                                                                        .explanation = "Length of its sides",
-                                                                        .low = 0.1,
-                                                                        .high = 100.0,
-                                                                        .default_value = 1.0}},
-                                                        .formulas = {},
-                                                        .make = made_square}));
+    add_additions(out);
     return out;
   }();
   return registry;

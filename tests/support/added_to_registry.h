@@ -17,6 +17,10 @@ extern const Parameter kDoublingTimes;
 
 /// Made at the first call.
 const Registry& registry_with_additions();
+/// Adds all of that to a registry that has the program's sources.
+void add_additions(Registry& registry);
+/// The same from a registry that has it.
+void remove_additions(Registry& registry);
 
 /// Sources and `doubled-points`, and nothing of the program beside them. Made at the first call.
 const Registry& registry_of_one_layer();

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A registry that is replaced while the program runs.
+#pragma once
+
+#include <memory>
+#include <utility>
+
+#include "core/graph/registry.h"
+
+namespace mes {
+
+/// All copies read the registry that was set last through one of them. A job on another thread owns the registry that
+/// it was begun with.
+///
+/// Smallest use:
+///     LiveRegistry registry(builtins());
+///     const LiveRegistry of_a_desk = registry;
+///     const auto of_a_job = of_a_desk.share();
+///     registry.set(std::make_shared<const Registry>(changed));
+///     of_a_desk.now().find_layer("points");
+///
+/// Cost: a copy shares ownership, and `share` does. Threads: one for all copies; the registry may be read by any.
+class LiveRegistry {
+ public:
+  /// The registry outlives the copies, and all that `share` gave.
+  LiveRegistry(const Registry& registry) : LiveRegistry(Shared(Shared(), &registry)) {}
+  LiveRegistry(const Registry&& registry) = delete;
+  explicit LiveRegistry(std::shared_ptr<const Registry> registry)
+      : present_(std::make_shared<Shared>(std::move(registry))) {}
+
+  /// Valid until the next `set`.
+  const Registry& now() const { return **present_; }
+  std::shared_ptr<const Registry> share() const { return *present_; }
+  void set(std::shared_ptr<const Registry> registry) { *present_ = std::move(registry); }
+
+ private:
+  using Shared = std::shared_ptr<const Registry>;
+  std::shared_ptr<Shared> present_;
+};
+
+}  // namespace mes
