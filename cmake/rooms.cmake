@@ -57,7 +57,7 @@ set(rooms
   "app/canvas: app/model app/canvas/tools"
   "app/recording: core/* app/layers app/model app/picture app/system render"
   "app/ui: core/* app/model app/actions app/canvas app/system render"
-  "app/panels: core/* app/ui app/layers app/editing app/insight app/playing app/model app/store app/picture app/export app/canvas app/canvas/tools app/recording app/actions render"
+  "app/panels: core/* app/experiments app/ui app/layers app/editing app/insight app/playing app/model app/store app/picture app/export app/canvas app/canvas/tools app/recording app/actions render"
   "app/window: core/* app/experiments app/panels app/ui app/layers app/editing app/insight app/playing app/model app/store app/picture app/export app/canvas app/canvas/tools app/recording app/actions app/system render"
   "app/cli: core/* app/experiments app/layers app/editing app/insight app/playing app/model app/store app/picture app/export app/recording app/actions app/system render render/figure"
   "app: app/cli app/window core/base core/builtins")

@@ -92,6 +92,8 @@ enum class ActionId : std::uint8_t {
   toggle_branches,
   toggle_persistence,
   toggle_sampling,
+  toggle_experiments,
+  add_experiment,
   toggle_legend,
   toggle_key,
   toggle_scale_bar,

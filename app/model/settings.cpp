@@ -23,8 +23,9 @@ constexpr int kSchema = 1;
 constexpr std::uintmax_t kLargestFile = 1U << 20U;
 
 // In the order of `DetailsPage`.
-constexpr std::array<std::string_view, 10> kPages{"none",      "statistics", "parameters", "log",         "lesson",
-                                                  "selection", "curves",     "branches",   "persistence", "sampling"};
+constexpr std::array<std::string_view, 11> kPages{"none",        "statistics", "parameters", "log",
+                                                  "lesson",      "selection",  "curves",     "branches",
+                                                  "persistence", "sampling",   "experiments"};
 
 constexpr std::string_view kDark = "dark";
 constexpr std::string_view kLight = "light";
@@ -163,12 +164,36 @@ json to_json(const FigureSettings& figure) {
           {"dots_per_inch", figure.dots_per_inch}};
 }
 
+void read_names(const json& object, const char* key, std::vector<std::string>& to) {
+  const auto names = object.find(key);
+  if (names == object.end() || !names->is_array()) return;
+  for (const json& name : *names)
+    if (name.is_string() && to.size() < kRecentFiles) to.push_back(name);
+}
+
+void remember(std::vector<std::string>& names, const fs::path& file) {
+  std::error_code error;
+  fs::path absolute = fs::weakly_canonical(file, error);
+  if (error) absolute = fs::absolute(file, error);
+  const std::string text = absolute.string();
+  std::erase(names, text);
+  names.insert(names.begin(), text);
+  if (names.size() > kRecentFiles) names.resize(kRecentFiles);
+}
+
+/// What one program has remembered, and what another one has added meanwhile.
+std::vector<std::string> remembered_by_both(std::vector<std::string> ours, const std::vector<std::string>& at_start,
+                                            const std::vector<std::string>& now) {
+  for (const std::string& name : now)
+    if (std::ranges::count(at_start, name) == 0 && std::ranges::count(ours, name) == 0) ours.push_back(name);
+  if (ours.size() > kRecentFiles) ours.resize(kRecentFiles);
+  return ours;
+}
+
 Settings from_json(const json& object) {
   Settings out;
-  if (const auto recent = object.find("recent_files"); recent != object.end() && recent->is_array()) {
-    for (const json& entry : *recent)
-      if (entry.is_string() && out.recent_files.size() < kRecentFiles) out.recent_files.push_back(entry);
-  }
+  read_names(object, "recent_files", out.recent_files);
+  read_names(object, "recent_experiments", out.recent_experiments);
   out.brush.radius_px = number_in(object, "brush_radius_px", 4.0, 200.0, out.brush.radius_px);
   out.spray_spacing_px = number_in(object, "spray_spacing_px", 2.0, 100.0, out.spray_spacing_px);
   out.interface_scale = number_in(object, "interface_scale", 0.5, 4.0, out.interface_scale);
@@ -227,13 +252,11 @@ std::string set_aside(const fs::path& path, const std::string& why) {
 }  // namespace
 
 void remember_file(Settings& settings, const fs::path& file) {
-  std::error_code error;
-  fs::path absolute = fs::weakly_canonical(file, error);
-  if (error) absolute = fs::absolute(file, error);
-  const std::string text = absolute.string();
-  std::erase(settings.recent_files, text);
-  settings.recent_files.insert(settings.recent_files.begin(), text);
-  if (settings.recent_files.size() > kRecentFiles) settings.recent_files.resize(kRecentFiles);
+  remember(settings.recent_files, file);
+}
+
+void remember_experiment(Settings& settings, const fs::path& name) {
+  remember(settings.recent_experiments, name);
 }
 
 fs::path default_settings_path() {
@@ -266,6 +289,7 @@ namespace {
 json to_json(const Settings& settings) {
   return {{"schema", kSchema},
           {"recent_files", settings.recent_files},
+          {"recent_experiments", settings.recent_experiments},
           {"spray_spacing_px", settings.spray_spacing_px},
           {"brush_radius_px", settings.brush.radius_px},
           {"interface_scale", settings.interface_scale},
@@ -316,12 +340,9 @@ Settings merged(const Settings& ours, const Settings& at_start, const Settings& 
   for (const auto& [key, value] : mine.items())
     if (value != before[key]) out[key] = value;
   Settings result = from_json(out);
-  // Files are remembered by both.
-  result.recent_files = ours.recent_files;
-  for (const std::string& file : now.recent_files)
-    if (std::ranges::count(at_start.recent_files, file) == 0 && std::ranges::count(result.recent_files, file) == 0)
-      result.recent_files.push_back(file);
-  if (result.recent_files.size() > kRecentFiles) result.recent_files.resize(kRecentFiles);
+  result.recent_files = remembered_by_both(ours.recent_files, at_start.recent_files, now.recent_files);
+  result.recent_experiments =
+      remembered_by_both(ours.recent_experiments, at_start.recent_experiments, now.recent_experiments);
   return result;
 }
 

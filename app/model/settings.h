@@ -29,7 +29,8 @@ enum class DetailsPage : std::uint8_t {
   curves,
   branches,
   persistence,
-  sampling
+  sampling,
+  experiments
 };
 
 enum class Theme : std::uint8_t { light, dark };
@@ -38,8 +39,9 @@ inline constexpr double kUsualColumnWidth = 300.0;
 inline constexpr double kUsualDetailsShare = 0.4;
 
 struct Settings {
-  std::vector<std::string> recent_files;  ///< absolute paths, newest first, at most kRecentFiles
-  double spray_spacing_px = 12.0;         ///< logical pixels, [2, 100]
+  std::vector<std::string> recent_files;        ///< absolute paths, newest first, at most kRecentFiles
+  std::vector<std::string> recent_experiments;  ///< likewise, at most kRecentFiles
+  double spray_spacing_px = 12.0;               ///< logical pixels, [2, 100]
   BrushSettings brush{};
   double interface_scale = 1.0;  ///< enlarges the panels beyond what the desktop asks, [0.5, 4]
   Theme theme = Theme::light;
@@ -74,6 +76,7 @@ inline constexpr std::size_t kRecentFiles = 12;
 
 /// Puts the file first, without a twin further down.
 void remember_file(Settings& settings, const std::filesystem::path& file);
+void remember_experiment(Settings& settings, const std::filesystem::path& name);
 
 /// $XDG_CONFIG_HOME/mesecina/settings.json, or ~/.config/mesecina/settings.json; empty when no home folder is known.
 std::filesystem::path default_settings_path();

@@ -17,15 +17,16 @@ struct Page {
   const char* title;
   ActionId toggle;
 };
-constexpr std::array<Page, 9> kPages{{{DetailsPage::statistics, "Statistics", ActionId::toggle_statistics},
-                                      {DetailsPage::parameters, "Parameters", ActionId::toggle_parameters},
-                                      {DetailsPage::log, "Log", ActionId::toggle_log},
-                                      {DetailsPage::selection, "Selection", ActionId::toggle_selection},
-                                      {DetailsPage::curves, "Curves", ActionId::toggle_curves},
-                                      {DetailsPage::sampling, "Sampling", ActionId::toggle_sampling},
-                                      {DetailsPage::branches, "Branches", ActionId::toggle_branches},
-                                      {DetailsPage::persistence, "Persistence", ActionId::toggle_persistence},
-                                      {DetailsPage::lesson, "Lesson", ActionId::toggle_lesson}}};
+constexpr std::array<Page, 10> kPages{{{DetailsPage::statistics, "Statistics", ActionId::toggle_statistics},
+                                       {DetailsPage::parameters, "Parameters", ActionId::toggle_parameters},
+                                       {DetailsPage::log, "Log", ActionId::toggle_log},
+                                       {DetailsPage::selection, "Selection", ActionId::toggle_selection},
+                                       {DetailsPage::curves, "Curves", ActionId::toggle_curves},
+                                       {DetailsPage::sampling, "Sampling", ActionId::toggle_sampling},
+                                       {DetailsPage::branches, "Branches", ActionId::toggle_branches},
+                                       {DetailsPage::persistence, "Persistence", ActionId::toggle_persistence},
+                                       {DetailsPage::lesson, "Lesson", ActionId::toggle_lesson},
+                                       {DetailsPage::experiments, "Experiments", ActionId::toggle_experiments}}};
 
 /// The widths of columns that titles in so many rows need.
 std::vector<float> column_widths(std::size_t rows, float around) {
@@ -95,6 +96,7 @@ void DetailsPanel::draw(const PanelArea& area) {
       case DetailsPage::branches: branches_.draw(); break;
       case DetailsPage::persistence: persistence_.draw(); break;
       case DetailsPage::sampling: sampling_.draw(); break;
+      case DetailsPage::experiments: experiments_.draw(); break;
       case DetailsPage::none: break;
     }
   }

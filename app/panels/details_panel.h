@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The lower right panel, with a page at a time: statistics, parameters, log, lesson, selection, curves, sampling,
-// branches, persistence.
+// branches, persistence, experiments.
 #pragma once
 
 #include "app/actions/action_bindings.h"
 #include "app/model/settings.h"
 #include "app/panels/branches_panel.h"
 #include "app/panels/curves_panel.h"
+#include "app/panels/experiments_panel.h"
 #include "app/panels/lesson_panel.h"
 #include "app/panels/log_panel.h"
 #include "app/panels/parameters_panel.h"
@@ -24,7 +25,7 @@ class DetailsPanel {
   DetailsPanel(const Gui& gui, const ActionBindings& actions, DetailsPage& shown, StatisticsPanel statistics,
                ParametersPanel parameters, LogPanel log, LessonPanel lesson, SelectionPanel selection,
                CurvesPanel curves, BranchesPanel branches, PersistencePanel persistence,
-               const SamplingPanel& sampling)
+               const SamplingPanel& sampling, ExperimentsPanel experiments)
       : gui_(gui),
         actions_(actions),
         shown_(shown),
@@ -36,7 +37,8 @@ class DetailsPanel {
         curves_(std::move(curves)),
         branches_(std::move(branches)),
         persistence_(std::move(persistence)),
-        sampling_(sampling) {}
+        sampling_(sampling),
+        experiments_(std::move(experiments)) {}
 
   void draw(const PanelArea& area);
   /// Lists the parameters of this name.
@@ -57,6 +59,7 @@ class DetailsPanel {
   BranchesPanel branches_;
   PersistencePanel persistence_;
   SamplingPanel sampling_;
+  ExperimentsPanel experiments_;
 };
 
 }  // namespace mes

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/panels/ask_conflict.h"
+#include "app/panels/ask_experiment.h"
 #include "app/panels/ask_recover.h"
 #include "app/panels/ask_unsaved.h"
 #include "app/panels/command_palette.h"
@@ -24,6 +25,7 @@ class Dialogs {
   AskUnsaved unsaved;
   AskRecover recover;
   AskConflict conflict;
+  AskExperiment experiment;
   FigureDialog figure;
   TraceDialog trace;
   ShapeDialog shape;
@@ -44,8 +46,8 @@ class Dialogs {
   void draw(const Gui& gui);
 
  private:
-  std::array<Dialog*, 10> all_{&figure,  &trace,    &shape,   &text, &recover,
-                               &unsaved, &conflict, &browser, &help, &palette};  // topmost last
+  std::array<Dialog*, 11> all_{&figure,   &trace,      &shape,   &text, &recover, &unsaved,
+                               &conflict, &experiment, &browser, &help, &palette};  // topmost last
 };
 
 }  // namespace mes

@@ -171,6 +171,7 @@ void view_menu(const MenuBar& menu) {
       action_item(menu, id);
     ImGui::EndMenu();
   }
+  action_item(menu, ActionId::toggle_experiments);
   action_item(menu, ActionId::toggle_panels);
   // Rows in menus of their own, because at twice the size no other row of this one fits a screen of 800 pixels.
   if (ImGui::BeginMenu("Legend and scale")) {

@@ -36,11 +36,13 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::f
       recording_({screen_, work_, board_, demo_, lesson_, settings_.settings(), messages_}, assets, GlfwWindow::wake),
       documents_({work_, board_, demo_, lesson_, dialogs_, messages_, settings_.settings(), screen_}, assets,
                  GlfwWindow::wake),
+      experiments_({work_, dialogs_, messages_, settings_.settings(), [this] { documents_.keep_on_disk(); }}, assets,
+                   GlfwWindow::wake),
       keys_(settings_.settings(), messages_),
-      panels_({screen_, work_, board_, demo_, lesson_, recording_, documents_, keys_.actions(), settings_.settings(),
-               messages_}),
+      panels_({screen_, work_, board_, demo_, lesson_, recording_, documents_, experiments_, keys_.actions(),
+               settings_.settings(), messages_}),
       input_({screen_, board_.canvas(), work_.editor().selection(), work_.annotations(), dialogs_, documents_,
-              recording_, keys_.actions(), messages_, panels_.presenter(), panels_.mark_drag()}) {
+              experiments_, recording_, keys_.actions(), messages_, panels_.presenter(), panels_.mark_drag()}) {
   bind_actions();
   recording_.desk().set_take_source([this] { return session_for_lesson(documents_.session_now()); });
   dialogs_.browser.use_formats(work_.live_registry());
@@ -52,6 +54,7 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const Window
          LoadedSettings loaded)
     : App(std::move(registry), std::move(window), find_assets(options.executable), std::move(loaded)) {
   documents_.open_first(options.files);
+  for (const std::string& name : options.experiments) experiments_.add(name);
 }
 
 void App::bind_actions() {
@@ -69,6 +72,7 @@ void App::bind_actions() {
   lesson_.bind(actions);
   recording_.bind(actions);
   documents_.bind(actions);
+  actions.bind(ActionId::add_experiment, {[this] { experiments_.ask_file(); }});
   panels_.bind(actions);
   keys_.bind();
   dialogs_.help.set_keys(actions.keymap(), KeyDesk::file().string());
@@ -110,8 +114,8 @@ double App::next_wait() const {
                        work_.sweep().is_under_way() || (files.is_reading() && !files.would_lose_work()) ||
                        files.is_saving() || board_.traced().is_reading() || documents_.figures().is_busy() ||
                        documents_.tracing().is_busy() || documents_.is_looking_for_left_work() ||
-                       dialogs_.shape.is_busy() || dialogs_.text.is_busy() || screen_.gui.is_about_to_rest() ||
-                       recording_.holds_input();
+                       experiments_.is_busy() || dialogs_.shape.is_busy() || dialogs_.text.is_busy() ||
+                       screen_.gui.is_about_to_rest() || recording_.holds_input();
   return FrameClock::sleep({demo_.next_due(now), lesson_.next_due(now), work_.computation().next_due(now),
                             work_.evolution().next_due(now), panels_.presenter().next_due(now)},
                            is_busy);
@@ -169,6 +173,7 @@ void App::follow_hold() try {
 
 // Of what is taken none, or all, is done.
 void App::take_results() try {
+  experiments_.follow();
   board_.take_results();
   work_.follow_crust();
   work_.follow_curves(ImGui::IsAnyItemActive());

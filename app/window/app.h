@@ -15,6 +15,7 @@
 #include "app/window/demo_run.h"
 #include "app/window/document_flow.h"
 #include "app/window/drawing_board.h"
+#include "app/window/experiment_run.h"
 #include "app/window/key_desk.h"
 #include "app/window/lesson_run.h"
 #include "app/window/live_recording.h"
@@ -67,6 +68,7 @@ class App {
   LiveRecording recording_;
   Dialogs dialogs_;
   DocumentFlow documents_;
+  ExperimentRun experiments_;
   KeyDesk keys_;
   Panels panels_;
   WindowInput input_;

@@ -257,6 +257,11 @@ void DocumentFlow::keep() {
   keeper_.follow({.controls = controls, .all = all}, uses_.board.view().free_box());
 }
 
+void DocumentFlow::keep_on_disk() {
+  keep();
+  keeper_.flush();
+}
+
 // In order: what there was has been saved or given up on request. A signal makes no request; its journal stays, and is
 // complete before anything that may take longer than a signal waits.
 void DocumentFlow::end() {
@@ -265,8 +270,7 @@ void DocumentFlow::end() {
     for (LeftWork& work : recovered_) work.remove();
     return;
   }
-  keep();
-  keeper_.flush();
+  keep_on_disk();
   remove_recovered();
 }
 

@@ -55,6 +55,8 @@ class DocumentFlow {
   const FigureFlow& figures() const { return figures_; }
   const TraceFlow& tracing() const { return tracing_; }
   /// A question about work that was left may still come up.
+  /// The journal has all that was done, on the disk. Waits for the disk.
+  void keep_on_disk();
   bool is_looking_for_left_work() const { return keeper_.is_looking_for_left_work(); }
   const FileDesk& files() const { return files_; }
   std::span<const SampleShape> shapes() const { return shapes_; }

@@ -79,7 +79,13 @@ Panels::Panels(const Uses& uses)
                uses.work.computation(),
                [&flow = uses.documents](std::string csv) { flow.ask_table("persistence", std::move(csv)); }}),
           SamplingPanel({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
-                         uses.work.document(), uses.board.picture(), uses.messages})),
+                         uses.work.document(), uses.board.picture(), uses.messages}),
+          {uses.screen.gui, uses.experiments.desk(), uses.experiments.examples(), uses.settings.recent_experiments,
+           [&run = uses.experiments] { run.ask_file(); },
+           [&run = uses.experiments](const std::filesystem::path& file) { run.add(file); },
+           [&run = uses.experiments](const std::filesystem::path& file, std::uint64_t line) {
+             run.edit(file, line);
+           }}),
       step_events_({uses.work.evolution(), uses.work.editor(), uses.work.layers(), uses.work.computation(),
                     uses.work.persistence(), uses.work.scale_events()}) {
   layers_panel_.set_select(
@@ -176,6 +182,7 @@ void Panels::bind_shown(ActionBindings& actions) {
   bind_page(ActionId::toggle_persistence, DetailsPage::persistence);
   bind_page(ActionId::toggle_sampling, DetailsPage::sampling);
   bind_page(ActionId::toggle_lesson, DetailsPage::lesson);
+  bind_page(ActionId::toggle_experiments, DetailsPage::experiments);
   actions.bind(ActionId::save_bundle, {[this, &settings] {
                  are_shown_ = true;
                  settings.show_layers = true;

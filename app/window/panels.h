@@ -16,6 +16,7 @@
 #include "app/picture/scale_drawing.h"
 #include "app/playing/step_events.h"
 #include "app/window/document_flow.h"
+#include "app/window/experiment_run.h"
 #include "app/window/live_recording.h"
 
 namespace mes {
@@ -31,6 +32,7 @@ class Panels {
     LessonRun& lesson;
     LiveRecording& recording;
     DocumentFlow& documents;
+    ExperimentRun& experiments;
     const ActionBindings& actions;
     Settings& settings;
     Messages& messages;

@@ -228,6 +228,11 @@ void WindowInput::on_modifiers(Modifiers modifiers) {
 }
 
 void WindowInput::on_files_dropped(std::vector<std::string> files) {
+  std::erase_if(files, [this](const std::string& file) {
+    if (!is_experiment_file(file)) return false;
+    uses_.experiments.ask(file);
+    return true;
+  });
   if (!files.empty()) uses_.documents.open(std::move(files));
 }
 

@@ -12,6 +12,7 @@
 #include "app/panels/presenter.h"
 #include "app/window/document_flow.h"
 #include "app/window/event_queue.h"
+#include "app/window/experiment_run.h"
 #include "app/window/live_recording.h"
 
 namespace mes {
@@ -29,6 +30,7 @@ class WindowInput final : private WindowListener {
     const AnnotationDesk& annotations;
     Dialogs& dialogs;
     DocumentFlow& documents;
+    ExperimentRun& experiments;
     const LiveRecording& recording;
     const ActionBindings& actions;
     Messages& messages;

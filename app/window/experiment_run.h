@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Experiments in the window: they are asked for, prepared, and become part of what is computed.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "app/actions/action_bindings.h"
+#include "app/experiments/experiment_desk.h"
+#include "app/model/messages.h"
+#include "app/model/settings.h"
+#include "app/panels/dialogs.h"
+#include "app/window/workspace.h"
+
+namespace mes {
+
+/// What it guarantees: it never waits; document, undo, view and styles stay as they are when an experiment is added,
+/// replaced or removed. Threads: the window's.
+class ExperimentRun {
+ public:
+  struct Uses {
+    Workspace& work;
+    Dialogs& dialogs;
+    Messages& messages;
+    Settings& settings;
+    /// All that was done is on the disk when it returns.
+    std::function<void()> keep_work;
+  };
+  ExperimentRun(Uses uses, const std::filesystem::path& assets, std::function<void()> wake);
+
+  ExperimentDesk& desk() { return desk_; }
+  const std::vector<std::filesystem::path>& examples() const { return examples_; }
+
+  /// A file or a folder, which the user has named.
+  void add(const std::filesystem::path& name);
+  /// The same after a question: it was dropped on the window.
+  void ask(const std::filesystem::path& file);
+  void ask_file();
+  /// Opens a source with $VISUAL or the desktop, and puts "FILE:LINE" on the clipboard.
+  void edit(const std::filesystem::path& file, std::uint64_t line);
+
+  /// Once a turn: takes what was prepared.
+  void follow();
+  bool is_busy() const { return desk_.is_busy(); }
+
+ private:
+  void say(const ExperimentDesk::Entry& entry);
+
+  Uses uses_;
+  std::vector<std::filesystem::path> examples_;
+  ExperimentDesk desk_;
+};
+
+}  // namespace mes
