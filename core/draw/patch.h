@@ -118,6 +118,7 @@ struct FramePatch {
   std::vector<LayerPatch> layers;       ///< only demanded layers with changes; entries past `layer_count` are spare
   std::size_t layer_count = 0;
   std::uint64_t origin = 0;          ///< a number for the structures that `nodes` are about
+  std::uint64_t demand = 0;          ///< a number for the demand that they were last written for
   std::vector<NodeReport> nodes;     ///< of the main computation first, then of the variants
   std::vector<LayerReport> reports;  ///< of the main computation first, then of the variants
   bool complete = true;  ///< false: the run was stopped; no layer is in the patch, and the picture is as before

@@ -78,6 +78,7 @@ void Graph::mark_needed() {
     if (nodes_[i].needed) needed_.push_back(i);
   }
   demand_changed_ = false;
+  ++demand_;
 }
 
 double Graph::lap_ms() {
@@ -376,9 +377,7 @@ void Graph::report_node(StructureNode& node, NodeReport& report) {
   report.stats = node.stats;
 }
 
-// What is not needed is most of all, so nothing is written again that stands there.
-void Graph::report_inactive(const StructureNode& node, NodeReport& report) const {
-  if (!report.structure.empty() && report.state == NodeState::inactive) return;
+void Graph::report_inactive(const StructureNode& node, NodeReport& report) {
   report = {};
   report.structure = node.structure->id();
   report.variant = node.variant;
@@ -386,39 +385,40 @@ void Graph::report_inactive(const StructureNode& node, NodeReport& report) const
 }
 
 void Graph::report(FramePatch& out) {
-  // A patch that is used again may be about others.
-  if (std::exchange(out.origin, origin_) != origin_) out.nodes.clear();
-  out.nodes.resize(nodes_.size());
-  auto needed = needed_.begin();
-  for (std::size_t i = 0; i < nodes_.size(); ++i) {
-    if (needed != needed_.end() && *needed == i) {
-      report_node(nodes_[i], out.nodes[i]);
-      ++needed;
-    } else {
-      report_inactive(nodes_[i], out.nodes[i]);
-    }
-  }
-  out.reports.resize(variants_.size() * variants_.front()->layers.size());
-  auto next = out.reports.begin();
-  for_each_layer([&next](VariantLayer layer, const LayerNode& node) {
-    LayerReport& report = *next++;
-    if (!node.demanded) {
-      if (report.state == NodeState::inactive && report.layer == layer) return;
-      report = {};
-      report.layer = layer;
-      return;
-    }
-    report.layer = layer;
+  // What is not needed is most of all. It stands in a patch that is used again, unless that was about others.
+  const std::size_t layers = variants_.front()->layers.size();
+  if (out.origin != origin_ || out.demand != demand_ || out.nodes.size() != nodes_.size() ||
+      out.reports.size() != variants_.size() * layers)
+    report_all_inactive(out);
+  for (const std::size_t i : needed_) report_node(nodes_[i], out.nodes[i]);
+  for (const VariantLayer layer : demanded_) {
+    const LayerNode& node = node_of(layer);
+    LayerReport& report = out.reports[layer.variant * layers + layer.layer];
     report.state = node.state;
     report.emit_ms = node.ms;
     report.lost = node.lost;
     if (report.reason != node.reason) report.reason = node.reason;
+  }
+}
+
+void Graph::report_all_inactive(FramePatch& out) {
+  out.demand = 0;
+  out.nodes.resize(nodes_.size());
+  for (std::size_t i = 0; i < nodes_.size(); ++i) report_inactive(nodes_[i], out.nodes[i]);
+  out.reports.resize(variants_.size() * variants_.front()->layers.size());
+  auto next = out.reports.begin();
+  for_each_layer([&next](VariantLayer layer, const LayerNode& /*node*/) {
+    *next = {};
+    next++->layer = layer;
   });
+  out.origin = origin_;
+  out.demand = demand_;
 }
 
 // For when memory does not suffice for the report itself.
 void Graph::report_lack_of_memory(FramePatch& out) {
   out.nodes.clear();
+  out.demand = 0;
   for (LayerReport& report : out.reports) {
     const LayerNode* const node = find(report.layer);
     report.state = node != nullptr && node->demanded ? NodeState::failed : NodeState::inactive;

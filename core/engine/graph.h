@@ -177,7 +177,8 @@ class Graph {
   void follow_extent();
   void report(FramePatch& out);
   void report_node(StructureNode& node, NodeReport& out);
-  void report_inactive(const StructureNode& node, NodeReport& out) const;
+  void report_all_inactive(FramePatch& out);
+  static void report_inactive(const StructureNode& node, NodeReport& out);
   void report_lack_of_memory(FramePatch& out);
   void give_up_for_lack_of_memory(FramePatch& out);
   void find_answer(const ProvenanceQuestion& question, Provenance& out, JobControl& job) const;
@@ -197,6 +198,7 @@ class Graph {
   std::atomic<bool> keeps_frame_ = false;  ///< some layer has a picture in that frame, and no room for another
   std::uint64_t run_ = 0;
   bool demand_changed_ = true;
+  std::uint64_t demand_ = 0;  ///< a number for it, among those of this graph
   // What an edit looks at, of the many that there are: made anew when the demand changes.
   std::vector<std::size_t> sources_;
   std::vector<std::size_t> needed_;  ///< structures, sources among them
