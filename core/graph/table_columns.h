@@ -84,7 +84,10 @@ struct TableColumns {
   std::size_t rows = 0;  ///< dead ones included
   std::vector<TableColumn> columns;
   std::function<bool(RowNumber row)> is_alive;
-  std::optional<RowChanges> changes;      ///< none: the structure does not say which rows differ
+  std::optional<RowChanges> changes;  ///< none: the structure does not say which rows differ
+  /// Brings addresses, number of rows and changes to what they are after a later run, at a fraction of the cost of making
+  /// all anew. Valid as long as the structure lives; empty where that is not possible.
+  std::function<void(TableColumns& table)> refresh;
   ElementKind kind = ElementKind::other;  ///< of the rows, as layers draw them
 };
 

@@ -6,6 +6,7 @@
 #include <array>
 #include <concepts>
 #include <cstring>
+#include <functional>
 #include <limits>
 #include <memory>
 #include <string>
@@ -96,11 +97,19 @@ struct RowsOf {
 template <class Row>
 class TableMaker {
  public:
-  template <class IsAlive>
-  TableMaker(std::string name, std::string description, std::size_t rows, IsAlive is_alive) {
+  /// `rows` is the number of rows, or a function that returns it. With a function the table can be refreshed; its
+  /// columns and change sets are then members of the structure, or of what it keeps as long as it lives.
+  template <class Rows, class IsAlive>
+  TableMaker(std::string name, std::string description, Rows rows, IsAlive is_alive) {
     table_.name = std::move(name);
     table_.description = std::move(description);
-    table_.rows = rows;
+    if constexpr (std::is_invocable_v<Rows>) {
+      table_.rows = rows();
+      refresh_ = std::make_shared<Refresh>();
+      refresh_->rows = std::move(rows);
+    } else {
+      table_.rows = rows;
+    }
     table_.is_alive = [is_alive = std::move(is_alive)](RowNumber row) -> bool { return is_alive(Row(row)); };
   }
 
@@ -111,9 +120,15 @@ class TableMaker {
   template <class Other>
   void set_changes_of(const ChangeSet<Other>& changes) {
     table_.changes = {numbers(changes.touched), numbers(changes.removed)};
+    if (refresh_)
+      refresh_->changes = [&changes] { return RowChanges{numbers(changes.touched), numbers(changes.removed)}; };
   }
-  /// The table has no more rows than this.
-  void limit_rows(std::size_t rows) { table_.rows = std::min(table_.rows, rows); }
+  /// The table has no more rows than these values.
+  template <class Values>
+  void limit_rows(const Values& values) {
+    table_.rows = std::min(table_.rows, values.size());
+    if (refresh_) refresh_->limits.push_back([&values] { return values.size(); });
+  }
 
   // Columns that are stored: as a table of their own, or as a member of each row. `reference` is for row numbers, and
   // `flag` for bytes that are 0 or 1.
@@ -165,9 +180,28 @@ class TableMaker {
     return refer(made(std::move(name), std::move(description), std::move(value_of)), target);
   }
 
-  TableColumns take() { return std::move(table_); }
+  TableColumns take() {
+    if (refresh_) table_.refresh = [refresh = std::move(refresh_)](TableColumns& table) { refresh->apply(table); };
+    return std::move(table_);
+  }
 
  private:
+  /// Functions that read where everything is now.
+  struct Refresh {
+    std::function<std::size_t()> rows;
+    std::vector<std::function<std::size_t()>> limits;
+    std::vector<std::pair<std::size_t, std::function<const void*()>>> columns;  // by their places
+    std::function<RowChanges()> changes;
+
+    void apply(TableColumns& table) const {
+      table.rows = rows();
+      for (const auto& limit : limits) table.rows = std::min(table.rows, limit());
+      for (const auto& [column, address] : columns) table.columns[column].data = address();
+      if (changes) table.changes = changes();
+    }
+  };
+
+  std::size_t index_of_last() const { return table_.columns.size() - 1; }
   template <class Other>
   static std::span<const RowNumber> numbers(const std::vector<Other>& rows) {
     static_assert(std::is_standard_layout_v<Other> && sizeof(Other) == sizeof(RowNumber));
@@ -192,16 +226,22 @@ class TableMaker {
     TableColumn& column = add<Value>(std::move(name), std::move(description));
     column.stride = sizeof(Value);
     column.data = values.data();
-    limit_rows(values.size());
+    limit_rows(values);
+    if (refresh_)
+      refresh_->columns.emplace_back(index_of_last(), [&values]() -> const void* { return values.data(); });
     return column;
   }
   template <class Struct, class Value>
   TableColumn& stored(std::string name, std::string description, const std::vector<Struct>& rows,
                       Value Struct::*member) {
     TableColumn& column = add<Value>(std::move(name), std::move(description));
+    const auto address = [&rows, member]() -> const void* {
+      return rows.empty() ? nullptr : std::addressof(rows.front().*member);
+    };
     column.stride = sizeof(Struct);
-    column.data = rows.empty() ? nullptr : std::addressof(rows.front().*member);
-    limit_rows(rows.size());
+    column.data = address();
+    limit_rows(rows);
+    if (refresh_) refresh_->columns.emplace_back(index_of_last(), address);
     return column;
   }
   template <class ValueOf>
@@ -231,6 +271,7 @@ class TableMaker {
   }
 
   TableColumns table_;
+  std::shared_ptr<Refresh> refresh_;  // null: it cannot be refreshed
 };
 
 /// The tables of several makers, which are empty afterwards.

@@ -80,7 +80,7 @@ class ExternalPart final : public mes::LayerPart {
     drawer_.reset();
     inputs_.reset();
     table_ = nullptr;
-    read_.forget();
+    read_.end();
   }
 
   /// False: changes are not known row by row.

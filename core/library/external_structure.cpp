@@ -11,10 +11,10 @@ inline namespace v1 {
 namespace {
 
 /// The table of the program whose rows are those of a table of the experiment; null: there is none.
-const mes::TableColumns* rows_behind(Inputs::Impl& read, const mes::TableColumns& table) {
+std::shared_ptr<mes::TableColumns> rows_behind(Inputs::Impl& read, const mes::TableColumns& table) {
   if (table.rows_of.empty()) return nullptr;
   try {
-    return &read.find(table.rows_of);
+    return std::make_shared<mes::TableColumns>(read.find(table.rows_of));
   } catch (const Error&) {
     return nullptr;  // rows of a table that is no input
   }
@@ -76,7 +76,11 @@ bool ExternalStructure::update(mes::JobControl& job) {
   read_.begin(nullptr);
   if (!is_done) return false;
   has_changes_ = true;
-  for (const mes::TableColumns& table : table_columns())
+  if (own_.empty() || !std::ranges::all_of(own_, [](const auto& table) { return static_cast<bool>(table.refresh); }))
+    own_ = table_columns();
+  else
+    for (mes::TableColumns& table : own_) table.refresh(table);
+  for (const mes::TableColumns& table : own_)
     touched_ += table.changes ? table.changes->touched.size() + table.changes->removed.size() : table.rows + 1;
   return true;
 }
@@ -110,21 +114,25 @@ std::vector<mes::TableColumns> ExternalStructure::table_columns() const {
   read.structures = read_.structures;
   try {
     for (OwnTable& own : theirs_->tables()) {
-      OwnTable::Impl& impl = OwnTableAccess::impl(own);
-      mes::TableColumns table = std::move(impl.table);
-      const mes::TableColumns* const behind = rows_behind(read, table);
-      if (behind != nullptr) table.kind = behind->kind;
-      if (impl.alive != nullptr) {
-        table.rows = std::min(table.rows, impl.alive->size());
-        table.is_alive = [flags = impl.alive](mes::RowNumber row) { return (*flags)[row] != 0; };
-      } else if (behind != nullptr) {
-        table.rows = std::min(table.rows, behind->rows);
+      const std::shared_ptr<const OwnTable::Impl> impl = OwnTableAccess::take(own);
+      const std::shared_ptr<mes::TableColumns> behind = rows_behind(read, impl->table);
+      mes::TableColumns& table = out.emplace_back(impl->table);
+      if (behind) table.kind = behind->kind;
+      if (impl->alive != nullptr)
+        table.is_alive = [flags = impl->alive](mes::RowNumber row) { return (*flags)[row] != 0; };
+      else if (behind)
         table.is_alive = behind->is_alive;
-      } else {
+      else
         table.is_alive = [](mes::RowNumber) { return true; };
-      }
-      if (table.changes && !has_changes_) table.changes = mes::RowChanges{};
-      out.push_back(std::move(table));
+      const auto refresh = [this, impl, behind](mes::TableColumns& to) {
+        impl->refresh(to, has_changes_);
+        // Rows that are alive by another table are rows there.
+        if (!behind || impl->alive != nullptr) return;
+        if (behind->refresh) behind->refresh(*behind);
+        to.rows = std::min(to.rows, behind->rows);
+      };
+      refresh(table);
+      if (!behind || impl->alive != nullptr || behind->refresh) table.refresh = refresh;
     }
   } catch (const std::bad_alloc&) {
     throw;

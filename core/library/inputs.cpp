@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <span>
 #include <utility>
 
@@ -38,8 +39,7 @@ std::string one_line(std::string_view text) {
   return out;
 }
 
-void Inputs::Impl::forget() {
-  known.clear();
+void Inputs::Impl::end() {
   if (run) run->store(kNoMoreRuns, std::memory_order_release);
   run.reset();
 }
@@ -50,7 +50,14 @@ const mes::TableColumns& Inputs::Impl::find(std::string_view table) {
   const auto structure = std::ranges::find(structures, id, [](const mes::Structure* one) { return one->id(); });
   if (structure == structures.end()) refuse(fmt::format("{} is not among the inputs", id));
   auto its = std::ranges::find(known, *structure, &Known::structure);
-  if (its == known.end()) its = known.insert(its, {*structure, (*structure)->table_columns()});
+  if (its == known.end()) {
+    its = known.insert(its, {*structure, (*structure)->table_columns()});
+  } else if (!std::exchange(its->is_fresh, true)) {
+    if (std::ranges::all_of(its->tables, [](const auto& one) { return static_cast<bool>(one.refresh); }))
+      for (mes::TableColumns& one : its->tables) one.refresh(one);
+    else
+      its->tables = (*structure)->table_columns();
+  }
   const auto found = std::ranges::find(its->tables, name, &mes::TableColumns::name);
   if (found == its->tables.end()) refuse_unknown("table", table);
   return *found;
@@ -143,8 +150,21 @@ OwnTable& OwnTable::alive(const std::vector<std::uint8_t>& flags) {
 }
 
 OwnTable& OwnTable::changes(const std::vector<Row>& touched, const std::vector<Row>& removed) {
-  impl_->table.changes = mes::RowChanges{touched, removed};
+  impl_->touched = &touched;
+  impl_->removed = &removed;
   return *this;
+}
+
+void OwnTable::Impl::refresh(mes::TableColumns& out, bool has_changes) const {
+  out.rows = places.empty() ? 0 : std::numeric_limits<std::size_t>::max();
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const Place place = places[i]();
+    out.columns[i].data = place.data;
+    out.rows = std::min(out.rows, place.rows);
+  }
+  if (alive != nullptr) out.rows = std::min(out.rows, alive->size());
+  if (touched == nullptr) return;
+  out.changes = has_changes ? mes::RowChanges{*touched, *removed} : mes::RowChanges{};
 }
 
 OwnTable& OwnTable::refers_to(std::string table) {
@@ -155,18 +175,16 @@ OwnTable& OwnTable::refers_to(std::string table) {
   return *this;
 }
 
-OwnTable& OwnTable::add(std::string name, std::string description, ColumnType type, unsigned width, const void* data,
-                        std::size_t stride, std::size_t rows) {
+OwnTable& OwnTable::add(std::string name, std::string description, ColumnType type, unsigned width,
+                        std::size_t stride, std::function<Place()> place) {
   if (width > 3) refuse(fmt::format("column {} has {} values in a row, more than 3", name, width));
-  mes::TableColumns& table = impl_->table;
-  table.rows = table.columns.empty() ? rows : std::min(table.rows, rows);
-  mes::TableColumn& column = table.columns.emplace_back();
+  mes::TableColumn& column = impl_->table.columns.emplace_back();
+  impl_->places.push_back(std::move(place));
   column.name = std::move(name);
   column.description = std::move(description);
   column.type = inner(type);
   column.width = width;
   column.stride = stride;
-  column.data = data;
   static constexpr std::array<std::string_view, 2> kCoordinates{"x", "y"};
   static constexpr std::array<std::string_view, 3> kNumbers{"0", "1", "2"};
   if (width == 2 && type == ColumnType::float64)

@@ -30,6 +30,7 @@ int main(int argc, char** argv) {
   mes::bench::register_evolving(table);
   mes::bench::register_panes(table);
   mes::bench::register_insight(table);
+  mes::bench::register_experiments(table);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 

@@ -56,5 +56,6 @@ void register_importing(RatioTable& table);
 void register_sampling(RatioTable& table);
 void register_panes(RatioTable& table);
 void register_insight(RatioTable& table);
+void register_experiments(RatioTable& table);
 
 }  // namespace mes::bench

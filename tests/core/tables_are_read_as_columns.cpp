@@ -173,11 +173,35 @@ void check_changes(const FramePatch& patch, const AllTables& tables, const std::
   }
 }
 
-void check_step(const TestBench& bench, std::map<std::string, RowsBefore>& before, std::set<std::string>& followed) {
+/// Tables that were kept since they were first seen are as those that are made anew.
+void check_refreshed(const AllTables& tables, AllTables& kept) {
+  for (const auto& [name, named] : tables) {
+    if (!named.table.refresh) continue;
+    TableColumns& table = kept.try_emplace(name, named).first->second.table;
+    table.refresh(table);
+    INFO(name);
+    REQUIRE(table.rows == named.table.rows);
+    for (std::size_t i = 0; i < table.columns.size(); ++i)
+      REQUIRE(table.columns[i].data == named.table.columns[i].data);
+    REQUIRE(table.changes.has_value() == named.table.changes.has_value());
+    if (!table.changes) continue;
+    REQUIRE(std::ranges::equal(table.changes->touched, named.table.changes->touched));
+    REQUIRE(std::ranges::equal(table.changes->removed, named.table.changes->removed));
+  }
+}
+
+/// What the steps before have left.
+struct Before {
+  std::map<std::string, RowsBefore> rows;
+  AllTables kept;
+};
+
+void check_step(const TestBench& bench, Before& before, std::set<std::string>& followed) {
   const AllTables tables = tables_of_graph(bench.graph());
   check_rows(tables);
-  check_changes(bench.patch(), tables, before, followed);
-  before = copy_of(tables);
+  check_changes(bench.patch(), tables, before.rows, followed);
+  check_refreshed(tables, before.kept);
+  before.rows = copy_of(tables);
 }
 
 }  // namespace
@@ -211,7 +235,7 @@ TEST_CASE("Rows of all tables are sound, and change sets name those that differ"
   std::ranges::generate(positions, somewhere);
   TestBench bench(positions);
   bench.insert_balls({{{0.2, 0.3}, 0.2}, {{0.4, 0.3}, 0.15}, {{0.4, 0.6}, 0.2}, {{2.0, 2.0}, 0.0}});
-  std::map<std::string, RowsBefore> before;
+  Before before;
   std::set<std::string> followed;
   check_step(bench, before, followed);
   ComputationSettings settings;
@@ -237,13 +261,14 @@ TEST_CASE("Rows of all tables are sound, and change sets name those that differ"
     check_step(bench, before, followed);
   }
   CHECK(followed.size() > 5);
+  CHECK(before.kept.contains("delaunay/edges"));
 }
 
 TEST_CASE("Tables of a dense sample follow its edits and its parameters") {
   const TestShape shape = ellipse_graded(2.0, 1.0, 0.25);
   TestBench bench;
   bench.load(shape.data);
-  std::map<std::string, RowsBefore> before;
+  Before before;
   std::set<std::string> followed;
   check_step(bench, before, followed);
   Rng rng(5);

@@ -47,9 +47,10 @@ class ExternalStructure final : public mes::Structure {
   const mes::SettingsSource* settings_ = nullptr;
   std::unique_ptr<v1::Structure> theirs_;
   Inputs::Impl read_;
-  std::vector<double> values_;  // of the parameters, at the last computation
-  std::size_t touched_ = 0;     // rows
-  bool has_changes_ = false;    // an update made some, which its tables name
+  std::vector<double> values_;          // of the parameters, at the last computation
+  std::size_t touched_ = 0;             // rows
+  std::vector<mes::TableColumns> own_;  // as they were after the last update
+  bool has_changes_ = false;            // an update made some, which its tables name
 };
 
 /// The inputs of a structure or a layer, and the settings among them if there are parameters.

@@ -32,14 +32,16 @@ struct Inputs::Impl {
   Impl() = default;
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
-  ~Impl() { forget(); }
+  ~Impl() { end(); }
 
   /// What was read before is outdated. A job of null cannot be stopped.
   void begin(mes::JobControl* its_job) {
-    forget();
+    end();
     job = its_job;
+    for (Known& one : known) one.is_fresh = false;
   }
-  void forget();
+  /// Tables that were given out are outdated.
+  void end();
   /// Error: `usage`.
   const mes::TableColumns& find(std::string_view table);
 
@@ -47,6 +49,7 @@ struct Inputs::Impl {
   struct Known {
     const mes::Structure* structure;
     std::vector<mes::TableColumns> tables;
+    bool is_fresh = true;
   };
   std::deque<Known> known{};  // columns that were given out stay where they are
   std::shared_ptr<RunNumber> run{};
@@ -54,11 +57,17 @@ struct Inputs::Impl {
 
 struct OwnTable::Impl {
   mes::TableColumns table{};
+  std::vector<std::function<Place()>> places{};  ///< of its columns
   const std::vector<std::uint8_t>* alive = nullptr;
+  const std::vector<Row>* touched = nullptr;  ///< null: it does not say which rows differ
+  const std::vector<Row>* removed = nullptr;
+
+  /// Addresses, rows and changes as they are now.
+  void refresh(mes::TableColumns& out, bool has_changes) const;
 };
 
 struct OwnTableAccess {
-  static OwnTable::Impl& impl(OwnTable& table) { return *table.impl_; }
+  static std::shared_ptr<OwnTable::Impl> take(OwnTable& table) { return std::move(table.impl_); }
 };
 
 /// Words of what an experiment threw, in one line.

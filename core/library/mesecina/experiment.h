@@ -124,8 +124,8 @@ class MESECINA_API Inputs {
   Impl& impl_;
 };
 
-/// Describes a table of one's own: its columns lie in vectors that the structure keeps. Nothing is copied, so the
-/// vectors stay where they are until the structure is computed again.
+/// Describes a table of one's own, whose columns are vectors. Nothing is copied: the vectors are members of the structure,
+/// which may grow, shrink and take other memory, but stay themselves as long as the structure lives.
 class MESECINA_API OwnTable {
  public:
   OwnTable(std::string name, std::string description);
@@ -143,18 +143,24 @@ class MESECINA_API OwnTable {
   template <class T>
   OwnTable& column(std::string name, std::string description, const std::vector<T>& values) {
     static_assert(!std::is_same_v<T, bool>, "bits have no address; use std::uint8_t");
-    return add(std::move(name), std::move(description), ColumnValue<T>::type, ColumnValue<T>::width, values.data(),
-               sizeof(T), values.size());
+    return add(std::move(name), std::move(description), ColumnValue<T>::type, ColumnValue<T>::width, sizeof(T),
+               [&values] {
+                 return Place{values.data(), values.size()};
+               });
   }
   /// A column of bytes that are 0 or 1.
   OwnTable& flag(std::string name, std::string description, const std::vector<std::uint8_t>& values) {
-    return add(std::move(name), std::move(description), ColumnType::boolean, 1, values.data(), 1, values.size());
+    return add(std::move(name), std::move(description), ColumnType::boolean, 1, 1, [&values] {
+      return Place{values.data(), values.size()};
+    });
   }
   /// A column that is a member of each row.
   template <class S, class T>
   OwnTable& column(std::string name, std::string description, const std::vector<S>& rows, T S::*member) {
-    return add(std::move(name), std::move(description), ColumnValue<T>::type, ColumnValue<T>::width,
-               rows.empty() ? nullptr : std::addressof(rows.front().*member), sizeof(S), rows.size());
+    return add(std::move(name), std::move(description), ColumnValue<T>::type, ColumnValue<T>::width, sizeof(S),
+               [&rows, member] {
+                 return Place{rows.empty() ? nullptr : std::addressof(rows.front().*member), rows.size()};
+               });
   }
   /// The column that was added last holds row numbers of a table, as in "delaunay/sites".
   OwnTable& refers_to(std::string table);
@@ -163,8 +169,13 @@ class MESECINA_API OwnTable {
 
  private:
   friend struct OwnTableAccess;
-  OwnTable& add(std::string name, std::string description, ColumnType type, unsigned width, const void* data,
-                std::size_t stride, std::size_t rows);
+  /// Where the values of a column are now.
+  struct Place {
+    const void* data;
+    std::size_t rows;
+  };
+  OwnTable& add(std::string name, std::string description, ColumnType type, unsigned width, std::size_t stride,
+                std::function<Place()> place);
   std::unique_ptr<Impl> impl_;
 };
 
@@ -292,8 +303,8 @@ struct ShapeSpec {
   std::vector<ParameterInfo> parameters{};
 };
 
-/// The next positions of all samples, in their order. Samples that may not move stay, whatever it says of them.
-/// `values` has the values of the evolution's parameters in their order.
+/// The next positions of all samples, in their order. Ends of open curves and samples where curves meet stay in the
+/// evolutions of the program (`may_move`); these may move them. `values` has the values of the evolution's parameters in their order.
 using MoveSamples = std::function<std::vector<Point>(const MovingSamples& samples, std::span<const double> values)>;
 /// Closed polygons without repeated first corner, outer ones and holes in any order and direction.
 using MakeShape = std::function<std::vector<std::vector<Point>>(std::span<const double> values)>;

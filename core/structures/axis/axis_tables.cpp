@@ -11,8 +11,9 @@ namespace mes {
 
 std::vector<TableColumns> InnerBalls::table_columns() const {
   const std::string of_faces = table_name(delaunay_.id(), "faces");
-  TableMaker<FaceSlot> faces("faces", "Inner Voronoi balls: circumdisks of inside triangles", delaunay_.face_rows(),
-                             [this](FaceSlot face) { return delaunay_.face(face).is_alive() && is_ball(face); });
+  TableMaker<FaceSlot> faces(
+      "faces", "Inner Voronoi balls: circumdisks of inside triangles", [this] { return delaunay_.face_rows(); },
+      [this](FaceSlot face) { return delaunay_.face(face).is_alive() && is_ball(face); });
   faces.set_kind(ElementKind::voronoi_vertex);
   faces.set_rows_of(of_faces);
   faces.set_changes(changes_);
@@ -25,8 +26,9 @@ std::vector<TableColumns> InnerBalls::table_columns() const {
 }
 
 std::vector<TableColumns> MedialAxis::table_columns() const {
-  TableMaker<EdgeSlot> edges("edges", "Voronoi edges of the one-step axis", delaunay_.edge_rows(),
-                             [this](EdgeSlot edge) { return delaunay_.edge(edge).is_alive() && is_axis_edge(edge); });
+  TableMaker<EdgeSlot> edges(
+      "edges", "Voronoi edges of the one-step axis", [this] { return delaunay_.edge_rows(); },
+      [this](EdgeSlot edge) { return delaunay_.edge(edge).is_alive() && is_axis_edge(edge); });
   edges.set_kind(ElementKind::delaunay_edge);
   edges.set_rows_of(table_name(delaunay_.id(), "edges"));
   edges.set_changes(edge_changes());
@@ -47,9 +49,9 @@ std::vector<TableColumns> MedialAxis::table_columns() const {
 }
 
 std::vector<TableColumns> AxisNodes::table_columns() const {
-  TableMaker<FaceSlot> faces("faces", "Nodes of the one-step axis", delaunay_.face_rows(), [this](FaceSlot face) {
-    return delaunay_.face(face).is_alive() && axis_.is_node(face);
-  });
+  TableMaker<FaceSlot> faces(
+      "faces", "Nodes of the one-step axis", [this] { return delaunay_.face_rows(); },
+      [this](FaceSlot face) { return delaunay_.face(face).is_alive() && axis_.is_node(face); });
   faces.set_kind(ElementKind::voronoi_vertex);
   faces.set_rows_of(table_name(delaunay_.id(), "faces"));
   faces.set_changes(changes_);

@@ -76,7 +76,7 @@ std::vector<TableColumns> GrownComplex::table_columns() const {
   const auto always = [](auto) { return true; };
 
   TableMaker<GrownCornerSlot> corners("corners", "Grown balls", filtration_.corners().size(), always);
-  corners.limit_rows(has_edge_.size());
+  corners.limit_rows(has_edge_);
   corners.set_kind(ElementKind::alpha_corner);
   corners.set_rows_of(table_name(of, "corners"));
   corners.set_changes(corner_changes_);

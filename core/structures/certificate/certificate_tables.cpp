@@ -8,7 +8,7 @@ namespace mes {
 std::vector<TableColumns> AxisCertificate::table_columns() const {
   TableMaker<EdgeSlot> edges("edges", "Border edges, between an inside and an outside face", delaunay_.edge_rows(),
                              [this](EdgeSlot e) { return delaunay_.edge(e).is_alive() && is_border(e); });
-  edges.limit_rows(edge_.size());
+  edges.limit_rows(edge_);
   edges.set_kind(ElementKind::delaunay_edge);
   edges.set_rows_of(table_name(delaunay_.id(), "edges"));
   edges.set_changes(edge_changes_);

@@ -16,7 +16,7 @@ std::vector<TableColumns> AxisFilter::table_columns() const {
 
   TableMaker<EdgeSlot> edges("edges", "Edges of the axis that the filter keeps or removes", delaunay_.edge_rows(),
                              [this](EdgeSlot edge) { return is_edge(edge); });
-  edges.limit_rows(edge_flags_.size());
+  edges.limit_rows(edge_flags_);
   edges.set_kind(ElementKind::delaunay_edge);
   edges.set_rows_of(of_edges);
   edges.set_changes(edge_changes_);
@@ -30,7 +30,7 @@ std::vector<TableColumns> AxisFilter::table_columns() const {
   TableMaker<FaceSlot> faces(
       "faces", "Nodes of the axis that the filter keeps or removes", delaunay_.face_rows(),
       [this](FaceSlot face) { return delaunay_.face(face).is_alive() && axis_.is_node(face); });
-  faces.limit_rows(node_flags_.size());
+  faces.limit_rows(node_flags_);
   faces.set_kind(ElementKind::voronoi_vertex);
   faces.set_rows_of(of_faces);
   faces.set_changes(node_changes_);

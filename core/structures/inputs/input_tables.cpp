@@ -12,8 +12,9 @@
 namespace mes {
 
 std::vector<TableColumns> Samples::table_columns() const {
-  TableMaker<SampleSlot> samples("samples", "Samples of the document", row_count(),
-                                 [this](SampleSlot slot) { return is_alive(slot); });
+  TableMaker<SampleSlot> samples(
+      "samples", "Samples of the document", [this] { return row_count(); },
+      [this](SampleSlot slot) { return is_alive(slot); });
   samples.set_kind(ElementKind::sample);
   samples.set_changes(changes_);
   samples.column("position", "Coordinates of the document", position_);
