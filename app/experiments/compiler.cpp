@@ -154,15 +154,16 @@ std::vector<CompilerMessage> compiler_messages(std::string_view output) {
   return out;
 }
 
-Expected<Compiler> Compiler::find() {
+Expected<Compiler> Compiler::find(std::string_view wanted) {
   Compiler out;
   const auto failure = [](std::string text) { return std::unexpected(Error{ErrorCode::bad_input, std::move(text)}); };
-  out.command = words_of(environment("CXX"));
+  out.command = words_of(wanted);
+  if (out.command.empty()) out.command = words_of(environment("CXX"));
   for (const char* name : {"g++", "clang++", "c++"})
     if (out.command.empty() && is_program_on_path(name)) out.command = {name};
   if (out.command.empty()) return failure("there is no C++ compiler; install g++ or name one by CXX");
   if (out.command.front().find('/') == std::string::npos && !is_program_on_path(out.command.front()))
-    return failure("there is no compiler " + out.command.front() + ", which CXX names");
+    return failure("there is no compiler " + out.command.front());
   const auto headers = find_headers();
   if (!headers) return failure("there is no <mesecina/experiment.h>; install the package libmesecina-dev");
   out.headers = *headers;

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
@@ -30,8 +31,9 @@ struct Compiler {
   std::filesystem::path headers{};     ///< the folder in which `mesecina/experiment.h` lies
   std::filesystem::path cache{};       ///< the folder of what was compiled before
 
-  /// $CXX, or else the first of g++, clang++ and c++ that there is. Error: `bad_input` if there is none, or no headers.
-  static Expected<Compiler> find();
+  /// The wanted words, or else $CXX, or else the first of g++, clang++ and c++ that there is. Error: `bad_input` if there is
+  /// none, or no headers.
+  static Expected<Compiler> find(std::string_view wanted = {});
 };
 
 struct CompiledExperiment {

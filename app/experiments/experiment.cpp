@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/experiments/crash_line.h"
 #include "app/experiments/trial.h"
 #include "app/system/data_folder.h"
 #include "core/graph/registry.h"
@@ -48,7 +49,7 @@ Expected<std::vector<fs::path>> experiment_files(const fs::path& name) {
 
 ExperimentTools ExperimentTools::of_this_program() {
   std::error_code error;
-  return {.program = fs::read_symlink("/proc/self/exe", error)};
+  return {.program = fs::read_symlink("/proc/self/exe", error), .compiler = {}};
 }
 
 Expected<PreparedExperiment> prepare_experiment(const ExperimentTools& tools, const fs::path& file,
@@ -56,7 +57,7 @@ Expected<PreparedExperiment> prepare_experiment(const ExperimentTools& tools, co
   PreparedExperiment out{.file = file};
   fs::path library = file;
   if (!is_library(file)) {
-    const auto compiler = Compiler::find();
+    const auto compiler = Compiler::find(tools.compiler);
     if (!compiler) {
       Error error = compiler.error();
       error.file = file.string();
@@ -85,6 +86,7 @@ Expected<std::shared_ptr<const Registry>> with_experiments(const Registry& regis
   // The registry of the program lives as long as the program.
   if (names.empty()) return std::shared_ptr<const Registry>(std::shared_ptr<void>(), &registry);
   auto out = std::make_shared<Registry>(registry);
+  std::string loaded;
   for (const std::string& name : names) {
     const auto files = experiment_files(name);
     if (!files) return std::unexpected(files.error());
@@ -97,8 +99,10 @@ Expected<std::shared_ptr<const Registry>> with_experiments(const Registry& regis
         added.error().file = file.string();
         return std::unexpected(std::move(added.error()));
       }
+      loaded += (loaded.empty() ? "" : ", ") + file.filename().string();
     }
   }
+  say_at_crash("experiments loaded: " + loaded);
   return out;
 }
 

@@ -28,6 +28,7 @@ Expected<std::vector<std::filesystem::path>> experiment_files(const std::filesys
 struct ExperimentTools {
   /// The program that tries them (`try_experiment`); empty: they are not tried.
   std::filesystem::path program{};
+  std::string compiler{};  ///< as `Compiler::find` takes it
   static ExperimentTools of_this_program();
 };
 

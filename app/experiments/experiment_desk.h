@@ -44,6 +44,8 @@ class ExperimentDesk {
 
   ExperimentDesk(ExperimentTools tools, std::function<void()> wake);
 
+  /// For what is compiled from now on.
+  void use_compiler(const std::string& words) { tools_.compiler = words; }
   /// A file or a folder. Error: as `experiment_files`. One that is there already is prepared anew.
   Expected<void> add(const std::filesystem::path& name);
   /// Prepares it anew though it has not changed.

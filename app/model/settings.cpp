@@ -194,6 +194,8 @@ Settings from_json(const json& object) {
   Settings out;
   read_names(object, "recent_files", out.recent_files);
   read_names(object, "recent_experiments", out.recent_experiments);
+  if (const auto compiler = object.find("compiler"); compiler != object.end() && compiler->is_string())
+    out.compiler = *compiler;
   out.brush.radius_px = number_in(object, "brush_radius_px", 4.0, 200.0, out.brush.radius_px);
   out.spray_spacing_px = number_in(object, "spray_spacing_px", 2.0, 100.0, out.spray_spacing_px);
   out.interface_scale = number_in(object, "interface_scale", 0.5, 4.0, out.interface_scale);
@@ -290,6 +292,7 @@ json to_json(const Settings& settings) {
   return {{"schema", kSchema},
           {"recent_files", settings.recent_files},
           {"recent_experiments", settings.recent_experiments},
+          {"compiler", settings.compiler},
           {"spray_spacing_px", settings.spray_spacing_px},
           {"brush_radius_px", settings.brush.radius_px},
           {"interface_scale", settings.interface_scale},

@@ -41,7 +41,8 @@ inline constexpr double kUsualDetailsShare = 0.4;
 struct Settings {
   std::vector<std::string> recent_files;        ///< absolute paths, newest first, at most kRecentFiles
   std::vector<std::string> recent_experiments;  ///< likewise, at most kRecentFiles
-  double spray_spacing_px = 12.0;               ///< logical pixels, [2, 100]
+  std::string compiler;            ///< of experiments, with its first words; empty: $CXX, or what there is
+  double spray_spacing_px = 12.0;  ///< logical pixels, [2, 100]
   BrushSettings brush{};
   double interface_scale = 1.0;  ///< enlarges the panels beyond what the desktop asks, [0.5, 4]
   Theme theme = Theme::light;

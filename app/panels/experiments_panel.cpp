@@ -10,6 +10,7 @@
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
+#include "imgui_stdlib.h"
 
 namespace mes {
 namespace {
@@ -72,6 +73,12 @@ void ExperimentsPanel::draw_more() const {
       if (ImGui::MenuItem(std::filesystem::path(file).filename().c_str())) add(file);
       tooltip(gui, file);
     }
+  });
+  menu("...", "compiler", false, "The compiler of experiments", [&] {
+    ImGui::TextUnformatted("Compiler");
+    ImGui::SetNextItemWidth(200 * unit);
+    ImGui::InputTextWithHint("##compiler", "$CXX, g++ or clang++", &compiler);
+    tooltip(gui, "A program and its first words, as in \"clang++-16 -O3\"");
   });
 }
 

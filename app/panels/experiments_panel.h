@@ -17,6 +17,7 @@ struct ExperimentsPanel {
   ExperimentDesk& desk;
   std::vector<std::filesystem::path> examples;  ///< that come with the program
   const std::vector<std::string>& recent;
+  std::string& compiler;  ///< of the settings
   std::function<void()> ask_file;
   std::function<void(const std::filesystem::path& file)> add;
   /// Shows a place in a file where one edits it.

@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <utility>
 
+#include "app/experiments/crash_line.h"
 #include "app/system/child_process.h"
 
 namespace mes {
@@ -76,10 +77,15 @@ void ExperimentRun::say(const ExperimentDesk::Entry& entry) {
 }
 
 void ExperimentRun::follow() {
+  desk_.use_compiler(uses_.settings.compiler);
   const auto changed =
       desk_.follow(uses_.work.registry(), [this](const ExperimentDesk::Entry& entry) { say(entry); });
   if (!changed) return;
   uses_.keep_work();
+  std::string loaded;
+  for (const ExperimentDesk::Entry& entry : desk_.entries())
+    if (entry.library) loaded += (loaded.empty() ? "" : ", ") + entry.file.filename().string();
+  say_at_crash(loaded.empty() ? "" : "experiments loaded: " + loaded + "; the journal has what was not saved");
   uses_.work.set_registry(changed);
 }
 

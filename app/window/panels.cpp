@@ -81,7 +81,7 @@ Panels::Panels(const Uses& uses)
           SamplingPanel({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
                          uses.work.document(), uses.board.picture(), uses.messages}),
           {uses.screen.gui, uses.experiments.desk(), uses.experiments.examples(), uses.settings.recent_experiments,
-           [&run = uses.experiments] { run.ask_file(); },
+           uses.settings.compiler, [&run = uses.experiments] { run.ask_file(); },
            [&run = uses.experiments](const std::filesystem::path& file) { run.add(file); },
            [&run = uses.experiments](const std::filesystem::path& file, std::uint64_t line) {
              run.edit(file, line);

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exact signs of the usual questions about points and disks, for code that asks some of them. What asks millions has
 // predicates of its own.
-//
-// Smallest use:
-//     if (side_of_circle(a, b, c, d) > 0) flip(edge);
 #pragma once
 
 #include "core/base/disk.h"

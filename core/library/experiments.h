@@ -1,11 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Experiments for the program: what a shared library adds to a registry, and how it is taken away again.
-//
-// Smallest use:
-//     Registry registry = builtins;
-//     const auto library = ExperimentLibrary::load("gabriel.so");
-//     if (!library) return std::unexpected(library.error());
-//     const auto added = library->add_to(registry);
 #pragma once
 
 #include <filesystem>

@@ -70,8 +70,11 @@ std::string source_with(const std::string& rebuild, const std::string& rest = {}
          "    return out;\n"
          "  }\n"
          "};\n"
-         "MESECINA_EXPERIMENT(experiment) { experiment.add_structure<Mine>({.id = \"mine\", .inputs = "
-         "{\"delaunay\"}}); }\n";
+         "MESECINA_EXPERIMENT(experiment) {\n"
+         "  experiment.add_structure<Mine>({.id = \"mine\", .inputs = {\"delaunay\"}});\n"
+         "  experiment.add_layer({.id = \"mine-layer\", .rows = \"mine/sites\", .kinds = {PrimitiveKind::point}},\n"
+         "                       [](const Inputs&) { return [](Row, Drawn&) {}; });\n"
+         "}\n";
 }
 
 void check_one_line(const RunResult& ran, int exit_code) {
@@ -168,6 +171,14 @@ TEST_CASE("an experiment that crashes ends a trial, not the program") {
   CHECK_THAT(refusal("division.cpp", "volatile int zero = 0; values.resize(inputs.rows(\"delaunay/sites\") / zero);"),
              Catch::Contains("Floating point exception"));
   CHECK_THAT(refusal("abort.cpp", "__builtin_abort();"), Catch::Contains("Aborted"));
+  // One that shows on larger documents alone ends the program, with a line.
+  const RunResult late = workshop.run(
+      {"compute", kBean, "--layers", "mine-layer", "--with",
+       workshop.write("late.cpp", source_with("if (inputs.rows(\"delaunay/sites\") > 150) __builtin_trap();\n"
+                                              "values.assign(inputs.rows(\"delaunay/sites\"), 0.0);"))});
+  INFO(late.err);
+  CHECK(late.exit_code < 0);
+  CHECK_THAT(late.err, Catch::StartsWith("mesecina: crashed (") && Catch::EndsWith("experiments loaded: late.cpp\n"));
   // Exceptions are for the user to see.
   const RunResult thrown =
       workshop.run({"export", kBean, "--with", workshop.write("thrown.cpp", source_with("throw 7;")), "--structure",
@@ -228,4 +239,18 @@ TEST_CASE("the examples hold what structures have to hold") {
   const std::string table = workshop.output_of({"check", "examples/experiments"});
   INFO(table);
   CHECK_THAT(table, Catch::Contains("gabriel"));
+}
+
+TEST_CASE("the sources in the documentation hold what they have to hold") {
+  const Workshop workshop;
+  const std::string text = text_of("docs/experiments.md");
+  const std::string begin = "```cpp\n";
+  int count = 0;
+  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1)) {
+    const std::size_t from = at + begin.size();
+    const std::string file =
+        workshop.write("block" + std::to_string(++count) + ".cpp", text.substr(from, text.find("```", from) - from));
+    CHECK_THAT(workshop.output_of({"check", file}), Catch::Contains(" ok, "));
+  }
+  CHECK(count == 3);
 }

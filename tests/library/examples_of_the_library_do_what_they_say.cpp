@@ -62,7 +62,9 @@ TEST_CASE("an error says what is wrong with a file") {
 TEST_CASE("a ball is a centre and a radius") {
   const mesecina::Ball ball{{0.0, 1.0}, 0.5};
   const double top = ball.center.y + ball.radius;
+  const bool is_left = mesecina::orientation({0.0, 0.0}, {1.0, 0.0}, ball.center) > 0;
   CHECK(top == 1.5);
+  CHECK(is_left);
 }
 
 TEST_CASE("a table is read in place") {
