@@ -142,6 +142,61 @@ std::string identity_of(const std::string& program) {
   return fmt::format("{} {} {}", file.string(), size, time);
 }
 
+/// What the compiler is called with, before and after the files.
+struct Words {
+  std::vector<std::string> before;
+  std::vector<std::string> after;
+};
+
+Words words_for(const Compiler& compiler, std::string_view text) {
+  Words out{.before = compiler.command, .after = {}};
+  for (const char* word : {"-std=c++20", "-O2", "-fPIC", "-shared", "-fvisibility=hidden", "-Wall", "-I"})
+    out.before.emplace_back(word);
+  out.before.push_back(compiler.headers.string());
+  // What two versions have under one name stays apart. Clang keeps it apart without being asked.
+  if (compiler.command.front().find("clang") == std::string::npos) out.before.emplace_back("-fno-gnu-unique");
+  for (std::size_t at = text.find(kFlagsMark); at != std::string_view::npos; at = text.find(kFlagsMark, at + 1)) {
+    const std::size_t begin = at + kFlagsMark.size();
+    for (std::string& word : words_of(text.substr(begin, text.find('\n', begin) - begin)))
+      out.after.push_back(std::move(word));
+  }
+  return out;
+}
+
+/// Differs for another text, another place, other words, and another compiler or program.
+std::string cache_name(const Compiler& compiler, const Words& words, const fs::path& source, std::string_view text) {
+  std::string identity =
+      identity_of(compiler.command.front()) + '\n' + source.string() + '\n' + MESECINA_VERSION "\n";
+  for (const auto* several : {&words.before, &words.after})
+    for (const std::string& word : *several) identity += word + '\n';
+  return source.stem().string() + '-' + hexadecimal(fingerprint_of(identity)) + '-' +
+         hexadecimal(fingerprint_of(text));
+}
+
+/// The library is there, and what the source includes is as it was then.
+bool is_as_compiled(const fs::path& library, const fs::path& inputs) {
+  std::error_code error;
+  const auto known = read_regular_file(inputs);
+  if (!known || !fs::exists(library, error)) return false;
+  std::vector<fs::path> files;
+  std::istringstream lines(*known);
+  for (std::string line; std::getline(lines, line);)
+    if (const std::size_t blank = line.find(' '); blank != std::string::npos)
+      files.emplace_back(line.substr(blank + 1));
+  return fingerprints_of(files) == *known;
+}
+
+std::optional<Error> first_error(const std::vector<CompilerMessage>& messages) {
+  const auto first = std::ranges::find(messages, true, &CompilerMessage::is_error);
+  if (first == messages.end()) return {};
+  const auto count = std::ranges::count(messages, true, &CompilerMessage::is_error);
+  return Error{.code = ErrorCode::bad_input,
+               .text = first->text + (count > 1 ? fmt::format(" (and {} more)", count - 1) : ""),
+               .file = first->file,
+               .line = first->line,
+               .column = first->column};
+}
+
 }  // namespace
 
 std::vector<CompilerMessage> compiler_messages(std::string_view output) {
@@ -186,73 +241,41 @@ Expected<CompiledExperiment> compile_experiment(const Compiler& compiler, const 
   fs::create_directories(compiler.cache, error);
   if (error) return failure(ErrorCode::cannot_write, compiler.cache.string() + ": " + error.message());
 
-  std::vector<std::string> command = compiler.command;
-  for (const char* word :
-       {"-std=c++20", "-O2", "-fPIC", "-shared", "-fno-gnu-unique", "-fvisibility=hidden", "-Wall"})
-    command.emplace_back(word);
-  if (compiler.command.front().find("clang") != std::string::npos) std::erase(command, "-fno-gnu-unique");
-  for (const std::string& word : {std::string("-I"), compiler.headers.string()}) command.push_back(word);
-  std::vector<std::string> last;
-  for (std::size_t at = text->find(kFlagsMark); at != std::string::npos; at = text->find(kFlagsMark, at + 1)) {
-    const std::size_t begin = at + kFlagsMark.size();
-    for (std::string& word : words_of(text->substr(begin, text->find('\n', begin) - begin)))
-      last.push_back(std::move(word));
-  }
+  const Words words = words_for(compiler, *text);
+  const std::string name = cache_name(compiler, words, full, *text);
+  const fs::path library = compiler.cache / (name + ".so");
+  const fs::path inputs = compiler.cache / (name + ".inputs");
+  if (is_as_compiled(library, inputs)) return CompiledExperiment{.library = library, .was_there = true};
 
-  std::string identity = identity_of(compiler.command.front()) + '\n' + full.string() + '\n' + MESECINA_VERSION "\n";
-  for (const auto* words : {&command, &last})
-    for (const std::string& word : *words) identity += word + '\n';
-  const std::string key =
-      full.stem().string() + '-' + hexadecimal(fingerprint_of(identity)) + '-' + hexadecimal(fingerprint_of(*text));
-  const fs::path library = compiler.cache / (key + ".so");
-  const fs::path prints = compiler.cache / (key + ".inputs");
-  if (const auto known = read_regular_file(prints); known && fs::exists(library, error)) {
-    std::vector<fs::path> files;
-    std::istringstream lines(*known);
-    for (std::string line; std::getline(lines, line);)
-      if (const std::size_t blank = line.find(' '); blank != std::string::npos)
-        files.emplace_back(line.substr(blank + 1));
-    if (fingerprints_of(files) == *known) return CompiledExperiment{.library = library, .was_there = true};
-  }
-
-  const std::string part = fmt::format("{}.{}.part", key, ::getpid());
-  const fs::path part_of_library = compiler.cache / (part + ".so");
-  const fs::path part_of_inputs = compiler.cache / (part + ".d");
-  for (const std::string& word : {std::string("-MMD"), std::string("-MF"), part_of_inputs.string(), std::string("-o"),
-                                  part_of_library.string(), full.string()})
-    command.push_back(word);
-  command.insert(command.end(), last.begin(), last.end());
   // Its words are read here, so they are in English.
-  command.insert(command.begin(), {"env", "LC_ALL=C"});
+  std::vector<std::string> command{"env", "LC_ALL=C"};
+  command.insert(command.end(), words.before.begin(), words.before.end());
+  const fs::path part = compiler.cache / fmt::format("{}.{}.part", name, ::getpid());
+  const fs::path listed = part.string() + ".d";
+  for (const std::string& word :
+       {std::string("-MMD"), std::string("-MF"), listed.string(), std::string("-o"), part.string(), full.string()})
+    command.push_back(word);
+  command.insert(command.end(), words.after.begin(), words.after.end());
   ChildProcess process;
   if (const int reason = process.start(command, full.parent_path()); reason != 0)
     return failure(ErrorCode::bad_input, fmt::format("{} cannot be started: {}", compiler.command.front(),
                                                      std::generic_category().message(reason)));
   const bool is_compiled = process.wait(stop);
-  const std::string output = process.complaints();
-  messages = compiler_messages(output);
-  const auto inputs = fingerprints_of(dependencies_in(part_of_inputs));
-  fs::remove(part_of_inputs, error);
-  if (stop.stop_requested() || !is_compiled) fs::remove(part_of_library, error);
+  messages = compiler_messages(process.complaints());
+  const auto prints = fingerprints_of(dependencies_in(listed));
+  fs::remove(listed, error);
+  if (stop.stop_requested() || !is_compiled) fs::remove(part, error);
   if (stop.stop_requested()) return failure(ErrorCode::cancelled, "stopped");
   if (!is_compiled) {
-    const auto first = std::ranges::find(messages, true, &CompilerMessage::is_error);
-    if (first == messages.end()) {
-      const std::string last_line = process.complaint();
-      return failure(ErrorCode::bad_input,
-                     "it does not compile: " + (last_line.empty() ? "the compiler says nothing" : last_line));
-    }
-    const auto count = std::ranges::count(messages, true, &CompilerMessage::is_error);
-    return std::unexpected(Error{.code = ErrorCode::bad_input,
-                                 .text = first->text + (count > 1 ? fmt::format(" (and {} more)", count - 1) : ""),
-                                 .file = first->file,
-                                 .line = first->line,
-                                 .column = first->column});
+    if (auto first = first_error(messages)) return std::unexpected(*std::move(first));
+    const std::string last_line = process.complaint();
+    return failure(ErrorCode::bad_input,
+                   "it does not compile: " + (last_line.empty() ? "the compiler says nothing" : last_line));
   }
-  fs::rename(part_of_library, library, error);
+  fs::rename(part, library, error);
   if (error) return failure(ErrorCode::cannot_write, library.string() + ": " + error.message());
   // Without them it is compiled again next time.
-  if (inputs) static_cast<void>(write_file_atomically(prints, *inputs));
+  if (prints) static_cast<void>(write_file_atomically(inputs, *prints));
   return CompiledExperiment{.library = library, .messages = messages};
 }
 

@@ -28,6 +28,7 @@ std::string contents_in_words(const ExperimentContents& contents) {
   add(contents.parameters.size(), "parameter", "parameters");
   add(contents.evolutions.size(), "evolution", "evolutions");
   add(contents.shapes.size(), "shape", "shapes");
+  add(contents.formats.size(), "format", "formats");
   return out.empty() ? "nothing" : out;
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/color.h"
 #include "core/curves/curve.h"
 #include "core/evolutions/evolution.h"
+#include "core/io/format_spec.h"
 #include "core/library/internal/adapter.h"
 #include "core/library/internal/experiment_parts.h"
 #include "core/library/internal/external_layer.h"
@@ -168,6 +169,38 @@ mes::Expected<mes::MadeShape> made(const MakeShape& make, const mes::ShapeArgume
   return out;
 }
 
+/// What a reader of an experiment gives, if it makes sense.
+mes::Expected<mes::LoadedFile> read_by(const ReadBytes& read, std::string_view bytes, const std::string& name) {
+  const auto failure = [&name](std::string text, std::uint64_t line = 0, std::uint64_t column = 0) {
+    return std::unexpected(mes::Error{mes::ErrorCode::bad_input, std::move(text), name, line, column});
+  };
+  try {
+    const Data data = read(bytes);
+    for (const Contour& contour : data.contours)
+      for (const std::uint32_t point : contour.points)
+        if (point >= data.samples.size()) return failure("a contour names a sample that there is not");
+    mes::LoadedFile out;
+    out.data = v1::inner(data);
+    return out;
+  } catch (const Error& error) {
+    return failure(one_line(error.text()), error.line(), error.column());
+  } catch (const std::bad_alloc&) {
+    throw;
+  } catch (const std::exception& error) {
+    return failure(one_line(error.what()));
+  } catch (...) {
+    return failure("its reader threw something that is no exception");
+  }
+}
+
+mes::Match match_by(const RecognizeBytes& recognize, std::string_view bytes) {
+  try {
+    return recognize && recognize(bytes) ? mes::Match::surely : mes::Match::no;
+  } catch (...) {
+    return mes::Match::no;
+  }
+}
+
 }  // namespace
 
 Structure::~Structure() = default;
@@ -265,6 +298,28 @@ void Experiment::add_shape(const ShapeSpec& spec, MakeShape make) {
     shape->make = [make = std::move(make)](const mes::ShapeArguments& arguments) { return made(make, arguments); };
     impl_.registry.shapes().add(spec.id, std::move(shape));
     impl_.added.shapes.push_back(spec.id);
+  });
+}
+
+void Experiment::add_format(const FormatSpec& spec, ReadBytes read, RecognizeBytes recognize) {
+  guarded([&] {
+    check_new("format", spec.id, impl_.registry.formats().find(spec.id) != nullptr);
+    if (!read) refuse(fmt::format("nothing reads format {}", spec.id));
+    for (const std::string& extension : spec.extensions)
+      if (extension.size() < 2 || extension.front() != '.')
+        refuse(fmt::format("an extension of format {} does not begin with a dot", spec.id));
+    auto format = std::make_shared<mes::Format>();
+    format->descriptor.id = spec.id;
+    format->descriptor.name = one_line(spec.name.empty() ? spec.id : spec.name);
+    format->descriptor.extensions = spec.extensions;
+    format->descriptor.can_read = true;
+    format->may_look_foreign = static_cast<bool>(recognize);
+    format->match = [recognize = std::move(recognize)](std::string_view bytes) { return match_by(recognize, bytes); };
+    format->read = [read = std::move(read)](std::string_view bytes, const std::string& name, mes::ReadJob& /*job*/) {
+      return read_by(read, bytes, name);
+    };
+    impl_.registry.formats().add(spec.id, std::move(format));
+    impl_.added.formats.push_back(spec.id);
   });
 }
 

@@ -11,6 +11,7 @@
 #include "core/document/parameter.h"
 #include "core/evolutions/evolution.h"
 #include "core/graph/registry.h"
+#include "core/io/format_spec.h"
 #include "core/library/internal/experiment_parts.h"
 #include "core/library/internal/inputs.h"
 #include "core/shapes/shape.h"
@@ -80,6 +81,7 @@ void remove_experiment(const ExperimentContents& contents, Registry& registry) {
   for (const std::string& id : contents.parameters) registry.remove_parameter(id);
   for (const std::string& id : contents.evolutions) registry.evolutions().remove(id);
   for (const std::string& id : contents.shapes) registry.shapes().remove(id);
+  for (const std::string& id : contents.formats) registry.formats().remove(id);
 }
 
 }  // namespace mes

@@ -19,8 +19,10 @@ struct ExperimentContents {
   std::vector<std::string> layers{};
   std::vector<std::string> evolutions{};
   std::vector<std::string> shapes{};
+  std::vector<std::string> formats{};
   bool is_empty() const {
-    return parameters.empty() && structures.empty() && layers.empty() && evolutions.empty() && shapes.empty();
+    return parameters.empty() && structures.empty() && layers.empty() && evolutions.empty() && shapes.empty() &&
+           formats.empty();
   }
 };
 

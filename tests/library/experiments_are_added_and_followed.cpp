@@ -424,6 +424,33 @@ TEST_CASE("a stopped experiment is completed by the next run") {
   CHECK(bench.tables("given").empty());
 }
 
+TEST_CASE("a format from outside is read by content and by extension") {
+  const auto read = [](std::string_view bytes) -> Data {
+    if (bytes.starts_with("MINE bad")) throw Error({.code = ErrorCode::bad_input, .text = "not so", .line = 3});
+    if (bytes.starts_with("MINE odd")) return {.samples = {{0.0, 0.0}}, .contours = {{true, {7}}}};
+    if (bytes.starts_with("MINE no")) throw 1;
+    return {.samples = {{0.0, 0.0}, {1.0, 0.0}, {0.0, 1.0}}, .contours = {{true, {0, 1, 2}}}};
+  };
+  const Catalogue catalogue = with([&](Experiment& experiment) {
+    experiment.add_format({.id = "mine", .name = "Mine", .extensions = {".mine"}}, read,
+                          [](std::string_view bytes) { return bytes.starts_with("MINE"); });
+    experiment.add_format({.id = "other", .extensions = {".other"}}, read);
+  });
+  Workbench bench(catalogue);
+  CHECK(bench.open_bytes("MINE", "a file").format == "mine");
+  CHECK(bench.sample_count() == 3);
+  CHECK(bench.open_bytes("anything", "a.other").format == "other");
+  CHECK(message_of([&] { bench.open_bytes("MINE bad", "a file"); }) == "a file:3: not so");
+  CHECK(message_of([&] { bench.open_bytes("MINE odd", "a file"); }).find("that there is not") != std::string::npos);
+  CHECK(message_of([&] { bench.open_bytes("MINE no", "a file"); }).find("no exception") != std::string::npos);
+  CHECK(bench.sample_count() == 3);
+  CHECK(message_of([&] { with([&](Experiment& experiment) { experiment.add_format({.id = "poff"}, read); }); }) ==
+        "there is a format poff already");
+  CHECK_FALSE(message_of([&] {
+                with([&](Experiment& experiment) { experiment.add_format({.id = "x", .extensions = {"x"}}, read); });
+              }).empty());
+}
+
 TEST_CASE("predicates are exact") {
   const Point a{0.0, 0.0}, b{1.0, 0.0}, c{0.0, 1.0};
   const double next = std::nextafter(1.0, 2.0);

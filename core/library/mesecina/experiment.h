@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Experiments: structures, layers, parameters, evolutions and shapes of one's own, beside those of the program.
+// Experiments: structures, layers, parameters, evolutions, shapes and formats of one's own, beside the program's.
 //
 // An experiment is one source file. `mesecina FILE --with gabriel.cpp` compiles it and shows it in the window, where
 // it is styled, recorded, exported and undone like everything else; `compute`, `render`, `play` and `list` take the
@@ -303,11 +303,23 @@ struct ShapeSpec {
   std::vector<ParameterInfo> parameters{};
 };
 
+struct FormatSpec {
+  std::string id{};                       ///< kebab case, new
+  std::string name{};                     ///< as file dialogs show it
+  std::vector<std::string> extensions{};  ///< with the dot, lower case
+};
+
 /// The next positions of all samples, in their order. Ends of open curves and samples where curves meet stay in the
 /// evolutions of the program (`may_move`); these may move them. `values` has the values of the evolution's parameters in their order.
 using MoveSamples = std::function<std::vector<Point>(const MovingSamples& samples, std::span<const double> values)>;
 /// Closed polygons without repeated first corner, outer ones and holes in any order and direction.
 using MakeShape = std::function<std::vector<std::vector<Point>>(std::span<const double> values)>;
+
+/// Samples, contours and balls from the bytes of a file. What it throws says why there are none; an `Error` may say the
+/// line and the column.
+using ReadBytes = std::function<Data(std::string_view bytes)>;
+/// True if the bytes say themselves that they are of the format, whatever the file is called.
+using RecognizeBytes = std::function<bool(std::string_view bytes)>;
 
 /// Adds to a catalogue. Error of all functions: `usage` for an id that is not kebab case or not new, for an unknown
 /// structure, table or parameter, and for numbers that make no sense; the text is one line.
@@ -351,6 +363,8 @@ class MESECINA_API Experiment {
 
   void add_evolution(const EvolutionSpec& spec, MoveSamples move);
   void add_shape(const ShapeSpec& spec, MakeShape make);
+  /// A format that files are read in. Without `recognize` a file is known by its extension alone.
+  void add_format(const FormatSpec& spec, ReadBytes read, RecognizeBytes recognize = {});
 
  private:
   Impl& impl_;
