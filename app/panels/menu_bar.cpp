@@ -166,12 +166,11 @@ void view_menu(const MenuBar& menu) {
   for (const ActionId id : {ActionId::toggle_layers, ActionId::toggle_statistics, ActionId::toggle_parameters})
     action_item(menu, id);
   if (ImGui::BeginMenu("More panels")) {
-    for (const ActionId id :
-         {ActionId::toggle_branches, ActionId::toggle_persistence, ActionId::toggle_sampling, ActionId::toggle_log})
+    for (const ActionId id : {ActionId::toggle_branches, ActionId::toggle_persistence, ActionId::toggle_sampling,
+                              ActionId::toggle_experiments, ActionId::toggle_log})
       action_item(menu, id);
     ImGui::EndMenu();
   }
-  action_item(menu, ActionId::toggle_experiments);
   action_item(menu, ActionId::toggle_panels);
   // Rows in menus of their own, because at twice the size no other row of this one fits a screen of 800 pixels.
   if (ImGui::BeginMenu("Legend and scale")) {

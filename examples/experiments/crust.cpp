@@ -8,8 +8,8 @@
 // all edges between them count, as in the one-step crust. That tests only the two Voronoi vertices at an edge, so it
 // has all edges of the Crust.
 //
-// The second triangulation is exact for the Voronoi vertices as rounded to doubles, which can break a tie. Vertices that
-// lie too far away for a document, whose numbers are at most 2^100 apart, are left out.
+// The second triangulation is exact for the Voronoi vertices as rounded to doubles, which can break a tie. Vertices
+// that lie too far away for a document, whose numbers are at most 2^100 apart, are left out.
 //
 //   mesecina shape.poff --with crust.cpp
 #include <mesecina/experiment.h>

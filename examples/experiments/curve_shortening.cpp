@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Curve-shortening flow: each point of a curve moves along its normal at a speed equal to the curvature.
 //
-// Sources: M. Gage, R. S. Hamilton, The heat equation shrinking convex plane curves, J. Differential Geometry 23 (1986);
-// M. A. Grayson, The heat equation shrinks embedded plane curves to round points, ibid. 26 (1987). A simple closed curve
-// stays simple, becomes convex, and shrinks to a round point; the area inside decreases by 2 pi in a unit of time.
+// Sources: M. Gage, R. S. Hamilton, The heat equation shrinking convex plane curves, J. Differential Geometry 23
+// (1986); M. A. Grayson, The heat equation shrinks embedded plane curves to round points, ibid. 26 (1987). A simple
+// closed curve stays simple, becomes convex, and shrinks to a round point; the area inside decreases by 2 pi in a unit
+// of time.
 //
 // Scheme: K. Deckelnick, G. Dziuk, On the approximation of the curve shortening flow, 1995: x_t = x_uu / |x_u|^2. Its
 // normal part is the flow, and its tangential part evens out the spacing, so that no samples have to be inserted. A

@@ -2,9 +2,9 @@
 // Lloyd's relaxation: each sample moves to the centroid of its Voronoi cell, so that samples spread evenly.
 //
 // Source: S. P. Lloyd, Least squares quantization in PCM, IEEE Transactions on Information Theory 28 (1982); Q. Du, V.
-// Faber, M. Gunzburger, Centroidal Voronoi tessellations, SIAM Review 41 (1999). Cells are clipped to the convex hull of
-// the samples, and samples on the hull stay, so that the hull stays, too: an evolution sees only the present positions,
-// and a hull or box that follows them would shrink or grow from step to step.
+// Faber, M. Gunzburger, Centroidal Voronoi tessellations, SIAM Review 41 (1999). Cells are clipped to the convex hull
+// of the samples, and samples on the hull stay, so that the hull stays, too: an evolution sees only the present
+// positions, and a hull or box that follows them would shrink or grow from step to step.
 //
 // A cell begins as the bounding box, and is cut by the bisectors between the sample and its Delaunay neighbours and by
 // the edges of the hull, in coordinates relative to the sample. Samples at the same position stay together.

@@ -5,7 +5,8 @@
 // Mitchell, M. Wimmer, Curve reconstruction with many fewer samples, Computer Graphics Forum 35 (2016). In both, each
 // sample p chooses the edge to its nearest sample q, and the edge to its half neighbour s, which is the nearest sample
 // on the other side. The NN-crust takes the side where the angle qps is at least 90 degrees. The HNN-crust takes the
-// side where s is nearer to p than to q, which allows angles down to 60 degrees, so it needs fewer samples at sharp bends.
+// side where s is nearer to p than to q, which allows angles down to 60 degrees, so it needs fewer samples at sharp
+// bends.
 //
 // Both look for s among the Delaunay edges at p. Of samples at equal distance p takes the smaller one, first by x and
 // then by y. All decisions are exact. The crust has the edges that one end or both chose; `votes` tells them apart.
