@@ -17,6 +17,7 @@
 #include "app/store/sample_shapes.h"
 #include "core/graph/registry.h"
 #include "core/io/read_file.h"
+#include "core/io/text_numbers.h"
 
 namespace mes::cli {
 namespace {

@@ -2,16 +2,12 @@
 // Sources of a user's own, by --with, new and check.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cmath>
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "inputs.h"
-#include "output_of.h"
-#include "run_binary.h"
-#include "tests/io/temporary_folder.h"
+#include "workshop.h"
 
 using namespace mes::test;
 using Json = nlohmann::json;
@@ -20,41 +16,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* kGabriel = "examples/experiments/gabriel.cpp";
-
-std::string text_of(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  return {std::istreambuf_iterator<char>(in), {}};
-}
-
-/// A compiler that counts how often it was called, and a cache of its own.
-class Workshop {
- public:
-  Workshop() {
-    std::ofstream(compiler()) << "#!/bin/sh\necho called >>'" << calls_file().string() << "'\nexec c++ \"$@\"\n";
-    fs::permissions(compiler(), fs::perms::owner_all);
-  }
-  fs::path operator/(const std::string& name) const { return folder_ / name; }
-  RunOptions options() const {
-    return {.environment = {"CXX=" + compiler().string(), "XDG_CACHE_HOME=" + (folder_ / "cache").string()}};
-  }
-  RunResult run(const std::vector<std::string>& arguments) const { return mes::test::run(arguments, options()); }
-  std::string output_of(const std::vector<std::string>& arguments) const {
-    return mes::test::output_of(arguments, options());
-  }
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return (folder_ / name).string();
-  }
-  std::size_t calls() const {
-    const std::string text = text_of(calls_file());
-    return static_cast<std::size_t>(std::ranges::count(text, '\n'));
-  }
-
- private:
-  fs::path compiler() const { return folder_ / "counting-compiler"; }
-  fs::path calls_file() const { return folder_ / "calls"; }
-  TemporaryFolder folder_;
-};
 
 /// An experiment with a structure, by the body of its `rebuild`.
 std::string source_with(const std::string& rebuild, const std::string& rest = {}) {
@@ -152,7 +113,7 @@ TEST_CASE("what cannot be used as an experiment is said in one line") {
                                     "\"a\"}); throw std::runtime_error(\"not today\"); }\n")),
              Catch::Contains("not today"));
   // Two of one name.
-  const std::string copy = workshop.write("copy.cpp", text_of(kGabriel));
+  const std::string copy = workshop.write("copy.cpp", content_of(kGabriel));
   check_one_line(workshop.run({"list", "layers", "--with", kGabriel, "--with", copy}), 3);
   // No compiler.
   check_one_line(run({"list", "layers", "--with", kGabriel},
@@ -196,7 +157,7 @@ TEST_CASE("every beginning of an experiment passes its checks") {
     const RunResult begun = workshop.run({"new", what, name, "-o", file});
     INFO(begun.err);
     REQUIRE(begun.exit_code == 0);
-    CHECK_THAT(text_of(file), Catch::Contains("\"" + name + "\"") && !Catch::Contains("my-"));
+    CHECK_THAT(content_of(file), Catch::Contains("\"" + name + "\"") && !Catch::Contains("my-"));
     const RunResult again = workshop.run({"new", what, name, "-o", file});
     check_one_line(again, 4);
     CHECK(workshop.run({"new", what, name, "-o", file, "--force"}).exit_code == 0);
@@ -233,42 +194,4 @@ TEST_CASE("a check finds what an update leaves out, and what is no number") {
                                source_with("values.assign(inputs.rows(\"delaunay/sites\"), __builtin_nan(\"\"));"))});
   CHECK(infinite.exit_code == 1);
   CHECK_THAT(infinite.out, Catch::Contains("is not a number"));
-}
-
-TEST_CASE("the examples hold what structures have to hold") {
-  const Workshop workshop;
-  std::vector<std::string> words{"check"};
-  // The axis of the polygon has a case of its own, for checking it takes minutes.
-  for (const auto& entry : fs::directory_iterator("examples/experiments"))
-    if (!entry.path().filename().string().starts_with("polygon_axis")) words.push_back(entry.path().string());
-  CHECK(words.size() > 8);
-  const std::string table = workshop.output_of(words);
-  INFO(table);
-  CHECK_THAT(table, Catch::Contains("gabriel"));
-}
-
-TEST_CASE("an example has the exact axis of a polygon, with a library of its own") {
-  const Workshop workshop;
-  const std::string file = workshop.write("box.poff", "POFF 4 0 0\n0 0\n4 0\n4 2\n0 2\n# loop closed 0 1 2 3\n");
-  const Json out =
-      Json::parse(workshop.output_of({"compute", file, "--with", "examples/experiments/polygon_axis.cpp", "--layers",
-                                      "polygon-axis-lines,polygon-axis-arcs", "--no-timing"}));
-  // The middle, and a diagonal to each corner.
-  CHECK(out["layers"]["polygon-axis-lines"]["segments"] == 5);
-  CHECK(out["layers"]["polygon-axis-lines"]["length"].get<double>() == Approx(2.0 + 4.0 * std::sqrt(2.0)));
-  CHECK(out["layers"]["polygon-axis-arcs"]["segments"] == 0);
-}
-
-TEST_CASE("the sources in the documentation hold what they have to hold") {
-  const Workshop workshop;
-  const std::string text = text_of("docs/experiments.md");
-  const std::string begin = "```cpp\n";
-  int count = 0;
-  for (std::size_t at = text.find(begin); at != std::string::npos; at = text.find(begin, at + 1)) {
-    const std::size_t from = at + begin.size();
-    const std::string file =
-        workshop.write("block" + std::to_string(++count) + ".cpp", text.substr(from, text.find("```", from) - from));
-    CHECK_THAT(workshop.output_of({"check", file}), Catch::Contains(" ok, "));
-  }
-  CHECK(count == 3);
 }
