@@ -24,15 +24,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool is_kebab_case(std::string_view name) {
-  if (name.empty() || name.back() == '-' || !(name.front() >= 'a' && name.front() <= 'z')) return false;
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const char c = name[i];
-    if (!((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || (c == '-' && name[i - 1] != '-'))) return false;
-  }
-  return true;
-}
-
 /// "beta-skeleton" becomes "BetaSkeleton".
 std::string class_name(std::string_view id) {
   std::string out;
@@ -101,26 +92,20 @@ Expected<void> run_check(const Registry& registry, const CheckRequest& request, 
   Registry all = registry;
   std::size_t bad = 0;
   std::string out;
-  for (const std::string& name : request.files) {
-    const auto files = experiment_files(name);
-    if (!files) return std::unexpected(files.error());
-    for (const fs::path& file : *files) {
-      std::vector<CompilerMessage> messages;
-      const auto prepared = prepare_experiment(ExperimentTools::of_this_program(), file, {}, messages);
-      if (!prepared) return std::unexpected(prepared.error());
-      auto added = prepared->library->add_to(all);
-      if (!added)
-        return std::unexpected(Error{.code = added.error().code, .text = added.error().text, .file = file.string()});
-      for (const CompilerMessage& message : messages)
-        say(Error{
-            .text = "warning: " + message.text, .file = message.file, .line = message.line, .column = message.column}
-                .message());
-      for (const CheckResult& result : check_experiment(all, *added)) {
-        out += fmt::format("{:<28} {:<24} {}\n", result.subject, result.property, result.result);
-        bad += result.is_good ? 0 : 1;
-      }
+  const auto check = [&](const fs::path& /*file*/, const ExperimentContents& added,
+                         const std::vector<CompilerMessage>& messages) {
+    for (const CompilerMessage& message : messages) {
+      Error warning{.code = ErrorCode::bad_input, .text = "warning: " + message.text, .file = message.file};
+      warning.line = message.line;
+      warning.column = message.column;
+      say(warning.message());
     }
-  }
+    for (const CheckResult& result : check_experiment(all, added)) {
+      out += fmt::format("{:<28} {:<24} {}\n", result.subject, result.property, result.result);
+      bad += result.is_good ? 0 : 1;
+    }
+  };
+  if (auto good = add_experiments(all, request.files, check); !good) return good;
   if (auto written = write_output("-", out, interruption); !written) return written;
   if (bad == 0) return {};
   return std::unexpected(Error{ErrorCode::cannot_compute,

@@ -256,7 +256,7 @@ struct CompletionsRequest {
 Expected<void> run_completions(const Registry& registry, const CompletionsRequest& request,
                                std::span<const CommandHelp> commands, Interruption& interruption);
 
-/// What `new` can begin.
+/// The kinds of experiments that `new` can begin.
 std::vector<std::string> things_to_begin();
 
 /// What `list` can list.

@@ -107,8 +107,8 @@ class Editor {
     change();
     note_layers(name);
   }
-  /// The function replaces the layers that there are by those of another registry. That is no step of undo, and where the
-  /// layers were not modified they are not afterwards.
+  /// Calls a function that replaces all layers by those of another registry. The call adds no step of undo, and does not
+  /// mark unmodified layers as modified.
   void replace_layers(const std::function<void()>& replace);
   /// Makes it part of the newest step instead: an edit shows what it made.
   void join_layers();

@@ -167,7 +167,7 @@ class Subject {
     const auto digest = bench_.digest(id);
     return digest ? std::string() : digest.error().text;
   }
-  /// What differs between this and another of the same samples; empty: nothing.
+  /// The first difference to another subject with the same samples; empty: they are equal.
   std::string difference_of_structure(const std::string& id, const Subject& other) const {
     const auto mine = bench_.structure(id);
     const auto theirs = other.bench_.structure(id);

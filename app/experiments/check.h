@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the structures of the program have to hold, tried on those of an experiment.
+// Checks an experiment for the properties that the structures of the program have.
 #pragma once
 
 #include <cstdint>

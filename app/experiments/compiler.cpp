@@ -142,7 +142,7 @@ std::string identity_of(const std::string& program) {
   return fmt::format("{} {} {}", file.string(), size, time);
 }
 
-/// What the compiler is called with, before and after the files.
+/// The words of a command before and after the files.
 struct Words {
   std::vector<std::string> before;
   std::vector<std::string> after;
@@ -153,7 +153,7 @@ Words words_for(const Compiler& compiler, std::string_view text) {
   for (const char* word : {"-std=c++20", "-O2", "-fPIC", "-shared", "-fvisibility=hidden", "-Wall", "-I"})
     out.before.emplace_back(word);
   out.before.push_back(compiler.headers.string());
-  // What two versions have under one name stays apart. Clang keeps it apart without being asked.
+  // Static variables of two versions stay apart. Clang keeps them apart without being asked.
   if (compiler.command.front().find("clang") == std::string::npos) out.before.emplace_back("-fno-gnu-unique");
   for (std::size_t at = text.find(kFlagsMark); at != std::string_view::npos; at = text.find(kFlagsMark, at + 1)) {
     const std::size_t begin = at + kFlagsMark.size();
@@ -276,7 +276,7 @@ Expected<CompiledExperiment> compile_experiment(const Compiler& compiler, const 
   if (error) return failure(ErrorCode::cannot_write, library.string() + ": " + error.message());
   // Without them it is compiled again next time.
   if (prints) static_cast<void>(write_file_atomically(inputs, *prints));
-  return CompiledExperiment{.library = library, .messages = messages};
+  return CompiledExperiment{.library = library};
 }
 
 }  // namespace mes

@@ -25,7 +25,7 @@ struct CompilerMessage {
 /// Lines of GCC and of Clang that name a place, errors and warnings alone, in their order.
 std::vector<CompilerMessage> compiler_messages(std::string_view output);
 
-/// What the compiler is called with.
+/// A compiler, its headers, and the place for its results.
 struct Compiler {
   std::vector<std::string> command{};  ///< the program and words that come before all others
   std::filesystem::path headers{};     ///< the folder in which `mesecina/experiment.h` lies
@@ -38,8 +38,7 @@ struct Compiler {
 
 struct CompiledExperiment {
   std::filesystem::path library{};
-  bool was_there = false;                   ///< it was compiled before
-  std::vector<CompilerMessage> messages{};  ///< warnings; after a failure errors, too
+  bool was_there = false;  ///< it was compiled before
 };
 
 /// What it guarantees: a source that was compiled before by the same command, together with all files that it includes

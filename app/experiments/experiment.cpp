@@ -65,7 +65,6 @@ Expected<PreparedExperiment> prepare_experiment(const ExperimentTools& tools, co
     }
     auto compiled = compile_experiment(*compiler, file, stop, messages);
     if (!compiled) return std::unexpected(std::move(compiled.error()));
-    out.messages = std::move(compiled->messages);
     library = std::move(compiled->library);
   }
   const auto named = [&file](Error error) {
@@ -81,12 +80,7 @@ Expected<PreparedExperiment> prepare_experiment(const ExperimentTools& tools, co
   return out;
 }
 
-Expected<std::shared_ptr<const Registry>> with_experiments(const Registry& registry,
-                                                           std::span<const std::string> names) {
-  // The registry of the program lives as long as the program.
-  if (names.empty()) return std::shared_ptr<const Registry>(std::shared_ptr<void>(), &registry);
-  auto out = std::make_shared<Registry>(registry);
-  std::string loaded;
+Expected<void> add_experiments(Registry& registry, std::span<const std::string> names, const OnAdded& on_added) {
   for (const std::string& name : names) {
     const auto files = experiment_files(name);
     if (!files) return std::unexpected(files.error());
@@ -94,14 +88,28 @@ Expected<std::shared_ptr<const Registry>> with_experiments(const Registry& regis
       std::vector<CompilerMessage> messages;
       const auto prepared = prepare_experiment(ExperimentTools::of_this_program(), file, {}, messages);
       if (!prepared) return std::unexpected(prepared.error());
-      auto added = prepared->library->add_to(*out);
+      auto added = prepared->library->add_to(registry);
       if (!added) {
         added.error().file = file.string();
         return std::unexpected(std::move(added.error()));
       }
-      loaded += (loaded.empty() ? "" : ", ") + file.filename().string();
+      on_added(file, *added, messages);
     }
   }
+  return {};
+}
+
+Expected<std::shared_ptr<const Registry>> with_experiments(const Registry& registry,
+                                                           std::span<const std::string> names) {
+  // The registry of the program lives as long as the program.
+  if (names.empty()) return std::shared_ptr<const Registry>(std::shared_ptr<void>(), &registry);
+  auto out = std::make_shared<Registry>(registry);
+  std::string loaded;
+  const auto note = [&loaded](const fs::path& file, const ExperimentContents& /*added*/,
+                              const std::vector<CompilerMessage>& /*messages*/) {
+    loaded += (loaded.empty() ? "" : ", ") + file.filename().string();
+  };
+  if (auto good = add_experiments(*out, names, note); !good) return std::unexpected(std::move(good.error()));
   say_at_crash("experiments loaded: " + loaded);
   return out;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -24,7 +25,7 @@ bool is_experiment_file(const std::filesystem::path& file);
 /// neither, or a folder without experiments.
 Expected<std::vector<std::filesystem::path>> experiment_files(const std::filesystem::path& name);
 
-/// What is needed to prepare experiments. Neither is looked for before it is needed.
+/// The programs that prepare experiments.
 struct ExperimentTools {
   /// The program that tries them (`try_experiment`); empty: they are not tried.
   std::filesystem::path program{};
@@ -35,7 +36,6 @@ struct ExperimentTools {
 /// An experiment that can be added.
 struct PreparedExperiment {
   std::filesystem::path file{};  ///< as the user named it
-  std::vector<CompilerMessage> messages{};
   std::optional<ExperimentLibrary> library{};
 };
 
@@ -43,6 +43,12 @@ struct PreparedExperiment {
 /// `compile_experiment`, `try_experiment` and `ExperimentLibrary::load`; file and text name the experiment.
 Expected<PreparedExperiment> prepare_experiment(const ExperimentTools& tools, const std::filesystem::path& file,
                                                 const std::stop_token& stop, std::vector<CompilerMessage>& messages);
+
+/// Adds the experiments of these names, in their order, and calls `on_added` after each with what it added and what the
+/// compiler said. Waits for compilers and trials. Error: the first of any of them; experiments before it stay added.
+using OnAdded = std::function<void(const std::filesystem::path& file, const ExperimentContents& added,
+                                   const std::vector<CompilerMessage>& messages)>;
+Expected<void> add_experiments(Registry& registry, std::span<const std::string> names, const OnAdded& on_added);
 
 /// The registry with all that these names stand for, in their order; without names, the given one, which has to outlive
 /// it. Error: the first of any of them.

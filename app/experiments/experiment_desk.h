@@ -56,7 +56,7 @@ class ExperimentDesk {
 
   bool is_busy() const { return job_.is_under_way(); }
   /// Once a turn: takes what was prepared, and begins with what has changed. Returns another registry in place of the one
-  /// it is given, or null. `on_news` is told of each experiment that was prepared.
+  /// it is given, or null. `on_news` is called for each experiment that was prepared.
   std::shared_ptr<const Registry> follow(const Registry& present, const std::function<void(const Entry&)>& on_news);
 
  private:

@@ -14,8 +14,8 @@ class Registry;
 /// The first word of the command by which the program tries an experiment.
 inline constexpr const char* kTrialCommand = "try-experiment";
 
-/// Computes and draws all that a shared library adds, of a few small documents and through some edits. Exceptions are no
-/// reason to fail: whoever uses the experiment sees them. Returns the exit code of the process.
+/// Computes and draws all that a shared library adds, of a few small documents and through some edits. Exceptions do
+/// not count, because the user sees them later. Returns the exit code of the process.
 int run_trial(const Registry& registry, const std::filesystem::path& library);
 
 /// Runs `program try-experiment LIBRARY`, unless this library has passed before. Error: `bad_input` if it is ended by a

@@ -37,8 +37,8 @@ class BundleDesk {
   void choose(std::size_t index, const LayerConfiguration& as);
   /// To be called when the layers may have changed otherwise, as by undo.
   void follow_layers() { current_.follow(layers_); }
-  /// The function replaces the layers that there are by those of another registry: a bundle that is shown as it was saved
-  /// stays the one that is shown.
+  /// Calls a function that replaces all layers by those of another registry. A bundle that is shown as it was saved stays
+  /// the shown one.
   void replace_layers(const std::function<void()>& replace);
   /// The layers as they are, under a new name or over the bundle of that name.
   Expected<void> save(const std::string& name);

@@ -22,12 +22,7 @@ inline namespace v1 {
 namespace {
 
 void check_id(std::string_view what, std::string_view id) {
-  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
-  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
-  bool is_good = !id.empty() && is_small(id.front()) && id.back() != '-';
-  for (std::size_t i = 0; i < id.size(); ++i)
-    is_good = is_good && (is_small(id[i]) || is_digit(id[i]) || (id[i] == '-' && id[i - 1] != '-'));
-  if (!is_good)
+  if (!mes::is_kebab_case(id))
     refuse(fmt::format("\"{}\" is no id of a {}: small letters and digits, with a hyphen between words", one_line(id),
                        what));
 }

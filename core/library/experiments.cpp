@@ -38,6 +38,15 @@ std::string loader_error(const std::filesystem::path& file) {
 
 }  // namespace
 
+bool is_kebab_case(std::string_view id) {
+  const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
+  const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+  if (id.empty() || !is_small(id.front()) || id.back() == '-') return false;
+  for (std::size_t i = 0; i < id.size(); ++i)
+    if (!is_small(id[i]) && !is_digit(id[i]) && (id[i] != '-' || id[i - 1] == '-')) return false;
+  return true;
+}
+
 Expected<ExperimentLibrary> ExperimentLibrary::load(const std::filesystem::path& file) {
   std::error_code failed;
   // Without a slash the loader would look elsewhere.

@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/base/error.h"
@@ -11,6 +13,9 @@
 namespace mes {
 
 class Registry;
+
+/// Small letters and digits in words with a hyphen between them, as in "beta-skeleton"; the first is a letter.
+bool is_kebab_case(std::string_view id);
 
 /// Ids of what an experiment has added, in this order.
 struct ExperimentContents {

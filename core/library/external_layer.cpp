@@ -15,8 +15,8 @@ using DrawnRow = mes::Slot<struct DrawnRowTag>;
 
 /// Draws the rows of one table by what the experiment prepared.
 ///
-/// What it guarantees: an experiment that leaves out changes draws something outdated, or fails; it never writes where
-/// there is no row.
+/// What it guarantees: an experiment that leaves out changes draws something outdated, or fails. Rows beyond the end of
+/// the table are never written.
 class ExternalPart final : public mes::LayerPart {
  public:
   ExternalPart(std::shared_ptr<const ExternalLayerSpec> spec, const mes::StructureSet& set)

@@ -16,7 +16,7 @@ std::shared_ptr<mes::TableColumns> rows_behind(Inputs::Impl& read, const mes::Ta
   try {
     return std::make_shared<mes::TableColumns>(read.find(table.rows_of));
   } catch (const Error&) {
-    return nullptr;  // rows of a table that is no input
+    return nullptr;  // the table belongs to no input
   }
 }
 

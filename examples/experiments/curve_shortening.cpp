@@ -37,8 +37,8 @@ double length(const Contour& curve, std::span<const Point> at) {
   return sum;
 }
 
-/// Solves -a_i x_(i-1) + (1 + 2 a_i + extra_i) x_i - a_i x_(i+1) = right_i, where there is no x before the first and
-/// none after the last. The matrix is diagonally dominant, so elimination needs no pivots.
+/// Solves -a_i x_(i-1) + (1 + 2 a_i + extra_i) x_i - a_i x_(i+1) = right_i. The terms before the first x and behind the
+/// last one are zero. The matrix is diagonally dominant, so elimination needs no pivots.
 Numbers solve_open(const Numbers& a, const Numbers& extra, Numbers right) {
   const std::size_t count = a.size();
   Numbers factor(count, 0.0);

@@ -136,7 +136,7 @@ struct Axis {
     return {};
   }
 
-  /// Says of each Voronoi vertex that is no corner whether it is inside; nothing if sides do not separate regions.
+  /// Decides for each Voronoi vertex other than a corner whether it is inside; empty if sides do not separate regions.
   static std::map<Face, bool> find_inside(const Graph& graph, const Sides& sides) {
     std::map<Face, std::vector<std::pair<Face, bool>>> ways;
     for (auto face = graph.all_faces_begin(); face != graph.all_faces_end(); ++face)
