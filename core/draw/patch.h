@@ -93,6 +93,7 @@ struct NodeReport {
   std::string reason;               ///< one line, when failed or blocked
   std::vector<SampleId> witnesses;  ///< culprits of a failure
   bool is_refused = false;          ///< it failed because it would be too large
+  std::uint64_t computed = 0;       ///< run in which it, or what it is computed from, was last computed; 0 = never
   double update_ms = 0.0;           ///< own time of the last rebuild or update, inputs not counted
   std::uint64_t touched = 0;        ///< rows touched by the last update
   bool rebuilt = false;             ///< the last one was a rebuild

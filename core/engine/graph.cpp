@@ -348,6 +348,9 @@ void Graph::report_node(StructureNode& node, NodeReport& report) {
   if (report.reason != node.reason) report.reason = node.reason;
   if (report.witnesses != node.witnesses) report.witnesses = node.witnesses;
   report.is_refused = node.is_refused;
+  node.computed = node.tried;
+  for (const std::size_t input : node.inputs) node.computed = std::max(node.computed, nodes_[input].computed);
+  report.computed = node.computed;
   report.update_ms = node.ms;
   report.touched = node.changed == run_ ? node.touched : 0;
   report.rebuilt = node.last_was_rebuild;

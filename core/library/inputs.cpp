@@ -40,8 +40,8 @@ std::string one_line(std::string_view text) {
 }
 
 void Inputs::Impl::end() {
-  if (run) run->store(kNoMoreRuns, std::memory_order_release);
-  run.reset();
+  if (clock) clock->close();
+  clock.reset();
 }
 
 const mes::TableColumns& Inputs::Impl::find(std::string_view table) {
@@ -66,9 +66,9 @@ const mes::TableColumns& Inputs::Impl::find(std::string_view table) {
 Table Inputs::table(std::string_view id) const {
   return guarded([&] {
     const mes::TableColumns& table = impl_.find(id);
-    if (!impl_.run) impl_.run = std::make_shared<RunNumber>(0);
+    if (!impl_.clock) impl_.clock = std::make_shared<RunClock>(1);
     return Table(std::make_shared<TableAccess>(
-        TableAccess{.info = info_of(id.substr(0, id.find('/')), table), .table = table, .last_run = impl_.run}));
+        TableAccess{.info = info_of(id.substr(0, id.find('/')), table), .table = table, .clock = impl_.clock}));
   });
 }
 

@@ -170,12 +170,20 @@ void Workbench::run() {
 
 void Workbench::run(Job& job) {
   Impl& to = impl();
-  to.last_run->fetch_add(1, std::memory_order_acq_rel);
+  to.clock->begin_run();
+  // Tables of what the run did not compute are where they were.
+  const auto count_computed = [&to] {
+    const std::span<const mes::NodeReport> nodes = to.bench.nodes();
+    if (nodes.empty()) return;  // there was no room for them
+    for (std::size_t i = 0; i < to.registry().structures().size(); ++i) to.clock->set_computed(i, nodes[i].computed);
+    to.clock->open();
+  };
   guarded([&] {
     to.has_gap_before = std::exchange(to.was_stopped, true);
     const TaskWatch watch(to.bench, job);
     const auto done = to.bench.run(JobAccess::control(job));
     to.was_stopped = !done && done.error().code != mes::ErrorCode::cannot_compute;
+    count_computed();
     if (!done) raise_of(done.error(), to.bench.nodes(), {});
   });
 }
@@ -201,8 +209,10 @@ std::vector<Table> Workbench::tables(std::string_view structure) const {
       auto access = std::make_shared<TableAccess>();
       access->info = info_of(structure, table);
       access->table = std::move(table);
-      access->last_run = of.last_run;
-      access->run = of.last_run->load(std::memory_order_acquire);
+      access->clock = of.clock;
+      access->structure = static_cast<std::size_t>(node - of.bench.nodes().begin());
+      access->computed = node->computed;
+      access->run = of.clock->run();
       access->is_rebuilt = node->rebuilt || of.has_gap_before;
       out.push_back(Table(std::move(access)));
     }

@@ -79,7 +79,7 @@ TableInfo info_of(std::string_view structure, const mes::TableColumns& table) {
 }
 
 const mes::TableColumns& TableAccess::current() const {
-  if (!is_current()) refuse(fmt::format("table {} is outdated by a later run", info.id));
+  if (!is_current()) refuse(fmt::format("table {} is outdated: a later run computed its structure", info.id));
   return table;
 }
 
@@ -167,6 +167,8 @@ Column Table::column(std::string_view name) const {
 
 std::optional<RowChanges> Table::changes() const {
   const mes::TableColumns& table = access_->current();
+  if (access_->run != access_->clock->run())
+    refuse(fmt::format("table {} was made before the last run, whose changes it does not know", access_->info.id));
   if (access_->is_rebuilt || !table.changes) return {};
   return RowChanges{table.changes->touched, table.changes->removed};
 }

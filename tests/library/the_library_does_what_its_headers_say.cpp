@@ -220,6 +220,53 @@ TEST_CASE("a table says what changed, and when it is outdated") {
   CHECK(kept->id() == "delaunay/faces");
 }
 
+TEST_CASE("a run that only computes more leaves tables and instances where they are") {
+  Workbench bench;
+  const std::vector<SampleId> ids = bench.insert(ellipse(300));
+  bench.need({"inner-balls"});
+  bench.show({"medial-axis"});
+  bench.run();
+  const Table balls = bench.table("inner-balls/faces");
+  const auto radius = balls.column("radius").values<double>();
+  const std::vector<double> radii = balls.column("radius").copy<double>();
+  const Instances axis = bench.instances("medial-axis", PrimitiveKind::segment);
+  const std::vector<double> segments(axis.values.begin(), axis.values.end());
+
+  std::vector<std::string> structures, layers;
+  for (const StructureInfo& structure : bench.catalogue().structures()) structures.push_back(structure.id);
+  for (const LayerInfo& layer : bench.catalogue().layers()) layers.push_back(layer.id);
+  bench.need(structures);
+  bench.show(layers);
+  bench.want_findings();
+  bench.run();
+  CHECK(balls.is_current());
+  CHECK(balls.column("radius").data() == radius.data());
+  CHECK(std::equal(radii.begin(), radii.end(), radius.begin(), radius.end()));
+  CHECK(std::ranges::equal(axis.values, segments));
+  CHECK(bench.instances("medial-axis", PrimitiveKind::segment).values.data() == axis.values.data());
+  CHECK(code_of([&] { balls.changes(); }) == ErrorCode::usage);
+  const auto changes = bench.table("inner-balls/faces").changes();
+  CHECK((!changes || (changes->touched.empty() && changes->removed.empty())));
+
+  // A setting moves what depends on it, and an edit what is computed from the samples.
+  const Table filtered = bench.table("lambda-axis/edges");
+  bench.set("lambda-limit", 0.5);
+  bench.run();
+  CHECK(balls.is_current());
+  CHECK_FALSE(filtered.is_current());
+  bench.move(ids[3], {0.1, 0.2});
+  bench.run();
+  CHECK_FALSE(balls.is_current());
+
+  // What is not needed any more is not kept.
+  const Table again = bench.table("inner-balls/faces");
+  bench.need({"delaunay"});
+  bench.show({"points"});
+  bench.want_findings(false);
+  bench.run();
+  CHECK_FALSE(again.is_current());
+}
+
 TEST_CASE("tables are written as files, and what the caller throws comes back") {
   Workbench bench;
   bench.insert(ellipse(20));

@@ -19,14 +19,14 @@ struct Workbench::Impl {
       : catalogue(its_catalogue),
         bench(*CatalogueAccess::registry(catalogue),
               {.keeps_history = options.keeps_history, .keeps_instances = options.keeps_instances}) {}
-  ~Impl() { last_run->store(kNoMoreRuns, std::memory_order_release); }
+  ~Impl() { clock->close(); }
   Impl(const Impl&) = delete;
   Impl& operator=(const Impl&) = delete;
 
   const mes::Registry& registry() const { return *CatalogueAccess::registry(catalogue); }
 
   Catalogue catalogue;  // outlives the workbench
-  std::shared_ptr<RunNumber> last_run = std::make_shared<RunNumber>(0);
+  std::shared_ptr<RunClock> clock = std::make_shared<RunClock>(registry().structures().size());
   bool was_stopped = false;     // the last run, or it found no room
   bool has_gap_before = false;  // the run before it was: changes of tables were forgotten
   mes::Workbench bench;

@@ -52,7 +52,7 @@ struct Inputs::Impl {
     bool is_fresh = true;
   };
   std::deque<Known> known{};  // columns that were given out stay where they are
-  std::shared_ptr<RunNumber> run{};
+  std::shared_ptr<RunClock> clock{};
 };
 
 struct OwnTable::Impl {

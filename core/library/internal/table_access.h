@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <memory>
 #include <string_view>
+#include <vector>
 
 #include <mesecina/table.h>
 
@@ -14,20 +15,47 @@
 namespace mesecina {
 inline namespace v1 {
 
-/// Number of the last run that a workbench has begun. Tables and workbench share it.
-using RunNumber = std::atomic<std::uint64_t>;
-inline constexpr std::uint64_t kNoMoreRuns = 0xffffffffffffffffULL;
+/// What a workbench and its tables share: which runs there were, and which structures they computed.
+class RunClock {
+ public:
+  explicit RunClock(std::size_t structures) : computed_(structures) {}
+
+  /// No table can be read until `open`.
+  void begin_run() noexcept {
+    close();
+    run_.fetch_add(1, std::memory_order_acq_rel);
+  }
+  /// The tables of the structure may have moved in that run, but not since.
+  void set_computed(std::size_t structure, std::uint64_t run) noexcept {
+    computed_[structure].store(run, std::memory_order_relaxed);
+  }
+  void open() noexcept { is_open_.store(true, std::memory_order_release); }
+  void close() noexcept { is_open_.store(false, std::memory_order_release); }
+
+  std::uint64_t run() const noexcept { return run_.load(std::memory_order_acquire); }
+  std::uint64_t computed(std::size_t structure) const noexcept {
+    return computed_[structure].load(std::memory_order_relaxed);
+  }
+  bool is_open() const noexcept { return is_open_.load(std::memory_order_acquire); }
+
+ private:
+  std::atomic<std::uint64_t> run_ = 0;
+  std::atomic<bool> is_open_ = true;
+  std::vector<std::atomic<std::uint64_t>> computed_;
+};
 
 TableInfo info_of(std::string_view structure, const mes::TableColumns& table);
 
 struct TableAccess {
   TableInfo info;
   mes::TableColumns table;
-  std::shared_ptr<const RunNumber> last_run;
-  std::uint64_t run = 0;    ///< that the table was made after
-  bool is_rebuilt = false;  ///< every row may be new
+  std::shared_ptr<const RunClock> clock;
+  std::size_t structure = 0;   ///< its number in the clock
+  std::uint64_t computed = 0;  ///< run in which its structure was computed
+  std::uint64_t run = 0;       ///< run after which the table was made
+  bool is_rebuilt = false;     ///< every row may be new
 
-  bool is_current() const noexcept { return last_run->load(std::memory_order_acquire) == run; }
+  bool is_current() const noexcept { return clock->is_open() && clock->computed(structure) == computed; }
   /// Error: `usage`.
   const mes::TableColumns& current() const;
 };

@@ -128,7 +128,8 @@ constexpr std::string_view name_of(PrimitiveKind kind) noexcept {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-/// The instances of one kind of one layer, in place. Valid until the next run of the workbench that gave them.
+/// The instances of one kind of one layer, in place. Valid until a run of their workbench follows an edit, a setting or the
+/// end of the layer's being shown.
 struct Instances {
   PrimitiveKind kind = PrimitiveKind::point;
   std::span<const double> values{};  ///< `stride_of(kind)` doubles for each instance

@@ -11,8 +11,9 @@
 //  2. Every column can be read for each row below `rows()`. Values of rows that are not alive mean nothing.
 //  3. A row number in a column that refers to a table is a row that is alive there, or `kNoRow`, or the column's
 //     `infinity`. Where a computed column has no value for a living row, a double is NaN and a row number `kNoRow`.
-//  4. A table is valid until the next run of its workbench, also across edits without a run. Reading it afterwards
-//     throws `usage`; `is_current` asks beforehand. Pointers and `Values` taken earlier dangle then, as iterators do.
+//  4. A table is valid until a run computes its structure, or a structure behind it, and as long as the structure is needed.
+//     Edits without a run, and runs for which nothing changed, leave it where it is. Reading it afterwards throws `usage`;
+//     `is_current` asks beforehand. Pointers and `Values` taken earlier dangle then, as iterators do.
 //  5. A table stays safe to destroy and to ask `is_current` after its workbench is gone.
 //
 // Smallest use:
@@ -286,8 +287,9 @@ class MESECINA_API Table {
   Column column(std::string_view name) const;
   /// Rows that the last run changed; empty lists: none. Nothing: any row may differ, since the structure was computed
   /// as a whole or does not follow its rows, or the run before was stopped. Who leaves out a run misses its changes.
+  /// Error: `usage` if there was a run since the table was made.
   std::optional<RowChanges> changes() const;
-  /// No run has begun since the table was made, and its workbench lives.
+  /// The table can be read: guarantee 4 holds for it, no run goes on, and its workbench lives.
   bool is_current() const noexcept;
 
   /// Hands the table out as a file, piece by piece: "csv" with the living rows after a line of names, or "npy", an array

@@ -30,7 +30,8 @@ inline namespace v1 {
 /// no data, but for `get_ready`, which ends. A stop takes effect within a moment, except while a library that reads XML or decodes a picture is at work.
 /// One job may serve several calls, one after the other.
 ///
-/// Threads: all functions may be called from any thread while another one does the job.
+/// Threads: all functions may be called from any thread while another one does the job. `stop` may be called by a signal
+/// handler, unless the job was made with a token.
 class MESECINA_API Job {
  public:
   Job();
@@ -160,7 +161,9 @@ MESECINA_API Data make_shape(const Catalogue& catalogue, std::string_view shape,
 ///  5. After a `run` with the error `cancelled`, instances and digests are as before it, and no table can be read. The
 ///     next run completes the work.
 ///  6. Results are never outdated: what is read by an id is of the last run, or throws.
-///  7. After an edit, `load` or `open` with the error `out_of_memory`, the workbench can only be destroyed. After such a run
+///  7. A run that follows no edit and no change of settings moves no table of a structure that stays needed and no
+///     instances of a layer that stays shown, whatever else is demanded now.
+///  8. After an edit, `load` or `open` with the error `out_of_memory`, the workbench can only be destroyed. After such a run
 ///     results are errors until a later run succeeds.
 ///
 /// Smallest use:
