@@ -110,11 +110,11 @@ class Graph {
     bool needed_itself = false;           ///< named in `set_needed_structures`
     bool needed = false;  ///< it is read by a demanded layer or a needed structure, is a judge, or needed itself
     NodeState state = NodeState::inactive;
-    std::uint64_t synced = 0;   ///< run in which it was last known to be true to its inputs; 0 = never
-    std::uint64_t tried = 0;    ///< run in which it was last computed, well or not
-    std::uint64_t changed = 0;  ///< run in which its tables last changed
+    std::uint64_t synced = 0;    ///< run in which it was last known to be true to its inputs; 0 = never
+    std::uint64_t tried = 0;     ///< run in which it was last computed, well or not
+    std::uint64_t changed = 0;   ///< run in which its tables last changed
     std::uint64_t computed = 0;  ///< run in which it, or what it is computed from, was last tried
-    std::uint64_t rebuilt = 0;  ///< run in which they were last rebuilt
+    std::uint64_t rebuilt = 0;   ///< run in which they were last rebuilt
     bool last_was_rebuild = false;
     bool has_changes = false;  ///< its change sets are those of an earlier run, perhaps one that was stopped
     double ms = 0.0;

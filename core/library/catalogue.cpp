@@ -54,7 +54,11 @@ LayerInfo info_of(const mes::LayerDescriptor& layer) {
                 .parameters = layer.parameters,
                 .scalar = std::string(layer.scalar),
                 .is_visible_at_start = layer.visible_at_start,
-                .follows_settings = layer.follows_settings};
+                .follows_settings = layer.follows_settings,
+                .color = {layer.style.color.r / 255.0, layer.style.color.g / 255.0, layer.style.color.b / 255.0},
+                .opacity = layer.style.opacity,
+                .line_width = layer.style.line_width_px,
+                .point_size = layer.style.point_size_px};
   for (const mes::PrimitiveKind kind : layer.kinds) out.kinds.push_back(static_cast<PrimitiveKind>(kind));
   return out;
 }

@@ -230,6 +230,12 @@ void Workbench::end_step() noexcept {
   if (impl_ && impl_->bench.history().in_gesture()) impl_->bench.end_step();
 }
 
+void Workbench::forget_history() {
+  mes::Workbench& bench = impl().bench;
+  if (bench.history().in_gesture()) refuse("a step is open");
+  bench.forget_history();
+}
+
 bool Workbench::undo() {
   mes::Workbench& bench = impl().bench;
   return guarded([&] { return bench.history().can_undo() && bench.undo(); });

@@ -106,6 +106,8 @@ class Workbench {
   /// Both return false if there is nothing to undo or redo.
   bool undo() { return apply_all(history_.undo()); }
   bool redo() { return apply_all(history_.redo()); }
+  /// Nothing can be undone or redone then. Not inside a step.
+  void forget_history() { history_.clear(); }
 
   const Document& document() const& { return document_; }
   /// Gives the document away. The workbench cannot be used afterwards.

@@ -188,6 +188,24 @@ TEST_CASE("a view of a column has the values that a copy has") {
   CHECK(static_cast<double>(faces.live_rows().size()) >= bench.number("delaunay", "faces"));
 }
 
+TEST_CASE("history can be forgotten") {
+  Workbench bench;
+  const SampleId id = bench.insert({1.0, 2.0});
+  bench.begin_step("Move");
+  CHECK(code_of([&] { bench.forget_history(); }) == ErrorCode::usage);
+  bench.move(id, {3.0, 4.0});
+  bench.end_step();
+  bench.undo();
+  bench.forget_history();
+  CHECK_FALSE(bench.can_undo());
+  CHECK_FALSE(bench.can_redo());
+  CHECK(*bench.position(id) == Point{1.0, 2.0});
+  bench.move(id, {5.0, 6.0});
+  CHECK(bench.undo());
+  CHECK_FALSE(bench.undo());
+  CHECK(bench.sample_count() == 1);
+}
+
 TEST_CASE("a table says what changed, and when it is outdated") {
   std::optional<Table> kept;
   {

@@ -17,6 +17,7 @@
 // Threads: several threads may read a catalogue.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -50,6 +51,10 @@ struct LayerInfo {
   std::string scalar{};                   ///< the meaning of an instance's scalar; empty: it has none
   bool is_visible_at_start = false;
   bool follows_settings = false;  ///< it depends on the number type or on parameters
+  std::array<double, 3> color{};  ///< default style: red, green, blue, from 0 to 1
+  double opacity = 1.0;
+  double line_width = 1.0;  ///< in pixels
+  double point_size = 5.0;  ///< diameter in pixels
 };
 
 /// A number that steers structures, an evolution or a shape.

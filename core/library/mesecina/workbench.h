@@ -248,6 +248,8 @@ class MESECINA_API Workbench {
   bool redo();
   bool can_undo() const;
   bool can_redo() const;
+  /// The data as they are now become the beginning. Error: `usage` inside a step.
+  void forget_history();
 
   // Settings. They apply from the next run on.
 
