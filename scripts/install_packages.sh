@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the packages that are missing; says nothing and touches nothing when none is.
 #
-#   scripts/install_packages.sh [build|test|bench|package|package-check|tidy|format]
+#   scripts/install_packages.sh [build|python|test|bench|package|package-check|tidy|format]
 #
-# test, bench and package include build; default: test. It installs on Debian and Ubuntu; elsewhere it says what to
+# python, test, bench and package include build, and test includes python; default: test. It installs on Debian and Ubuntu; elsewhere it says what to
 # install.
 set -uo pipefail
 # shellcheck source=scripts/common.sh
@@ -47,6 +47,14 @@ build          libmuparser-dev     muParser-devel      muparser       muparser
 build          libfontconfig-dev   fontconfig-devel    fontconfig     fontconfig
 build          libharfbuzz-dev     harfbuzz-devel      harfbuzz       harfbuzz
 build          libpolyclipping-dev  polyclipping-devel  clipper       -
+python         python3-dev         python3-devel       python         -
+python         pybind11-dev        pybind11-devel      pybind11       pybind11
+python         python3-numpy       python3-numpy       python-numpy   numpy
+test           python3-pytest      python3-pytest      python-pytest  pytest
+test           python3-networkx    python3-networkx    python-networkx  -
+test           python3-pandas      python3-pandas      python-pandas  -
+test           python3-matplotlib  python3-matplotlib  python-matplotlib  python-matplotlib
+test           python3-shapely     python3-shapely     python-shapely  -
 test           ccache              ccache              ccache         ccache
 test           mold                mold                mold           -
 test           catch2              catch2-devel        catch2-v2      -
@@ -76,8 +84,9 @@ TABLE
 set_name=${1:-test}
 case $set_name in
   build | package-check | tidy | format) sets=("$set_name") ;;
-  test | bench | package) sets=(build "$set_name") ;;
-  *) fail "unknown set '$1'; sets are build, test, bench, package, package-check, tidy and format" ;;
+  test) sets=(build python test) ;;
+  python | bench | package) sets=(build "$set_name") ;;
+  *) fail "unknown set '$1'; sets are build, python, test, bench, package, package-check, tidy and format" ;;
 esac
 
 # Who installs here, how it is asked, and the names of what it has installed.

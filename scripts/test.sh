@@ -6,6 +6,7 @@ set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 "$root/scripts/install_packages.sh" test || exit 1
-configure release -DMESECINA_TESTS=ON -DMESECINA_WERROR=ON
+# The interpreter whose packages were installed, not another one that comes first in the path.
+configure release -DMESECINA_TESTS=ON -DMESECINA_WERROR=ON -DMESECINA_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3
 build release
 exec ctest --test-dir build/release --output-on-failure --parallel "$(job_count)" "$@"

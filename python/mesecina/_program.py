@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The program ``mesecina``, for what is a command of it: pictures, repairs, sampling, branches, persistence, sweeps.
+
+It runs in a process of its own, so that neither its memory nor its display is that of the interpreter.
+"""
+import os
+import pathlib
+import shutil
+import subprocess
+
+import numpy as np
+
+from ._errors import InputError, ProgramError
+
+
+def path():
+    """Where the program is: ``$MESECINA_PROGRAM``, or beside this package in a build, or in ``$PATH``.
+
+    Raises FileNotFoundError if it is nowhere.
+    """
+    named = os.environ.get("MESECINA_PROGRAM")
+    if named:
+        return named
+    built = pathlib.Path(__file__).absolute().parent.parent.parent / "mesecina"
+    if os.access(built, os.X_OK) and built.is_file():
+        return str(built)
+    found = shutil.which("mesecina")
+    if found is None:
+        raise FileNotFoundError("the program mesecina is not installed; it makes pictures and runs commands "
+                                "(or say where it is in $MESECINA_PROGRAM)")
+    return found
+
+
+def words_of(options):
+    """Options as words of a command line: ``layers=["a", "b"]`` is ``--layers a,b``, ``force=True`` is ``--force``.
+
+    ``set={"lambda-limit": 2}`` is ``--set lambda-limit=2``. None and False are left out.
+    """
+    out = []
+    for name, value in options.items():
+        if value is None or value is False:
+            continue
+        option = "--" + name.strip("_").replace("_", "-")
+        if value is True:
+            out.append(option)
+        elif isinstance(value, dict):
+            for key, one in value.items():
+                out += [option, f"{key}={_text(one)}"]
+        else:
+            out += [option, _text(value)]
+    return out
+
+
+def _text(value):
+    if isinstance(value, (list, tuple)):
+        return ",".join(_text(one) for one in value)
+    if isinstance(value, (float, np.floating)):
+        return repr(float(value))
+    return str(value)
+
+
+def run(command, *words, data=None, **options):
+    """The bytes that a command of the program writes, from a file among `words` or from `data` on its standard input.
+
+    Raises ValueError for a wrong option, InputError for a file or data that cannot be read, and ProgramError for all
+    else; the text is what the program says.
+    """
+    done = subprocess.run([path(), command, *map(str, words), *words_of(options)], input=data, capture_output=True,
+                          check=False)
+    if done.returncode == 0:
+        return done.stdout
+    said = done.stderr.decode(errors="replace").strip().removeprefix("mesecina: ")
+    if done.returncode == 130:
+        raise KeyboardInterrupt
+    if done.returncode == 2:
+        raise ValueError(said)
+    if done.returncode == 3:
+        raise InputError(said)
+    raise ProgramError(said or f"it ended with status {done.returncode}", done.returncode)
+
+
+def table(bytes_of_csv):
+    """A structured array of the rows of CSV, with the names of its first line."""
+    lines = bytes_of_csv.decode().splitlines()
+    names = lines[0].split(",")
+    if len(lines) == 1:
+        return np.empty(0, dtype=[(name, np.float64) for name in names])
+    out = np.genfromtxt(lines[1:], delimiter=",", names=names, dtype=None, encoding="utf-8", deletechars="",
+                        replace_space=" ")
+    return np.atleast_1d(out)

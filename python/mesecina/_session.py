@@ -1,0 +1,492 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A session: samples and balls, and the geometry that follows them."""
+import contextlib
+import json
+import os
+import pathlib
+import tempfile
+import warnings
+
+import numpy as np
+
+from . import _arrays, _mesecina, _plot, _program
+from ._axis import Axis
+from ._picture import Picture
+from ._tables import Structure, attribute_of, descriptions
+
+_LAYERS = ("interior-voronoi-disks", "curve", "medial-axis", "points")
+
+
+class Session:
+    """Samples, balls and contours, their history and settings, and the structures that follow them.
+
+    Nothing is computed before it is read; then it is brought up to date, in time that depends on the change. Every
+    combinatorial decision about the samples is exact, except with the number type "naive".
+
+    Structures are attributes, named as on the command line with underscores: ``session.delaunay``,
+    ``session.one_step_crust``; their tables are attributes of these (`Table`).
+
+    A session is used by one thread at a time; different sessions may be used by different threads, and compute side by
+    side. It can be pickled: its data and settings go along, its history does not.
+
+    points
+        array-like of shape (n, 2), or None
+    balls
+        array-like of shape (k, 3), x, y and radius, or None
+    contours
+        known curves through the points: sequences of indices, closed curves; or pairs of a sequence and a bool, which
+        says whether the curve is closed
+    history
+        False: nothing can be undone, and edits take less memory
+
+    Raises ValueError for arrays of another shape, numbers that are not finite, or beyond 2^-500 to 2^500 in magnitude.
+    """
+
+    def __init__(self, points=None, *, balls=None, contours=(), history=True):
+        self.remarks = []  #: what the reader of a file, of polygons or of an image had to say, one line each
+        self._bench = _mesecina.Bench(history)
+        self._axis = None
+        given = [_arrays.rows([] if points is None else points, 2), _contours(contours),
+                 _arrays.rows([] if balls is None else balls, 3)]
+        if any(map(len, given)):
+            self._bench.load(*given)
+            self._bench.forget_history()
+
+    @classmethod
+    def from_polygons(cls, *geometries, vertices=False):
+        """A session with the outlines of polygons, lines or collections of them.
+
+        geometries
+            of shapely, or anything else with ``__geo_interface__``, or such a dict. Coordinates are taken as they are.
+        vertices
+            True: samples are the vertices alone. Else long sides get samples between them, as files do on opening.
+        """
+        features = []
+        for one in geometries:
+            geometry = getattr(one, "__geo_interface__", one)
+            if not isinstance(geometry, dict) or "type" not in geometry:
+                raise TypeError(f"a geometry with __geo_interface__ is expected, not {type(one).__name__}")
+            if geometry["type"] == "FeatureCollection":
+                features += geometry["features"]
+            elif geometry["type"] == "Feature":
+                features.append(geometry)
+            else:
+                features.append({"type": "Feature", "properties": None, "geometry": geometry})
+        text = json.dumps({"type": "FeatureCollection", "features": features}, default=_as_json)
+        return cls._from_bytes(text.encode(), "geometry", "geojson", vertices=vertices, degrees=True)
+
+    @classmethod
+    def from_image(cls, image):
+        """A session with the outlines of what an image shows.
+
+        image
+            array of shape (rows, columns): of bool, where True is the shape; or of grey values, of which the darker or the
+            lighter ones are the shape, whichever are fewer along the edge, separated by Otsu's method
+
+        As matplotlib's ``imshow`` has it, the centre of the pixel in row r and column c is at x = c, y = r.
+        """
+        pixels = np.asarray(image)
+        if pixels.ndim != 2 or pixels.size == 0:
+            raise ValueError(f"an image of shape (rows, columns) is expected, not {pixels.shape}")
+        if pixels.dtype == bool:
+            # A frame of background says which of both is the shape.
+            margin = 1
+            grey = np.pad(np.where(pixels, 0, 255), margin, constant_values=255)
+        elif pixels.dtype.kind in "fiu":
+            margin = 0
+            if not np.isfinite(pixels).all():
+                raise ValueError("some pixels are not finite")
+            low, high = float(pixels.min()), float(pixels.max())
+            grey = np.rint((pixels.astype(np.float64) - low) * (255.0 / ((high - low) or 1.0)))
+        else:
+            raise TypeError(f"pixels are numbers or bool, not {pixels.dtype}")
+        height, width = grey.shape
+        data = b"P5 %d %d 255\n" % (width, height) + grey.astype(np.uint8).tobytes()
+        out = cls._from_bytes(data, "image", "picture")
+        samples, contours, balls = out._bench.data()
+        samples = np.column_stack([samples[:, 0] - 0.5 - margin, height - 0.5 - margin - samples[:, 1]])
+        return cls(samples, contours=[(indices, is_closed) for is_closed, indices in contours], balls=balls)
+
+    @classmethod
+    def _from_bytes(cls, data, name, format="", vertices=False, degrees=False):
+        out = cls()
+        out.remarks = out._bench.open_bytes(data, name, format, vertices, degrees)["warnings"]
+        out._bench.forget_history()
+        return out
+
+    # Files.
+
+    def save(self, path, format=""):
+        """Writes a file, which appears complete or not at all.
+
+        format
+            "poff": samples and contours; "wpoff": balls; "session": data and settings; default: by the extension, .poff,
+            .wpoff or .json. Every number reads back bit for bit.
+        """
+        self._bench.save(os.fspath(path), format)
+
+    def __reduce__(self):
+        return _restored, (_mesecina.version(), self._bench.text("session"))
+
+    def copy(self):
+        """Another session with the same data and settings, without the history."""
+        return _restored(_mesecina.version(), self._bench.text("session"))
+
+    # Data.
+
+    @property
+    def points(self):
+        """Positions of the samples in input order, a copy of shape (n, 2), in units of the document."""
+        return self._bench.samples()
+
+    @property
+    def ids(self):
+        """Ids of the samples, shape (n,), in the order of ``points``. An id is never used again by the session."""
+        return self._bench.sample_ids()
+
+    @property
+    def balls(self):
+        """Balls of the document in input order, a copy of shape (k, 3): x, y and radius."""
+        return self._bench.balls()
+
+    @property
+    def ball_ids(self):
+        """Ids of the balls, shape (k,)."""
+        return self._bench.ball_ids()
+
+    @property
+    def contours(self):
+        """Known curves, a list of pairs of indices into ``points``, shape (l,), and whether the curve is closed."""
+        return [(indices, is_closed) for is_closed, indices in self._bench.data()[1]]
+
+    def insert(self, points):
+        """Inserts samples, array-like of shape (n, 2), or one of shape (2,). Returns their ids, or its id."""
+        if np.ndim(points) == 1 and np.size(points):
+            return int(self._bench.insert(_arrays.rows([points], 2))[0])
+        return self._bench.insert(_arrays.rows(points, 2))
+
+    def move(self, ids, points):
+        """Moves samples: an id and a position, or n ids and positions of shape (n, 2).
+
+        Raises ValueError for an id that is not alive or is named twice.
+        """
+        one = _arrays.one_id(ids)
+        if one is None:
+            self._bench.move(_arrays.ids(ids), _arrays.rows(points, 2))
+            return
+        try:
+            x, y = points
+            self._bench.move_one(one, x, y)
+        except TypeError:
+            self._bench.move(np.array([one], dtype=np.uint32), _arrays.rows([points], 2))
+
+    def remove(self, ids):
+        """Removes samples by their ids, one or several."""
+        self._bench.remove(_some_ids(ids))
+
+    def insert_balls(self, balls):
+        """Inserts balls of shape (k, 3): x, y and radius. Returns their ids."""
+        return self._bench.insert_balls(_arrays.rows(balls, 3))
+
+    def change_balls(self, ids, balls):
+        """Gives k balls other centres and radii, shape (k, 3)."""
+        self._bench.change_balls(_arrays.ids(ids), _arrays.rows(balls, 3))
+
+    def remove_balls(self, ids):
+        """Removes balls by their ids, one or several."""
+        self._bench.remove_balls(_some_ids(ids))
+
+    @contextlib.contextmanager
+    def edit(self, name="Edit"):
+        """Makes all edits of a ``with`` block one step of undo. They stay if the block raises an exception."""
+        self._bench.begin_step(name)
+        try:
+            yield self
+        finally:
+            self._bench.end_step()
+
+    def undo(self):
+        """Takes the last step back. Returns False if there is none."""
+        return self._bench.undo()
+
+    def redo(self):
+        """Makes the last step that was taken back again. Returns False if there is none."""
+        return self._bench.redo()
+
+    # Settings.
+
+    def set(self, name, value):
+        """Sets a parameter to a number, or ``"precision"`` to a number type, as `mesecina list parameters` names them.
+
+        Raises ValueError for an unknown name or a value out of its range.
+        """
+        if name == "precision":
+            self._bench.set_precision(value)
+        else:
+            self._bench.set(name, value)
+
+    def value(self, name):
+        """The value of a parameter, or the number type for ``"precision"``."""
+        return self._bench.precision() if name == "precision" else self._bench.value(name)
+
+    # Results.
+
+    def run(self):
+        """Brings everything up to date that was read so far. Reading does this by itself."""
+        self._bench.run()
+
+    def structure(self, structure):
+        """A structure by its id, as in ``"one-step-crust"``."""
+        if structure not in descriptions():
+            raise ValueError(f"unknown structure {structure}")
+        return Structure(self._bench, structure)
+
+    @property
+    def axis(self):
+        """The one-step medial axis as a graph of the session as it is now (`Axis`)."""
+        if self._axis is None or self._axis._revision != self._bench.revision:
+            self._axis = Axis(self._bench)
+        return self._axis
+
+    @property
+    def changed(self):
+        """The rows that the last edits changed: ``session.changed["delaunay/faces"]`` (`Table.changed`)."""
+        return _Changed(self)
+
+    @property
+    def certificate(self):
+        """Whether the one-step axis is proved to be the medial axis for these samples (`Certificate`)."""
+        return Certificate(self._bench)
+
+    def statistics(self, structure):
+        """Counters and measures of a structure, as `mesecina compute` reports them; a dict."""
+        return self.structure(structure).statistics
+
+    def digest(self, layer):
+        """32 hexadecimal digits that depend on what the layer draws; equal to those of ``mesecina compute --digest``."""
+        return self._bench.digest(layer)
+
+    def instances(self, layer, kind):
+        """What a layer draws of a kind of primitive: coordinates, and a scalar in the last column.
+
+        kind
+            point: x y; disk, circle: x y r; segment: x1 y1 x2 y2; ray, line: x y dx dy; triangle: x1 y1 x2 y2 x3 y3;
+            arc: x y r x1 y1 x2 y2, counter-clockwise
+
+        Read-only and without a copy, as columns of tables are.
+        """
+        return self._bench.instances(layer, kind)
+
+    # Pictures.
+
+    def plot(self, ax=None, layers=_LAYERS):
+        """Draws layers on axes of matplotlib, the present ones by default, bottom first. Returns the axes."""
+        if ax is None:
+            from matplotlib import pyplot
+
+            ax = pyplot.gca()
+        return _plot.plot(self, ax, layers)
+
+    def render(self, layers=None, width=800, height=None, format="png", **options):
+        """A picture as the program draws it.
+
+        layers
+            ids, bottom first; default: those visible at start
+        width, height
+            in pixels; the height is three quarters of the width by default
+        format
+            png, svg, pdf, ps, eps, ipe or tex
+        options
+            those of ``mesecina render``: ``view="0,0,1,1"``, ``background="transparent"``, ``scale=2``
+        """
+        height = height or max(1, round(0.75 * width))
+        with tempfile.TemporaryDirectory(prefix="mesecina-") as folder:
+            path = os.path.join(folder, f"picture.{format}")
+            self._command("render", layers=layers, size=f"{width}x{height}", output=path, **options)
+            return Picture(pathlib.Path(path).read_bytes(), f".{format}")
+
+    # Commands of the program, on a copy of the session.
+
+    def compute(self, layers=None, **options):
+        """Counts and measures of layers and structures: what ``mesecina compute`` writes, as a dict."""
+        return json.loads(self._command("compute", layers=layers, **options))
+
+    def branches(self, layer="medial-axis"):
+        """The branches of an axis with their measures: a structured array, as ``mesecina branches`` writes it."""
+        return _program.table(self._command("branches", layer=layer))
+
+    def persistence(self, of="samples"):
+        """Births and deaths of components and holes: a structured array, as ``mesecina persistence`` writes it."""
+        return _program.table(self._command("persistence", of=of))
+
+    def sweep(self, parameter, low, high, steps, layers=None):
+        """Counts and measures while a parameter goes from `low` to `high`: a structured array."""
+        return _program.table(self._command("sweep", parameter=f"{parameter}={low!r}..{high!r}", steps=steps,
+                                            layers=layers))
+
+    def repair(self, **options):
+        """A new session with samples inserted where the curve has too few (``mesecina repair``)."""
+        return self._transformed("repair", **options)
+
+    def decimate(self, **options):
+        """A new session without samples that the curve and the axis do not need (``mesecina decimate``)."""
+        return self._transformed("decimate", **options)
+
+    def sample(self, **options):
+        """A new session with other samples of the same curves (``mesecina sample``): ``rule="spacing", spacing=0.1``."""
+        return self._transformed("sample", **options)
+
+    def evolve(self, evolution, steps=1, **options):
+        """A new session after some steps of an evolution (``mesecina evolve``)."""
+        return self._transformed("evolve", evolution=evolution, steps=steps, **options)
+
+    def export(self, layer, format, **options):
+        """The bytes of a layer's geometry as text (``mesecina export``): "csv", "geojson", "wkt", "svg", ..."""
+        return self._command("export", layer=layer, format=format, **options)
+
+    def _command(self, command, output="-", **options):
+        return _program.run(command, "-", data=self._bench.text("session"), **{"from": "session"}, output=output,
+                            **options)
+
+    def _transformed(self, command, **options):
+        return Session._from_bytes(self._command(command, **options), command, "poff")
+
+    def __getattr__(self, name):
+        found = None if name.startswith("_") else _attributes().get(name)
+        if found is None:
+            raise AttributeError(f"a session has no structure or attribute {name!r}")
+        return Structure(self._bench, found)
+
+    def __dir__(self):
+        return [*super().__dir__(), *_attributes()]
+
+    def __len__(self):
+        """How many samples there are."""
+        return len(self.ids)
+
+    def __bool__(self):
+        return True
+
+    def __repr__(self):
+        return f"<Session: {len(self.ids)} samples, {len(self.contours)} contours, {len(self.ball_ids)} balls>"
+
+
+class Certificate:
+    """What is known of the one-step axis of a session, at the moment of reading."""
+
+    def __init__(self, bench):
+        self._bench = bench
+
+    @property
+    def light(self):
+        """"green": proved; "yellow": exact, but not proved; "red": the number type gave a wrong result; "none"."""
+        return self._bench.light()
+
+    @property
+    def is_proved(self):
+        """The one-step axis is the medial axis of the union of inner balls, for these samples."""
+        return self.light == "green"
+
+    @property
+    def findings(self):
+        """Dicts with ``structure``, ``level`` (note, doubt, wrong), ``text``, ``count`` and ``places``, shape (m, 2)."""
+        return self._bench.findings()
+
+    @property
+    def reasons(self):
+        """Why it is not proved, a list of texts."""
+        return [one["text"] for one in self.findings if one["level"] != "note"]
+
+    def __repr__(self):
+        return f"<Certificate: {self.light}{''.join('; ' + one for one in self.reasons)}>"
+
+
+class _Changed:
+    """Rows that the last edits changed, by table."""
+
+    def __init__(self, session):
+        self._session = session
+
+    def __getitem__(self, table):
+        structure, _, name = table.replace(".", "/").partition("/")
+        return self._session.structure(structure)[name].changed
+
+
+def open(path, format="", *, vertices=False, degrees=False):
+    """Opens a file of any format that `mesecina list formats` names, and returns a `Session`.
+
+    format
+        id of the format; default: found by what the file holds, then by its name
+    vertices
+        True: samples of a drawing, map or mesh are its vertices alone; else its curves are sampled
+    degrees
+        True: longitude and latitude of a map stay degrees; else they are projected to kilometres
+
+    Raises FileNotFoundError, and InputError with file, line and column. What the reader has to say otherwise is a
+    warning.
+    """
+    path = os.fspath(path)
+    pathlib.Path(path).open("rb").close()  # raises what Python raises
+    out = Session()
+    out.remarks = out._bench.open(path, format, vertices, degrees)["warnings"]
+    for line in out.remarks:
+        warnings.warn(line, stacklevel=2)
+    out._bench.forget_history()
+    return out
+
+
+def shape(name, *, samples=None, spacing=None, jitter=0.0, seed=1, **parameters):
+    """A session with samples of a shape with parameters (`mesecina list shapes`).
+
+    samples, spacing
+        how many, or how far apart along curves
+    jitter
+        each sample moves by up to so many mean spacings
+    parameters
+        numbers, or texts of formulas, by the ids of the shape with underscores
+
+    The same call gives the same samples on every machine.
+    """
+    values = [(key.rstrip("_").replace("_", "-"), value) for key, value in parameters.items()]
+    numbers = [(key, value) for key, value in values if not isinstance(value, str)]
+    formulas = [(key, value) for key, value in values if isinstance(value, str)]
+    points, contours, balls = _mesecina.shape(name, numbers, formulas, samples, spacing, jitter, seed)
+    return Session(points, contours=[(indices, is_closed) for is_closed, indices in contours], balls=balls)
+
+
+def _restored(version, text):
+    try:
+        return Session._from_bytes(text, "pickle", "session")
+    except ValueError as error:
+        raise ValueError(f"a session of version {version} cannot be read by version {_mesecina.version()}: "
+                         f"{error}") from error
+
+
+def _contours(contours):
+    out = []
+    for one in contours:
+        is_closed = True
+        if isinstance(one, tuple) and len(one) == 2 and isinstance(one[1], (bool, np.bool_)):
+            one, is_closed = one
+        out.append((bool(is_closed), _arrays.ids(one)))
+    return out
+
+
+def _some_ids(ids):
+    one = _arrays.one_id(ids)
+    return _arrays.ids(ids) if one is None else np.array([one], dtype=np.uint32)
+
+
+def _as_json(value):
+    if isinstance(value, np.generic):
+        return value.item()
+    raise TypeError(f"{type(value).__name__} is no part of a geometry")
+
+
+_names = {}
+
+
+def _attributes():
+    if not _names:
+        _names.update((attribute_of(one), one) for one in descriptions() if not hasattr(Session, attribute_of(one)))
+    return _names
