@@ -4,7 +4,7 @@
 #
 #   scripts/install_packages.sh [build|python|test|bench|package|package-check|tidy|format]
 #
-# python, test, bench and package include build, and test includes python; default: test. It installs on Debian and Ubuntu; elsewhere it says what to
+# python, test, bench and package include build, and test and package include python; default: test. It installs on Debian and Ubuntu; elsewhere it says what to
 # install.
 set -uo pipefail
 # shellcheck source=scripts/common.sh
@@ -85,7 +85,8 @@ set_name=${1:-test}
 case $set_name in
   build | package-check | tidy | format) sets=("$set_name") ;;
   test) sets=(build python test) ;;
-  python | bench | package) sets=(build "$set_name") ;;
+  package) sets=(build python package) ;;
+  python | bench) sets=(build "$set_name") ;;
   *) fail "unknown set '$1'; sets are build, python, test, bench, package, package-check, tidy and format" ;;
 esac
 

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Makes Debian packages of the program, of the library and of its headers, and a portable archive of the program, in
-# build/package. Builds of one commit give the same bytes, in whatever folder they are made, with the same packages of the
-# system.
+# Makes Debian packages of the program, of the library, of its headers and of the Python module, and a portable archive of
+# the program, in build/package. Builds of one commit give the same bytes, in whatever folder they are made, with the same
+# packages of the system.
 #
 #   scripts/package.sh            installs what is missing, builds, and makes all of them
 #   scripts/package.sh --check    and checks them: lintian, desktop files, the bytes of a second build in another folder,
@@ -77,29 +77,31 @@ make_packages() {
     cd "$1" || exit 1
     mkdir -p build/package
     rm -f build/package/*.deb build/package/*.tar.xz
-    configure_program
-    build release --target mesecina mesecina_documents mesecina_library
+    configure_program -DMESECINA_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3
+    build release --target mesecina mesecina_documents mesecina_library mesecina_python
     make_archive || fail "the archive could not be made"
     # Where zsh and the linker of Debian look.
     configure_program -DMESECINA_ZSH_FOLDER=share/zsh/vendor-completions \
+      -DMESECINA_PYTHON_FOLDER=lib/python3/dist-packages \
       -DCMAKE_INSTALL_LIBDIR="lib/$(dpkg-architecture --query DEB_HOST_MULTIARCH)"
     cpack --config build/release/CPackConfig.cmake -B build/package >build/package-cpack.log 2>&1 || {
       cat build/package-cpack.log >&2
       fail "cpack could not make the package"
     }
-    configure_program -UMESECINA_ZSH_FOLDER -UCMAKE_INSTALL_LIBDIR
+    configure_program -UMESECINA_ZSH_FOLDER -UMESECINA_PYTHON_FOLDER -UCMAKE_INSTALL_LIBDIR
     ls "$1"/build/package/mesecina_*.deb
     ls "$1"/build/package/*.tar.xz
     ls "$1"/build/package/libmesecina[0-9]*.deb
     ls "$1"/build/package/libmesecina-dev_*.deb
+    ls "$1"/build/package/python3-mesecina_*.deb
   )
 }
 
 made=$(make_packages "$root") || exit 1
-{ read -r package && read -r archive && read -r library && read -r headers; } <<<"$made"
+{ read -r package && read -r archive && read -r library && read -r headers && read -r python; } <<<"$made"
 say "The package is $package."
 say "The archive is $archive."
-say "The library is $library, and its headers are in $headers."
+say "The library is $library, its headers are in $headers, and its Python module in $python."
 if [[ ${1:-} != --check ]]; then exit 0; fi
 
 "$root/scripts/install_packages.sh" package-check || exit 1
@@ -108,7 +110,7 @@ bare=$staged/bare
 trap 'umount "$bare/proc" 2>/dev/null; chmod -R u+w "$staged"; rm -rf --one-file-system "$staged"' EXIT
 
 say "Checking it with lintian ..."
-lintian --fail-on error "$package" "$library" "$headers" || fail "lintian finds errors"
+lintian --fail-on error "$package" "$library" "$headers" "$python" || fail "lintian finds errors"
 dpkg-deb --extract "$package" "$staged/files"
 desktop-file-validate "$staged/files/usr/share/applications/mesecina.desktop" || fail "the desktop entry is not valid"
 appstreamcli validate --no-net "$staged"/files/usr/share/metainfo/*.xml || fail "the metadata are not valid"
@@ -118,11 +120,13 @@ say "Building it again in another folder ..."
 mkdir "$staged/elsewhere"
 git ls-files -z --cached --others --exclude-standard | tar -c --null -T - | tar -x -C "$staged/elsewhere"
 made=$(make_packages "$staged/elsewhere") || exit 1
-{ read -r package_again && read -r archive_again && read -r library_again && read -r headers_again; } <<<"$made"
+{ read -r package_again && read -r archive_again && read -r library_again && read -r headers_again &&
+  read -r python_again; } <<<"$made"
 cmp "$package" "$package_again" || fail "two packages differ"
 cmp "$archive" "$archive_again" || fail "two archives differ"
 cmp "$library" "$library_again" || fail "two packages of the library differ"
 cmp "$headers" "$headers_again" || fail "two packages of the headers differ"
+cmp "$python" "$python_again" || fail "two packages of the Python module differ"
 say "All have the same bytes."
 
 say "Trying both on a bare Debian 12 ..."
@@ -171,3 +175,14 @@ in_bare /tmp/example/axis_edges /usr/share/mesecina/shapes/lizard.poff >"$staged
 build/release/mesecina export assets/shapes/lizard.poff --layer medial-axis --format csv >"$staged/exported.csv"
 [[ $(wc -l <"$staged/edges.csv") == $(wc -l <"$staged/exported.csv") ]] || fail "the example has other edges"
 say "The example has the edges of the program."
+
+say "Reading the same axis with Python there ..."
+cp "$python" "$bare/tmp"
+in_bare apt-get install -y --no-install-recommends "/tmp/$(basename "$python")" </dev/null >>"$log" 2>&1 ||
+  fail "the Python module does not install (all of it: $log)"
+edges=$(in_bare python3 -c 'import mesecina
+session = mesecina.open("/usr/share/mesecina/shapes/lizard.poff")
+session.render(width=200).save("/tmp/python.png")
+print(len(session.axis.edges))') || fail "the Python module does not work"
+((edges + 1 == $(wc -l <"$staged/exported.csv"))) || fail "Python has other edges"
+say "Python has the edges of the program."

@@ -14,16 +14,17 @@ from ._errors import InputError, ProgramError
 
 
 def path():
-    """Where the program is: ``$MESECINA_PROGRAM``, or beside this package in a build, or in ``$PATH``.
+    """Where the program is: ``$MESECINA_PROGRAM``, or in this package, or beside it in a build, or in ``$PATH``.
 
     Raises FileNotFoundError if it is nowhere.
     """
     named = os.environ.get("MESECINA_PROGRAM")
     if named:
         return named
-    built = pathlib.Path(__file__).absolute().parent.parent.parent / "mesecina"
-    if os.access(built, os.X_OK) and built.is_file():
-        return str(built)
+    package = pathlib.Path(__file__).absolute().parent
+    for beside in (package / "_program" / "bin" / "mesecina", package.parent.parent / "mesecina"):
+        if beside.is_file() and os.access(beside, os.X_OK):
+            return str(beside)
     found = shutil.which("mesecina")
     if found is None:
         raise FileNotFoundError("the program mesecina is not installed; it makes pictures and runs commands "
