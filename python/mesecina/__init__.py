@@ -21,11 +21,38 @@ except ImportError as error:
 
 from ._axis import Axis
 from ._errors import ComputationFailed, InputError, ProgramError
-from ._mesecina import formats, layers, parameters, shapes, structures, version
+from ._experiments import Experiment, evolution, layer, structure
+from ._mesecina import version
 from ._picture import Picture
 from ._session import Certificate, Session, open, shape
-from ._tables import Structure, Table
+from ._tables import Structure, Table, builtin
 
 __version__ = version()
-__all__ = ["Axis", "Certificate", "ComputationFailed", "InputError", "Picture", "ProgramError", "Session", "Structure",
-           "Table", "formats", "layers", "open", "parameters", "shape", "shapes", "structures", "version"]
+__all__ = ["Axis", "Certificate", "ComputationFailed", "Experiment", "InputError", "Picture", "ProgramError", "Session",
+           "Structure", "Table", "evolution", "formats", "layer", "layers", "open", "parameters", "shape", "shapes",
+           "structure", "structures", "version"]
+
+
+def structures():
+    """The structures of the program: dicts with ``id``, ``inputs``, ``parameters`` and ``tables`` with their columns."""
+    return builtin().structures()
+
+
+def layers():
+    """The layers of the program, bottom first: dicts with ``id``, ``name``, ``description``, ``kinds``, ``scalar``, ..."""
+    return builtin().layers()
+
+
+def parameters():
+    """The parameters of structures: dicts with ``id``, ``description``, ``unit``, ``low``, ``high``, ``default``, ..."""
+    return builtin().parameters()
+
+
+def shapes():
+    """The shapes that `shape` samples: dicts with ``id``, ``description``, ``parameters`` and ``formulas``."""
+    return builtin().shapes()
+
+
+def formats():
+    """The formats of files: dicts with ``id``, ``name``, ``extensions``, ``can_read`` and ``can_write``."""
+    return builtin().formats()

@@ -2,7 +2,7 @@
 """The medial axis as a graph."""
 import numpy as np
 
-from ._tables import Structure
+from ._tables import Structure, builtin, described_structures
 
 
 class Axis:
@@ -55,7 +55,7 @@ class Axis:
         self._revision = bench.revision
 
     def _table(self, structure, name):
-        return Structure(self._bench, structure)[name]
+        return Structure(self._bench, described_structures(builtin())[structure])[name]
 
     @property
     def lambda_(self):

@@ -2,12 +2,10 @@
 """Layers on axes of matplotlib, as vectors."""
 import numpy as np
 
-from . import _mesecina
-
 
 def plot(session, ax, layers):
     """Draws layers on the axes, bottom first, in their default style. See `Session.plot`."""
-    known = {one["id"]: one for one in _mesecina.layers()}
+    known = {one["id"]: one for one in session.catalogue.layers()}
     for order, layer in enumerate(layers):
         if layer not in known:
             raise ValueError(f"unknown layer {layer}")

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A session: samples and balls, and the geometry that follows them."""
 import contextlib
+import functools
 import json
 import os
 import pathlib
@@ -12,7 +13,8 @@ import numpy as np
 from . import _arrays, _mesecina, _plot, _program
 from ._axis import Axis
 from ._picture import Picture
-from ._tables import Structure, attribute_of, descriptions
+from ._experiments import Experiment, moved, with_experiments
+from ._tables import Structure, attribute_of, builtin, described_structures
 
 _LAYERS = ("interior-voronoi-disks", "curve", "medial-axis", "points")
 
@@ -38,13 +40,18 @@ class Session:
         says whether the curve is closed
     history
         False: nothing can be undone, and edits take less memory
+    experiments
+        structures and layers of one's own, each after those that it reads (`structure`, `layer`)
 
     Raises ValueError for arrays of another shape, numbers that are not finite, or beyond 2^-500 to 2^500 in magnitude.
     """
 
-    def __init__(self, points=None, *, balls=None, contours=(), history=True):
+    def __init__(self, points=None, *, balls=None, contours=(), history=True, experiments=()):
         self.remarks = []  #: what the reader of a file, of polygons or of an image had to say, one line each
-        self._bench = _mesecina.Bench(history)
+        self.experiments = tuple(experiments)  #: its own structures and layers
+        self.catalogue = with_experiments(builtin(), self.experiments) if experiments else builtin()
+        self._structures = described_structures(self.catalogue)
+        self._bench = _mesecina.Bench(self.catalogue, history)
         self._axis = None
         given = [_arrays.rows([] if points is None else points, 2), _contours(contours),
                  _arrays.rows([] if balls is None else balls, 3)]
@@ -108,8 +115,8 @@ class Session:
         return cls(samples, contours=[(indices, is_closed) for is_closed, indices in contours], balls=balls)
 
     @classmethod
-    def _from_bytes(cls, data, name, format="", vertices=False, degrees=False):
-        out = cls()
+    def _from_bytes(cls, data, name, format="", vertices=False, degrees=False, experiments=()):
+        out = cls(experiments=experiments)
         out.remarks = out._bench.open_bytes(data, name, format, vertices, degrees)["warnings"]
         out._bench.forget_history()
         return out
@@ -126,11 +133,11 @@ class Session:
         self._bench.save(os.fspath(path), format)
 
     def __reduce__(self):
-        return _restored, (_mesecina.version(), self._bench.text("session"))
+        return _restored, (_mesecina.version(), self._bench.text("session"), self.experiments)
 
     def copy(self):
-        """Another session with the same data and settings, without the history."""
-        return _restored(_mesecina.version(), self._bench.text("session"))
+        """Another session with the same data, settings and experiments, without the history."""
+        return _restored(_mesecina.version(), self._bench.text("session"), self.experiments)
 
     # Data.
 
@@ -237,9 +244,9 @@ class Session:
 
     def structure(self, structure):
         """A structure by its id, as in ``"one-step-crust"``."""
-        if structure not in descriptions():
+        if structure not in self._structures:
             raise ValueError(f"unknown structure {structure}")
-        return Structure(self._bench, structure)
+        return Structure(self._bench, self._structures[structure])
 
     @property
     def axis(self):
@@ -337,8 +344,19 @@ class Session:
         return self._transformed("sample", **options)
 
     def evolve(self, evolution, steps=1, **options):
-        """A new session after some steps of an evolution (``mesecina evolve``)."""
-        return self._transformed("evolve", evolution=evolution, steps=steps, **options)
+        """A new session after some steps of an evolution.
+
+        evolution
+            an id, with the options of ``mesecina evolve``; or one's own (`evolution`), with its parameters
+        """
+        if not isinstance(evolution, Experiment):
+            return self._transformed("evolve", evolution=evolution, steps=steps, **options)
+        out = self.copy()
+        for step in range(steps):
+            curves = out.contours or _chains(out)
+            out.move(out.ids, moved(evolution, out.points, curves, step, options))
+        out._bench.forget_history()
+        return out
 
     def export(self, layer, format, **options):
         """The bytes of a layer's geometry as text (``mesecina export``): "csv", "geojson", "wkt", "svg", ..."""
@@ -352,13 +370,13 @@ class Session:
         return Session._from_bytes(self._command(command, **options), command, "poff")
 
     def __getattr__(self, name):
-        found = None if name.startswith("_") else _attributes().get(name)
+        found = None if name.startswith("_") else _attributes(self.catalogue).get(name)
         if found is None:
             raise AttributeError(f"a session has no structure or attribute {name!r}")
-        return Structure(self._bench, found)
+        return Structure(self._bench, self._structures[found])
 
     def __dir__(self):
-        return [*super().__dir__(), *_attributes()]
+        return [*super().__dir__(), *_attributes(self.catalogue)]
 
     def __len__(self):
         """How many samples there are."""
@@ -412,7 +430,7 @@ class _Changed:
         return self._session.structure(structure)[name].changed
 
 
-def open(path, format="", *, vertices=False, degrees=False):
+def open(path, format="", *, vertices=False, degrees=False, experiments=()):
     """Opens a file of any format that `mesecina list formats` names, and returns a `Session`.
 
     format
@@ -427,7 +445,7 @@ def open(path, format="", *, vertices=False, degrees=False):
     """
     path = os.fspath(path)
     pathlib.Path(path).open("rb").close()  # raises what Python raises
-    out = Session()
+    out = Session(experiments=experiments)
     out.remarks = out._bench.open(path, format, vertices, degrees)["warnings"]
     for line in out.remarks:
         warnings.warn(line, stacklevel=2)
@@ -454,12 +472,44 @@ def shape(name, *, samples=None, spacing=None, jitter=0.0, seed=1, **parameters)
     return Session(points, contours=[(indices, is_closed) for is_closed, indices in contours], balls=balls)
 
 
-def _restored(version, text):
+def _restored(version, text, experiments=()):
     try:
-        return Session._from_bytes(text, "pickle", "session")
+        return Session._from_bytes(text, "pickle", "session", experiments=experiments)
     except ValueError as error:
         raise ValueError(f"a session of version {version} cannot be read by version {_mesecina.version()}: "
                          f"{error}") from error
+
+
+def _chains(session):
+    """The curves of the crust through the samples, as `Session.contours` has them."""
+    crust, edges = session.one_step_crust.edges, session.delaunay.edges
+    ends = session.delaunay.sites.sample[edges.sites[np.flatnonzero(crust.is_crust & _alive(edges))]]
+    order = {int(one): i for i, one in enumerate(session.samples.samples.rows)}
+    beside = {}
+    for a, b in ends.tolist():
+        beside.setdefault(a, []).append(b)
+        beside.setdefault(b, []).append(a)
+    out, used = [], set()
+    # Chains end where one or more than two edges meet; what is left then are loops.
+    for start in sorted(beside, key=lambda one: (len(beside[one]) == 2, one)):
+        for following in beside[start]:
+            if (start, following) in used:
+                continue
+            chain, before, here = [start], start, following
+            used |= {(start, following), (following, start)}
+            while here != start and len(beside[here]) == 2:
+                chain.append(here)
+                before, here = here, beside[here][beside[here][0] == before]
+                used |= {(before, here), (here, before)}
+            is_closed = here == start
+            out.append((np.array([order[one] for one in (chain if is_closed else [*chain, here])]), is_closed))
+    return out
+
+
+def _alive(table):
+    out = np.zeros(len(table.sites), dtype=bool)
+    out[table.rows] = True
+    return out
 
 
 def _contours(contours):
@@ -483,10 +533,7 @@ def _as_json(value):
     raise TypeError(f"{type(value).__name__} is no part of a geometry")
 
 
-_names = {}
-
-
-def _attributes():
-    if not _names:
-        _names.update((attribute_of(one), one) for one in descriptions() if not hasattr(Session, attribute_of(one)))
-    return _names
+@functools.lru_cache(maxsize=16)
+def _attributes(catalogue):
+    return {attribute_of(one): one for one in described_structures(catalogue)
+            if not hasattr(Session, attribute_of(one))}

@@ -9,22 +9,21 @@ from . import _mesecina
 
 
 @functools.lru_cache(maxsize=None)
-def descriptions():
-    """The description of each structure by its id, inputs before those that read them."""
-    return {one["id"]: one for one in _mesecina.structures()}
+def builtin():
+    """The catalogue of what the program has."""
+    return _mesecina.builtin()
+
+
+@functools.lru_cache(maxsize=16)
+def described_structures(catalogue):
+    """The description of each structure of a catalogue by its id, inputs before those that read them."""
+    return {one["id"]: one for one in catalogue.structures()}
 
 
 def attribute_of(name):
     """The name as an attribute: ``lambda_axis`` for ``lambda-axis``, ``lambda_`` for ``lambda``."""
     name = name.replace("-", "_")
     return name + "_" if keyword.iskeyword(name) else name
-
-
-def _table_of(structure, name):
-    for table in descriptions()[structure]["tables"]:
-        if table["name"] == name:
-            return table
-    return None
 
 
 class Table:
@@ -127,9 +126,10 @@ class Table:
 class Structure:
     """A structure of a session, as in ``session.delaunay``. Its tables are attributes, or ``structure["name"]``."""
 
-    def __init__(self, bench, structure_id):
+    def __init__(self, bench, description):
         self._bench = bench
-        self._id = structure_id
+        self._id = description["id"]
+        self._tables = {attribute_of(one["name"]): one for one in description["tables"]}
 
     @property
     def name(self):
@@ -139,7 +139,7 @@ class Structure:
     @property
     def tables(self):
         """The names of its tables."""
-        return [one["name"] for one in descriptions()[self._id]["tables"]]
+        return [one["name"] for one in self._tables.values()]
 
     @property
     def statistics(self):
@@ -147,19 +147,19 @@ class Structure:
         return self._bench.statistics(self._id)
 
     def __getitem__(self, name):
-        description = _table_of(self._id, name)
+        description = self._tables.get(attribute_of(name))
         if description is None:
             raise KeyError(f"structure {self._id} has no table {name!r}; it has {', '.join(self.tables) or 'none'}")
         return Table(self._bench, self._id, description)
 
     def __getattr__(self, name):
-        description = None if name.startswith("__") else _table_of(self._id, name)
+        description = self.__dict__.get("_tables", {}).get(name)
         if description is None:
-            raise AttributeError(f"structure {self._id} has no table {name!r}")
+            raise AttributeError(f"structure {self.__dict__.get('_id')} has no table {name!r}")
         return Table(self._bench, self._id, description)
 
     def __dir__(self):
-        return [*super().__dir__(), *self.tables]
+        return [*super().__dir__(), *self._tables]
 
     def __repr__(self):
         return "\n".join([f"structure {self._id}", *("  " + line for name in self.tables

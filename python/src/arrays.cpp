@@ -94,7 +94,16 @@ py::array copy_of(const mesecina::Column& column) {
   py::array out(dtype_of(info.type), shape_of(rows, info.width));
   auto* to = static_cast<std::byte*>(out.mutable_data());
   const std::size_t size = mesecina::size_of(info.type) * info.width;
-  for (std::size_t row = 0; row < rows; ++row) column.read(static_cast<mesecina::Row>(row), to + row * size);
+  if (info.is_stored && rows != 0) {
+    const auto* const from = static_cast<const std::byte*>(column.data());
+    const std::size_t stride = column.stride();
+    if (stride == size)
+      std::memcpy(to, from, rows * size);
+    else
+      for (std::size_t row = 0; row < rows; ++row) std::memcpy(to + row * size, from + row * stride, size);
+  } else {
+    for (std::size_t row = 0; row < rows; ++row) column.read(static_cast<mesecina::Row>(row), to + row * size);
+  }
   make_read_only(out);
   return out;
 }

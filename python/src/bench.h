@@ -112,6 +112,4 @@ class Bench {
   bool has_more_demand_ = true;  ///< than at the last run
 };
 
-void add_errors(py::module_& module);
-
 }  // namespace mes_python

@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "bench.h"
+#include "module.h"
 
 namespace mes_python {
 namespace {
@@ -41,7 +41,7 @@ void set_error(const mesecina::Error& error) {
 
 }  // namespace
 
-void add_errors(py::module_& /*module*/) {
+void add_errors() {
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include "bench.h"
+#include "module.h"
 
 namespace mes_python {
 namespace {
@@ -140,30 +141,27 @@ py::list all_described(const std::vector<Info>& all) {
   return out;
 }
 
-mesecina::PrimitiveKind kind_of(std::string_view name) {
-  for (int i = 0; i < 8; ++i)
-    if (name_of(static_cast<mesecina::PrimitiveKind>(i)) == name) return static_cast<mesecina::PrimitiveKind>(i);
-  throw py::value_error("there is no kind of primitive \"" + std::string(name) + "\"");
-}
-
 mesecina::ReadOptions options_of(const std::string& format, bool vertices, bool degrees) {
   return {.format = format, .keeps_vertices = vertices, .projects_degrees = !degrees};
 }
 
 void add_catalogue(py::module_& module) {
-  const auto builtin = [] { return mesecina::Catalogue::builtin(); };
-  module.def("structures", [=] { return all_described(builtin().structures()); });
-  module.def("layers", [=] { return all_described(builtin().layers()); });
-  module.def("parameters", [=] { return all_described(builtin().parameters()); });
-  module.def("shapes", [=] { return all_described(builtin().shapes()); });
-  module.def("formats", [=] { return all_described(builtin().formats()); });
+  using mesecina::Catalogue;
+  py::class_<Catalogue>(module, "Catalogue")
+      .def("structures", [](const Catalogue& of) { return all_described(of.structures()); })
+      .def("layers", [](const Catalogue& of) { return all_described(of.layers()); })
+      .def("parameters", [](const Catalogue& of) { return all_described(of.parameters()); })
+      .def("shapes", [](const Catalogue& of) { return all_described(of.shapes()); })
+      .def("formats", [](const Catalogue& of) { return all_described(of.formats()); })
+      .def("with_experiment", &with_python);
+  module.def("builtin", &Catalogue::builtin);
   module.def("shape", &shape);
   module.def("version", [] { return mesecina::version(); });
 }
 
 void add_bench(py::module_& module) {
   py::class_<Bench>(module, "Bench")
-      .def(py::init([](bool keeps_history) { return Bench(mesecina::Catalogue::builtin(), keeps_history); }))
+      .def(py::init<const mesecina::Catalogue&, bool>())
       .def("open", [](Bench& of, const std::string& path, const std::string& format, bool vertices,
                       bool degrees) { return of.open(path, options_of(format, vertices, degrees)); })
       .def("open_bytes",
@@ -217,10 +215,18 @@ void add_bench(py::module_& module) {
 }
 
 }  // namespace
+
+mesecina::PrimitiveKind kind_of(std::string_view name) {
+  for (int i = 0; i < 8; ++i)
+    if (name_of(static_cast<mesecina::PrimitiveKind>(i)) == name) return static_cast<mesecina::PrimitiveKind>(i);
+  throw py::value_error("there is no kind of primitive \"" + std::string(name) + "\"");
+}
+
 }  // namespace mes_python
 
 PYBIND11_MODULE(_mesecina, module) {
-  mes_python::add_errors(module);
+  mes_python::add_errors();
+  mes_python::add_inputs(module);
   mes_python::add_catalogue(module);
   mes_python::add_bench(module);
 }

@@ -99,7 +99,7 @@ def test_copies(again):
 
 
 def test_a_pickle_of_another_version():
-    function, (version, text) = mes.Session([[0, 0]]).__reduce__()
+    function, (version, text, _) = mes.Session([[0, 0]]).__reduce__()
     assert version == mes.version()
     with pytest.raises(ValueError, match="a session of version 9.9.9 cannot be read by version"):
         function("9.9.9", text.replace(b'"mesecina-session"', b'"other"') if b"mesecina-session" in text else b"{}")

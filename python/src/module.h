@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The parts of the compiled module.
+#pragma once
+
+#include <string_view>
+
+#include <mesecina/mesecina.h>
+
+#include "arrays.h"
+
+namespace mes_python {
+
+/// Error: `ValueError`.
+mesecina::PrimitiveKind kind_of(std::string_view name);
+/// The catalogue with a structure or a layer that `_experiments.py` describes. Error: as `mesecina::with_experiment`.
+mesecina::Catalogue with_python(const mesecina::Catalogue& catalogue, const py::dict& spec);
+
+void add_errors();
+void add_inputs(py::module_& module);
+
+}  // namespace mes_python

@@ -1,0 +1,170 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Structures, layers and evolutions in Python: followed, drawn, refused with one line."""
+import pickle
+
+import numpy as np
+import pytest
+
+import mesecina as mes
+import own
+from conftest import flower_points
+
+ALL = (own.long_edges, own.long_edge_lines, own.middle, own.middle_disk)
+
+
+def test_a_structure_follows_edits_and_parameters():
+    session = mes.Session(flower_points(100), experiments=ALL)
+    for step in range(20):
+        session.move(session.ids[step], (0.1 * step, -0.4))
+        session.set("long-edges-limit", 0.05 * (step % 5))
+        delaunay = session.delaunay
+        rows = delaunay.edges.rows
+        ends = delaunay.sites.position[delaunay.edges.sites]
+        length = np.hypot(*(ends[:, 0] - ends[:, 1]).T)[rows]
+        edges = session.long_edges.edges
+        np.testing.assert_array_equal(edges.rows, rows)
+        np.testing.assert_array_equal(edges.length[rows], length)
+        is_long = length > 0.05 * (step % 5)
+        np.testing.assert_array_equal(edges.is_long[rows], is_long)
+        assert session.statistics("long-edges") == {"longest": length.max(), "count": is_long.sum()}
+        del rows
+        drawn = session.instances("long-edge-lines", "segment")
+        assert len(drawn) == is_long.sum()
+        np.testing.assert_array_equal(np.sort(drawn[:, 4]), np.sort(length[is_long]))
+        del drawn, delaunay, edges
+        fresh = mes.Session(session.points, experiments=ALL)
+        fresh.set("long-edges-limit", 0.05 * (step % 5))
+        assert session.digest("long-edge-lines") == fresh.digest("long-edge-lines")
+    np.testing.assert_allclose(session.middle.points.place, [session.points.mean(axis=0)])
+    session.set("middle-disk-radius", 2.0)
+    np.testing.assert_allclose(session.instances("middle-disk", "disk")[:, 2], [2.0])
+
+
+def test_its_parameters_and_layers_are_in_the_catalogue():
+    session = mes.Session(experiments=ALL)
+    parameter = next(one for one in session.catalogue.parameters() if one["id"] == "long-edges-limit")
+    assert (parameter["low"], parameter["high"], parameter["default"]) == (0.0, 1000.0, 0.5)
+    assert parameter["description"] == "Longer edges are long"
+    layer = next(one for one in session.catalogue.layers() if one["id"] == "long-edge-lines")
+    assert layer["kinds"] == ["segment"] and layer["scalar"] == "length" and layer["description"].startswith("Edges")
+    assert layer["color"] == pytest.approx((0, 0.5, 1), abs=0.01)
+    assert not any(one["id"] == "long-edges" for one in mes.structures())
+    with pytest.raises(AttributeError):
+        mes.Session().long_edges
+
+
+def test_a_session_with_experiments_is_pickled():
+    session = mes.Session(flower_points(50), experiments=ALL)
+    session.set("long-edges-limit", 0.3)
+    other = pickle.loads(pickle.dumps(session))
+    assert other.experiments == ALL and other.digest("long-edge-lines") == session.digest("long-edge-lines")
+    assert session.copy().value("long-edges-limit") == 0.3
+
+
+def test_evolutions():
+    points = flower_points(60)
+    session = mes.Session(points, contours=[range(60)])
+    after = session.evolve(own.shrink, 2)
+    mean = points.mean(axis=0)
+    np.testing.assert_allclose(after.points, mean + 0.25 * (points - mean), atol=1e-12)
+    np.testing.assert_allclose(session.evolve(own.shrink, factor=1.0).points, points, atol=1e-12)
+    assert not after.undo() and len(after.contours) == 1
+    seen = []
+
+    @mes.evolution()
+    def look(points, curves, step):
+        seen.append((curves, step))
+        return points
+
+    mes.Session(points).evolve(look, 2)
+    [(curve, is_closed)], step = seen[1]
+    assert is_closed and step == 1
+    assert {frozenset(one) for one in zip(curve, np.roll(curve, -1))} == {frozenset((i, (i + 1) % 60)) for i in range(60)}
+    mes.Session([[0, 0], [1, 0], [2, 0.1], [3, 0]]).evolve(look)
+    assert [(sorted(curve), is_closed) for curve, is_closed in seen[-1][0]] == [([0, 1, 2, 3], False)]
+    for bad, error in [(lambda points: points[:-1], ValueError), (lambda points: points * np.nan, ValueError),
+                       (lambda points: "x", TypeError)]:
+        with pytest.raises(error):
+            session.evolve(mes.evolution(id="bad")(bad))
+    with pytest.raises(ValueError):
+        session.evolve(own.shrink, none=1)
+
+
+def test_what_a_function_raises_is_one_line():
+    @mes.structure()
+    def picky(delaunay):
+        if len(delaunay.sites.rows) > 5:
+            raise LookupError("too\nmany")
+        return {"rows": {"x": np.zeros(0)}}
+
+    session = mes.Session([[0, 0], [1, 0]], experiments=[picky])
+    assert len(session.picky.rows.x) == 0
+    session.insert(flower_points(10))
+    with pytest.raises(mes.ComputationFailed, match=r"LookupError: too many \(test_experiments.py:\d+\)") as caught:
+        session.picky.rows.x
+    assert caught.value.structure == "picky" and "\n" not in str(caught.value)
+    assert len(session.axis.points)  # all else goes on
+    session.remove(session.ids[:10])
+    assert len(session.picky.rows.x) == 0
+
+
+@pytest.mark.parametrize("result, error", [
+    ({"rows": {"x": np.zeros(4), "y": np.zeros(3)}}, ValueError), ({"rows": {"x": np.zeros((3, 4))}}, ValueError),
+    ({"rows": {"x": ["a"]}}, TypeError), ([1, 2], TypeError), (None, TypeError), ({"rows": [1, 2]}, TypeError)])
+def test_results_that_are_refused(result, error):
+    with pytest.raises(error):
+        mes.Session(experiments=[mes.structure(id="wrong")(lambda delaunay: result)])
+
+
+def test_a_table_that_changes_its_columns():
+    @mes.structure()
+    def unsteady(samples):
+        many = len(samples.samples.rows) > 3
+        return {"rows": {"x": np.zeros(2, dtype=bool) if many else np.zeros(2)}}
+
+    session = mes.Session(experiments=[unsteady])
+    session.insert(flower_points(5))
+    with pytest.raises(mes.ComputationFailed, match="another type"):
+        session.unsteady.rows.x
+
+
+def test_definitions_that_are_refused():
+    def function(delaunay):
+        return {}
+
+    for work, error in [
+            (lambda: mes.Session(experiments=[own.long_edge_lines]), ValueError),
+            (lambda: mes.Session(experiments=[own.long_edges, own.long_edges]), ValueError),
+            (lambda: mes.Session(experiments=[own.shrink]), TypeError),
+            (lambda: mes.Session(experiments=[function]), TypeError),
+            (lambda: mes.Session(experiments=[mes.structure(id="delaunay")(function)]), ValueError),
+            (lambda: mes.Session(experiments=[mes.structure(id="Not Kebab")(function)]), ValueError),
+            (lambda: mes.Session(experiments=[mes.structure(rows={"none": "delaunay/edges"})(function)]), ValueError),
+            (lambda: mes.structure()(lambda delaunay, text="x": {}), TypeError),
+            (lambda: mes.structure()(lambda *all: {}), TypeError),
+            (lambda: mes.evolution()(lambda places: places), TypeError),
+            (lambda: mes.layer(rows="delaunay/edges", kind="blob"), ValueError),
+            (lambda: mes.Session(experiments=[mes.layer(rows="delaunay/edges", kind="segment", id="flat")(
+                lambda delaunay: np.zeros((3, 2)))]), ValueError)]:
+        with pytest.raises(error) as caught:
+            work()
+        assert "\n" not in str(caught.value)
+
+
+def test_inputs_are_copies_that_stay():
+    kept = []
+
+    @mes.structure()
+    def keeper(delaunay):
+        kept.append((delaunay, delaunay.sites.position))
+        return {}
+
+    session = mes.Session(flower_points(20), experiments=[keeper])
+    session.structure("keeper").statistics
+    tables, places = kept[-1]
+    before = places.copy()
+    session.move(session.ids[0], (3, 3))
+    session.structure("keeper").statistics
+    np.testing.assert_array_equal(places, before)
+    with pytest.raises(RuntimeError, match="while the function is at work"):
+        tables.sites.position
