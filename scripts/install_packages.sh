@@ -55,6 +55,9 @@ test           python3-networkx    python3-networkx    python-networkx  -
 test           python3-pandas      python3-pandas      python-pandas  -
 test           python3-matplotlib  python3-matplotlib  python-matplotlib  python-matplotlib
 test           python3-shapely     python3-shapely     python-shapely  -
+test           python3-nbconvert   python3-nbconvert   jupyter-nbconvert  -
+test           python3-ipykernel   python3-ipykernel   python-ipykernel  -
+test           python3-distributed  python3-distributed  python-distributed  -
 test           ccache              ccache              ccache         ccache
 test           mold                mold                mold           -
 test           catch2              catch2-devel        catch2-v2      -

@@ -22,15 +22,16 @@ except ImportError as error:
 from ._axis import Axis
 from ._errors import ComputationFailed, InputError, ProgramError
 from ._experiments import Experiment, evolution, layer, structure
+from ._map import Result, map
 from ._mesecina import version
 from ._picture import Picture
-from ._session import Certificate, Session, open, shape
+from ._session import Certificate, Session, open, shape, text
 from ._tables import Structure, Table, builtin
 
 __version__ = version()
-__all__ = ["Axis", "Certificate", "ComputationFailed", "Experiment", "InputError", "Picture", "ProgramError", "Session",
-           "Structure", "Table", "evolution", "formats", "layer", "layers", "open", "parameters", "shape", "shapes",
-           "structure", "structures", "version"]
+__all__ = ["Axis", "Certificate", "ComputationFailed", "Experiment", "InputError", "Picture", "ProgramError", "Result",
+           "Session", "Structure", "Table", "evolution", "formats", "layer", "layers", "map", "open", "parameters", "shape", "shapes",
+           "structure", "structures", "text", "version"]
 
 
 def structures():

@@ -64,7 +64,7 @@ class Axis:
 
     @property
     def angle(self):
-        """The object angle of each edge in degrees, shape (m,)."""
+        """The object angle of each edge in degrees, shape (m,): half the angle between its two nearest samples, seen from it."""
         return self._value("angle-axis", "object_angle")
 
     def _value(self, structure, column):

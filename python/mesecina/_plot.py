@@ -14,7 +14,7 @@ def plot(session, ax, layers):
             values = np.array(session._bench.instances(layer, kind))  # what is drawn outlives the session's next edit
             if len(values):
                 _draw(ax, kind, values[:, :-1], style, order)
-    ax.set_aspect("equal", adjustable="datalim")
+    ax.set_aspect("equal")
     ax.autoscale_view()
     return ax
 

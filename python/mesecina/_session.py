@@ -472,6 +472,11 @@ def shape(name, *, samples=None, spacing=None, jitter=0.0, seed=1, **parameters)
     return Session(points, contours=[(indices, is_closed) for is_closed, indices in contours], balls=balls)
 
 
+def text(letters, **options):
+    """A session with samples of the outlines of a text; options are those of ``mesecina text``: font, size, samples."""
+    return Session._from_bytes(_program.run("text", letters, output="-", **options), "text", "poff")
+
+
 def _restored(version, text, experiments=()):
     try:
         return Session._from_bytes(text, "pickle", "session", experiments=experiments)
