@@ -1,0 +1,29 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What docs/python.md shows works as it stands, and every public name says what it is."""
+import inspect
+import re
+
+import pytest
+
+import mesecina as mes
+from conftest import ROOT
+
+
+def test_the_blocks_of_the_document_run():
+    pytest.importorskip("pandas")
+    blocks = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(), re.DOTALL)
+    assert len(blocks) == 6
+    names = {}
+    for block in blocks:
+        exec(compile(block, "docs/python.md", "exec"), names)
+    assert names["denser"] and len(names["branches"])
+
+
+def test_public_names_have_a_docstring():
+    for name in mes.__all__:
+        one = getattr(mes, name)
+        assert inspect.getdoc(one), name
+        if inspect.isclass(one):
+            for member, value in vars(one).items():
+                if not member.startswith("_") and (callable(value) or isinstance(value, (property, classmethod))):
+                    assert inspect.getdoc(getattr(one, member)), f"{name}.{member}"
