@@ -69,6 +69,8 @@ test           dbus-daemon         dbus-daemon         dbus           -
 test           librsvg2-bin        librsvg2-tools      librsvg        librsvg
 test           poppler-utils       poppler-utils       poppler        poppler
 test           ghostscript         ghostscript         ghostscript    ghostscript
+bench          python3-scipy       python3-scipy       python-scipy   scipy
+bench          python3-distributed  python3-distributed  python-distributed  -
 bench          libbenchmark-dev    google-benchmark-devel  benchmark  google-benchmark
 package        dpkg-dev            dpkg-dev            dpkg           dpkg
 package        file                file                file           -
