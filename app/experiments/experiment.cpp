@@ -18,13 +18,13 @@ namespace {
 namespace fs = std::filesystem;
 
 bool is_library(const fs::path& file) {
-  return file.extension() == ".so";
+  return file.extension() == ".so" || is_python_file(file);
 }
 
 }  // namespace
 
 bool is_experiment_file(const fs::path& file) {
-  constexpr std::array<std::string_view, 4> kExtensions{".cpp", ".cc", ".cxx", ".so"};
+  constexpr std::array<std::string_view, 5> kExtensions{".cpp", ".cc", ".cxx", ".so", ".py"};
   return std::ranges::find(kExtensions, file.extension().string()) != kExtensions.end();
 }
 
@@ -38,12 +38,12 @@ Expected<std::vector<fs::path>> experiment_files(const fs::path& name) {
     for (auto at = fs::directory_iterator(name, error); !error && at != fs::directory_iterator(); at.increment(error))
       if (at->is_regular_file(error) && is_experiment_file(at->path())) out.push_back(at->path());
     if (error) return failure(error.message());
-    if (out.empty()) return failure("the folder has no experiment, which is a .cpp or .so file");
+    if (out.empty()) return failure("the folder has no experiment, which is a .cpp, .so or .py file");
     std::ranges::sort(out);
     return out;
   }
   if (!fs::exists(name, error)) return failure("there is no such file");
-  if (!is_experiment_file(name)) return failure("an experiment is a .cpp or .so file, or a folder of them");
+  if (!is_experiment_file(name)) return failure("an experiment is a .cpp, .so or .py file, or a folder of them");
   return std::vector{name};
 }
 

@@ -19,7 +19,7 @@ namespace mes {
 
 class Registry;
 
-/// A source, `.cpp`, `.cc` or `.cxx`, or a shared library, `.so`.
+/// A source, `.cpp`, `.cc` or `.cxx`, a shared library, `.so`, or a file of Python, `.py`.
 bool is_experiment_file(const std::filesystem::path& file);
 /// The experiments that a name stands for: a file itself, or those of a folder by name. Error: `bad_input` if it is
 /// neither, or a folder without experiments.

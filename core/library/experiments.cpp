@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 #include <fmt/core.h>
 
+#include <cstdlib>
 #include <exception>
 #include <ranges>
 #include <utility>
@@ -22,6 +23,7 @@ namespace {
 #define MESECINA_TEXT_(text) #text
 #define MESECINA_TEXT(text) MESECINA_TEXT_(text)
 constexpr const char* kEntry = MESECINA_TEXT(MESECINA_EXPERIMENT_ENTRY);
+constexpr const char* kPythonEntry = MESECINA_TEXT(MESECINA_JOINED(mesecina_python_experiment_of_abi_, MESECINA_ABI));
 
 std::unexpected<Error> failure(const std::filesystem::path& file, std::string_view text) {
   return std::unexpected(
@@ -36,7 +38,29 @@ std::string loader_error(const std::filesystem::path& file) {
   return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
 }
 
+/// The library that keeps an interpreter: beside the program in a build, in its prefix, or in Debian's folder. Empty:
+/// there is none.
+std::filesystem::path find_python_library() {
+  namespace fs = std::filesystem;
+  std::vector<fs::path> candidates;
+  std::error_code error;
+  if (const char* const given = std::getenv("MESECINA_PYTHON"); given != nullptr) candidates.emplace_back(given);
+  if (const fs::path self = fs::read_symlink("/proc/self/exe", error); !error) {
+    const fs::path folder = self.parent_path();
+    candidates.push_back(folder / "python/mesecina");                         // in a build
+    candidates.push_back(folder / "../..");                                   // in a wheel
+    candidates.push_back(folder / "../lib/python3/dist-packages/mesecina");  // as Debian has it
+  }
+  for (const fs::path& one : candidates)
+    if (fs::exists(one / "embedded.so", error)) return fs::weakly_canonical(one / "embedded.so", error);
+  return {};
+}
+
 }  // namespace
+
+bool is_python_file(const std::filesystem::path& file) {
+  return file.extension() == ".py";
+}
 
 bool is_kebab_case(std::string_view id) {
   const auto is_small = [](char c) { return c >= 'a' && c <= 'z'; };
@@ -50,9 +74,14 @@ bool is_kebab_case(std::string_view id) {
 Expected<ExperimentLibrary> ExperimentLibrary::load(const std::filesystem::path& file) {
   std::error_code failed;
   // Without a slash the loader would look elsewhere.
-  const std::filesystem::path full = std::filesystem::absolute(file, failed);
+  std::filesystem::path full = std::filesystem::absolute(file, failed);
   if (failed) return failure(file, failed.message());
   if (!std::filesystem::is_regular_file(full, failed)) return failure(file, "there is no such file");
+  const bool is_python = is_python_file(file);
+  if (is_python) {
+    full = find_python_library();
+    if (full.empty()) return failure(file, "the Python module is not installed, which experiments in Python need");
+  }
   void* library = nullptr;
   try {
     library = dlopen(full.c_str(), RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE);
@@ -62,7 +91,7 @@ Expected<ExperimentLibrary> ExperimentLibrary::load(const std::filesystem::path&
     return failure(file, "a static initialiser threw something");
   }
   if (library == nullptr) return failure(file, loader_error(full));
-  void* const entry = dlsym(library, kEntry);
+  void* const entry = dlsym(library, is_python ? kPythonEntry : kEntry);
   if (entry == nullptr)
     return failure(file, fmt::format("it has no experiment for version {} of the binary interface", MESECINA_ABI));
   return ExperimentLibrary(file, entry);
@@ -70,11 +99,17 @@ Expected<ExperimentLibrary> ExperimentLibrary::load(const std::filesystem::path&
 
 Expected<ExperimentContents> ExperimentLibrary::add_to(Registry& registry) const {
   using Add = void (*)(mesecina::Experiment&);
+  using AddPython = void (*)(mesecina::Experiment&, const char* file);
   Registry changed = registry;
   mesecina::Experiment::Impl impl{changed};
   mesecina::Experiment experiment(impl);
   try {
-    mesecina::shielded([&] { reinterpret_cast<Add>(entry_)(experiment); });
+    mesecina::shielded([&] {
+      if (is_python_file(file_))
+        reinterpret_cast<AddPython>(entry_)(experiment, file_.c_str());
+      else
+        reinterpret_cast<Add>(entry_)(experiment);
+    });
   } catch (const GeometryError& error) {
     return failure(file_, error.what());
   } catch (const Cancelled&) {

@@ -31,10 +31,14 @@ struct ExperimentContents {
   }
 };
 
-/// A shared library with experiments. It stays loaded until the program ends, so whatever refers to its code may.
+bool is_python_file(const std::filesystem::path& file);
+
+/// A shared library with experiments, or a file of Python. It stays loaded until the program ends, so whatever refers to its
+/// code may.
 class ExperimentLibrary {
  public:
-  /// Error: `bad_input` if it cannot be loaded, or was made for another ABI. Runs its static initialisers.
+  /// Error: `bad_input` if it cannot be loaded, or was made for another ABI. Runs its static initialisers. A file of
+  /// Python is loaded by the library of the Python module, and read when it is added.
   static Expected<ExperimentLibrary> load(const std::filesystem::path& file);
   /// Adds all that it has, or nothing. Error: `bad_input` with the reason, which the file stands before; registry as
   /// before.
@@ -43,7 +47,7 @@ class ExperimentLibrary {
  private:
   ExperimentLibrary(std::filesystem::path file, void* entry) : file_(std::move(file)), entry_(entry) {}
   std::filesystem::path file_;
-  void* entry_;  // the function that adds
+  void* entry_;  // the function that adds, of a file of Python if that is one
 };
 
 /// Takes away what was added, and whatever was computed from it.

@@ -2,7 +2,9 @@
 """Structures, layers and evolutions of one's own, as functions over arrays."""
 import inspect
 import os
+import sys
 import traceback
+import types
 import typing
 
 import numpy as np
@@ -152,6 +154,16 @@ class Experiment:
         values = {one["argument"]: one["cast"](shown.parameter(one["id"])) for one in self.parameters}
         return self.__wrapped__(*tables, **values)
 
+    def describe_evolution(self):
+        """The same of an evolution."""
+
+        def move(points, curves, step, values):
+            named = {one["argument"]: one["cast"](value) for one, value in zip(self.parameters, values)}
+            return moved(self, points, [(indices, is_closed) for is_closed, indices in curves], step, named)
+
+        return {"what": self.what, "id": self.id, "name": self.__name__.strip("_").replace("_", " ").capitalize(),
+                "description": self.description, "parameters": self.parameters, "function": move}
+
     def describe(self, catalogue):
         """What the compiled part has to know of it. Raises what the function raises for no samples."""
         structures = described_structures(catalogue)
@@ -183,6 +195,34 @@ def with_experiments(catalogue, experiments):
             raise TypeError(f"a structure or a layer is expected, not {one!r}")
         catalogue = catalogue.with_experiment(one.describe(catalogue))
     return catalogue
+
+
+def specs_of(file):
+    """What the compiled part has to know of all structures, layers and evolutions that a file defines, in their order.
+
+    The file is run as a module of its own each time, with its folder first in the path.
+    """
+    module = types.ModuleType(os.path.splitext(os.path.basename(file))[0])
+    module.__file__ = file
+    sys.path.insert(0, os.path.dirname(os.path.abspath(file)))
+    try:
+        with open(file, encoding="utf-8") as source:
+            code = compile(source.read(), file, "exec")
+        sys.modules[module.__name__] = module
+        exec(code, module.__dict__)  # noqa: S102 - the user's own code
+    finally:
+        sys.path.pop(0)
+    found = [one for one in vars(module).values() if isinstance(one, Experiment)]
+    if not found:
+        raise ValueError("it defines no structure, layer or evolution (see docs/python.md)")
+    catalogue, out = builtin(), []
+    for one in dict.fromkeys(found):
+        if one.what == "evolution":
+            out.append(one.describe_evolution())
+        else:
+            out.append(one.describe(catalogue))
+            catalogue = catalogue.with_experiment(out[-1])
+    return out
 
 
 def moved(experiment, points, curves, step, values):

@@ -66,11 +66,15 @@ Numbers array_of(std::span<const std::uint32_t> numbers) {
   return out;
 }
 
+py::list contours_of(std::span<const mesecina::Contour> contours) {
+  py::list out;
+  for (const mesecina::Contour& contour : contours)
+    out.append(py::make_tuple(contour.is_closed, array_of(std::span<const std::uint32_t>(contour.points))));
+  return out;
+}
+
 py::tuple arrays_of(const mesecina::Data& data) {
-  py::list contours;
-  for (const mesecina::Contour& contour : data.contours)
-    contours.append(py::make_tuple(contour.is_closed, array_of(std::span<const std::uint32_t>(contour.points))));
-  return py::make_tuple(array_of(std::span<const mesecina::Point>(data.samples)), contours,
+  return py::make_tuple(array_of(std::span<const mesecina::Point>(data.samples)), contours_of(data.contours),
                         array_of(std::span<const mesecina::Ball>(data.balls)));
 }
 

@@ -33,7 +33,9 @@ std::span<const Id> ids_of(const Numbers& array) {
 Doubles array_of(std::span<const mesecina::Point> points);
 Doubles array_of(std::span<const mesecina::Ball> balls);
 Numbers array_of(std::span<const std::uint32_t> numbers);
-/// Samples, contours as pairs of a flag and indices, and balls.
+/// Pairs of a flag, whether the contour is closed, and indices.
+py::list contours_of(std::span<const mesecina::Contour> contours);
+/// Samples, contours and balls.
 py::tuple arrays_of(const mesecina::Data& data);
 template <class Id>
 Numbers array_of_ids(const std::vector<Id>& ids) {

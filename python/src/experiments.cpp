@@ -58,17 +58,13 @@ class PyInputs {
   const mesecina::Inputs* inputs_;
 };
 
-/// Calls a function with inputs, and turns what it throws into an exception that threads without the lock may hold.
-template <class Use>
-void call(const Function& function, const mesecina::Inputs& inputs, Use use) {
-  const py::gil_scoped_acquire locked;
+/// Works with the interpreter lock, and turns what Python raises into an exception that threads without it may hold.
+template <class Work>
+void locked(Work work) {
+  const py::gil_scoped_acquire lock;
   std::string text;
   try {
-    auto shown = std::make_shared<PyInputs>(inputs);
-    const py::object out = function(shown);
-    shown->close();
-    use(out);
-    return;
+    return work();
   } catch (const py::error_already_set& error) {
     // Without its traceback the exception would not name the line.
     text = py::module_::import("mesecina._experiments")
@@ -78,6 +74,17 @@ void call(const Function& function, const mesecina::Inputs& inputs, Use use) {
     text = error.what();
   }
   throw std::runtime_error(text);
+}
+
+/// Calls a function with inputs.
+template <class Use>
+void call(const Function& function, const mesecina::Inputs& inputs, Use use) {
+  locked([&] {
+    auto shown = std::make_shared<PyInputs>(inputs);
+    const py::object out = function(shown);
+    shown->close();
+    use(out);
+  });
 }
 
 using Values =
@@ -215,15 +222,19 @@ class PyDrawer final : public mesecina::Drawer {
   std::vector<double> values_;
 };
 
-/// What the Python part says of an experiment, as dicts.
+// What the Python part says of an experiment, as dicts.
+
+mesecina::ParameterInfo parameter_of(const py::handle& one) {
+  return {.id = one["id"].cast<std::string>(),
+          .description = one["description"].cast<std::string>(),
+          .low = one["low"].cast<double>(),
+          .high = one["high"].cast<double>(),
+          .default_value = one["default"].cast<double>(),
+          .is_whole = one["is_whole"].cast<bool>()};
+}
+
 void add_parameters(mesecina::Experiment& to, const py::handle& parameters) {
-  for (const auto& one : parameters)
-    to.add_parameter({.id = one["id"].cast<std::string>(),
-                      .description = one["description"].cast<std::string>(),
-                      .low = one["low"].cast<double>(),
-                      .high = one["high"].cast<double>(),
-                      .default_value = one["default"].cast<double>(),
-                      .is_whole = one["is_whole"].cast<bool>()});
+  for (const auto& one : parameters) to.add_parameter(parameter_of(one));
 }
 
 std::vector<std::string> ids_of(const py::handle& described) {
@@ -277,15 +288,49 @@ void add_layer(mesecina::Experiment& to, const py::dict& spec) {
                }));
 }
 
+void add_evolution(mesecina::Experiment& to, const py::dict& spec) {
+  std::vector<mesecina::ParameterInfo> parameters;
+  for (const auto& one : spec["parameters"]) parameters.push_back(parameter_of(one));
+  to.add_evolution({.id = spec["id"].cast<std::string>(),
+                    .name = spec["name"].cast<std::string>(),
+                    .description = spec["description"].cast<std::string>(),
+                    .parameters = std::move(parameters)},
+                   [function = Function(spec["function"])](const mesecina::MovingSamples& samples,
+                                                           std::span<const double> values) {
+                     std::vector<mesecina::Point> out;
+                     locked([&] {
+                       const std::vector<double> numbers(values.begin(), values.end());
+                       const auto points = points_of(
+                           function(array_of(samples.positions), contours_of(samples.curves), samples.step, numbers)
+                               .cast<Doubles>());
+                       out.assign(points.begin(), points.end());
+                     });
+                     return out;
+                   });
+}
+
+void add(mesecina::Experiment& to, const py::dict& spec) {
+  const auto what = spec["what"].cast<std::string>();
+  if (what == "structure")
+    add_structure(to, spec);
+  else if (what == "layer")
+    add_layer(to, spec);
+  else
+    add_evolution(to, spec);
+}
+
+/// Adds all that a file of Python defines. For the program, which keeps an interpreter (embedded.cpp).
+void add_file(mesecina::Experiment& to, const char* file) {
+  locked([&] {
+    for (const auto& spec : py::module_::import("mesecina._experiments").attr("specs_of")(file))
+      add(to, spec.cast<py::dict>());
+  });
+}
+
 }  // namespace
 
 mesecina::Catalogue with_python(const mesecina::Catalogue& catalogue, const py::dict& spec) {
-  return mesecina::with_experiment(catalogue, [&](mesecina::Experiment& to) {
-    if (spec["what"].cast<std::string>() == "structure")
-      add_structure(to, spec);
-    else
-      add_layer(to, spec);
-  });
+  return mesecina::with_experiment(catalogue, [&](mesecina::Experiment& to) { add(to, spec); });
 }
 
 void add_inputs(py::module_& module) {
@@ -293,6 +338,7 @@ void add_inputs(py::module_& module) {
       .def("column", &PyInputs::column)
       .def("live_rows", &PyInputs::live_rows)
       .def("parameter", &PyInputs::parameter);
+  module.attr("add_file") = py::capsule(reinterpret_cast<void*>(&add_file), kAddFile);
 }
 
 }  // namespace mes_python

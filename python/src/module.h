@@ -15,6 +15,9 @@ mesecina::PrimitiveKind kind_of(std::string_view name);
 /// The catalogue with a structure or a layer that `_experiments.py` describes. Error: as `mesecina::with_experiment`.
 mesecina::Catalogue with_python(const mesecina::Catalogue& catalogue, const py::dict& spec);
 
+/// Name of the capsule `add_file` with a function `void(mesecina::Experiment&, const char* file)`, which throws.
+inline constexpr const char* kAddFile = "mesecina.add_file";
+
 void add_errors();
 void add_inputs(py::module_& module);
 
