@@ -2,7 +2,9 @@
 #include "app/system/child_process.h"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <spawn.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -36,6 +38,27 @@ Children& children() {
   static Children& out = *new Children;
   return out;
 }
+
+/// A file that becomes readable when a process ends; -1 where the system has none.
+class EndOfProcess {
+ public:
+  explicit EndOfProcess(pid_t pid) : file_(static_cast<int>(::syscall(SYS_pidfd_open, pid, 0U))) {}
+  ~EndOfProcess() {
+    if (file_ >= 0) ::close(file_);
+  }
+  EndOfProcess(const EndOfProcess&) = delete;
+  EndOfProcess& operator=(const EndOfProcess&) = delete;
+
+  /// Until the process ends, or for the time of an interval.
+  void wait() const {
+    pollfd waited_for{.fd = file_, .events = POLLIN, .revents = 0};
+    if (file_ < 0 || ::poll(&waited_for, 1, static_cast<int>(kLookInterval.count())) < 0)
+      std::this_thread::sleep_for(kLookInterval);
+  }
+
+ private:
+  int file_;
+};
 
 int spawn(const std::vector<std::string>& words, const fs::path& folder, int errors, pid_t& pid) {
   std::vector<char*> pointers;
@@ -83,6 +106,7 @@ int ChildProcess::start(const std::vector<std::string>& words, const fs::path& f
 bool ChildProcess::wait(const std::stop_token& stop, Clock::time_point until) {
   int status = 0;
   Clock::time_point asked{};
+  const EndOfProcess end(pid_);  // it is not reaped before, so the number is its own
   for (;;) {
     {
       const std::lock_guard lock(children().mutex);
@@ -99,7 +123,7 @@ bool ChildProcess::wait(const std::stop_token& stop, Clock::time_point until) {
     } else if (now > until || (asked.time_since_epoch().count() != 0 && now - asked > kPatience)) {
       ::kill(pid_, SIGKILL);
     }
-    std::this_thread::sleep_for(kLookInterval);
+    end.wait();
   }
 }
 
