@@ -31,6 +31,7 @@ int main(int argc, char** argv) {
   mes::bench::register_panes(table);
   mes::bench::register_insight(table);
   mes::bench::register_experiments(table);
+  mes::bench::register_reloading(table);
   benchmark::RunSpecifiedBenchmarks();
   benchmark::Shutdown();
 

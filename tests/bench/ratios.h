@@ -57,5 +57,6 @@ void register_sampling(RatioTable& table);
 void register_panes(RatioTable& table);
 void register_insight(RatioTable& table);
 void register_experiments(RatioTable& table);
+void register_reloading(RatioTable& table);
 
 }  // namespace mes::bench
