@@ -56,12 +56,18 @@ void ExperimentDesk::take_changed_files() {
   }
 }
 
+std::optional<ExperimentDesk::Work> ExperimentDesk::work() const {
+  if (!is_busy()) return {};
+  return Work{.file = at_work_, .time = std::chrono::steady_clock::now() - begun_};
+}
+
 void ExperimentDesk::begin_next() {
   if (job_.is_under_way()) return;
   const auto next = std::ranges::find(entries_, State::waiting, &Entry::state);
   if (next == entries_.end()) return;
   next->state = State::preparing;
   at_work_ = next->file;
+  begun_ = std::chrono::steady_clock::now();
   job_.begin([tools = tools_, file = next->file](const std::stop_token& stop) {
     const auto start = std::chrono::steady_clock::now();
     std::vector<CompilerMessage> messages;
@@ -91,6 +97,7 @@ std::shared_ptr<const Registry> ExperimentDesk::take(Entry& entry, Prepared prep
   entry.contents = *std::move(added);
   entry.library = std::move(prepared.experiment->library);
   entry.state = State::added;
+  ++entry.versions;
   entry.problem.clear();
   for (auto one = first + 1; one != entries_.end(); ++one) {
     if (!one->library) continue;

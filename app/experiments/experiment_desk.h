@@ -2,6 +2,7 @@
 // The experiments of the window: prepared in the background, added to the registry, and prepared anew when they change.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -40,6 +41,7 @@ class ExperimentDesk {
     std::optional<ExperimentLibrary> library{};  ///< that it is from
     bool is_blocked = false;                     ///< it was prepared, and could not be added
     double seconds = 0.0;                        ///< that the last preparation took
+    std::size_t versions = 0;                    ///< added so far
   };
 
   ExperimentDesk(ExperimentTools tools, std::function<void()> wake);
@@ -55,6 +57,12 @@ class ExperimentDesk {
   std::span<const Entry> entries() const { return entries_; }
 
   bool is_busy() const { return job_.is_under_way(); }
+  /// The experiment that is being prepared, and for how long.
+  struct Work {
+    std::filesystem::path file;
+    std::chrono::steady_clock::duration time{};
+  };
+  std::optional<Work> work() const;
   /// Once a turn: takes what was prepared, and begins with what has changed. Returns another registry in place of the one
   /// it is given, or null. `on_news` is called for each experiment that was prepared.
   std::shared_ptr<const Registry> follow(const Registry& present, const std::function<void(const Entry&)>& on_news);
@@ -74,6 +82,7 @@ class ExperimentDesk {
   std::vector<Entry> entries_;
   std::vector<ExperimentContents> removed_;  // still in the registry
   std::filesystem::path at_work_;            // that the job prepares
+  std::chrono::steady_clock::time_point begun_{};
   BackgroundJob<Prepared> job_;
   FileWatch watch_;
 };

@@ -40,7 +40,7 @@ std::string state_in_words(const ExperimentDesk::Entry& entry) {
       return fmt::format("Adds {} ({:.1f} s)", contents_in_words(entry.contents), entry.seconds);
     case ExperimentDesk::State::failed: break;
   }
-  return entry.contents.is_empty() ? "Adds nothing" : "The version before is still in use";
+  return entry.contents.is_empty() ? "Adds nothing" : "The previous version stays in use";
 }
 
 std::string place_of(const CompilerMessage& message) {
@@ -83,6 +83,25 @@ void ExperimentsPanel::draw_more() const {
   });
 }
 
+void ExperimentsPanel::draw_message(const CompilerMessage& message) const {
+  constexpr float kMostLines = 4.0F;
+  const std::string label = fmt::format("{}: {}", place_of(message), message.text);
+  const float width = ImGui::GetContentRegionAvail().x;
+  const std::string shown = elided(label, kMostLines * width);
+  const ImVec2 at = ImGui::GetCursorPos();
+  const ImVec2 size = ImGui::CalcTextSize(shown.c_str(), nullptr, false, width);
+  if (ImGui::Selectable("##message", false, 0, {width, size.y})) edit(message.file, message.line);
+  tooltip(gui, label + "\n\nClick to open the file and to copy its name and line");
+  const ImVec2 below = ImGui::GetCursorPos();
+  ImGui::SetCursorPos(at);
+  if (message.is_error) ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(shown.c_str());
+  ImGui::PopTextWrapPos();
+  if (message.is_error) ImGui::PopStyleColor();
+  ImGui::SetCursorPos(below);
+}
+
 void ExperimentsPanel::draw_entry(std::size_t index) const {
   const ExperimentDesk::Entry& entry = desk.entries()[index];
   const float unit = gui.unit();
@@ -105,11 +124,7 @@ void ExperimentsPanel::draw_entry(std::size_t index) const {
   for (std::size_t i = 0; i < entry.messages.size(); ++i) {
     const CompilerMessage& message = entry.messages[i];
     ImGui::PushID(static_cast<int>(i));
-    const std::string label = fmt::format("{}: {}", place_of(message), message.text);
-    if (message.is_error) ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-    if (ImGui::Selectable(elided(label, ImGui::GetContentRegionAvail().x).c_str())) edit(message.file, message.line);
-    if (message.is_error) ImGui::PopStyleColor();
-    tooltip(gui, label + "\n\nA click opens the file, and puts its place on the clipboard");
+    draw_message(message);
     ImGui::PopID();
   }
   bool is_removed = false;

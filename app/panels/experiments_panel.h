@@ -28,6 +28,7 @@ struct ExperimentsPanel {
  private:
   void draw_more() const;
   void draw_entry(std::size_t index) const;
+  void draw_message(const CompilerMessage& message) const;
 };
 
 }  // namespace mes

@@ -2,6 +2,7 @@
 #include "app/panels/work_in_progress.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <string>
 
@@ -57,6 +58,13 @@ void WorkInProgress::draw_recording() const {
   ImGui::SameLine(0, 16 * unit);
 }
 
+bool WorkInProgress::draw_compilation() const {
+  const auto work = experiments.work();
+  if (!work || std::chrono::duration<double, std::milli>(work->time).count() < kShownAfterMs) return false;
+  progress_bar(gui, "Compiling " + work->file.filename().string(), 0.0);
+  return true;
+}
+
 bool WorkInProgress::draw() const {
   if (files.is_saving()) {
     progress_bar(gui, "Saving " + files.saving_name(), 0.0);
@@ -94,7 +102,7 @@ bool WorkInProgress::draw() const {
   }
   if (!status.busy || status.busy_ms < kShownAfterMs) {
     // What it begins with may lie behind other panels by now.
-    if (!sweep.is_under_way()) return false;
+    if (!sweep.is_under_way()) return draw_compilation();
     progress_bar(gui, "Making a table", sweep.progress());
     if (ImGui::SmallButton("Cancel")) sweep.give_up();
     tooltip(gui, "Make no table of the values of the parameter");

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is being read, written, recorded or computed, as a part of the status bar.
+// What is being read, written, recorded, compiled or computed, as a part of the status bar.
 #pragma once
 
 #include "app/actions/action_bindings.h"
+#include "app/experiments/experiment_desk.h"
 #include "app/insight/parameter_sweep.h"
 #include "app/model/update_hold.h"
 #include "app/recording/record_desk.h"
@@ -23,11 +24,14 @@ struct WorkInProgress {
   RecordDesk& record;
   const UpdateHold& hold;
   SweepDesk& sweep;
+  const ExperimentDesk& experiments;
 
   /// A red dot and how many frames there are, while recording.
   void draw_recording() const;
   /// What is being done, with a way to stop it; false when nothing is.
   bool draw() const;
+  /// The experiment that is being compiled or tried; false if there is none.
+  bool draw_compilation() const;
 };
 
 }  // namespace mes

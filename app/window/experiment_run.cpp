@@ -70,9 +70,11 @@ void ExperimentRun::say(const ExperimentDesk::Entry& entry) {
   if (entry.state == ExperimentDesk::State::failed) {
     // The panel has the whole story, and forgets it once it is cured.
     uses_.settings.details = DetailsPage::experiments;
-    uses_.messages.remark(name + " cannot be used");
+    uses_.messages.remark(entry.contents.is_empty() ? name + " cannot be used"
+                                                    : name + " has a mistake; its previous version stays in use");
   } else {
-    uses_.messages.remark(fmt::format("{} is loaded", name));
+    uses_.messages.remark(entry.versions > 1 ? fmt::format("A new version of {} is loaded", name)
+                                             : fmt::format("{} is loaded", name));
   }
 }
 

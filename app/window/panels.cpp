@@ -49,7 +49,7 @@ Panels::Panels(const Uses& uses)
                   uses.work.computation(),
                   uses.messages,
                   {uses.screen.gui, uses.actions, uses.work.engine(), uses.documents.files(), uses.recording.desk(),
-                   uses.work.hold(), uses.work.sweep()},
+                   uses.work.hold(), uses.work.sweep(), uses.experiments.desk()},
                   {uses.screen.gui, uses.actions, uses.work.engine(), uses.work.document(),
                    uses.work.computation().settings(), uses.board.picture(), uses.board.canvas()}},
       toolbar_{uses.screen.gui,
