@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr auto kInterval = std::chrono::milliseconds(100);
+constexpr auto kInterval = std::chrono::milliseconds(40);
 
 std::optional<std::pair<std::int64_t, std::uintmax_t>> stamp_of(const fs::path& file) {
   std::error_code error;

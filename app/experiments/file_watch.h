@@ -13,7 +13,7 @@
 
 namespace mes {
 
-/// Looks at times and sizes ten times a second, on a thread that there is only while there are files. A file that is away
+/// Looks at times and sizes 25 times a second, on a thread that there is only while there are files. A file that is away
 /// for a moment, as while an editor replaces it, has changed once it is there again.
 ///
 /// Threads: one; `wake` is called from another.
