@@ -277,6 +277,14 @@ void VirtualScreen::click(std::array<int, 2> at) const {
   xdotool(fmt::format("mousemove {} {} click 1", at[0], at[1]));
 }
 
+void VirtualScreen::drop(const std::filesystem::path& file) const {
+  REQUIRE(connection_->drop("Mesecina", file.string()));
+}
+
+std::string VirtualScreen::clipboard() const {
+  return connection_->clipboard();
+}
+
 void VirtualScreen::type_over(const std::string& text) const {
   // Fields of text look once a frame which keys are down, so these are held until they were seen.
   xdotool("keydown ctrl keydown a");

@@ -113,6 +113,10 @@ class VirtualScreen {
   /// The rest of the arguments one by one, so that a program draws between them.
   void drag(std::array<int, 2> from, std::array<int, 2> to, int steps) const;
   void click(std::array<int, 2> at) const;
+  /// Drops a file onto the program's window.
+  void drop(const std::filesystem::path& file) const;
+  /// The text on the clipboard.
+  std::string clipboard() const;
   /// Types into the field that has the keyboard, in place of what is there.
   void type_over(const std::string& text) const;
 

@@ -23,6 +23,11 @@ class XConnection {
   Screenshot shoot() const;
   /// Names of all windows that have one.
   std::vector<std::string> window_names() const;
+  /// Drags a file onto the window whose name has these words, and drops it in the middle. Returns true once the window
+  /// has taken it.
+  bool drop(const std::string& words, const std::string& file) const;
+  /// The text that the owner of the clipboard gives; empty without one.
+  std::string clipboard() const;
 
  private:
   std::shared_ptr<_XDisplay> display_;
