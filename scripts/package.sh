@@ -9,8 +9,8 @@
 #                                 both programs in a bare Debian 12, and there an example that is built with the headers
 #                                 (as root; takes a second build and a download)
 #
-# The archive holds the program, its assets and documents, and libraries: those that a desktop lacks, and apart from them
-# those that it has. It runs where it is unpacked, with glibc 2.36 or a later one.
+# The archive holds the program, its assets and documents, the headers that experiments include, and libraries: those that
+# a desktop lacks, and apart from them those that it has. It runs where it is unpacked, with glibc 2.36 or a later one.
 set -uo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -41,7 +41,9 @@ make_archive() {
   root_folder=build/package/$name
   rm -rf "$root_folder" "$root_folder.tar.xz"
   cmake --install build/release --prefix "$root_folder" --strip >build/package-install.log 2>&1 || return 1
-  mkdir -p "$root_folder/lib/desktop" "$root_folder/share/doc/mesecina/licences"
+  # Experiments are compiled with these.
+  mkdir -p "$root_folder/include/mesecina" "$root_folder/lib/desktop" "$root_folder/share/doc/mesecina/licences"
+  install -m 644 core/library/mesecina/*.h "$root_folder/include/mesecina" || return 1
   licences=$root_folder/share/doc/mesecina/licences
   packages=()
   while read -r library; do
