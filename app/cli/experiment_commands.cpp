@@ -35,6 +35,13 @@ std::string class_name(std::string_view id) {
   return out;
 }
 
+/// "My idea" for "my-idea".
+std::string title(std::string id) {
+  std::ranges::replace(id, '-', ' ');
+  if (!id.empty()) id[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(id[0])));
+  return id;
+}
+
 void replace_all(std::string& text, std::string_view what, std::string_view with) {
   for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + with.size()))
     text.replace(at, what.size(), with);
@@ -79,12 +86,13 @@ Expected<void> run_new(const Registry& registry, const NewRequest& request, Inte
   if (!text) return std::unexpected(text.error());
   replace_all(*text, "my-" + request.what, request.name);
   replace_all(*text, class_name("my-" + request.what), class_name(request.name));
+  replace_all(*text, title("my-" + request.what), title(request.name));
   const std::string file = request.output.empty() ? request.name + ".cpp" : request.output;
   std::error_code error;
   if (!is_standard_output(file) && !request.force && fs::exists(file, error))
     return cannot_write("the file is there already; --force overwrites it", file);
   if (auto written = write_output(file, *text, interruption); !written) return written;
-  if (!is_standard_output(file)) say(fmt::format("{} is written; mesecina --with {} shows it", file, file));
+  if (!is_standard_output(file)) say(fmt::format("{} is written; its first lines say how to show it", file));
   return {};
 }
 

@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "app/layers/changed_parameters.h"
 #include "app/layers/parameter_words.h"
@@ -330,11 +331,17 @@ void ParametersPanel::draw() {
   tooltip(gui_, "Give every parameter its default");
   ImGui::BeginChild("list");
   bool any = false;
-  for (const Parameter& parameter : computation_.parameters()) {
-    if (!matches(parameter, search_)) continue;
-    any = true;
-    draw_parameter(parameter);
-  }
+  const auto draw_those = [&](std::span<const Parameter> parameters) {
+    for (const Parameter& parameter : parameters) {
+      if (!matches(parameter, search_)) continue;
+      any = true;
+      draw_parameter(parameter);
+    }
+  };
+  // Those of experiments follow those of the program in the registry. They are what the user works on.
+  const std::size_t own = std::min(computation_parameters().size(), computation_.parameters().size());
+  draw_those(computation_.parameters().subspan(own));
+  draw_those(computation_.parameters().first(own));
   if (!any) ImGui::TextDisabled("No parameter matches");
   ImGui::EndChild();
 }

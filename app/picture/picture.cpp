@@ -321,6 +321,10 @@ std::vector<LegendEntry> Picture::legend(const ShownPanes::Layers& layers, Legen
   return legend_of(registry_.now().layers(), scene_, views_of(layers, 1), scope);
 }
 
+void Picture::clear(const render::Camera& camera) {
+  device_.clear({}, {0, 0, camera.width(), camera.height()}, render::clear_color(canvas_));
+}
+
 void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
                    bool is_kept, const PanePlaces& places, std::span<const Pane> panes) {
   draw_moved(editor);

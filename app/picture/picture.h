@@ -81,6 +81,8 @@ class Picture {
   const LayerReport* first_failed() const;
   /// Marks above the layers of each pane, the main one first, as layers of the patch, in place of those before.
   void set_marks(FramePatch patch, std::vector<std::vector<render::LayerView>> marks);
+  /// The background alone.
+  void clear(const render::Camera& camera);
   /// With places of several panes, the main one shows the layers, and those beside it, in their order, what `panes` has
   /// for each.
   void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,

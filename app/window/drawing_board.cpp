@@ -288,10 +288,13 @@ void DrawingBoard::follow_differences() {
     messages_.problem("The panes cannot be compared: " + problem->message());
 }
 
-void DrawingBoard::fit(Vec2 legend) {
-  // Panels know their size when they have been drawn once.
+bool DrawingBoard::has_place() {
   constexpr int kFramesBefore = 2;
-  if (ImGui::GetFrameCount() <= kFramesBefore) return;
+  return ImGui::GetFrameCount() > kFramesBefore;
+}
+
+void DrawingBoard::fit(Vec2 legend) {
+  if (!has_place()) return;
   const render::Camera before = view().camera();
   fitter_.follow(work_.document(), {legend, canvas_.content_scale(), canvas_.has_pointer()});
   const std::vector<Box2> views = std::exchange(wanted_pane_views_, {});
@@ -304,6 +307,10 @@ void DrawingBoard::fit(Vec2 legend) {
 }
 
 void DrawingBoard::draw(const Frame& frame) {
+  if (!has_place()) {
+    screen_.clock.want(1);
+    return picture_.clear(view().camera());
+  }
   if (canvas_.views().is_moving()) screen_.clock.want(1);
   draw_pointer(frame);
   const std::uint32_t share = picture_.every();

@@ -78,6 +78,8 @@ class DrawingBoard {
   void see_in_panes(std::vector<Box2> views) { wanted_pane_views_ = std::move(views); }
 
  private:
+  /// Panels know their size when they have been drawn once, and the drawing has its place from then on.
+  static bool has_place();
   void bind_nudges(ActionBindings& actions);
   void bind_view(ActionBindings& actions);
   void nudge(Vec2 px);

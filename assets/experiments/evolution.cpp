@@ -12,7 +12,7 @@ using namespace mesecina;
 
 MESECINA_EXPERIMENT(experiment) {
   experiment.add_evolution({.id = "my-evolution",
-                            .name = "my-evolution",
+                            .name = "My evolution",
                             .description = "Moves samples towards the middle of their neighbours",
                             .parameters = {{.id = "my-evolution-way",
                                             .description = "How far a sample goes towards the middle",

@@ -10,7 +10,7 @@ using namespace mesecina;
 
 MESECINA_EXPERIMENT(experiment) {
   experiment.add_layer({.id = "my-layer",
-                        .name = "my-layer",
+                        .name = "My layer",
                         .description = "Circumcircles of Delaunay triangles, coloured by their radius",
                         .rows = "delaunay/faces",
                         .kinds = {PrimitiveKind::circle},

@@ -13,7 +13,7 @@ using namespace mesecina;
 MESECINA_EXPERIMENT(experiment) {
   experiment.add_shape(
       {.id = "my-shape",
-       .name = "my-shape",
+       .name = "My shape",
        .description = "A square with a notch",
        .parameters =
            {{.id = "depth", .description = "Depth of the notch", .low = 0.1, .high = 0.9, .default_value = 0.5}}},

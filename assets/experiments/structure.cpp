@@ -52,7 +52,7 @@ MESECINA_EXPERIMENT(experiment) {
   experiment.add_structure<MyStructure>(
       {.id = "my-structure", .inputs = {"delaunay"}, .parameters = {"my-structure-factor"}});
   experiment.add_layer({.id = "my-structure",
-                        .name = "my-structure",
+                        .name = "My structure",
                         .description = "Delaunay edges, coloured by their length",
                         .rows = "my-structure/edges",
                         .structures = {"delaunay"},
