@@ -167,10 +167,21 @@ in_bare "$unpacked/mesecina" render /usr/share/mesecina/shapes/lizard.poff -o /t
 cmp "$bare/tmp/lizard.png" "$bare/tmp/portable.png" || fail "the archive draws something else"
 say "Both compute and draw there: $root/build/package-picture.png."
 
-say "Building an example with the packages of the library there ..."
+say "Compiling an experiment there with the headers of the archive, then with those of the package ..."
+in_bare apt-get install -y --no-install-recommends g++ cmake make pkg-config </dev/null >>"$log" 2>&1 ||
+  fail "the compiler does not install (all of it: $log)"
+# check_experiment PROGRAM: it compiles an example and has its layer.
+check_experiment() {
+  in_bare "$1" list layers --with /usr/share/mesecina/examples/gabriel.cpp | grep '^gabriel ' >/dev/null ||
+    fail "it has no layer of an experiment"
+}
+check_experiment "$unpacked/mesecina"
 cp "$library" "$headers" "$bare/tmp"
 in_bare apt-get install -y --no-install-recommends "/tmp/$(basename "$library")" "/tmp/$(basename "$headers")" \
-  g++ cmake make pkg-config </dev/null >>"$log" 2>&1 || fail "the library does not install (all of it: $log)"
+  </dev/null >>"$log" 2>&1 || fail "the library does not install (all of it: $log)"
+check_experiment mesecina
+
+say "Building an example with the packages of the library there ..."
 in_bare sh -c 'cmake -S /usr/share/doc/libmesecina-dev/examples -B /tmp/example && cmake --build /tmp/example' \
   >>"$log" 2>&1 || fail "the example does not build (all of it: $log)"
 in_bare /tmp/example/axis_edges /usr/share/mesecina/shapes/lizard.poff >"$staged/edges.csv" || fail "the example fails"
