@@ -82,8 +82,9 @@ std::string wrapped(std::string_view text, std::size_t indent) {
 
 void add_experiments(CLI::App& command, std::vector<std::string>& experiments) {
   command
-      .add_option("--with", experiments,
-                  "An experiment, or a folder of them: C++ sources that are compiled, or shared libraries")
+      .add_option(
+          "--with", experiments,
+          "An experiment, or a folder of them: C++ sources, which are compiled, shared libraries, or files of Python")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }

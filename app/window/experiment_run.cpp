@@ -47,8 +47,9 @@ void ExperimentRun::ask_file() {
   std::error_code error;
   const auto& recent = uses_.settings.recent_experiments;
   const fs::path folder = recent.empty() ? fs::current_path(error) : fs::path(recent.front()).parent_path();
-  uses_.dialogs.browser.ask_open(folder, [this](const fs::path& file) { add(file); },
-                                 {.heading = "Load an experiment", .extensions = {".cpp", ".cc", ".cxx", ".so", ".py"}});
+  uses_.dialogs.browser.ask_open(
+      folder, [this](const fs::path& file) { add(file); },
+      {.heading = "Load an experiment", .extensions = {".cpp", ".cc", ".cxx", ".so", ".py"}});
 }
 
 void ExperimentRun::edit(const fs::path& file, std::uint64_t line) {

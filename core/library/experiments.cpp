@@ -47,8 +47,8 @@ std::filesystem::path find_python_library() {
   if (const char* const given = std::getenv("MESECINA_PYTHON"); given != nullptr) candidates.emplace_back(given);
   if (const fs::path self = fs::read_symlink("/proc/self/exe", error); !error) {
     const fs::path folder = self.parent_path();
-    candidates.push_back(folder / "python/mesecina");                         // in a build
-    candidates.push_back(folder / "../..");                                   // in a wheel
+    candidates.push_back(folder / "python/mesecina");                        // in a build
+    candidates.push_back(folder / "../..");                                  // in a wheel
     candidates.push_back(folder / "../lib/python3/dist-packages/mesecina");  // as Debian has it
   }
   for (const fs::path& one : candidates)

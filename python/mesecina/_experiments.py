@@ -26,7 +26,7 @@ def structure(*, id=None, inputs=None, rows=None):
             return {"edges": {"is_long": length > limit, "length": length}, "longest": length.max(initial=0.0)}
 
     Arguments of the function without a default are structures: their tables have columns, as those of a session, and
-    ``rows``. Arguments with a default are parameters, numbers with a range that their annotation says
+    ``rows``. Columns are copies, in which rows that are not alive are 0. Arguments with a default are parameters, numbers with a range that their annotation says
     (``Annotated[float, (low, high)]``); each is set as ``<structure>-<argument>``. The docstring describes it.
 
     The function returns a dict. Values that are dicts are tables, of columns: arrays of one length, of bool, uint8, int8, or

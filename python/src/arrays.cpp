@@ -108,7 +108,6 @@ py::array copy_of(const mesecina::Column& column) {
   } else {
     for (std::size_t row = 0; row < rows; ++row) column.read(static_cast<mesecina::Row>(row), to + row * size);
   }
-  make_read_only(out);
   return out;
 }
 

@@ -46,7 +46,7 @@ Numbers array_of_ids(const std::vector<Id>& ids) {
 /// A read-only array over memory that `owner` keeps where it is. It has the shape (rows,), or (rows, width).
 py::array view_of(const void* data, mesecina::ColumnType type, std::size_t rows, std::size_t width,
                   std::size_t stride, std::shared_ptr<const void> owner);
-/// A read-only array with a copy of the values of a column.
+/// A copy of the values of a column.
 py::array copy_of(const mesecina::Column& column);
 
 }  // namespace mes_python

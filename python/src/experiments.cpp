@@ -42,8 +42,17 @@ class PyInputs {
   explicit PyInputs(const mesecina::Inputs& inputs) : inputs_(&inputs) {}
   void close() { inputs_ = nullptr; }
 
-  py::array column(const std::string& table, const std::string& name) const {
-    return copy_of(now().table(table).column(name));
+  /// A copy, in which rows that are not alive are 0, so that they can be used as indices.
+  py::array column(const std::string& id, const std::string& name) const {
+    const mesecina::Table table = now().table(id);
+    py::array out = copy_of(table.column(name));
+    const std::size_t rows = table.rows();
+    if (rows == 0) return out;
+    const auto size = static_cast<std::size_t>(out.nbytes()) / rows;
+    auto* const values = static_cast<std::byte*>(out.mutable_data());
+    for (std::size_t row = 0; row < rows; ++row)
+      if (!table.is_alive(static_cast<mesecina::Row>(row))) std::memset(values + row * size, 0, size);
+    return out;
   }
   Numbers live_rows(const std::string& table) const {
     return array_of(std::span<const std::uint32_t>(now().live_rows(table)));
@@ -300,9 +309,10 @@ void add_evolution(mesecina::Experiment& to, const py::dict& spec) {
                      std::vector<mesecina::Point> out;
                      locked([&] {
                        const std::vector<double> numbers(values.begin(), values.end());
-                       const auto points = points_of(
+                       const auto moved =
                            function(array_of(samples.positions), contours_of(samples.curves), samples.step, numbers)
-                               .cast<Doubles>());
+                               .cast<Doubles>();
+                       const std::span<const mesecina::Point> points = points_of(moved);
                        out.assign(points.begin(), points.end());
                      });
                      return out;

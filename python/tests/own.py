@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Structures, layers and an evolution of one's own, in a module that other processes can import."""
+import math
 from typing import Annotated
 
 import numpy as np
@@ -29,8 +30,10 @@ def long_edge_lines(long_edges, delaunay):
 def middle(samples):
     """The mean of the samples."""
     places = samples.samples.position[samples.samples.rows]
-    return {"points": {"place": places.mean(axis=0, keepdims=True) if len(places) else places,
-                       "alive": np.ones(min(1, len(places)), dtype=bool)}}
+    count = len(places)
+    # Whatever the order of the samples is, the sum is the same.
+    mean = [[math.fsum(places[:, i]) / count for i in range(2)]] if count else np.empty((0, 2))
+    return {"points": {"place": mean, "alive": np.ones(len(mean), dtype=bool)}}
 
 
 @mes.layer(rows="middle/points", kind="disk", name="The middle")
@@ -43,4 +46,4 @@ def middle_disk(middle, radius=0.25):
 @mes.evolution()
 def shrink(points, curves, step, factor: Annotated[float, (0, 1)] = 0.5):
     """Samples come nearer to their mean."""
-    return points.mean(axis=0) + factor * (points - points.mean(axis=0))
+    return points if len(points) == 0 else points.mean(axis=0) + factor * (points - points.mean(axis=0))

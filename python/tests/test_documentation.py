@@ -12,7 +12,7 @@ from conftest import ROOT
 def test_the_blocks_of_the_document_run():
     pytest.importorskip("pandas")
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / "docs" / "python.md").read_text(), re.DOTALL)
-    assert len(blocks) == 6
+    assert len(blocks) == 7
     names = {}
     for block in blocks:
         exec(compile(block, "docs/python.md", "exec"), names)

@@ -1,13 +1,16 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Structures, layers and evolutions in Python: followed, drawn, refused with one line."""
+import json
 import pickle
+import subprocess
 
 import numpy as np
 import pytest
 
 import mesecina as mes
 import own
-from conftest import flower_points
+from conftest import SHAPES, flower_points
+from mesecina import _program
 
 ALL = (own.long_edges, own.long_edge_lines, own.middle, own.middle_disk)
 
@@ -149,6 +152,38 @@ def test_definitions_that_are_refused():
         with pytest.raises(error) as caught:
             work()
         assert "\n" not in str(caught.value)
+
+
+PROGRAM = "compute {} --with {} --layers long-edge-lines,middle-disk --set long-edges-limit=20 --digest --no-timing"
+
+
+def test_the_program_loads_a_file(program, tmp_path):
+    shape, file = SHAPES / "lizard.poff", own.__file__
+    report = json.loads(program(*PROGRAM.format(shape, file).split()))
+    session = mes.open(shape, experiments=ALL)
+    session.set("long-edges-limit", 20)
+    for layer in ("long-edge-lines", "middle-disk"):
+        assert report["layers"][layer]["digest"] == session.digest(layer)
+    assert report["structures"]["long-edges"]["count"] == session.statistics("long-edges")["count"]
+    moved = tmp_path / "moved.poff"
+    program("evolve", shape, "--with", file, "--evolution", "shrink", "--steps", 2, "--set", "shrink-factor=0.25", "-o", moved)
+    np.testing.assert_allclose(mes.open(moved).points, session.evolve(own.shrink, 2, factor=0.25).points)
+    assert b"long-edge-lines" in program("list", "layers", "--with", file)
+    checked = program("check", file).decode()
+    assert checked.count(" ok, ") > 8 and "update = rebuild" in checked
+
+
+@pytest.mark.parametrize("text, said", [
+    ("x = (\n", "SyntaxError"), ("x = 1\n", "no structure, layer or evolution"), ("raise KeyError('no')\n", "(idea.py:1)"),
+    ("import mesecina as mes\n@mes.structure()\ndef delaunay(samples):\n    return {}\n", "a structure delaunay already"),
+    ("import mesecina as mes, ctypes\n@mes.structure()\ndef crash(samples):\n"
+     "    if len(samples.samples.rows) > 2: ctypes.string_at(0)\n    return {}\n", "Segmentation fault")])
+def test_mistakes_in_a_file_are_one_line(text, said, tmp_path):
+    file = tmp_path / "idea.py"
+    file.write_text(text)
+    done = subprocess.run([_program.path(), "compute", SHAPES / "bean.poff", "--with", file], capture_output=True, text=True,
+                          check=False)
+    assert done.returncode == 3 and said in done.stderr and done.stderr.count("\n") == 1, done.stderr
 
 
 def test_inputs_are_copies_that_stay():
