@@ -1,0 +1,384 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Moebius diagram of balls: in the cell of a ball, the distance from its centre divided by its radius is smallest.
+//
+// If all balls grow by a common factor, this quotient is the factor at which a ball reaches a point. A ball vanishes in
+// the union of all when it has reached its whole cell, and the scale axis transform leaves out balls that vanish early
+// (J. Giesen, B. Miklos, M. Pauly, C. Wormser, The scale axis transform, SoCG 2009). Two cells meet along circles of
+// Apollonius, or along lines if their radii are equal. Squared quotients are linear functions of x, y and
+// z = x^2 + y^2, so the diagram is a power diagram in space, cut by a paraboloid (J.-D. Boissonnat, C. Wormser,
+// M. Yvinec, Curved Voronoi diagrams, 2006). The signs of rational numbers decide where power edges cross it, also for
+// degenerate balls. Coordinates and dates are rounded, and vertices with equal rounded coordinates are one.
+//
+// The balls are those of the document, or else the inner balls of its samples with rounded centres and radii. Balls of
+// radius zero are left out, and so are smaller balls with the same centre. More than 2500 balls are refused.
+//
+// Cost: 0.6 s for 1000 random balls, 1 to 2 s for 1000 inner balls, and 4 s for 1000 balls of a symmetric shape.
+//
+//   mesecina balls.wpoff --with moebius_diagram.cpp
+// mesecina-flags: -DNDEBUG -Wno-maybe-uninitialized -lmpfr -lgmp
+#include <mesecina/experiment.h>
+
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
+#include <CGAL/Regular_triangulation_3.h>
+#include <CGAL/Sqrt_extension.h>
+#include <CGAL/Triangulation_cell_base_with_info_3.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+
+#include <algorithm>
+#include <boost/multiprecision/gmp.hpp>
+#include <cmath>
+#include <map>
+#include <stdexcept>
+#include <tuple>
+
+using namespace mesecina;
+
+namespace {
+
+using Kernel = CGAL::Exact_predicates_exact_constructions_kernel;
+using Number = Kernel::FT;
+using Vector = Kernel::Vector_3;
+using Flat = Kernel::Vector_2;
+constexpr Row kFar = kNoRow - 1;
+
+struct Circle {
+  Flat center;
+  Number square;  // of the radius
+};
+/// On the boundary of a power face: 1 outside the paraboloid, -1 inside, and 0 at a vertex of the diagram.
+struct Mark {
+  int sign;
+  Row vertex = kNoRow;
+};
+struct Corner {
+  Vector at;
+  Mark mark;
+  std::array<std::vector<Mark>, 4> beside;  // along the power edges that end here
+};
+using Nodes =
+    CGAL::Triangulation_vertex_base_with_info_3<Row, Kernel, CGAL::Regular_triangulation_vertex_base_3<Kernel>>;
+using Corners =
+    CGAL::Triangulation_cell_base_with_info_3<Corner, Kernel, CGAL::Regular_triangulation_cell_base_3<Kernel>>;
+using Power = CGAL::Regular_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Nodes, Corners>>;
+using Node = Power::Vertex_handle;
+
+enum Kind : std::uint8_t { arc = 0, segment = 1, ray = 2, line = 3 };
+struct Edge {
+  std::uint8_t kind;
+  std::array<Row, 2> cells;
+  Point center;
+  double radius;
+  Point from, to;
+};
+struct Event {
+  Point position;
+  double factor;
+};
+
+double rounded(const Number& n) {
+  return CGAL::to_double(n.exact());
+}
+/// The squared quotient of a ball is the linear function constant_of - 2 vector_of * (x, y, z).
+Vector vector_of(Node node) {
+  return node->point().point() - CGAL::ORIGIN;
+}
+Number constant_of(Node node) {
+  return vector_of(node).squared_length() - node->point().weight();
+}
+
+/// One of the points where the quotients of three balls are equal. Nothing is rounded before the root is taken.
+Point crossing(const std::array<Node, 3>& nodes, int side) {
+  using Wide = boost::multiprecision::mpf_float_100;
+  const auto vector = [&](std::size_t k) { return CGAL::exact(vector_of(nodes[k]) - vector_of(nodes[0])); };
+  const auto height = [&](std::size_t k) { return CGAL::exact(constant_of(nodes[k]) - constant_of(nodes[0])); };
+  const auto u = vector(1), v = vector(2), way = CGAL::cross_product(u, v);
+  const auto base =
+      (height(1) * CGAL::cross_product(v, way) + height(2) * CGAL::cross_product(way, u)) / (2 * (way * way));
+  const auto square = [](const auto& w) -> Kernel::FT::ET { return w.x() * w.x() + w.y() * w.y(); };
+  const Wide a(square(way)), b(base.x() * way.x() + base.y() * way.y() - way.z() / 2), c(square(base) - base.z());
+  const Wide d = b * b - a * c, t = a == 0 ? Wide(-c / (2 * b)) : Wide((side * sqrt(d > 0 ? d : Wide(0)) - b) / a);
+  return {static_cast<double>(Wide(Wide(base.x()) + t * Wide(way.x()))),
+          static_cast<double>(Wide(Wide(base.y()) + t * Wide(way.y())))};
+}
+
+class MoebiusDiagram final : public Structure {
+ public:
+  void rebuild(const Inputs& inputs) override;
+  std::vector<OwnTable> tables() const override {
+    std::vector<OwnTable> out;
+    out.emplace_back("edges", "Edges between cells")
+        .column("kind", "0 arc or circle, 1 segment, 2 ray, 3 line", edges_, &Edge::kind)
+        .column("cells", "The cells on both sides", edges_, &Edge::cells)
+        .refers_to("moebius-diagram/cells")
+        .column("center", "Centre of the circle", edges_, &Edge::center)
+        .column("radius", "Radius of the circle", edges_, &Edge::radius)
+        .column("from", "One end, or a point of a ray or a line; arcs are counter-clockwise", edges_, &Edge::from)
+        .column("to", "The other end, or the direction of a ray or a line", edges_, &Edge::to);
+    out.emplace_back("vertices", "Points that at least three cells have in common")
+        .column("position", "Position", vertices_, &Event::position)
+        .column("factor", "Factor at which the balls reach it", vertices_, &Event::factor);
+    out.emplace_back("cells", "Where growing balls have reached their whole cells")
+        .column("position", "Point of the cell that the ball reaches last, if there is one", cells_, &Event::position)
+        .column("factor", "Factor at which it does, the vanishing date; infinite: never", cells_, &Event::factor);
+    return out;
+  }
+  std::vector<Statistic> statistics() const override {
+    return {
+        {"moebius_cells", static_cast<std::int64_t>(cells_.size())},
+        {"moebius_edges", static_cast<std::int64_t>(edges_.size())},
+        {"moebius_vertices", static_cast<std::int64_t>(vertices_.size())},
+        {"first_vanishing_date", cells_.empty() ? INFINITY : std::ranges::min(cells_, {}, &Event::factor).factor}};
+  }
+
+ private:
+  void collect(const Inputs& inputs);
+  void cross(const Power& power, Power::Cell_handle cell, int side);
+  void trace(const Power& power, const Power::Edge& edge);
+  double reach(Row row, Point at) {
+    const Ball& ball = rounded_[row];
+    Event& last = cells_[row];
+    const double factor = std::hypot(at.x - ball.center.x, at.y - ball.center.y) / ball.radius;
+    if (std::tie(factor, at.x, at.y) > std::tie(last.factor, last.position.x, last.position.y)) last = {at, factor};
+    return factor;
+  }
+  Mark vertex(const std::array<Node, 3>& nodes, Point at) {
+    const auto [found, is_new] = vertex_at_.try_emplace({at.x, at.y}, static_cast<Row>(vertices_.size()));
+    if (is_new) vertices_.push_back({at, 0.0});
+    double& factor = vertices_[found->second].factor;
+    for (const Node node : nodes) factor = std::max(factor, reach(node->info(), at));
+    return {0, found->second};
+  }
+
+  std::vector<Circle> balls_;
+  Number largest_;  // of the squares
+  std::vector<Ball> rounded_;
+  std::vector<Edge> edges_;
+  std::vector<Event> vertices_, cells_;
+  std::map<std::pair<double, double>, Row> vertex_at_;
+};
+
+void MoebiusDiagram::collect(const Inputs& inputs) {
+  const auto add = [this](Point at, const Number& square) { balls_.push_back({{at.x, at.y}, square}); };
+  balls_.clear();
+  const auto center = inputs.column<Point>("balls/balls/center");
+  const auto radius = inputs.column<double>("balls/balls/radius");
+  for (const Row row : inputs.live_rows("balls/balls"))
+    if (radius[row] > 0.0) add(center[row], CGAL::square(Number(radius[row])));
+  const auto ball = inputs.column<Row>("inner-balls/faces/ball");
+  const auto inner = inputs.column<Point>("inner-balls/faces/center");
+  const auto size = inputs.column<double>("inner-balls/faces/radius");
+  // Decisions are several times faster if the reciprocal of a squared radius is a double.
+  for (const Row face : balls_.empty() ? inputs.live_rows("inner-balls/faces") : std::vector<Row>())
+    if (ball[face] == face) add(inner[face], 1 / Number(1.0 / (size[face] * size[face])));
+  std::ranges::sort(balls_, [](const Circle& a, const Circle& b) {
+    return a.center != b.center ? CGAL::compare_xy(CGAL::ORIGIN + a.center, CGAL::ORIGIN + b.center) < 0
+                                : b.square < a.square;
+  });
+  balls_.erase(std::ranges::unique(balls_, {}, &Circle::center).begin(), balls_.end());
+  if (balls_.size() > 2500)
+    throw std::runtime_error("there are " + std::to_string(balls_.size()) + " balls, and more than 2500 are refused");
+}
+
+void MoebiusDiagram::rebuild(const Inputs& inputs) {
+  edges_.clear();
+  vertices_.clear();
+  cells_.clear();
+  rounded_.clear();
+  vertex_at_.clear();
+  collect(inputs);
+  if (balls_.empty()) return;
+  std::vector<std::pair<Kernel::Weighted_point_3, Row>> sites;
+  const auto add = [&sites](const Flat& p, const Number& z, const Number& constant, Row row) {
+    sites.push_back({{{p.x(), p.y(), z}, p * p + z * z - constant}, row});
+    CGAL::exact(sites.back().first);  // makes intervals as short as possible
+  };
+  largest_ = std::ranges::max(balls_, {}, &Circle::square).square;
+  const bool is_alone = std::ranges::count(balls_, largest_, &Circle::square) == 1;
+  for (const auto& [c, square] : balls_) {
+    add(c / square, -1 / (2 * square), c * c / square, static_cast<Row>(cells_.size()));
+    rounded_.push_back({{rounded(c.x()), rounded(c.y())}, std::sqrt(rounded(square))});
+    cells_.push_back({rounded_.back().center, is_alone && square == largest_ ? INFINITY : 0.0});
+  }
+  // Three functions that exceed the first one everywhere make the triangulation three-dimensional.
+  const auto& [c, square] = balls_[0];
+  for (const auto& [x, y] : {std::pair(0, 0), {1, 0}, {0, 1}})
+    add((c + Flat(x, y)) / square, -1 / square, (c * c + x + y + 1) / square, kNoRow);
+  const Power power(sites.begin(), sites.end());
+  for (const auto cell : power.finite_cell_handles()) {
+    const Vector at = power.dual(cell) - CGAL::ORIGIN;
+    Mark mark{CGAL::sign(at.x() * at.x() + at.y() * at.y() - at.z())};
+    const auto node = [&cell](int k) { return cell->vertex(k % 4); };
+    for (int k = 0; mark.sign == 0 && k < 4; ++k)
+      mark = vertex({node(k), node(k + 1), node(k + 2)}, {rounded(at.x()), rounded(at.y())});
+    cell->info() = {at, mark, {}};
+  }
+  inputs.checkpoint(1, 3);
+  for (const auto cell : power.finite_cell_handles())
+    for (int side = 0; side < 4; ++side) cross(power, cell, side);
+  inputs.checkpoint(2, 3);
+  for (const auto& edge : power.finite_edges()) trace(power, edge);
+  for (std::size_t k = 0; k < cells_.size(); ++k)
+    if (std::isinf(cells_[k].factor)) cells_[k].position = rounded_[k].center;
+}
+
+/// Marks the power edge that leaves a cell through a side. It is a segment or a ray.
+void MoebiusDiagram::cross(const Power& power, Power::Cell_handle cell, int side) {
+  const auto other = cell->neighbor(side);
+  const bool is_ray = power.is_infinite(other);
+  const Vector from = cell->info().at, to = is_ray ? from : other->info().at;
+  if (!is_ray && (other < cell || from == to)) return;
+  const auto node = [&](int k) { return cell->vertex(Power::vertex_triple_index(side, k)); };
+  const std::array<Node, 3> nodes{node(2), node(1), node(0)};
+  const Vector base = vector_of(nodes[0]),
+               way = CGAL::cross_product(vector_of(nodes[1]) - base, vector_of(nodes[2]) - base);
+  // At the point from + t * way, x^2 + y^2 - z is a t^2 + 2 b t + c.
+  const auto slope_at = [&way](const Vector& at) -> Number {
+    return at.x() * way.x() + at.y() * way.y() - way.z() / 2;
+  };
+  const Number a = way.x() * way.x() + way.y() * way.y(), b = slope_at(from),
+               c = from.x() * from.x() + from.y() * from.y() - from.z();
+  const int slope = CGAL::sign(b), last = CGAL::sign(is_ray && !CGAL::is_zero(a) ? a : slope_at(to));
+  const auto first_of = [](int sign, int next) { return sign != 0 ? sign : next != 0 ? next : 1; };
+  const int begin = first_of(cell->info().mark.sign, slope),
+            end = is_ray ? last : first_of(other->info().mark.sign, -last);
+  std::vector<Mark> marks{{begin}};
+  const auto add = [&](int root, int sign) {
+    marks.push_back(vertex(nodes, crossing(nodes, root)));
+    marks.push_back({sign});
+  };
+  const int roots = begin + end == 2 && slope < 0 && last > 0 ? int(CGAL::sign(b * b - a * c)) : -1;
+  if (begin != end) add(end, end);
+  if (roots >= 0) add(-1, 1 - 2 * roots);
+  if (roots > 0) add(1, 1);
+  cell->info().beside[side] = marks;
+  other->info().beside[power.mirror_index(cell, side)].assign(marks.rbegin(), marks.rend());
+}
+
+/// Adds the edges between two cells: the parts of a circle or a line in the power face of both balls.
+void MoebiusDiagram::trace(const Power& power, const Power::Edge& edge) {
+  Node p = edge.first->vertex(edge.second), q = edge.first->vertex(edge.third);
+  if (p->info() == kNoRow || q->info() == kNoRow) return;
+  if (std::tie(balls_[p->info()].square, p->info()) > std::tie(balls_[q->info()].square, q->info())) std::swap(p, q);
+  const Row i = p->info(), j = q->info();
+  const auto& [a, square] = balls_[i];
+  const auto& [b, other] = balls_[j];
+  const bool is_line = square == other;
+  // Marks around the face, and the balls beside it.
+  std::vector<Mark> marks;
+  std::vector<Node> around;
+  auto cell = edge.first;
+  do {
+    const int next = Power::next_around_edge(cell->index(p), cell->index(q));
+    const Node third = cell->vertex(6 - cell->index(p) - cell->index(q) - next);
+    if (!power.is_infinite(cell)) marks.push_back(cell->info().mark);
+    std::ranges::copy(cell->info().beside[next], std::back_inserter(marks));
+    if (!power.is_infinite(third))
+      around.push_back(third);
+    else if (is_line && square == largest_)
+      marks.insert(marks.end(), {{0, kFar}, {-1}, {0, kFar}});  // the parabola of a line is infinite
+    cell = cell->neighbor(next);
+  } while (cell != edge.first);
+  const auto is_zero = [](const Mark& mark) { return mark.sign == 0; };
+  const auto both = [&](const Mark& one, const Mark& two) { return is_zero(one) && is_zero(two); };
+  marks.erase(std::ranges::unique(marks, both).begin(), marks.end());
+  if (marks.size() > 1 && both(marks.front(), marks.back())) marks.pop_back();
+  // An edge begins where the boundary of the face leaves the paraboloid, and ends where it comes back.
+  std::vector<std::pair<Row, bool>> stops;
+  bool is_cut = false, is_outside = true;
+  for (std::size_t k = 0, count = marks.size(); k < count; ++k) {
+    const int last = marks[(k + count - 1) % count].sign, next = marks[(k + 1) % count].sign;
+    is_outside = is_outside && last >= 0;
+    if (!is_zero(marks[k])) continue;
+    is_cut = is_cut || last * next < 0;
+    if (last > 0 || next > 0) stops.emplace_back(marks[k].vertex, next > 0);
+  }
+  if (!is_cut && (is_line || !is_outside)) return;
+  Edge out{arc, {i, j}, {}, 0.0, {}, {}};
+  if (!is_line) {
+    const Number difference = other - square;
+    const Flat m = (other * a - square * b) / difference;
+    const Vector lifted(m.x(), m.y(), 2 * (m * m) - (other * (a * a) - square * (b * b)) / difference);
+    // A circle that is not cut lies in the face if its centre does.
+    const auto is_beyond = [&](Node node) {
+      return constant_of(node) - constant_of(p) < 2 * (vector_of(node) - vector_of(p)) * lifted;
+    };
+    if (!is_cut && std::ranges::any_of(around, is_beyond)) return;
+    out.center = {rounded(m.x()), rounded(m.y())};
+    out.radius = std::sqrt(rounded(square * other * (a - b).squared_length() / (difference * difference)));
+    if (stops.empty()) stops.emplace_back(kNoRow, true);
+  }
+  const Ball &u = rounded_[i], &v = rounded_[j];
+  const Point along{u.center.y - v.center.y, v.center.x - u.center.x};
+  const auto position = [&](Row row) {
+    return row == kNoRow ? Point{out.center.x + out.radius, out.center.y} : vertices_[row].position;
+  };
+  const std::size_t count = edges_.size();
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    const Row from = stops[k].first, to = stops[(k + 1) % stops.size()].first;
+    const bool is_far = from == kFar || to == kFar;
+    if (!stops[k].second || (is_cut && from == to && !is_far)) continue;
+    out.kind = !is_line ? arc : !is_far ? segment : from == to ? line : ray;
+    if (is_far) cells_[i].factor = cells_[j].factor = INFINITY;
+    out.from = out.kind == line ? Point{(u.center.x + v.center.x) / 2, (u.center.y + v.center.y) / 2}
+                                : position(from == kFar ? to : from);
+    out.to = to == kFar ? along : from == kFar ? Point{-along.x, -along.y} : position(to);
+    edges_.push_back(out);
+  }
+  if (is_line || edges_.size() == count) return;
+  // The point of the circle that is farthest from both balls, if it belongs to an edge.
+  const Flat way = a - b;
+  const auto t = CGAL::Sqrt_extension<Number, Number, CGAL::Tag_true, CGAL::Tag_true>(square, 1, square * other) /
+                 (other - square);
+  const auto x = way.x() * t + a.x(), y = way.y() * t + a.y(), z = x * x + y * y;
+  for (const Node node : around) {
+    const Vector d = 2 * (vector_of(node) - vector_of(p));
+    if (CGAL::sign(d.x() * x + d.y() * y + d.z() * z + (constant_of(p) - constant_of(node))) > 0) return;
+  }
+  const double factor = u.radius * (u.radius + v.radius) / rounded(other - square);
+  for (const Row row : {i, j})
+    reach(row, {u.center.x + factor * (u.center.x - v.center.x), u.center.y + factor * (u.center.y - v.center.y)});
+}
+
+}  // namespace
+
+MESECINA_EXPERIMENT(experiment) {
+  experiment.add_structure<MoebiusDiagram>({.id = "moebius-diagram", .inputs = {"balls", "inner-balls"}});
+  experiment.add_layer(
+      {.id = "moebius-diagram",
+       .name = "Moebius diagram",
+       .description = "Edges between the cells of balls that grow by a common factor",
+       .rows = "moebius-diagram/edges",
+       .kinds = {PrimitiveKind::arc, PrimitiveKind::segment, PrimitiveKind::ray, PrimitiveKind::line},
+       .color = {0.1, 0.5, 0.4}},
+      [](const Inputs& inputs) {
+        const auto kind = inputs.column<std::uint8_t>("moebius-diagram/edges/kind");
+        const auto center = inputs.column<Point>("moebius-diagram/edges/center");
+        const auto radius = inputs.column<double>("moebius-diagram/edges/radius");
+        const auto from = inputs.column<Point>("moebius-diagram/edges/from");
+        const auto to = inputs.column<Point>("moebius-diagram/edges/to");
+        return [=](Row row, Drawn& out) {
+          if (kind[row] == arc) out.arc({center[row], radius[row]}, from[row], to[row]);
+          if (kind[row] == segment) out.segment(from[row], to[row]);
+          if (kind[row] == ray) out.ray(from[row], to[row]);
+          if (kind[row] == line) out.line(from[row], to[row]);
+        };
+      });
+  for (const bool is_vertex : {true, false})
+    experiment.add_layer({.id = is_vertex ? "moebius-vertices" : "moebius-vanishing",
+                          .name = is_vertex ? "Moebius vertices" : "Vanishing points",
+                          .description = is_vertex ? "Points that growing balls reach three at a time"
+                                                   : "Points where growing balls have reached their whole cells",
+                          .rows = is_vertex ? "moebius-diagram/vertices" : "moebius-diagram/cells",
+                          .kinds = {PrimitiveKind::point},
+                          .scalar = "factor of the radii",
+                          .color_map = "viridis"},
+                         [is_vertex](const Inputs& inputs) {
+                           const std::string table =
+                               is_vertex ? "moebius-diagram/vertices/" : "moebius-diagram/cells/";
+                           const auto at = inputs.column<Point>(table + "position");
+                           const auto factor = inputs.column<double>(table + "factor");
+                           return [=](Row row, Drawn& out) {
+                             if (std::isfinite(factor[row])) out.point(at[row], factor[row]);
+                           };
+                         });
+}
