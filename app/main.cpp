@@ -47,9 +47,10 @@ int main(int argc, char** argv) {
   // Ignored, as some parents leave it, it would keep the exit codes of children from us.
   std::signal(SIGCHLD, SIG_DFL);
   return mes::cli::run_command_line(
-      mes::builtins(), argc, argv, [argv](std::vector<std::string> files, std::vector<std::string> experiments) {
+      mes::builtins(), argc, argv,
+      [argv](std::vector<std::string> files, std::vector<std::string> experiments, int link) {
         return mes::run_window(
             mes::builtins(),
-            {.files = std::move(files), .experiments = std::move(experiments), .executable = argv[0]});
+            {.files = std::move(files), .experiments = std::move(experiments), .link = link, .executable = argv[0]});
       });
 }

@@ -38,6 +38,7 @@ Exit codes: 0 done, 1 could not be completed, 2 usage, 3 bad input, 4 output imp
 struct Arguments {
   std::vector<std::string> files;
   std::vector<std::string> experiments;
+  int link = -1;
   ComputeRequest compute;
   SweepRequest sweep;
   BranchesRequest branches;
@@ -98,6 +99,8 @@ void describe_commands(const Registry& registry, CLI::App& app, Arguments& to) {
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.add_option("FILE", to.files, "Samples to open in the window");
   app.option_defaults()->always_capture_default(false);
+  // For programs that start the window beside themselves and hand it a socket, so it is not among the options for people.
+  app.add_option("--link", to.link)->group("");
   app.require_subcommand(0, 1);
 
   describe_compute(registry, app, to.compute);
@@ -277,7 +280,7 @@ int run(const Registry& registry, int argc, const char* const* argv, const OpenW
     return done ? kExitDone : report(done.error());
   }
   if (const auto mistake = mistaken_command(app, arguments.files)) return report(*mistake);
-  return open_window(std::move(arguments.files), std::move(arguments.experiments));
+  return open_window(std::move(arguments.files), std::move(arguments.experiments), arguments.link);
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ class Registry;
 
 namespace mes::cli {
 
-/// Opens the window on files and gives the exit code.
-using OpenWindow = std::function<int(std::vector<std::string> files, std::vector<std::string> experiments)>;
+/// Opens the window on files, or with the document of a program at a socket, and gives the exit code.
+using OpenWindow = std::function<int(std::vector<std::string> files, std::vector<std::string> experiments, int link)>;
 
 /// Runs the command that the arguments ask for, with what the registry has, or the window when they ask for none; gives
 /// the exit code.

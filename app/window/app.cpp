@@ -38,6 +38,7 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::f
                  GlfwWindow::wake),
       experiments_({work_, dialogs_, messages_, settings_.settings(), [this] { documents_.keep_on_disk(); }}, assets,
                    GlfwWindow::wake),
+      link_({work_, messages_}, GlfwWindow::wake),
       keys_(settings_.settings(), messages_),
       panels_({screen_, work_, board_, demo_, lesson_, recording_, documents_, experiments_, keys_.actions(),
                settings_.settings(), messages_}),
@@ -53,7 +54,12 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::f
 App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const WindowOptions& options,
          LoadedSettings loaded)
     : App(std::move(registry), std::move(window), find_assets(options.executable), std::move(loaded)) {
-  documents_.open_first(options.files);
+  if (options.link >= 0) {
+    link_.open(options.link);
+    board_.fitter().want(ViewFitter::How::at_once);
+  } else {
+    documents_.open_first(options.files);
+  }
   for (const std::string& name : options.experiments) experiments_.add(name);
 }
 
@@ -174,6 +180,7 @@ void App::follow_hold() try {
 // Of what is taken none, or all, is done.
 void App::take_results() try {
   experiments_.follow();
+  link_.follow();
   board_.take_results();
   work_.follow_crust();
   work_.follow_curves(ImGui::IsAnyItemActive());

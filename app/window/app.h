@@ -18,6 +18,7 @@
 #include "app/window/experiment_run.h"
 #include "app/window/key_desk.h"
 #include "app/window/lesson_run.h"
+#include "app/window/link_run.h"
 #include "app/window/live_recording.h"
 #include "app/window/panels.h"
 #include "app/window/run_window.h"
@@ -69,6 +70,7 @@ class App {
   Dialogs dialogs_;
   DocumentFlow documents_;
   ExperimentRun experiments_;
+  LinkRun link_;
   KeyDesk keys_;
   Panels panels_;
   WindowInput input_;

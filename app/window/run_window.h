@@ -12,6 +12,7 @@ class Registry;
 struct WindowOptions {
   std::vector<std::string> files;          ///< the first is opened; none: a built-in shape
   std::vector<std::string> experiments{};  ///< files or folders, added while the window is open
+  int link = -1;                           ///< a socket to a program whose document this is (LinkRun); none: -1
   std::string executable;                  ///< as the program was called; finds what comes with it
 };
 

@@ -27,11 +27,12 @@ from ._mesecina import version
 from ._picture import Picture
 from ._session import Certificate, Session, open, shape, text
 from ._tables import Structure, Table, builtin
+from ._window import Window, window
 
 __version__ = version()
 __all__ = ["Axis", "Certificate", "ComputationFailed", "Experiment", "InputError", "Picture", "ProgramError", "Result",
            "Session", "Structure", "Table", "evolution", "formats", "layer", "layers", "map", "open", "parameters", "shape", "shapes",
-           "structure", "structures", "text", "version"]
+           "structure", "structures", "text", "version", "Window", "window"]
 
 
 def structures():

@@ -19,6 +19,19 @@ from ._tables import Structure, attribute_of, builtin, described_structures
 _LAYERS = ("interior-voronoi-disks", "curve", "medial-axis", "points")
 
 
+def _shown(edit):
+    """An edit that windows of the session show."""
+
+    @functools.wraps(edit)
+    def done(self, *arguments, **named):
+        out = edit(self, *arguments, **named)
+        if self._windows:
+            self._show()
+        return out
+
+    return done
+
+
 class Session:
     """Samples, balls and contours, their history and settings, and the structures that follow them.
 
@@ -53,6 +66,9 @@ class Session:
         self._structures = described_structures(self.catalogue)
         self._bench = _mesecina.Bench(self.catalogue, history)
         self._axis = None
+        self._windows = set()
+        self._listeners = []
+        self._is_in_step = False
         given = [_arrays.rows([] if points is None else points, 2), _contours(contours),
                  _arrays.rows([] if balls is None else balls, 3)]
         if any(map(len, given)):
@@ -166,12 +182,14 @@ class Session:
         """Known curves, a list of pairs of indices into ``points``, shape (l,), and whether the curve is closed."""
         return [(indices, is_closed) for is_closed, indices in self._bench.data()[1]]
 
+    @_shown
     def insert(self, points):
         """Inserts samples, array-like of shape (n, 2), or one of shape (2,). Returns their ids, or its id."""
         if np.ndim(points) == 1 and np.size(points):
             return int(self._bench.insert(_arrays.rows([points], 2))[0])
         return self._bench.insert(_arrays.rows(points, 2))
 
+    @_shown
     def move(self, ids, points):
         """Moves samples: an id and a position, or n ids and positions of shape (n, 2).
 
@@ -187,18 +205,22 @@ class Session:
         except TypeError:
             self._bench.move(np.array([one], dtype=np.uint32), _arrays.rows([points], 2))
 
+    @_shown
     def remove(self, ids):
         """Removes samples by their ids, one or several."""
         self._bench.remove(_some_ids(ids))
 
+    @_shown
     def insert_balls(self, balls):
         """Inserts balls of shape (k, 3): x, y and radius. Returns their ids."""
         return self._bench.insert_balls(_arrays.rows(balls, 3))
 
+    @_shown
     def change_balls(self, ids, balls):
         """Gives k balls other centres and radii, shape (k, 3)."""
         self._bench.change_balls(_arrays.ids(ids), _arrays.rows(balls, 3))
 
+    @_shown
     def remove_balls(self, ids):
         """Removes balls by their ids, one or several."""
         self._bench.remove_balls(_some_ids(ids))
@@ -207,18 +229,34 @@ class Session:
     def edit(self, name="Edit"):
         """Makes all edits of a ``with`` block one step of undo. They stay if the block raises an exception."""
         self._bench.begin_step(name)
+        self._is_in_step = True
         try:
             yield self
         finally:
+            self._is_in_step = False
             self._bench.end_step()
+            self._show()
 
+    @_shown
     def undo(self):
         """Takes the last step back. Returns False if there is none."""
         return self._bench.undo()
 
+    @_shown
     def redo(self):
         """Makes the last step that was taken back again. Returns False if there is none."""
         return self._bench.redo()
+
+    def on_change(self, callback):
+        """Calls ``callback(session)`` whenever something was done in a window of the session. Returns the callback."""
+        self._listeners.append(callback)
+        return callback
+
+    def _show(self):
+        """Its windows show what was done."""
+        for one in list(self._windows):
+            if not self._is_in_step and not one.poll():
+                self._windows.discard(one)
 
     # Settings.
 

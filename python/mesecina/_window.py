@@ -1,0 +1,216 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The native window on a session: a process of its own, in which edits are those of the session, and the other way."""
+import asyncio
+import json
+import select
+import socket
+import subprocess
+import weakref
+
+import numpy as np
+
+from . import _program
+
+
+class Window:
+    """A native window on a session (`window`).
+
+    It is a process of its own: it closes, or crashes, without the interpreter, and stays open with its document when the
+    interpreter ends. What the user does there becomes a step of undo of the session, and what the session does is drawn there.
+
+    Everything of the session happens on the thread that uses it. In a notebook, and wherever an event loop of asyncio
+    runs, the session follows by itself; a script calls `poll` or `wait`.
+    """
+
+    def __init__(self, session, experiments=()):
+        self._session = weakref.ref(session)
+        self._number = 0
+        self._revision = session._bench.revision
+        self._lists = [_List(session.ids, session.points), _List(session.ball_ids, session.balls)]
+        self._received = b""
+        self._loop = None
+        ours, theirs = socket.socketpair()
+        words = [_program.path(), "--link", str(theirs.fileno())]
+        for file in experiments:
+            words += ["--with", str(file)]
+        try:
+            self._process = subprocess.Popen(words, pass_fds=[theirs.fileno()], stdin=subprocess.DEVNULL,
+                                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        except BaseException:
+            ours.close()
+            raise
+        finally:
+            theirs.close()
+        self._socket = ours
+        self._send({"session": session._bench.text("session").decode()})
+        try:
+            self._loop = asyncio.get_running_loop()
+        except RuntimeError:
+            return
+        self._loop.add_reader(self._socket, self.poll)
+
+    @property
+    def is_open(self):
+        """The window is there."""
+        return self._socket is not None
+
+    def poll(self):
+        """Makes what was done in the window, and shows there what was done here. Does not wait. Returns `is_open`."""
+        if self._socket is None:
+            return False
+        self._show()
+        while self._socket is not None and select.select([self._socket], [], [], 0)[0]:
+            self._receive()
+        return self.is_open
+
+    def wait(self, timeout=None):
+        """Follows the window until it is closed, or for a time in seconds. Returns `is_open`."""
+        import time
+
+        end = None if timeout is None else time.monotonic() + timeout
+        while self.poll():
+            left = None if end is None else end - time.monotonic()
+            if left is not None and left <= 0:
+                break
+            select.select([self._socket], [], [], left)
+        return self.is_open
+
+    def close(self):
+        """Closes the window. The session stays as it is."""
+        if self._socket is None:
+            return
+        self.poll()
+        self._end()
+        self._process.terminate()
+        self._process.wait()
+
+    def _end(self):
+        if self._socket is None:
+            return
+        if self._loop is not None:
+            self._loop.remove_reader(self._socket)
+        self._socket.close()
+        self._socket = None
+
+    def _say_why(self):
+        """Raises what the program says if it did not begin, or did not end well; a signal is the user's."""
+        status = self._process.wait()
+        said = self._process.stderr.read().decode(errors="replace").strip().removeprefix("mesecina: ")
+        if status > 0 and said:
+            raise _program.ProgramError(said.splitlines()[-1], status)
+
+    def _send(self, message):
+        try:
+            self._socket.sendall(json.dumps(message).encode() + b"\n")
+        except OSError:
+            pass  # the window is gone, which the next reading sees
+
+    def _receive(self):
+        try:
+            received = self._socket.recv(1 << 20)
+        except OSError:
+            received = b""
+        if not received:
+            self._end()
+            self._say_why()
+            return
+        *lines, self._received = (self._received + received).split(b"\n")
+        for line in lines:
+            self._take(json.loads(line))
+
+    def _show(self):
+        """Sends what is different here from what both agreed on."""
+        session = self._session()
+        if session is None or session._bench.revision == self._revision:
+            return
+        message = {}
+        for agreed, now, suffix in zip(self._lists, _lists_of(session), ("", "_balls")):
+            message.update(agreed.difference(now, suffix))
+        self._revision = session._bench.revision
+        if message:
+            self._number += 1
+            self._send({"number": self._number, "name": "Python", **message})
+
+    def _take(self, proposal):
+        session = self._session()
+        if session is None:
+            self._end()
+            return
+        self._show()
+        if proposal["number"] != self._number + 1:
+            return  # it crossed a change of ours, and comes again
+        samples, balls = self._lists
+        with session.edit(proposal.get("name", "Window")):
+            for one, suffix, move, remove, insert in ((samples, "", session.move, session.remove, session.insert),
+                                                      (balls, "_balls", session.change_balls, session.remove_balls,
+                                                       session.insert_balls)):
+                one.follow(proposal, suffix, move, remove, insert)
+        self._number += 1
+        self._revision = session._bench.revision
+        self._send({"accepted": self._number})
+        for callback in list(session._listeners):
+            callback(session)
+
+    def __repr__(self):
+        return f"<Window: {'open' if self.is_open else 'closed'}>"
+
+
+class _List:
+    """Samples or balls as both sides know them: ids of the session, and numbers, in an order that both have."""
+
+    def __init__(self, ids, values):
+        self.ids = np.asarray(ids)
+        self.values = np.asarray(values)
+
+    def difference(self, now, suffix):
+        """What leads from here to the present; takes it as agreed."""
+        order = np.argsort(now.ids, kind="stable")
+        at = np.searchsorted(now.ids, self.ids, sorter=order)
+        at = order[np.minimum(at, max(0, len(order) - 1))] if len(order) else np.zeros(len(self.ids), dtype=int)
+        is_left = now.ids[at] == self.ids if len(now.ids) else np.zeros(len(self.ids), dtype=bool)
+        is_new = ~np.isin(now.ids, self.ids)
+        has_moved = np.zeros(len(self.ids), dtype=bool)
+        has_moved[is_left] = (now.values[at[is_left]] != self.values[is_left]).any(axis=1)
+        out = {}
+        if has_moved.any():
+            places = np.flatnonzero(has_moved)
+            out["moved" + suffix] = [[int(i), *row] for i, row in zip(places, now.values[at[places]].tolist())]
+        if not is_left.all():
+            out["removed" + suffix] = np.flatnonzero(~is_left).tolist()
+        if is_new.any():
+            out["inserted" + suffix] = now.values[is_new].tolist()
+        self.values = np.concatenate([now.values[at[is_left]], now.values[is_new]])
+        self.ids = np.concatenate([self.ids[is_left], now.ids[is_new]])
+        return out
+
+    def follow(self, message, suffix, move, remove, insert):
+        """Makes what a message says with the functions of a session."""
+        moved = message.get("moved" + suffix, [])
+        removed = np.array(message.get("removed" + suffix, []), dtype=int)
+        inserted = message.get("inserted" + suffix, [])
+        if moved:
+            places = np.array([one[0] for one in moved])
+            self.values = self.values.copy()
+            self.values[places] = [one[1:] for one in moved]
+            move(self.ids[places], self.values[places])
+        if len(removed):
+            remove(self.ids[removed])
+            self.ids, self.values = np.delete(self.ids, removed), np.delete(self.values, removed, axis=0)
+        if inserted:
+            new = insert(inserted)
+            self.ids, self.values = np.concatenate([self.ids, new]), np.concatenate([self.values, inserted])
+
+
+def _lists_of(session):
+    return _List(session.ids, session.points), _List(session.ball_ids, session.balls)
+
+
+def window(session, experiments=()):
+    """Opens the native window on a session, and returns a `Window` at once.
+
+    experiments
+        files with structures and layers that the window is to have, too: those of ``--with``
+    """
+    out = Window(session, experiments)
+    session._windows.add(out)
+    return out

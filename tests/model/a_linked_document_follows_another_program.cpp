@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Two programs edit one document over a link whose lines take their time, and end with the same samples and balls.
+#include <array>
+#include <catch2/catch.hpp>
+#include <deque>
+#include <nlohmann/json.hpp>
+
+#include "app/store/document_link.h"
+#include "core/base/rng.h"
+
+using namespace mes;
+using Json = nlohmann::json;
+
+namespace {
+
+/// What the other program does: it keeps the lists, and decides which change is the next one.
+class OtherSide {
+ public:
+  std::vector<std::array<double, 2>> samples;
+  std::vector<std::array<double, 3>> balls;
+  int refused = 0;
+
+  /// The answer to a proposal; empty: it comes too late.
+  std::string take(const std::string& line) {
+    const Json change = Json::parse(line);
+    if (change["number"] != number_ + 1) {
+      ++refused;
+      return {};
+    }
+    make(change);
+    return Json{{"accepted", number_}}.dump();
+  }
+  std::string edit(Rng& rng) {
+    Json change{{"number", number_ + 1}, {"name", "There"}};
+    if (!samples.empty() && rng.below(2) == 0) change["removed"] = {rng.below(samples.size())};
+    if (!samples.empty() && rng.below(2) == 0)
+      change["moved"] = {{rng.below(samples.size()), rng.uniform(), rng.uniform()}};
+    if (rng.below(2) == 0) change["inserted"] = {{rng.uniform(), rng.uniform()}, {rng.uniform(), rng.uniform()}};
+    if (!balls.empty() && rng.below(3) == 0)
+      change["moved_balls"] = {{rng.below(balls.size()), rng.uniform(), rng.uniform(), rng.uniform()}};
+    if (rng.below(3) == 0) change["inserted_balls"] = {{rng.uniform(), rng.uniform(), 1.0}};
+    if (balls.size() > 4) change["removed_balls"] = {0, 2};
+    make(change);
+    return change.dump();
+  }
+
+ private:
+  template <class List>
+  static void change_list(const Json& change, const std::string& suffix, List& list) {
+    for (const Json& one : change.value("moved" + suffix, Json::array()))
+      for (std::size_t i = 0; i < list.front().size(); ++i) list[one[0].get<std::size_t>()][i] = one[i + 1];
+    const Json removed = change.value("removed" + suffix, Json::array());
+    for (auto at = removed.rbegin(); at != removed.rend(); ++at)
+      list.erase(list.begin() + at->template get<std::ptrdiff_t>());
+    for (const Json& one : change.value("inserted" + suffix, Json::array()))
+      list.push_back(one.get<typename List::value_type>());
+  }
+  void make(const Json& change) {
+    change_list(change, "", samples);
+    change_list(change, "_balls", balls);
+    ++number_;
+  }
+  std::uint64_t number_ = 0;
+};
+
+SampleId random_sample(const Editor& editor, Rng& rng) {
+  const auto slots = editor.document().slots_in_input_order();
+  return editor.document().id(slots[rng.below(slots.size())]);
+}
+
+void edit(Editor& editor, Rng& rng) {
+  const Document& document = editor.document();
+  switch (rng.below(5)) {
+    case 0: static_cast<void>(editor.insert(std::vector<Vec2>{{rng.uniform(), rng.uniform()}}, "Insert")); break;
+    case 1:
+      if (document.sample_count() > 0)
+        static_cast<void>(editor.remove(std::vector{random_sample(editor, rng)}, "Remove"));
+      break;
+    case 2:
+      if (document.sample_count() > 0)
+        static_cast<void>(editor.move(
+            std::vector{std::pair{random_sample(editor, rng), Vec2{rng.uniform(), rng.uniform()}}}, "Move"));
+      break;
+    case 3: static_cast<void>(editor.insert_balls(std::vector<Disk>{{{rng.uniform(), 0.0}, 0.5}}, "Ball")); break;
+    default: editor.undo();
+  }
+}
+
+}  // namespace
+
+TEST_CASE("both sides end with the same, in whatever order their lines arrive") {
+  int refused = 0;
+  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    Rng rng(seed);
+    Editor editor([](const auto& /*delta*/) {});
+    SampleData data;
+    OtherSide other;
+    for (int i = 0; i < 10; ++i) {
+      data.positions.push_back({rng.uniform(), rng.uniform()});
+      other.samples.push_back({data.positions.back().x, data.positions.back().y});
+    }
+    REQUIRE(editor.load(data));
+    DocumentLink link;
+    link.begin(editor.document());
+    std::deque<std::string> here, there;  // on their way
+    const auto deliver_here = [&] {
+      if (here.empty()) return;
+      REQUIRE(link.take(here.front(), editor));
+      here.pop_front();
+    };
+    const auto deliver_there = [&] {
+      if (there.empty()) return;
+      if (std::string answer = other.take(there.front()); !answer.empty()) here.push_back(std::move(answer));
+      there.pop_front();
+    };
+    for (int step = 0; step < 200; ++step) {
+      switch (rng.below(5)) {
+        case 0: edit(editor, rng); break;
+        case 1: here.push_back(other.edit(rng)); break;
+        case 2: deliver_here(); break;
+        case 3: deliver_there(); break;
+        default:
+          if (auto line = link.propose(editor)) there.push_back(*std::move(line));
+      }
+    }
+    for (int round = 0; round < 1000; ++round) {
+      while (!here.empty()) deliver_here();
+      while (!there.empty()) deliver_there();
+      if (auto line = link.propose(editor)) there.push_back(*std::move(line));
+      if (here.empty() && there.empty()) break;
+    }
+    std::vector<std::array<double, 2>> samples;
+    for (const SampleSlot slot : editor.document().slots_in_input_order()) {
+      const Vec2 p = editor.document().position(slot);
+      samples.push_back({p.x, p.y});
+    }
+    std::ranges::sort(samples);
+    std::ranges::sort(other.samples);
+    CHECK(samples == other.samples);
+    std::vector<std::array<double, 3>> balls;
+    for (const BallSlot slot : editor.document().ball_slots_in_input_order()) {
+      const Disk& d = editor.document().disk(slot);
+      balls.push_back({d.center.x, d.center.y, d.radius});
+    }
+    std::ranges::sort(balls);
+    std::ranges::sort(other.balls);
+    CHECK(balls == other.balls);
+    refused += other.refused;
+  }
+  CHECK(refused > 20);  // some proposals did cross a change
+}
+
+TEST_CASE("lines that make no sense change nothing") {
+  Editor editor([](const auto& /*delta*/) {});
+  SampleData data;
+  data.positions = {{0.0, 0.0}, {1.0, 0.0}};
+  REQUIRE(editor.load(data));
+  DocumentLink link;
+  link.begin(editor.document());
+  const std::uint64_t revision = editor.document().revision();
+  for (const std::string line :
+       {"", "x", "[]", "{}", "3", R"({"accepted": 1})", R"({"number": 2})", R"({"number": 1, "moved": [[2, 0, 0]]})",
+        R"({"number": 1, "moved": [[0, 0]]})", R"({"number": 1, "moved": [[-1, 0, 0]]})",
+        R"({"number": 1, "moved": [[0, 1e999, 0]]})", R"({"number": 1, "removed": [0, 0]})",
+        R"({"number": 1, "removed": ["0"]})", R"({"number": 1, "inserted": [[0]]})",
+        R"({"number": 1, "inserted": 5})", R"({"number": 1, "moved": {"a": 1}})", R"({"number": "1"})",
+        R"({"number": 1, "removed_balls": [0]})", R"({"number": 1, "name": 5, "inserted": [[1, 1]]})"}) {
+    INFO(line);
+    CHECK_FALSE(link.take(line, editor));
+    CHECK(editor.document().revision() == revision);
+  }
+  CHECK_FALSE(DocumentLink::begun_by("{}"));
+  CHECK_FALSE(DocumentLink::begun_by(R"({"session": "x"})"));
+  CHECK(link.take(R"({"number": 1, "removed": [0]})", editor));
+  CHECK(editor.document().sample_count() == 1);
+}
