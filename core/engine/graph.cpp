@@ -331,6 +331,9 @@ void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
     for (const auto& part : node.layer.parts) node.lost += part->lost();
     node.sent = true;
     node.synced = run_;
+  } catch (const Cancelled&) {
+    patch.clear();
+    is_stopped_ = true;
   } catch (const std::bad_alloc&) {
     patch.clear();
     if (node.sent && frame_ != sent_frame_) keeps_frame_ = true;

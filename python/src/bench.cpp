@@ -3,9 +3,12 @@
 
 #include <pybind11/stl.h>
 
+#include <type_traits>
 #include <utility>
 
 #include "interrupts.h"
+#include "lock.h"
+#include "module.h"
 
 namespace mes_python {
 
@@ -13,7 +16,7 @@ namespace mes_python {
 class Bench::Use {
  public:
   explicit Use(Bench& of) : of_(of) {
-    if (std::exchange(of_.is_busy_, true)) throw std::runtime_error("the session is at work in another thread");
+    if (std::exchange(of_.is_busy_, true)) throw std::runtime_error("the session is at work already, in this thread or in another one");
   }
   ~Use() { of_.is_busy_ = false; }
   Use(const Use&) = delete;
@@ -22,6 +25,16 @@ class Bench::Use {
  private:
   Bench& of_;
 };
+
+namespace {
+
+/// True if neither data nor settings have changed.
+bool is_refusal(const mesecina::Error& error) {
+  using enum mesecina::ErrorCode;
+  return error.code() == usage || error.code() == bad_input || error.code() == cancelled;
+}
+
+}  // namespace
 
 Bench::Bench(const mesecina::Catalogue& catalogue, bool keeps_history)
     : state_(std::make_shared<State>(State{mesecina::Workbench(catalogue, {.keeps_history = keeps_history})})) {}
@@ -34,13 +47,30 @@ void Bench::mark_changed() {
 template <class Work>
 decltype(auto) Bench::change(Work work) {
   const Use use(*this);
-  mark_changed();
-  return work(state_->bench);
+  struct Mark {
+    Bench& of;
+    bool is_refused = false;
+    ~Mark() {
+      if (!is_refused) of.mark_changed();
+    }
+  } mark{*this};
+  try {
+    if constexpr (std::is_same_v<decltype(work(state_->bench)), bool>) {
+      mark.is_refused = true;
+      mark.is_refused = !work(state_->bench);
+      return !mark.is_refused;
+    } else {
+      return work(state_->bench);
+    }
+  } catch (const mesecina::Error& error) {
+    mark.is_refused = is_refusal(error);
+    throw;
+  }
 }
 
 template <class Work>
 auto Bench::without_lock(Work work) {
-  const py::gil_scoped_release unlocked;
+  const Unlocked unlocked;
   return work(state_->bench);
 }
 
@@ -48,25 +78,25 @@ template <class Work>
 auto Bench::interruptible(Work work) {
   mesecina::Job job;
   const StopsAtInterrupt stops(job);
-  for (;;) {
-    if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-    try {
-      const py::gil_scoped_release unlocked;
-      return work(state_->bench, job);
-    } catch (const mesecina::Error& error) {
-      if (error.code() != mesecina::ErrorCode::cancelled) throw;
-      // Python raises what its handler asks for. A handler that asks for nothing has stopped it for good all the same.
-      if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      throw;
-    }
+  if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+  try {
+    const Unlocked unlocked;
+    return work(state_->bench, job);
+  } catch (const mesecina::Error& error) {
+    // Python raises the exception of its handler. The job is stopped even if that handler raises none.
+    if (error.code() == mesecina::ErrorCode::cancelled && PyErr_CheckSignals() != 0) throw py::error_already_set();
+    throw;
   }
 }
 
 py::dict opened(const mesecina::OpenedFile& file) {
   py::dict out;
   out["format"] = file.format;
-  out["warnings"] = file.warnings;
-  out["files"] = file.files;
+  for (const auto& [key, lines] : {std::pair("warnings", &file.warnings), std::pair("files", &file.files)}) {
+    py::list texts;
+    for (const std::string& line : *lines) texts.append(text_of(line));
+    out[key] = texts;
+  }
   return out;
 }
 

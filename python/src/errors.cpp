@@ -9,12 +9,6 @@
 namespace mes_python {
 namespace {
 
-/// Paths need not be UTF-8.
-py::object text_of(std::string_view text) {
-  return py::reinterpret_steal<py::object>(
-      PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "surrogateescape"));
-}
-
 void raise(PyObject* type, const mesecina::Error& error) {
   PyErr_SetObject(type, text_of(error.what()).ptr());
 }
@@ -40,6 +34,11 @@ void set_error(const mesecina::Error& error) {
 }
 
 }  // namespace
+
+py::str text_of(std::string_view text) {
+  return py::reinterpret_steal<py::str>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<py::ssize_t>(text.size()), "surrogateescape"));
+}
 
 void add_errors() {
   py::register_exception_translator([](std::exception_ptr thrown) {

@@ -12,6 +12,7 @@
 
 #include <mesecina/experiment.h>
 
+#include "lock.h"
 #include "module.h"
 
 namespace mes_python {
@@ -23,13 +24,16 @@ class Function {
   explicit Function(py::object function)
       : function_(new py::object(std::move(function)), [](py::object* of) {
           if (!Py_IsInitialized()) return;  // nothing of the interpreter can be touched any more
-          const py::gil_scoped_acquire locked;
+          const Locked locked;
           delete of;
         }) {}
   /// The caller holds the lock.
   template <class... Arguments>
   py::object operator()(Arguments&&... arguments) const {
-    return (*function_)(std::forward<Arguments>(arguments)...);
+    const py::tuple all = py::make_tuple(std::forward<Arguments>(arguments)...);
+    PyObject* const out = may_take_lock([&] { return PyObject_CallObject(function_->ptr(), all.ptr()); });
+    if (out == nullptr) throw py::error_already_set();
+    return py::reinterpret_steal<py::object>(out);
   }
 
  private:
@@ -70,11 +74,13 @@ class PyInputs {
 /// Works with the interpreter lock, and turns what Python raises into an exception that threads without it may hold.
 template <class Work>
 void locked(Work work) {
-  const py::gil_scoped_acquire lock;
+  const Locked lock;
   std::string text;
   try {
     return work();
   } catch (const py::error_already_set& error) {
+    // Ctrl-C stops the whole run, and no structure has failed.
+    if (error.matches(PyExc_KeyboardInterrupt)) throw mesecina::Error(mesecina::ErrorCode::cancelled, "stopped");
     // Without its traceback the exception would not name the line.
     text = py::module_::import("mesecina._experiments")
                .attr("described")(error.value(), error.trace())
@@ -89,9 +95,15 @@ void locked(Work work) {
 template <class Use>
 void call(const Function& function, const mesecina::Inputs& inputs, Use use) {
   locked([&] {
-    auto shown = std::make_shared<PyInputs>(inputs);
-    const py::object out = function(shown);
-    shown->close();
+    const auto shown = std::make_shared<PyInputs>(inputs);
+    struct Close {
+      PyInputs& of;
+      ~Close() { of.close(); }
+    };
+    const py::object out = [&] {
+      const Close close{*shown};
+      return function(shown);
+    }();
     use(out);
   });
 }

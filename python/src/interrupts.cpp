@@ -8,18 +8,21 @@
 namespace mes_python {
 namespace {
 
-std::atomic<mesecina::Job*> interrupted{nullptr};
-static_assert(std::atomic<mesecina::Job*>::is_always_lock_free);
-// Of before. Only the main thread changes it, while the handler is not installed.
+// The innermost call of the main thread that Ctrl-C stops.
+std::atomic<const StopsAtInterrupt*> innermost{nullptr};
+static_assert(std::atomic<const StopsAtInterrupt*>::is_always_lock_free);
+// The handler of before. Only the main thread changes it, while our handler is not installed.
 struct sigaction before;
 
 void stop_and_hand_on(int number, siginfo_t* info, void* context) {
-  if (mesecina::Job* const job = interrupted.load()) job->stop();
+  if (const StopsAtInterrupt* const call = innermost.load()) call->stop_all();
   if ((before.sa_flags & SA_SIGINFO) != 0)
     before.sa_sigaction(number, info, context);
   else
     before.sa_handler(number);
 }
+
+}  // namespace
 
 bool is_main_thread() {
   static const unsigned long main =
@@ -27,26 +30,34 @@ bool is_main_thread() {
   return PyThread_get_thread_ident() == main;
 }
 
-}  // namespace
-
-StopsAtInterrupt::StopsAtInterrupt(mesecina::Job& job) {
-  if (interrupted.load() != nullptr || !is_main_thread()) return;
-  if (sigaction(SIGINT, nullptr, &before) != 0) return;
-  const bool has_handler =
-      (before.sa_flags & SA_SIGINFO) != 0 || (before.sa_handler != SIG_DFL && before.sa_handler != SIG_IGN);
-  if (!has_handler) return;
-  interrupted = &job;
+StopsAtInterrupt::StopsAtInterrupt(mesecina::Job& job) : job_(job) {
+  if (!is_main_thread()) return;
+  outer_ = innermost.load();
+  if (outer_ == nullptr) {
+    if (sigaction(SIGINT, nullptr, &before) != 0) return;
+    const bool has_handler =
+        (before.sa_flags & SA_SIGINFO) != 0 || (before.sa_handler != SIG_DFL && before.sa_handler != SIG_IGN);
+    if (!has_handler) return;
+  }
+  innermost = this;
+  is_listed_ = true;
+  if (outer_ != nullptr) return;
   struct sigaction own = before;
   own.sa_flags |= SA_SIGINFO;
   own.sa_sigaction = stop_and_hand_on;
-  is_installed_ = sigaction(SIGINT, &own, nullptr) == 0;
-  if (!is_installed_) interrupted = nullptr;
+  if (sigaction(SIGINT, &own, nullptr) == 0) return;
+  innermost = nullptr;
+  is_listed_ = false;
 }
 
 StopsAtInterrupt::~StopsAtInterrupt() {
-  if (!is_installed_) return;
-  sigaction(SIGINT, &before, nullptr);
-  interrupted = nullptr;
+  if (!is_listed_) return;
+  if (outer_ == nullptr) sigaction(SIGINT, &before, nullptr);
+  innermost = outer_;
+}
+
+void StopsAtInterrupt::stop_all() const noexcept {
+  for (const StopsAtInterrupt* one = this; one != nullptr; one = one->outer_) one->job_.stop();
 }
 
 }  // namespace mes_python

@@ -4,6 +4,8 @@
 #include <pybind11/stl.h>
 
 #include "bench.h"
+#include "interrupts.h"
+#include "lock.h"
 #include "module.h"
 
 namespace mes_python {
@@ -104,7 +106,7 @@ py::tuple shape(const std::string& id, const std::vector<std::pair<std::string, 
                 const std::vector<std::pair<std::string, std::string>>& formulas, std::optional<std::size_t> samples,
                 std::optional<double> spacing, double jitter, std::uint64_t seed) {
   const mesecina::Data data = [&] {
-    const py::gil_scoped_release unlocked;
+    const Unlocked unlocked;
     return mesecina::make_shape(mesecina::Catalogue::builtin(), id,
                                 {parameters, formulas, samples, spacing, jitter, seed});
   }();
@@ -225,6 +227,10 @@ mesecina::PrimitiveKind kind_of(std::string_view name) {
 }  // namespace mes_python
 
 PYBIND11_MODULE(_mesecina, module) {
+  // What is found out once is found out here. Two threads that came to it together could wait for each other, one of
+  // them with the interpreter lock.
+  (void)pybind11::dtype::of<double>();
+  (void)mes_python::is_main_thread();
   mes_python::add_errors();
   mes_python::add_inputs(module);
   mes_python::add_catalogue(module);

@@ -18,6 +18,8 @@ mesecina::Catalogue with_python(const mesecina::Catalogue& catalogue, const py::
 /// Name of the capsule `add_file` with a function `void(mesecina::Experiment&, const char* file)`, which throws.
 inline constexpr const char* kAddFile = "mesecina.add_file";
 
+/// A text that may name a path, which need not be UTF-8.
+py::str text_of(std::string_view text);
 void add_errors();
 void add_inputs(py::module_& module);
 

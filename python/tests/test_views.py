@@ -5,6 +5,9 @@ import gc
 import os
 import resource
 import signal
+import subprocess
+import sys
+import textwrap
 import threading
 
 import numpy as np
@@ -79,6 +82,76 @@ def test_views_over_many_edits():
         session.move(random.choice(ids), place)
 
 
+def test_a_refused_edit_leaves_views_as_they_are(flower):
+    radius = flower.inner_balls.faces.radius
+    with pytest.raises(ValueError):
+        flower.remove(9999)
+    with pytest.raises(ValueError):
+        flower.set("none", 1)
+    assert not flower.undo() and not flower.redo()
+    assert np.shares_memory(radius, flower.inner_balls.faces.radius)
+
+
+def run_alone(text):
+    """Runs a program of Python in a process of its own."""
+    return subprocess.run([sys.executable, "-c", textwrap.dedent(text)], capture_output=True, text=True, check=False, timeout=120)
+
+
+def test_the_interpreter_ends_while_threads_are_at_work():
+    done = run_alone("""
+        import threading, time
+        import mesecina as mes
+        import numpy as np
+
+        @mes.structure()
+        def slow(delaunay):
+            for _ in range(50):
+                time.sleep(0.001)
+            return {}
+
+        points = np.random.default_rng(1).uniform(size=(2000, 2))
+        started = threading.Barrier(4)
+
+        def work(*experiments):
+            started.wait()
+            while True:
+                mes.Session(points, experiments=experiments).digest("power-crust")
+
+        for experiments in [(), (slow,), (slow,)]:
+            threading.Thread(target=work, args=experiments, daemon=True).start()
+        started.wait()
+        time.sleep(0.2)
+        print("over")
+        """)
+    assert done.returncode == 0 and done.stdout == "over\n", done
+
+
+def test_many_threads_make_the_first_sessions_together():
+    done = run_alone("""
+        import sys, threading
+        import mesecina as mes
+
+        sys.setswitchinterval(1e-6)
+        together = threading.Barrier(8)
+
+        counts = []
+
+        def work():
+            together.wait()
+            counts.append(len(mes.Session([(0, 0), (1, 0), (0, 1)]).delaunay.faces))
+
+        threads = [threading.Thread(target=work) for _ in range(8)]
+        for one in threads:
+            one.start()
+        for one in threads:
+            one.join()
+        print(counts)
+        """)
+    assert done.returncode == 0 and done.stdout == f"{[4] * 8}\n", done
+
+
+@pytest.mark.skipif("libasan" in os.environ.get("LD_PRELOAD", "") or "libtsan" in os.environ.get("LD_PRELOAD", ""),
+                    reason="a sanitizer keeps memory that was given back")
 def test_sessions_leave_no_memory_behind():
     def work(count):
         for i in range(count):
@@ -129,7 +202,7 @@ def test_one_session_on_two_threads_is_refused_or_done():
         except RuntimeError as error:
             seen.append(str(error))
     thread.join()
-    assert all(text == "the session is at work in another thread" for text in seen)
+    assert all(text == "the session is at work already, in this thread or in another one" for text in seen)
     assert session.digest("medial-axis") == mes.Session(session.points).digest("medial-axis")
 
 
