@@ -54,6 +54,17 @@ class Axis:
             one.flags.writeable = False
         self._revision = bench.revision
 
+    def __getstate__(self):
+        """All but the session. Values by edge that were not read so far are read now, if the session is the same."""
+        if self._bench is not None and self._revision == self._bench.revision:
+            _ = self.lambda_, self.angle
+        return {**self.__dict__, "_bench": None}
+
+    def __setstate__(self, state):
+        self.__dict__.update(state)
+        for one in (self.points, self.radius, self.edges, self.length, self.samples, self.rows, *self._values.values()):
+            one.flags.writeable = False
+
     def _table(self, structure, name):
         return Structure(self._bench, described_structures(builtin())[structure])[name]
 
@@ -69,7 +80,7 @@ class Axis:
 
     def _value(self, structure, column):
         if column not in self._values:
-            if self._revision != self._bench.revision:
+            if self._bench is None or self._revision != self._bench.revision:
                 raise ValueError("the session has changed since this axis was made; ask it for a new one")
             values = self._table(structure, "edges")[column][self.rows]
             values.flags.writeable = False

@@ -42,7 +42,8 @@ def structure(*, id=None, inputs=None, rows=None):
     """
 
     def decorate(function):
-        return Experiment(function, "structure", id, inputs, {"rows": dict(rows or {})})
+        tables = {name: _arrays.text(table, f"rows of {name}") for name, table in dict(rows or {}).items()}
+        return Experiment(function, "structure", id, inputs, {"rows": tables})
 
     return decorate
 
@@ -73,10 +74,16 @@ def layer(*, rows, kind, id=None, name=None, inputs=None, scalar="", color=(0.85
     if kind not in _KINDS:
         raise ValueError(f"there is no kind of primitive {kind!r}; there are {', '.join(_KINDS)}")
 
+    color = tuple(_arrays.number(one, "a part of a color") for one in color)
+    if len(color) != 3:
+        raise ValueError(f"a color has red, green and blue, not {len(color)} parts")
+    for text in (rows, scalar, color_map):
+        _arrays.text(text, "each of rows, scalar and color_map")
+
     def decorate(function):
         title = name or function.__name__.strip("_").replace("_", " ").capitalize()
         return Experiment(function, "layer", id, inputs,
-                          {"rows": rows, "kind": kind, "name": title, "scalar": scalar, "color": tuple(color),
+                          {"rows": rows, "kind": kind, "name": title, "scalar": scalar, "color": color,
                            "opacity": float(opacity), "line_width": float(line_width), "point_size": float(point_size),
                            "color_map": color_map})
 
@@ -240,14 +247,18 @@ def moved(experiment, points, curves, step, values):
 
 def described(error, trace):
     """One line on what a function raised: the kind, the text, and the line that raised it."""
+    try:
+        said = " ".join(str(error).split())
+    except Exception:  # noqa: BLE001 - the text of the error is code of its class
+        said = ""
     frames = traceback.extract_tb(trace)
     own = [one for one in frames if os.path.dirname(one.filename) != os.path.dirname(__file__)]
     place = f" ({os.path.basename(own[-1].filename)}:{own[-1].lineno})" if own else ""
-    return f"{type(error).__name__}: {' '.join(str(error).split())}{place}"
+    return f"{type(error).__name__}{': ' if said else ''}{said}{place}"
 
 
 def _parameter(owner, argument, hint):
-    default = argument.default
+    default = argument.default.item() if isinstance(argument.default, np.generic) else argument.default
     if not isinstance(default, (bool, int, float)):
         raise TypeError(f"parameter {argument.name} of {owner} is a number, not {default!r}")
     extent = [one for one in getattr(hint, "__metadata__", ()) if isinstance(one, tuple) and len(one) == 2]
@@ -327,14 +338,23 @@ _TYPES = {"f": np.float64, "b": np.bool_, "u": np.uint32, "i": np.uint32}
 
 
 def _column(values, where):
-    array = np.asarray(values)
+    array = _arrays.array(values)
     if array.ndim not in (1, 2) or (array.ndim == 2 and not 1 <= array.shape[1] <= 3):
         raise ValueError(f"{where} is an array of shape (rows,), or (rows, 2) or (rows, 3), not {array.shape}")
     if array.dtype in (np.uint8, np.int8):
         return np.ascontiguousarray(array)
     if array.dtype.kind not in _TYPES:
         raise TypeError(f"{where} has numbers or bool, not {array.dtype}")
-    return np.ascontiguousarray(array, dtype=_TYPES[array.dtype.kind])
+    out = np.ascontiguousarray(array, dtype=_TYPES[array.dtype.kind])
+    if array.dtype.kind in "iu" and not np.array_equal(out, array):
+        raise ValueError(f"{where} has whole numbers below 0 or above 2^32 - 1")
+    return out
+
+
+def _name(key, owner):
+    if not isinstance(key, str):
+        raise TypeError(f"tables, columns and statistics of {owner} have texts as names, not {key!r}")
+    return key
 
 
 def _tables_of(out, owner):
@@ -342,8 +362,12 @@ def _tables_of(out, owner):
         raise TypeError(f"{owner} returns a dict of tables and statistics, not {type(out).__name__}")
     tables, statistics = {}, {}
     for key, value in out.items():
+        _name(key, owner)
         if isinstance(value, dict):
-            tables[key] = {name: _column(one, f"{owner}/{key}/{name}") for name, one in value.items()}
+            tables[key] = {_name(name, owner): _column(one, f"{owner}/{key}/{name}") for name, one in value.items()}
+            alive = tables[key].get("alive")
+            if alive is not None and (alive.ndim != 1 or alive.size and alive.dtype != bool):
+                raise TypeError(f"alive of {owner}/{key} is an array of bool of shape (rows,)")
             lengths = {len(one) for one in tables[key].values()}
             if len(lengths) > 1:
                 raise ValueError(f"columns of {owner}/{key} have different lengths: {sorted(lengths)}")

@@ -6,6 +6,8 @@ import numpy as np
 def plot(session, ax, layers):
     """Draws layers on the axes, bottom first, in their default style. See `Session.plot`."""
     known = {one["id"]: one for one in session.catalogue.layers()}
+    if isinstance(layers, str):
+        layers = layers.split(",")
     for order, layer in enumerate(layers):
         if layer not in known:
             raise ValueError(f"unknown layer {layer}")

@@ -3,6 +3,8 @@
 
 It runs in a process of its own, so that neither its memory nor its display is that of the interpreter.
 """
+import csv
+import io
 import os
 import pathlib
 import shutil
@@ -66,7 +68,7 @@ def run(command, *words, data=None, **options):
     Raises ValueError for a wrong option, InputError for a file or data that cannot be read, and ProgramError for all
     else; the text is what the program says.
     """
-    done = subprocess.run([path(), command, *map(str, words), *words_of(options)], input=data, capture_output=True,
+    done = subprocess.run([path(), command, *words_of(options), "--", *map(str, words)], input=data, capture_output=True,
                           check=False)
     if done.returncode == 0:
         return done.stdout
@@ -81,11 +83,22 @@ def run(command, *words, data=None, **options):
 
 
 def table(bytes_of_csv):
-    """A structured array of the rows of CSV, with the names of its first line."""
-    lines = bytes_of_csv.decode().splitlines()
-    names = lines[0].split(",")
-    if len(lines) == 1:
-        return np.empty(0, dtype=[(name, np.float64) for name in names])
-    out = np.genfromtxt(lines[1:], delimiter=",", names=names, dtype=None, encoding="utf-8", deletechars="",
-                        replace_space=" ")
-    return np.atleast_1d(out)
+    """A structured array of the rows of CSV, with the names of its first line.
+
+    Columns of whole numbers are int64, other columns of numbers float64, in which an empty cell is NaN, and the rest texts.
+    """
+    names, *rows = csv.reader(io.StringIO(bytes_of_csv.decode(), newline=""))
+    columns = [_column(cells) for cells in zip(*rows)] if rows else [np.empty(0)] * len(names)
+    out = np.empty(len(rows), dtype=[(name, column.dtype) for name, column in zip(names, columns)])
+    for name, column in zip(names, columns):
+        out[name] = column
+    return out
+
+
+def _column(cells):
+    for cast, dtype in ((int, np.int64), (lambda cell: float(cell) if cell else np.nan, np.float64)):
+        try:
+            return np.array([cast(cell) for cell in cells], dtype=dtype)
+        except (ValueError, OverflowError):
+            pass
+    return np.array(cells)

@@ -2,6 +2,7 @@
 """A session: samples and balls, and the geometry that follows them."""
 import contextlib
 import functools
+import io
 import json
 import os
 import pathlib
@@ -61,10 +62,10 @@ class Session:
 
     def __init__(self, points=None, *, balls=None, contours=(), history=True, experiments=()):
         self.remarks = []  #: what the reader of a file, of polygons or of an image had to say, one line each
-        self.experiments = tuple(experiments)  #: its own structures and layers
-        self.catalogue = with_experiments(builtin(), self.experiments) if experiments else builtin()
+        self.experiments = tuple(experiments or ())  #: its own structures and layers
+        self.catalogue = with_experiments(builtin(), self.experiments) if self.experiments else builtin()
         self._structures = described_structures(self.catalogue)
-        self._bench = _mesecina.Bench(self.catalogue, history)
+        self._bench = _mesecina.Bench(self.catalogue, bool(history))
         self._axis = None
         self._windows = set()
         self._listeners = []
@@ -89,7 +90,10 @@ class Session:
             geometry = getattr(one, "__geo_interface__", one)
             if not isinstance(geometry, dict) or "type" not in geometry:
                 raise TypeError(f"a geometry with __geo_interface__ is expected, not {type(one).__name__}")
+            geometry = _without_rings(geometry)
             if geometry["type"] == "FeatureCollection":
+                if not isinstance(geometry.get("features"), (list, tuple)):
+                    raise ValueError("a FeatureCollection has a list of features")
                 features += geometry["features"]
             elif geometry["type"] == "Feature":
                 features.append(geometry)
@@ -108,9 +112,10 @@ class Session:
 
         As matplotlib's ``imshow`` has it, the centre of the pixel in row r and column c is at x = c, y = r.
         """
-        pixels = np.asarray(image)
+        pixels = _arrays.array(image)
         if pixels.ndim != 2 or pixels.size == 0:
-            raise ValueError(f"an image of shape (rows, columns) is expected, not {pixels.shape}")
+            hint = "; take one channel, or the mean of the channels, first" if pixels.ndim == 3 else ""
+            raise ValueError(f"an image of shape (rows, columns) is expected, not {pixels.shape}{hint}")
         if pixels.dtype == bool:
             # A frame of background says which of both is the shape.
             margin = 1
@@ -119,8 +124,9 @@ class Session:
             margin = 0
             if not np.isfinite(pixels).all():
                 raise ValueError("some pixels are not finite")
-            low, high = float(pixels.min()), float(pixels.max())
-            grey = np.rint((pixels.astype(np.float64) - low) * (255.0 / ((high - low) or 1.0)))
+            pixels = pixels * 0.25  # differences of the largest doubles are no doubles
+            low, high = pixels.min(), pixels.max()
+            grey = np.rint((pixels.astype(np.float64) - low) / ((high - low) or 1.0) * 255.0)
         else:
             raise TypeError(f"pixels are numbers or bool, not {pixels.dtype}")
         height, width = grey.shape
@@ -128,12 +134,14 @@ class Session:
         out = cls._from_bytes(data, "image", "picture")
         samples, contours, balls = out._bench.data()
         samples = np.column_stack([samples[:, 0] - 0.5 - margin, height - 0.5 - margin - samples[:, 1]])
-        return cls(samples, contours=[(indices, is_closed) for is_closed, indices in contours], balls=balls)
+        seen = cls(samples, contours=[(indices, is_closed) for is_closed, indices in contours], balls=balls)
+        seen.remarks = out.remarks
+        return seen
 
     @classmethod
     def _from_bytes(cls, data, name, format="", vertices=False, degrees=False, experiments=()):
         out = cls(experiments=experiments)
-        out.remarks = out._bench.open_bytes(data, name, format, vertices, degrees)["warnings"]
+        out.remarks = out._bench.open_bytes(data, name, format, bool(vertices), degrees)["warnings"]
         out._bench.forget_history()
         return out
 
@@ -146,7 +154,7 @@ class Session:
             "poff": samples and contours; "wpoff": balls; "session": data and settings; default: by the extension, .poff,
             .wpoff or .json. Every number reads back bit for bit.
         """
-        self._bench.save(os.fspath(path), format)
+        self._bench.save(_arrays.path(path), _arrays.text(format, "format"))
 
     def __reduce__(self):
         return _restored, (_mesecina.version(), self._bench.text("session"), self.experiments)
@@ -202,7 +210,9 @@ class Session:
         try:
             x, y = points
             self._bench.move_one(one, x, y)
-        except TypeError:
+        except (TypeError, ValueError) as error:
+            if isinstance(error, ValueError) and np.shape(points) == (2,):
+                raise
             self._bench.move(np.array([one], dtype=np.uint32), _arrays.rows([points], 2))
 
     @_shown
@@ -228,7 +238,7 @@ class Session:
     @contextlib.contextmanager
     def edit(self, name="Edit"):
         """Makes all edits of a ``with`` block one step of undo. They stay if the block raises an exception."""
-        self._bench.begin_step(name)
+        self._bench.begin_step(_arrays.text(name, "the name of a step"))
         self._is_in_step = True
         try:
             yield self
@@ -266,13 +276,15 @@ class Session:
         Raises ValueError for an unknown name or a value out of its range.
         """
         if name == "precision":
-            self._bench.set_precision(value)
+            self._bench.set_precision(_arrays.text(value, "precision"))
         else:
-            self._bench.set(name, value)
+            self._bench.set(_arrays.text(name, "the name of a parameter"), _arrays.number(value, name))
 
     def value(self, name):
         """The value of a parameter, or the number type for ``"precision"``."""
-        return self._bench.precision() if name == "precision" else self._bench.value(name)
+        if name == "precision":
+            return self._bench.precision()
+        return self._bench.value(_arrays.text(name, "the name of a parameter"))
 
     # Results.
 
@@ -282,7 +294,7 @@ class Session:
 
     def structure(self, structure):
         """A structure by its id, as in ``"one-step-crust"``."""
-        if structure not in self._structures:
+        if _arrays.text(structure, "the id of a structure") not in self._structures:
             raise ValueError(f"unknown structure {structure}")
         return Structure(self._bench, self._structures[structure])
 
@@ -309,7 +321,7 @@ class Session:
 
     def digest(self, layer):
         """32 hexadecimal digits that depend on what the layer draws; equal to those of ``mesecina compute --digest``."""
-        return self._bench.digest(layer)
+        return self._bench.digest(_arrays.text(layer, "the id of a layer"))
 
     def instances(self, layer, kind):
         """What a layer draws of a kind of primitive: coordinates, and a scalar in the last column.
@@ -320,7 +332,7 @@ class Session:
 
         Read-only and without a copy, as columns of tables are.
         """
-        return self._bench.instances(layer, kind)
+        return self._bench.instances(_arrays.text(layer, "the id of a layer"), _arrays.text(kind, "a kind"))
 
     # Pictures.
 
@@ -408,7 +420,8 @@ class Session:
         return Session._from_bytes(self._command(command, **options), command, "poff")
 
     def __getattr__(self, name):
-        found = None if name.startswith("_") else _attributes(self.catalogue).get(name)
+        catalogue = self.__dict__.get("catalogue")
+        found = None if name.startswith("_") or catalogue is None else _attributes(catalogue).get(name)
         if found is None:
             raise AttributeError(f"a session has no structure or attribute {name!r}")
         return Structure(self._bench, self._structures[found])
@@ -464,7 +477,7 @@ class _Changed:
         self._session = session
 
     def __getitem__(self, table):
-        structure, _, name = table.replace(".", "/").partition("/")
+        structure, _, name = _arrays.text(table, "the id of a table").replace(".", "/").partition("/")
         return self._session.structure(structure)[name].changed
 
 
@@ -481,10 +494,10 @@ def open(path, format="", *, vertices=False, degrees=False, experiments=()):
     Raises FileNotFoundError, and InputError with file, line and column. What the reader has to say otherwise is a
     warning.
     """
-    path = os.fspath(path)
-    pathlib.Path(path).open("rb").close()  # raises what Python raises
+    path = _arrays.path(path)
+    io.open(path, "rb").close()  # raises the exceptions of Python
     out = Session(experiments=experiments)
-    out.remarks = out._bench.open(path, format, vertices, degrees)["warnings"]
+    out.remarks = out._bench.open(path, _arrays.text(format, "format"), bool(vertices), bool(degrees))["warnings"]
     for line in out.remarks:
         warnings.warn(line, stacklevel=2)
     out._bench.forget_history()
@@ -504,9 +517,13 @@ def shape(name, *, samples=None, spacing=None, jitter=0.0, seed=1, **parameters)
     The same call gives the same samples on every machine.
     """
     values = [(key.rstrip("_").replace("_", "-"), value) for key, value in parameters.items()]
-    numbers = [(key, value) for key, value in values if not isinstance(value, str)]
+    numbers = [(key, _arrays.number(value, key)) for key, value in values if not isinstance(value, str)]
     formulas = [(key, value) for key, value in values if isinstance(value, str)]
-    points, contours, balls = _mesecina.shape(name, numbers, formulas, samples, spacing, jitter, seed)
+    points, contours, balls = _mesecina.shape(
+        _arrays.text(name, "the id of a shape"), numbers, formulas,
+        None if samples is None else _arrays.count(samples, "samples"),
+        None if spacing is None else _arrays.number(spacing, "spacing"),
+        _arrays.number(jitter, "jitter"), _arrays.count(seed, "seed"))
     return Session(points, contours=[(indices, is_closed) for is_closed, indices in contours], balls=balls)
 
 
@@ -557,7 +574,7 @@ def _alive(table):
 
 def _contours(contours):
     out = []
-    for one in contours:
+    for one in () if contours is None else contours:
         is_closed = True
         if isinstance(one, tuple) and len(one) == 2 and isinstance(one[1], (bool, np.bool_)):
             one, is_closed = one
@@ -570,9 +587,19 @@ def _some_ids(ids):
     return _arrays.ids(ids) if one is None else np.array([one], dtype=np.uint32)
 
 
+def _without_rings(geometry):
+    """The geometry with polygons for rings, which shapely has and GeoJSON does not."""
+    if geometry["type"] == "LinearRing":
+        return {"type": "Polygon", "coordinates": [geometry.get("coordinates")]}
+    if geometry["type"] == "GeometryCollection" and isinstance(geometry.get("geometries"), (list, tuple)):
+        return {**geometry, "geometries": [_without_rings(one) if isinstance(one, dict) and "type" in one else one
+                                           for one in geometry["geometries"]]}
+    return geometry
+
+
 def _as_json(value):
-    if isinstance(value, np.generic):
-        return value.item()
+    if isinstance(value, (np.generic, np.ndarray)):
+        return value.tolist()
     raise TypeError(f"{type(value).__name__} is no part of a geometry")
 
 

@@ -93,7 +93,7 @@ class Table:
         return pandas.DataFrame(out, index=rows)
 
     def __getitem__(self, name):
-        if name not in self.columns:
+        if not isinstance(name, str) or name not in self.columns:
             raise KeyError(f"table {self.name} has no column {name!r}; it has {', '.join(self.columns)}")
         return self._bench.column(self.name, name)
 
@@ -104,7 +104,7 @@ class Table:
             raise AttributeError(f"table {self.name} has no column {name!r}") from None
         return self._bench.column(self.name, column)
 
-    def __array__(self, dtype=None):
+    def __array__(self, dtype=None, copy=None):
         out = self.compact()
         return out if dtype is None else out.astype(dtype)
 
@@ -147,7 +147,7 @@ class Structure:
         return self._bench.statistics(self._id)
 
     def __getitem__(self, name):
-        description = self._tables.get(attribute_of(name))
+        description = self._tables.get(attribute_of(name)) if isinstance(name, str) else None
         if description is None:
             raise KeyError(f"structure {self._id} has no table {name!r}; it has {', '.join(self.tables) or 'none'}")
         return Table(self._bench, self._id, description)

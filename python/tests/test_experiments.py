@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Structures, layers and evolutions in Python: followed, drawn, refused with one line."""
 import json
+import os
 import pickle
+import signal
 import subprocess
+import threading
+import time
 
 import numpy as np
 import pytest
@@ -147,6 +151,11 @@ def test_definitions_that_are_refused():
             (lambda: mes.structure()(lambda *all: {}), TypeError),
             (lambda: mes.evolution()(lambda places: places), TypeError),
             (lambda: mes.layer(rows="delaunay/edges", kind="blob"), ValueError),
+            (lambda: mes.layer(rows="delaunay/edges", kind="point", color="red"), TypeError),
+            (lambda: mes.layer(rows="delaunay/edges", kind="point", color=(1, 1)), ValueError),
+            (lambda: mes.layer(rows="delaunay/edges", kind="point", color_map=3), TypeError),
+            (lambda: mes.structure(rows={"rows": 3})(function), TypeError),
+            (lambda: mes.Session(experiments=[mes.structure()(lambda delaunay: {1: 2})]), TypeError),
             (lambda: mes.Session(experiments=[mes.layer(rows="delaunay/edges", kind="segment", id="flat")(
                 lambda delaunay: np.zeros((3, 2)))]), ValueError)]:
         with pytest.raises(error) as caught:
@@ -184,6 +193,93 @@ def test_mistakes_in_a_file_are_one_line(text, said, tmp_path):
     done = subprocess.run([_program.path(), "compute", SHAPES / "bean.poff", "--with", file], capture_output=True, text=True,
                           check=False)
     assert done.returncode == 3 and said in done.stderr and done.stderr.count("\n") == 1, done.stderr
+
+
+def test_inputs_end_with_a_function_that_raises():
+    kept = []
+
+    @mes.structure()
+    def keeper(delaunay):
+        if len(delaunay.sites.rows):
+            kept.append(delaunay)
+            raise LookupError("no")
+        return {}
+
+    session = mes.Session(flower_points(20), experiments=[keeper])
+    with pytest.raises(mes.ComputationFailed):
+        session.keeper.statistics
+    with pytest.raises(RuntimeError, match="while the function is at work"):
+        kept[0].sites.position
+
+
+def test_a_function_that_reads_sessions():
+    other = []
+
+    @mes.structure()
+    def inner(samples):
+        if len(samples.samples.rows) == 0:
+            return {"rows": {"length": np.zeros(0)}}
+        session = other[0] if other else mes.Session(samples.samples.position[samples.samples.rows])
+        return {"rows": {"length": [session.axis.length.sum()]}}
+
+    session = mes.Session(flower_points(30), experiments=[inner])
+    assert session.inner.rows.length[0] == session.axis.length.sum()
+    other.append(session)  # the session that computes
+    session.move(session.ids[0], (2, 2))
+    with pytest.raises(mes.ComputationFailed, match="at work already"):
+        session.inner.rows.length
+    other.clear()
+    session.move(session.ids[0], (3, 3))
+    assert session.inner.rows.length[0] == session.axis.length.sum()
+
+
+@pytest.mark.parametrize("work", [lambda: time.sleep(60),
+                                  lambda: mes.Session(flower_points(10**6, 2)).digest("power-crust")])
+def test_ctrl_c_stops_a_function(work):
+    is_slow = [True]
+
+    @mes.structure()
+    def slow(samples):
+        if is_slow[0] and len(samples.samples.rows):
+            is_slow[0] = False
+            timer.start()
+            work()
+        return {"count": len(samples.samples.rows)}
+
+    timer = threading.Timer(0.3, lambda: os.kill(os.getpid(), signal.SIGINT))
+    session = mes.Session(flower_points(30), experiments=[slow])
+    begin = time.monotonic()
+    with pytest.raises(KeyboardInterrupt):
+        session.slow.statistics
+    assert time.monotonic() - begin < 10
+    timer.join()
+    assert session.slow.statistics == {"count": 30}
+
+
+def test_ctrl_c_stops_a_layer():
+    is_stopped = [True]
+
+    @mes.layer(rows="delaunay/sites", kind="point")
+    def marks(delaunay):
+        if is_stopped[0] and len(delaunay.sites.rows):
+            raise KeyboardInterrupt
+        return delaunay.sites.position
+
+    session = mes.Session(flower_points(30), experiments=[marks])
+    with pytest.raises(KeyboardInterrupt):
+        session.digest("marks")
+    is_stopped[0] = False
+    assert len(session.instances("marks", "point")) == 30
+
+
+@pytest.mark.parametrize("values", [np.full(3, -1), np.full(3, 2**40)])
+def test_numbers_that_a_column_does_not_hold(values):
+    @mes.structure()
+    def large(samples):
+        return {"rows": {"x": values if len(samples.samples.rows) else np.zeros(0, dtype=int)}}
+
+    with pytest.raises(mes.ComputationFailed, match="below 0 or above"):
+        mes.Session(flower_points(5), experiments=[large]).large.rows.x
 
 
 def test_inputs_are_copies_that_stay():

@@ -2,6 +2,7 @@
 """What comes from outside: arrays, files, polygons, images, pickles; good and bad."""
 import copy
 import fractions
+import os
 import pickle
 
 import numpy as np
@@ -25,7 +26,8 @@ def test_arrays_of_any_kind(points):
     ([[float("inf"), 0]], ValueError, "not finite"), ("points", TypeError, "numbers"), ([["a", "b"]], TypeError, "numbers"),
     (np.zeros((2, 2), dtype=complex), TypeError, "complex"), (np.zeros((2, 2), dtype=bool), TypeError, "bool"),
     (np.array([[2**60 + 1, 0]]), ValueError, "no doubles"), ([[2.0**600, 0]], ValueError, "2\\^500"),
-    ([[1e-200, 1e200]], ValueError, ""), (object(), TypeError, ""), ([[0, 0], [1]], ValueError, "")])
+    ([[1e-200, 1e200]], ValueError, ""), (np.ma.array(np.zeros((2, 2)), mask=np.eye(2)), ValueError, "masked"),
+    ([[2**70 + 1, 0]], ValueError, "no doubles"), ([[10**400, 0]], ValueError, "no doubles"), (object(), TypeError, ""), ([[0, 0], [1]], ValueError, "")])
 def test_arrays_that_are_refused(points, error, text):
     with pytest.raises(error, match=text) as caught:
         mes.Session(points)
@@ -37,7 +39,8 @@ def test_arrays_that_are_refused(points, error, text):
 
 
 @pytest.mark.parametrize("ids, error", [(99, ValueError), (-1, ValueError), (2**40, ValueError), ([0, 0], ValueError),
-                                        ([0.5], TypeError), ("a", TypeError), ([[0]], ValueError)])
+                                        ([0.5], TypeError), ("a", TypeError), (True, TypeError),
+                                        (np.True_, TypeError), (np.ma.array([1, 2], mask=[0, 1]), ValueError), ([[0]], ValueError)])
 def test_ids_that_are_refused(ids, error):
     session = mes.Session(flower_points(10))
     for work in (session.remove, lambda one: session.move(one, np.zeros((np.size(one), 2))
@@ -130,6 +133,16 @@ def test_files(tmp_path):
         mes.open(SHAPES / "lizard.poff", format="nothing")
 
 
+def test_names_of_files_that_are_no_text(tmp_path):
+    session = mes.Session([[0, 0]])
+    for path in (os.fsencode(tmp_path) + b"/\xff.poff", str(tmp_path / "\udcfe.poff")):
+        session.save(path)
+        assert len(mes.open(path)) == 1
+    with pytest.raises(ValueError):
+        session.save(tmp_path / "a\0.poff")
+    assert sorted(os.listdir(tmp_path)) == ["\udcfe.poff", "\udcff.poff"]
+
+
 def test_polygons():
     geometry = pytest.importorskip("shapely.geometry")
     ring = geometry.Polygon([(0, 0), (4, 0), (4, 2), (0, 2)], [[(1, 0.5), (3, 0.5), (3, 1.5), (1, 1.5)]])
@@ -141,6 +154,13 @@ def test_polygons():
     assert geometry.shape(session.axis).distance(geometry.Point(2, 1)) > 0.7
     box = {"type": "Polygon", "coordinates": [[[10, 0], [11, 0], [11, 1], [10, 1], [10, 0]]]}
     assert len(mes.Session.from_polygons(ring, box, geometry.box(20, 0, 21, 1)).contours) == 4
+    assert len(mes.Session.from_polygons(ring.exterior, vertices=True)) == 4
+    assert len(mes.Session.from_polygons(geometry.GeometryCollection([ring, ring.exterior]), vertices=True)) == 8
+    line = {"type": "LineString", "coordinates": np.array([[0, 0], [1, 1]])}
+    assert len(mes.Session.from_polygons(line, vertices=True)) == 2
+    for empty in (geometry.Polygon(), geometry.GeometryCollection(), {"type": "FeatureCollection"}):
+        with pytest.raises(ValueError):
+            mes.Session.from_polygons(empty)
     for bad in ("polygon", 3, {"x": 1}):
         with pytest.raises(TypeError):
             mes.Session.from_polygons(bad)
@@ -149,7 +169,8 @@ def test_polygons():
 
 
 @pytest.mark.parametrize("as_image", [lambda mask: mask, lambda mask: np.where(mask, 10, 200),
-                                      lambda mask: np.where(mask, 0.9, 0.1), lambda mask: np.asfortranarray(mask)])
+                                      lambda mask: np.where(mask, 0.9, 0.1), lambda mask: mask * np.uint16(60000),
+                                      lambda mask: np.where(mask, 1.7e308, -1.7e308), lambda mask: np.asfortranarray(mask)])
 def test_images(as_image):
     mask = np.zeros((50, 70), dtype=bool)
     mask[10:30, 20:61] = True
@@ -161,7 +182,10 @@ def test_images(as_image):
     assert np.abs(session.axis.points[:, 1] - 19.5).min() < 0.05
     whole = mes.Session.from_image(np.ones((20, 30), dtype=bool))
     np.testing.assert_allclose(whole.points.max(axis=0), [29.5, 19.5], atol=1e-3)
-    for bad in (np.zeros((3, 3, 3)), np.zeros((0, 0)), [[float("nan")]]):
+    assert whole.remarks
+    with pytest.raises(ValueError, match="take one channel"):
+        mes.Session.from_image(np.zeros((9, 9, 3)))
+    for bad in (np.ma.array(mask, mask=mask), np.zeros((5, 5), dtype=bool), np.ones((1, 1), dtype=bool), np.zeros((0, 0)), [[float("nan")]]):
         with pytest.raises(ValueError):
             mes.Session.from_image(bad)
     with pytest.raises(TypeError):
@@ -175,6 +199,10 @@ def test_shapes():
     for bad in (dict(name="none"), dict(name="ellipse", none=1), dict(name="ellipse", samples=5, spacing=1)):
         with pytest.raises(ValueError):
             mes.shape(**bad)
+    for bad in (dict(samples=2.5), dict(seed="x"), dict(jitter=None), dict(a=[1])):
+        with pytest.raises(TypeError) as caught:
+            mes.shape("ellipse", **bad)
+        assert "\n" not in str(caught.value)
 
 
 def test_names_that_are_not_there():
@@ -186,6 +214,13 @@ def test_names_that_are_not_there():
                         (lambda: session.digest("none"), ValueError), (lambda: session.instances("curve", "x"), ValueError)]:
         with pytest.raises(error):
             work()
+    for work in (lambda: session.set("lambda-limit", "1"), lambda: session.set(3, 1), lambda: session.set("precision", 1),
+                 lambda: session.value(None), lambda: session.digest(None), lambda: session.instances("curve", None),
+                 lambda: session.structure(None), lambda: session.changed[3], lambda: session.edit(3).__enter__(),
+                 lambda: mes.open(SHAPES / "bean.poff", None), lambda: session.save("a.poff", 3)):
+        with pytest.raises(TypeError) as caught:
+            work()
+        assert "\n" not in str(caught.value)
     assert "one_step_crust" in dir(session) and "faces" in dir(session.delaunay)
     assert "circumradius" in dir(session.delaunay.faces) and "circumradius" in repr(session.delaunay)
     assert not hasattr(session, "_repr_html_")

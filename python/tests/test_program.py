@@ -5,6 +5,7 @@ import pytest
 
 import mesecina as mes
 from conftest import SHAPES
+from mesecina import _program
 
 
 def test_pictures(flower, tmp_path):
@@ -35,6 +36,14 @@ def test_commands_see_the_session(flower):
     assert len(sweep) == 7 and sweep.dtype.names[0] == "lambda-limit"
 
 
+def test_tables_of_the_program():
+    rows = _program.table(b'a,b,c,d\n1,2,,"x,y"\n2,,,z\n')
+    assert rows.dtype.names == ("a", "b", "c", "d") and rows["a"].dtype == np.int64
+    np.testing.assert_array_equal(rows["b"], [2.0, np.nan])
+    assert np.isnan(rows["c"]).all() and list(rows["d"]) == ["x,y", "z"]
+    assert len(_program.table(b"a,b\n")) == 0
+
+
 def test_new_sessions(flower):
     assert len(flower.repair(epsilon=0.02)) > len(flower)
     assert len(flower.decimate()) <= len(flower)
@@ -42,6 +51,7 @@ def test_new_sessions(flower):
     lizard = mes.open(SHAPES / "lizard.poff")
     assert len(lizard.sample(rule="number", samples=50)) == 50
     assert lizard.export("medial-axis", "csv").count(b"\n") > 100
+    assert len(mes.text("--help")) > 100
     with pytest.raises(ValueError):
         flower.evolve("none")
     with pytest.raises(ValueError):

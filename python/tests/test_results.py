@@ -3,6 +3,7 @@
 import io
 import json
 import os
+import pickle
 
 import numpy as np
 import pytest
@@ -84,6 +85,17 @@ def test_an_axis_stays_when_the_session_changes(flower):
     np.testing.assert_array_equal(axis.points, before)
     with pytest.raises(ValueError):
         axis.points[0, 0] = 1.0
+
+
+def test_an_axis_is_pickled_without_its_session(flower):
+    axis = flower.axis
+    other = pickle.loads(pickle.dumps(axis))
+    for name in ("points", "radius", "edges", "length", "samples", "lambda_", "angle"):
+        np.testing.assert_array_equal(getattr(other, name), getattr(axis, name))
+        assert not getattr(other, name).flags.writeable
+    flower.move(flower.ids[0], (0.9, 0.1))
+    late = pickle.loads(pickle.dumps(axis))
+    np.testing.assert_array_equal(late.lambda_, axis.lambda_)
 
 
 def test_edits_give_what_a_fresh_session_has():
