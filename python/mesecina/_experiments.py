@@ -186,6 +186,10 @@ class Experiment:
             _drawn(self._call(structures, inputs, _NoInputs(structures, self.parameters)), width, self.id)
             spec["function"] = draw
             return spec
+        known = {table["id"] for one in inputs for table in structures[one]["tables"]}
+        for table in spec["rows"].values():
+            if table not in known:
+                raise ValueError(f"{self.id} reads no table {table}, whose rows its own would be")
         plan = _plan(self._call(structures, inputs, _NoInputs(structures, self.parameters)), spec["rows"], self.id)
 
         def compute(shown):

@@ -150,7 +150,7 @@ class PyStructure final : public mesecina::Structure {
   }
 
   void rebuild(const mesecina::Inputs& inputs) override {
-    call(function_, inputs, [this](const py::object& out) {
+    call(function_, inputs, [this, &inputs](const py::object& out) {
       const auto parts = out.cast<py::tuple>();
       const auto tables = parts[0].cast<py::list>();
       for (std::size_t i = 0; i < storage_.size(); ++i) {
@@ -159,6 +159,7 @@ class PyStructure final : public mesecina::Structure {
         for (std::size_t j = 0; j < storage_[i].columns.size(); ++j)
           std::visit([&](auto& to) { take(columns[j].cast<py::array>(), to); }, storage_[i].columns[j]);
         if ((*plan_)[i].has_alive) take(table[1].cast<py::array>(), storage_[i].alive);
+        check_rows((*plan_)[i], columns, inputs);
       }
       statistics_.clear();
       for (const auto& [key, value] : parts[1].cast<py::dict>())
@@ -192,6 +193,15 @@ class PyStructure final : public mesecina::Structure {
     std::vector<Values> columns;
     std::vector<std::uint8_t> alive;
   };
+  // Rows of another table are as many as there.
+  static void check_rows(const TablePlan& plan, const py::list& columns, const mesecina::Inputs& inputs) {
+    if (plan.rows_of.empty() || columns.empty()) return;
+    const std::size_t own = py::len(columns[0]);
+    const std::size_t theirs = inputs.table(plan.rows_of).rows();
+    if (own != theirs)
+      throw py::value_error("table " + plan.name + " has " + std::to_string(own) + " rows, and " + plan.rows_of + " has " +
+                            std::to_string(theirs));
+  }
   // The Python part has made arrays of the planned types, which lie in a row.
   template <class T>
   static void take(const py::array& from, std::vector<T>& to) {

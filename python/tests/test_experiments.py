@@ -155,6 +155,8 @@ def test_definitions_that_are_refused():
             (lambda: mes.layer(rows="delaunay/edges", kind="point", color=(1, 1)), ValueError),
             (lambda: mes.layer(rows="delaunay/edges", kind="point", color_map=3), TypeError),
             (lambda: mes.structure(rows={"rows": 3})(function), TypeError),
+            (lambda: mes.Session(experiments=[mes.structure(id="far", rows={"rows": "medial-axis/edges"})(
+                lambda delaunay: {"rows": {"x": np.zeros(0)}})]), ValueError),
             (lambda: mes.Session(experiments=[mes.structure()(lambda delaunay: {1: 2})]), TypeError),
             (lambda: mes.Session(experiments=[mes.layer(rows="delaunay/edges", kind="segment", id="flat")(
                 lambda delaunay: np.zeros((3, 2)))]), ValueError)]:
@@ -270,6 +272,17 @@ def test_ctrl_c_stops_a_layer():
         session.digest("marks")
     is_stopped[0] = False
     assert len(session.instances("marks", "point")) == 30
+
+
+@pytest.mark.parametrize("more", [-1, 1])
+def test_rows_of_another_table_are_as_many_as_there(more):
+    @mes.structure(rows={"sites": "delaunay/sites"})
+    def other(delaunay):
+        count = len(delaunay.sites.position)
+        return {"sites": {"x": np.zeros(count and count + more)}}
+
+    with pytest.raises(mes.ComputationFailed, match=f"table sites has {5 + more} rows, and delaunay/sites has 5"):
+        mes.Session(flower_points(5), experiments=[other]).other.sites.x
 
 
 @pytest.mark.parametrize("values", [np.full(3, -1), np.full(3, 2**40)])
