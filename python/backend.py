@@ -48,7 +48,7 @@ def _compile():
 
 
 def _stage(package):
-    """What the wheel installs: the package, the library beside its compiled part, and the program in a folder of it."""
+    """Collects the files of the wheel: the package, the library beside its compiled part, and the program in a folder."""
     with tempfile.TemporaryDirectory() as folder:
         prefix = pathlib.Path(folder)
         subprocess.run(["cmake", "--install", str(BUILD), "--prefix", folder, "--component", "python", "--strip"],

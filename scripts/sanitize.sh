@@ -4,12 +4,14 @@
 #
 #   scripts/sanitize.sh [asan]     address and undefined behaviour: geometry, files, the window's model, inputs of fuzzers
 #   scripts/sanitize.sh tsan       threads: the engine, saving and recording; before a release
+#   scripts/sanitize.sh python     address and undefined behaviour in the Python module; before a release
 set -uo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 kind=${1:-asan}
 if (($# > 0)); then shift; fi
+options=()
 case $kind in
   asan)
     targets=(test_document test_exactness test_io test_model fuzzer)
@@ -20,10 +22,16 @@ case $kind in
     targets=(test_document test_engine test_failures test_model)
     tests='^(test_document|test_engine|test_failures|test_model)\.'
     ;;
-  *) fail "unknown kind '$kind'; there are asan and tsan" ;;
+  python)
+    kind=asan
+    options=(-DMESECINA_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3)
+    targets=(mesecina_python mesecina_embedded_python mesecina)
+    tests='^python\.test_(experiments|input|results|views)$'
+    ;;
+  *) fail "unknown kind '$kind'; there are asan, tsan and python" ;;
 esac
 
 "$root/scripts/install_packages.sh" test || exit 1
-configure "$kind" -DMESECINA_WERROR=ON
+configure "$kind" -DMESECINA_WERROR=ON "${options[@]}"
 build "$kind" --target "${targets[@]}"
 exec ctest --test-dir "build/$kind" --output-on-failure --parallel "$(job_count)" --tests-regex "$tests" "$@"

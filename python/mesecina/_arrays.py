@@ -36,7 +36,7 @@ def _doubles(values, width):
     except OverflowError:
         out = None
     if out is None or given.dtype != np.float64 and not _equal(out, given):
-        raise ValueError(f"some of the numbers of type {given.dtype} are no doubles; round them first")
+        raise ValueError(f"some of the numbers of type {given.dtype} are not exact as doubles; round them first")
     return out
 
 
@@ -49,8 +49,8 @@ def _equal(doubles, given):
 def rows(values, width):
     """An array of shape (n, width) of doubles; an empty sequence has no rows.
 
-    Raises ValueError for another shape, for numbers that a double does not hold, and for NaN or infinity;
-    TypeError for what are no numbers.
+    Raises ValueError for another shape, for numbers that a double does not hold, and for NaN or infinity, and
+    TypeError for values that are not numbers.
     """
     out = _doubles(values, width)
     if out.ndim != 2 or out.shape[1] != width:
@@ -64,7 +64,7 @@ def rows(values, width):
 def ids(values):
     """An array of shape (n,) of ids.
 
-    Raises TypeError for what are no whole numbers, and ValueError for those that are no ids.
+    Raises TypeError for values that are not whole numbers, and ValueError for numbers that are not ids.
     """
     given = array(values)
     if given.size == 0:
@@ -123,7 +123,7 @@ def text(value, name):
 
 
 def path(value):
-    """The bytes of a path. Raises TypeError for what is no path, and ValueError for a null byte."""
+    """The bytes of a path. Raises TypeError for values that are not paths, and ValueError for a null byte."""
     out = os.fsencode(value)
     if b"\0" in out:
         raise ValueError("a path has no null byte")

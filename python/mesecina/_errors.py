@@ -33,7 +33,7 @@ class ComputationFailed(RuntimeError):
 class ProgramError(RuntimeError):
     """The program ``mesecina`` ended with an error that is neither of usage nor of input.
 
-    Its text is what the program said.
+    Its text is the message of the program.
     """
 
     def __init__(self, text, status=1):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Structures, layers and evolutions of one's own, as functions over arrays."""
+"""Functions over arrays that become structures, layers and evolutions."""
 import inspect
 import os
 import sys
@@ -25,18 +25,19 @@ def structure(*, id=None, inputs=None, rows=None):
             length = np.hypot(*(ends[:, 0] - ends[:, 1]).T)
             return {"edges": {"is_long": length > limit, "length": length}, "longest": length.max(initial=0.0)}
 
-    Arguments of the function without a default are structures: their tables have columns, as those of a session, and
-    ``rows``. Columns are copies, in which rows that are not alive are 0. Arguments with a default are parameters, numbers with a range that their annotation says
-    (``Annotated[float, (low, high)]``); each is set as ``<structure>-<argument>``. The docstring describes it.
+    Arguments of the function without a default are structures: their tables have columns and ``rows``, as those of a
+    session. Columns are copies, in which rows that are not alive are 0. Arguments with a default are parameters: numbers
+    in the range of their annotation (``Annotated[float, (low, high)]``), set as ``<structure>-<argument>``. The first
+    line of the docstring describes the structure.
 
     The function returns a dict. Values that are dicts are tables, of columns: arrays of one length, of bool, uint8, int8, or
     1 to 3 uint32 or float64 in a row; a column ``alive`` of bool says which rows are. Other values are statistics.
-    What it returns for no samples says which tables there are.
+    Its dict for no samples determines the tables and their columns.
 
     id
         of the structure; default: the name of the function, with hyphens
     inputs
-        ids of the structures, in place of the names of arguments
+        ids of the structures, if the arguments have other names
     rows
         for tables whose rows are those of another table: its id
     """
@@ -67,9 +68,9 @@ def layer(*, rows, kind, id=None, name=None, inputs=None, scalar="", color=(0.85
     kind
         "point", "disk", "circle", "segment", "ray", "line", "triangle" or "arc"
     scalar
-        what the scalar means, with the unit; empty: there is none
+        the meaning of the scalar, with its unit; empty: the layer has none
     color, opacity, line_width, point_size, color_map
-        the style at first: red, green and blue from 0 to 1, sizes in pixels, a map as in "viridis"
+        the first style: red, green and blue from 0 to 1, sizes in pixels, and a color map as in "viridis"
     """
     if kind not in _KINDS:
         raise ValueError(f"there is no kind of primitive {kind!r}; there are {', '.join(_KINDS)}")
@@ -112,7 +113,7 @@ def evolution(*, id=None):
 class Experiment:
     """A structure, a layer or an evolution that a function defines. It can still be called as the function.
 
-    Sessions are given those that they have: ``mes.Session(points, experiments=[long_edges, long_edge_lines])``.
+    A session gets its structures and layers when it is made: ``mes.Session(points, experiments=[long_edges, long_edge_lines])``.
     """
 
     def __init__(self, function, what, given_id, inputs, spec):
@@ -145,7 +146,7 @@ class Experiment:
         return f"<{self.what} {self.id}: {self.description}>"
 
     def inputs_in(self, structures):
-        """The ids of the structures that it reads, of those that there are."""
+        """The ids of the structures that it reads, among the given ones."""
         if self._inputs is not None:
             if len(self._inputs) != len(self._read):
                 raise TypeError(f"{self.id} has {len(self._read)} arguments for {len(self._inputs)} inputs")
@@ -162,7 +163,7 @@ class Experiment:
         return self.__wrapped__(*tables, **values)
 
     def describe_evolution(self):
-        """The same of an evolution."""
+        """Describes an evolution to the compiled part."""
 
         def move(points, curves, step, values):
             named = {one["argument"]: one["cast"](value) for one, value in zip(self.parameters, values)}
@@ -172,7 +173,7 @@ class Experiment:
                 "description": self.description, "parameters": self.parameters, "function": move}
 
     def describe(self, catalogue):
-        """What the compiled part has to know of it. Raises what the function raises for no samples."""
+        """Describes a structure or a layer to the compiled part. It raises the exceptions of the function for no samples."""
         structures = described_structures(catalogue)
         inputs = self.inputs_in(structures)
         spec = {"what": self.what, "id": self.id, "description": self.description, "inputs": inputs,
@@ -209,7 +210,7 @@ def with_experiments(catalogue, experiments):
 
 
 def specs_of(file):
-    """What the compiled part has to know of all structures, layers and evolutions that a file defines, in their order.
+    """Describes to the compiled part all structures, layers and evolutions that a file defines, in their order.
 
     The file is run as a module of its own each time, with its folder first in the path.
     """
@@ -250,7 +251,7 @@ def moved(experiment, points, curves, step, values):
 
 
 def described(error, trace):
-    """One line on what a function raised: the kind, the text, and the line that raised it."""
+    """One line for the exception of a function: its kind, its text, and the line that raised it."""
     try:
         said = " ".join(str(error).split())
     except Exception:  # noqa: BLE001 - the text of the error is code of its class

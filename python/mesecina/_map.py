@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The same function of many files, one after another or by an executor."""
+"""One function for many files, one after another or by an executor."""
 import concurrent.futures
 import typing
 
 
 class Result(typing.NamedTuple):
-    """What became of one item."""
+    """The result of one item."""
 
     item: typing.Any  #: as it was given
     value: typing.Any  #: that the function returned; None if it raised an exception
@@ -21,11 +21,12 @@ def map(function, items, executor=None):
     items
         any iterable
     executor
-        None: one after another, here. Else whatever has ``submit`` of ``concurrent.futures``: a ``ProcessPoolExecutor``,
+        None: items are done one after another, here. Otherwise anything with the method ``submit`` of
+        ``concurrent.futures``: a ``ProcessPoolExecutor``,
         ``client.get_executor()`` of Dask, an ``MPIPoolExecutor`` of mpi4py
 
-    An exception of the function is the item's result and ends nothing; so is the loss of a worker. Whoever stops iterating
-    gives up what has not begun.
+    An exception of the function, or the loss of a worker, is the result of the item, and the other items go on. Calls
+    that have not begun are cancelled when the iteration ends early.
     """
     if executor is None:
         for item in items:
@@ -43,5 +44,5 @@ def map(function, items, executor=None):
 def _result(item, work):
     try:
         return Result(item, work(), None)
-    except Exception as error:  # noqa: BLE001 - what the function raises is its result
+    except Exception as error:  # noqa: BLE001 - the exception of the function is its result
         return Result(item, None, error)

@@ -11,7 +11,7 @@ class Picture:
         self.suffix = suffix  #: ".png", ".svg" or ".pdf"
 
     def save(self, path):
-        """Writes the file. Raises ValueError if the name ends otherwise than the picture is."""
+        """Writes the file. Raises ValueError if the name has the extension of another format."""
         path = pathlib.Path(path)
         if path.suffix.lower() != self.suffix:
             raise ValueError(f"the picture is a {self.suffix} file, and {path.name} is not; see format= of render")

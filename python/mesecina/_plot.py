@@ -13,7 +13,7 @@ def plot(session, ax, layers):
             raise ValueError(f"unknown layer {layer}")
         style = known[layer]
         for kind in style["kinds"]:
-            values = np.array(session._bench.instances(layer, kind))  # what is drawn outlives the session's next edit
+            values = np.array(session._bench.instances(layer, kind))  # the drawing outlives the next edit
             if len(values):
                 _draw(ax, kind, values[:, :-1], style, order)
     ax.set_aspect("equal")
@@ -25,7 +25,7 @@ def _draw(ax, kind, values, style, order):
     from matplotlib.collections import EllipseCollection, LineCollection, PolyCollection
 
     color = style["color"]
-    # Pixels of a screen as points of paper.
+    # A pixel of a screen is three quarters of a point on paper.
     common = {"alpha": style["opacity"], "zorder": 2 + 0.01 * order}
     width = 0.75 * style["line_width"]
     if kind == "point":
@@ -64,7 +64,7 @@ def _arc(x, y, radius, x1, y1, x2, y2):
 
 
 def _ray(ax, begin, direction, **style):
-    """A ray goes as far as the data do, which it does not widen."""
+    """A ray ends at the extent of the data, and does not widen it."""
     low, high = np.array(ax.dataLim.min), np.array(ax.dataLim.max)
     reach = float(np.hypot(*(high - low))) if np.isfinite([low, high]).all() else 1.0
     unit = np.array(direction) / np.hypot(*direction)

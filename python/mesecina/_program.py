@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The program ``mesecina``, for what is a command of it: pictures, repairs, sampling, branches, persistence, sweeps.
+"""Runs the program ``mesecina`` for its commands: pictures, repairs, sampling, branches, persistence and sweeps.
 
 It runs in a process of its own, so that neither its memory nor its display is that of the interpreter.
 """
@@ -18,7 +18,7 @@ from ._errors import InputError, ProgramError
 def path():
     """Where the program is: ``$MESECINA_PROGRAM``, or in this package, or beside it in a build, or in ``$PATH``.
 
-    Raises FileNotFoundError if it is nowhere.
+    Raises FileNotFoundError if there is none.
     """
     named = os.environ.get("MESECINA_PROGRAM")
     if named:
@@ -65,8 +65,8 @@ def _text(value):
 def run(command, *words, data=None, **options):
     """The bytes that a command of the program writes, from a file among `words` or from `data` on its standard input.
 
-    Raises ValueError for a wrong option, InputError for a file or data that cannot be read, and ProgramError for all
-    else; the text is what the program says.
+    Raises ValueError for a wrong option, InputError for a file or data that cannot be read, and ProgramError for other
+    errors; the text is the message of the program.
     """
     done = subprocess.run([path(), command, *words_of(options), "--", *map(str, words)], input=data, capture_output=True,
                           check=False)

@@ -50,8 +50,8 @@ class Session:
     balls
         array-like of shape (k, 3), x, y and radius, or None
     contours
-        known curves through the points: sequences of indices, closed curves; or pairs of a sequence and a bool, which
-        says whether the curve is closed
+        known curves through the points: a sequence of indices for a closed curve; or a pair of a sequence and a bool,
+        which says whether the curve is closed
     history
         False: nothing can be undone, and edits take less memory
     experiments
@@ -61,7 +61,7 @@ class Session:
     """
 
     def __init__(self, points=None, *, balls=None, contours=(), history=True, experiments=()):
-        self.remarks = []  #: what the reader of a file, of polygons or of an image had to say, one line each
+        self.remarks = []  #: remarks of the reader of a file, of polygons or of an image, one line each
         self.experiments = tuple(experiments or ())  #: its own structures and layers
         self.catalogue = with_experiments(builtin(), self.experiments) if self.experiments else builtin()
         self._structures = described_structures(self.catalogue)
@@ -83,7 +83,7 @@ class Session:
         geometries
             of shapely, or anything else with ``__geo_interface__``, or such a dict. Coordinates are taken as they are.
         vertices
-            True: samples are the vertices alone. Else long sides get samples between them, as files do on opening.
+            True: samples are the vertices alone. Otherwise long sides get samples between them, as in files that are opened.
         """
         features = []
         for one in geometries:
@@ -104,7 +104,7 @@ class Session:
 
     @classmethod
     def from_image(cls, image):
-        """A session with the outlines of what an image shows.
+        """A session with the outlines of the shape in an image.
 
         image
             array of shape (rows, columns): of bool, where True is the shape; or of grey values, of which the darker or the
@@ -249,12 +249,12 @@ class Session:
 
     @_shown
     def undo(self):
-        """Takes the last step back. Returns False if there is none."""
+        """Takes the last step back. Returns False if there is none, or within a step."""
         return self._bench.undo()
 
     @_shown
     def redo(self):
-        """Makes the last step that was taken back again. Returns False if there is none."""
+        """Repeats the last step that was taken back. Returns False if there is none, or within a step."""
         return self._bench.redo()
 
     def on_change(self, callback):
@@ -289,7 +289,7 @@ class Session:
     # Results.
 
     def run(self):
-        """Brings everything up to date that was read so far. Reading does this by itself."""
+        """Brings up to date all that was read so far. Reading does this by itself."""
         self._bench.run()
 
     def structure(self, structure):
@@ -324,7 +324,7 @@ class Session:
         return self._bench.digest(_arrays.text(layer, "the id of a layer"))
 
     def instances(self, layer, kind):
-        """What a layer draws of a kind of primitive: coordinates, and a scalar in the last column.
+        """The primitives of one kind that a layer draws: coordinates, and a scalar in the last column.
 
         kind
             point: x y; disk, circle: x y r; segment: x1 y1 x2 y2; ray, line: x y dx dy; triangle: x1 y1 x2 y2 x3 y3;
@@ -365,7 +365,7 @@ class Session:
     # Commands of the program, on a copy of the session.
 
     def compute(self, layers=None, **options):
-        """Counts and measures of layers and structures: what ``mesecina compute`` writes, as a dict."""
+        """Counts and measures of layers and structures: the report of ``mesecina compute`` as a dict."""
         return json.loads(self._command("compute", layers=layers, **options))
 
     def branches(self, layer="medial-axis"):
@@ -382,7 +382,7 @@ class Session:
                                             layers=layers))
 
     def repair(self, **options):
-        """A new session with samples inserted where the curve has too few (``mesecina repair``)."""
+        """A new session with more samples where the curve has too few (``mesecina repair``)."""
         return self._transformed("repair", **options)
 
     def decimate(self, **options):
@@ -441,7 +441,7 @@ class Session:
 
 
 class Certificate:
-    """What is known of the one-step axis of a session, at the moment of reading."""
+    """The certificate of the one-step axis of a session. It is computed when it is read."""
 
     def __init__(self, bench):
         self._bench = bench
@@ -463,7 +463,7 @@ class Certificate:
 
     @property
     def reasons(self):
-        """Why it is not proved, a list of texts."""
+        """The reasons why it is not proved, a list of texts."""
         return [one["text"] for one in self.findings if one["level"] != "note"]
 
     def __repr__(self):
@@ -491,8 +491,8 @@ def open(path, format="", *, vertices=False, degrees=False, experiments=()):
     degrees
         True: longitude and latitude of a map stay degrees; else they are projected to kilometres
 
-    Raises FileNotFoundError, and InputError with file, line and column. What the reader has to say otherwise is a
-    warning.
+    Raises FileNotFoundError, and InputError with file, line and column. Other remarks of the reader become
+    warnings.
     """
     path = _arrays.path(path)
     io.open(path, "rb").close()  # raises the exceptions of Python

@@ -10,7 +10,7 @@ from . import _mesecina
 
 @functools.lru_cache(maxsize=None)
 def builtin():
-    """The catalogue of what the program has."""
+    """The catalogue of the program, without experiments."""
     return _mesecina.builtin()
 
 
@@ -30,8 +30,8 @@ class Table:
     """The rows of a structure, as in ``session.delaunay.faces``.
 
     A column is an attribute, or ``table["name"]``: an array of shape (rows,), or (rows, width), with all rows. Row
-    numbers in other columns count in it. It is read-only and shows the memory of the session, without a copy. Rows
-    that are not alive mean nothing: ``table.rows`` has the numbers of those that are.
+    numbers in other columns count in it. It is read-only and shows the memory of the session, without a copy. The values
+    of rows that are not alive mean nothing; ``table.rows`` has the numbers of the others.
 
     While such an array lives, the session cannot be read after an edit (`BufferError`). ``compact`` and ``to_pandas``
     copy.
@@ -62,7 +62,7 @@ class Table:
     def changed(self):
         """Numbers of the rows that the last edit touched or removed, an array of shape (n,).
 
-        It covers all edits between the last two readings of the session. None: any row may differ.
+        It covers all edits between the last two readings of the session. It is None if any row may differ.
         """
         changes = self._bench.changes(self.name)
         return None if changes is None else np.concatenate(changes)

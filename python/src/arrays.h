@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between arrays of NumPy and values of the library.
+// Conversions between arrays of NumPy and values of the library.
 #pragma once
 
 #include <pybind11/numpy.h>
@@ -17,11 +17,11 @@ namespace mes_python {
 
 namespace py = pybind11;
 
-/// Arrays as they come from the Python part of the module, which has checked and converted them.
+/// Arrays from the Python part of the module, which has checked and converted them.
 using Doubles = py::array_t<double, py::array::c_style>;
 using Numbers = py::array_t<std::uint32_t, py::array::c_style>;
 
-/// The values of an array of shape (n, 2), or (n, 3) for balls, in place. Error: `TypeError`.
+/// The values of an array of shape (n, 2), or (n, 3) for balls, without a copy. Error: `TypeError`.
 std::span<const mesecina::Point> points_of(const Doubles& array);
 std::span<const mesecina::Ball> balls_of(const Doubles& array);
 template <class Id>
@@ -43,7 +43,7 @@ Numbers array_of_ids(const std::vector<Id>& ids) {
   return array_of(std::span(reinterpret_cast<const std::uint32_t*>(ids.data()), ids.size()));
 }
 
-/// A read-only array over memory that `owner` keeps where it is. It has the shape (rows,), or (rows, width).
+/// A read-only array over memory that `owner` keeps alive. It has the shape (rows,), or (rows, width).
 py::array view_of(const void* data, mesecina::ColumnType type, std::size_t rows, std::size_t width,
                   std::size_t stride, std::shared_ptr<const void> owner);
 /// A copy of the values of a column.

@@ -12,11 +12,12 @@
 
 namespace mes_python {
 
-/// One call at a time. The interpreter lock is held at both ends.
+/// Guards a call, so that there is one at a time. The caller holds the interpreter lock at both ends.
 class Bench::Use {
  public:
   explicit Use(Bench& of) : of_(of) {
-    if (std::exchange(of_.is_busy_, true)) throw std::runtime_error("the session is at work already, in this thread or in another one");
+    if (std::exchange(of_.is_busy_, true))
+      throw std::runtime_error("the session is at work already, in this thread or in another one");
   }
   ~Use() { of_.is_busy_ = false; }
   Use(const Use&) = delete;
@@ -268,11 +269,11 @@ void Bench::bring_up_to_date() {
         "copies (array.copy()), before the session is read again; a notebook keeps what it displays.";
     throw py::buffer_error(text);
   }
-  // A stopped run leaves `is_changed` as it is. Without a change no array is outdated by one that only needs more.
+  // A stopped run leaves `is_changed` as it is. A run that follows no change outdates no array.
   try {
     interruptible([](auto& bench, auto& job) { bench.run(job); });
   } catch (const mesecina::Error& error) {
-    // What does not depend on the failed structures is up to date. Who reads those gets the error.
+    // All that does not depend on the failed structures is up to date. A reader of those gets the error.
     if (error.code() != mesecina::ErrorCode::cannot_compute) throw;
   }
   state_->is_changed = false;
@@ -338,7 +339,7 @@ std::optional<py::tuple> Bench::changes(const std::string& id) {
 
 py::dict Bench::statistics(const std::string& structure) {
   const Use use(*this);
-  // Some take O(n), so that runs after edits do not collect them.
+  // Some statistics take O(n), so runs after edits do not collect them.
   state_->bench.want_statistics();
   has_more_demand_ = true;
   try {

@@ -53,7 +53,7 @@ class Bench {
   bool undo();
   bool redo();
   void forget_history();
-  /// Number of the changes of data and settings so far.
+  /// The number of changes of data and settings so far.
   std::uint64_t revision() const { return revision_; }
   bool can_undo();
   bool can_redo();
@@ -66,11 +66,11 @@ class Bench {
 
   /// Brings everything that was read so far up to date.
   void run();
-  /// By the id of a table, as in "delaunay/faces".
+  /// Tables are named by their id, as in "delaunay/faces".
   py::array column(const std::string& table, const std::string& column);
   Numbers live_rows(const std::string& table);
   std::size_t rows(const std::string& table);
-  /// Two arrays of row numbers, touched and removed ones; nothing: any row may differ.
+  /// Two arrays of row numbers, touched and removed ones. It has no value if any row may differ.
   std::optional<py::tuple> changes(const std::string& table);
   py::dict statistics(const std::string& structure);
   py::array instances(const std::string& layer, mesecina::PrimitiveKind kind);
@@ -78,26 +78,26 @@ class Bench {
   std::vector<mesecina::StructureReport> reports();
   std::vector<mesecina::Finding> findings();
   mesecina::Light light();
-  /// Arrays that show its memory now.
+  /// The number of arrays that show its memory now.
   long views() const { return state_.use_count() - 1; }
 
  private:
-  /// What arrays keep alive.
+  /// The part that arrays keep alive.
   struct State {
     mesecina::Workbench bench;
     bool is_changed = true;  ///< there was an edit or a setting since the last run that was not stopped
   };
   class Use;
 
-  // Changes data or settings.
+  // Calls `work`, which changes data or settings.
   template <class Work>
   decltype(auto) change(Work work);
   void mark_changed();
-  // Without the interpreter lock.
+  // Calls `work` without the interpreter lock.
   template <class Work>
   auto without_lock(Work work);
   template <class Work>
-  auto interruptible(Work work);  // the same, which Ctrl-C stops
+  auto interruptible(Work work);  // does the same, and Ctrl-C stops it
   void bring_up_to_date();
   void need(std::string_view structure);
   void show(std::string_view layer);
@@ -106,10 +106,10 @@ class Bench {
   std::shared_ptr<State> state_;
   bool is_busy_ = false;
   std::uint64_t revision_ = 0;
-  std::set<std::string, std::less<>> structures_;  ///< that are needed
-  std::set<std::string, std::less<>> layers_;      ///< that are shown
+  std::set<std::string, std::less<>> structures_;  ///< ids of needed structures
+  std::set<std::string, std::less<>> layers_;      ///< ids of shown layers
   bool wants_findings_ = false;
-  bool has_more_demand_ = true;  ///< than at the last run
+  bool has_more_demand_ = true;  ///< more is asked for than at the last run
 };
 
 }  // namespace mes_python

@@ -13,7 +13,7 @@ namespace {
 
 using AddFile = void (*)(mesecina::Experiment& to, const char* file);
 
-/// What Python says of the exception that was raised.
+/// The text of the exception that was raised.
 std::string raised() {
   PyObject *type = nullptr, *value = nullptr, *trace = nullptr;
   PyErr_Fetch(&type, &value, &trace);
@@ -29,7 +29,7 @@ std::string raised() {
   return out;
 }
 
-/// The folder in which the package lies: that of this library, unless the interpreter finds it by itself.
+/// The folder that has the package, which has this library.
 std::string folder_of_package() {
   Dl_info info{};
   if (dladdr(reinterpret_cast<const void*>(&folder_of_package), &info) == 0) return {};
@@ -39,9 +39,9 @@ std::string folder_of_package() {
   return folder == std::string::npos ? std::string() : self.substr(0, folder);
 }
 
-/// Starts the interpreter, and finds the function of the package. The calling thread does not keep the lock.
+/// Starts the interpreter and finds the function of the package. The calling thread does not keep the interpreter lock.
 AddFile begin() {
-  // Extension modules expect the interpreter among the names that all see, and this library was loaded for itself.
+  // Extension modules need the symbols of the interpreter, and this library was loaded with RTLD_LOCAL.
   Dl_info info{};
   if (dladdr(reinterpret_cast<const void*>(&Py_InitializeEx), &info) != 0)
     dlopen(info.dli_fname, RTLD_NOW | RTLD_GLOBAL | RTLD_NOLOAD);
@@ -71,7 +71,8 @@ AddFile begin() {
 
 }  // namespace
 
-/// Adds what a file of Python defines. Throws what says why it does not.
+/// Adds the structures, layers and evolutions that a file of Python defines. It throws an exception with the reason if
+/// that fails.
 extern "C" MESECINA_API void mesecina_python_experiment_of_abi_1(mesecina::Experiment& to, const char* file) {
   static std::mutex mutex;
   static AddFile add = nullptr;

@@ -40,7 +40,7 @@ class Function {
   std::shared_ptr<py::object> function_;
 };
 
-/// What a function of Python reads, while it is at work.
+/// The inputs of a function of Python, which can be read while it is at work.
 class PyInputs {
  public:
   explicit PyInputs(const mesecina::Inputs& inputs) : inputs_(&inputs) {}
@@ -71,7 +71,7 @@ class PyInputs {
   const mesecina::Inputs* inputs_;
 };
 
-/// Works with the interpreter lock, and turns what Python raises into an exception that threads without it may hold.
+/// Calls `work` with the interpreter lock, and turns exceptions of Python into one that threads without it may hold.
 template <class Work>
 void locked(Work work) {
   const Locked lock;
@@ -199,10 +199,10 @@ class PyStructure final : public mesecina::Structure {
     const std::size_t own = py::len(columns[0]);
     const std::size_t theirs = inputs.table(plan.rows_of).rows();
     if (own != theirs)
-      throw py::value_error("table " + plan.name + " has " + std::to_string(own) + " rows, and " + plan.rows_of + " has " +
-                            std::to_string(theirs));
+      throw py::value_error("table " + plan.name + " has " + std::to_string(own) + " rows, and " + plan.rows_of +
+                            " has " + std::to_string(theirs));
   }
-  // The Python part has made arrays of the planned types, which lie in a row.
+  // The Python part has made contiguous arrays of the planned types.
   template <class T>
   static void take(const py::array& from, std::vector<T>& to) {
     to.resize(static_cast<std::size_t>(from.shape(0)));
@@ -253,7 +253,7 @@ class PyDrawer final : public mesecina::Drawer {
   std::vector<double> values_;
 };
 
-// What the Python part says of an experiment, as dicts.
+// The Python part describes an experiment by dicts.
 
 mesecina::ParameterInfo parameter_of(const py::handle& one) {
   return {.id = one["id"].cast<std::string>(),
@@ -351,7 +351,7 @@ void add(mesecina::Experiment& to, const py::dict& spec) {
     add_evolution(to, spec);
 }
 
-/// Adds all that a file of Python defines. For the program, which keeps an interpreter (embedded.cpp).
+/// Adds all that a file of Python defines. The program calls this through embedded.cpp.
 void add_file(mesecina::Experiment& to, const char* file) {
   locked([&] {
     for (const auto& spec : py::module_::import("mesecina._experiments").attr("specs_of")(file))

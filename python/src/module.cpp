@@ -227,8 +227,8 @@ mesecina::PrimitiveKind kind_of(std::string_view name) {
 }  // namespace mes_python
 
 PYBIND11_MODULE(_mesecina, module) {
-  // What is found out once is found out here. Two threads that came to it together could wait for each other, one of
-  // them with the interpreter lock.
+  // These calls initialise static variables. Two threads that did so together could wait for each other, one of them
+  // with the interpreter lock.
   (void)pybind11::dtype::of<double>();
   (void)mes_python::is_main_thread();
   mes_python::add_errors();

@@ -12,10 +12,12 @@ namespace mes_python {
 
 /// Error: `ValueError`.
 mesecina::PrimitiveKind kind_of(std::string_view name);
-/// The catalogue with a structure or a layer that `_experiments.py` describes. Error: as `mesecina::with_experiment`.
+/// The catalogue with a structure or a layer that `_experiments.py` describes. It throws the errors of
+/// `mesecina::with_experiment`.
 mesecina::Catalogue with_python(const mesecina::Catalogue& catalogue, const py::dict& spec);
 
-/// Name of the capsule `add_file` with a function `void(mesecina::Experiment&, const char* file)`, which throws.
+/// The name of the capsule `add_file`, which has a function `void(mesecina::Experiment&, const char* file)`. The function
+/// may throw.
 inline constexpr const char* kAddFile = "mesecina.add_file";
 
 /// A text that may name a path, which need not be UTF-8.

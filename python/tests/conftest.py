@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the tests share: shapes of the program, and the program itself."""
+"""Fixtures of the tests: shapes of the program, and the program itself."""
 import pathlib
 import subprocess
 

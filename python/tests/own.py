@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Structures, layers and an evolution of one's own, in a module that other processes can import."""
+"""Structures, layers and an evolution in a module that other processes can import."""
 import math
 from typing import Annotated
 
@@ -31,7 +31,7 @@ def middle(samples):
     """The mean of the samples."""
     places = samples.samples.position[samples.samples.rows]
     count = len(places)
-    # Whatever the order of the samples is, the sum is the same.
+    # This sum does not depend on the order of the samples.
     mean = [[math.fsum(places[:, i]) / count for i in range(2)]] if count else np.empty((0, 2))
     return {"points": {"place": mean, "alive": np.ones(len(mean), dtype=bool)}}
 

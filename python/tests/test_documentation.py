@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What docs/python.md shows works as it stands, and every public name says what it is."""
+"""The code in docs/python.md runs as it stands, and every public name has a docstring."""
 import inspect
 import re
 

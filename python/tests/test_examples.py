@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The examples run, say nothing amiss, and draw their figures; so does the notebook."""
+"""The examples and the notebook run without warnings and draw their figures."""
 import concurrent.futures
 import csv
 import importlib.util
@@ -34,7 +34,7 @@ def test_an_example_draws_its_figure(example, tmp_path):
     pixels = image.imread(tmp_path / f"{example.stem}.png")[..., :3]
     is_drawn = (pixels < 0.95).any(axis=2)
     assert 0.01 < is_drawn.mean() < 0.9
-    # Not in a corner alone.
+    # The drawing fills the picture, not only a corner.
     assert is_drawn.any(axis=0).mean() > 0.5 and is_drawn.any(axis=1).mean() > 0.5
 
 
@@ -73,7 +73,7 @@ def test_many_shapes_on_a_cluster(tmp_path, monkeypatch):
     assert said[-1] == "13 of 13 outlines, 1 failed"
     rows = list(csv.DictReader(table.open()))
     assert {one["outline"] for one in rows} == {f"flower{i:04}" for i in range(12)}
-    # Interrupted and started again, without the cluster: what is there stays, the rest is added, and it is the same.
+    # A second start, without the cluster, keeps the rows of an interrupted run and adds the others.
     first = {one["outline"] for one in rows[: len(rows) // 2]} - {rows[len(rows) // 2]["outline"]}
     with table.open("w", newline="") as file:
         writer = csv.DictWriter(file, module.COLUMNS)

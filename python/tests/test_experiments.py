@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Structures, layers and evolutions in Python: followed, drawn, refused with one line."""
+"""Structures, layers and evolutions in Python follow edits, are drawn, and fail with one line."""
 import json
 import os
 import pickle
@@ -110,7 +110,7 @@ def test_what_a_function_raises_is_one_line():
     with pytest.raises(mes.ComputationFailed, match=r"LookupError: too many \(test_experiments.py:\d+\)") as caught:
         session.picky.rows.x
     assert caught.value.structure == "picky" and "\n" not in str(caught.value)
-    assert len(session.axis.points)  # all else goes on
+    assert len(session.axis.points)  # everything else goes on
     session.remove(session.ids[:10])
     assert len(session.picky.rows.x) == 0
 

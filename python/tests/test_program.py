@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Pictures, and what commands of the program do with a session."""
+"""Pictures, and commands of the program on a session."""
 import numpy as np
 import pytest
 
@@ -82,6 +82,6 @@ def test_plots():
     figure.canvas.draw()
     with pytest.raises(ValueError):
         session.plot(ax, layers=["none"])
-    session.move(session.ids[0], (0, 0))  # what is drawn does not hold on to the session
+    session.move(session.ids[0], (0, 0))  # the drawing keeps no view of the session
     assert session.axis
     pyplot.close(figure)

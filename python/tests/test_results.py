@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results are those of the program, bit for bit, after any edits."""
+"""Results equal those of the program, bit for bit, after any edits."""
 import io
 import json
 import os
@@ -44,7 +44,7 @@ def test_statistics_are_those_of_compute(program):
     path = SHAPES / "trefoil.poff"
     report = json.loads(program("compute", path, "--layers", "medial-axis", "--no-timing"))
     session = mes.open(path)
-    # What the report leaves out is not JSON.
+    # The report leaves out values that JSON does not have.
     for structure, entry in report["structures"].items():
         for key, value in session.statistics(structure).items():
             if key in entry:

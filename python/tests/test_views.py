@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Arrays without a copy show what they showed, threads do not meet, and Ctrl-C stops what goes on."""
+"""Arrays without a copy keep their values, sessions in threads are independent, and Ctrl-C stops a computation."""
 import concurrent.futures
 import gc
 import os
@@ -94,7 +94,8 @@ def test_a_refused_edit_leaves_views_as_they_are(flower):
 
 def run_alone(text):
     """Runs a program of Python in a process of its own."""
-    return subprocess.run([sys.executable, "-c", textwrap.dedent(text)], capture_output=True, text=True, check=False, timeout=120)
+    return subprocess.run([sys.executable, "-c", textwrap.dedent(text)], capture_output=True, text=True, check=False,
+                          timeout=120)
 
 
 def test_the_interpreter_ends_while_threads_are_at_work():
@@ -211,7 +212,7 @@ def test_ctrl_c_stops_a_run_and_loses_nothing():
     is_over = threading.Event()
 
     def interrupt():
-        # As soon as the session is at work.
+        # The session is at work as soon as it refuses a call.
         while not is_over.is_set():
             try:
                 session.value("lambda-limit")
