@@ -30,9 +30,10 @@ from ._tables import Structure, Table, builtin
 from ._window import Window, window
 
 __version__ = version()
-__all__ = ["Axis", "Certificate", "ComputationFailed", "Experiment", "InputError", "Picture", "ProgramError", "Result",
-           "Session", "Structure", "Table", "evolution", "formats", "layer", "layers", "map", "open", "parameters", "shape", "shapes",
-           "structure", "structures", "text", "version", "Window", "window"]
+__all__ = ["Axis", "Certificate", "ComputationFailed", "Experiment", "InputError", "Picture", "ProgramError",
+           "Result", "Session", "Structure", "Table", "Window", "evolution", "evolutions", "formats", "layer",
+           "layers", "map", "open", "parameters", "shape", "shapes", "structure", "structures", "text", "version",
+           "window"]
 
 
 def structures():
@@ -48,6 +49,11 @@ def layers():
 def parameters():
     """The parameters of structures: dicts with ``id``, ``description``, ``unit``, ``low``, ``high``, ``default``, ..."""
     return builtin().parameters()
+
+
+def evolutions():
+    """The evolutions of the program: dicts with ``id``, ``description``, ``parameters``, ``is_random``, ..."""
+    return builtin().evolutions()
 
 
 def shapes():

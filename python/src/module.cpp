@@ -92,6 +92,17 @@ py::dict described(const mesecina::ShapeInfo& shape) {
   return out;
 }
 
+py::dict described(const mesecina::EvolutionInfo& evolution) {
+  py::dict out;
+  out["id"] = evolution.id;
+  out["name"] = evolution.name;
+  out["description"] = evolution.description;
+  out["moved_parameter"] = evolution.moved_parameter;
+  out["is_random"] = evolution.is_random;
+  out["parameters"] = all_described(evolution.parameters);
+  return out;
+}
+
 py::dict described(const mesecina::FormatInfo& format) {
   py::dict out;
   out["id"] = format.id;
@@ -153,6 +164,7 @@ void add_catalogue(py::module_& module) {
       .def("structures", [](const Catalogue& of) { return all_described(of.structures()); })
       .def("layers", [](const Catalogue& of) { return all_described(of.layers()); })
       .def("parameters", [](const Catalogue& of) { return all_described(of.parameters()); })
+      .def("evolutions", [](const Catalogue& of) { return all_described(of.evolutions()); })
       .def("shapes", [](const Catalogue& of) { return all_described(of.shapes()); })
       .def("formats", [](const Catalogue& of) { return all_described(of.formats()); })
       .def("with_experiment", &with_python);

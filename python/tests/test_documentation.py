@@ -1,7 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The code in docs/python.md runs as it stands, and every public name has a docstring."""
+import ast
 import inspect
 import re
+import subprocess
+import sys
 
 import pytest
 
@@ -27,3 +30,11 @@ def test_public_names_have_a_docstring():
             for member, value in vars(one).items():
                 if not member.startswith("_") and (callable(value) or isinstance(value, (property, classmethod))):
                     assert inspect.getdoc(getattr(one, member)), f"{name}.{member}"
+
+
+def test_the_stubs_are_those_of_the_module():
+    stubs = subprocess.run([sys.executable, ROOT / "scripts" / "make_stubs.py"], capture_output=True, text=True,
+                           check=True).stdout
+    ast.parse(stubs)
+    assert stubs == (ROOT / "python" / "mesecina" / "__init__.pyi").read_text(), "renew it with scripts/make_stubs.py"
+    assert "circumradius: NDArray[np.float64]" in stubs
