@@ -184,14 +184,14 @@ void DocumentLink::begin(const Document& document) {
   has_begun_ = true;
 }
 
-Expected<void> DocumentLink::take(std::string_view line, Editor& editor) {
+Expected<std::string> DocumentLink::take(std::string_view line, Editor& editor) {
   const Json json = Json::parse(line, nullptr, false);
   if (!json.is_object()) return refusal("a line of the link is no object");
   if (json.contains("accepted")) {
     if (!proposed_ || json["accepted"] != number_ + 1) return refusal("the link accepts what was not proposed");
     agreed_ = *std::exchange(proposed_, {});
     ++number_;
-    return {};
+    return std::string();
   }
   Change change;
   if (!json.contains("number") || (json.contains("name") && !json["name"].is_string()) ||
@@ -207,7 +207,7 @@ Expected<void> DocumentLink::take(std::string_view line, Editor& editor) {
   compared_ = ~std::uint64_t{0};
   ++number_;
   make(change, json.value("name", std::string("Edit")), editor);
-  return {};
+  return Json{{"made", number_}}.dump();
 }
 
 // What is not there any more, because it was removed here meanwhile, is passed over.

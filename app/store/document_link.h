@@ -23,6 +23,8 @@ namespace mes {
 ///     {"number": 3, "name": "Move", "moved": [[17, 3.0, 4.0]], "removed": [2], "inserted": [[0.5, 0.5]],
 ///      "moved_balls": [[0, 1.0, 1.0, 2.0]], "removed_balls": [], "inserted_balls": [[0.0, 0.0, 1.0]]}
 ///     {"accepted": 3}                               the other side made the proposal
+///     {"made": 3}                                   this side made the change
+///     {"close": true}                               the other side does not need this one any more (`kClosed`)
 ///
 /// Places are those before the change; removed ones close up, and inserted ones follow at the end.
 ///
@@ -33,14 +35,16 @@ namespace mes {
 /// Threads: that of the editor.
 class DocumentLink {
  public:
+  static constexpr std::string_view kClosed = R"({"close": true})";
+
   /// What the first line holds. Error: `bad_input`.
   static Expected<Session> begun_by(std::string_view line);
 
   /// The document is that of the first line.
   void begin(const Document& document);
   bool has_begun() const { return has_begun_; }
-  /// Not within a gesture. Error: `bad_input`.
-  Expected<void> take(std::string_view line, Editor& editor);
+  /// Returns the line that answers, or an empty one. Not within a gesture. Error: `bad_input`.
+  Expected<std::string> take(std::string_view line, Editor& editor);
   /// The line that makes the other side follow, if it has to. Not within a gesture.
   std::optional<std::string> propose(const Editor& editor);
 

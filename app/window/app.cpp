@@ -38,7 +38,7 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::f
                  GlfwWindow::wake),
       experiments_({work_, dialogs_, messages_, settings_.settings(), [this] { documents_.keep_on_disk(); }}, assets,
                    GlfwWindow::wake),
-      link_({work_, messages_}, GlfwWindow::wake),
+      link_({work_, messages_, [this] { keys_.actions().run(ActionId::quit); }}, GlfwWindow::wake),
       keys_(settings_.settings(), messages_),
       panels_({screen_, work_, board_, demo_, lesson_, recording_, documents_, experiments_, keys_.actions(),
                settings_.settings(), messages_}),
@@ -55,6 +55,7 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const Window
          LoadedSettings loaded)
     : App(std::move(registry), std::move(window), find_assets(options.executable), std::move(loaded)) {
   if (options.link >= 0) {
+    documents_.leave_left_work();
     link_.open(options.link);
     board_.fitter().want(ViewFitter::How::at_once);
   } else {

@@ -65,6 +65,8 @@ class DocumentFlow {
 
   /// At the start of the program; without documents it is the first built-in shape, perhaps with a picture to trace.
   void open_first(std::vector<std::string> files);
+  /// Work that was left is offered at another start: the document of this one is another program's.
+  void leave_left_work() { offers_left_work_ = false; }
   /// Documents, bundles, and at most one picture, which lies underneath what the others bring. A picture alone is asked
   /// about: it becomes samples, or lies underneath what is there.
   void open(std::vector<std::string> files);
@@ -167,6 +169,7 @@ class DocumentFlow {
   std::vector<LeftWork> recovered_;               // whose files are still there
   bool asks_about_read_ = false;                  // whether it may take the place of what was done meanwhile
   bool had_first_file_ = false;
+  bool offers_left_work_ = true;
   bool is_left_ = false;
 };
 

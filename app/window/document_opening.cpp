@@ -232,7 +232,7 @@ void DocumentFlow::show_as_in(const Session& session) {
 
 void DocumentFlow::offer_left_work() {
   auto found = keeper_.take_left_work();
-  if (!found) return;
+  if (!found || !offers_left_work_) return;
   if (!found->message.empty()) uses_.messages.problem(found->message);
   AskRecover& question = uses_.dialogs.recover;
   question.offer(std::move(found->works), [this, &question] {

@@ -75,7 +75,13 @@ void LinkRun::follow() {
       line = std::move(lines_.front());
       lines_.pop_front();
     }
-    if (const auto done = link_.take(line, uses_.work.editor()); !done) return end(done.error().text);
+    if (line == DocumentLink::kClosed) {
+      end("The session beside the window needs it no more");
+      return uses_.leave();
+    }
+    const auto answer = link_.take(line, uses_.work.editor());
+    if (!answer) return end(answer.error().text);
+    if (!answer->empty()) unsent_ += *answer + '\n';
     // The other side has it.
     uses_.work.editor().mark_saved();
   }

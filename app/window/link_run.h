@@ -22,8 +22,9 @@ class LinkRun {
   struct Uses {
     Workspace& work;
     Messages& messages;
+    std::function<void()> leave;  ///< the window is to close, as if the user had asked for it
   };
-  LinkRun(Uses uses, std::function<void()> wake) : uses_(uses), wake_(std::move(wake)) {}
+  LinkRun(Uses uses, std::function<void()> wake) : uses_(std::move(uses)), wake_(std::move(wake)) {}
   ~LinkRun();
   LinkRun(const LinkRun&) = delete;
   LinkRun& operator=(const LinkRun&) = delete;

@@ -25,6 +25,7 @@ class Window:
     def __init__(self, session, experiments=()):
         self._session = weakref.ref(session)
         self._number = 0
+        self._made = 0  # number of the last change of ours that the window has made
         self._revision = session._bench.revision
         self._lists = [_List(session.ids, session.points), _List(session.ball_ids, session.balls)]
         self._received = b""
@@ -80,9 +81,15 @@ class Window:
         if self._socket is None:
             return
         self.poll()
+        if self._socket is None:
+            return
+        self._send({"close": True})
         self._end()
-        self._process.terminate()
-        self._process.wait()
+        try:
+            self._process.wait(10)
+        except subprocess.TimeoutExpired:  # it asks the user, or is held up
+            self._process.terminate()
+            self._process.wait()
 
     def _end(self):
         if self._socket is None:
@@ -132,6 +139,9 @@ class Window:
             self._send({"number": self._number, "name": "Python", **message})
 
     def _take(self, proposal):
+        if "made" in proposal:
+            self._made = proposal["made"]
+            return
         session = self._session()
         if session is None:
             self._end()

@@ -78,13 +78,15 @@ def test_edits_go_both_ways(display):
     with session.edit("Two"):
         session.remove(ids[:10])
         session.insert([[3.0, 0.0]])
-    window.wait(0.2)
+    until(window, lambda: window._made == window._number)
     press("key", "ctrl+z")
     until(window, lambda: len(session) == 40)
     np.testing.assert_array_equal(np.sort(session.points, axis=0), np.sort(flower_points(40), axis=0))
     press("key", "ctrl+a", "key", "Delete")
     until(window, lambda: len(session) == 0 and len(session.balls) == 0)
     window.close()
+    # It ended by itself, and left no work to be offered at the next start.
+    assert window._process.returncode == 0
     assert not window.is_open and window.poll() is False and not session.insert((1, 1)) is None
     window.close()
 
