@@ -8,11 +8,11 @@
     s.certificate.is_proved                # is it the axis of the union of inner balls?
     s.delaunay.faces.circumradius          # a column of a table, without a copy
     s.move(17, (3.0, 4.0))                 # everything follows, in time that depends on the change
-    s.changed["delaunay/faces"]            # the rows that did
+    s.changed["delaunay/faces"]            # the rows that have changed
     s.plot()                               # on axes of matplotlib; s.render() as the program draws it
 
-What has an id on the command line has the same one here. Coordinates, radii and lengths are doubles in the unit of the
-document; ids and row numbers are uint32.
+Ids of structures, layers and parameters are those of the command line. Coordinates, radii and lengths are doubles in
+the unit of the document; ids of samples and row numbers are uint32.
 """
 try:
     import numpy as _numpy  # noqa: F401

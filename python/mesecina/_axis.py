@@ -8,7 +8,7 @@ from ._tables import Structure, builtin, described_structures
 class Axis:
     """The one-step medial axis of a session, as a graph with numbered nodes and edges.
 
-    It is a copy of what the session's tables hold at the moment, so it stays as it is when the session changes. The
+    It is a copy of values in the tables of the session, so it stays as it is when the session changes. The
     certificate of the session says whether it is proved to be the medial axis of the union of inner balls.
     Source: Giesen, Miklos, Pauly, *Medial axis approximation of planar shapes from union of balls*, 2007.
 
