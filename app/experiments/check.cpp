@@ -393,8 +393,26 @@ class Check {
         });
   }
 
+  /// State 0 has the value that the parameter has, and the same step gives the same value.
+  void move_parameter(const std::string& id, const ParameterMove& move) {
+    const EvolutionChoice choice{.evolution = registry_.evolutions().find(id)};
+    const double first = move.parameter.default_value;
+    std::string wrong;
+    int steps = 0;
+    if (const auto value = moved_value(move, first, 0, choice.values); !value || *value != first)
+      wrong = fmt::format("state 0 is not the value that {} has", move.parameter.id);
+    for (std::uint64_t k = 1; k <= 20 && wrong.empty(); ++k, ++steps) {
+      const auto value = moved_value(move, first, k, choice.values);
+      const auto again = moved_value(move, first, k, choice.values);
+      if (!value) break;  // it has come to the end of the range
+      if (!again || *again != *value) wrong = fmt::format("step {} gives another value when it is made again", k);
+    }
+    add(id, "steps", wrong, fmt::format("ok, {} steps", steps));
+  }
+
   void evolve(const std::string& id) {
     const auto evolution = registry_.evolutions().find(id);
+    if (const ParameterMove* const move = evolution->moved_parameter()) return move_parameter(id, *move);
     std::string wrong;
     int steps = 0;
     double ms = 0.0;

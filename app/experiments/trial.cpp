@@ -85,7 +85,14 @@ void compute(const Registry& registry, const ExperimentContents& added) {
 }
 
 void evolve(const Registry& registry, const ExperimentContents& added) {
-  for (const std::string& id : added.evolutions)
+  for (const std::string& id : added.evolutions) {
+    const EvolutionChoice chosen{.evolution = registry.evolutions().find(id)};
+    if (const ParameterMove* const move = chosen.moved_parameter()) {
+      say("moving a parameter by " + id);
+      for (std::uint64_t step = 0; step < 5; ++step)
+        static_cast<void>(moved_value(*move, move->parameter.default_value, step, chosen.values));
+      continue;
+    }
     for (const std::vector<Vec2>& samples : documents()) {
       say(fmt::format("moving {} samples by {}", samples.size(), id));
       Workbench bench(registry);
@@ -95,6 +102,7 @@ void evolve(const Registry& registry, const ExperimentContents& added) {
       auto state = begin_evolution(state_of(bench.document()), choice, job);
       for (std::uint64_t step = 0; step < 2 && state; ++step) state = next_state(*state, step, choice, job);
     }
+  }
 }
 
 void make_shapes(const Registry& registry, const ExperimentContents& added) {

@@ -5,6 +5,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "core/base/color.h"
@@ -144,6 +145,31 @@ mes::SampleMove inner(std::shared_ptr<const MoveSamples> move, std::vector<mes::
   };
 }
 
+/// What throws has no value.
+std::function<double(double, std::uint64_t, const mes::ParameterValues&)> inner(
+    MoveParameter move, std::vector<mes::Parameter> parameters) {
+  return [move = std::move(move), parameters = std::move(parameters)](double first, std::uint64_t step,
+                                                                      const mes::ParameterValues& chosen) {
+    std::vector<double> values;
+    for (const mes::Parameter& parameter : parameters) values.push_back(chosen[parameter]);
+    try {
+      return shielded([&] { return move(first, step, values); });
+    } catch (const mes::GeometryError&) {
+      return std::numeric_limits<double>::quiet_NaN();
+    }
+  };
+}
+
+mes::Evolution evolution_of(const EvolutionSpec& spec, std::vector<mes::Parameter> parameters) {
+  mes::Evolution out;
+  out.descriptor.id = spec.id;
+  out.descriptor.name = one_line(spec.name.empty() ? spec.id : spec.name);
+  out.descriptor.tooltip = one_line(spec.description);
+  out.descriptor.is_random = spec.is_random;
+  out.descriptor.parameters = std::move(parameters);
+  return out;
+}
+
 mes::Expected<mes::MadeShape> made(const MakeShape& make, const mes::ShapeArguments& arguments) {
   mes::MadeShape out;
   try {
@@ -268,14 +294,26 @@ void Experiment::add_evolution(const EvolutionSpec& spec, MoveSamples move) {
   guarded([&] {
     check_new("evolution", spec.id, impl_.registry.evolutions().find(spec.id) != nullptr);
     if (!move) refuse(fmt::format("nothing moves the samples of evolution {}", spec.id));
+    if (!spec.moved_parameter.empty())
+      refuse(fmt::format("evolution {} names a parameter, but moves samples", spec.id));
     std::vector<mes::Parameter> parameters = all_inner(spec.parameters);
-    auto evolution = std::make_shared<mes::Evolution>();
-    evolution->descriptor.id = spec.id;
-    evolution->descriptor.name = one_line(spec.name.empty() ? spec.id : spec.name);
-    evolution->descriptor.tooltip = one_line(spec.description);
-    evolution->descriptor.is_random = spec.is_random;
-    evolution->descriptor.parameters = parameters;
+    auto evolution = std::make_shared<mes::Evolution>(evolution_of(spec, parameters));
     evolution->move = inner(std::make_shared<const MoveSamples>(std::move(move)), std::move(parameters));
+    impl_.registry.evolutions().add(spec.id, std::move(evolution));
+    impl_.added.evolutions.push_back(spec.id);
+  });
+}
+
+void Experiment::add_evolution(const EvolutionSpec& spec, MoveParameter move) {
+  guarded([&] {
+    check_new("evolution", spec.id, impl_.registry.evolutions().find(spec.id) != nullptr);
+    if (!move) refuse(fmt::format("nothing moves the parameter of evolution {}", spec.id));
+    const mes::Parameter* const moved = impl_.registry.find_parameter(spec.moved_parameter);
+    if (moved == nullptr) refuse_unknown("parameter", spec.moved_parameter);
+    std::vector<mes::Parameter> parameters = all_inner(spec.parameters);
+    auto evolution = std::make_shared<mes::Evolution>(evolution_of(spec, parameters));
+    evolution->descriptor.moves = "what " + moved->id + " changes";
+    evolution->move = mes::ParameterMove{*moved, inner(std::move(move), std::move(parameters))};
     impl_.registry.evolutions().add(spec.id, std::move(evolution));
     impl_.added.evolutions.push_back(spec.id);
   });

@@ -203,6 +203,28 @@ TEST_CASE("what is added is listed, and has its parameters") {
   const auto has = [](const auto& list, std::string_view id) {
     return std::ranges::any_of(list, [id](const auto& one) { return one.id == id; });
   };
+  // An evolution moves samples, or a parameter of the experiment or of the program.
+  const Catalogue with_moves = with_experiment(catalogue, [](Experiment& experiment) {
+    experiment.add_evolution(
+        {.id = "test-longer",
+         .name = "Longer",
+         .description = "More edges are short",
+         .parameters = {{.id = "way", .description = "Of a step", .high = 9.0, .default_value = 2.0}},
+         .moved_parameter = "longest"},
+        [](double first, std::uint64_t step, std::span<const double> values) {
+          return first + static_cast<double>(step) * values[0];
+        });
+  });
+  for (const EvolutionInfo& evolution : with_moves.evolutions())
+    if (evolution.id == "test-longer") CHECK(evolution.moved_parameter == "longest");
+  CHECK(has(with_moves.evolutions(), "test-longer"));
+  const auto add = [&](const EvolutionSpec& spec) {
+    const auto value = [](double first, std::uint64_t, std::span<const double>) { return first; };
+    with_experiment(catalogue, [&](Experiment& to) { to.add_evolution(spec, value); });
+  };
+  CHECK_THROWS_WITH(add({.id = "test-other", .moved_parameter = "unheard-of"}), Catch::Contains("unheard-of"));
+  CHECK_THROWS_WITH(add({.id = "test-other"}), Catch::Contains("parameter"));
+  CHECK_THROWS_WITH(add({.id = "test-shift", .moved_parameter = "longest"}), Catch::Contains("already"));
   CHECK(has(catalogue.layers(), "short-edges"));
   CHECK(has(catalogue.parameters(), "longest"));
   CHECK(has(catalogue.shapes(), "test-triangle"));

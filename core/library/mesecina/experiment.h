@@ -293,6 +293,7 @@ struct EvolutionSpec {
   std::string description{};  ///< one sentence, no full stop
   bool is_random = false;     ///< the seed matters
   std::vector<ParameterInfo> parameters{};
+  std::string moved_parameter{};  ///< id of the parameter of a structure that it moves; empty: it moves samples
 };
 
 /// A shape: curves through given points. `numbers` has the values of its parameters in their order.
@@ -312,6 +313,9 @@ struct FormatSpec {
 /// The next positions of all samples, in their order. Ends of open curves and samples where curves meet stay in the
 /// evolutions of the program (`may_move`); these may move them. `values` has the values of the evolution's parameters in their order.
 using MoveSamples = std::function<std::vector<Point>(const MovingSamples& samples, std::span<const double> values)>;
+/// The value of the moved parameter in state `step`, from that in state 0. Beyond the range of the parameter, or where it
+/// throws, there is no such state.
+using MoveParameter = std::function<double(double first, std::uint64_t step, std::span<const double> values)>;
 /// Closed polygons without repeated first corner, outer ones and holes in any order and direction.
 using MakeShape = std::function<std::vector<std::vector<Point>>(std::span<const double> values)>;
 
@@ -361,7 +365,9 @@ class MESECINA_API Experiment {
               }));
   }
 
+  /// Of samples, or of the parameter that `spec.moved_parameter` names.
   void add_evolution(const EvolutionSpec& spec, MoveSamples move);
+  void add_evolution(const EvolutionSpec& spec, MoveParameter move);
   void add_shape(const ShapeSpec& spec, MakeShape make);
   /// A format that files are read in. Without `recognize` a file is known by its extension alone.
   void add_format(const FormatSpec& spec, ReadBytes read, RecognizeBytes recognize = {});
