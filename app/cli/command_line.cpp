@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -38,7 +39,6 @@ Exit codes: 0 done, 1 could not be completed, 2 usage, 3 bad input, 4 output imp
 struct Arguments {
   std::vector<std::string> files;
   std::vector<std::string> experiments;
-  int link = -1;
   ComputeRequest compute;
   SweepRequest sweep;
   BranchesRequest branches;
@@ -99,8 +99,6 @@ void describe_commands(const Registry& registry, CLI::App& app, Arguments& to) {
   app.set_help_flag("-h,--help", "Print this help and exit");
   app.add_option("FILE", to.files, "Samples to open in the window");
   app.option_defaults()->always_capture_default(false);
-  // For programs that start the window beside themselves and hand it a socket, so it is not among the options for people.
-  app.add_option("--link", to.link)->group("");
   app.require_subcommand(0, 1);
 
   describe_compute(registry, app, to.compute);
@@ -255,7 +253,7 @@ std::optional<Error> mistaken_command(const CLI::App& app, const std::vector<std
                0};
 }
 
-int run(const Registry& registry, int argc, const char* const* argv, const OpenWindow& open_window) {
+int run(const Registry& registry, int argc, const char* const* argv, const OpenWindow& open_window, int link = -1) {
   CLI::App app;
   Arguments arguments;
   describe_commands(registry, app, arguments);
@@ -280,7 +278,7 @@ int run(const Registry& registry, int argc, const char* const* argv, const OpenW
     return done ? kExitDone : report(done.error());
   }
   if (const auto mistake = mistaken_command(app, arguments.files)) return report(*mistake);
-  return open_window(std::move(arguments.files), std::move(arguments.experiments), arguments.link);
+  return open_window(std::move(arguments.files), std::move(arguments.experiments), link);
 }
 
 }  // namespace
@@ -288,6 +286,12 @@ int run(const Registry& registry, int argc, const char* const* argv, const OpenW
 int run_command_line(const Registry& registry, int argc, const char* const* argv, const OpenWindow& open_window) {
   try {
     if (argc == 3 && std::string_view(argv[1]) == kTrialCommand) return run_trial(registry, argv[2]);
+    // A program that starts the window beside itself hands it a socket first. It is no option for people.
+    if (argc >= 3 && std::string_view(argv[1]) == "--link") {
+      std::vector<const char*> words(argv + 2, argv + argc);
+      words.front() = argv[0];
+      return run(registry, static_cast<int>(words.size()), words.data(), open_window, std::atoi(argv[2]));
+    }
     return run(registry, argc, argv, open_window);
   } catch (const std::bad_alloc&) {
     return report({ErrorCode::out_of_memory, "there is not enough memory", {}, 0, 0});
