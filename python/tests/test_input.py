@@ -4,6 +4,8 @@ import copy
 import fractions
 import os
 import pickle
+import subprocess
+import sys
 
 import numpy as np
 import pytest
@@ -227,3 +229,10 @@ def test_names_that_are_not_there():
     assert "one_step_crust" in dir(session) and "faces" in dir(session.delaunay)
     assert "circumradius" in dir(session.delaunay.faces) and "circumradius" in repr(session.delaunay)
     assert not hasattr(session, "_repr_html_")
+
+
+def test_without_numpy():
+    code = "import sys; sys.modules['numpy'] = None; import mesecina"
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert done.stderr.splitlines()[-1] == "ImportError: mesecina needs NumPy (on Debian: apt install python3-numpy)"
