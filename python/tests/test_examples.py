@@ -41,6 +41,7 @@ def test_an_example_draws_its_figure(example, tmp_path):
 def test_the_notebook(tmp_path):
     pytest.importorskip("nbconvert")
     subprocess.run([sys.executable, "-m", "nbconvert", "--to", "notebook", "--execute", "--output-dir", tmp_path,
+                    "--ExecutePreprocessor.startup_timeout=600", "--ExecutePreprocessor.timeout=600",
                     EXAMPLES / "first_steps.ipynb"], check=True, capture_output=True,
                    env={name: value for name, value in os.environ.items() if name != "MPLBACKEND"})  # the notebook has its own
     cells = json.loads((tmp_path / "first_steps.ipynb").read_text())["cells"]
@@ -59,6 +60,10 @@ def many_shapes():
 
 def test_many_shapes_on_a_cluster(tmp_path, monkeypatch):
     distributed = pytest.importorskip("distributed")
+    # Workers of a busy machine take their time to start.
+    import dask
+
+    dask.config.set({"distributed.comm.timeouts.connect": "600s"})
     monkeypatch.syspath_prepend(str(EXAMPLES))
     monkeypatch.setenv("PYTHONPATH", f"{EXAMPLES}:{pathlib.Path(mes.__file__).parent.parent}")
     module = many_shapes()

@@ -34,8 +34,8 @@ def display(tmp_path, monkeypatch):
 
 
 def until(window, holds):
-    """Follows the window until something holds; a test that never sees it ends by its time limit."""
-    end = time.monotonic() + 120
+    """Follows the window until something holds, which is soon, but for a busy machine."""
+    end = time.monotonic() + 600
     while not holds():
         assert window.wait(0.05), "the window has closed"
         assert time.monotonic() < end
@@ -113,7 +113,7 @@ def test_an_event_loop_follows_by_itself(display):
             await asyncio.sleep(0.2)
         window.close()
 
-    asyncio.run(asyncio.wait_for(work(), 120))
+    asyncio.run(asyncio.wait_for(work(), 600))
     assert changed[0] > 20
 
 
