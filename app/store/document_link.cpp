@@ -261,7 +261,7 @@ void DocumentLink::make(const Change& change, const std::string& name, Editor& e
 
 std::optional<std::string> DocumentLink::propose(const Editor& editor) {
   const Document& document = editor.document();
-  if (!has_begun_ || proposed_ || compared_ == document.revision()) return {};
+  if (!may_propose(editor)) return {};
   Lists now = lists_of(document);
   Json change = Json::object();
   write_difference(agreed_.samples, agreed_.positions, now.samples, now.positions, "", change);

@@ -45,6 +45,10 @@ class DocumentLink {
   bool has_begun() const { return has_begun_; }
   /// Returns the line that answers, or an empty one. Not within a gesture. Error: `bad_input`.
   Expected<std::string> take(std::string_view line, Editor& editor);
+  /// There may be something to propose once no gesture is under way.
+  bool may_propose(const Editor& editor) const {
+    return has_begun_ && !proposed_ && compared_ != editor.document().revision();
+  }
   /// The line that makes the other side follow, if it has to. Not within a gesture.
   std::optional<std::string> propose(const Editor& editor);
 

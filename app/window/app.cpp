@@ -111,7 +111,7 @@ void App::deselect() {
     panels_.end_presentation();
 }
 
-double App::next_wait() const {
+double App::next_wait() {
   const double now = ImGui::GetTime();
   const FileDesk& files = documents_.files();
   const bool is_busy = work_.engine().status().busy || work_.evolution().is_waiting() || work_.is_finding_crust() ||
@@ -121,8 +121,8 @@ double App::next_wait() const {
                        work_.sweep().is_under_way() || (files.is_reading() && !files.would_lose_work()) ||
                        files.is_saving() || board_.traced().is_reading() || documents_.figures().is_busy() ||
                        documents_.tracing().is_busy() || documents_.is_looking_for_left_work() ||
-                       experiments_.is_busy() || dialogs_.shape.is_busy() || dialogs_.text.is_busy() ||
-                       screen_.gui.is_about_to_rest() || recording_.holds_input();
+                       experiments_.is_busy() || link_.is_waiting() || dialogs_.shape.is_busy() ||
+                       dialogs_.text.is_busy() || screen_.gui.is_about_to_rest() || recording_.holds_input();
   return FrameClock::sleep({demo_.next_due(now), lesson_.next_due(now), work_.computation().next_due(now),
                             work_.evolution().next_due(now), panels_.presenter().next_due(now)},
                            is_busy);

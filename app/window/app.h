@@ -46,7 +46,7 @@ class App {
   void deselect();
   bool clear_selection();
   bool end_lesson();
-  double next_wait() const;
+  double next_wait();
   void wait_for_event();
   void turn();
   void follow_hold();

@@ -94,6 +94,12 @@ void LinkRun::follow() {
   if (!unsent_.empty()) say(std::exchange(unsent_, {}));
 }
 
+bool LinkRun::is_waiting() {
+  if (socket_ < 0) return false;
+  const std::lock_guard lock(mutex_);
+  return !lines_.empty() || link_.may_propose(uses_.work.editor());
+}
+
 // What does not go out now is sent next time.
 void LinkRun::say(const std::string& text) {
   const ssize_t count = ::send(socket_, text.data(), text.size(), MSG_DONTWAIT | MSG_NOSIGNAL);

@@ -34,6 +34,8 @@ class LinkRun {
   void open(int socket);
   /// Once a turn: makes what the other side says, and says what was done here.
   void follow();
+  /// `follow` has work that waits for the end of a gesture, after which nothing else may happen for long.
+  bool is_waiting();
 
  private:
   /// Waits for bytes and adds whole lines. False: there will be no more.

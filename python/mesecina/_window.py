@@ -5,6 +5,8 @@ import json
 import select
 import socket
 import subprocess
+import tempfile
+import time
 import weakref
 
 import numpy as np
@@ -30,13 +32,14 @@ class Window:
         self._lists = [_List(session.ids, session.points), _List(session.ball_ids, session.balls)]
         self._received = b""
         self._loop = None
+        self._complaints = tempfile.TemporaryFile()  # a pipe that nobody reads would fill
         ours, theirs = socket.socketpair()
         words = [_program.path(), "--link", str(theirs.fileno())]
         for file in experiments:
             words += ["--with", str(file)]
         try:
             self._process = subprocess.Popen(words, pass_fds=[theirs.fileno()], stdin=subprocess.DEVNULL,
-                                             stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+                                             stdout=subprocess.DEVNULL, stderr=self._complaints)
         except BaseException:
             ours.close()
             raise
@@ -66,8 +69,6 @@ class Window:
 
     def wait(self, timeout=None):
         """Follows the window until it is closed, or for a time in seconds. Returns `is_open`."""
-        import time
-
         end = None if timeout is None else time.monotonic() + timeout
         while self.poll():
             left = None if end is None else end - time.monotonic()
@@ -102,7 +103,8 @@ class Window:
     def _say_why(self):
         """Raises what the program says if it did not begin, or did not end well; a signal is the user's."""
         status = self._process.wait()
-        said = self._process.stderr.read().decode(errors="replace").strip().removeprefix("mesecina: ")
+        self._complaints.seek(0)
+        said = self._complaints.read().decode(errors="replace").strip().removeprefix("mesecina: ")
         if status > 0 and said:
             raise _program.ProgramError(said.splitlines()[-1], status)
 
