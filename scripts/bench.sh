@@ -15,5 +15,5 @@ if [[ ${1:-} == python ]]; then
   PYTHONPATH=build/release/python exec /usr/bin/python3 tests/bench/python.py "${@:2}"
 fi
 configure_program -DMESECINA_BENCH=ON
-build release --target mesecina_bench
+build release --target mesecina mesecina_bench
 exec build/release/mesecina_bench "$@"
