@@ -286,7 +286,7 @@ int run(const Registry& registry, int argc, const char* const* argv, const OpenW
 int run_command_line(const Registry& registry, int argc, const char* const* argv, const OpenWindow& open_window) {
   try {
     if (argc == 3 && std::string_view(argv[1]) == kTrialCommand) return run_trial(registry, argv[2]);
-    // A program that starts the window beside itself hands it a socket first. It is no option for people.
+    // Another program can start the window and hand it a socket (LinkRun). The option is not in the help.
     if (argc >= 3 && std::string_view(argv[1]) == "--link") {
       std::vector<const char*> words(argv + 2, argv + argc);
       words.front() = argv[0];

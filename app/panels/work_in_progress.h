@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is being read, written, recorded, compiled or computed, as a part of the status bar.
+// The part of the status bar that shows the work in progress: reading, writing, recording, compiling, computing.
 #pragma once
 
 #include "app/actions/action_bindings.h"

@@ -94,7 +94,7 @@ Json as_json(const Disk& d) {
   return {d.center.x, d.center.y, d.radius};
 }
 
-/// What leads from one list to another one of newer elements behind some of the old ones.
+/// Writes the changes that make the new list out of the old one. Elements of the new list are old ones or newer ones.
 template <class Id, class Value>
 void write_difference(const std::vector<Id>& old_ids, const std::vector<Value>& old_values,
                       const std::vector<Id>& ids, const std::vector<Value>& values, const std::string& suffix,
@@ -210,7 +210,7 @@ Expected<std::string> DocumentLink::take(std::string_view line, Editor& editor) 
   return Json{{"made", number_}}.dump();
 }
 
-// What is not there any more, because it was removed here meanwhile, is passed over.
+// Places of elements that were removed here meanwhile are passed over.
 void DocumentLink::make(const Change& change, const std::string& name, Editor& editor) {
   const Document& document = editor.document();
   std::vector<std::pair<SampleId, Vec2>> moved;

@@ -37,7 +37,7 @@ class DocumentLink {
  public:
   static constexpr std::string_view kClosed = R"({"close": true})";
 
-  /// What the first line holds. Error: `bad_input`.
+  /// Returns the session that the first line holds. Error: `bad_input`.
   static Expected<Session> begun_by(std::string_view line);
 
   /// The document is that of the first line.

@@ -100,7 +100,7 @@ bool LinkRun::is_waiting() {
   return !lines_.empty() || link_.may_propose(uses_.work.editor());
 }
 
-// What does not go out now is sent next time.
+// The socket may take only a part of the text. The rest is sent in the next turn.
 void LinkRun::say(const std::string& text) {
   const ssize_t count = ::send(socket_, text.data(), text.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
   if (count < 0 && errno != EAGAIN && errno != EINTR) return;  // the reader sees the end

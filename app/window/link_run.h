@@ -15,7 +15,8 @@
 
 namespace mes {
 
-/// What it guarantees: it never waits, except in `open`. When the other side ends, the document stays, and the window goes on by itself.
+/// What it guarantees: it never waits, except in `open`. When the other side ends, the document stays, and the window goes
+/// on by itself.
 /// Threads: the window's; `wake` is called from the one that reads.
 class LinkRun {
  public:

@@ -145,7 +145,7 @@ mes::SampleMove inner(std::shared_ptr<const MoveSamples> move, std::vector<mes::
   };
 }
 
-/// What throws has no value.
+/// A step whose call throws has the value NaN, which is out of every range.
 std::function<double(double, std::uint64_t, const mes::ParameterValues&)> inner(
     MoveParameter move, std::vector<mes::Parameter> parameters) {
   return [move = std::move(move), parameters = std::move(parameters)](double first, std::uint64_t step,

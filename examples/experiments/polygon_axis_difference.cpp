@@ -96,7 +96,7 @@ class PolygonAxisDifference final : public Structure {
   }
   static Point point(Place p) { return {p.x(), p.y()}; }
 
-  /// Returns the one-sided distance, infinite if there is no axis on one side. O(log n) for a part.
+  /// Returns the one-sided Hausdorff distance. It is infinite if one of the axes is empty. O(log n) for a part.
   double measure(const Inputs& inputs, const std::vector<Segment>& axis, const std::vector<Segment>& other,
                  bool is_of_polygon) {
     if (axis.empty() || other.empty()) return INFINITY;

@@ -96,7 +96,7 @@ TEST_CASE("an example is shown, a mistake in it is listed while its picture stay
   window.write("if (is_gabriel[edge]) nowhere");
   REQUIRE(eventually([&] { return window.has_warning(); }));
   CHECK(window.at_rest().changes(kCanvas, shown) == 0);
-  // Its place is told, and the file is opened.
+  // The click puts file and line on the clipboard, and the editor opens the file.
   screen.click(kMessage);
   CHECK(eventually([&] { return bytes_of(window.edited()) == window.source.string() + "\n"; }));
   CHECK(eventually([&] { return screen.clipboard() == window.source.string() + ":" + window.line(); }));

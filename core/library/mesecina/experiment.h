@@ -313,8 +313,8 @@ struct FormatSpec {
 /// The next positions of all samples, in their order. Ends of open curves and samples where curves meet stay in the
 /// evolutions of the program (`may_move`); these may move them. `values` has the values of the evolution's parameters in their order.
 using MoveSamples = std::function<std::vector<Point>(const MovingSamples& samples, std::span<const double> values)>;
-/// The value of the moved parameter in state `step`, from that in state 0. Beyond the range of the parameter, or where it
-/// throws, there is no such state.
+/// Returns the value of the moved parameter in state `step`, from its value in state 0. The evolution ends before the
+/// first step whose value is out of range or whose call throws.
 using MoveParameter = std::function<double(double first, std::uint64_t step, std::span<const double> values)>;
 /// Closed polygons without repeated first corner, outer ones and holes in any order and direction.
 using MakeShape = std::function<std::vector<std::vector<Point>>(std::span<const double> values)>;
