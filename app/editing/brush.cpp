@@ -163,26 +163,25 @@ Expected<void> BrushStroke::along_curve(Vec2 at, double radius, BrushMode mode) 
 Expected<void> BrushStroke::finish() {
   const Document& document = editor_.document();
   const auto is_alive = [&](SampleId id) { return document.slot_of(id) != kNoSlot; };
-  const std::uint32_t first = document.first_id().value;
-  std::vector<SampleData::Contour> contours;
+  CurveOrder contours;
   bool is_changed = false;
   for (const CurveOrder::Contour& contour : document.curve_order()->contours) {
     const std::vector<SampleId> alive = live_corners(document, contour);
-    SampleData::Contour& out = contours.emplace_back(SampleData::Contour{contour.closed, {}});
+    CurveOrder::Contour& out = contours.contours.emplace_back(CurveOrder::Contour{contour.closed, {}});
     for (std::size_t i = 0; i < alive.size(); ++i) {
-      out.points.push_back(alive[i].value - first);
+      out.samples.push_back(alive[i]);
       const bool is_last = i + 1 == alive.size();
       if (is_last && (!contour.closed || alive.size() < 3)) continue;
       const auto added = between_.find(std::minmax(alive[i], alive[is_last ? 0 : i + 1]));
       if (added == between_.end() || !is_alive(added->second)) continue;
-      out.points.push_back(added->second.value - first);
+      out.samples.push_back(added->second);
       is_changed = true;
     }
-    if (out.points.empty()) contours.pop_back();
+    if (out.samples.empty()) contours.contours.pop_back();
   }
   between_.clear();
   if (!is_changed) return {};
-  return editor_.perform({.name = "Refine", .curve = std::move(contours)});
+  return editor_.set_contours(std::move(contours), "Refine");
 }
 
 }  // namespace mes

@@ -30,18 +30,9 @@ std::vector<SampleId> ContourDesk::selected() const {
   return out;
 }
 
-// Samples are named by numbers that count from the first of the document, dead ones included.
 Expected<void> ContourDesk::put(const CurveOrder& contours, const std::string& name) {
-  TimelineEdit edit{.name = name};
-  const std::uint32_t first = editor_.document().first_id().value;
-  edit.curve.emplace();
-  for (const CurveOrder::Contour& contour : contours.contours) {
-    SampleData::Contour& out = edit.curve->emplace_back(SampleData::Contour{contour.closed, {}});
-    out.points.reserve(contour.samples.size());
-    for (const SampleId id : contour.samples) out.points.push_back(id.value - first);
-  }
   editor_.note_layers();
-  if (auto done = editor_.perform(edit); !done) return done;
+  if (auto done = editor_.set_contours(contours, name); !done) return done;
   if (const LayerIndex layer = layers_.find("contours"); layer != kNoLayer) layers_.set_visible(layer, true);
   editor_.join_layers();
   return {};

@@ -134,6 +134,10 @@ class Editor {
   /// Makes these the annotations. With `continues`, it is the same step as the call before if nothing else happened
   /// since, and there are as many as before.
   Expected<void> annotate(Annotations annotations, const std::string& name, bool continues = false);
+  /// Makes these the contours.
+  Expected<void> set_contours(CurveOrder contours, const std::string& name) {
+    return perform(mes::set_contours(document_, std::move(contours)), name);
+  }
   /// A change as it stands on a timeline.
   Expected<void> perform(const TimelineEdit& edit) {
     return perform(delta_of(document_, edit), edit.name, edit.continues);

@@ -237,23 +237,16 @@ std::string SelectionDesk::text() const {
   return out;
 }
 
-// Samples are named by numbers that count from the first of the document, dead ones included.
 Expected<void> SelectionDesk::add_contours(const std::vector<SampleData::Contour>& contours,
                                            const std::vector<SampleSlot>& rows, const std::string& name) {
   if (contours.empty()) return {};
   const Document& document = editor_.document();
-  const std::uint32_t first = document.first_id().value;
-  TimelineEdit edit{.name = name};
-  edit.curve.emplace();
-  for (const CurveOrder::Contour& contour : document.curve_order()->contours) {
-    SampleData::Contour& out = edit.curve->emplace_back(SampleData::Contour{contour.closed, {}});
-    for (const SampleId id : contour.samples) out.points.push_back(id.value - first);
-  }
+  CurveOrder all = *document.curve_order();
   for (const SampleData::Contour& contour : contours) {
-    SampleData::Contour& out = edit.curve->emplace_back(SampleData::Contour{contour.closed, {}});
-    for (const std::uint32_t place : contour.points) out.points.push_back(document.id(rows[place]).value - first);
+    CurveOrder::Contour& out = all.contours.emplace_back(CurveOrder::Contour{contour.closed, {}});
+    for (const std::uint32_t place : contour.points) out.samples.push_back(document.id(rows[place]));
   }
-  return editor_.perform(edit);
+  return editor_.set_contours(std::move(all), name);
 }
 
 Expected<void> SelectionDesk::add(std::vector<Vec2> samples, std::vector<Disk> balls, Vec2 shift,

@@ -232,6 +232,17 @@ Expected<DocumentDelta> annotate(const Document& document, Annotations annotatio
   return delta;
 }
 
+Expected<DocumentDelta> set_contours(const Document& document, CurveOrder contours) {
+  for (const CurveOrder::Contour& contour : contours.contours)
+    for (const SampleId id : contour.samples)
+      if (id.value < document.first_id().value || id.value >= document.next_id().value)
+        return refuse("a contour names a sample that never was");
+  DocumentDelta delta = delta_from(document);
+  if (contours != *document.curve_order())
+    delta.curve_after = std::make_shared<const CurveOrder>(std::move(contours));
+  return delta;
+}
+
 Expected<DocumentDelta> arrange_samples(const Document& document, std::span<const Vec2> positions,
                                         std::span<const SampleData::Contour> contours) {
   if (positions.size() < document.sample_count()) return refuse("there are fewer places than samples");

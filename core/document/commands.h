@@ -75,6 +75,9 @@ Expected<DocumentDelta> annotate(const Document& document, Annotations annotatio
 /// All of the document: samples and balls in input order. `replace_all` makes it again, with other ids. O(n log n).
 SampleData data_of(const Document& document);
 
+/// Makes these the contours, in which removed samples keep their places. Error: `bad_input` for a sample that never was.
+Expected<DocumentDelta> set_contours(const Document& document, CurveOrder contours);
+
 /// Moves the live samples, in input order, to the first of `positions`, and adds samples at the others. `contours`,
 /// if any, become the curve order; they name samples by their place in `positions`. Error: fewer positions than
 /// samples, otherwise as when samples are moved, inserted and replaced.
