@@ -179,6 +179,15 @@ void Workbench::remove_balls(std::span<const BallId> ids) {
   guarded([&] { taken(bench.remove_balls(all_inner(ids))); });
 }
 
+void Workbench::set_contours(std::span<const Contour> contours) {
+  mes::Workbench& bench = impl().bench;
+  guarded([&] {
+    std::vector<mes::SampleData::Contour> all;
+    for (const Contour& contour : contours) all.push_back({contour.is_closed, contour.points});
+    taken(bench.set_contours(all));
+  });
+}
+
 std::size_t Workbench::sample_count() const {
   return impl().bench.document().sample_count();
 }

@@ -109,6 +109,20 @@ Expected<void> Workbench::remove_balls(std::span<const BallId> ids) {
   return apply(mes::remove_balls(document_, ids));
 }
 
+Expected<void> Workbench::set_contours(std::span<const SampleData::Contour> contours) {
+  const std::vector<SampleSlot> slots = document_.slots_in_input_order();
+  CurveOrder order;
+  for (const SampleData::Contour& contour : contours) {
+    CurveOrder::Contour& out = order.contours.emplace_back(CurveOrder::Contour{contour.closed, {}});
+    for (const std::uint32_t place : contour.points) {
+      if (place >= slots.size())
+        return std::unexpected(Error{ErrorCode::bad_input, "a contour names a sample that does not exist"});
+      out.samples.push_back(document_.id(slots[place]));
+    }
+  }
+  return apply(mes::set_contours(document_, std::move(order)));
+}
+
 Expected<void> Workbench::apply(Expected<DocumentDelta> delta, const std::string& name) {
   if (!delta) return std::unexpected(std::move(delta.error()));
   if (!options_.keeps_document && !delta->replaces_all())

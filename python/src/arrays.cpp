@@ -73,6 +73,13 @@ py::list contours_of(std::span<const mesecina::Contour> contours) {
   return out;
 }
 
+std::vector<mesecina::Contour> contours_of(const std::vector<std::pair<bool, Numbers>>& pairs) {
+  std::vector<mesecina::Contour> out;
+  for (const auto& [is_closed, numbers] : pairs)
+    out.push_back({is_closed, {numbers.data(), numbers.data() + numbers.size()}});
+  return out;
+}
+
 py::tuple arrays_of(const mesecina::Data& data) {
   return py::make_tuple(array_of(std::span<const mesecina::Point>(data.samples)), contours_of(data.contours),
                         array_of(std::span<const mesecina::Ball>(data.balls)));

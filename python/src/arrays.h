@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include <mesecina/geometry.h>
@@ -35,6 +36,7 @@ Doubles array_of(std::span<const mesecina::Ball> balls);
 Numbers array_of(std::span<const std::uint32_t> numbers);
 /// Pairs of a flag, whether the contour is closed, and indices.
 py::list contours_of(std::span<const mesecina::Contour> contours);
+std::vector<mesecina::Contour> contours_of(const std::vector<std::pair<bool, Numbers>>& pairs);
 /// Samples, contours and balls.
 py::tuple arrays_of(const mesecina::Data& data);
 template <class Id>

@@ -128,9 +128,9 @@ void Bench::load(const Doubles& samples, const std::vector<std::pair<bool, Numbe
                  const Doubles& balls) {
   const auto points = points_of(samples);
   const auto disks = balls_of(balls);
-  mesecina::Data data{.samples = {points.begin(), points.end()}, .balls = {disks.begin(), disks.end()}};
-  for (const auto& [is_closed, numbers] : contours)
-    data.contours.push_back({is_closed, {numbers.data(), numbers.data() + numbers.size()}});
+  const mesecina::Data data{.samples = {points.begin(), points.end()},
+                            .contours = contours_of(contours),
+                            .balls = {disks.begin(), disks.end()}};
   const Use use(*this);
   mark_changed();
   without_lock([&](auto& bench) { bench.load(data); });
@@ -141,11 +141,14 @@ py::tuple Bench::data() {
   return arrays_of(without_lock([](const auto& bench) { return bench.data(); }));
 }
 
+// Nothing to do is no change: arrays stay valid.
 Numbers Bench::insert(const Doubles& points) {
+  if (points.size() == 0) return Numbers(0);
   return change([&](auto& bench) { return array_of_ids(bench.insert(points_of(points))); });
 }
 
 Numbers Bench::insert_balls(const Doubles& balls) {
+  if (balls.size() == 0) return Numbers(0);
   return change([&](auto& bench) { return array_of_ids(bench.insert_balls(balls_of(balls))); });
 }
 
@@ -153,6 +156,7 @@ void Bench::move(const Numbers& ids, const Doubles& targets) {
   const auto samples = ids_of<mesecina::SampleId>(ids);
   const auto places = points_of(targets);
   if (samples.size() != places.size()) throw py::value_error("there are as many positions as ids");
+  if (samples.empty()) return;
   std::vector<mesecina::MovedSample> moved;
   moved.reserve(samples.size());
   for (std::size_t i = 0; i < samples.size(); ++i) moved.push_back({samples[i], places[i]});
@@ -167,6 +171,7 @@ void Bench::change_balls(const Numbers& ids, const Doubles& balls) {
   const auto named = ids_of<mesecina::BallId>(ids);
   const auto targets = balls_of(balls);
   if (named.size() != targets.size()) throw py::value_error("there are as many balls as ids");
+  if (named.empty()) return;
   std::vector<mesecina::ChangedBall> changed;
   changed.reserve(named.size());
   for (std::size_t i = 0; i < named.size(); ++i) changed.push_back({named[i], targets[i]});
@@ -174,11 +179,17 @@ void Bench::change_balls(const Numbers& ids, const Doubles& balls) {
 }
 
 void Bench::remove(const Numbers& ids) {
+  if (ids.size() == 0) return;
   change([&](auto& bench) { bench.remove(ids_of<mesecina::SampleId>(ids)); });
 }
 
 void Bench::remove_balls(const Numbers& ids) {
+  if (ids.size() == 0) return;
   change([&](auto& bench) { bench.remove_balls(ids_of<mesecina::BallId>(ids)); });
+}
+
+void Bench::set_contours(const std::vector<std::pair<bool, Numbers>>& contours) {
+  change([&](auto& bench) { bench.set_contours(contours_of(contours)); });
 }
 
 Doubles Bench::samples() {

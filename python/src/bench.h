@@ -43,6 +43,7 @@ class Bench {
   void change_balls(const Numbers& ids, const Doubles& balls);
   void remove(const Numbers& ids);
   void remove_balls(const Numbers& ids);
+  void set_contours(const std::vector<std::pair<bool, Numbers>>& contours);
   Doubles samples();
   Numbers sample_ids();
   Doubles balls();

@@ -192,6 +192,7 @@ void add_bench(py::module_& module) {
       .def("change_balls", &Bench::change_balls)
       .def("remove", &Bench::remove)
       .def("remove_balls", &Bench::remove_balls)
+      .def("set_contours", &Bench::set_contours)
       .def("samples", &Bench::samples)
       .def("sample_ids", &Bench::sample_ids)
       .def("balls", &Bench::balls)

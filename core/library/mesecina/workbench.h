@@ -227,6 +227,9 @@ class MESECINA_API Workbench {
   void remove(SampleId id);
   void remove_balls(std::span<const BallId> ids);
   void remove_ball(BallId id);
+  /// Replaces the contours. Their points are places of samples in input order. Error: `bad_input` for a place that does not
+  /// exist.
+  void set_contours(std::span<const Contour> contours);
 
   std::size_t sample_count() const;
   std::size_t ball_count() const;
