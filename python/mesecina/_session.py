@@ -65,7 +65,8 @@ class Session:
         self.experiments = tuple(experiments or ())  #: its own structures and layers
         self.catalogue = with_experiments(builtin(), self.experiments) if self.experiments else builtin()
         self._structures = described_structures(self.catalogue)
-        self._bench = _mesecina.Bench(self.catalogue, bool(history))
+        self._keeps_history = bool(history)
+        self._bench = _mesecina.Bench(self.catalogue, self._keeps_history)
         self._axis = None
         self._windows = set()
         self._listeners = []
@@ -139,8 +140,8 @@ class Session:
         return seen
 
     @classmethod
-    def _from_bytes(cls, data, name, format="", vertices=False, degrees=False, experiments=()):
-        out = cls(experiments=experiments)
+    def _from_bytes(cls, data, name, format="", vertices=False, degrees=False, experiments=(), history=True):
+        out = cls(experiments=experiments, history=history)
         out.remarks = out._bench.open_bytes(data, name, format, bool(vertices), degrees)["warnings"]
         out._bench.forget_history()
         return out
@@ -153,15 +154,22 @@ class Session:
         format
             "poff": samples and contours; "wpoff": balls; "session": data and settings; default: by the extension, .poff,
             .wpoff or .json. Every number reads back bit for bit.
+
+        Warns of data for which the format has no place.
         """
-        self._bench.save(_arrays.path(path), _arrays.text(format, "format"))
+        path = _arrays.path(path)
+        self._bench.save(path, _arrays.text(format, "format"))
+        lost = {"poff": len(self.ball_ids) and "balls", "wpoff": len(self.ids) and "samples"}
+        if what := lost.get(format or os.path.splitext(os.fsdecode(path))[1].lower().lstrip(".")):
+            warnings.warn(f"{os.fsdecode(path)} has no place for the {what}; a session (.json) keeps everything", stacklevel=2)
 
     def __reduce__(self):
-        return _restored, (_mesecina.version(), self._bench.text("session"), self.experiments)
+        return _restored, (_mesecina.version(), self._bench.text("session"), self.experiments, self._keeps_history)
 
     def copy(self):
         """Another session with the same data, settings and experiments, without the history."""
-        return _restored(_mesecina.version(), self._bench.text("session"), self.experiments)
+        restored, arguments = self.__reduce__()
+        return restored(*arguments)
 
     # Data.
 
@@ -187,8 +195,17 @@ class Session:
 
     @property
     def contours(self):
-        """Known curves, a list of pairs of indices into ``points``, shape (l,), and whether the curve is closed."""
+        """Known curves, a list of pairs of indices into ``points``, shape (l,), and whether the curve is closed.
+
+        They can be set: a sequence of such pairs, or of indices for closed curves. Raises ValueError for an index that does
+        not exist.
+        """
         return [(indices, is_closed) for is_closed, indices in self._bench.data()[1]]
+
+    @contours.setter
+    @_shown
+    def contours(self, contours):
+        self._bench.set_contours(_contours(contours))
 
     @_shown
     def insert(self, points):
@@ -270,6 +287,7 @@ class Session:
 
     # Settings.
 
+    @_shown
     def set(self, name, value):
         """Sets a parameter to a number, or ``"precision"`` to a number type, as `mesecina list parameters` names them.
 
@@ -532,9 +550,9 @@ def text(letters, **options):
     return Session._from_bytes(_program.run("text", letters, output="-", **options), "text", "poff")
 
 
-def _restored(version, text, experiments=()):
+def _restored(version, text, experiments=(), history=True):
     try:
-        return Session._from_bytes(text, "pickle", "session", experiments=experiments)
+        return Session._from_bytes(text, "pickle", "session", experiments=experiments, history=history)
     except ValueError as error:
         raise ValueError(f"a session of version {version} cannot be read by version {_mesecina.version()}: "
                          f"{error}") from error

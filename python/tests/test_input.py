@@ -6,6 +6,7 @@ import os
 import pickle
 import subprocess
 import sys
+import warnings
 
 import numpy as np
 import pytest
@@ -105,8 +106,42 @@ def test_copies(again):
     assert len(session) == len(other) + 1
 
 
+def test_contours_are_set_and_taken_back(flower):
+    flower.contours = [range(20), ([30, 40, 50], False)]
+    assert [(indices.tolist(), is_closed) for indices, is_closed in flower.contours] == [
+        (list(range(20)), True), ([30, 40, 50], False)]
+    with pytest.raises(ValueError, match="does not exist"):
+        flower.contours = [[0, 240]]
+    assert len(flower.contours) == 2
+    flower.remove(flower.ids[:19])
+    assert [indices.tolist() for indices, _ in flower.contours] == [[0], [11, 21, 31]]
+    flower.contours = []
+    assert flower.contours == [] and flower.undo() and len(flower.contours) == 2
+    assert flower.undo() and flower.undo() and flower.contours == []
+
+
+def test_a_format_that_loses_data_is_warned_of(tmp_path):
+    session = mes.Session([[0, 0], [1, 0]], balls=[[0, 0, 1]])
+    with pytest.warns(UserWarning, match="no place for the balls"):
+        session.save(tmp_path / "a.poff")
+    with pytest.warns(UserWarning, match="no place for the samples"):
+        session.save(tmp_path / "a", format="wpoff")
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        session.save(tmp_path / "a.json")
+        mes.Session([[0, 0]]).save(tmp_path / "b.poff")
+
+
+def test_copies_keep_no_history_where_the_session_does_not():
+    for session in (mes.Session([[0, 0]], history=False), mes.Session([[0, 0]])):
+        for one in (session.copy(), pickle.loads(pickle.dumps(session))):
+            one.insert((1, 1))
+            session.insert((1, 1))
+            assert one.undo() is session.undo()
+
+
 def test_a_pickle_of_another_version():
-    function, (version, text, _) = mes.Session([[0, 0]]).__reduce__()
+    function, (version, text, *_) = mes.Session([[0, 0]]).__reduce__()
     assert version == mes.version()
     with pytest.raises(ValueError, match="a session of version 9.9.9 cannot be read by version"):
         function("9.9.9", text.replace(b'"mesecina-session"', b'"other"') if b"mesecina-session" in text else b"{}")

@@ -43,6 +43,16 @@ def test_an_edit_with_a_live_view_waits(flower):
     assert flower.digest("delaunay") == mes.Session(flower.points).digest("delaunay")
 
 
+def test_edits_of_nothing_leave_views_as_they_are(flower):
+    center = flower.delaunay.faces.circumcenter
+    flower.remove([])
+    flower.remove_balls([])
+    flower.move([], [])
+    flower.change_balls([], [])
+    assert flower.insert([]).shape == flower.insert_balls([]).shape == (0,)
+    assert np.shares_memory(center, flower.delaunay.faces.circumcenter)
+
+
 def test_reading_more_leaves_views_as_they_are(flower):
     views = {}
     for structure in mes.structures():
