@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <unordered_map>
+#include <unordered_set>
 #include <utility>
 
 namespace mes {
@@ -147,6 +148,73 @@ void put_in_agreed_order(const std::vector<Id>& old_ids, std::vector<Id>& ids, s
   values = std::move(new_values);
 }
 
+/// By places among the samples.
+Json as_json(const std::vector<CurveOrder::Contour>& contours, const std::vector<SampleId>& samples) {
+  std::unordered_map<std::uint32_t, std::size_t> place;
+  for (std::size_t i = 0; i < samples.size(); ++i) place.emplace(samples[i].value, i);
+  Json out = Json::array();
+  for (const CurveOrder::Contour& contour : contours) {
+    Json places = Json::array();
+    for (const SampleId id : contour.samples) places.push_back(place.at(id.value));
+    out.push_back({contour.closed, std::move(places)});
+  }
+  return out;
+}
+
+using Contours = std::vector<std::pair<bool, std::vector<std::size_t>>>;
+
+/// Contours of places below the count.
+bool read_contours(const Json& lists, std::size_t count, std::optional<Contours>& out) {
+  if (!lists.contains("contours")) return true;
+  out.emplace();
+  for (const Json& one : lists["contours"]) {
+    if (!one.is_array() || one.size() != 2 || !one[0].is_boolean() || !one[1].is_array()) return false;
+    auto& [is_closed, places] = out->emplace_back(one[0].get<bool>(), std::vector<std::size_t>());
+    for (const Json& value : one[1]) {
+      const auto place = place_of(value, count);
+      if (!place) return false;
+      places.push_back(*place);
+    }
+  }
+  return true;
+}
+
+bool read_settings(const Json& lists, DocumentLink::Settings& out) {
+  if (!lists.contains("settings")) return true;
+  if (!lists["settings"].is_object()) return false;
+  for (const auto& [id, value] : lists["settings"].items()) {
+    if (id == "precision" && value.is_string())
+      out.precision = value.get<std::string>();
+    else if (id != "precision" && value.is_number() && std::isfinite(value.get<double>()))
+      out.parameters[id] = value.get<double>();
+    else
+      return false;
+  }
+  return true;
+}
+
+Json as_json(const DocumentLink::Settings& settings, const DocumentLink::Settings& known) {
+  Json out = Json::object();
+  if (settings.precision != known.precision) out["precision"] = settings.precision;
+  for (const auto& [id, value] : settings.parameters) {
+    const auto found = known.parameters.find(id);
+    if (found == known.parameters.end() || found->second != value) out[id] = value;
+  }
+  return out;
+}
+
+void take_over(const DocumentLink::Settings& from, DocumentLink::Settings& to) {
+  if (!from.precision.empty()) to.precision = from.precision;
+  for (const auto& [id, value] : from.parameters) to.parameters[id] = value;
+}
+
+/// Contours without samples for which `is_gone` holds, and without those of which nothing is left.
+template <class IsGone>
+void remove_from(std::vector<CurveOrder::Contour>& contours, IsGone is_gone) {
+  for (CurveOrder::Contour& contour : contours) std::erase_if(contour.samples, is_gone);
+  std::erase_if(contours, [](const CurveOrder::Contour& contour) { return contour.samples.empty(); });
+}
+
 }  // namespace
 
 struct DocumentLink::Change {
@@ -156,6 +224,8 @@ struct DocumentLink::Change {
   std::vector<std::pair<std::size_t, std::array<double, 3>>> moved_balls;
   std::vector<std::size_t> removed_balls;
   std::vector<std::array<double, 3>> inserted_balls;
+  std::optional<Contours> contours;
+  Settings settings;
 };
 
 Expected<Session> DocumentLink::begun_by(std::string_view line) {
@@ -165,8 +235,9 @@ Expected<Session> DocumentLink::begun_by(std::string_view line) {
   return read_session(json["session"].get_ref<const std::string&>(), "link");
 }
 
-DocumentLink::Lists DocumentLink::lists_of(const Document& document) {
-  Lists out;
+DocumentLink::Lists DocumentLink::lists_of(const Document& document, const Settings& settings) {
+  Lists out{.contours = document.curve_order()->contours, .settings = settings};
+  remove_from(out.contours, [&](SampleId id) { return document.slot_of(id) == kNoSlot; });
   for (const SampleSlot slot : document.slots_in_input_order()) {
     out.samples.push_back(document.id(slot));
     out.positions.push_back(document.position(slot));
@@ -178,13 +249,14 @@ DocumentLink::Lists DocumentLink::lists_of(const Document& document) {
   return out;
 }
 
-void DocumentLink::begin(const Document& document) {
-  agreed_ = lists_of(document);
+void DocumentLink::begin(const Document& document, const Settings& settings) {
+  agreed_ = lists_of(document, settings);
   compared_ = document.revision();
+  compared_settings_ = settings;
   has_begun_ = true;
 }
 
-Expected<std::string> DocumentLink::take(std::string_view line, Editor& editor) {
+Expected<std::string> DocumentLink::take(std::string_view line, Editor& editor, Settings& settings) {
   const Json json = Json::parse(line, nullptr, false);
   if (!json.is_object()) return refusal("a line of the link is no object");
   if (json.contains("accepted")) {
@@ -200,13 +272,18 @@ Expected<std::string> DocumentLink::take(std::string_view line, Editor& editor) 
       !read_inserted(json, "inserted", change.inserted) ||
       !read_moved(json, "moved_balls", agreed_.balls.size(), change.moved_balls) ||
       !read_places(json, "removed_balls", agreed_.balls.size(), change.removed_balls) ||
-      !read_inserted(json, "inserted_balls", change.inserted_balls))
+      !read_inserted(json, "inserted_balls", change.inserted_balls) ||
+      !read_contours(json, agreed_.samples.size() - change.removed.size() + change.inserted.size(),
+                     change.contours) ||
+      !read_settings(json, change.settings))
     return refusal("a line of the link makes no sense");
   // Another change came first. What is different afterwards is proposed again.
   proposed_.reset();
   compared_ = ~std::uint64_t{0};
   ++number_;
   make(change, json.value("name", std::string("Edit")), editor);
+  take_over(change.settings, agreed_.settings);
+  take_over(change.settings, settings);
   return Json{{"made", number_}}.dump();
 }
 
@@ -231,6 +308,9 @@ void DocumentLink::make(const Change& change, const std::string& name, Editor& e
     if (document.slot_of(agreed_.samples[place]) != kNoSlot) removed.push_back(agreed_.samples[place]);
   for (const std::size_t place : change.removed_balls)
     if (document.ball_slot_of(agreed_.balls[place]) != kNoSlot) removed_balls.push_back(agreed_.balls[place]);
+  std::unordered_set<std::uint32_t> gone;
+  for (const std::size_t place : change.removed) gone.insert(agreed_.samples[place].value);
+  if (!gone.empty()) remove_from(agreed_.contours, [&](SampleId id) { return gone.contains(id.value); });
   remove_places(agreed_.samples, change.removed);
   remove_places(agreed_.positions, change.removed);
   remove_places(agreed_.balls, change.removed_balls);
@@ -256,21 +336,35 @@ void DocumentLink::make(const Change& change, const std::string& name, Editor& e
         agreed_.balls.push_back(document.ball_id((*slots)[i]));
         agreed_.disks.push_back(inserted_balls[i]);
       }
+  if (change.contours) {
+    agreed_.contours.clear();
+    for (const auto& [is_closed, places] : *change.contours) {
+      CurveOrder::Contour& contour = agreed_.contours.emplace_back(CurveOrder::Contour{is_closed, {}});
+      for (const std::size_t place : places)
+        if (place < agreed_.samples.size()) contour.samples.push_back(agreed_.samples[place]);
+    }
+    static_cast<void>(editor.set_contours({agreed_.contours}, name));
+  }
   editor.end_gesture();
 }
 
-std::optional<std::string> DocumentLink::propose(const Editor& editor) {
+std::optional<std::string> DocumentLink::propose(const Editor& editor, const Settings& settings) {
   const Document& document = editor.document();
-  if (!may_propose(editor)) return {};
-  Lists now = lists_of(document);
+  if (!may_propose(editor, settings)) return {};
+  Lists now = lists_of(document, settings);
   Json change = Json::object();
   write_difference(agreed_.samples, agreed_.positions, now.samples, now.positions, "", change);
   write_difference(agreed_.balls, agreed_.disks, now.balls, now.disks, "_balls", change);
+  put_in_agreed_order(agreed_.samples, now.samples, now.positions);
+  std::vector<CurveOrder::Contour> expected = agreed_.contours;
+  remove_from(expected, [&](SampleId id) { return document.slot_of(id) == kNoSlot; });
+  if (expected != now.contours) change["contours"] = as_json(now.contours, now.samples);
+  if (Json changed = as_json(settings, agreed_.settings); !changed.empty()) change["settings"] = std::move(changed);
   compared_ = document.revision();
+  compared_settings_ = settings;
   if (change.empty()) return {};
   change["number"] = number_ + 1;
   change["name"] = editor.can_undo() ? editor.undo_name() : "Edit";
-  put_in_agreed_order(agreed_.samples, now.samples, now.positions);
   put_in_agreed_order(agreed_.balls, now.balls, now.disks);
   proposed_ = std::move(now);
   return change.dump();

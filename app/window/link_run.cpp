@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <utility>
@@ -33,7 +34,7 @@ Expected<void> LinkRun::begin() {
   if (!session) return std::unexpected(session.error());
   if (auto done = uses_.work.editor().load(*session->data); !done) return done;
   uses_.work.computation().set(session->settings);
-  link_.begin(uses_.work.document());
+  link_.begin(uses_.work.document(), settings());
   return {};
 }
 
@@ -79,8 +80,10 @@ void LinkRun::follow() {
       end("The session beside the window needs it no more");
       return uses_.leave();
     }
-    const auto answer = link_.take(line, uses_.work.editor());
+    DocumentLink::Settings wanted = settings();
+    const auto answer = link_.take(line, uses_.work.editor(), wanted);
     if (!answer) return end(answer.error().text);
+    set(wanted);
     if (!answer->empty()) unsent_ += *answer + '\n';
     // The other side has it.
     uses_.work.editor().mark_saved();
@@ -90,14 +93,35 @@ void LinkRun::follow() {
     return is_over_ && lines_.empty();
   }();
   if (is_over) return end("The session beside the window has ended");
-  if (auto line = link_.propose(uses_.work.editor())) unsent_ += *line + '\n';
+  if (auto line = link_.propose(uses_.work.editor(), settings())) unsent_ += *line + '\n';
   if (!unsent_.empty()) say(std::exchange(unsent_, {}));
 }
 
 bool LinkRun::is_waiting() {
   if (socket_ < 0) return false;
   const std::lock_guard lock(mutex_);
-  return !lines_.empty() || link_.may_propose(uses_.work.editor());
+  return !lines_.empty() || link_.may_propose(uses_.work.editor(), settings());
+}
+
+const DocumentLink::Settings& LinkRun::settings() {
+  ComputationControl& computation = uses_.work.computation();
+  if (computation.animation().is_running()) return settings_;
+  settings_.precision = id_of(computation.settings().precision);
+  for (const Parameter& parameter : computation.parameters())
+    settings_.parameters[parameter.id] = computation.settings()[parameter];
+  return settings_;
+}
+
+void LinkRun::set(const DocumentLink::Settings& settings) {
+  if (settings == settings_) return;
+  ComputationControl& computation = uses_.work.computation();
+  ComputationSettings wanted = computation.settings();
+  const auto precision = std::ranges::find(kPrecisionDescriptors, settings.precision, &PrecisionDescriptor::id);
+  if (precision != kPrecisionDescriptors.end()) wanted.precision = precision->precision;
+  for (const Parameter& parameter : computation.parameters())
+    if (const double value = settings.parameters.at(parameter.id); value != settings_.parameters[parameter.id])
+      wanted[parameter] = within(parameter, value);
+  computation.set(wanted);
 }
 
 // The socket may take only a part of the text. The rest is sent in the next turn.

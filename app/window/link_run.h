@@ -44,11 +44,15 @@ class LinkRun {
   void read();
   Expected<void> begin();
   void say(const std::string& line);
+  /// The settings of the computation. While a parameter runs through its values, they are those that the link knows.
+  const DocumentLink::Settings& settings();
+  void set(const DocumentLink::Settings& settings);
   void end(const std::string& reason);
 
   Uses uses_;
   std::function<void()> wake_;
   DocumentLink link_;
+  DocumentLink::Settings settings_;
   std::string unsent_;
   std::string begun_line_;
   int socket_ = -1;
