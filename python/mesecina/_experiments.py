@@ -142,10 +142,14 @@ class Experiment:
     def __reduce__(self):
         return self.__wrapped__.__qualname__  # a global name, as functions are pickled
 
+    def _by_value(self):
+        """As ``__reduce__``, for other interpreters, in which the name may be unknown."""
+        return Experiment, (self.__wrapped__, self.what, self.id, self._inputs, self._spec)
+
     def __repr__(self):
         return f"<{self.what} {self.id}: {self.description}>"
 
-    def inputs_in(self, structures):
+    def _inputs_in(self, structures):
         """The ids of the structures that it reads, among the given ones."""
         if self._inputs is not None:
             if len(self._inputs) != len(self._read):
@@ -162,7 +166,7 @@ class Experiment:
         values = {one["argument"]: one["cast"](shown.parameter(one["id"])) for one in self.parameters}
         return self.__wrapped__(*tables, **values)
 
-    def describe_evolution(self):
+    def _describe_evolution(self):
         """Describes an evolution to the compiled part."""
 
         def move(points, curves, step, values):
@@ -172,10 +176,10 @@ class Experiment:
         return {"what": self.what, "id": self.id, "name": self.__name__.strip("_").replace("_", " ").capitalize(),
                 "description": self.description, "parameters": self.parameters, "function": move}
 
-    def describe(self, catalogue):
+    def _describe(self, catalogue):
         """Describes a structure or a layer to the compiled part. It raises the exceptions of the function for no samples."""
         structures = described_structures(catalogue)
-        inputs = self.inputs_in(structures)
+        inputs = self._inputs_in(structures)
         spec = {"what": self.what, "id": self.id, "description": self.description, "inputs": inputs,
                 "parameters": self.parameters, **self._spec}
         if self.what == "layer":
@@ -205,7 +209,7 @@ def with_experiments(catalogue, experiments):
     for one in experiments:
         if not isinstance(one, Experiment) or one.what == "evolution":
             raise TypeError(f"a structure or a layer is expected, not {one!r}")
-        catalogue = catalogue.with_experiment(one.describe(catalogue))
+        catalogue = catalogue.with_experiment(one._describe(catalogue))
     return catalogue
 
 
@@ -230,9 +234,9 @@ def specs_of(file):
     catalogue, out = builtin(), []
     for one in dict.fromkeys(found):
         if one.what == "evolution":
-            out.append(one.describe_evolution())
+            out.append(one._describe_evolution())
         else:
-            out.append(one.describe(catalogue))
+            out.append(one._describe(catalogue))
             catalogue = catalogue.with_experiment(out[-1])
     return out
 

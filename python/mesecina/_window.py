@@ -1,10 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The native window on a session: a process of its own, in which edits are those of the session, and the other way."""
 import asyncio
+import contextlib
+import io
 import json
+import os
 import select
 import socket
 import subprocess
+import sys
 import tempfile
 import time
 import weakref
@@ -12,6 +16,7 @@ import weakref
 import numpy as np
 
 from . import _program
+from ._experiments import Experiment
 
 
 class Window:
@@ -27,16 +32,20 @@ class Window:
     def __init__(self, session, experiments=()):
         self._session = weakref.ref(session)
         self._number = 0
+        self._is_following = False  # a change of the window is being made here
         self._made = 0  # number of the last change of ours that the window has made
         self._revision = session._bench.revision
-        self._lists = [_List(session.ids, session.points), _List(session.ball_ids, session.balls)]
+        self._lists = _lists_of(session)
+        self._contours = _contours_of(session)
+        self._settings = _settings_of(session)
         self._received = b""
         self._loop = None
         self._complaints = tempfile.TemporaryFile()  # a pipe that nobody reads would fill
         ours, theirs = socket.socketpair()
         words = [_program.path(), "--link", str(theirs.fileno())]
-        for file in experiments:
-            words += ["--with", str(file)]
+        self._carried = tempfile.TemporaryDirectory(prefix="mesecina-")
+        for file in _files_of([*session.experiments, *experiments], self._carried.name):
+            words += ["--with", file]
         try:
             self._process = subprocess.Popen(words, pass_fds=[theirs.fileno()], stdin=subprocess.DEVNULL,
                                              stdout=subprocess.DEVNULL, stderr=self._complaints)
@@ -60,8 +69,8 @@ class Window:
 
     def poll(self):
         """Makes what was done in the window, and shows there what was done here. Does not wait. Returns `is_open`."""
-        if self._socket is None:
-            return False
+        if self._socket is None or self._is_following:
+            return self.is_open
         self._show()
         while self._socket is not None and select.select([self._socket], [], [], 0)[0]:
             self._receive()
@@ -99,6 +108,7 @@ class Window:
             self._loop.remove_reader(self._socket)
         self._socket.close()
         self._socket = None
+        self._carried.cleanup()
 
     def _say_why(self):
         """Raises what the program says if it did not begin, or did not end well; a signal is the user's."""
@@ -135,6 +145,16 @@ class Window:
         message = {}
         for agreed, now, suffix in zip(self._lists, _lists_of(session), ("", "_balls")):
             message.update(agreed.difference(now, suffix))
+        contours = _contours_of(session)
+        if contours != _without(self._contours, session.ids):
+            places = {one: place for place, one in enumerate(self._lists[0].ids.tolist())}
+            message["contours"] = [[is_closed, [places[one] for one in ids]] for is_closed, ids in contours]
+        self._contours = contours
+        settings = _settings_of(session)
+        changed = {name: value for name, value in settings.items() if self._settings.get(name) != value}
+        if changed:
+            message["settings"] = changed
+        self._settings.update(settings)
         self._revision = session._bench.revision
         if message:
             self._number += 1
@@ -151,17 +171,34 @@ class Window:
         self._show()
         if proposal["number"] != self._number + 1:
             return  # it crossed a change of ours, and comes again
+        self._is_following = True
+        try:
+            self._follow(session, proposal)
+        finally:
+            self._is_following = False
+        self._number += 1
+        self._revision = session._bench.revision
+        self._send({"accepted": self._number})
+        for callback in list(session._listeners):
+            callback(session)
+
+    def _follow(self, session, proposal):
         samples, balls = self._lists
         with session.edit(proposal.get("name", "Window")):
             for one, suffix, move, remove, insert in ((samples, "", session.move, session.remove, session.insert),
                                                       (balls, "_balls", session.change_balls, session.remove_balls,
                                                        session.insert_balls)):
                 one.follow(proposal, suffix, move, remove, insert)
-        self._number += 1
-        self._revision = session._bench.revision
-        self._send({"accepted": self._number})
-        for callback in list(session._listeners):
-            callback(session)
+            if "contours" in proposal:
+                ids = self._lists[0].ids
+                contours = [(ids[places], is_closed) for is_closed, places in proposal["contours"]]
+                order = {one: place for place, one in enumerate(session.ids.tolist())}
+                session.contours = [([order[one] for one in contour.tolist()], is_closed) for contour, is_closed in contours]
+            self._contours = _contours_of(session)
+            for name, value in proposal.get("settings", {}).items():
+                self._settings[name] = value
+                with contextlib.suppress(ValueError):  # a parameter that the window alone has
+                    session.set(name, value)
 
     def __repr__(self):
         return f"<Window: {'open' if self.is_open else 'closed'}>"
@@ -217,11 +254,60 @@ def _lists_of(session):
     return _List(session.ids, session.points), _List(session.ball_ids, session.balls)
 
 
+def _contours_of(session):
+    """Contours by ids of samples: pairs of whether one is closed, and a list."""
+    ids = session.ids
+    return [(is_closed, ids[indices].tolist()) for indices, is_closed in session.contours]
+
+
+def _without(contours, ids):
+    """Contours without samples that are gone, and without those of which nothing is left."""
+    alive = set(ids.tolist()) if contours else ()
+    left = [(is_closed, [one for one in ids if one in alive]) for is_closed, ids in contours]
+    return [one for one in left if one[1]]
+
+
+def _settings_of(session):
+    """The number type and the parameters by their ids."""
+    return {name: session.value(name) for name in ("precision", *(one["id"] for one in session.catalogue.parameters()))}
+
+
+def _files_of(experiments, folder):
+    """Files that have the experiments, for ``--with``: those given, and one in the folder for those that are objects."""
+    files = [os.fspath(one) for one in experiments if not isinstance(one, Experiment)]
+    known = {os.path.realpath(file) for file in files}
+    objects = [one for one in dict.fromkeys(experiments) if isinstance(one, Experiment)
+               and os.path.realpath(one.__wrapped__.__code__.co_filename) not in known]
+    if not objects:
+        return files
+    try:
+        import cloudpickle
+    except ImportError as error:
+        raise ImportError("structures and layers of the session reach its window by cloudpickle, which is not installed; "
+                          "a file of them may be named instead: window(session, experiments=[\"idea.py\"])") from error
+
+    class Pickler(cloudpickle.CloudPickler):
+        def reducer_override(self, one):
+            return one._by_value() if isinstance(one, Experiment) else super().reducer_override(one)
+
+    pickled = io.BytesIO()
+    Pickler(pickled).dump(objects)
+    carried = os.path.join(folder, "experiments_of_session.py")
+    with open(carried, "w", encoding="utf-8") as file:
+        file.write("import pickle\nimport sys\n\n"
+                   f"sys.path += [one for one in {sys.path!r} if one not in sys.path]\n"
+                   f"experiments = pickle.loads({pickled.getvalue()!r})\n"
+                   "globals().update({f'experiment_{number}': one for number, one in enumerate(experiments)})\n")
+    return [*files, carried]
+
+
 def window(session, experiments=()):
     """Opens the native window on a session, and returns a `Window` at once.
 
+    The window has the structures and layers of the session, too: their functions go there with cloudpickle.
+
     experiments
-        files with structures and layers that the window is to have, too: those of ``--with``
+        more of them, evolutions too; or files, as those of ``--with``, which the window loads again whenever they change
     """
     out = Window(session, experiments)
     session._windows.add(out)

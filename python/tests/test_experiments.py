@@ -15,6 +15,7 @@ import mesecina as mes
 import own
 from conftest import SHAPES, flower_points
 from mesecina import _program
+from mesecina._window import _files_of
 
 ALL = (own.long_edges, own.long_edge_lines, own.middle, own.middle_disk)
 
@@ -312,3 +313,26 @@ def test_inputs_are_copies_that_stay():
     np.testing.assert_array_equal(places, before)
     with pytest.raises(RuntimeError, match="while the function is at work"):
         tables.sites.position
+
+
+def test_those_of_a_session_reach_the_program_of_its_window(tmp_path, program):
+    pytest.importorskip("cloudpickle")
+    factor = 3.0
+
+    @mes.structure()
+    def enlarged(samples):
+        """Samples farther from the origin."""
+        return {"points": {"place": factor * samples.samples.position[samples.samples.rows]}}
+
+    @mes.layer(inputs=["enlarged"], rows="enlarged/points", kind="disk")
+    def enlarged_disks(given):
+        """Disks around them, as large as the text of a function that is no global name."""
+        return np.column_stack([given.points.place, np.full(len(given.points.place), len(enlarged.description))])
+
+    session = mes.Session([[0, 0], [1, 0], [5, 2]], experiments=[enlarged, enlarged_disks])
+    [file] = _files_of(session.experiments, tmp_path)
+    session.save(tmp_path / "points.poff")
+    said = json.loads(program("compute", tmp_path / "points.poff", "--with", file, "--layers", "enlarged-disks", "--digest"))
+    assert said["layers"]["enlarged-disks"]["digest"] == session.digest("enlarged-disks")
+    # Those of a file that is named are there once.
+    assert _files_of([own.middle, own.__file__], tmp_path) == [own.__file__]

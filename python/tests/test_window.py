@@ -91,6 +91,39 @@ def test_edits_go_both_ways(display):
     window.close()
 
 
+def find(words):
+    """Finds a command in the window by its name."""
+    press("key", "ctrl+k")
+    press("type", "--delay", "20", words)
+    press("key", "Return")
+
+
+def test_contours_and_settings_go_both_ways(display):
+    session = mes.Session(flower_points(40), contours=[range(40)])
+    window = mes.window(session)
+    until_seen(window, lambda: len(session))
+    ring = session.ids[:10]
+    session.contours = [(range(10), False)]
+    session.set("pole-propagation", 1 - session.value("pole-propagation"))
+    session.set("lambda-limit", 0.75)
+    until(window, lambda: window._made == window._number)
+    # What was open here is closed there, and turned around.
+    press("key", "ctrl+a")
+    find("close contours")
+    until(window, lambda: session.contours[0][1])
+    find("turn contours around")
+    until(window, lambda: session.ids[session.contours[0][0]].tolist() != ring.tolist())
+    assert set(session.ids[session.contours[0][0]].tolist()) == set(ring.tolist())
+    # A switch that was turned here is turned back there, and a number type chosen there is chosen here.
+    before = mes.Session().value("pole-propagation")
+    find("pole labels by propagation")
+    until(window, lambda: session.value("pole-propagation") == before)
+    find("exact with roots")
+    until(window, lambda: session.value("precision") == "exact-roots")
+    assert session.value("lambda-limit") == 0.75
+    window.close()
+
+
 def test_the_window_ends_without_the_session(display):
     session = mes.Session(flower_points(20))
     window = mes.window(session)
