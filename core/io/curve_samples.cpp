@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -13,18 +14,22 @@
 #include "core/io/text_numbers.h"
 
 namespace mes {
+namespace {
 
-Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& wanted, const std::string& name,
-                                  ReadJob& job) {
-  const SamplingRequest request = job.keeps_vertices() ? SamplingRequest{.rule = SamplingRule::vertices} : wanted;
+void remove_cuts(CurveSet& curves, const std::function<bool(Vec2)>& on_cut, ReadJob& job) {
   if (curves.resolution == 0.0) {
     double coarsest = 1.0;
     for (const PlaneCurve& curve : curves.curves)
       if (coarsest > 0.0) coarsest = std::min(coarsest, resolution_of(curve.points()));
     curves.resolution = coarsest;
   }
-  curves.curves = without_cuts(
-      std::move(curves.curves), curves.resolution, [](Vec2) { return false; }, job.control());
+  curves.curves = without_cuts(std::move(curves.curves), curves.resolution, on_cut, job.control());
+}
+
+/// The samples of curves without cuts.
+Expected<LoadedFile> samples_of(CurveSet curves, const SamplingRequest& wanted, const std::string& name,
+                                ReadJob& job) {
+  const SamplingRequest request = job.keeps_vertices() ? SamplingRequest{.rule = SamplingRule::vertices} : wanted;
   curves.curves = with_line_regions(std::move(curves.curves), curves.resolution, job.control());
   auto samples = sample(curves, request, {}, job.control());
   if (!samples) return bad_input(samples.error().text, name, 1, 1);
@@ -36,11 +41,22 @@ Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& wanted
   return file;
 }
 
-Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, ReadJob& job) {
+}  // namespace
+
+Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& wanted, const std::string& name,
+                                  ReadJob& job) {
+  remove_cuts(
+      curves, [](Vec2) { return false; }, job);
+  return samples_of(std::move(curves), wanted, name, job);
+}
+
+Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, ReadJob& job,
+                                  const std::function<bool(Vec2)>& on_cut) {
+  remove_cuts(curves, on_cut, job);
   const SamplingRequest request = default_sampling(curves);
   std::size_t vertices = curves.points.size();
   for (const PlaneCurve& curve : curves.curves) vertices += curve.piece_count() + (curve.is_closed() ? 0 : 1);
-  auto file = load_samples(std::move(curves), request, name, job);
+  auto file = samples_of(std::move(curves), request, name, job);
   if (!file || job.keeps_vertices() || request.rule != SamplingRule::refined) return file;
   const std::size_t samples = file->data.positions.size();
   if (samples <= vertices) return file;

@@ -2,6 +2,7 @@
 // From the curves of a file to its samples. Private to core/io.
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "core/base/error.h"
@@ -17,7 +18,10 @@ namespace mes {
 /// Throws `Cancelled`. Where the job keeps vertices, these are the samples, whatever is wanted.
 Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& wanted, const std::string& name,
                                   ReadJob& job);
-/// By `default_sampling`. A warning says how many samples were added between vertices, if any.
-Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, ReadJob& job);
+/// By `default_sampling`. A warning says how many samples were added between vertices, if any. Curves end at cuts between
+/// places for which `on_cut` holds, too.
+Expected<LoadedFile> load_samples(
+    CurveSet curves, const std::string& name, ReadJob& job,
+    const std::function<bool(Vec2)>& on_cut = [](Vec2) { return false; });
 
 }  // namespace mes

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <set>
 #include <span>
@@ -12,7 +13,6 @@
 
 #include "core/base/box2.h"
 #include "core/curves/affine.h"
-#include "core/curves/cuts.h"
 #include "core/curves/joined_ends.h"
 #include "core/curves/resolution.h"
 #include "core/io/curve_samples.h"
@@ -191,15 +191,12 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegr
   if (unit == Unit::degrees && is_on_earth())
     map = degrees == MapDegrees::projected ? project() : MapPlane{.degrees = MapDegrees::kept};
   const MapPlane plane = map.value_or(MapPlane{.degrees = MapDegrees::kept});
-  CurveSet set = curves(plane, job);
-  if (plane.degrees == MapDegrees::projected) {
-    // Polygons end there that go on beyond.
-    constexpr double kAntimeridian = 180.0;
-    const double x = plane.scale().x * (kAntimeridian - plane.origin().x);
-    set.curves = without_cuts(
-        std::move(set.curves), set.resolution, [x](Vec2 p) { return p.x == x; }, job.control());
-  }
-  auto file = load_samples(std::move(set), name, job);
+  // Polygons end there that go on beyond.
+  constexpr double kAntimeridian = 180.0;
+  const bool is_projected = plane.degrees == MapDegrees::projected;
+  const double end = is_projected ? plane.scale().x * (kAntimeridian - plane.origin().x)
+                                  : std::numeric_limits<double>::infinity();
+  auto file = load_samples(curves(plane, job), name, job, [end](Vec2 p) { return p.x == end; });
   if (file && map) {
     file->data.map = map;
     file->degrees = degrees;
