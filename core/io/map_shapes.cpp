@@ -194,8 +194,8 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegr
   // Polygons end there that go on beyond.
   constexpr double kAntimeridian = 180.0;
   const bool is_projected = plane.degrees == MapDegrees::projected;
-  const double end = is_projected ? plane.scale().x * (kAntimeridian - plane.origin().x)
-                                  : std::numeric_limits<double>::infinity();
+  const double end =
+      is_projected ? plane.scale().x * (kAntimeridian - plane.origin().x) : std::numeric_limits<double>::infinity();
   auto file = load_samples(curves(plane, job), name, job, [end](Vec2 p) { return p.x == end; });
   if (file && map) {
     file->data.map = map;

@@ -65,7 +65,8 @@ bool is_figure_light(const GrayImage& image, Level level, FigureSide side);
 /// be off by `kSharpNoise` where there are no values in between, or the picture was blurred, and by `kSoftNoise` elsewhere,
 /// or more as it turns out; the mean of many edges by a third of that. Where values lie in between, their sums say where an
 /// edge is, so that areas are kept. What ellipses explain is an ellipse. Corners stay corners. Single pixels that stand out
-/// are passed over. No edge is farther from its outline than `kMostAway`.
+/// are passed over. Curvature has as few extremes as the edges allow (core/raster/internal/curvature.h), for each of them may
+/// be a branch of the axis. No edge is farther from its outline than `kMostAway`.
 /// Cost: O(pixels); any thread. Error: `bad_input` if nothing stands out, or nothing larger than a speck; `usage` for a
 /// threshold out of range. Throws `Cancelled` if there is a job.
 Expected<Tracing> trace(const GrayImage& image, const TraceRequest& request, const JobControl* job = nullptr);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Disks, ellipses and turned squares, from a few pixels to hundreds, with soft edges and of two values: area and ends of
+// Disks, ellipses, turned squares and shapes with blunt ends, from a few pixels to hundreds, with soft edges and of two values: area and ends of
 // the axis as the shape has them.
 #include <algorithm>
 #include <catch2/catch.hpp>
@@ -125,6 +125,40 @@ TEST_CASE("the axis of a traced square ends in its four corners") {
         CHECK(square.leaves == 4);
         if (fine != 1) CHECK(square.area == Approx(side * side).epsilon(side < 16.0 ? 0.005 : 0.003));
       }
+}
+
+// Blunt ends: without a curve whose curvature has few extremes there were up to ten twigs for each.
+TEST_CASE("traced shapes with blunt ends have hardly more twigs than ends") {
+  std::int64_t excess = 0, shapes = 0;
+  const auto look = [&](const char* name, double size, std::int64_t ends, auto has) {
+    for (const int fine : {1, kFine})
+      for (const int turn : {0, 1}) {
+        const Shape shape = shape_of(turn, size, size);
+        const Found found = found_in(rendered(shape.side(), shape.side(), places(fine, size), [&](Vec2 p) {
+          const Vec2 q = shape.in_frame(p);
+          return has(q);
+        }));
+        INFO(name << " of " << size << ", fine " << fine << ", turn " << turn << ": " << found.leaves << " ends");
+        CHECK(found.leaves >= ends);
+        CHECK(found.leaves <= ends + 5);
+        excess += found.leaves - ends;
+        ++shapes;
+      }
+  };
+  for (const double size : {16.0, 30.0, 60.0, 110.0}) {
+    for (const int petals : {3, 5})
+      look("flower", size, petals,
+           [&](Vec2 q) { return length(q) <= 0.8 * size * (1.0 + 0.25 * std::cos(petals * std::atan2(q.y, q.x))); });
+    look("bean", size, 2, [&](Vec2 q) {
+      const double turn = std::atan2(q.y, q.x);
+      return length(q) <= size * (0.7 + 0.25 * std::cos(turn) + 0.1 * std::cos(2.0 * turn));
+    });
+    look("capsule", size, 2, [&](Vec2 q) {
+      return length(Vec2{std::max(std::abs(q.x) - 0.5 * size, 0.0), q.y}) <= 0.33 * size;
+    });
+  }
+  INFO(excess << " twigs on " << shapes << " shapes");
+  CHECK(2 * excess <= shapes);
 }
 
 TEST_CASE("a pixel more or less leaves no branch on a disk") {

@@ -223,7 +223,8 @@ class Outliner {
       std::vector<bool> is_good(bends.size(), true);
       if (cut_at(bends, cut, is_good) && judge(cut, is_good)) {
         if (!encloses_as_much(cut)) break;
-        return joined(cut);
+        Cut calm;
+        return is_calmed(cut, calm) ? joined(calm) : joined(cut);
       }
       std::size_t kept = 0;
       for (std::size_t i = 0; i < bends.size(); ++i)
@@ -231,8 +232,11 @@ class Outliner {
       if (kept == bends.size()) break;
       bends.resize(kept);
     }
-    if (!is_plain_)
+    if (!is_plain_) {
       if (Run finer = refined(whole_, edges_, noise_, job_); finer.farthest <= kMostAway) whole_ = std::move(finer);
+      if (Run calm = with_few_extremes(whole_, edges_, noise_, job_); calm.farthest <= kMostAway)
+        whole_ = std::move(calm);
+    }
     if (!is_plain_ && !is_as_much(twice_area(whole_.nodes))) use_plain();
     return smooth_curve();
   }
@@ -309,6 +313,7 @@ class Outliner {
       if (from_begin > beside && to_end > beside) of_run[run].push_back(edges_[i]);
     }
     std::vector<Fitted> fits(bends.size());
+    of_run_ = of_run;
     run_tasks(bends.size(), [&](std::size_t i) {
       const std::size_t next = bends[(i + 1) % bends.size()];
       const auto known =
@@ -326,6 +331,17 @@ class Outliner {
       cut.runs.push_back(std::move(fits[i].run));
     }
     return join(cut, fine_.nodes, is_good);
+  }
+
+  /// The same corners between runs with few extremes of curvature; false: these do not meet there.
+  bool is_calmed(const Cut& cut, Cut& calm) const {
+    calm.corners = cut.corners;
+    calm.runs.resize(fitted_.size());
+    run_tasks(fitted_.size(),
+              [&](std::size_t i) { calm.runs[i] = with_few_extremes(fitted_[i].run, of_run_[i], noise_, job_); });
+    std::vector<bool> is_good(cut.corners.size());
+    return std::ranges::all_of(calm.runs, [](const Run& run) { return run.farthest <= kMostAway; }) &&
+           join(calm, fine_.nodes, is_good) && encloses_as_much(calm);
   }
 
   /// The run from one corner to the next, both of which are nodes of the closed run.
@@ -430,12 +446,20 @@ class Outliner {
     const std::size_t last = nodes.size() - 1;
     if (!is_closed && is_straight(nodes)) return out.line_to(nodes.back());
     std::vector<Vec2> tangents(nodes.size());
-    const auto through = [](Vec2 in, Vec2 on) {
-      return unit(mes::length(on) * unit(in) + mes::length(in) * unit(on));
+    const NodeCurve curve(std::span<const Vec2>(nodes).first(is_closed ? last : last + 1), is_closed);
+    // That of the circle through three nodes, turned back by what the curvature changes from the first to the last of them:
+    // curvature that changes evenly would go the other way within each piece.
+    const auto through = [&](std::size_t before, std::size_t at, std::size_t after) {
+      const Vec2 in = nodes[at] - nodes[before], on = nodes[after] - nodes[at];
+      const double a = mes::length(in), b = mes::length(on);
+      const Vec2 tangent = unit(b * unit(in) + a * unit(on));
+      const double change = curve.curvature(before) - curve.curvature(after == last && is_closed ? 0 : after);
+      const double turn = a + b > 0.0 ? a * b * change / (6.0 * (a + b)) : 0.0;
+      return std::cos(turn) * tangent + std::sin(turn) * perpendicular(tangent);
     };
-    for (std::size_t k = 1; k < last; ++k) tangents[k] = through(nodes[k] - nodes[k - 1], nodes[k + 1] - nodes[k]);
+    for (std::size_t k = 1; k < last; ++k) tangents[k] = through(k - 1, k, k + 1);
     if (is_closed) {
-      tangents.front() = tangents.back() = through(nodes[last] - nodes[last - 1], nodes[1] - nodes[0]);
+      tangents.front() = tangents.back() = through(last - 1, 0, 1);
     } else {
       // As on a circle.
       const auto mirrored = [](Vec2 tangent, Vec2 chord) {
@@ -491,6 +515,7 @@ class Outliner {
   Run fine_;  // with nodes at equal distances
   double spacing_ = 0.0;
   std::vector<Fitted> fitted_;  // of the last round
+  std::vector<std::vector<Edge>> of_run_;
   std::vector<double> along_;
 };
 

@@ -30,6 +30,9 @@ struct ResidualSum {
 inline constexpr std::size_t kMostAlone = 3;
 inline constexpr double kMostAloneArea = 1.6;  ///< square pixels
 inline constexpr double kAlone = 0.35;         ///< pixels beyond the noise
+/// Of what a single edge may be off by, the mean over a window may be off by the first, and the second over its root.
+inline constexpr double kSystematic = 0.3;
+inline constexpr double kIndependent = 0.8;
 
 /// Calls `use(first, end, are_alone)` for edges in a row that are farther from the curve than noise, and for each other edge.
 template <class Use>
@@ -56,8 +59,6 @@ template <class Use>
 void for_each_misfit(std::span<const Residual> residuals, bool is_closed, double one, std::vector<ResidualSum>& sums,
                      Use use) {
   constexpr std::size_t kFirstWindow = 4;
-  constexpr double kSystematic = 0.3;
-  constexpr double kIndependent = 0.8;
   const std::size_t count = residuals.size();
   sums.assign(1, {});
   sums.reserve(2 * count + 1);

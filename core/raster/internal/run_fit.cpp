@@ -7,14 +7,13 @@
 #include <limits>
 #include <utility>
 
+#include "core/raster/internal/curvature.h"
 #include "core/raster/internal/node_curve.h"
 #include "core/raster/internal/settling.h"
 
 namespace mes {
 namespace {
 
-// Beyond so many distances of nodes a stiffness is no longer told from a larger one in doubles.
-constexpr double kMostNodes = 32.0;
 constexpr std::size_t kLeastChordsClosed = 16;
 constexpr std::size_t kLeastChordsOpen = 5;
 constexpr double kCoarsest = 16.0;  // pixels between nodes
@@ -37,6 +36,12 @@ class Fit : private Settling {
   Run refined() && {
     const bool is_near = refine();
     run_.farthest = is_near ? farthest() : std::numeric_limits<double>::infinity();
+    return std::move(run_);
+  }
+
+  Run with_few_extremes() && {
+    calm();
+    run_.farthest = farthest();
     return std::move(run_);
   }
 
@@ -176,6 +181,46 @@ class Fit : private Settling {
     settle_all();
   }
 
+  /// As few extremes of curvature as the edges allow: first level parts alone become stiff, so that all else can follow, then
+  /// everything, more and more, as long as no more is left over than before.
+  void calm() {
+    constexpr double kLeastShare = 0.2;
+    constexpr int kLooseRounds = 5;
+    constexpr double kStiffest = 64.0;
+    settle_all();
+    find_misfits();
+    const auto known = std::ranges::count(misfits_, 1);
+    std::vector<Vec2> best = run_.nodes;
+    const std::vector<Vec2> before = best;
+    bool is_calmer = false;
+    for (double share = 1.0; share > kLeastShare && !is_calmer; share *= 0.5) {
+      run_.nodes = before;
+      curve_.reset(run_.nodes, run_.is_closed);
+      for (double factor = 1.0; factor <= kStiffest; factor *= 2.0) {
+        for (int round = 0; round < (factor == 1.0 ? kLooseRounds : 1); ++round) settle_calmly(share, factor);
+        find_misfits();
+        if (std::ranges::count(misfits_, 1) > known) break;
+        best = run_.nodes;
+        is_calmer = true;
+      }
+    }
+    calm_ = {};
+    run_.nodes = std::move(best);
+    curve_.reset(run_.nodes, run_.is_closed);
+  }
+
+  /// With that share of what noise may be, and that many times as stiff.
+  void settle_calmly(double share, double factor) {
+    std::vector<double> curvature, lengths;
+    for (std::size_t k = 0; k < run_.nodes.size(); ++k) curvature.push_back(curve_.curvature(k));
+    for (const Chord& chord : curve_.chords()) lengths.push_back(chord.size);
+    calm_ = calmed(curvature, lengths, run_.is_closed, [&](double length) {
+      return share * noise_.one * (kSystematic + kIndependent / std::sqrt(std::max(length, 1.0)));
+    });
+    calm_.factor = factor;
+    settle_all();
+  }
+
   /// Nodes as near to each other as pieces of cubics need them that lie on a circle: what they are off by grows with the
   /// fourth power of the turn from node to node. Whether they stay near to where they were.
   bool refine() {
@@ -231,6 +276,10 @@ double most_turn(double length) {
 
 Run refined(Run run, std::span<const Edge> edges, const EdgeNoise& noise, const JobControl* job) {
   return Fit(std::move(run), edges, noise, job).refined();
+}
+
+Run with_few_extremes(Run run, std::span<const Edge> edges, const EdgeNoise& noise, const JobControl* job) {
+  return Fit(std::move(run), edges, noise, job).with_few_extremes();
 }
 
 Run evened(const Run& run) {

@@ -324,14 +324,20 @@ void Settling::add_penalty(StiffSystem& system, std::ptrdiff_t first, std::size_
   const double next_bend = curve_.curvature(after);
   const double in = 2.0 / (a + b);
   const double on = 2.0 / (b + c);
-  const double stiffness = std::min(run_.stiffness[here], run_.stiffness[after]);
+  double stiffness = std::min(run_.stiffness[here], run_.stiffness[after]);
+  double change = 0.0;
+  if (!calm_.at.empty()) {
+    change = calm_.at[after] - calm_.at[here];
+    const double most = std::min(kMostNodes * std::min({a, b, c}), stiffest());
+    stiffness = calm_.is_level[here] != 0 ? most : std::min(calm_.factor * stiffness, most);
+  }
   const double square = stiffness * stiffness;
   // Of three nodes the curvature is that in their mean.
   const double weight = square * square * square * 3.0 / (a + b + c);
   system.add(first,
              std::array{-in / a, on / b + 2.0 / (a * b) - bend * bend, next_bend * next_bend - 2.0 / (b * c) - in / b,
                         on / c},
-             bend - next_bend, weight);
+             bend - next_bend + change, weight);
 }
 
 void Settling::settle() {
@@ -372,6 +378,7 @@ bool Settling::find_alone() {
 }
 
 bool Settling::is_astray(std::size_t node) const {
+  if (fine_.empty()) return false;
   const double away = size_of(run_.nodes[node] - fine_[run_.at[node]]);
   return !(away <= kMostAstray);
 }

@@ -11,6 +11,7 @@
 #include <span>
 #include <vector>
 
+#include "core/raster/internal/curvature.h"
 #include "core/raster/internal/node_curve.h"
 #include "core/raster/internal/residual_windows.h"
 #include "core/raster/internal/run_fit.h"
@@ -70,6 +71,9 @@ class Settling {
   /// The largest distance of an edge from its chord, pixels.
   double farthest();
 
+  // Beyond so many distances of nodes a stiffness is no longer told from a larger one in doubles.
+  static constexpr double kMostNodes = 32.0;
+
   Run run_;
   std::vector<Vec2> fine_;  // nodes at the finest distance, of the curve that the fit starts from
   std::size_t cells_ = 0;   // finest distances
@@ -83,6 +87,7 @@ class Settling {
   std::vector<char> is_stale_;  // of chords: they have changed since edges were placed beside them
   std::vector<char> misfits_;   // of chords: beside them is more than noise
   std::vector<Placed> placed_;
+  CalmCurvature calm_;  // whose changes cost nothing, and others cost all where it is level; empty: there is none
 
  private:
   /// Squares of what edges beside a chord are off by, as a form of the offsets of its two nodes.
