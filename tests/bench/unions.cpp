@@ -74,7 +74,8 @@ void pipeline(benchmark::State& state, RatioTable& table, std::size_t n) {
   const double one_step_ms =
       bed.ms("one-step-crust") + bed.ms("labels") + bed.ms("inner-balls") + bed.ms("medial-axis");
   std::vector<Disk> disks;
-  for (const PipelineBall& ball : local_balls(balls.family()).balls) disks.push_back(ball.disk);
+  JobControl job;
+  for (const PipelineBall& ball : local_balls(balls.family(), job).balls) disks.push_back(ball.disk);
   std::vector<double> raw, general, certified;
   for (auto _ : state) {
     const double start = now_us();
@@ -100,7 +101,8 @@ void pipeline(benchmark::State& state, RatioTable& table, std::size_t n) {
 void power_crust(benchmark::State& state, RatioTable& table, std::size_t n) {
   Bed bed(data_of(test::benchmark_curve(n)), {"power-crust"});
   std::vector<Disk> disks;
-  for (const PipelineBall& ball : local_balls(bed.graph.structures().get<PolarDiagram>().family()).balls)
+  JobControl job;
+  for (const PipelineBall& ball : local_balls(bed.graph.structures().get<PolarDiagram>().family(), job).balls)
     disks.push_back(ball.disk);
   std::vector<double> raw, ours;
   for (auto _ : state) {

@@ -15,10 +15,10 @@ namespace mes {
 struct CalmCurvature {
   std::vector<double> at{};      ///< the nodes
   std::vector<char> is_level{};  ///< of nodes: the curvature there and that at the next were pooled
-  double factor = 1.0;           ///< by which a curve with changes of curvature other than these is stiffer
+  double factor = 1.0;           ///< of the stiffness against other changes of curvature
 };
 
-/// Curvature near to the given one with fewer extremes, strictly monotone between them. A pair of neighbouring extremes goes
+/// Curvature near to the given one with fewer extremes, monotone between them. A pair of neighbouring extremes goes
 /// where flattening it moves the curve by less than `tolerance` of the length that it changes; those that move it least go
 /// first. A closed curve keeps four extremes, an open one its ends. Between two that stay it is the monotone row nearest by
 /// least squares (isotonic regression, by pooling adjacent violators; Ayer et al. 1955). Lengths are those from node to node,

@@ -14,7 +14,7 @@ PowerDiagram::PowerDiagram(std::string_view id, std::vector<Structure*> inputs, 
 void PowerDiagram::rebuild(JobControl& job) {
   made_with_ = settings_.precision();
   family_->set_scale(scale());
-  const LocalBalls balls = local_balls(*family_);
+  const LocalBalls balls = local_balls(*family_, job);
   const PipelineInput input = balls.input();
   switch (made_with_) {
     case Precision::naive: {
@@ -67,7 +67,7 @@ KnownVPoints VDiagram::known_v_points(const Table<InputSlot, PipelineBall>&) con
 void VDiagram::rebuild(JobControl& job) {
   own_ = UnionTables{};
   if (union_.rung() != UnionRung::shortcut) return;
-  const LocalBalls balls = local_balls(union_.family());
+  const LocalBalls balls = local_balls(union_.family(), job);
   own_ = run_v_diagram(balls.input(), known_v_points(balls.balls), job);
 }
 

@@ -71,7 +71,7 @@ void BallFiltration::rebuild(JobControl& job) {
   births_ = {};
   ranks_ = std::make_shared<const GrowthRanks>();
   auto ranks = std::make_shared<GrowthRanks>();
-  ranks->balls = local_balls(*family_, PointBalls::kept);
+  ranks->balls = local_balls(*family_, job, PointBalls::kept);
   births_ = ball_births(ranks->balls.input(), job);
   ranks->levels = std::move(births_.levels);
   ranks->growth = growths_of(ranks->levels, ranks->balls.frame);

@@ -260,7 +260,7 @@ UnionMeasures BallUnion::measures() const {
 }
 
 void BallUnion::run_pipeline(Precision precision, JobControl& job) {
-  const LocalBalls balls = local_balls(*family_);
+  const LocalBalls balls = local_balls(*family_, job);
   ignored_ = balls.ignored;
   const bool may_be_exact = precision == Precision::fast && made_with_.use_shortcut;
   // Rounded balls that touch samples have another union than these: around each sample, signs are a matter of chance.
@@ -295,7 +295,7 @@ UnionTables BallUnion::exact_dual_complex(JobControl& job) const {
     fresh.rebuild(tables, job);
     return tables;
   }
-  const LocalBalls balls = local_balls(*family_);
+  const LocalBalls balls = local_balls(*family_, job);
   return run_dual_complex_exact(balls.input(), job);
 }
 

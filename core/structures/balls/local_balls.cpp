@@ -19,7 +19,7 @@ std::array<Vec2, 3> corners_in_order(const BallFamily& family, FamilySlot row) {
 }
 
 // Neighbours in the plane come one after the other, and so do their rows in all tables made of them.
-std::vector<FamilySlot> rows_by_place(const BallFamily& family) {
+std::vector<FamilySlot> rows_by_place(const BallFamily& family, JobControl& job) {
   struct Found {
     std::vector<Keyed<FamilySlot>> rows;
     std::vector<Vec2> centers;
@@ -27,6 +27,7 @@ std::vector<FamilySlot> rows_by_place(const BallFamily& family) {
   };
   std::vector<Found> parts(chunk_count(family.rows()));
   parallel_for(family.rows(), [&](std::size_t begin, std::size_t end, std::size_t part) {
+    job.checkpoint();
     Found found;
     for (const FamilySlot row : slots_between<FamilySlot>(begin, end)) {
       if (!family.is_ball(row)) continue;
@@ -53,12 +54,17 @@ std::vector<FamilySlot> rows_by_place(const BallFamily& family) {
   for (const Found& part : parts) order.insert(order.end(), part.rows.begin(), part.rows.end());
   std::vector<Keyed<FamilySlot>> scratch;
   radix_sort(order, scratch, 32);
+  job.checkpoint();
+  // There are many to sort where one ball far away has made the grid coarse.
+  constexpr std::uint32_t kOften = 1U << 16U;
+  std::uint32_t compared = 0;
   // Where ties are broken the order decides, so it must not depend on how rows came to be numbered.
   for (auto begin = order.begin(); begin != order.end();) {
     const auto end =
         std::find_if(begin, order.end(), [&](const Keyed<FamilySlot>& item) { return item.key != begin->key; });
     if (end - begin > 1) {
-      std::ranges::sort(begin, end, [&family](const Keyed<FamilySlot>& a, const Keyed<FamilySlot>& b) {
+      std::ranges::sort(begin, end, [&](const Keyed<FamilySlot>& a, const Keyed<FamilySlot>& b) {
+        if (++compared % kOften == 0) job.checkpoint();
         const Disk p = family.disk(a.slot);
         const Disk q = family.disk(b.slot);
         if (p.center != q.center) return lexicographically_less(p.center, q.center);
@@ -141,10 +147,11 @@ void bring_into(const LocalFrame& frame, PipelineBall& ball) {
 
 }  // namespace
 
-LocalBalls local_balls(const BallFamily& family, PointBalls points) {
-  const std::vector<FamilySlot> rows = rows_by_place(family);
+LocalBalls local_balls(const BallFamily& family, JobControl& job, PointBalls points) {
+  const std::vector<FamilySlot> rows = rows_by_place(family, job);
   std::vector<PlainBalls> parts(chunk_count(rows.size()));
   parallel_for(rows.size(), [&](std::size_t begin, std::size_t end, std::size_t part) {
+    job.checkpoint();
     parts[part] = plain_balls(family, std::span(rows).subspan(begin, end - begin), points);
   });
   LocalBalls out;
@@ -162,6 +169,7 @@ LocalBalls local_balls(const BallFamily& family, PointBalls points) {
   out.balls.resize(first_ball.back());
   out.samples.resize(first_sample.back());
   run_tasks(parts.size(), [&](std::size_t k) {
+    job.checkpoint();
     PlainBalls& part = parts[k];
     for (TouchedSample& sample : part.samples) sample.position = out.frame.to_local(sample.position);
     const std::span<TouchedSample> here = std::span(out.samples).subspan(first_sample[k], part.samples.size());

@@ -26,6 +26,6 @@ struct LocalBalls {
 };
 enum class PointBalls : std::uint8_t { ignored, kept };
 /// `points` are the balls of radius zero.
-LocalBalls local_balls(const BallFamily& family, PointBalls points = PointBalls::ignored);
+LocalBalls local_balls(const BallFamily& family, JobControl& job, PointBalls points = PointBalls::ignored);
 
 }  // namespace mes

@@ -86,7 +86,7 @@ PoleLabels::PoleLabels(SettingsSource& settings, Delaunay& delaunay, VoronoiVert
 void PoleLabels::spread(JobControl& job) {
   PolarBalls family(delaunay_, vertices_, poles_);
   family.measure();
-  const LocalBalls local = local_balls(family);
+  const LocalBalls local = local_balls(family, job);
   const bool is_exact = made_with_ == Precision::exact || made_with_ == Precision::exact_roots;
   const Table<PowerEdgeSlot, PowerEdge> edges =
       is_exact ? run_power_diagram_exact(local.input(), job) : run_power_diagram_doubles(local.input(), job);

@@ -53,9 +53,15 @@ struct RegularTables {
   }
 };
 
+inline constexpr std::size_t kRowsPerLook = 4096;  // at the job
+
 /// The same tables from a triangulation of dimension 2.
-inline RegularTables tables_of(const PointTriangulation& triangulation,
-                               const Table<InputSlot, BallOf<double>>& balls) {
+inline RegularTables tables_of(const PointTriangulation& triangulation, const Table<InputSlot, BallOf<double>>& balls,
+                               JobControl& job) {
+  std::size_t rows = 0;
+  const auto look = [&] {
+    if (++rows % kRowsPerLook == 0) job.checkpoint();
+  };
   RegularTables out;
   out.dimension = 2;
   out.state.assign(balls.size(), BallState::hidden);
@@ -65,12 +71,14 @@ inline RegularTables tables_of(const PointTriangulation& triangulation,
   Table<InputSlot, TriangleSlot> outside_from(
       balls.size());  // the triangle outside the hull edge that begins at a ball
   for (const auto& face : triangulation.faces) {
+    look();
     RegularTables::Face& row = out.faces.emplace_back();
     std::ranges::copy(face.v, row.v);
     std::ranges::copy(face.n, row.n);
     for (const InputSlot v : face.v) out.state[v] = BallState::visible;
   }
   for (const TriangleSlot f : slots_below<TriangleSlot>(finite)) {
+    look();
     for (std::size_t i = 0; i < 3; ++i) {
       if (out.faces[f].n[i] != kNoSlot) continue;
       const InputSlot from = out.faces[f].v[(i + 1) % 3];
@@ -87,11 +95,13 @@ inline RegularTables tables_of(const PointTriangulation& triangulation,
   }
   out.edges.reserve(3 * balls.size());
   for (const TriangleSlot f : slots_below<TriangleSlot>(finite)) {
+    look();
     const RegularTables::Face& face = out.faces[f];
     for (std::size_t i = 0; i < 3; ++i)
       if (f < face.n[i]) out.edges.push_back({{face.v[(i + 1) % 3], face.v[(i + 2) % 3]}, {f, face.n[i]}});
   }
   for (const InputSlot i : balls.rows()) {
+    look();
     const InputSlot same = triangulation.same_as[i];
     const bool is_equal =
         same != kNoSlot && same != i && balls[same].w == balls[i].w && out.state[same] == BallState::visible;
@@ -115,7 +125,8 @@ RegularTables regular_triangulation(const Table<InputSlot, BallOf<typename Kerne
   using Rt = CGAL::Regular_triangulation_2<Traits, CGAL::Triangulation_data_structure_2<VertexBase, FaceBase>>;
 
   if constexpr (std::is_same_v<Kernel, FastKernel>) {
-    if (const auto triangulation = ball_triangulation(balls, left_out, job)) return tables_of(*triangulation, balls);
+    if (const auto triangulation = ball_triangulation(balls, left_out, job))
+      return tables_of(*triangulation, balls, job);
   }
   RegularTables out;
   out.state.assign(balls.size(), BallState::visible);
@@ -162,16 +173,19 @@ RegularTables regular_triangulation(const Table<InputSlot, BallOf<typename Kerne
   Table<TriangleSlot, Keyed<HandleSlot>> order;
   order.reserve(2 * balls.size() + 2);
   for (auto f = rt.all_faces_begin(); f != rt.all_faces_end(); ++f) {
+    if (handles.size() % kRowsPerLook == 0) job.checkpoint();
     const InputSlot first = std::min({ball_of(f->vertex(0)), ball_of(f->vertex(1)), ball_of(f->vertex(2))});
     order.push_back({first.index(), handles.next()});
     handles.push_back(f);
   }
   std::vector<Keyed<HandleSlot>> scratch;
   radix_sort(order.values(), scratch, static_cast<unsigned>(std::bit_width(balls.size())));
+  job.checkpoint();
   out.faces.resize(order.size());
   for (const TriangleSlot slot : order.rows()) handles[order[slot].slot]->info() = slot;
   out.edges.reserve(3 * balls.size());
   parallel_for(order.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    job.checkpoint();
     for (const TriangleSlot slot : slots_between<TriangleSlot>(begin, end)) {
       const auto f = handles[order[slot].slot];
       for (int i = 0; i < 3; ++i) {
@@ -181,6 +195,7 @@ RegularTables regular_triangulation(const Table<InputSlot, BallOf<typename Kerne
     }
   });
   for (const TriangleSlot slot : order.rows()) {
+    if (slot.index() % kRowsPerLook == 0) job.checkpoint();
     const RegularTables::Face& face = out.faces[slot];
     for (int i = 0; i < 3; ++i) {
       const InputSlot from = face.v[Rt::ccw(i)];

@@ -275,7 +275,7 @@ class BirthSearch {
     Table<InputSlot, BallOf<double>> rounded_balls;
     rounded_balls.reserve(input_.balls.size());
     for (const PipelineBall& ball : input_.balls) rounded_balls.push_back(ball_in<double>(ball));
-    const PowerCenters power = power_centers(input_, rounded_balls, tables_);
+    const PowerCenters power = power_centers(input_, rounded_balls, tables_, job_);
     for (const TriangleSlot f : faces) {
       const RegularTables::Face& face = tables_.faces[f];
       BallBirths::Triangle row{.rank = of_triangle_[f], .center = power.center[f].document};

@@ -61,7 +61,7 @@ struct PowerCenters {
 
 template <class Number>
 PowerCenters power_centers(const PipelineInput& input, const Table<InputSlot, BallOf<Number>>& balls,
-                           const RegularTables& rt) {
+                           const RegularTables& rt, JobControl& job) {
   PowerCenters out{Table<TriangleSlot, PlacedPoint>(rt.faces.size()),
                    Table<TriangleSlot, std::uint8_t>(rt.faces.size(), 0)};
   const auto comes_before = [&input](InputSlot a, InputSlot b) {
@@ -69,6 +69,7 @@ PowerCenters power_centers(const PipelineInput& input, const Table<InputSlot, Ba
   };
   NumberParts<Number>::in_parts(rt.faces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (const TriangleSlot f : slots_between<TriangleSlot>(begin, end)) {
+      if (f.index() % kRowsPerLook == 0) job.checkpoint();
       const auto& v = rt.faces[f].v;
       if (v[0] == kInfiniteBall || v[1] == kInfiniteBall || v[2] == kInfiniteBall) continue;
       out.is_finite[f] = 1;
@@ -124,14 +125,19 @@ Table<PowerEdgeSlot, PowerEdge> power_diagram(const PipelineInput& input, JobCon
   using Parts = NumberParts<Number>;
   Table<InputSlot, BallOf<Number>> balls(input.balls.size());
   Parts::in_parts(balls.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (const InputSlot i : slots_between<InputSlot>(begin, end)) balls[i] = ball_in<Number>(input.balls[i]);
+    for (const InputSlot i : slots_between<InputSlot>(begin, end)) {
+      if (i.index() % kRowsPerLook == 0) job.checkpoint();
+      balls[i] = ball_in<Number>(input.balls[i]);
+    }
   });
   const RegularTables rt = regular_triangulation<Kernel>(balls, job);
-  const PowerCenters centers = power_centers(input, balls, rt);
+  const PowerCenters centers = power_centers(input, balls, rt, job);
   Table<PowerEdgeSlot, PowerEdge> out(rt.edges.size());
   Parts::in_parts(rt.edges.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
-    for (const RegularEdgeSlot e : slots_between<RegularEdgeSlot>(begin, end))
+    for (const RegularEdgeSlot e : slots_between<RegularEdgeSlot>(begin, end)) {
+      if (e.index() % kRowsPerLook == 0) job.checkpoint();
       out[same_row<PowerEdgeSlot>(e)] = power_edge(input, rt.edges[e], centers);
+    }
   });
   return out;
 }
