@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs the packages that are missing; says nothing and touches nothing when none is.
 #
-#   scripts/install_packages.sh [build|python|test|bench|package|package-check|tidy|format]
+#   scripts/install_packages.sh [build|python|notebook|test|bench|package|package-check|tidy|format]
 #
-# python, test, bench and package include build, and test and package include python; default: test. It installs on Debian and Ubuntu; elsewhere it says what to
-# install.
+# All but the last three include build, and notebook, test and package include python; default: test. It installs on Debian
+# and Ubuntu; elsewhere it says what to install.
 set -uo pipefail
 # shellcheck source=scripts/common.sh
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
@@ -50,6 +50,8 @@ build          libpolyclipping-dev  polyclipping-devel  clipper       -
 python         python3-dev         python3-devel       python         -
 python         pybind11-dev        pybind11-devel      pybind11       pybind11
 python         python3-numpy       python3-numpy       python-numpy   numpy
+notebook       jupyter-notebook    python3-notebook    jupyter-notebook  jupyterlab
+notebook       python3-matplotlib  python3-matplotlib  python-matplotlib  python-matplotlib
 test           python3-pytest      python3-pytest      python-pytest  pytest
 test           python3-networkx    python3-networkx    python-networkx  -
 test           python3-pandas      python3-pandas      python-pandas  -
@@ -90,9 +92,9 @@ set_name=${1:-test}
 case $set_name in
   build | package-check | tidy | format) sets=("$set_name") ;;
   test) sets=(build python test) ;;
-  package) sets=(build python package) ;;
+  package | notebook) sets=(build python "$set_name") ;;
   python | bench) sets=(build "$set_name") ;;
-  *) fail "unknown set '$1'; sets are build, python, test, bench, package, package-check, tidy and format" ;;
+  *) fail "unknown set '$1'; sets are build, python, notebook, test, bench, package, package-check, tidy and format" ;;
 esac
 
 # Who installs here, how it is asked, and the names of what it has installed.
