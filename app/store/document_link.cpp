@@ -148,7 +148,7 @@ void put_in_agreed_order(const std::vector<Id>& old_ids, std::vector<Id>& ids, s
   values = std::move(new_values);
 }
 
-/// By places among the samples.
+/// Writes contours as places among the samples.
 Json as_json(const std::vector<CurveOrder::Contour>& contours, const std::vector<SampleId>& samples) {
   std::unordered_map<std::uint32_t, std::size_t> place;
   for (std::size_t i = 0; i < samples.size(); ++i) place.emplace(samples[i].value, i);
@@ -163,7 +163,7 @@ Json as_json(const std::vector<CurveOrder::Contour>& contours, const std::vector
 
 using Contours = std::vector<std::pair<bool, std::vector<std::size_t>>>;
 
-/// Contours of places below the count.
+/// Reads contours, whose places have to be below the count.
 bool read_contours(const Json& lists, std::size_t count, std::optional<Contours>& out) {
   if (!lists.contains("contours")) return true;
   out.emplace();
@@ -208,7 +208,7 @@ void take_over(const DocumentLink::Settings& from, DocumentLink::Settings& to) {
   for (const auto& [id, value] : from.parameters) to.parameters[id] = value;
 }
 
-/// Contours without samples for which `is_gone` holds, and without those of which nothing is left.
+/// Removes samples for which `is_gone` holds, and contours of which nothing is left.
 template <class IsGone>
 void remove_from(std::vector<CurveOrder::Contour>& contours, IsGone is_gone) {
   for (CurveOrder::Contour& contour : contours) std::erase_if(contour.samples, is_gone);

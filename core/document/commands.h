@@ -75,7 +75,7 @@ Expected<DocumentDelta> annotate(const Document& document, Annotations annotatio
 /// All of the document: samples and balls in input order. `replace_all` makes it again, with other ids. O(n log n).
 SampleData data_of(const Document& document);
 
-/// Makes these the contours, in which removed samples keep their places. Error: `bad_input` for a sample that never was.
+/// Replaces the contours, which may name samples that were removed. Error: `bad_input` for a sample that never was.
 Expected<DocumentDelta> set_contours(const Document& document, CurveOrder contours);
 
 /// Moves the live samples, in input order, to the first of `positions`, and adds samples at the others. `contours`,

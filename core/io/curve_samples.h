@@ -18,8 +18,8 @@ namespace mes {
 /// Throws `Cancelled`. Where the job keeps vertices, these are the samples, whatever is wanted.
 Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& wanted, const std::string& name,
                                   ReadJob& job);
-/// By `default_sampling`. A warning says how many samples were added between vertices, if any. Curves end at cuts between
-/// places for which `on_cut` holds, too.
+/// Samples the curves by `default_sampling`. A warning says how many samples were added between vertices, if any. Curves are
+/// also cut along pieces between places for which `on_cut` holds.
 Expected<LoadedFile> load_samples(
     CurveSet curves, const std::string& name, ReadJob& job,
     const std::function<bool(Vec2)>& on_cut = [](Vec2) { return false; });

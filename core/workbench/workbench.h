@@ -97,7 +97,8 @@ class Workbench {
   Expected<void> remove(std::span<const SampleId> ids);
   Expected<void> change_balls(std::span<const std::pair<BallId, Disk>> targets);
   Expected<void> remove_balls(std::span<const BallId> ids);
-  /// Makes these the contours, of places of samples in input order. Error: `bad_input` for one that does not exist.
+  /// Replaces the contours. Their points are places of samples in input order. Error: `bad_input` for a place that does not
+  /// exist.
   Expected<void> set_contours(std::span<const SampleData::Contour> contours);
   /// Applies the result of a command for the present document. The error of a command is returned as it is.
   Expected<void> apply(Expected<DocumentDelta> delta, const std::string& name = {});

@@ -141,7 +141,7 @@ py::tuple Bench::data() {
   return arrays_of(without_lock([](const auto& bench) { return bench.data(); }));
 }
 
-// Nothing to do is no change: arrays stay valid.
+// An edit of nothing changes nothing, so arrays stay valid.
 Numbers Bench::insert(const Doubles& points) {
   if (points.size() == 0) return Numbers(0);
   return change([&](auto& bench) { return array_of_ids(bench.insert(points_of(points))); });

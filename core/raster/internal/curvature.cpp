@@ -11,9 +11,9 @@
 namespace mes {
 namespace {
 
-// Of the curvature, from one end of a level part to the other.
+// The curvature changes by this share from one end of a level part to the other, unless that moves the curve too far.
 constexpr double kTilt = 2e-3;
-constexpr double kMoved = 0.02;  // ten times as many pixels as that moves the curve by
+constexpr double kMoved = 0.02;  // pixels; the curve moves by about a tenth of it
 
 /// A row of values at places, from its first extreme to its last.
 struct Profile {
@@ -21,7 +21,7 @@ struct Profile {
   std::vector<double> place;
 };
 
-/// The first, the last, and where the values turn.
+/// Returns the first place, the last, and those where the values turn.
 std::vector<std::size_t> extremes_of(const std::vector<double>& values) {
   std::vector<std::size_t> out{0};
   double direction = 0.0;
@@ -37,7 +37,7 @@ std::vector<std::size_t> extremes_of(const std::vector<double>& values) {
   return out;
 }
 
-/// Without pairs whose flattening moves the curve by less than the tolerance, down to `least`.
+/// Removes pairs whose flattening moves the curve by less than the tolerance, and leaves at least `least` extremes.
 std::vector<std::size_t> significant(const Profile& row, std::vector<std::size_t> extremes, std::size_t least,
                                      const std::function<double(double)>& tolerance) {
   struct Pair {
@@ -57,7 +57,7 @@ std::vector<std::size_t> significant(const Profile& row, std::vector<std::size_t
     if (i == 0 || k >= last) return;
     const double height = std::abs(row.value[extremes[i]] - row.value[extremes[k]]);
     const double length = row.place[extremes[k]] - row.place[extremes[i]];
-    // A wave of curvature of half the height, and of twice the length.
+    // Flattening takes out a wave of curvature with half the height and twice the length.
     constexpr double kSquare = std::numbers::pi * std::numbers::pi;
     queue.push({2.0 * height * length * length / (kSquare * tolerance(2.0 * length)), i, k});
   };
@@ -81,7 +81,7 @@ std::vector<std::size_t> significant(const Profile& row, std::vector<std::size_t
   return out;
 }
 
-/// The values from the first place to the last, which rise, or fall; marks places that have the value of the next.
+/// Returns monotone values from the first place to the last, and marks places that have the value of the next one.
 std::vector<double> monotone(const Profile& row, std::size_t first, std::size_t last, std::vector<char>& is_level) {
   const double sign = row.value[last] >= row.value[first] ? 1.0 : -1.0;
   struct Block {
@@ -109,7 +109,7 @@ std::vector<double> monotone(const Profile& row, std::size_t first, std::size_t 
     const Block& block = blocks[b];
     const std::size_t begin = first + out.size();
     const double length = row.place[begin + block.count - 1] - row.place[begin];
-    // What is level is tilted, by so little that the curve hardly moves, and that the next is beyond it.
+    // A level part is tilted so little that the curve hardly moves and the values stay in order.
     double tilt = length > 0.0 ? std::min(kTilt * std::abs(block.mean()), kMoved / (length * length)) : 0.0;
     if (b > 0) tilt = std::min(tilt, block.mean() - blocks[b - 1].mean());
     if (b + 1 < blocks.size()) tilt = std::min(tilt, blocks[b + 1].mean() - block.mean());
@@ -148,7 +148,7 @@ CalmCurvature calmed(std::span<const double> curvature, std::span<const double> 
     const std::size_t first = extremes[e], last = extremes[e + 1];
     const std::vector<double> values = monotone(row, first, last, is_level);
     std::ranges::copy(values, out.begin() + static_cast<std::ptrdiff_t>(first));
-    // An extreme that two rows share is the farther of what both make of it.
+    // Two rows share an extreme, which takes the farther of their two values.
     const bool rises = row.value[last] >= row.value[first];
     const auto farther = [](bool is_high, double a, double b) { return is_high ? std::max(a, b) : std::min(a, b); };
     ends[e] = e == 0 ? values.front() : farther(!rises, ends[e], values.front());
@@ -158,7 +158,7 @@ CalmCurvature calmed(std::span<const double> curvature, std::span<const double> 
   for (std::size_t e = 0; e < extremes.size(); ++e) out[extremes[e]] = ends[e];
   CalmCurvature of_nodes{std::vector<double>(count), std::vector<char>(count)};
   for (std::size_t i = 0; i < count; ++i) {
-    // Means of neighbours are as monotone, and have no steps.
+    // Averaging neighbours keeps the values monotone, and removes steps.
     const bool is_end = !is_closed && (i == 0 || i + 1 == count);
     const double before = i > 0 ? out[i - 1] : out[count - 1];
     const double after = i + 1 < out.size() ? out[i + 1] : out[i];

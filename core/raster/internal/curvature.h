@@ -12,17 +12,19 @@
 
 namespace mes {
 
+/// Curvature with few extremes, and how strictly a fit follows it.
 struct CalmCurvature {
   std::vector<double> at{};      ///< the nodes
-  std::vector<char> is_level{};  ///< of nodes: the curvature there and that at the next were pooled
-  double factor = 1.0;           ///< of the stiffness against other changes of curvature
+  std::vector<char> is_level{};  ///< the curvature at a node and that at the next were pooled
+  double factor = 1.0;           ///< multiplies the stiffness against other changes of curvature
 };
 
-/// Curvature near to the given one with fewer extremes, monotone between them. A pair of neighbouring extremes goes
-/// where flattening it moves the curve by less than `tolerance` of the length that it changes; those that move it least go
-/// first. A closed curve keeps four extremes, an open one its ends. Between two that stay it is the monotone row nearest by
-/// least squares (isotonic regression, by pooling adjacent violators; Ayer et al. 1955). Lengths are those from node to node,
-/// of a closed curve also from the last to the first. O(n log n).
+/// Returns curvature near to the given one that has fewer extremes and is monotone between them. A pair of neighbouring
+/// extremes is removed if flattening it moves the curve by less than `tolerance(length)` pixels, where `length` is the length
+/// of the stretch that changes; pairs that move the curve least are removed first. A closed curve keeps four extremes, an open
+/// one its ends. Between two extremes the result is the nearest monotone row by least squares (isotonic regression, by pooling
+/// adjacent violators; Ayer et al. 1955). `lengths` go from node to node, and on a closed curve also from the last node to the
+/// first. O(n log n).
 CalmCurvature calmed(std::span<const double> curvature, std::span<const double> lengths, bool is_closed,
                      const std::function<double(double)>& tolerance);
 

@@ -447,8 +447,8 @@ class Outliner {
     if (!is_closed && is_straight(nodes)) return out.line_to(nodes.back());
     std::vector<Vec2> tangents(nodes.size());
     const NodeCurve curve(std::span<const Vec2>(nodes).first(is_closed ? last : last + 1), is_closed);
-    // That of the circle through three nodes, turned back by what the curvature changes from the first to the last of them:
-    // curvature that changes evenly would go the other way within each piece.
+    // The tangent of the circle through three nodes is corrected for the change of curvature along them. Without that, the
+    // curvature within each piece would change in the opposite direction.
     const auto through = [&](std::size_t before, std::size_t at, std::size_t after) {
       const Vec2 in = nodes[at] - nodes[before], on = nodes[after] - nodes[at];
       const double a = mes::length(in), b = mes::length(on);

@@ -30,7 +30,8 @@ struct ResidualSum {
 inline constexpr std::size_t kMostAlone = 3;
 inline constexpr double kMostAloneArea = 1.6;  ///< square pixels
 inline constexpr double kAlone = 0.35;         ///< pixels beyond the noise
-/// Of what a single edge may be off by, the mean over a window may be off by the first, and the second over its root.
+/// The mean over a window may be off by the first share of what a single edge may be off by, plus the second share divided by
+/// the square root of the length.
 inline constexpr double kSystematic = 0.3;
 inline constexpr double kIndependent = 0.8;
 

@@ -181,8 +181,8 @@ class Fit : private Settling {
     settle_all();
   }
 
-  /// As few extremes of curvature as the edges allow: first level parts alone become stiff, so that all else can follow, then
-  /// everything, more and more, as long as no more is left over than before.
+  /// Reduces the extremes of curvature as far as the edges allow. At first only level parts become stiff, so that the rest can
+  /// follow; then the whole curve becomes stiffer step by step, as long as no more edges misfit than before.
   void calm() {
     constexpr double kLeastShare = 0.2;
     constexpr int kLooseRounds = 5;
@@ -209,7 +209,7 @@ class Fit : private Settling {
     curve_.reset(run_.nodes, run_.is_closed);
   }
 
-  /// With that share of what noise may be, and that many times as stiff.
+  /// Calms the curvature, with a share of the noise as tolerance, and fits again, so many times as stiff.
   void settle_calmly(double share, double factor) {
     std::vector<double> curvature, lengths;
     for (std::size_t k = 0; k < run_.nodes.size(); ++k) curvature.push_back(curve_.curvature(k));

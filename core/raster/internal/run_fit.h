@@ -72,7 +72,7 @@ double most_turn(double length);
 /// are edges for them.
 Run refined(Run run, std::span<const Edge> edges, const EdgeNoise& noise, const JobControl* job = nullptr);
 
-/// The same fit with as few extremes of curvature as the edges allow (core/raster/internal/curvature.h).
+/// Fits again with as few extremes of curvature as the edges allow (core/raster/internal/curvature.h).
 Run with_few_extremes(Run run, std::span<const Edge> edges, const EdgeNoise& noise, const JobControl* job = nullptr);
 
 /// The same curve with all nodes at the finest distance.

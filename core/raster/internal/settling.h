@@ -71,7 +71,7 @@ class Settling {
   /// The largest distance of an edge from its chord, pixels.
   double farthest();
 
-  // Beyond so many distances of nodes a stiffness is no longer told from a larger one in doubles.
+  // Doubles do not distinguish stiffnesses of more than so many distances between nodes.
   static constexpr double kMostNodes = 32.0;
 
   Run run_;
@@ -87,7 +87,7 @@ class Settling {
   std::vector<char> is_stale_;  // of chords: they have changed since edges were placed beside them
   std::vector<char> misfits_;   // of chords: beside them is more than noise
   std::vector<Placed> placed_;
-  CalmCurvature calm_;  // whose changes cost nothing, and others cost all where it is level; empty: there is none
+  CalmCurvature calm_;  // its changes cost nothing; others cost most where it is level; empty: no change is free
 
  private:
   /// Squares of what edges beside a chord are off by, as a form of the offsets of its two nodes.

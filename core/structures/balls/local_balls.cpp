@@ -55,7 +55,7 @@ std::vector<FamilySlot> rows_by_place(const BallFamily& family, JobControl& job)
   std::vector<Keyed<FamilySlot>> scratch;
   radix_sort(order, scratch, 32);
   job.checkpoint();
-  // There are many to sort where one ball far away has made the grid coarse.
+  // A ball far away makes the grid coarse, so that many balls have the same key.
   constexpr std::uint32_t kOften = 1U << 16U;
   std::uint32_t compared = 0;
   // Where ties are broken the order decides, so it must not depend on how rows came to be numbered.

@@ -53,7 +53,7 @@ struct RegularTables {
   }
 };
 
-inline constexpr std::size_t kRowsPerLook = 4096;  // at the job
+inline constexpr std::size_t kRowsPerLook = 4096;  // the job is asked after so many
 
 /// The same tables from a triangulation of dimension 2.
 inline RegularTables tables_of(const PointTriangulation& triangulation, const Table<InputSlot, BallOf<double>>& balls,
