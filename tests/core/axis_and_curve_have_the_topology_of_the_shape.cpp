@@ -65,7 +65,7 @@ TEST_CASE("the axis has as many components and cycles as the shape has parts and
     for (const std::uint64_t seed : {1U, 2U, 3U}) {
       for (const Topology& topology : topologies(epsilon, {0.2, 0.2, seed})) {
         INFO(topology.shape.name << " seed " << seed);
-        const TestBench bench(topology.shape.data.positions);
+        const ComparedBench bench(topology.shape.data.positions);
         CHECK(bench.count("medial-axis", "components") == topology.components);
         CHECK(bench.count("medial-axis", "cycles") == topology.holes);
         CHECK(bench.count("medial-axis", "chi") == topology.components - topology.holes);
@@ -79,7 +79,7 @@ TEST_CASE("the curve has one loop for each boundary, and the area of the shape")
     for (const Topology& topology : topologies(epsilon, {0.2, 0.1, 4})) {
       INFO(topology.shape.name);
       const SampleData& data = topology.shape.data;
-      const TestBench bench(data.positions);
+      const ComparedBench bench(data.positions);
       CHECK(bench.count("curve", "loops") == static_cast<std::int64_t>(data.contours.size()));
       CHECK(bench.count("curve", "open_chains") == 0);
       CHECK(bench.count("curve", "isolated") == 0);
@@ -94,7 +94,7 @@ TEST_CASE("the curve has one loop for each boundary, and the area of the shape")
 TEST_CASE("loops keep the inside on their left, and normals point outside") {
   for (const Topology& topology : topologies(0.3, {0.2, 0.2, 5})) {
     INFO(topology.shape.name);
-    const TestBench bench(topology.shape.data.positions);
+    const ComparedBench bench(topology.shape.data.positions);
     const auto& delaunay = bench.get<Delaunay>();
     const auto& curve = bench.get<Curve>();
     const auto& labels = bench.get<Labels>();

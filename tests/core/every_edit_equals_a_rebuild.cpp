@@ -114,10 +114,13 @@ void edit_balls(Bench& bench, const Source& source, Rng& rng) {
 void play_script(const Source& source, std::size_t start, std::size_t steps, std::uint64_t seed, double nudge,
                  bool with_balls = false) {
   Rng rng(seed);
-  // One script of each kind takes the unions along, for fewer steps, each of which takes so much longer.
+  // One script of each kind takes the unions along, for fewer samples and steps, each of which takes so much longer.
   const Unions unions = seed % 10 != 1 ? Unions::none : (start <= 60 ? Unions::exact_too : Unions::in_doubles);
-  constexpr std::size_t kUnionShare = 8;
-  if (unions != Unions::none) steps = steps * effort() / kUnionShare;
+  constexpr std::size_t kUnionShare = 8, kUnionStart = 100;
+  if (unions != Unions::none) {
+    steps = steps * effort() / kUnionShare;
+    start = std::min(start, kUnionStart);
+  }
   Bench bench(unions);
   SampleData data;
   for (std::size_t i = 0; i < start; ++i) data.positions.push_back(source(rng));

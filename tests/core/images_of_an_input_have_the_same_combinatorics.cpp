@@ -76,10 +76,10 @@ GeometryState image_of(const GeometryState& state, const std::function<Vec2(Vec2
 // `ties_move`: equal edges are distinguished by the lexicographic order, which the map changes; then conflicts and
 // labels of inputs with exact ties may differ.
 void check_image(const Input& input, const std::function<Vec2(Vec2)>& map, bool flips, bool ties_move) {
-  const TestBench original(input.positions);
+  const ComparedBench original(input.positions);
   std::vector<Vec2> moved = input.positions;
   for (Vec2& p : moved) p = map(p);
-  const TestBench image(moved);
+  const ComparedBench image(moved);
   const auto itself = [](Vec2 p) { return p; };
   GeometryState expected = image_of(original.state(), map, flips);
   GeometryState got = image_of(image.state(), itself, false);
@@ -109,11 +109,11 @@ TEST_CASE("the order of the samples does not matter") {
   Rng rng(1);
   for (Input& input : inputs()) {
     INFO(input.name);
-    const TestBench original(input.positions);
+    const ComparedBench original(input.positions);
     for (int round = 0; round < 3; ++round) {
       for (std::size_t i = input.positions.size(); i > 1; --i)
         std::swap(input.positions[i - 1], input.positions[rng.below(i)]);
-      const TestBench shuffled(input.positions);
+      const ComparedBench shuffled(input.positions);
       CHECK(difference(shuffled.state(), original.state()) == "");
     }
   }
@@ -123,13 +123,13 @@ TEST_CASE("duplicates do not matter") {
   Rng rng(2);
   for (Input& input : inputs()) {
     INFO(input.name);
-    const TestBench original(input.positions);
+    const ComparedBench original(input.positions);
     std::vector<Vec2> twice = input.positions;
     for (int i = 0; i < 60; ++i) twice.push_back(input.positions[rng.below(input.positions.size())]);
-    const TestBench doubled(twice);
+    const ComparedBench doubled(twice);
     CHECK(difference(doubled.state(), original.state()) == "");
     // Deleting one of two leaves the other.
-    TestBench reduced(twice);
+    ComparedBench reduced(twice);
     const std::vector<SampleId> ids = reduced.ids();
     reduced.remove({ids.end() - 60, ids.end()});
     CHECK(difference(reduced.state(), original.state()) == "");

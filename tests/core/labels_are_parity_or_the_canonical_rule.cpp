@@ -389,7 +389,7 @@ TEST_CASE("without odd samples a face is inside exactly if its circumcentre is i
   int inside_faces = 0;
   for (const LabelInput& input : inputs()) {
     INFO(input.name);
-    const TestBench bench(input.positions);
+    const ComparedBench bench(input.positions);
     const auto& delaunay = bench.get<Delaunay>();
     const auto& crust = bench.get<OneStepCrust>();
     const auto& labels = bench.get<Labels>();
@@ -420,7 +420,7 @@ TEST_CASE("without odd samples a face is inside exactly if its circumcentre is i
 TEST_CASE("with odd samples the conflicts are those of the canonical rule") {
   int with_conflicts = 0;
   for (const LabelInput& input : inputs()) {
-    const TestBench bench(input.positions);
+    const ComparedBench bench(input.positions);
     if (bench.get<Delaunay>().dimension() < 2) continue;
     INFO(input.name << ", " << bench.get<OneStepCrust>().odd_count() << " odd");
     const std::set<PlaceEdge> conflicts = conflicts_of(bench);
@@ -435,7 +435,7 @@ TEST_CASE("with odd samples the conflicts are those of the canonical rule") {
 TEST_CASE("an open stroke has no inside") {
   for (const LabelInput& input : open_strokes()) {
     INFO(input.name);
-    const TestBench bench(input.positions);
+    const ComparedBench bench(input.positions);
     const auto& delaunay = bench.get<Delaunay>();
     CHECK(bench.get<OneStepCrust>().odd_count() >= 2);
     int inside = 0;
@@ -447,7 +447,7 @@ TEST_CASE("an open stroke has no inside") {
 
 TEST_CASE("beside an open stroke a closed curve keeps its inside, and a gap is closed") {
   const auto inside = [](const std::vector<Vec2>& positions) {
-    const TestBench bench(positions);
+    const ComparedBench bench(positions);
     const auto& delaunay = bench.get<Delaunay>();
     std::set<Vec2, bool (*)(Vec2, Vec2)> out(lexicographically_less);
     for (const FaceSlot face : delaunay.face_slots())
@@ -480,7 +480,7 @@ TEST_CASE("the rule also holds after edits, one after the other") {
   for (const LabelInput& start : starts) {
     const bool lattice = start.name == "lattice";
     const bool in_pairs = start.name == "pairs eight apart";
-    TestBench bench(start.positions);
+    ComparedBench bench(start.positions);
     for (int step = 0; step < 120; ++step) {
       const std::vector<SampleId> ids = bench.ids();
       const SampleId id = ids[rng.below(ids.size())];
@@ -504,7 +504,7 @@ TEST_CASE("the rule also holds after edits, one after the other") {
 
 TEST_CASE("the rule holds where so many samples are odd that all labels follow from one tree") {
   Rng rng(11);
-  TestBench bench;
+  ComparedBench bench;
   bench.show({"interior-voronoi-disks", "label-conflicts"});
   bench.replace(uniform_square(900, 5));
   // What `ConflictJoin` asks for.
@@ -540,7 +540,7 @@ TEST_CASE("the rule holds where so many samples are odd that all labels follow f
 TEST_CASE("the tree of faces follows edits of noise one by one as it would be made anew") {
   for (const std::uint64_t seed : {1U, 2U}) {
     Rng rng(seed);
-    TestBench bench;
+    ComparedBench bench;
     bench.show({"curve", "label-conflicts"});
     bench.replace(seed == 1 ? uniform_square(400, 8) : grid_draws(400, 24, 9));
     for (std::uint64_t step = 0; step < 150; ++step) {
@@ -555,7 +555,7 @@ TEST_CASE("the tree of faces follows edits of noise one by one as it would be ma
       }
       bench.move(targets);
       INFO("seed " << seed << ", step " << step);
-      TestBench fresh;
+      ComparedBench fresh;
       fresh.show({"curve", "label-conflicts"});
       std::vector<Vec2> positions = bench.positions();
       std::ranges::reverse(positions);

@@ -128,7 +128,7 @@ std::pair<std::vector<std::array<double, 2>>, std::vector<std::array<double, 4>>
 TEST_CASE("edges are sorted as by exact comparisons alone") {
   for (const Input& input : inputs()) {
     INFO(input.name);
-    const TestBench bench(input.positions);
+    const ComparedBench bench(input.positions);
     const auto& delaunay = bench.get<Delaunay>();
     if (delaunay.dimension() < 2) continue;
     const CertaintyOrder order(delaunay, bench.get<OneStepCrust>());
@@ -146,7 +146,7 @@ TEST_CASE("the spanning tree is the same whatever the blocks in which it is foun
   std::size_t edges = 0;
   for (const Input& input : inputs()) {
     INFO(input.name);
-    const TestBench bench(input.positions);
+    const ComparedBench bench(input.positions);
     const auto& delaunay = bench.get<Delaunay>();
     if (delaunay.dimension() < 2) continue;
     CertaintyOrder order(delaunay, bench.get<OneStepCrust>());
@@ -167,7 +167,7 @@ TEST_CASE("open strokes are the same where updates are not prepared for") {
   std::size_t without = 0;
   for (const Input& input : inputs()) {
     INFO(input.name);
-    const TestBench bench(input.positions);
+    const ComparedBench bench(input.positions);
     const auto& delaunay = bench.get<Delaunay>();
     const auto& crust = bench.get<OneStepCrust>();
     if (delaunay.dimension() < 2 || crust.odd_count() == 0) continue;
@@ -195,7 +195,7 @@ TEST_CASE("labels are the same whatever the parts in which they are handed on") 
   JobControl job;
   for (const Input& input : inputs()) {
     INFO(input.name);
-    const TestBench bench(input.positions);
+    const ComparedBench bench(input.positions);
     const auto& delaunay = bench.get<Delaunay>();
     const auto& crust = bench.get<OneStepCrust>();
     const auto& labels = bench.get<Labels>();
@@ -248,7 +248,7 @@ TEST_CASE("labels are the same whatever the parts in which they are handed on") 
 
 TEST_CASE("rows that are not alive have no label, whatever part they are in") {
   // From the last rows to the first, so that whole parts hold nothing.
-  TestBench bench(uniform_square(700, 3));
+  ComparedBench bench(uniform_square(700, 3));
   bench.show({"interior-voronoi-disks"});
   const auto& delaunay = bench.get<Delaunay>();
   const auto& crust = bench.get<OneStepCrust>();

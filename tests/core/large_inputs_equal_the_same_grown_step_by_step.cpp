@@ -22,14 +22,6 @@ std::vector<Vec2> shuffled(std::vector<Vec2> positions) {
   return positions;
 }
 
-/// What is compared, and no unions of balls: in exact numbers they would take most of the time.
-struct ComparedBench : TestBench {
-  explicit ComparedBench(const std::vector<Vec2>& positions) {
-    show({"curve-normals", "medial-axis", "label-conflicts", "anti-crust-edges"});
-    replace(positions);
-  }
-};
-
 void check_grown(const std::vector<Vec2>& positions) {
   const ComparedBench at_once(positions);
   const GeometryState expected = at_once.state();
@@ -71,7 +63,7 @@ TEST_CASE("a large smooth curve") {
 
 TEST_CASE("duplicates in many parts") {
   const std::vector<Vec2> positions = duplicate_heavy(90000);
-  const TestBench bench(positions);
+  const ComparedBench bench(positions);
   CHECK(broken_row(bench.graph()) == "");
   std::vector<Vec2> once = positions;
   std::ranges::sort(once, lexicographically_less);
@@ -102,7 +94,7 @@ TEST_CASE("many random points, odd ones everywhere") {
 
 TEST_CASE("a large lattice, where every quadruple is cocircular") {
   constexpr std::int64_t kSide = 110;
-  const TestBench bench(shuffled(integer_lattice(kSide).positions));
+  const ComparedBench bench(shuffled(integer_lattice(kSide).positions));
   CHECK(broken_row(bench.graph()) == "");
   CHECK(bench.count("one-step-crust", "crust_edges") == 2 * kSide * (kSide - 1));
   CHECK(bench.count("one-step-crust", "odd_samples") == 4 * (kSide - 2));
@@ -111,7 +103,7 @@ TEST_CASE("a large lattice, where every quadruple is cocircular") {
 
 TEST_CASE("a stretch of a curve is moved together, through the curve and out of it") {
   const std::vector<Vec2> positions = benchmark_curve(6000);
-  TestBench bench(positions);
+  ComparedBench bench(positions);
   const std::vector<SampleId> ids = bench.ids();
   Box2 extent;
   for (const Vec2 p : positions) extent.add(p);
@@ -129,8 +121,8 @@ TEST_CASE("a stretch of a curve is moved together, through the curve and out of 
     REQUIRE(delaunay != bench.patch().nodes.end());
     CHECK_FALSE(delaunay->rebuilt);
     CHECK(broken_row(bench.graph()) == "");
-    CHECK(difference(bench.state(), TestBench(moved).state()) == "");
+    CHECK(difference(bench.state(), ComparedBench(moved).state()) == "");
   }
   while (bench.steps_done() > 1) bench.undo();
-  CHECK(difference(bench.state(), TestBench(positions).state()) == "");
+  CHECK(difference(bench.state(), ComparedBench(positions).state()) == "");
 }

@@ -79,7 +79,7 @@ TEST_CASE("every oracle shape has the components, cycles, ends, length and radii
       for (const double jitter : {0.0, 0.2}) {
         for (const TestShape& shape : oracle_shapes(epsilon, {offset, jitter, 11})) {
           INFO(shape.name << " offset " << offset << " jitter " << jitter);
-          const TestBench bench(shape.data.positions);
+          const ComparedBench bench(shape.data.positions);
           check_facts(bench, shape);
         }
       }
@@ -92,7 +92,7 @@ TEST_CASE("the axis of an ellipse ends at the centres of curvature, and its radi
     for (const std::size_t n : {100U, 400U}) {
       const TestShape shape = ellipse(a, 1.0, n, {0.3, 0.0, 1});
       INFO(shape.name);
-      const TestBench bench(shape.data.positions);
+      const ComparedBench bench(shape.data.positions);
       const double c2 = a * a - 1.0;
       const double steps = static_cast<double>(n);
       const double tolerance = 20.0 * a * a * a / (steps * steps);
@@ -111,7 +111,7 @@ TEST_CASE("the axis of an ellipse ends at the centres of curvature, and its radi
 
 TEST_CASE("the axis length of an ellipse converges with the square of the spacing") {
   const auto error = [](std::size_t n) {
-    const TestBench bench(ellipse(2.0, 1.0, n, {0.25, 0.0, 1}).data.positions);
+    const ComparedBench bench(ellipse(2.0, 1.0, n, {0.25, 0.0, 1}).data.positions);
     return std::abs(bench.measure("medial-axis", "length") - 3.0);
   };
   CHECK(error(100) < 3e-3);
@@ -123,7 +123,7 @@ TEST_CASE("a stadium has one straight axis of constant radius, its caps merged i
   for (const double epsilon : {0.25, 0.1}) {
     const TestShape shape = stadium(2.0, 1.0, epsilon, {0.3, 0.1, 2});
     INFO(shape.name);
-    const TestBench bench(shape.data.positions);
+    const ComparedBench bench(shape.data.positions);
     const double tolerance = epsilon * epsilon;
     check_places(picture_of(bench, shape).with_degree(1), {{-2.0, 0.0}, {2.0, 0.0}}, tolerance);
     for (const Ball& ball : inner_balls(bench)) {
@@ -137,7 +137,7 @@ TEST_CASE("an annulus with aligned samples has a regular polygon for its axis") 
   for (const std::size_t n : {16U, 60U}) {
     const TestShape shape = annulus_aligned(1.0, 2.0, n);
     INFO(shape.name);
-    const TestBench bench(shape.data.positions);
+    const ComparedBench bench(shape.data.positions);
     const double sides = static_cast<double>(n);
     const double angle = std::numbers::pi / sides;
     CHECK(bench.measure("medial-axis", "length") == Approx(3.0 * sides * std::tan(angle)).epsilon(1e-12));
@@ -154,7 +154,7 @@ TEST_CASE("the balls of an annulus stand on its middle circle") {
   for (const double inner : {1.0, 0.3}) {
     const TestShape shape = annulus(inner, 2.0, 0.1, {0.4, 0.2, 3});
     INFO(shape.name);
-    const TestBench bench(shape.data.positions);
+    const ComparedBench bench(shape.data.positions);
     const std::vector<Ball> balls = inner_balls(bench);
     CHECK(balls.size() == shape.data.positions.size());
     for (const Ball& ball : balls) {
@@ -166,7 +166,7 @@ TEST_CASE("the balls of an annulus stand on its middle circle") {
 
 TEST_CASE("the axis round an eccentric hole is an ellipse with its foci at the two centres") {
   const TestShape shape = eccentric_hole(1.0, 3.0, 1.0, 0.1, {0.2, 0.1, 4});
-  const TestBench bench(shape.data.positions);
+  const ComparedBench bench(shape.data.positions);
   CHECK(bench.measure("medial-axis", "length") == Approx(12.3676580).margin(shape.expected.axis_length_tolerance));
   for (const Ball& ball : inner_balls(bench)) {
     const double to_hole = distance(ball.center, {1.0, 0.0});
@@ -179,7 +179,7 @@ TEST_CASE("a rounded rectangle has its branch points and ends where the formula 
   for (const double epsilon : {0.25, 0.1}) {
     const TestShape shape = rounded_rectangle(3.0, 2.0, 0.5, epsilon, {0.3, 0.1, 5});
     INFO(shape.name);
-    const TestBench bench(shape.data.positions);
+    const ComparedBench bench(shape.data.positions);
     const AxisPicture picture = picture_of(bench, shape);
     // Samples round about a branch point miss its contacts by half a spacing.
     const double tolerance = 4.0 * epsilon * epsilon;
@@ -195,14 +195,14 @@ TEST_CASE("a rounded rectangle has its branch points and ends where the formula 
 
 TEST_CASE("two ellipses have two axes, each its own") {
   const TestShape shape = two_ellipses(2.0, 1.0, 0.5, 200, {0.3, 0.0, 6});
-  const TestBench bench(shape.data.positions);
+  const ComparedBench bench(shape.data.positions);
   check_places(picture_of(bench, shape).with_degree(1), {{-1.5, 0.0}, {1.5, 0.0}, {3.0, 0.0}, {6.0, 0.0}}, 0.004);
 }
 
 TEST_CASE("axis nodes are drawn at the leaves and branch points") {
   for (const TestShape& shape : oracle_shapes(0.25, {0.3, 0.2, 8})) {
     INFO(shape.name);
-    const TestBench bench(shape.data.positions);
+    const ComparedBench bench(shape.data.positions);
     const auto drawn = bench.instances("axis-nodes", PrimitiveKind::point);
     std::int64_t leaves = 0;
     std::int64_t branch_points = 0;

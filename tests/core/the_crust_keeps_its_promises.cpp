@@ -139,7 +139,7 @@ IndexEdges by_index(const std::set<PlaceEdge>& edges, const std::vector<Vec2>& p
 }
 
 IndexEdges crust_of(const std::vector<Vec2>& points) {
-  const TestBench bench(points);
+  const ComparedBench bench(points);
   return by_index(crust_edges(bench.graph()), points);
 }
 
@@ -223,7 +223,7 @@ TEST_CASE("the crust is what its definition says, for all pairs of samples") {
     const std::vector<Vec2> points = distinct(input.positions);
     if (points.size() > 260) continue;
     INFO(input.name << ", " << points.size() << " places");
-    const TestBench bench(input.positions);
+    const ComparedBench bench(input.positions);
     CHECK(crust_edges(bench.graph()) == crust_by_definition(points));
   }
 }
@@ -231,7 +231,7 @@ TEST_CASE("the crust is what its definition says, for all pairs of samples") {
 TEST_CASE("crust edges are Gabriel edges and cross their duals") {
   for (const CrustInput& input : all_inputs()) {
     INFO(input.name);
-    const TestBench bench(input.positions);
+    const ComparedBench bench(input.positions);
     const std::vector<Vec2> points = distinct(input.positions);
     const SignOf sign(points);
     std::map<std::pair<double, double>, std::size_t> index;
@@ -266,7 +266,7 @@ TEST_CASE("lattices have all their unit edges, whatever the order of insertion")
   Rng rng(1);
   for (std::size_t k = 2; k <= 7; ++k) {
     DegenerateInput lattice = integer_lattice(k);
-    const TestBench first(lattice.positions);
+    const ComparedBench first(lattice.positions);
     INFO("k = " << k);
     const auto unit_edges = static_cast<std::int64_t>(2 * k * (k - 1));
     const auto odd = static_cast<std::int64_t>(4 * (k - 2));
@@ -276,7 +276,7 @@ TEST_CASE("lattices have all their unit edges, whatever the order of insertion")
       CHECK(std::abs(a.first - b.first) + std::abs(a.second - b.second) == 1.0);
     for (int round = 0; round < 6; ++round) {
       shuffle(lattice.positions, rng);
-      const TestBench shuffled(lattice.positions);
+      const ComparedBench shuffled(lattice.positions);
       CHECK(difference(first.state(), shuffled.state()) == "");
     }
   }
@@ -291,16 +291,16 @@ TEST_CASE("cocircular sets do not remember how they came about") {
     inputs.push_back({"grid draws", distinct(grid_draws(20, 6, 300 + seed))});
   for (CrustInput& input : inputs) {
     INFO(input.name);
-    const TestBench batch(input.positions);
+    const ComparedBench batch(input.positions);
     const GeometryState expected = batch.state();
     for (int round = 0; round < 3; ++round) {
       shuffle(input.positions, rng);
       // One by one.
-      TestBench one_by_one;
+      ComparedBench one_by_one;
       for (const Vec2 p : input.positions) one_by_one.insert({p});
       CHECK(difference(one_by_one.state(), expected) == "");
       // With others among them that go again.
-      TestBench detour(input.positions);
+      ComparedBench detour(input.positions);
       std::vector<Vec2> guests;
       for (int i = 0; i < 7; ++i) guests.push_back({rng.uniform(-3.0, 8.0), rng.uniform(-3.0, 8.0)});
       detour.insert(guests);
@@ -309,7 +309,7 @@ TEST_CASE("cocircular sets do not remember how they came about") {
       for (const SampleId id : ids) detour.remove({id});
       CHECK(difference(detour.state(), expected) == "");
       // Each sample away and back.
-      TestBench shaken(input.positions);
+      ComparedBench shaken(input.positions);
       for (const SampleId id : shaken.ids()) {
         const Vec2 home = shaken.document().position(shaken.document().slot_of(id));
         shaken.move(id, home + Vec2{rng.uniform(-2.0, 2.0), rng.uniform(-2.0, 2.0)});

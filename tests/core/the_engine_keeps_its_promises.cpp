@@ -159,7 +159,9 @@ std::vector<std::vector<double>> drawn(const LayerContents& contents, LayerIndex
 
 // Every demanded layer holds what a fresh graph of the same samples draws.
 void check_layers(const Client& client, const std::vector<LayerIndex>& layers) {
-  const TestBench fresh(client.positions());
+  TestBench fresh;
+  fresh.show(layers);
+  fresh.replace(client.positions());
   for (const LayerIndex layer : layers) {
     if (layer == find_layer("last-change")) continue;
     INFO(layer_descriptors()[layer].id);
@@ -478,7 +480,7 @@ TEST_CASE("any mixture of edits, undo and demand ends in the right picture") {
   Client client;
   std::vector<LayerIndex> shown = all_layers();
   client.engine().set_demand(main_layers(shown));
-  client.replace(noisy_curve(120));
+  client.replace(noisy_curve(60));
   for (int step = 0; step < 250; ++step) {
     const std::vector<SampleId> ids = client.ids();
     switch (rng.below(8)) {

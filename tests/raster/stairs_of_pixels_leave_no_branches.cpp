@@ -24,12 +24,12 @@ double grain(Rng& random) {
   return out;
 }
 
-TestBench traced_bench(const GrayImage& image) {
+ComparedBench traced_bench(const GrayImage& image) {
   const auto tracing = trace(image, {});
   REQUIRE(tracing.has_value());
   const auto samples = sample(tracing->curves, sampling_of_tracing(tracing->curves));
   REQUIRE(samples.has_value());
-  return TestBench(samples->positions);
+  return ComparedBench(samples->positions);
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ TEST_CASE("the axis of a traced ellipse is one stroke") {
         return x * x + y * y <= 1.0;
       });
       INFO("fine " << fine << ", angle " << angle);
-      const TestBench bench = traced_bench(image);
+      const ComparedBench bench = traced_bench(image);
       CHECK(bench.count("one-step-crust", "odd_samples") == 0);
       const AxisPicture axis = axis_picture(bench.instances("medial-axis", PrimitiveKind::segment), 0.0);
       CHECK(axis.components == 1);
@@ -65,7 +65,7 @@ TEST_CASE("the axis of a traced ellipse is one stroke") {
 TEST_CASE("the axis of a traced ring is one circle without a branch") {
   for (const int fine : {1, 16}) {
     const Vec2 center{150.2, 149.6};
-    const TestBench bench = traced_bench(rendered(300, 300, fine, [&](Vec2 p) {
+    const ComparedBench bench = traced_bench(rendered(300, 300, fine, [&](Vec2 p) {
       const double away = distance(p, center);
       return away >= 70.0 && away <= 130.0;
     }));
@@ -102,7 +102,7 @@ TEST_CASE("the axis of an ellipse in a noisy photograph under uneven light is on
   REQUIRE(samples);
   for (const Vec2 p : samples->positions)
     CHECK(std::abs(std::hypot((p.x - center.x) / kLong, (p.y - center.y) / kShort) - 1.0) < 1.5 / kShort);
-  const TestBench bench(samples->positions);
+  const ComparedBench bench(samples->positions);
   CHECK(bench.count("one-step-crust", "odd_samples") == 0);
   const AxisPicture axis = axis_picture(bench.instances("medial-axis", PrimitiveKind::segment), 0.0);
   CHECK(axis.components == 1);

@@ -28,6 +28,10 @@ void TestBench::show(std::initializer_list<std::string_view> layers) {
   REQUIRE(bench_.show(layers));
 }
 
+void TestBench::show(std::span<const LayerIndex> layers) {
+  bench_.show(layers);
+}
+
 void TestBench::choose(const ComputationSettings& settings) {
   bench_.choose(settings);
   run();
@@ -157,9 +161,17 @@ std::string TestBench::trouble() const {
   SampleData reversed{.positions = positions(), .balls = balls()};
   std::ranges::reverse(reversed.positions);
   std::ranges::reverse(reversed.balls);
-  TestBench fresh;
+  ComparedBench fresh;
   fresh.load(reversed);
   return difference(state(), fresh.state());
+}
+
+ComparedBench::ComparedBench() {
+  show({"curve-normals", "medial-axis", "label-conflicts", "polar-disks", "b-inner-disks"});
+}
+
+ComparedBench::ComparedBench(const std::vector<Vec2>& positions) : ComparedBench() {
+  replace(positions);
 }
 
 PlaceEdge place_edge(Vec2 a, Vec2 b) {

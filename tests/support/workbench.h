@@ -36,6 +36,7 @@ class TestBench {
 
   /// From now on only these layers.
   void show(std::initializer_list<std::string_view> layers);
+  void show(std::span<const LayerIndex> layers);
   void choose(const ComputationSettings& settings);
   void replace(const std::vector<Vec2>& positions);
   void insert(const std::vector<Vec2>& positions);
@@ -90,6 +91,13 @@ class TestBench {
 
   Workbench bench_{builtins()};
   LayerContents contents_;
+};
+
+/// A bench of what `state` says, and of no unions of balls: in exact numbers they take most of the time, and are compared
+/// elsewhere.
+struct ComparedBench : TestBench {
+  ComparedBench();
+  explicit ComparedBench(const std::vector<Vec2>& positions);
 };
 
 /// An edge of the crust by the positions of its ends, the lexicographically smaller first.
