@@ -19,8 +19,8 @@ case $kind in
     tests='^(test_document|test_exactness|test_io|test_model|fuzz)\.'
     ;;
   tsan)
-    targets=(test_document test_engine test_failures test_model)
-    tests='^(test_document|test_engine|test_failures|test_model)\.'
+    targets=(test_document test_engine test_model)
+    tests='^(test_document|test_engine|test_model)\.'
     ;;
   python)
     kind=asan

@@ -101,13 +101,13 @@ const Registry& shaky_registry() {
 
 constexpr PrimitiveKind kPoint = PrimitiveKind::point;
 
-struct Bench {
+struct FailingBench {
   Document document;
   Graph graph{shaky_registry()};
   FramePatch patch;
   LayerContents contents;
 
-  Bench() { graph.set_demand(std::vector<LayerIndex>{kSteady, kShaky, kDependent}); }
+  FailingBench() { graph.set_demand(std::vector<LayerIndex>{kSteady, kShaky, kDependent}); }
 
   void post(const Expected<DocumentDelta>& delta) {
     REQUIRE(delta.has_value());
@@ -135,7 +135,7 @@ struct Bench {
 }  // namespace
 
 TEST_CASE("a failure keeps the last picture of its layers and of those that need it, and says why") {
-  Bench bench;
+  FailingBench bench;
   bench.insert({0, 0});
   bench.insert({1, 0});
   CHECK(bench.contents.count(kShaky, kPoint) == 2);
@@ -163,7 +163,7 @@ TEST_CASE("a failure keeps the last picture of its layers and of those that need
 }
 
 TEST_CASE("when the reason is gone everything is there again") {
-  Bench bench;
+  FailingBench bench;
   for (int i = 0; i < 5; ++i) bench.insert({1.0 * i, 0});
   bench.insert({7, -1});
   bench.remove_last();
@@ -184,7 +184,7 @@ TEST_CASE("when the reason is gone everything is there again") {
 }
 
 TEST_CASE("a failure and its picture stay while nothing changes") {
-  Bench bench;
+  FailingBench bench;
   bench.insert({0, 0});
   bench.insert({2, -1});
   bench.graph.set_demand(std::vector<LayerIndex>{kShaky});
@@ -202,7 +202,7 @@ TEST_CASE("a failure and its picture stay while nothing changes") {
 }
 
 TEST_CASE("what failed is tried again when its inputs have changed, and not before") {
-  Bench bench;
+  FailingBench bench;
   bench.graph.set_want_statistics(true);
   bench.insert({0, 0});
   bench.insert({2, -1});
@@ -217,7 +217,7 @@ TEST_CASE("what failed is tried again when its inputs have changed, and not befo
 }
 
 TEST_CASE("a structure that fails from the beginning has no picture, and recovers") {
-  Bench bench;
+  FailingBench bench;
   bench.insert({0, -1});
   CHECK(bench.report("shaky").state == NodeState::failed);
   CHECK(bench.contents.count(kShaky, kPoint) == 0);
@@ -229,7 +229,7 @@ TEST_CASE("a structure that fails from the beginning has no picture, and recover
 }
 
 TEST_CASE("out of memory and broken invariants are failures like others") {
-  Bench bench;
+  FailingBench bench;
   bench.insert({0, 0});
   bench.insert({1, -2});
   CHECK(bench.report("shaky").state == NodeState::failed);
@@ -244,7 +244,7 @@ TEST_CASE("out of memory and broken invariants are failures like others") {
 }
 
 TEST_CASE("an old picture is withdrawn when the drawing frame it is in is gone") {
-  Bench bench;
+  FailingBench bench;
   bench.insert({0, 0});
   bench.insert({1, 0});
   bench.insert({2, -1});
@@ -257,7 +257,7 @@ TEST_CASE("an old picture is withdrawn when the drawing frame it is in is gone")
 }
 
 TEST_CASE("in a new drawing frame every picture is sent whole") {
-  Bench bench;
+  FailingBench bench;
   bench.insert({0, 0});
   bench.insert({1, 0});
   const DrawingFrame before = bench.patch.frame;
@@ -271,7 +271,7 @@ TEST_CASE("in a new drawing frame every picture is sent whole") {
 }
 
 TEST_CASE("where there is no room for a new picture the old one stays, and its frame with it") {
-  Bench bench;
+  FailingBench bench;
   bench.insert({0, 0});
   bench.insert({1, 0});
   const DrawingFrame before = bench.patch.frame;
@@ -298,7 +298,7 @@ TEST_CASE("where there is no room for a new picture the old one stays, and its f
 }
 
 TEST_CASE("lack of memory does not call the result wrong") {
-  Bench bench;
+  FailingBench bench;
   bench.insert({0, 0});
   bench.insert({1, -2});
   CHECK(light_of(bench.patch.nodes) == TheoremLight::none);

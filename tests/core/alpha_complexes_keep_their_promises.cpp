@@ -94,7 +94,7 @@ std::vector<Vec2> random_points(std::size_t count, int grid, Rng& rng) {
   return out;
 }
 
-std::vector<Vec2> distinct(std::vector<Vec2> points) {
+std::vector<Vec2> distinct_positions(std::vector<Vec2> points) {
   std::ranges::sort(points, lexicographically_less);
   points.erase(std::ranges::unique(points).begin(), points.end());
   return points;
@@ -114,7 +114,7 @@ TEST_CASE("births and deaths are those of the Cech complex") {
     const std::vector<Vec2> points = random_points(count, round % 3 == 0 ? 0 : 2 + round % 5, rng);
     TestBench bench(points);
     show_alpha(bench);
-    const std::vector<ExactBar> expected = cech_bars_of_points(distinct(points));
+    const std::vector<ExactBar> expected = cech_bars_of_points(distinct_positions(points));
     const std::vector<RoundBar> found = round_bars_of(bench);
     INFO("round " << round);
     REQUIRE(found.size() == expected.size());
@@ -254,7 +254,7 @@ TEST_CASE("the complex has the topology of the union of the disks, and its bound
   Rng rng(15);
   for (int round = 0; round < 40; ++round) {
     const int grid = round % 2 == 0 ? 0 : 3 + round % 4;
-    const std::vector<Vec2> points = distinct(random_points(2 + rng.below(40), grid, rng));
+    const std::vector<Vec2> points = distinct_positions(random_points(2 + rng.below(40), grid, rng));
     const double radius = grid != 0 ? 0.25 * static_cast<double>(1 + rng.below(6)) : 0.3 * rng.uniform() + 0.01;
     SampleData data{.positions = points};
     for (const Vec2 p : points) data.balls.push_back({p, radius});

@@ -12,7 +12,7 @@ using namespace mes::test;
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Topology {
   TestShape shape;
@@ -24,19 +24,19 @@ struct Topology {
 // Areas by elementary geometry.
 std::vector<Topology> topologies(double epsilon, const Sampling& sampling) {
   std::vector<Topology> out;
-  out.push_back({ellipse_graded(2.0, 1.0, epsilon, sampling), 1, 0, 2.0 * kPi});
-  out.push_back({ellipse_graded(5.0, 1.0, epsilon, sampling), 1, 0, 5.0 * kPi});
-  out.push_back({stadium(2.0, 1.0, epsilon, sampling), 1, 0, 8.0 + kPi});
-  out.push_back({rounded_rectangle(3.0, 2.0, 0.5, epsilon, sampling), 1, 0, 24.0 - (4.0 - kPi) * 0.25});
-  out.push_back({annulus(1.0, 2.0, epsilon, sampling), 1, 1, 3.0 * kPi});
-  out.push_back({eccentric_hole(1.0, 3.0, 1.0, epsilon, sampling), 1, 1, 8.0 * kPi});
+  out.push_back({ellipse_graded(2.0, 1.0, epsilon, sampling), 1, 0, 2.0 * pi});
+  out.push_back({ellipse_graded(5.0, 1.0, epsilon, sampling), 1, 0, 5.0 * pi});
+  out.push_back({stadium(2.0, 1.0, epsilon, sampling), 1, 0, 8.0 + pi});
+  out.push_back({rounded_rectangle(3.0, 2.0, 0.5, epsilon, sampling), 1, 0, 24.0 - (4.0 - pi) * 0.25});
+  out.push_back({annulus(1.0, 2.0, epsilon, sampling), 1, 1, 3.0 * pi});
+  out.push_back({eccentric_hole(1.0, 3.0, 1.0, epsilon, sampling), 1, 1, 8.0 * pi});
   for (const std::size_t k : {2U, 3U, 5U}) {
     const auto holes = static_cast<std::int64_t>(k);
     out.push_back({disk_with_holes(k, 3.0, 0.5, 1.65, epsilon, sampling), 1, holes,
-                   kPi * (9.0 - 0.25 * static_cast<double>(k))});
+                   pi * (9.0 - 0.25 * static_cast<double>(k))});
   }
-  out.push_back({two_ellipses(2.0, 1.0, 0.5, static_cast<std::size_t>(25.0 / epsilon), sampling), 2, 0, 4.0 * kPi});
-  out.push_back({island_in_hole(1.0, 0.6, 2.0, 3.0, epsilon, sampling), 2, 1, 5.6 * kPi});
+  out.push_back({two_ellipses(2.0, 1.0, 0.5, static_cast<std::size_t>(25.0 / epsilon), sampling), 2, 0, 4.0 * pi});
+  out.push_back({island_in_hole(1.0, 0.6, 2.0, 3.0, epsilon, sampling), 2, 1, 5.6 * pi});
   return out;
 }
 

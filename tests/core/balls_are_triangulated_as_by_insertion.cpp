@@ -14,11 +14,11 @@ using namespace mes;
 
 namespace {
 
-using Ball = BallOf<double>;
+using WeightedBall = BallOf<double>;
 using Raw = CGAL::Regular_triangulation_2<FastKernel>;
 using Ends = std::array<double, 4>;
 
-Ball ball_among(int kind, std::size_t count, Rng& rng) {
+WeightedBall ball_among(int kind, std::size_t count, Rng& rng) {
   const double x = rng.uniform();
   const double y = rng.uniform();
   switch (kind) {
@@ -30,7 +30,7 @@ Ball ball_among(int kind, std::size_t count, Rng& rng) {
   }
 }
 
-Ends ends_of(Ball a, Ball b) {
+Ends ends_of(WeightedBall a, WeightedBall b) {
   if (std::pair(b.x, b.y) < std::pair(a.x, a.y)) std::swap(a, b);
   return {a.x, a.y, b.x, b.y};
 }
@@ -44,7 +44,7 @@ TEST_CASE("balls are triangulated as by insertion one by one") {
     Rng rng(static_cast<std::uint64_t>(run) + 1);
     const int kind = run % 5;
     const std::size_t count = 3 + rng.below(run % 50 == 2 ? 3000 : 60);
-    Table<InputSlot, Ball> balls;
+    Table<InputSlot, WeightedBall> balls;
     while (balls.size() < count) {
       balls.push_back(ball_among(kind, count, rng));
       if (rng.below(10) == 0) balls.push_back({balls.back().x, balls.back().y, balls.back().w * 0.9});
@@ -53,7 +53,7 @@ TEST_CASE("balls are triangulated as by insertion one by one") {
     fast += ball_triangulation(balls, {}, job) ? 1U : 0U;
     const RegularTables ours = regular_triangulation<FastKernel>(balls, job);
     Raw raw;
-    for (const Ball& ball : balls) raw.insert(Raw::Weighted_point(Raw::Bare_point(ball.x, ball.y), ball.w));
+    for (const WeightedBall& ball : balls) raw.insert(Raw::Weighted_point(Raw::Bare_point(ball.x, ball.y), ball.w));
     CHECK(ours.dimension == raw.dimension());
     CHECK(std::ranges::count(ours.state, BallState::visible) ==
           static_cast<std::ptrdiff_t>(raw.number_of_vertices()));

@@ -15,6 +15,7 @@
 #include "core/structures/filters/lambda_axis.h"
 #include "tests/support/builtin_layers.h"
 #include "tests/support/shapes.h"
+#include "tests/support/shapes_benchmark.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
@@ -50,17 +51,6 @@ double length_of(const TestBench& bench, std::string_view layer) {
   double out = 0.0;
   for (std::size_t at = 0; at < values.size(); at += stride_of(PrimitiveKind::segment))
     out += distance({values[at], values[at + 1]}, {values[at + 2], values[at + 3]});
-  return out;
-}
-
-std::vector<Vec2> noisy_curve(std::size_t count, double noise, std::uint64_t seed) {
-  Rng rng(seed);
-  std::vector<Vec2> out;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double t = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
-    const double r = 100.0 * (1.0 + 0.3 * std::cos(3.0 * t)) + noise * (rng.uniform() - 0.5);
-    out.push_back({r * std::cos(t), r * std::sin(t)});
-  }
   return out;
 }
 
@@ -189,7 +179,7 @@ TEST_CASE("values are those of the definitions, in plain loops over the samples"
       TestBench bench;
       show_filters(bench);
       bench.choose(limits_in_mode(0.0, 0.0, false, mode));
-      bench.replace(noisy_curve(90, 8.0, seed));
+      bench.replace(noisy_trefoil(90, 8.0, seed));
       REQUIRE(bench.count("medial-axis", "edges") > 20);
       check_values(bench);
     }
@@ -278,7 +268,7 @@ TEST_CASE("kept and removed parts are the medial axis together") {
         TestBench bench;
         show_filters(bench);
         bench.choose(limits_in_mode(limit, degrees, keep));
-        bench.replace(noisy_curve(160, 10.0, 5));
+        bench.replace(noisy_trefoil(160, 10.0, 5));
         const double whole = length_of(bench, "medial-axis");
         CHECK(length_of(bench, "lambda-medial-axis") + length_of(bench, "removed-by-lambda") ==
               Approx(whole).epsilon(1e-10));
@@ -314,7 +304,7 @@ TEST_CASE("an edge exactly at the limit is kept, and one a unit in the last plac
 }
 
 TEST_CASE("pruning keeps components and cycles for every limit") {
-  std::vector<std::vector<Vec2>> inputs{noisy_curve(150, 12.0, 1), noisy_ring(90, 6.0, 2), noisy_ring(60, 14.0, 3)};
+  std::vector<std::vector<Vec2>> inputs{noisy_trefoil(150, 12.0, 1), noisy_ring(90, 6.0, 2), noisy_ring(60, 14.0, 3)};
   for (const TestShape& shape : oracle_shapes(0.25, {0.3, 0.2, 4})) inputs.push_back(shape.data.positions);
   for (const DegenerateInput& input : degenerate_inputs())
     if (input.positions.size() > 3) inputs.push_back(input.positions);
@@ -443,7 +433,7 @@ TEST_CASE(
     "what is kept holds a share of the shape that falls from one, and is that of a disk where one ball is kept") {
   TestBench bench;
   bench.show({"lambda-kept-boundary", "angle-kept-boundary", "cover-kept-boundary", "a-union-boundary"});
-  bench.replace(noisy_curve(150, 4.0, 2));
+  bench.replace(noisy_trefoil(150, 4.0, 2));
   for (const std::string_view balls : {"lambda-union", "angle-union", "cover-union"}) {
     CHECK(bench.measure(balls, "share_of_shape") == Approx(1.0).epsilon(1e-12));
     CHECK(bench.measure(balls, "area") == Approx(bench.measure("a-union", "area")).epsilon(1e-12));
@@ -574,6 +564,6 @@ TEST_CASE("where nothing is kept the statistics say why") {
   CHECK(why(lattice_circle().positions, none).empty());
   CHECK_THAT(why({{0, 0}, {1, 0}, {0.5, 0.9}}, limits_in_mode(10.0, 0.0, false)),
              Catch::Contains("above every value"));
-  CHECK_THAT(why(noisy_curve(60, 1.0, 1), limits_in_mode(1e5, 0.0, false)), Catch::Contains("above every value"));
-  CHECK(why(noisy_curve(60, 1.0, 1), none).empty());
+  CHECK_THAT(why(noisy_trefoil(60, 1.0, 1), limits_in_mode(1e5, 0.0, false)), Catch::Contains("above every value"));
+  CHECK(why(noisy_trefoil(60, 1.0, 1), none).empty());
 }

@@ -50,7 +50,7 @@ struct BallBench : TestBench {
 struct ExactBall {
   mpq_class x, y, w;
 };
-struct ExactPoint {
+struct ExactCenter {
   mpq_class x, y;
 };
 
@@ -67,14 +67,14 @@ ExactBall exact_circumdisk(const std::array<Vec2, 3>& corner) {
   return {ax + ux, ay + uy, ux * ux + uy * uy};
 }
 
-mpq_class power(const ExactPoint& p, const ExactBall& ball) {
+mpq_class power(const ExactCenter& p, const ExactBall& ball) {
   const mpq_class x = p.x - ball.x, y = p.y - ball.y;
   return x * x + y * y - ball.w;
 }
 
 /// Where the largest power of some balls is least, and that power.
 struct Lowest {
-  ExactPoint at;
+  ExactCenter at;
   mpq_class value;
 };
 Lowest lowest(const ExactBall& a) {
@@ -86,7 +86,7 @@ Lowest lowest(const ExactBall& a, const ExactBall& b) {
   const mpq_class x = b.x - a.x, y = b.y - a.y;
   const mpq_class dd = x * x + y * y;
   const mpq_class t = (dd + a.w - b.w) / (2 * dd);
-  const ExactPoint foot{a.x + t * x, a.y + t * y};
+  const ExactCenter foot{a.x + t * x, a.y + t * y};
   return {foot, power(foot, a)};
 }
 Lowest lowest(const ExactBall& a, const ExactBall& b, const ExactBall& c) {
@@ -97,7 +97,7 @@ Lowest lowest(const ExactBall& a, const ExactBall& b, const ExactBall& c) {
   const mpq_class bx = b.x - a.x, by = b.y - a.y, cx = c.x - a.x, cy = c.y - a.y;
   const mpq_class p = bx * bx + by * by + a.w - b.w, q = cx * cx + cy * cy + a.w - c.w;
   const mpq_class d = 2 * (bx * cy - by * cx);
-  const ExactPoint center{a.x + (p * cy - q * by) / d, a.y + (q * bx - p * cx) / d};
+  const ExactCenter center{a.x + (p * cy - q * by) / d, a.y + (q * bx - p * cx) / d};
   return {center, power(center, a)};
 }
 

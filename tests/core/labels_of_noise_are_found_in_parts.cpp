@@ -23,7 +23,7 @@ using namespace mes::test;
 
 namespace {
 
-struct Input {
+struct NoiseInput {
   std::string name;
   std::vector<Vec2> positions;
 };
@@ -57,17 +57,17 @@ std::vector<Vec2> cluster_and_far_point(std::size_t n) {
   return out;
 }
 
-std::vector<Input> inputs() {
-  std::vector<Input> out = {{"square", uniform_square(700, 3)},
-                            {"noisy curve", noisy_curve(500)},
-                            {"rough curve", rough_curve(500)},
-                            {"smooth curve", benchmark_curve(400)},
-                            {"duplicates", duplicate_heavy(800)},
-                            {"lattice", grid_draws(500, 24, 5)},
-                            {"coarse lattice", grid_draws(300, 9, 6)},
-                            {"cluster", cluster_and_far_point(300)},
-                            {"rounded lattice", rounded_lattice(18, 0.0)},
-                            {"turned lattice", rounded_lattice(18, 0.3)}};
+std::vector<NoiseInput> noise_inputs() {
+  std::vector<NoiseInput> out = {{"square", uniform_square(700, 3)},
+                                 {"noisy curve", noisy_curve(500)},
+                                 {"rough curve", rough_curve(500)},
+                                 {"smooth curve", benchmark_curve(400)},
+                                 {"duplicates", duplicate_heavy(800)},
+                                 {"lattice", grid_draws(500, 24, 5)},
+                                 {"coarse lattice", grid_draws(300, 9, 6)},
+                                 {"cluster", cluster_and_far_point(300)},
+                                 {"rounded lattice", rounded_lattice(18, 0.0)},
+                                 {"turned lattice", rounded_lattice(18, 0.3)}};
   for (std::uint64_t seed = 1; seed <= 12; ++seed) {
     const double jitter = 0.6 * static_cast<double>(seed - 1);
     out.push_back({"waves", jittery_waves(jitter, seed)});
@@ -126,7 +126,7 @@ std::pair<std::vector<std::array<double, 2>>, std::vector<std::array<double, 4>>
 }  // namespace
 
 TEST_CASE("edges are sorted as by exact comparisons alone") {
-  for (const Input& input : inputs()) {
+  for (const NoiseInput& input : noise_inputs()) {
     INFO(input.name);
     const ComparedBench bench(input.positions);
     const auto& delaunay = bench.get<Delaunay>();
@@ -144,7 +144,7 @@ TEST_CASE("edges are sorted as by exact comparisons alone") {
 TEST_CASE("the spanning tree is the same whatever the blocks in which it is found") {
   JobControl job;
   std::size_t edges = 0;
-  for (const Input& input : inputs()) {
+  for (const NoiseInput& input : noise_inputs()) {
     INFO(input.name);
     const ComparedBench bench(input.positions);
     const auto& delaunay = bench.get<Delaunay>();
@@ -165,7 +165,7 @@ TEST_CASE("open strokes are the same where updates are not prepared for") {
   JobControl job;
   std::size_t strokes = 0;
   std::size_t without = 0;
-  for (const Input& input : inputs()) {
+  for (const NoiseInput& input : noise_inputs()) {
     INFO(input.name);
     const ComparedBench bench(input.positions);
     const auto& delaunay = bench.get<Delaunay>();
@@ -193,7 +193,7 @@ TEST_CASE("open strokes are the same where updates are not prepared for") {
 
 TEST_CASE("labels are the same whatever the parts in which they are handed on") {
   JobControl job;
-  for (const Input& input : inputs()) {
+  for (const NoiseInput& input : noise_inputs()) {
     INFO(input.name);
     const ComparedBench bench(input.positions);
     const auto& delaunay = bench.get<Delaunay>();

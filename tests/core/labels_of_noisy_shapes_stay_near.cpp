@@ -15,7 +15,7 @@ using namespace mes::test;
 
 namespace {
 
-constexpr double kTurn = 2.0 * std::numbers::pi;
+constexpr double kFullTurn = 2.0 * std::numbers::pi;
 constexpr double kSpacing = 6.0;
 constexpr int kCorners = 4000;  // of polygons for curves
 
@@ -26,7 +26,7 @@ template <class Radius>
 Polygon polar(Radius radius) {
   Polygon out;
   for (int i = 0; i < kCorners; ++i) {
-    const double t = kTurn * i / kCorners;
+    const double t = kFullTurn * i / kCorners;
     out.push_back({radius(t) * std::cos(t), radius(t) * std::sin(t)});
   }
   return out;
@@ -35,7 +35,7 @@ Polygon polar(Radius radius) {
 Polygon ellipse_at(Vec2 center, double a, double b) {
   Polygon out;
   for (int i = 0; i < kCorners; ++i) {
-    const double t = kTurn * i / kCorners;
+    const double t = kFullTurn * i / kCorners;
     out.push_back({center.x + a * std::cos(t), center.y + b * std::sin(t)});
   }
   return out;
@@ -45,11 +45,12 @@ std::vector<Region> ten_shapes() {
   Polygon star;
   for (int i = 0; i < 10; ++i) {
     const double r = i % 2 == 1 ? 85.0 : 200.0;
-    star.push_back({r * std::cos(kTurn * i / 10), r * std::sin(kTurn * i / 10)});
+    star.push_back({r * std::cos(kFullTurn * i / 10), r * std::sin(kFullTurn * i / 10)});
   }
   Region disk_with_holes{ellipse_at({0, 0}, 200, 200)};
   for (int i = 0; i < 5; ++i)
-    disk_with_holes.push_back(ellipse_at({125 * std::cos(kTurn * i / 5), 125 * std::sin(kTurn * i / 5)}, 38, 38));
+    disk_with_holes.push_back(
+        ellipse_at({125 * std::cos(kFullTurn * i / 5), 125 * std::sin(kFullTurn * i / 5)}, 38, 38));
   return {{ellipse_at({0, 0}, 200, 100)},
           {polar([](double t) { return 150.0 * (1.0 + 0.3 * std::cos(5 * t)); })},
           {ellipse_at({0, 0}, 180, 180), ellipse_at({0, 0}, 90, 90)},

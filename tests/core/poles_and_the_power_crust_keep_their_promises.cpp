@@ -21,14 +21,14 @@ using namespace mes::test;
 
 namespace {
 
-using Rational = CGAL::Exact_rational;
+using ExactNumber = CGAL::Exact_rational;
 struct Point {
-  Rational x, y;
+  ExactNumber x, y;
 };
 Point operator-(const Point& a, const Point& b) {
   return {a.x - b.x, a.y - b.y};
 }
-Rational dot(const Point& a, const Point& b) {
+ExactNumber dot(const Point& a, const Point& b) {
   return a.x * b.x + a.y * b.y;
 }
 Point exact(Vec2 p) {
@@ -37,14 +37,15 @@ Point exact(Vec2 p) {
 Point circumcenter(const Point& a, const Point& b, const Point& c) {
   const Point u = b - a;
   const Point v = c - a;
-  const Rational twice = 2 * (u.x * v.y - u.y * v.x);
+  const ExactNumber twice = 2 * (u.x * v.y - u.y * v.x);
   return {a.x + (v.y * dot(u, u) - u.y * dot(v, v)) / twice, a.y + (u.x * dot(v, v) - v.x * dot(u, u)) / twice};
 }
-int sign(const Rational& x) {
+int sign(const ExactNumber& x) {
   return x > 0 ? 1 : (x < 0 ? -1 : 0);
 }
 /// Of a / sqrt(A) + b / sqrt(B).
-int sign_of_sum(const Rational& a, const Rational& square_a, const Rational& b, const Rational& square_b) {
+int sign_of_sum(const ExactNumber& a, const ExactNumber& square_a, const ExactNumber& b,
+                const ExactNumber& square_b) {
   if (sign(a) == sign(b)) return sign(a);
   return sign(sign(a) * a * a * square_b + sign(b) * b * b * square_a);
 }
@@ -80,8 +81,8 @@ void check_poles(const TestBench& bench) {
           row.v[next3(i)] == kInfiniteSite ? row.v[prev3(i)] : row.v[next3(i)];
     }
     const auto comes_before = [](const Vertex& a, const Vertex& b) {
-      const Rational da = dot(a.to, a.to);
-      const Rational db = dot(b.to, b.to);
+      const ExactNumber da = dot(a.to, a.to);
+      const ExactNumber db = dot(b.to, b.to);
       if (da != db) return da > db;
       return a.to.x != b.to.x ? a.to.x < b.to.x : a.to.y < b.to.y;
     };

@@ -59,12 +59,12 @@ std::string written(const TableColumns& table, TableFormat format) {
   return out;
 }
 
-template <class Value>
-Value read(const std::string& bytes, std::size_t& at) {
-  Value out;
-  REQUIRE(at + sizeof(Value) <= bytes.size());
-  std::memcpy(&out, bytes.data() + at, sizeof(Value));
-  at += sizeof(Value);
+template <class WrittenValue>
+WrittenValue read(const std::string& bytes, std::size_t& at) {
+  WrittenValue out;
+  REQUIRE(at + sizeof(WrittenValue) <= bytes.size());
+  std::memcpy(&out, bytes.data() + at, sizeof(WrittenValue));
+  at += sizeof(WrittenValue);
   return out;
 }
 

@@ -13,6 +13,7 @@
 #include "core/structures/balls/scale_axis.h"
 #include "tests/support/builtin_layers.h"
 #include "tests/support/shapes.h"
+#include "tests/support/shapes_benchmark.h"
 #include "tests/support/shapes_degenerate.h"
 #include "tests/support/workbench.h"
 
@@ -22,11 +23,11 @@ using namespace mes::test;
 namespace {
 
 constexpr const char* kAxis = "scale-axis";
-constexpr std::array kLayers{kAxis, "scale-axis-boundary", "scale-axis-grown-disks", "scale-axis-disks",
-                             "scale-axis-circles"};
+constexpr std::array kScaleLayers{kAxis, "scale-axis-boundary", "scale-axis-grown-disks", "scale-axis-disks",
+                                  "scale-axis-circles"};
 
 void show_scale_axis(TestBench& bench) {
-  bench.show({kLayers[0], kLayers[1], kLayers[2], kLayers[3], kLayers[4]});
+  bench.show({kScaleLayers[0], kScaleLayers[1], kScaleLayers[2], kScaleLayers[3], kScaleLayers[4]});
 }
 
 ComputationSettings factor_in(double s, Precision precision = Precision::fast) {
@@ -66,17 +67,6 @@ std::vector<Vec2> circle(Vec2 center, double radius, int count, double offset = 
   return out;
 }
 
-std::vector<Vec2> noisy_curve(std::size_t count, double noise, std::uint64_t seed) {
-  Rng rng(seed);
-  std::vector<Vec2> out;
-  for (std::size_t i = 0; i < count; ++i) {
-    const double t = 2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
-    const double r = 100.0 * (1.0 + 0.3 * std::cos(3.0 * t)) + noise * (rng.uniform() - 0.5);
-    out.push_back({r * std::cos(t), r * std::sin(t)});
-  }
-  return out;
-}
-
 }  // namespace
 
 TEST_CASE("at a factor of 1 the scale axis is the axis of the union of the inner balls, instance for instance") {
@@ -86,7 +76,7 @@ TEST_CASE("at a factor of 1 the scale axis is the axis of the union of the inner
   std::vector<std::vector<Vec2>> inputs;
   for (const TestShape& shape : oracle_shapes(0.25, {0.3, 0.2, 4})) inputs.push_back(shape.data.positions);
   for (const DegenerateInput& input : degenerate_inputs()) inputs.push_back(input.positions);
-  inputs.push_back(noisy_curve(120, 6.0, 2));
+  inputs.push_back(noisy_trefoil(120, 6.0, 2));
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     INFO("input " << i);
     bench.replace(inputs[i]);
@@ -236,7 +226,7 @@ TEST_CASE("balls shrunk along an axis do not part, however coarsely it is sample
 TEST_CASE("hairs of a noisy outline go as the factor grows, and components and cycles follow the grown union") {
   TestBench bench;
   show_scale_axis(bench);
-  bench.replace(noisy_curve(400, 1.0, 3));
+  bench.replace(noisy_trefoil(400, 1.0, 3));
   bench.choose(factor_in(1.0));
   const std::int64_t leaves = bench.count("scale-union", "leaves");
   bench.choose(factor_in(1.3));
@@ -258,7 +248,7 @@ TEST_CASE("the scale axis follows random edits and changes of its factor as a fr
     Rng rng(seed);
     TestBench bench;
     show_scale_axis(bench);
-    bench.replace(noisy_curve(60, 10.0, seed));
+    bench.replace(noisy_trefoil(60, 10.0, seed));
     ComputationSettings settings;
     for (int step = 0; step < 40; ++step) {
       INFO("seed " << seed << " step " << step);
@@ -279,7 +269,7 @@ TEST_CASE("the scale axis follows random edits and changes of its factor as a fr
       std::ranges::reverse(reversed);
       fresh.replace(reversed);
       fresh.choose(settings);
-      for (const char* layer : kLayers) {
+      for (const char* layer : kScaleLayers) {
         INFO(layer);
         REQUIRE(bench.contents().sorted(find_layer(layer)) == fresh.contents().sorted(find_layer(layer)));
       }
@@ -290,7 +280,7 @@ TEST_CASE("the scale axis follows random edits and changes of its factor as a fr
 TEST_CASE("fast and exact numbers give one scale axis as a graph, and inputs without an axis give nothing") {
   TestBench bench;
   show_scale_axis(bench);
-  bench.replace(noisy_curve(60, 8.0, 5));
+  bench.replace(noisy_trefoil(60, 8.0, 5));
   for (const double s : {1.05, 1.37}) {
     std::vector<std::int64_t> counts[2];
     for (const Precision precision : {Precision::fast, Precision::exact}) {

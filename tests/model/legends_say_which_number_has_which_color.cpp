@@ -9,6 +9,7 @@
 #include "app/picture/picture_overlay.h"
 #include "app/store/sample_shapes.h"
 #include "core/base/rng.h"
+#include "tests/model/letters_of_one_width.h"
 
 using namespace mes;
 using render::ColorMap;
@@ -26,10 +27,6 @@ std::vector<std::string> labels_of(const ScalarRange& range) {
 Image white(int width, int height) {
   return {width, height,
           std::vector<std::uint8_t>(4 * static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 255)};
-}
-
-double letter_width(const std::string& text, double size, Face /*face*/) {
-  return 0.5 * size * static_cast<double>(text.size());
 }
 
 using Words = std::vector<std::string>;
@@ -77,7 +74,7 @@ TEST_CASE("entries that do not fit are counted, and everything lies inside") {
   const ColorMap grey = render::grey_map();
   const ColorMap categories = render::categorical_map();
   std::vector<LegendEntry> entries;
-  CHECK(layout_legend(entries, letter_width, 1000.0, kWhiteCanvas).boxes.empty());
+  CHECK(layout_legend(entries, test::half_size_a_byte, 1000.0, kWhiteCanvas).boxes.empty());
   for (int i = 0; i < 20; ++i)
     entries.push_back({"Layer",
                        "1: only in the one-step axis, 2: only in that of the union",
@@ -85,7 +82,7 @@ TEST_CASE("entries that do not fit are counted, and everything lies inside") {
                        {0.0, i == 3   ? 1e300
                              : i == 4 ? -1.0
                                       : 30.0}});
-  const PaperDrawing legend = layout_legend(entries, letter_width, 400.0, kWhiteCanvas);
+  const PaperDrawing legend = layout_legend(entries, test::half_size_a_byte, 400.0, kWhiteCanvas);
   CHECK(legend.height <= 400.0);
   CHECK(legend.lines.back().text.starts_with("and "));
   for (const PaperDrawing::Box& box : legend.boxes) {
@@ -96,11 +93,11 @@ TEST_CASE("entries that do not fit are counted, and everything lies inside") {
   }
   for (const PaperDrawing::Line& line : legend.lines) {
     CHECK(line.x >= 0.0);
-    CHECK(line.x + letter_width(line.text, line.size, line.face) <= legend.width);
+    CHECK(line.x + test::half_size_a_byte(line.text, line.size, line.face) <= legend.width);
     CHECK(line.top + line.size <= legend.height);
   }
   // However little room there is, the first is shown.
-  CHECK(layout_legend(entries, letter_width, 10.0, kWhiteCanvas).lines.size() > 3);
+  CHECK(layout_legend(entries, test::half_size_a_byte, 10.0, kWhiteCanvas).lines.size() > 3);
 }
 
 TEST_CASE("a legend on a picture shows the map's colours, and one of any size does no harm") {

@@ -11,16 +11,13 @@
 #include "app/picture/scale_drawing.h"
 #include "app/picture/shapes_below.h"
 #include "core/base/rng.h"
+#include "tests/model/letters_of_one_width.h"
 #include "tests/support/builtin_layers.h"
 #include "tests/support/workbench.h"
 
 using namespace mes;
 
 namespace {
-
-double letter_width(const std::string& text, double size, Face /*face*/) {
-  return 0.5 * size * static_cast<double>(text.size());
-}
 
 std::vector<LegendEntry> key_of(std::size_t layers) {
   std::vector<LegendEntry> out;
@@ -50,7 +47,8 @@ bool has_place(Vec2 size, const Box2& room, const Box2& bar, double apart) {
 }
 
 MarksPlace marks_of(const ScaleMarks& marks, double width, double height, double units_per_pixel = 0.01) {
-  return place_of_marks(marks, {.units_per_pixel = units_per_pixel, .width = width, .height = height}, letter_width);
+  return place_of_marks(marks, {.units_per_pixel = units_per_pixel, .width = width, .height = height},
+                        test::half_size_a_byte);
 }
 
 PaperCorner corner(std::uint64_t i) {
@@ -74,12 +72,12 @@ TEST_CASE("no legend overlaps the scale bar, and one is left out only where not 
     if (rng.below(2) == 0) around.place = PaperPlace{corner(rng.below(4)), {rng.uniform(0, 60), rng.uniform(0, 60)}};
     const std::vector<LegendEntry> entries = key_of(1 + rng.below(25));
     const double shrink = rng.uniform(0.7, 1.0);
-    const PlacedLegend legend = place_legend(entries, letter_width, shrink, around, kWhiteCanvas);
+    const PlacedLegend legend = place_legend(entries, test::half_size_a_byte, shrink, around, kWhiteCanvas);
     CAPTURE(width, height, entries.size(), around.place.has_value());
     CHECK(legend.lacks_room == legend.drawing.is_empty());
     if (legend.lacks_room) {
       ++left_out;
-      const PaperDrawing least = layout_legend(entries, letter_width, 0.0, kWhiteCanvas);
+      const PaperDrawing least = layout_legend(entries, test::half_size_a_byte, 0.0, kWhiteCanvas);
       CHECK_FALSE(has_place(shrink * Vec2{least.width, least.height}, at.room, *at.longest_bar, 8.0));
       continue;
     }
@@ -95,7 +93,8 @@ TEST_CASE("no legend overlaps the scale bar, and one is left out only where not 
 
 TEST_CASE("where nothing is known of the drawing, the legend is in the lower right corner, at every zoom the same") {
   const std::vector<LegendEntry> entries = key_of(4);
-  const PlacedLegend first = place_legend(entries, letter_width, 1.0, {.room = {{0, 0}, {800, 600}}}, kWhiteCanvas);
+  const PlacedLegend first =
+      place_legend(entries, test::half_size_a_byte, 1.0, {.room = {{0, 0}, {800, 600}}}, kWhiteCanvas);
   CHECK(box_of(first).high.x == Approx(800 - kUsualMarginPx));
   CHECK(box_of(first).high.y == Approx(600 - kUsualMarginPx));
   Rng rng(4);
@@ -106,8 +105,8 @@ TEST_CASE("where nothing is known of the drawing, the legend is in the lower rig
       for (int i = 0; i < 50; ++i) {
         const MarksPlace at =
             marks_of({.bar = true, .bar_at = bar_at}, width, 400.0, std::pow(10.0, rng.uniform(-3.0, 3.0)));
-        const PlacedLegend legend =
-            place_legend(entries, letter_width, 1.0, {.room = at.room, .bar = at.longest_bar}, kWhiteCanvas);
+        const PlacedLegend legend = place_legend(entries, test::half_size_a_byte, 1.0,
+                                                 {.room = at.room, .bar = at.longest_bar}, kWhiteCanvas);
         REQUIRE_FALSE(legend.lacks_room);
         if (!there) there = legend.corner;
         // The number of the bar may be wider than the bar, and letters move nothing.
@@ -123,7 +122,7 @@ TEST_CASE("of the corners it takes the one that hides least, without words if it
   const Box2 room{{0, 20}, {800, 600}};
   const auto with = [&](LegendSurroundings around) {
     around.room = room;
-    return box_of(place_legend(entries, letter_width, 1.0, around, kWhiteCanvas)).center();
+    return box_of(place_legend(entries, test::half_size_a_byte, 1.0, around, kWhiteCanvas)).center();
   };
   const auto is_at = [&](Vec2 center, bool is_right, bool is_bottom) {
     return (center.x > 400) == is_right && (center.y > 310) == is_bottom;
@@ -146,7 +145,7 @@ TEST_CASE("of the corners it takes the one that hides least, without words if it
 TEST_CASE("a place that is the scale bar's is next to it") {
   const MarksPlace at = marks_of({.bar = true}, 800.0, 600.0);
   const auto legend =
-      place_legend(key_of(3), letter_width, 1.0,
+      place_legend(key_of(3), test::half_size_a_byte, 1.0,
                    {.room = at.room, .bar = at.longest_bar, .place = PaperPlace{.corner = PaperCorner::bottom_left}},
                    kWhiteCanvas);
   CHECK(legend.corner.x == Approx(kUsualMarginPx));

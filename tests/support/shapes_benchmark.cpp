@@ -62,6 +62,16 @@ std::vector<Vec2> noisy_curve(std::size_t n, std::uint64_t seed) {
   }
   return points;
 }
+std::vector<Vec2> noisy_trefoil(std::size_t n, double noise, std::uint64_t seed) {
+  Rng random(seed);
+  std::vector<Vec2> points;
+  for (std::size_t i = 0; i < n; ++i) {
+    const double t = kTurn * static_cast<double>(i) / static_cast<double>(n);
+    const double r = 100.0 * (1.0 + 0.3 * std::cos(3.0 * t)) + noise * (random.uniform() - 0.5);
+    points.push_back({r * std::cos(t), r * std::sin(t)});
+  }
+  return points;
+}
 
 std::vector<Vec2> uniform_square(std::size_t n, std::uint64_t seed) {
   Rng random(seed);

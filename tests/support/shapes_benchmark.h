@@ -20,6 +20,9 @@ std::vector<Vec2> rough_curve(std::size_t n, std::uint64_t seed = 1);
 /// The same curve under noise of up to one step in each coordinate: many odd samples, all along the curve.
 std::vector<Vec2> noisy_curve(std::size_t n, std::uint64_t seed = 1);
 
+/// A curve of three petals, of radii from 70 to 130 and `noise` in all, at equal angles.
+std::vector<Vec2> noisy_trefoil(std::size_t n, double noise, std::uint64_t seed);
+
 /// Uniform in the square [0, 400)^2: no curve at all, odd samples everywhere.
 std::vector<Vec2> uniform_square(std::size_t n, std::uint64_t seed = 1);
 

@@ -167,7 +167,8 @@ std::string TestBench::trouble() const {
 }
 
 ComparedBench::ComparedBench() {
-  show({"curve-normals", "medial-axis", "label-conflicts", "polar-disks", "b-inner-disks"});
+  show({"curve-normals", "medial-axis", "axis-nodes", "interior-voronoi-disks", "label-conflicts", "polar-disks",
+        "b-inner-disks"});
 }
 
 ComparedBench::ComparedBench(const std::vector<Vec2>& positions) : ComparedBench() {

@@ -93,8 +93,8 @@ class TestBench {
   LayerContents contents_;
 };
 
-/// A bench of what `state` says, and of no unions of balls: in exact numbers they take most of the time, and are compared
-/// elsewhere.
+/// A bench of what `state` says and of the axis as it is drawn. There are no unions of balls: in exact numbers they take
+/// most of the time, and are compared elsewhere.
 struct ComparedBench : TestBench {
   ComparedBench();
   explicit ComparedBench(const std::vector<Vec2>& positions);
