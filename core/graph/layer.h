@@ -14,22 +14,20 @@
 //                       edges_part({PrimitiveKind::segment}, delaunay, delaunay.edge_changes(), emit));
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <memory>
-#include <unordered_set>
+#include <span>
 #include <vector>
 
 #include "core/base/arc.h"
 #include "core/base/change_set.h"
-#include "core/base/error.h"
-#include "core/base/prefetch.h"
 #include "core/draw/layer_descriptor.h"
 #include "core/draw/patch.h"
 #include "core/graph/hit.h"
 #include "core/graph/structure.h"
+#include "core/graph/table_columns.h"
 
 namespace mes {
 
@@ -90,20 +88,7 @@ class Instance {
   bool wants_scalar_ = true;
 };
 
-inline void Instance::set_values(PrimitiveKind kind, const std::array<double, 8>& values) {
-  double sum = 0.0;
-  const std::size_t size = stride_of(kind);
-  for (std::size_t i = 0; i < size; ++i) sum += std::abs(values[i]) * 0x1p-8;
-  values_ = values;
-  kind_ = kind;
-  is_set_ = std::isfinite(sum);
-  is_lost_ = !is_set_;
-}
-
-/// Where the primitives of a table's rows stand in the drawing buffers of one layer.
-///
-/// Instances of a kind are numbered without gaps. A row that stops drawing leaves a hole, which the next newcomer
-/// takes; holes left at the end are filled with the last instances, whose rows are emitted again for that.
+/// What a layer draws of one table.
 class LayerPart {
  public:
   virtual ~LayerPart() = default;
@@ -123,216 +108,69 @@ class LayerPart {
   virtual void for_each_instance(const Visit& visit) const = 0;
 };
 
-class InstancePlaces {
+/// A part whose rows are looked at in turn; the rest is the same for all tables.
+class TablePart : public LayerPart {
  public:
-  void reset(std::size_t rows, PrimitiveKind main_kind) {
-    place_.assign(rows, kNoPlace);
-    for (auto& rows_of_kind : row_at_) rows_of_kind.clear();
-    row_at_[index_of(main_kind)].reserve(rows);
-  }
-  /// Bulk emission: the row's instance is the next of its kind.
-  void append(RowNumber row, const Instance& instance, LayerPatch& patch) {
-    auto& rows = row_at_[index_of(instance.kind())];
-    place_[row] = encode(instance.kind(), static_cast<std::uint32_t>(rows.size()));
-    rows.push_back(row);
-    append_to(patch[instance.kind()].data, instance);
-  }
-  void grow(std::size_t rows) {
-    if (place_.size() < rows) place_.resize(rows, kNoPlace);
-  }
-  void expect(RowNumber row) const { prefetch(place_.data() + row); }
-  /// The row draws nothing any more.
-  void withdraw(RowNumber row) {
-    const std::uint32_t place = place_[row];
-    if (place == kNoPlace) return;
-    const std::size_t kind = place >> kIndexBits;
-    const std::uint32_t index = place & kIndexMask;
-    row_at_[kind][index] = kNoRow;
-    holes_[kind].push_back(index);
-    place_[row] = kNoPlace;
-  }
-  void put(RowNumber row, const Instance& instance, LayerPatch& patch) {
-    const std::size_t kind = index_of(instance.kind());
-    if (place_[row] != kNoPlace && place_[row] >> kIndexBits != kind) withdraw(row);
-    if (place_[row] == kNoPlace) {
-      auto& rows = row_at_[kind];
-      std::uint32_t index = static_cast<std::uint32_t>(rows.size());
-      if (holes_[kind].empty()) {
-        rows.push_back(row);
-      } else {
-        index = holes_[kind].back();
-        holes_[kind].pop_back();
-        rows[index] = row;
-      }
-      place_[row] = encode(instance.kind(), index);
-    }
-    write(place_[row] & kIndexMask, instance, patch);
-  }
-  /// Closes the holes of the given kinds; `emit(row, instance)` is asked for rows that move.
-  template <class Emit>
-  void close_holes(const std::vector<PrimitiveKind>& kinds, LayerPatch& patch, Emit emit) {
-    for (const PrimitiveKind kind : kinds) {
-      auto& holes = holes_[index_of(kind)];
-      auto& rows = row_at_[index_of(kind)];
-      const auto drop_tail = [&rows] {
-        while (!rows.empty() && rows.back() == kNoRow) rows.pop_back();
-      };
-      while (!holes.empty()) {
-        drop_tail();
-        const std::uint32_t hole = holes.back();
-        holes.pop_back();
-        if (hole >= rows.size()) continue;
-        const RowNumber row = rows.back();
-        rows.pop_back();
-        rows[hole] = row;
-        place_[row] = encode(kind, hole);
-        Instance instance;
-        emit(row, instance);
-        if (!instance.is_set() || instance.kind() != kind)
-          throw GeometryError("a row is drawn in another way, though no change of it is named");
-        write(hole, instance, patch);
-      }
-      drop_tail();
-      KindPatch& out = patch[kind];
-      out.count_changed = out.count_changed || out.count != rows.size();
-      out.count = static_cast<std::uint32_t>(rows.size());
-    }
-  }
-  std::uint32_t count(PrimitiveKind kind) const { return static_cast<std::uint32_t>(row_at_[index_of(kind)].size()); }
+  ~TablePart() override;
+  TablePart(const TablePart&) = delete;
+  TablePart& operator=(const TablePart&) = delete;
+
+  void reset(LayerPatch& patch) final;
+  void pour(InstancePiece out, bool needs_scalars, const std::function<void(const InstancePiece&)>& take) final;
+  void update(LayerPatch& patch) final;
+  void expect_update() const final;
+  std::size_t lost() const final;
+  void for_each_instance(const Visit& visit) const final;
+
+ protected:
+  TablePart(std::vector<PrimitiveKind> kinds, ElementType element);
 
  private:
-  static constexpr std::uint32_t kNoPlace = 0xffffffffU;
-  static constexpr RowNumber kNoRow = 0xffffffffU;
-  static constexpr unsigned kIndexBits = 29;
-  static constexpr std::uint32_t kIndexMask = (1U << kIndexBits) - 1U;
-  static_assert(kPrimitiveKinds <= std::size_t{1} << (32U - kIndexBits));
-  static std::size_t index_of(PrimitiveKind kind) { return static_cast<std::size_t>(kind); }
-  static std::uint32_t encode(PrimitiveKind kind, std::uint32_t index) {
-    return (static_cast<std::uint32_t>(kind) << kIndexBits) | index;
-  }
-  static void append_to(std::vector<double>& data, const Instance& instance) {
-    data.insert(data.end(), instance.begin(), instance.end());
-  }
-  void write(std::uint32_t index, const Instance& instance, LayerPatch& patch) {
-    KindPatch& out = patch[instance.kind()];
-    out.index.push_back(index);
-    append_to(out.data, instance);
-  }
+  class Places;
+  virtual std::size_t row_count() const = 0;
+  virtual RowChanges changes() const = 0;
+  /// Looks at as many rows from `first` on as `out` has instances, all clear.
+  virtual void emit_rows(RowNumber first, std::span<Instance> out) const = 0;
+  /// Looks at the rows of the list from place `from` on, as many.
+  virtual void emit_listed(std::span<const RowNumber> rows, std::size_t from, std::span<Instance> out) const = 0;
 
-  std::vector<std::uint32_t> place_;  // by row: kind and index
-  std::array<std::vector<RowNumber>, kPrimitiveKinds> row_at_;
-  std::array<std::vector<std::uint32_t>, kPrimitiveKinds> holes_;
+  /// Shows the instance of each row, set, lost or clear.
+  template <class Take>
+  void for_each_row(bool wants_scalars, Take take) const;
+
+  std::vector<PrimitiveKind> kinds_;
+  ElementType element_;
+  std::unique_ptr<Places> places_;
 };
 
 /// `RowCount()` gives the number of rows, `Emit(row, instance)` looks at one, dead or alive.
 template <class Row, class RowCount, class Emit>
-class TablePart final : public LayerPart {
+class PartOf final : public TablePart {
  public:
-  TablePart(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet<Row>& changes, Emit emit,
-            ElementType element)
-      : kinds_(std::move(kinds)), rows_(rows), changes_(changes), emit_(emit), element_(element) {}
-
-  void reset(LayerPatch& patch) override {
-    const std::size_t rows = rows_();
-    // Room for all rows as the first kind: memory that is not written costs nothing, growing step by step does.
-    places_.reset(rows, kinds_.front());
-    for (const PrimitiveKind kind : kinds_) {
-      patch[kind].clear();
-      patch[kind].reset = true;
-    }
-    patch[kinds_.front()].data.reserve(rows * stride_of(kinds_.front()));
-    Instance instance;
-    lost_.clear();
-    for (RowNumber row = 0; row < rows; ++row) {
-      instance.clear();
-      emit_(Row(row), instance);
-      if (instance.is_set()) places_.append(row, instance, patch);
-      if (instance.is_lost()) lost_.insert(row);
-    }
-    for (const PrimitiveKind kind : kinds_) patch[kind].count = places_.count(kind);
-  }
-
-  void pour(InstancePiece out, bool needs_scalars, const std::function<void(const InstancePiece&)>& take) override {
-    constexpr std::size_t kPiece = 4096;  // instances; some hundred kibibytes, which stay in the cache
-    std::array<std::vector<double>, kPrimitiveKinds> pieces;
-    const auto flush = [&](PrimitiveKind kind) {
-      std::vector<double>& values = pieces[static_cast<std::size_t>(kind)];
-      if (values.empty()) return;
-      out.kind = kind;
-      out.values = values;
-      take(out);
-      values.clear();
-    };
-    for (const PrimitiveKind kind : kinds_) pieces[static_cast<std::size_t>(kind)].reserve(kPiece * stride_of(kind));
-    const std::size_t rows = rows_();
-    Instance instance;
-    instance.set_wants_scalar(needs_scalars);
-    lost_.clear();
-    for (RowNumber row = 0; row < rows; ++row) {
-      instance.clear();
-      emit_(Row(row), instance);
-      if (instance.is_lost()) lost_.insert(row);
-      if (!instance.is_set()) continue;
-      std::vector<double>& values = pieces[static_cast<std::size_t>(instance.kind())];
-      values.insert(values.end(), instance.begin(), instance.end());
-      if (values.size() >= kPiece * stride_of(instance.kind())) flush(instance.kind());
-    }
-    for (const PrimitiveKind kind : kinds_) flush(kind);
-  }
-
-  void update(LayerPatch& patch) override {
-    places_.grow(rows_());
-    for (const PrimitiveKind kind : kinds_) patch[kind].count = places_.count(kind);
-    for (const Row row : changes_.removed) places_.withdraw(row.index());
-    if (!lost_.empty())
-      for (const auto* rows : {&changes_.removed, &changes_.touched})
-        for (const Row row : *rows) lost_.erase(row.index());
-    Instance instance;
-    constexpr std::size_t kAhead = 8;
-    const std::vector<Row>& touched = changes_.touched;
-    for (std::size_t i = 0; i < touched.size(); ++i) {
-      const Row row = touched[i];
-      if constexpr (requires { emit_.expect(row); }) {
-        if (i + 2 * kAhead < touched.size()) emit_.expect(touched[i + 2 * kAhead]);
-        if (i + kAhead < touched.size()) emit_.expect_more(touched[i + kAhead]);
-      }
-      instance.clear();
-      emit_(row, instance);
-      if (instance.is_lost()) lost_.insert(row.index());
-      if (instance.is_set()) {
-        places_.put(row.index(), instance, patch);
-      } else {
-        places_.withdraw(row.index());
-      }
-    }
-    places_.close_holes(kinds_, patch, [this](RowNumber row, Instance& out) { emit_(Row(row), out); });
-  }
-
-  void expect_update() const override {
-    for (const Row row : changes_.touched) places_.expect(row.index());
-    for (const Row row : changes_.removed) places_.expect(row.index());
-  }
-
-  std::size_t lost() const override { return lost_.size(); }
-
-  void for_each_instance(const Visit& visit) const override {
-    const std::size_t rows = rows_();
-    Instance instance;
-    for (RowNumber row = 0; row < rows; ++row) {
-      instance.clear();
-      emit_(Row(row), instance);
-      if (instance.is_set()) visit(instance.kind(), instance.begin(), {element_, row});
-    }
-  }
+  PartOf(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet<Row>& changes, Emit emit,
+         ElementType element)
+      : TablePart(std::move(kinds), element), rows_(rows), changes_(changes), emit_(emit) {}
 
  private:
-  std::vector<PrimitiveKind> kinds_;
+  std::size_t row_count() const override { return rows_(); }
+  RowChanges changes() const override { return row_numbers(changes_); }
+  void emit_rows(RowNumber first, std::span<Instance> out) const override {
+    for (Instance& instance : out) emit_(Row(first++), instance);
+  }
+  void emit_listed(std::span<const RowNumber> rows, std::size_t from, std::span<Instance> out) const override {
+    for (Instance& instance : out) {
+      if constexpr (requires(Row row) { emit_.expect(row); }) {
+        constexpr std::size_t kAhead = 8;
+        if (from + 2 * kAhead < rows.size()) emit_.expect(Row(rows[from + 2 * kAhead]));
+        if (from + kAhead < rows.size()) emit_.expect_more(Row(rows[from + kAhead]));
+      }
+      emit_(Row(rows[from++]), instance);
+    }
+  }
+
   RowCount rows_;
   const ChangeSet<Row>& changes_;
   Emit emit_;
-  ElementType element_;
-  InstancePlaces places_;
-  std::unordered_set<RowNumber> lost_;  // few, or none
 };
 
 /// Part of a layer over one table, whose rows are of the kind of the change set. Each kind of primitive of a layer
@@ -342,7 +180,7 @@ class TablePart final : public LayerPart {
 template <class Row, class RowCount, class Emit>
 std::unique_ptr<LayerPart> table_part(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet<Row>& changes,
                                       Emit emit, ElementType element = {}) {
-  return std::make_unique<TablePart<Row, RowCount, Emit>>(std::move(kinds), rows, changes, emit, element);
+  return std::make_unique<PartOf<Row, RowCount, Emit>>(std::move(kinds), rows, changes, emit, element);
 }
 
 struct Layer {

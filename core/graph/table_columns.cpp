@@ -23,17 +23,6 @@ std::string_view name_of(ColumnType type) {
   return {};
 }
 
-std::size_t size_of(ColumnType type) {
-  switch (type) {
-    case ColumnType::float64: return 8;
-    case ColumnType::uint32: return 4;
-    case ColumnType::uint8:
-    case ColumnType::int8:
-    case ColumnType::boolean: return 1;
-  }
-  return 0;
-}
-
 void TableColumn::copy_row(RowNumber row, void* out) const {
   if (read) return read(row, out);
   MES_ASSERT(data != nullptr);

@@ -10,8 +10,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
+#include "core/base/change_set.h"
 #include "core/base/slot.h"
 #include "core/graph/element.h"
 
@@ -21,7 +23,16 @@ namespace mes {
 enum class ColumnType : std::uint8_t { float64, uint32, uint8, int8, boolean };
 /// "float64", as NumPy calls it.
 std::string_view name_of(ColumnType type);
-std::size_t size_of(ColumnType type);
+constexpr std::size_t size_of(ColumnType type) {
+  switch (type) {
+    case ColumnType::float64: return 8;
+    case ColumnType::uint32: return 4;
+    case ColumnType::uint8:
+    case ColumnType::int8:
+    case ColumnType::boolean: return 1;
+  }
+  return 0;
+}
 
 /// In a column of row numbers, the number of no row.
 inline constexpr RowNumber kNoRow = 0xffffffffU;
@@ -61,6 +72,17 @@ struct RowChanges {
   std::span<const RowNumber> touched;
   std::span<const RowNumber> removed;
 };
+
+/// Slots are row numbers and nothing else.
+template <class Row>
+std::span<const RowNumber> row_numbers(const std::vector<Row>& rows) {
+  static_assert(std::is_standard_layout_v<Row> && sizeof(Row) == sizeof(RowNumber));
+  return {reinterpret_cast<const RowNumber*>(rows.data()), rows.size()};
+}
+template <class Row>
+RowChanges row_numbers(const ChangeSet<Row>& changes) {
+  return {row_numbers(changes.touched), row_numbers(changes.removed)};
+}
 
 /// What it guarantees, as long as the structure is up to date:
 ///  1. Every column can be read for each row below `rows`. Values of rows that are not alive mean nothing.

@@ -9,12 +9,14 @@
 #include <functional>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
-#include "core/base/assert.h"
 #include "core/base/change_set.h"
 #include "core/base/disk.h"
 #include "core/base/table.h"
@@ -75,13 +77,57 @@ struct ColumnTraits<std::array<Value, N>> : ColumnTraits<Value> {
 template <class Value, std::size_t N>
 struct ColumnTraits<Value[N]> : ColumnTraits<std::array<Value, N>> {};
 
-/// The table that row numbers of a column belong to, and the number there of the vertex at infinity, if it occurs.
+/// The table that row numbers of a column belong to, and the number there of the vertex at infinity, if it occurs. Refers
+/// to the name.
 struct RowsOf {
-  std::string table;
+  std::string_view table;
   std::optional<RowNumber> infinity;
-  RowsOf(std::string name)
-      : table(std::move(name)) {}  // NOLINT(google-explicit-constructor): most tables have no infinity
-  RowsOf(std::string name, RowNumber at_infinity) : table(std::move(name)), infinity(at_infinity) {}
+  RowsOf(const std::string& name) : table(name) {}  // NOLINT(google-explicit-constructor): most have no infinity
+  RowsOf(std::string_view name, RowNumber at_infinity) : table(name), infinity(at_infinity) {}
+};
+
+/// The part of `TableMaker` that is the same for all kinds of rows.
+class AnyTableMaker {
+ public:
+  void set_kind(ElementKind kind) { table_.kind = kind; }
+  void set_rows_of(std::string table) { table_.rows_of = std::move(table); }
+  TableColumns take();
+
+ protected:
+  struct ValueShape {
+    ColumnType type;
+    unsigned width;
+    std::span<const std::string_view> parts;
+    bool is_reference;
+  };
+  template <class Value>
+  static constexpr ValueShape shape_of() {
+    using Traits = ColumnTraits<Value>;
+    static_assert(sizeof(Value) == Traits::width * size_of(Traits::type));
+    return {Traits::type, Traits::width, Traits::parts, Traits::is_reference};
+  }
+
+  AnyTableMaker(std::string_view name, std::string_view description, std::function<bool(RowNumber)> is_alive);
+  void set_rows(std::size_t rows) { table_.rows = rows; }
+  void set_rows(std::function<std::size_t()> rows);
+  void set_changes(std::function<RowChanges()> changes);
+  void limit_rows(const std::function<std::size_t()>& size);
+  TableColumn& add(std::string_view name, std::string_view description, const ValueShape& shape);
+  TableColumn& add_stored(std::string_view name, std::string_view description, const ValueShape& shape,
+                          std::size_t stride, const std::function<std::size_t()>& size,
+                          const std::function<const void*()>& address);
+  /// `read` is asked for `kNoRow` where the row is not alive.
+  TableColumn& add_read(std::string_view name, std::string_view description, const ValueShape& shape,
+                        std::function<void(RowNumber, void*)> read);
+  // The assertion fails when a structure lists row numbers as plain values; a reference has to name its table.
+  static TableColumn& plain(TableColumn& column);
+  static TableColumn& boolean(TableColumn& column);
+  static TableColumn& refer(TableColumn& column, const RowsOf& target);
+
+ private:
+  struct Refresh;
+  TableColumns table_;
+  std::shared_ptr<Refresh> refresh_;  // null: it cannot be refreshed
 };
 
 /// Makes a `TableColumns` whose rows are slots of one kind.
@@ -95,183 +141,103 @@ struct RowsOf {
 ///     faces.reference("corners", "counter-clockwise", face_, &FaceRow::v, table_name(id(), "sites"));
 ///     return taken(faces);
 template <class Row>
-class TableMaker {
+class TableMaker : public AnyTableMaker {
  public:
   /// `rows` is the number of rows, or a function that returns it. With a function the table can be refreshed; its
   /// columns and change sets are then members of the structure, or of what it keeps as long as it lives.
   template <class Rows, class IsAlive>
-  TableMaker(std::string name, std::string description, Rows rows, IsAlive is_alive) {
-    table_.name = std::move(name);
-    table_.description = std::move(description);
-    if constexpr (std::is_invocable_v<Rows>) {
-      table_.rows = rows();
-      refresh_ = std::make_shared<Refresh>();
-      refresh_->rows = std::move(rows);
-    } else {
-      table_.rows = rows;
-    }
-    table_.is_alive = [is_alive = std::move(is_alive)](RowNumber row) -> bool { return is_alive(Row(row)); };
+  TableMaker(std::string_view name, std::string_view description, Rows rows, IsAlive is_alive)
+      : AnyTableMaker(name, description,
+                      [is_alive = std::move(is_alive)](RowNumber row) -> bool { return is_alive(Row(row)); }) {
+    set_rows(std::move(rows));
   }
 
-  void set_kind(ElementKind kind) { table_.kind = kind; }
-  void set_rows_of(std::string table) { table_.rows_of = std::move(table); }
   void set_changes(const ChangeSet<Row>& changes) { set_changes_of(changes); }
   /// The change set of another table with the same row numbers.
   template <class Other>
   void set_changes_of(const ChangeSet<Other>& changes) {
-    table_.changes = {numbers(changes.touched), numbers(changes.removed)};
-    if (refresh_)
-      refresh_->changes = [&changes] { return RowChanges{numbers(changes.touched), numbers(changes.removed)}; };
+    AnyTableMaker::set_changes([&changes] { return row_numbers(changes); });
   }
   /// The table has no more rows than these values.
   template <class Values>
   void limit_rows(const Values& values) {
-    table_.rows = std::min(table_.rows, values.size());
-    if (refresh_) refresh_->limits.push_back([&values] { return values.size(); });
+    AnyTableMaker::limit_rows([&values] { return values.size(); });
   }
 
   // Columns that are stored: as a table of their own, or as a member of each row. `reference` is for row numbers, and
   // `flag` for bytes that are 0 or 1.
   template <class Value>
-  TableColumn& column(std::string name, std::string description, const Table<Row, Value>& values) {
-    return plain(stored(std::move(name), std::move(description), values.values()));
+  TableColumn& column(std::string_view name, std::string_view description, const Table<Row, Value>& values) {
+    return plain(stored(name, description, values.values()));
   }
   template <class Struct, class Value>
-  TableColumn& column(std::string name, std::string description, const Table<Row, Struct>& rows,
+  TableColumn& column(std::string_view name, std::string_view description, const Table<Row, Struct>& rows,
                       Value Struct::*member) {
-    return plain(stored(std::move(name), std::move(description), rows.values(), member));
+    return plain(stored(name, description, rows.values(), member));
   }
   template <class Struct, class Value>
-  TableColumn& column(std::string name, std::string description, const std::vector<Struct>& rows,
+  TableColumn& column(std::string_view name, std::string_view description, const std::vector<Struct>& rows,
                       Value Struct::*member) {
-    return plain(stored(std::move(name), std::move(description), rows, member));
+    return plain(stored(name, description, rows, member));
   }
-  TableColumn& flag(std::string name, std::string description, const Table<Row, std::uint8_t>& values) {
-    return boolean(stored(std::move(name), std::move(description), values.values()));
+  TableColumn& flag(std::string_view name, std::string_view description, const Table<Row, std::uint8_t>& values) {
+    return boolean(stored(name, description, values.values()));
   }
   template <class Struct>
-  TableColumn& flag(std::string name, std::string description, const Table<Row, Struct>& rows,
+  TableColumn& flag(std::string_view name, std::string_view description, const Table<Row, Struct>& rows,
                     std::uint8_t Struct::*member) {
-    return boolean(stored(std::move(name), std::move(description), rows.values(), member));
+    return boolean(stored(name, description, rows.values(), member));
   }
   template <class Value>
-  TableColumn& reference(std::string name, std::string description, const Table<Row, Value>& values,
+  TableColumn& reference(std::string_view name, std::string_view description, const Table<Row, Value>& values,
                          const RowsOf& target) {
-    return refer(stored(std::move(name), std::move(description), values.values()), target);
+    return refer(stored(name, description, values.values()), target);
   }
   template <class Struct, class Value>
-  TableColumn& reference(std::string name, std::string description, const Table<Row, Struct>& rows,
+  TableColumn& reference(std::string_view name, std::string_view description, const Table<Row, Struct>& rows,
                          Value Struct::*member, const RowsOf& target) {
-    return refer(stored(std::move(name), std::move(description), rows.values(), member), target);
+    return refer(stored(name, description, rows.values(), member), target);
   }
   template <class Struct, class Value>
-  TableColumn& reference(std::string name, std::string description, const std::vector<Struct>& rows,
+  TableColumn& reference(std::string_view name, std::string_view description, const std::vector<Struct>& rows,
                          Value Struct::*member, const RowsOf& target) {
-    return refer(stored(std::move(name), std::move(description), rows, member), target);
+    return refer(stored(name, description, rows, member), target);
   }
 
   // Columns that are computed, by a function of the row, which is asked for rows that are alive.
   template <class ValueOf>
-  TableColumn& computed(std::string name, std::string description, ValueOf value_of) {
-    return plain(made(std::move(name), std::move(description), std::move(value_of)));
+  TableColumn& computed(std::string_view name, std::string_view description, ValueOf value_of) {
+    return plain(made(name, description, std::move(value_of)));
   }
   template <class ValueOf>
-  TableColumn& computed_reference(std::string name, std::string description, ValueOf value_of, const RowsOf& target) {
-    return refer(made(std::move(name), std::move(description), std::move(value_of)), target);
-  }
-
-  TableColumns take() {
-    if (refresh_) table_.refresh = [refresh = std::move(refresh_)](TableColumns& table) { refresh->apply(table); };
-    return std::move(table_);
+  TableColumn& computed_reference(std::string_view name, std::string_view description, ValueOf value_of,
+                                  const RowsOf& target) {
+    return refer(made(name, description, std::move(value_of)), target);
   }
 
  private:
-  /// Functions that read where everything is now.
-  struct Refresh {
-    std::function<std::size_t()> rows;
-    std::vector<std::function<std::size_t()>> limits;
-    std::vector<std::pair<std::size_t, std::function<const void*()>>> columns;  // by their places
-    std::function<RowChanges()> changes;
-
-    void apply(TableColumns& table) const {
-      table.rows = rows();
-      for (const auto& limit : limits) table.rows = std::min(table.rows, limit());
-      for (const auto& [column, address] : columns) table.columns[column].data = address();
-      if (changes) table.changes = changes();
-    }
-  };
-
-  std::size_t index_of_last() const { return table_.columns.size() - 1; }
-  template <class Other>
-  static std::span<const RowNumber> numbers(const std::vector<Other>& rows) {
-    static_assert(std::is_standard_layout_v<Other> && sizeof(Other) == sizeof(RowNumber));
-    return {reinterpret_cast<const RowNumber*>(rows.data()), rows.size()};
-  }
   template <class Value>
-  TableColumn& add(std::string name, std::string description) {
-    using Traits = ColumnTraits<Value>;
-    static_assert(sizeof(Value) % Traits::width == 0);
-    TableColumn column{.name = std::move(name),
-                       .description = std::move(description),
-                       .type = Traits::type,
-                       .width = Traits::width,
-                       .parts = Traits::parts,
-                       .is_reference = Traits::is_reference};
-    MES_ASSERT(column.row_size() == sizeof(Value));
-    return table_.columns.emplace_back(std::move(column));
-  }
-  template <class Value>
-  TableColumn& stored(std::string name, std::string description, const std::vector<Value>& values) {
+  TableColumn& stored(std::string_view name, std::string_view description, const std::vector<Value>& values) {
     static_assert(!std::same_as<Value, bool>, "bits have no address");
-    TableColumn& column = add<Value>(std::move(name), std::move(description));
-    column.stride = sizeof(Value);
-    column.data = values.data();
-    limit_rows(values);
-    if (refresh_)
-      refresh_->columns.emplace_back(index_of_last(), [&values]() -> const void* { return values.data(); });
-    return column;
+    return add_stored(
+        name, description, shape_of<Value>(), sizeof(Value), [&values] { return values.size(); },
+        [&values]() -> const void* { return values.data(); });
   }
   template <class Struct, class Value>
-  TableColumn& stored(std::string name, std::string description, const std::vector<Struct>& rows,
+  TableColumn& stored(std::string_view name, std::string_view description, const std::vector<Struct>& rows,
                       Value Struct::*member) {
-    TableColumn& column = add<Value>(std::move(name), std::move(description));
-    const auto address = [&rows, member]() -> const void* {
-      return rows.empty() ? nullptr : std::addressof(rows.front().*member);
-    };
-    column.stride = sizeof(Struct);
-    column.data = address();
-    limit_rows(rows);
-    if (refresh_) refresh_->columns.emplace_back(index_of_last(), address);
-    return column;
+    return add_stored(
+        name, description, shape_of<Value>(), sizeof(Struct), [&rows] { return rows.size(); },
+        [&rows, member]() -> const void* { return rows.empty() ? nullptr : std::addressof(rows.front().*member); });
   }
   template <class ValueOf>
-  TableColumn& made(std::string name, std::string description, ValueOf value_of) {
+  TableColumn& made(std::string_view name, std::string_view description, ValueOf value_of) {
     using Value = std::remove_cvref_t<std::invoke_result_t<ValueOf&, Row>>;
-    TableColumn& column = add<Value>(std::move(name), std::move(description));
-    column.read = [is_alive = table_.is_alive, value_of = std::move(value_of)](RowNumber row, void* out) {
-      const Value value = is_alive(row) ? value_of(Row(row)) : Value{};
+    return add_read(name, description, shape_of<Value>(), [value_of = std::move(value_of)](RowNumber row, void* out) {
+      const Value value = row == kNoRow ? Value{} : value_of(Row(row));
       std::memcpy(out, &value, sizeof(Value));
-    };
-    return column;
+    });
   }
-  // The assertion fails when a structure lists row numbers as plain values; a reference has to name its table.
-  static TableColumn& plain(TableColumn& column) {
-    MES_ASSERT(!column.is_reference);
-    return column;
-  }
-  static TableColumn& boolean(TableColumn& column) {
-    column.type = ColumnType::boolean;
-    return column;
-  }
-  static TableColumn& refer(TableColumn& column, const RowsOf& target) {
-    MES_ASSERT(column.is_reference);
-    column.refers_to = target.table;
-    column.infinity = target.infinity;
-    return column;
-  }
-
-  TableColumns table_;
-  std::shared_ptr<Refresh> refresh_;  // null: it cannot be refreshed
 };
 
 /// The tables of several makers, which are empty afterwards.
