@@ -32,8 +32,8 @@ namespace mes {
 /// Places are those before the change; removed ones close up, and inserted ones follow at the end. Contours, if they are
 /// named, are all of them, by places after the change; otherwise they lose what is removed. Settings are those that change.
 ///
-/// What it guarantees: after the last line, both sides have the same lists, coordinates bit for bit, the same contours, and
-/// the same values of the settings that both know. A line that makes no sense changes nothing.
+/// Guarantee: after the last line, both sides have the same lists, coordinates bit for bit, the same contours, and the same
+/// values of the settings that both know. A line that makes no sense changes nothing.
 ///
 /// Cost: a proposal takes O(samples), a line what it says and O(samples) where something is removed.
 /// Threads: that of the editor.

@@ -26,7 +26,7 @@ void Instance::set_values(PrimitiveKind kind, const std::array<double, 8>& value
   is_lost_ = !is_set_;
 }
 
-/// Where the primitives of a table's rows stand in the drawing buffers of one layer.
+/// Keeps the places of a table's primitives in the drawing buffers of one layer.
 ///
 /// Instances of a kind are numbered without gaps. A row that stops drawing leaves a hole, which the next newcomer
 /// takes; holes left at the end are filled with the last instances, whose rows are emitted again for that.

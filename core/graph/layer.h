@@ -88,7 +88,7 @@ class Instance {
   bool wants_scalar_ = true;
 };
 
-/// What a layer draws of one table.
+/// Draws the rows of one table for a layer.
 class LayerPart {
  public:
   virtual ~LayerPart() = default;

@@ -194,7 +194,7 @@ TEST_CASE("PostScript looks as the picture of the same view") {
 }
 
 TEST_CASE("encapsulated PostScript looks as the picture of the same view") {
-  // What is drawn is that of PostScript; only the page is another.
+  // The drawing commands are those of PostScript; only the page differs.
   compare_all(".eps", 2.5, {"start", "title", "places"});
 }
 
