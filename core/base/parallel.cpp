@@ -13,7 +13,9 @@
 namespace mes {
 
 std::size_t worker_count() {
-  return std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 16);
+  // The standard library asks the system anew each time, with three calls of the kernel.
+  static const std::size_t count = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 16);
+  return count;
 }
 
 void run_tasks(std::size_t count, const std::function<void(std::size_t)>& task) {
