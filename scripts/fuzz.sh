@@ -38,5 +38,10 @@ fuzz_one() {
   build/asan/fuzzer "$1" fuzz "build/fuzz/$1" "${options[@]}"
 }
 export -f fuzz_one
-printf '%s\n' "${targets[@]}" | xargs -P "$(job_count)" -I{} bash -c 'fuzz_one {}' ||
+printf '%s\n' "${targets[@]}" | xargs -P "$(job_count)" -I{} bash -c 'fuzz_one {}' || {
+  # The inputs as text too, for a machine of which only the output is kept.
+  for finding in build/fuzz/findings/*; do
+    say "$(basename "$finding"), in base64: $(base64 --wrap=0 "$finding")"
+  done
   fail "there are findings in $root/build/fuzz/findings; build/asan/fuzzer TARGET replay FILE shows what they do"
+}

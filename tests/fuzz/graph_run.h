@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
+#include <ctime>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -26,10 +27,12 @@
 
 namespace mes::fuzz {
 
-/// Thrown when a run takes longer than a fuzzer may wait: signs of nested roots can take minutes each.
+/// Thrown when an input takes longer than a fuzzer may wait: signs of nested roots can take minutes each.
 struct TooMuchWork {};
 
-/// Asks for a stop when it has lived for two seconds.
+/// Asks for a stop after three seconds of work of the process, or five seconds on the clock, which counts unions with
+/// naive arithmetic as well: they run in processes of their own. The driver ends the process after thirty seconds of
+/// work, so a finding of too much time is work that does not answer to the stop.
 class WorkLimit {
  public:
   std::stop_token token() const { return stop_.get_token(); }
@@ -37,12 +40,15 @@ class WorkLimit {
 
  private:
   std::stop_source stop_;
-  std::jthread clock_{[this](const std::stop_token& over) {
-    constexpr std::chrono::seconds kMost(2);
+  std::jthread clock_{[this, start = std::clock()](const std::stop_token& over) {
+    constexpr std::clock_t kMostWork = 3 * CLOCKS_PER_SEC;
+    constexpr int kMostLooks = 100;
+    constexpr std::chrono::milliseconds kPause(50);
     std::mutex mutex;
     std::unique_lock lock(mutex);
     std::condition_variable_any ended;
-    ended.wait_for(lock, over, kMost, [] { return false; });
+    for (int i = 0; i < kMostLooks && std::clock() - start < kMostWork && !over.stop_requested(); ++i)
+      ended.wait_for(lock, over, kPause, [] { return false; });
     if (!over.stop_requested()) stop_.request_stop();
   }};
 };
@@ -51,8 +57,9 @@ class WorkLimit {
 /// With naive arithmetic unions may fail.
 class GraphRun {
  public:
-  /// `is_small`: also the layer that compares with exact arithmetic, whatever the number type.
-  GraphRun(const ComputationSettings& settings, bool is_small) {
+  /// `is_small`: also the layer that compares with exact arithmetic, whatever the number type. All runs of an input
+  /// share a limit.
+  GraphRun(const ComputationSettings& settings, bool is_small, const WorkLimit& limit) : limit_(limit) {
     for (LayerIndex layer = 0; layer < layer_descriptors().size(); ++layer)
       if (is_small || layer_descriptors()[layer].id != "precision-difference") layers_.push_back(layer);
     show(layers_);
@@ -79,10 +86,9 @@ class GraphRun {
 
   void run() {
     tasks_left_ = 0;
-    const WorkLimit limit;
-    JobControl job(limit.token());
+    JobControl job(limit_.token());
     if (!graph_.run(patch_, job)) {
-      require(limit.is_reached(), "a run that is not stopped is complete");
+      require(limit_.is_reached(), "a run that is not stopped is complete");
       throw TooMuchWork{};
     }
     for (const NodeReport& node : patch_.nodes) {
@@ -98,6 +104,7 @@ class GraphRun {
   /// A run that is stopped when so many structures and layers have been begun. What it gives is taken all the same.
   void run_and_stop(std::size_t tasks) {
     stop_ = std::stop_source();
+    const std::stop_callback at_limit(limit_.token(), [this] { stop_.request_stop(); });
     tasks_left_ = tasks;
     JobControl job(stop_.get_token());
     if (tasks == 0) stop_.request_stop();
@@ -122,6 +129,7 @@ class GraphRun {
            (precision_ == Precision::naive && (state == NodeState::failed || state == NodeState::blocked));
   }
 
+  const WorkLimit& limit_;
   std::vector<LayerIndex> layers_;
   Precision precision_ = Precision::fast;
   Graph graph_{builtins()};
@@ -144,12 +152,12 @@ inline SampleData data_of(const Document& document, bool is_reversed) {
 }
 
 /// A fresh run of the data.
-inline std::unique_ptr<GraphRun> fresh_run(const SampleData& data, const ComputationSettings& settings,
-                                           bool is_small) {
+inline std::unique_ptr<GraphRun> fresh_run(const SampleData& data, const ComputationSettings& settings, bool is_small,
+                                           const WorkLimit& limit) {
   Document document;
   const auto delta = replace_all(document, data);
   require(delta.has_value(), "the data make a document");
-  auto out = std::make_unique<GraphRun>(settings, is_small);
+  auto out = std::make_unique<GraphRun>(settings, is_small, limit);
   out->post(*delta);
   out->run();
   return out;

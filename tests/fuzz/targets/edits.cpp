@@ -23,7 +23,7 @@ class Script {
       : bytes_(bytes),
         is_in_doubles_(settings.precision <= Precision::fast),
         settings_(settings),
-        run_(settings, !is_in_doubles_),
+        run_(settings, !is_in_doubles_, limit_),
         places_(bytes, static_cast<Places>(bytes.below(3))) {}
 
   void play() {
@@ -119,7 +119,7 @@ class Script {
     run_.run();
     const std::string broken = test::broken_row(run_.graph());
     require(broken.empty(), "rows refer to each other as they should: " + broken);
-    const auto fresh = fresh_run(data_of(document_, true), settings_, !is_in_doubles_);
+    const auto fresh = fresh_run(data_of(document_, true), settings_, !is_in_doubles_, limit_);
     const std::string differs = test::difference(run_.state(), fresh->state());
     require(differs.empty(), "edits equal a fresh computation: " + differs);
     check_layers();
@@ -128,7 +128,7 @@ class Script {
   // What plain doubles give may depend on the way there, and a layer that failed keeps its last picture.
   void check_layers() {
     if (settings_.precision == Precision::naive) return;
-    const auto fresh = fresh_run(data_of(document_, false), settings_, !is_in_doubles_);
+    const auto fresh = fresh_run(data_of(document_, false), settings_, !is_in_doubles_, limit_);
     for (const LayerIndex layer : run_.layers()) {
       const std::string_view id = layer_descriptors()[layer].id;
       if (id == "last-change") continue;
@@ -140,6 +140,7 @@ class Script {
   ByteSource& bytes_;
   bool is_in_doubles_;
   ComputationSettings settings_;
+  WorkLimit limit_;
   GraphRun run_;
   PlaceSource places_;
   Document document_;

@@ -117,12 +117,13 @@ void mes::fuzz::run_geometry(std::string_view input) try {
 
   constexpr std::size_t kFew = 8;
   const bool is_small = document.sample_count() <= kFew && document.ball_count() <= kFew;
-  const auto original = fresh_run(data_of(document, false), settings, is_small);
+  const WorkLimit limit;
+  const auto original = fresh_run(data_of(document, false), settings, is_small, limit);
   const std::string broken = test::broken_row(original->graph());
   require(broken.empty(), "rows refer to each other as they should: " + broken);
   if (settings.precision == Precision::naive) return;  // may lie
   if (is_about_order) {
-    const auto reversed = fresh_run(data_of(document, true), settings, is_small);
+    const auto reversed = fresh_run(data_of(document, true), settings, is_small, limit);
     const std::string differs = test::difference(reversed->state(), original->state());
     require(differs.empty(), "the order of the samples does not matter: " + differs);
     require_same(
@@ -134,7 +135,7 @@ void mes::fuzz::run_geometry(std::string_view input) try {
     ComputationSettings as_large = settings;
     for (const Parameter& length : {Parameter::lambda_limit, Parameter::alpha_radius})
       as_large[length] *= image.scale;
-    const auto run = fresh_run(*moved, as_large, is_small);
+    const auto run = fresh_run(*moved, as_large, is_small, limit);
     test::GeometryState state = run->state();
     state.normals.clear();
     const std::string differs = test::difference(state, image_of(original->state(), image));
