@@ -33,27 +33,27 @@ int sign_with_root(const Number& a, const Number& b, const Number& c) {
   return first * sign_of(a * a - b * b * c);
 }
 
-struct Circle {
+struct UnionCircle {
   Number x, y;
   Number square;  // of the radius
 };
 
-Number square_distance(const Circle& a, const Circle& b) {
+Number square_distance(const UnionCircle& a, const UnionCircle& b) {
   return (a.x - b.x) * (a.x - b.x) + (a.y - b.y) * (a.y - b.y);
 }
 
-bool meet(const Circle& a, const Circle& b) {
+bool meet(const UnionCircle& a, const UnionCircle& b) {
   return sign_with_root(square_distance(a, b) - a.square - b.square, Number(-2), a.square * b.square) <= 0;
 }
 
 /// The disk of `b` lies in that of `a`.
-bool holds(const Circle& a, const Circle& b) {
+bool holds(const UnionCircle& a, const UnionCircle& b) {
   return a.square >= b.square &&
          sign_with_root(a.square + b.square - square_distance(a, b), Number(-2), a.square * b.square) >= 0;
 }
 
 /// A point of both circles lies in the disk of `c`. The disks of `a` and `b` meet, and none holds the other.
-bool have_crossing_in(const Circle& a, const Circle& b, const Circle& c) {
+bool have_crossing_in(const UnionCircle& a, const UnionCircle& b, const UnionCircle& c) {
   const Number dx = b.x - a.x, dy = b.y - a.y, dd = dx * dx + dy * dy;
   const Number along = (dd + a.square - b.square) / (2 * dd);
   const Number away_x = a.x + along * dx - c.x, away_y = a.y + along * dy - c.y;
@@ -63,7 +63,7 @@ bool have_crossing_in(const Circle& a, const Circle& b, const Circle& c) {
   return sign_with_root(power, slope, half_square / dd) <= 0 || sign_with_root(power, -slope, half_square / dd) <= 0;
 }
 
-bool meet(const Circle& a, const Circle& b, const Circle& c) {
+bool meet(const UnionCircle& a, const UnionCircle& b, const UnionCircle& c) {
   if (!meet(a, b) || !meet(b, c) || !meet(a, c)) return false;
   for (const auto& [p, q] : {std::pair{&a, &b}, std::pair{&b, &c}, std::pair{&a, &c}})
     if (holds(*p, *q) || holds(*q, *p)) return true;
@@ -72,7 +72,7 @@ bool meet(const Circle& a, const Circle& b, const Circle& c) {
 
 class Nerve {
  public:
-  explicit Nerve(const std::vector<Circle>& circles) : circles_(circles), size_(circles.size()) {
+  explicit Nerve(const std::vector<UnionCircle>& circles) : circles_(circles), size_(circles.size()) {
     pairs_.resize(size_ * size_);
     triples_.resize(size_ * size_ * size_);
     for (std::size_t i = 0; i < size_; ++i) {
@@ -122,17 +122,17 @@ class Nerve {
     return out;
   }
 
-  const std::vector<Circle>& circles_;
+  const std::vector<UnionCircle>& circles_;
   std::size_t size_;
   std::vector<bool> pairs_, triples_;
 };
 
-Circle circle_of(const Disk& disk, double scale) {
+UnionCircle circle_of(const Disk& disk, double scale) {
   const Number radius = Number(disk.radius) * Number(scale);
   return {disk.center.x, disk.center.y, radius * radius};
 }
 
-Circle circle_through(const std::array<Vec2, 3>& corners, double scale) {
+UnionCircle circle_through(const std::array<Vec2, 3>& corners, double scale) {
   const Number ax = corners[0].x, ay = corners[0].y;
   const Number bx = Number(corners[1].x) - ax, by = Number(corners[1].y) - ay;
   const Number cx = Number(corners[2].x) - ax, cy = Number(corners[2].y) - ay;
@@ -141,8 +141,8 @@ Circle circle_through(const std::array<Vec2, 3>& corners, double scale) {
   return {ax + x, ay + y, (x * x + y * y) * Number(scale) * Number(scale)};
 }
 
-std::vector<Circle> circles_of(const BallUnion& balls) {
-  std::vector<Circle> out;
+std::vector<UnionCircle> circles_of(const BallUnion& balls) {
+  std::vector<UnionCircle> out;
   const BallFamily& family = balls.family();
   for (std::size_t row = 0; row < family.rows(); ++row) {
     const FamilySlot slot(row);
@@ -172,7 +172,7 @@ struct Topology {
 
 /// Nothing if there are no disks or too many.
 std::optional<Topology> topology_of_nerve(const BallUnion& balls) {
-  const std::vector<Circle> circles = circles_of(balls);
+  const std::vector<UnionCircle> circles = circles_of(balls);
   if (circles.empty() || circles.size() > kMost) return std::nullopt;
   const Nerve nerve(circles);
   const std::int64_t components = nerve.components();

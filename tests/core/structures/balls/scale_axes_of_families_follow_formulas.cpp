@@ -44,28 +44,28 @@ ComputationSettings factor(double s, double step = 3.0) {
   return out;
 }
 
-struct Piece {
+struct DrawnPiece {
   Vec2 a, b;
   double radius;
 };
-std::vector<Piece> pieces(const TestBench& bench, const std::string& layer) {
-  std::vector<Piece> out;
+std::vector<DrawnPiece> pieces(const TestBench& bench, const std::string& layer) {
+  std::vector<DrawnPiece> out;
   const auto values = bench.instances(layer, PrimitiveKind::segment);
   for (std::size_t at = 0; at < values.size(); at += stride_of(PrimitiveKind::segment))
     out.push_back({{values[at], values[at + 1]}, {values[at + 2], values[at + 3]}, values[at + 4]});
   return out;
 }
-Box2 box_of(const std::vector<Piece>& pieces) {
+Box2 box_of(const std::vector<DrawnPiece>& pieces) {
   Box2 out;
-  for (const Piece& piece : pieces) {
+  for (const DrawnPiece& piece : pieces) {
     out.add(piece.a);
     out.add(piece.b);
   }
   return out;
 }
-double length_of(const std::vector<Piece>& pieces) {
+double length_of(const std::vector<DrawnPiece>& pieces) {
   double out = 0.0;
-  for (const Piece& piece : pieces) out += distance(piece.a, piece.b);
+  for (const DrawnPiece& piece : pieces) out += distance(piece.a, piece.b);
   return out;
 }
 
@@ -132,12 +132,12 @@ TEST_CASE("the scale axis of own balls that make a stadium is its core, with its
     bench.choose(factor(s));
     for (const char* layer : {"b-scale-axis", "b-scale-skeleton"}) {
       INFO(layer);
-      const std::vector<Piece> axis = pieces(bench, layer);
+      const std::vector<DrawnPiece> axis = pieces(bench, layer);
       CHECK(box_of(axis).low.x == Approx(-3.0).margin(1e-9));
       CHECK(box_of(axis).high.x == Approx(3.0).margin(1e-9));
       CHECK(std::max(-box_of(axis).low.y, box_of(axis).high.y) < 1e-9);
       CHECK(length_of(axis) == Approx(6.0));
-      for (const Piece& piece : axis) CHECK(piece.radius == Approx(1.0).margin(0.01));
+      for (const DrawnPiece& piece : axis) CHECK(piece.radius == Approx(1.0).margin(0.01));
     }
     CHECK(bench.measure("b-scale-union", "area") == Approx(std::numbers::pi * s * s + 12.0 * s).epsilon(0.01));
     CHECK(bench.count("b-scale-union", "components") == 1);
@@ -194,10 +194,10 @@ TEST_CASE("the scale skeleton of an ellipse is shorter by the formula of the sca
     CHECK(bench.count("a-skeleton-union", "steps_before") == std::lround((s - 1.0) / 0.1) - 1);
     CHECK(bench.count("a-skeleton-union", "components") == 1);
     CHECK(bench.count("a-skeleton-union", "leaves") == 2);
-    const std::vector<Piece> axis = pieces(bench, "a-scale-skeleton");
+    const std::vector<DrawnPiece> axis = pieces(bench, "a-scale-skeleton");
     CHECK(box_of(axis).low.x == Approx(-end).margin(0.03));
     CHECK(box_of(axis).high.x == Approx(end).margin(0.03));
-    for (const Piece& piece : axis) {
+    for (const DrawnPiece& piece : axis) {
       const double x = std::min(end, std::abs(0.5 * (piece.a.x + piece.b.x)));
       CHECK(piece.radius == Approx(std::sqrt(1.0 - x * x / c2)).margin(0.02));
     }
