@@ -34,7 +34,7 @@ namespace mes {
 /// searching all sides in lock-step, is turned over, or the side that the tree of faces says. Few odd samples are joined in clusters (`ConflictJoin`), and
 /// labels follow from the conflicts. Where clusters would take up a good part of the plane, as in noise, labels are
 /// handed on along the tree of faces (`CertaintyTree`), and the conflicts follow from the labels. Both ways give the
-/// same labels. Source: even-odd parity; the locality lemma of docs/architecture.md.
+/// same labels. Source: even-odd parity; the locality lemma of docs/geometry.md.
 class Labels final : public Structure {
  public:
   Labels(Delaunay& delaunay, OneStepCrust& crust);
