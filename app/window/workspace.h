@@ -115,7 +115,8 @@ class Workspace {
   /// Undo and redo, selection, evolution, computation, bundles.
   void bind(ActionBindings& actions, Settings& settings);
 
-  /// Another document takes the place of this one: what belongs to this one alone goes (docs/decisions.md).
+  /// Another document takes the place of this one: what belongs to this one alone goes
+  /// (docs/decisions/document_parameters.md).
   void leave_document();
   /// Shows the bundle, for the family of balls that the window is about.
   void choose_bundle(std::size_t index);

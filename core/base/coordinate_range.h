@@ -7,8 +7,8 @@
 //     2^100 times the smallest, and is never 2^101 times as large.
 //
 // Both rules see binary exponents alone: a document within them stays within the second when it is multiplied by a
-// power of two, and within the first as long as its numbers do. docs/decisions.md ("The range of coordinates") says
-// what follows: differences, circumradii and centres are finite and normal doubles, whatever three samples meet.
+// power of two, and within the first as long as its numbers do. docs/decisions/coordinate_range.md says what follows:
+// differences, circumradii and centres are finite and normal doubles, whatever three samples meet.
 //
 // Smallest use:
 //     Magnitudes seen;
