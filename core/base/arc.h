@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A piece of a circle, counter-clockwise from one point of it to another. Plain data.
+// A circular arc, counter-clockwise from one point to another. Plain data.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@
 
 namespace mes {
 
-/// The ends lie on the circle up to rounding. Ends that are equal mean the whole circle.
+/// The ends lie on the circle up to rounding. Equal ends mean the whole circle.
 struct Arc {
   Vec2 center{};
   double radius = 0.0;
@@ -20,7 +20,7 @@ struct Arc {
   friend bool operator==(const Arc&, const Arc&) = default;
 };
 
-/// The angle it turns through, in [0, 2 pi]; 2 pi exactly for a whole circle.
+/// The angle that the arc spans, in [0, 2 pi]; exactly 2 pi for a whole circle.
 inline double sweep_of(const Arc& arc) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   if (arc.from == arc.to) return kTurn;
@@ -28,13 +28,13 @@ inline double sweep_of(const Arc& arc) {
   const Vec2 b = arc.to - arc.center;
   const double size = std::max(length(a), length(b));
   const Vec2 start{a.x / size, a.y / size};
-  // The chord in place of `b`: the difference of ends that are close is exact, and a short arc keeps its sign.
+  // Uses the chord instead of `b`: the difference of close ends is exact, and a short arc keeps its sign.
   const Vec2 chord{(arc.to.x - arc.from.x) / size, (arc.to.y - arc.from.y) / size};
   const double angle = std::atan2(cross(start, chord), dot(start, {b.x / size, b.y / size}));
   return angle >= 0.0 ? angle : angle + kTurn;
 }
 
-/// Both ends, and the points of the circle farthest right, up, left and down that lie on the arc.
+/// The box of both ends and of those extreme points of the circle (right, up, left, down) that lie on the arc.
 inline Box2 bounding_box_of(const Arc& arc) {
   const Box2 circle = bounding_box_of(Disk{arc.center, arc.radius});
   const double sweep = sweep_of(arc);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// MES_ASSERT: a broken invariant of ours. On in every build; throws, and is caught at command and
-// node boundary, so that a mistake costs one picture and not the user's work.
+// MES_ASSERT checks an invariant of our own code. It is on in every build and throws; the command and node boundaries
+// catch it, so that a mistake costs one picture and not the user's work.
 #pragma once
 
 #include <stdexcept>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bytes as letters: base64 (RFC 4648).
+// Base64 (RFC 4648): bytes written as letters.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,7 @@
 
 namespace mes {
 
-/// Without line breaks.
+/// Encodes without line breaks.
 inline std::string base64(std::string_view bytes) {
   constexpr std::string_view kDigits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string out;
@@ -25,7 +25,7 @@ inline std::string base64(std::string_view bytes) {
   return out;
 }
 
-/// -1 for other characters.
+/// Value of a base64 digit; -1 for other characters.
 inline int base64_digit(char c) {
   if (c >= 'A' && c <= 'Z') return c - 'A';
   if (c >= 'a' && c <= 'z') return c - 'a' + 26;
@@ -33,7 +33,7 @@ inline int base64_digit(char c) {
   return c == '+' ? 62 : (c == '/' ? 63 : -1);
 }
 
-/// White space is skipped, and what follows the last digit is not looked at.
+/// Decodes base64. Skips white space, and ignores everything after the last digit.
 inline std::string from_base64(std::string_view text) {
   std::string out;
   out.reserve(text.size() / 4 * 3);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// An axis-aligned box; the default one is empty and absorbs nothing.
+// An axis-aligned box. The default box is empty; adding it to another box changes nothing.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Things in the plane by their boxes: which of them are near a place, while things come and go.
+// A tree over the bounding boxes of items in the plane; it finds items near a point, while items are added and removed.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@
 
 namespace mes {
 
-/// An order in which near boxes mostly follow each other: along a Z curve through their middles.
+/// An order that keeps near boxes mostly together: along a Z curve through their centres.
 ///
 /// Cost: O(n), some 15 ns a box.
 inline std::vector<std::uint32_t> order_along_z_curve(std::span<const Box2> boxes) {
@@ -29,8 +29,8 @@ inline std::vector<std::uint32_t> order_along_z_curve(std::span<const Box2> boxe
     };
     return Vec2{middle(box.low.x, box.high.x), middle(box.low.y, box.high.y)};
   };
-  // A few boxes very far away would leave all others in one cell: they count as at the rim of the others. The rim is
-  // that of every 16th box.
+  // A few boxes very far away would leave all others in one cell, so they are clamped to the rim of the others. The rim
+  // is estimated from every 16th box.
   std::vector<double> reach;
   for (std::size_t i = 0; i < boxes.size(); i += 16) {
     const Vec2 at = place(boxes[i]);
@@ -75,10 +75,10 @@ inline std::vector<std::uint32_t> order_along_z_curve(std::span<const Box2> boxe
   return out;
 }
 
-/// What a tree knows of an item.
+/// What a tree stores about an item: its bounds.
 struct TreeBounds {
   Box2 box;            ///< may reach to infinity
-  double reach = 0.0;  ///< of the item beyond its box; only `visit_where` asks for it
+  double reach = 0.0;  ///< how far the item reaches beyond its box; only `visit_where` uses it
 
   void add(const TreeBounds& other) {
     box.add(other.box);
@@ -89,11 +89,11 @@ struct TreeBounds {
 /// A tree over items with bounds.
 ///
 /// What it guarantees:
-///  1. `visit_near` leaves an item out only if its bounds say that it is farther away than asked for, its box by more than
-///     what rounding does to distances at such coordinates. So what is found does not depend on the tree.
-///  2. An item lies at one place from when it is named to `moved` until it is named again or removed.
+///  1. `visit_near` skips an item only if its bounds prove that it is farther away than asked for, with a margin for
+///     the rounding of distances at such coordinates. So the result does not depend on the tree.
+///  2. The index that `moved` reports for an item is valid until `moved` reports another one, or the item is removed.
 ///
-/// Boxes of nodes grow with what comes and do not shrink with what goes; `is_worn` says when it is time to build anew.
+/// Boxes of nodes grow on insertion and do not shrink on removal; `is_worn` says when to rebuild.
 ///
 /// Cost: building O(n log n), some 30 ns an item; a visit O(log n + visited), some 10 ns a node; inserting and removing
 /// O(log n). Threads: visits may run side by side.
@@ -106,7 +106,7 @@ struct TreeBounds {
 template <class Item>
 class BoxTree {
  public:
-  /// `bounds_of(item)`; `moved(item, place)` is called for each item, on several threads.
+  /// Calls `moved(item, place)` with the index of each item, on several threads. `bounds_of(item)` returns its bounds.
   template <class BoundsOf, class Moved>
   void build(std::span<const Item> items, BoundsOf bounds_of, Moved moved);
   void clear() {
@@ -122,18 +122,18 @@ class BoxTree {
   bool is_worn() const { return is_deep_ || come_ > 256 + built_ / 2; }
   const Item& at(std::uint32_t place) const { return items_[place]; }
 
-  /// `moved` is called for the new item, and for others that find another place.
+  /// Calls `moved` for the new item, and for others whose index changes.
   template <class BoundsOf, class Moved>
   void insert(const Item& item, BoundsOf bounds_of, Moved moved);
   template <class Moved>
   void remove(std::uint32_t place, Moved moved);
 
-  /// Calls `visit(item)` for items the square of whose distance from `p` is not above `bound` by their bounds; `visit` may
-  /// lower it. Near ones tend to come first.
+  /// Calls `visit(item)` for each item whose bounds allow a squared distance from `p` of at most `bound`; `visit` may
+  /// lower `bound`. Near items tend to come first.
   template <class Visit>
   void visit_near(Vec2 p, const double& bound, Visit visit) const;
-  /// Calls `visit(item)` for all items below nodes that `may_hold(box, reach)` what is looked for: the box of their boxes,
-  /// and the largest of their reaches.
+  /// Calls `visit(item)` for all items below nodes for which `may_hold(box, reach)` is true. A node passes the union of
+  /// its boxes and the largest of its reaches.
   template <class MayHold, class Visit>
   void visit_where(MayHold may_hold, Visit visit) const;
 
@@ -142,11 +142,11 @@ class BoxTree {
   static constexpr std::uint32_t kNone = 0xffffffffU;
   static constexpr std::uint32_t kLeafBit = 0x80000000U;
   static constexpr std::uint32_t kLeaf = 8;
-  static constexpr std::uint32_t kFilled = 6;  ///< items of a leaf that is built
+  static constexpr std::uint32_t kFilled = 6;  ///< items in a leaf after `build`
   static constexpr std::size_t kDeepest = 40;
   static constexpr int kChildren = 4;
 
-  /// The children side by side, so that all are looked at in a few instructions.
+  /// The children are stored side by side, so that a few instructions look at all of them.
   struct Node {
     std::array<double, kChildren> low_x, low_y, high_x, high_y, reach;
     std::array<std::uint32_t, kChildren> child;
@@ -187,10 +187,10 @@ class BoxTree {
     return out;
   }
 
-  std::vector<Item> items_;  ///< `kLeaf` a leaf
+  std::vector<Item> items_;  ///< `kLeaf` slots in each leaf
   std::vector<std::uint8_t> counts_;
   std::vector<Node> nodes_;
-  std::uint32_t root_ = kNone;  ///< a node, or a leaf with `kLeafBit`
+  std::uint32_t root_ = kNone;  ///< index of a node, or index of a leaf with `kLeafBit`
   std::size_t size_ = 0;
   std::size_t built_ = 0;
   std::size_t come_ = 0;
@@ -224,7 +224,7 @@ void BoxTree<Item>::build(std::span<const Item> items, BoundsOf bounds_of, Moved
       }
     }
   });
-  // Each level is a row of nodes over the one before.
+  // Each level is a run of nodes over the level before.
   std::uint32_t first_below = kLeafBit;
   while (below.size() > 1) {
     const auto first = static_cast<std::uint32_t>(nodes_.size());
@@ -249,14 +249,14 @@ void BoxTree<Item>::insert(const Item& item, BoundsOf bounds_of, Moved moved) {
   if (root_ == kNone) root_ = kLeafBit | new_leaf();
   const TreeBounds bounds = bounds_of(item);
   const Box2& box = bounds.box;
-  // Where the boxes grow least.
+  // Descend to the child whose box grows least.
   const auto growth = [&box](const Node& node, std::size_t i) {
     return std::max(0.0, node.low_x[i] - box.low.x) + std::max(0.0, node.low_y[i] - box.low.y) +
            std::max(0.0, box.high.x - node.high_x[i]) + std::max(0.0, box.high.y - node.high_y[i]);
   };
   std::uint32_t at = root_;
   std::uint32_t parent = kNone;
-  std::size_t way = 0;  // from the parent
+  std::size_t way = 0;  // index of the child in `parent`
   std::size_t depth = 0;
   while ((at & kLeafBit) == 0) {
     Node& node = nodes_[at];
@@ -272,7 +272,7 @@ void BoxTree<Item>::insert(const Item& item, BoundsOf bounds_of, Moved moved) {
   is_deep_ = is_deep_ || depth >= kDeepest;
   const std::uint32_t leaf = at & ~kLeafBit;
   if (counts_[leaf] < kLeaf) return put(leaf, item, moved);
-  // A full leaf becomes two.
+  // Split a full leaf in two.
   std::array<Item, kLeaf + 1> all;
   std::copy_n(items_.begin() + leaf * kLeaf, kLeaf, all.begin());
   all.back() = item;
@@ -336,7 +336,7 @@ void BoxTree<Item>::visit_near(Vec2 p, const double& bound, Visit visit) const {
       for (std::uint32_t i = 0; i < counts_[leaf]; ++i) visit(first[i]);
       continue;
     }
-    // Lower bounds of the squared distances, whatever rounding did.
+    // Lower bounds of the squared distances, whatever the rounding.
     const Node& node = nodes_[next.node];
     std::array<double, kChildren> squared;
     for (std::size_t i = 0; i < kChildren; ++i) {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How pictures and figures hold the session that made them, for those who write it in and those who take it out.
+// How pictures and figures carry the session that made them; shared by the writers and the readers.
 //
-// It is the text of a session file, compressed (core/base/zlib.h):
+// The carried data is the text of a session file, compressed (core/base/zlib.h):
 //   PNG   an iTXt chunk with this keyword, compressed
 //   SVG   an element `mesecina-session` of `metadata`, base64
-//   Ipe   the data of the first layer, which Ipe keeps without looking at it: this name, a colon, base64
-//   PDF   an embedded file, whose stream's dictionary has a key of this name and the value true
-//   JSON  of recorded frames: a key of this name, base64
+//   Ipe   the data of the first layer, which Ipe keeps but ignores: this name, a colon, base64
+//   PDF   an embedded file; the dictionary of its stream has this name as a key, with the value true
+//   JSON  recorded frames have this name as a key; its value is base64
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ namespace mes {
 
 inline constexpr std::string_view kCarriedSession = "mesecina-session";
 
-/// The longest text that is written into a picture, and that is read from one: a small file of unknown origin must not
+/// The longest session text that is written into a picture or read from one: a small file of unknown origin must not
 /// expand without limit.
 inline constexpr std::size_t kMostCarriedBytes = std::size_t{128} << 20U;
 

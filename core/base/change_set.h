@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which rows of a table differ from the run before.
+// Which rows of a table changed since the previous run.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace mes {
 
-/// Rows of one table: `touched` ones are alive now and may differ from before (or are new); `removed` ones were alive
-/// and are not any more. Neither list names a row twice. Consumers do work for these rows only.
+/// Changed rows of one table. `touched` rows are alive now and are new or may have changed; `removed` rows were alive
+/// before and are not now. Neither list names a row twice. Consumers process only these rows.
 template <class Row>
 struct ChangeSet {
   std::vector<Row> touched;
@@ -25,7 +25,7 @@ struct ChangeSet {
   }
 };
 
-/// Of a table of which every row is new after a rebuild, and which never changes otherwise.
+/// The change set of a table that never changes, except for rebuilds that make every row new.
 template <class Row>
 const ChangeSet<Row>& no_changes() {
   static const ChangeSet<Row> none;
@@ -44,12 +44,12 @@ class SlotMarks {
       epoch_ = 1;
     }
   }
-  /// Makes room for one more slot in the middle of a run.
+  /// Makes room for more slots during a run.
   void grow(std::size_t count) {
     if (stamp_.size() < count) stamp_.resize(count + count / 4, 0);
   }
   bool contains(Row slot) const { return stamp_.has(slot) && stamp_[slot] == epoch_; }
-  /// True when the slot was not marked before.
+  /// Marks the slot. Returns true if it was not marked before.
   bool insert(Row slot) {
     if (stamp_[slot] == epoch_) return false;
     stamp_[slot] = epoch_;
@@ -70,12 +70,12 @@ class ChangeRecorder {
     marks_.begin(rows);
     noted_.clear();
   }
-  /// Notes that the row changed, was born or died. `was_alive` counts at the first note of a run only.
+  /// Records that the row changed, was born or died. Only the first `was_alive` of a run counts.
   void note(Row slot, bool was_alive) {
     marks_.grow(slot.index() + std::size_t{1});
     if (marks_.insert(slot)) noted_.push_back({slot, was_alive});
   }
-  /// `is_alive(slot)` tells the state after the run. Rows born and gone within it are not mentioned.
+  /// `is_alive(slot)` is the state after the run. Rows that are born and die within the run are not listed.
   template <class IsAlive>
   void finish(ChangeSet<Row>& out, IsAlive is_alive) {
     out.clear();

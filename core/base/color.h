@@ -13,7 +13,7 @@ struct Rgb {
   friend constexpr bool operator==(Rgb, Rgb) = default;
 };
 
-/// Okabe and Ito, "Color Universal Design", 2008.
+/// Source: Okabe and Ito, "Color Universal Design", 2008.
 namespace palette {
 inline constexpr Rgb black{0x00, 0x00, 0x00};
 inline constexpr Rgb orange{0xE6, 0x9F, 0x00};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which rows belong together after some have been joined.
+// Sets of rows that merge as rows are joined.
 #pragma once
 
 #include <cstddef>
@@ -18,19 +18,19 @@ namespace mes {
 ///     sets.join(sets.root(a), sets.root(b));
 ///     const bool are_together = sets.root(a) == sets.root(b);
 ///
-/// Cost: constant a call for all practical purposes (union by rank, path compression). Threads: none.
+/// Cost: practically constant for each call (union by rank, path compression). Threads: none.
 template <class Row>
 class DisjointSets {
  public:
   explicit DisjointSets(std::size_t count = 0) { reset(count); }
 
-  /// Every row below `count` is a set of its own.
+  /// Makes every row below `count` a set of its own.
   void reset(std::size_t count) {
     parent_.clear();
     rank_.clear();
     grow(count);
   }
-  /// Rows below `count` that are new are sets of their own.
+  /// Makes each new row below `count` a set of its own.
   void grow(std::size_t count) {
     if (count <= parent_.size()) return;
     rank_.resize(count, 0);
@@ -43,7 +43,7 @@ class DisjointSets {
     for (RowNumber next = x.index(); next != at;) next = std::exchange(parent_[next], at);
     return Row(at);
   }
-  /// Of two roots; returns the root of what is now one set, which is either of them.
+  /// Joins the sets of two roots; returns the root of the joint set, which is one of the two.
   Row join(Row a, Row b) {
     if (a == b) return a;
     if (rank_[a.index()] > rank_[b.index()]) std::swap(a, b);
@@ -54,7 +54,7 @@ class DisjointSets {
 
  private:
   std::vector<RowNumber> parent_;
-  std::vector<std::uint8_t> rank_;  // at least the length of the longest way to a root
+  std::vector<std::uint8_t> rank_;  // at least the length of the longest path to the root
 };
 
 }  // namespace mes

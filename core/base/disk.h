@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A disk of the plane, the ball of the two-dimensional literature. Plain data; the radius is not negative.
+// A disk in the plane, the ball of the two-dimensional literature. Plain data; the radius is not negative.
 #pragma once
 
 #include <algorithm>
@@ -21,7 +21,7 @@ inline bool is_finite(const Disk& disk) {
   return is_finite(disk.center) && std::isfinite(disk.radius);
 }
 
-/// Finite for a finite disk: what reaches beyond the largest double is cut off there.
+/// Finite for a finite disk: coordinates beyond the largest double are clamped to it.
 inline Box2 bounding_box_of(const Disk& disk) {
   constexpr double kMost = std::numeric_limits<double>::max();
   return {{std::max(-kMost, disk.center.x - disk.radius), std::max(-kMost, disk.center.y - disk.radius)},

@@ -21,7 +21,7 @@
 namespace mes {
 namespace {
 
-// First byte of what the child sends.
+// First byte of the child's answer.
 constexpr char kResult = 'R';
 constexpr char kFailure = 'F';
 constexpr char kNoMemory = 'M';
@@ -105,7 +105,7 @@ struct Pipe {
   }
 };
 
-/// Ends the child and takes its status, whatever happens.
+/// Kills the child if it still runs, and collects its status in any case.
 struct Child {
   pid_t id = -1;
   int status = 0;

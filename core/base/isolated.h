@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Runs work in a child process: whatever it does to itself, this process only sees bytes or an error.
+// Runs work in a child process: whatever the work does to itself, this process only receives bytes or an error.
 //
-// For arithmetic that may loop for ever or corrupt its own data (predicates in plain doubles), and for calls that
-// cannot be interrupted (a single sign of nested roots may take minutes). The child starts as a copy of this process,
-// so the work sees all data without passing it; it must not start threads or wait for others.
+// Use it for arithmetic that may loop for ever or corrupt its own data (predicates in plain doubles), and for calls
+// that cannot be interrupted (a single sign of nested roots may take minutes). The child starts as a copy of this
+// process, so the work sees all data without any passing. It must not start threads or wait for others.
 #pragma once
 
 #include <cstddef>
@@ -18,8 +18,8 @@
 
 namespace mes {
 
-/// False under the address sanitizer: another thread that allocates while the child is forked leaves it a locked
-/// allocator, which that of the C library does not.
+/// False under the address sanitizer: its allocator stays locked in the child if another thread allocates during the
+/// fork. The allocator of the C library does not.
 #if defined(__SANITIZE_ADDRESS__)
 inline constexpr bool kForksBesideThreads = false;
 #else
@@ -27,17 +27,17 @@ inline constexpr bool kForksBesideThreads = true;
 #endif
 
 struct IsolationLimits {
-  double seconds = 0.0;     ///< of wall clock; 0 = none
-  std::size_t bytes = 0;    ///< of memory above what this process has; 0 = none
+  double seconds = 0.0;     ///< wall-clock time; 0 = no limit
+  std::size_t bytes = 0;    ///< memory beyond the memory of this process; 0 = no limit
   const char* what = "it";  ///< subject of error messages, e.g. "naive arithmetic"
 };
 
-/// What `work` returns. Throws `Cancelled` within some 20 ms when the job is stopped, and `GeometryError` with a
-/// reason when the work throws, crashes, or exceeds a limit. Costs a few milliseconds.
+/// Returns the result of `work`. Throws `Cancelled` within about 20 ms when the job is stopped, and `GeometryError`
+/// with a reason when the work throws, crashes, or exceeds a limit. Costs a few milliseconds.
 std::vector<std::byte> run_isolated(const std::function<std::vector<std::byte>()>& work,
                                     const IsolationLimits& limits, JobControl& job);
 
-/// Bytes of plain tables, in order.
+/// Writes plain tables as bytes, in order.
 class TableWriter {
  public:
   template <class T>
@@ -62,7 +62,7 @@ class TableWriter {
   std::vector<std::byte> bytes_;
 };
 
-/// Reads what a `TableWriter` wrote. Throws `GeometryError` when there is not enough.
+/// Reads what a `TableWriter` wrote. Throws `GeometryError` if bytes are missing.
 class TableReader {
  public:
   explicit TableReader(const std::vector<std::byte>& bytes) : bytes_(bytes) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text without regard to case: A to Z become a to z, every other byte stays, whatever the locale.
+// Text without regard to case: maps A to Z to a to z and keeps every other byte, whatever the locale.
 #pragma once
 
 #include <algorithm>
@@ -19,7 +19,7 @@ inline std::string lower_case(std::string_view text) {
   return out;
 }
 
-/// ".png" of "Cat.PNG": with the dot; empty when the name has none.
+/// Returns the extension in lower case, with the dot: ".png" for "Cat.PNG". Empty if the name has none.
 inline std::string lower_case_extension(const std::filesystem::path& file) {
   return lower_case(file.extension().string());
 }

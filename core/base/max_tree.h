@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which row of a table has the largest value, while values change.
+// Finds the row of a table with the largest value, while values change.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace mes {
 
-/// Of rows with one value, the one with the smaller index is first.
+/// Orders rows of equal value by their index.
 struct ByRow {
   template <class Row>
   bool operator()(Row a, Row b) const {
@@ -23,11 +23,11 @@ struct ByRow {
 
 /// A tree of maxima over the rows of a table; rows without a value have minus infinity.
 ///
-/// `is_first(a, b)`, an order of rows, chooses among those with the largest value; it is asked only of rows with one value
-/// other than minus infinity, and must be the same in all calls. It may read what rows are made of: rows that change
-/// together are set together, so that it meets none as it was before.
-/// Cost: `build` O(rows); a change O(log rows) at most, and O(1) for a row that is not the largest nearby, before or
-/// after. 12 to 24 bytes a row.
+/// `is_first(a, b)`, an order of rows, chooses among rows with the largest value. It is called only for rows with one
+/// common value other than minus infinity, and must be the same in all calls. It may read data of the rows: rows that
+/// change together must be set together, so that the comparator never sees a stale row.
+/// Cost: `build` O(rows); a change at most O(log rows), and O(1) for a row that is not the largest nearby, before or
+/// after. 12 to 24 bytes for each row.
 ///
 /// Smallest use:
 ///     MaxTree<EdgeSlot> lengths;
@@ -49,16 +49,16 @@ class MaxTree {
     values_.clear();
     winners_.clear();
   }
-  /// Not built yet.
+  /// True before the first `build`.
   bool is_empty() const { return values_.empty(); }
 
-  /// A row beyond those there are makes room for itself.
+  /// Sets the value of a row; a row beyond the table extends it.
   template <class IsFirst = ByRow>
   void set(Row row, double value, IsFirst is_first = {}) {
     set_all(
         std::array{row}, [value](Row) { return value; }, is_first);
   }
-  /// The rows have other values, or what `is_first` reads of them is another, or both.
+  /// Updates rows after a change of their values, of the data that `is_first` reads, or of both.
   template <class Rows, class ValueOf, class IsFirst = ByRow>
   void set_all(const Rows& rows, ValueOf value_of, IsFirst is_first = {}) {
     std::size_t end = 0;
@@ -75,9 +75,9 @@ class MaxTree {
     }
   }
 
-  /// Minus infinity if there is none.
+  /// Minus infinity if no row has a value.
   double largest() const { return is_empty() ? kNone : values_[row_of_largest().index()]; }
-  /// The first of those with the largest value; there must be one.
+  /// The first of the rows with the largest value; there must be one.
   Row row_of_largest() const { return Row(capacity_ == 1 ? 0 : winners_[1]); }
 
  private:
@@ -94,13 +94,13 @@ class MaxTree {
     return values_[a] == kNone || is_first(Row(a), Row(b)) ? a : b;
   }
 
-  /// Nodes on the way of other rows may still have winners of before, which have their new values.
+  /// Winners of nodes above other changed rows may be outdated; their values are already new.
   template <class IsFirst>
   void play(Row row, IsFirst is_first) {
     for (std::size_t node = (capacity_ + row.index()) / 2; node > 0; node /= 2) {
       const std::uint32_t before = winners_[node];
       winners_[node] = winner_below(node, is_first);
-      // Farther up this row does not count, nor did it, and what counted instead is the same.
+      // This row is not the winner here, neither before nor now, so it changes nothing farther up.
       if (winners_[node] == before && before != row.index()) return;
     }
   }

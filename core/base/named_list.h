@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A list of things that are known by their ids.
+// A list of objects with ids.
 #pragma once
 
 #include <algorithm>
@@ -15,18 +15,17 @@
 
 namespace mes {
 
-/// Things that are known by their ids, in the order in which they were added. Whoever holds one keeps it, also after it
-/// has been removed here.
+/// Objects with ids, in the order of insertion. Whoever holds an object keeps it, also after its removal from the list.
 template <class T>
 class NamedList {
  public:
-  /// Its id must be new.
+  /// The id must be new.
   void add(std::string id, std::shared_ptr<const T> thing) {
     MES_ASSERT(find(id) == nullptr);
     ids_.push_back(std::move(id));
     things_.push_back(std::move(thing));
   }
-  /// False: there is none.
+  /// Returns false if no object has the id.
   bool remove(std::string_view id) {
     const auto found = std::ranges::find(ids_, id);
     if (found == ids_.end()) return false;
@@ -34,7 +33,7 @@ class NamedList {
     ids_.erase(found);
     return true;
   }
-  /// Null: there is none.
+  /// Returns null if no object has the id.
   std::shared_ptr<const T> find(std::string_view id) const {
     const auto found = std::ranges::find(ids_, id);
     return found == ids_.end() ? nullptr : things_[static_cast<std::size_t>(found - ids_.begin())];
@@ -44,7 +43,7 @@ class NamedList {
 
  private:
   std::vector<std::string> ids_;
-  std::vector<std::shared_ptr<const T>> things_;  // as many as ids
+  std::vector<std::shared_ptr<const T>> things_;  // parallel to `ids_`
 };
 
 }  // namespace mes

@@ -13,7 +13,7 @@
 namespace mes {
 
 std::size_t worker_count() {
-  // The standard library asks the system anew each time, with three calls of the kernel.
+  // Cached, because the standard library asks the system at every call, with three system calls.
   static const std::size_t count = std::clamp<std::size_t>(std::thread::hardware_concurrency(), 1, 16);
   return count;
 }

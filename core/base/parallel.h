@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Loops and tasks over all cores, for work of milliseconds and more.
+// Loops and tasks on all cores, for work of milliseconds and more.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,13 @@ namespace mes {
 /// Number of threads worth using, 1 to 16.
 std::size_t worker_count();
 
-/// Calls `task(i)` once for each i below `count`, on several threads; returns when all are done. The first exception,
-/// if any, is thrown here after that. Threads that the system does not give are done without. Starting threads costs
-/// some 30 us each.
+/// Calls `task(i)` once for each i below `count`, on several threads; returns when all are done, and then rethrows the
+/// first exception, if any. If the system grants fewer threads, it works with fewer. Starting a thread costs about 30
+/// us.
 void run_tasks(std::size_t count, const std::function<void(std::size_t)>& task);
 
 /// Splits [0, count) into ranges and calls `body(begin, end, chunk)` for each, on several threads.
-/// `chunk_count(count)` says how many there will be, and `first_of_chunk` where each begins; the split depends on
-/// `count` alone.
+/// `chunk_count(count)` is their number, and `first_of_chunk` the begin of each; the split depends on `count` alone.
 inline std::size_t chunk_count(std::size_t count) {
   constexpr std::size_t kChunk = std::size_t{1} << 15U;
   return (count + kChunk - 1) / kChunk;

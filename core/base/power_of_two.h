@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Change of the unit of length by a power of two.
+// Scaling by a power of two.
 #pragma once
 
 #include <bit>

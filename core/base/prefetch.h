@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A hint that memory will be needed soon. An edit reads a handful of cold cache lines in each of a dozen arrays;
-// asked for together they arrive together, which halves the time of an edit among a million samples.
+// requested together they arrive together, which halves the time of an edit among a million samples.
 #pragma once
 
 namespace mes {

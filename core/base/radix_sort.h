@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sorting of items by keys of 64 bits, in time linear in their number.
+// Sorts items by 64-bit keys in linear time.
 #pragma once
 
 #include <array>
@@ -14,10 +14,10 @@ struct RadixKey {
   std::uint32_t item = 0;
 };
 
-/// Ascending by key; items of equal keys keep their order.
+/// Sorts in ascending order of the keys; items with equal keys keep their order.
 ///
-/// Cost: O(n) for each of six digits that is not the same everywhere; from some thousand items on faster than
-/// comparing. Room for as many items once more.
+/// Cost: O(n) for each of six digits that is not the same in all keys; faster than comparison sorts from some thousand
+/// items on. Needs memory for a second copy of the items.
 ///
 /// Smallest use:
 ///     std::vector<RadixKey> keys{{7, 0}, {3, 1}};

@@ -2,15 +2,15 @@
 // Random numbers that are the same on every machine and in every build.
 //
 // What it guarantees:
-//  1. Number i of a seed is a pure function of (seed, i): the order of asking, threads and platform do not matter.
+//  1. Number i of a seed is a pure function of (seed, i), independent of call order, threads and platform.
 //  2. `uniform()` is a multiple of 2^-53 in [0, 1), made with integer arithmetic and one exact multiplication.
-//  3. Different seeds, also neighbouring ones, give unrelated sequences.
+//  3. Different seeds, even consecutive ones, give unrelated sequences.
 //
 // Smallest use:
 //     Rng random(seed);
 //     double x = random.uniform(-1.0, 1.0);
 //
-// Cost: a few nanoseconds a number, 16 bytes of state. Threads: a value; give each its own.
+// Cost: a few nanoseconds for each number, 16 bytes of state. Threads: a value type; give each thread its own.
 //
 // Inside: SplitMix64, which mixes a Weyl sequence (the counter times an odd constant) with a 64-bit finaliser.
 // Source: Steele, Lea, Flood, "Fast splittable pseudorandom number generators", OOPSLA 2014; the seed is mixed once
@@ -28,11 +28,11 @@ class Rng {
   /// Number `i` of the sequence, without moving the counter.
   constexpr std::uint64_t at(std::uint64_t i) const { return mix(base_ + (i + 1) * kStep); }
   constexpr std::uint64_t next() { return at(counter_++); }
-  /// In [0, 1).
+  /// A number in [0, 1).
   constexpr double uniform() { return static_cast<double>(next() >> 11U) * 0x1p-53; }
-  /// In [low, high), up to the rounding of the last step.
+  /// A number in [low, high), up to the rounding of the last step.
   constexpr double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /// In 0 .. count-1; `count` above 0. The bias is below count * 2^-64.
+  /// An integer from 0 to count - 1; `count` must be above 0. The bias is below count * 2^-64.
   constexpr std::uint64_t below(std::uint64_t count) {
     // High word of a 64 x 64 product, from 32-bit halves: no compiler extension needed.
     const std::uint64_t x = next();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Row numbers of tables, each kind a type of its own, and identifiers that are never used twice.
+// Typed row indices of tables, one type for each table, and identifiers that are never reused.
 #pragma once
 
 #include <compare>
@@ -9,19 +9,19 @@
 
 namespace mes {
 
-/// Number of a row whose table the type does not say: where rows of all kinds go the same way, as in drawing and in
-/// questions about what lies at a place. `Slot::index` and the constructor of `Slot` are the way there and back.
+/// Index of a row in a table that the type does not name. Used where rows of all tables are treated alike, as in
+/// drawing and picking. `Slot::index` and the constructor of `Slot` convert between the two.
 using RowNumber = std::uint32_t;
 
-/// Converts into the slot of any kind that names no row.
+/// Converts to a slot of any type that names no row.
 enum class NoSlot : std::uint8_t { none };
 inline constexpr NoSlot kNoSlot = NoSlot::none;
 
-/// Row of one table, or of tables whose rows are about the same things. Stable while the element lives; rows of dead
-/// elements are used again.
+/// Row of one table, or of several tables whose rows describe the same elements. Stable while the element lives; rows
+/// of dead elements are reused.
 ///
-/// What it guarantees: slots of different tables do not convert into each other, nor do numbers into slots or slots
-/// into numbers without being asked. Four bytes, no row unless given one; as cheap as the number.
+/// What it guarantees: slots of different tables do not convert to each other, and numbers and slots convert only
+/// explicitly. Takes four bytes, names no row by default, and is as cheap as the number.
 ///
 /// Smallest use:
 ///     using CornerSlot = Slot<struct CornerTag>;
@@ -40,15 +40,15 @@ class Slot {
     ++index_;
     return *this;
   }
-  /// By number; no row comes last.
+  /// Ordered by index; "no row" is last.
   friend constexpr auto operator<=>(Slot, Slot) = default;
 
  private:
   std::uint32_t index_ = 0xffffffffU;
 };
 
-/// The row of one table that is the row `from` of another, where a table says that its rows are those of the other.
-/// What names no row goes on doing so.
+/// The row of one table that corresponds to the row `from` of another, where a table states that it has the same rows
+/// as the other. "No row" stays "no row".
 template <class To, class From>
 constexpr To same_row(Slot<From> from) {
   return To(from.index());
@@ -89,12 +89,12 @@ class SlotRange {
   Row end_;
 };
 
-/// As in `for (const FaceSlot face : slots_below<FaceSlot>(count))`.
+/// Rows below a count, as in `for (const FaceSlot face : slots_below<FaceSlot>(count))`.
 template <class Row>
 constexpr SlotRange<Row> slots_below(std::size_t count) {
   return SlotRange<Row>(count);
 }
-/// Those from `begin` to before `end`, as `parallel_for` hands them out.
+/// Rows from `begin` to before `end`, as `parallel_for` hands them out.
 template <class Row>
 constexpr SlotRange<Row> slots_between(std::size_t begin, std::size_t end) {
   return SlotRange<Row>(begin, end);
@@ -108,7 +108,7 @@ struct Id {
   friend constexpr auto operator<=>(Id, Id) = default;
 };
 
-/// Samples and balls of a document, and their rows there.
+/// Samples and balls of a document: ids, and rows in its tables.
 using SampleId = Id<struct SampleTag>;
 using BallId = Id<struct BallTag>;
 using SampleSlot = Slot<SampleTag>;

@@ -7,8 +7,8 @@
 
 namespace mes {
 
-/// A sum whose error does not grow with the number of terms (Neumaier's variant of Kahan's). Terms that are not
-/// finite are left out and counted.
+/// A sum whose error does not grow with the number of terms (Neumaier's variant of Kahan's). Terms that are not finite
+/// are skipped and counted.
 class Sum {
  public:
   void add(double term) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A column of values that is indexed by the slots of its rows and by nothing else.
+// A column of values that only the slots of its rows can index.
 #pragma once
 
 #include <cstddef>
@@ -10,7 +10,7 @@
 
 namespace mes {
 
-/// A `std::vector` in all but its index.
+/// A `std::vector` whose index is a `Row`.
 ///
 /// Smallest use:
 ///     Table<EdgeSlot, double> length;
@@ -18,7 +18,7 @@ namespace mes {
 ///     length.push_back(1.0);
 ///     length[edge] *= 2.0;
 ///
-/// Cost: none. Threads: as for `std::vector`.
+/// Cost: none beyond `std::vector`. Threads: as for `std::vector`.
 template <class Row, class Value>
 class Table : private std::vector<Value> {
   using Base = std::vector<Value>;
@@ -32,14 +32,14 @@ class Table : private std::vector<Value> {
   decltype(auto) operator[](Row row) { return Base::operator[](row.index()); }
   decltype(auto) operator[](Row row) const { return Base::operator[](row.index()); }
   bool has(Row row) const { return row.index() < Base::size(); }
-  /// The row that the next `push_back` makes.
+  /// The row that the next `push_back` will create.
   Row next() const { return Row(Base::size()); }
-  /// All rows; those there are at the time of the call.
+  /// All rows that exist at the time of the call.
   SlotRange<Row> rows() const { return slots_below<Row>(Base::size()); }
-  /// Where the row lies, for `prefetch`; the row need not exist.
+  /// Address of the row, for `prefetch`; the row need not exist.
   const Value* address(Row row) const { return Base::data() + row.index(); }
 
-  // The values, in the order of the rows.
+  // Values, in the order of the rows.
   using Base::assign;
   using Base::back;
   using Base::begin;
@@ -61,7 +61,7 @@ class Table : private std::vector<Value> {
   friend bool operator==(const Table& a, const Table& b) { return a.values() == b.values(); }
 };
 
-/// A table that is only read and belongs to someone else.
+/// A read-only view of a table that belongs to someone else.
 template <class Row, class Value>
 class TableView {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tasks found one by one, done by other cores while the thread that finds them goes on.
+// A queue of tasks that other cores work on while its thread adds more.
 #pragma once
 
 #include <condition_variable>
@@ -16,9 +16,10 @@
 namespace mes {
 
 /// What it guarantees:
-///  1. Each task is done once, by some thread, before `finish` returns; or it had not begun when `drop` was called.
-///  2. No thread of it is left when either returns. Without tasks it costs nothing: threads start with the first.
-///  3. `add` throws only when the task was not taken. Threads that the system does not give are done without.
+///  1. Each task runs once, on some thread, before `finish` returns, unless it had not begun when `drop` was called.
+///  2. No thread of the queue runs after either returns. An unused queue costs nothing: threads start with the first
+///     task.
+///  3. `add` throws only if the task was not accepted. If the system grants fewer threads, the queue works with fewer.
 /// Tasks must not throw.
 ///
 /// Smallest use:
@@ -27,7 +28,7 @@ namespace mes {
 ///     compute(b);
 ///     tasks.finish();
 ///
-/// Threads: all methods are called by one thread, which lends a hand in `finish`.
+/// Threads: one thread calls all methods; it helps with the tasks in `finish`.
 class TaskQueue {
  public:
   TaskQueue() = default;
@@ -45,13 +46,13 @@ class TaskQueue {
         threads_.emplace_back([this] { work(); });
         return;
       } catch (const std::system_error&) {
-        // Without a thread for it the task waits for one of the others, or for `finish`.
+        // Without a new thread the task waits for one of the others, or for `finish`.
       } catch (const std::bad_alloc&) {
       }
     }
     there_is_more_.notify_one();
   }
-  /// No task was added since the start or the last `finish` or `drop`.
+  /// True if no task was added since the start or the last `finish` or `drop`.
   bool is_empty() const { return tasks_.empty(); }
   /// Returns when every task is done.
   void finish() {
@@ -59,7 +60,7 @@ class TaskQueue {
     while (const auto task = next()) task();
     stop();
   }
-  /// Forgets what has not begun, and waits for what has.
+  /// Drops tasks that have not begun, and waits for those that have.
   void drop() {
     if (tasks_.empty()) return;
     {

@@ -27,7 +27,7 @@ Expected<std::string> zlib_expanded(std::string_view bytes, std::size_t most) {
   const std::unique_ptr<libdeflate_decompressor, decltype(&libdeflate_free_decompressor)> decompressor(
       libdeflate_alloc_decompressor(), libdeflate_free_decompressor);
   if (!decompressor) throw std::bad_alloc();
-  // The stream does not say how much it holds.
+  // A zlib stream does not store its expanded size.
   constexpr std::size_t kFirstGuess = 1U << 16U;
   std::string out;
   for (std::size_t room = std::min(kFirstGuess, most);; room = std::min(4 * room, most)) {

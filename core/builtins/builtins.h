@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program's own structures, layers, parameters, evolutions, shapes and file formats, as a registry.
+// Registry of the program's own structures, layers, parameters, evolutions, shapes and file formats.
 #pragma once
 
 #include "core/graph/registry.h"
 
 namespace mes {
 
-/// Adds them to an empty registry, which may take others afterwards.
+/// Adds the built-in entries to an empty registry; others may be added afterwards.
 void add_builtins(Registry& registry);
 
-/// A registry of these alone, made at the first call.
+/// A registry with only these entries, created at the first call.
 const Registry& builtins();
 
 }  // namespace mes

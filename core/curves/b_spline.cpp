@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kHighestDegree = 15;
 
-/// A point with its weight, in the space where rational splines are polynomial.
+/// A weighted point in homogeneous coordinates, in which rational splines are polynomial.
 struct Weighted {
   Vec2 p;
   double w = 1.0;
@@ -40,7 +40,7 @@ bool is_rational(const BSpline& spline) {
   return std::ranges::any_of(spline.weights, [&](double w) { return w != spline.weights.front(); });
 }
 
-/// Knots that rounding keeps apart become one.
+/// Merges knots that only rounding separates.
 void settle_knots(std::vector<double>& knots) {
   constexpr double kEqual = 1e-10;
   constexpr double kRounding = 1e-6;
@@ -52,8 +52,8 @@ void settle_knots(std::vector<double>& knots) {
   }
 }
 
-/// Takes controls away that no place of the spline depends on, with a knot each: more than `degree` + 1 knots are one
-/// there.
+/// Removes control points that no point of the spline depends on, each with one of the knots that repeat more than
+/// `degree` + 1 times.
 void drop_idle_controls(BSpline& spline) {
   BSpline kept{.degree = spline.degree};
   const std::size_t count = spline.controls.size();
@@ -68,7 +68,7 @@ void drop_idle_controls(BSpline& spline) {
   spline = std::move(kept);
 }
 
-/// De Boor's scheme in the span from knot `span` on, also at its two ends.
+/// De Boor's algorithm in the span that starts at knot `span`, including both of its ends.
 Jet jet_at(const BSpline& spline, std::size_t span, double t) {
   const std::size_t degree = spline.degree;
   std::array<Weighted, kHighestDegree + 1> d;
@@ -121,7 +121,7 @@ std::vector<PlaneCurve> curves_of_spline(BSpline spline) {
   constexpr std::size_t kCubic = 3;
   constexpr int kPieces = 32;
   const int pieces = is_rational(spline) || spline.degree > kCubic ? kPieces : 1;
-  // Places that are one but for rounding are one: the end and the start, and both sides of a knot.
+  // Points that differ only by rounding become equal: the end and the start of the curve, and both sides of a knot.
   constexpr double kRounding = 1e-12;
   double size = 0.0;
   for (const Vec2 p : spline.controls) size = std::max({size, std::abs(p.x), std::abs(p.y)});

@@ -17,7 +17,7 @@ namespace {
 
 using ClipperLib::cInt;
 
-/// With both ends, in steps of the grid.
+/// Bounds in grid steps, both inclusive.
 struct GridBox {
   GridPoint low;
   GridPoint high;
@@ -50,7 +50,7 @@ GridPaths combined(const GridPaths& subject, FillRule rule, const GridPaths& cli
   return out;
 }
 
-/// Parts that are nowhere about wider than this do not count.
+/// Drops parts that are nowhere wider than about `width`.
 void drop_slivers(GridPaths& paths, double width) {
   std::erase_if(paths, [width](const GridPath& path) {
     double around = 0.0;
@@ -60,7 +60,7 @@ void drop_slivers(GridPaths& paths, double width) {
   });
 }
 
-/// The part of a path on one side of a level line; what is cut off is replaced by a way along the line.
+/// The part of a path on one side of a level line; the rest is replaced by a section of the line.
 template <class Inside, class Crossing>
 GridPath cut_off(const GridPath& path, Inside is_inside, Crossing crossing) {
   GridPath out;
@@ -78,7 +78,7 @@ cInt at_level(cInt level, cInt from, cInt to, cInt other_from, cInt other_to) {
   return other_from + std::llround(share * static_cast<double>(other_to - other_from));
 }
 
-/// What of outlines matters within so much room around a box, by Sutherland and Hodgman's way around. Linear, and faster than Clipper.
+/// Crops outlines to a box with a margin, by Sutherland and Hodgman's algorithm. Linear, and faster than Clipper.
 GridPaths cropped(const GridPaths& paths, GridBox box, double room) {
   const cInt margin = 64 + static_cast<cInt>(2.0 * room);
   box = {{box.low.X - margin, box.low.Y - margin}, {box.high.X + margin, box.high.Y + margin}};
@@ -106,7 +106,7 @@ GridPaths cropped(const GridPaths& paths, GridBox box, double room) {
 
 }  // namespace
 
-/// Sides of the boundary, in a tree of their own, and the curves that it is of.
+/// The sides of the boundary, in a tree of their own, and the curves that they come from.
 struct ClipRegion::Body {
   explicit Body(double grid) : curves(grid) {}
 
@@ -136,7 +136,7 @@ struct ClipRegion::Body {
                      [&](std::uint32_t side) { out = out || meets(box_of_side(side)); });
     return out;
   }
-  /// Of a point that lies in the box of no side: so each side in its row is to its left or to its right as a whole.
+  /// For a point in the box of no side: then each side at its height lies entirely to its left or to its right.
   bool holds(GridPoint p) const {
     const Vec2 at = as_vec(p);
     bool out = false;
@@ -150,7 +150,7 @@ struct ClipRegion::Body {
     return out;
   }
 
-  GridPaths outline;  // boundaries, each once: those of holes the other way round
+  GridPaths outline;  // boundaries, each once; those of holes in reverse direction
   FlatCurves curves;
   std::vector<std::pair<GridPoint, GridPoint>> sides;
   BoxTree<std::uint32_t> tree;
@@ -160,7 +160,7 @@ namespace {
 
 using Seen = ClippedCurves::Seen;
 
-/// The curves of a polygon or line that Clipper made, and what they are parts of.
+/// Clips curves with Clipper, and maps its polygons and lines back to the curves that they are parts of.
 class CurveClipper {
  public:
   CurveClipper(std::vector<PlaneCurve> curves, const GridPaths& outline, const FlatCurves& region)
@@ -204,7 +204,7 @@ class CurveClipper {
     }
     if (paths.empty()) return whole();  // a point on the grid
     const GridBox box = grid_box(paths);
-    // What lies on the boundary is seen.
+    // Curves on the boundary count as visible.
     const double wider = 4.0 + 2.0 * (subject_.tolerance() + region_.tolerance());
     ClipperLib::ClipperOffset offset;
     offset.AddPaths(cropped(outline_, box, wider), ClipperLib::jtMiter, ClipperLib::etClosedPolygon);
@@ -232,7 +232,7 @@ class CurveClipper {
  private:
   ClippedCurves whole() { return {Seen::whole, std::move(curves_)}; }
 
-  /// The curve of the subject that a path goes all around; none for other paths.
+  /// The curve of the subject that a path follows completely; nothing for other paths.
   std::optional<std::uint32_t> curve_all_around(const TracedPath& path) const {
     std::vector<std::uint32_t> pieces;
     for (const TracedRun& run : path.runs) {
@@ -246,7 +246,7 @@ class CurveClipper {
     return subject_.curve_of(pieces.front());
   }
 
-  /// The way of its curve.
+  /// Turns the path to the direction of its curve.
   static TracedPath forwards(TracedPath path) {
     const TracedRun& first = path.runs.front();
     if (first.of == nullptr || !first.is_backwards()) return path;
@@ -269,7 +269,7 @@ class CurveClipper {
     return run.of == &subject_ && run.end == 1.0 && subject_.is_last(run.piece);
   }
 
-  /// In the order of their curves; over the start of a closed curve a line goes on.
+  /// Joins the parts in the order of their curves; a line continues across the start of a closed curve.
   ClippedCurves joined(std::vector<TracedPath> parts) {
     ClippedCurves out{Seen::part, {}};
     const auto place = [](const TracedPath& path) {
@@ -358,7 +358,7 @@ ClipRegion ClipRegion::common(const ClipRegion& a, const ClipRegion& b) {
 ClippedCurves ClipRegion::clipped(std::vector<PlaneCurve> curves, Ink ink) const {
   if (is_plane() || curves.empty()) return {Seen::whole, std::move(curves)};
   const FlatCurves& region = body_->curves;
-  // Boxes tell of most curves that nothing cuts them.
+  // Boxes show for most curves that nothing cuts them.
   Box2 box = bounds_of(curves);
   const Vec2 margin{2.0 * region.grid(), 2.0 * region.grid()};
   box = {(1.0 / region.grid()) * (box.low - margin), (1.0 / region.grid()) * (box.high + margin)};

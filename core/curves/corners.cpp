@@ -19,7 +19,7 @@ Vec2 unit(Vec2 v) {
   return size > 0.0 ? 1.0 / size * v : Vec2{};
 }
 
-/// How the curve turns at the end of one stretch and the beginning of the next; positive to the left.
+/// The angle between the end of one stretch and the beginning of the next; positive to the left.
 double turn_between(Vec2 last, Vec2 first) {
   const Vec2 a = unit(last);
   const Vec2 b = unit(first);
@@ -27,11 +27,11 @@ double turn_between(Vec2 last, Vec2 first) {
 }
 
 struct Cut {
-  std::size_t piece = 0;  // of the curve
+  std::size_t piece = 0;  // index in the curve
   double parameter = 0.0;
 };
 
-/// Where so much of the stretch has passed.
+/// The point at length `passed` from the beginning of the stretch.
 Cut cut_at(const MeasuredCurve& curve, const Stretch& stretch, double passed) {
   const std::size_t last = stretch.first + stretch.count - 1;
   std::size_t piece = stretch.first;
@@ -39,7 +39,7 @@ Cut cut_at(const MeasuredCurve& curve, const Stretch& stretch, double passed) {
   return {piece, curve.lengths[piece].parameter_at(passed)};
 }
 
-/// A stretch of which something is cut off at both ends; empty where nothing but rounding is left.
+/// The stretch, cut back at both ends; empty if only rounding is left.
 std::vector<Piece> shortened(const MeasuredCurve& curve, const Stretch& stretch, double begin, double end) {
   constexpr double kRounding = 1e-9;
   if (begin > 0.0 && end > 0.0 && begin + end >= stretch.length * (1.0 - kRounding)) return {};
@@ -55,7 +55,7 @@ std::vector<Piece> shortened(const MeasuredCurve& curve, const Stretch& stretch,
   return out;
 }
 
-/// Tangent to both lines; the corner is where they would meet. `away` is the distance from there to both ends.
+/// An arc tangent to both lines, which would meet at the corner. `away` is the distance from the corner to both ends.
 Piece rounding_arc(Vec2 from, Vec2 to, Vec2 first, double turn, double away) {
   const double radius = away / std::tan(0.5 * std::abs(turn));
   const Vec2 left{-first.y, first.x};
@@ -65,10 +65,10 @@ Piece rounding_arc(Vec2 from, Vec2 to, Vec2 first, double turn, double away) {
           .arc = {.center = from - out, .u = out, .v = radius * first, .start = 0.0, .sweep = std::abs(turn)}};
 }
 
-/// Between two sides that end with the unit directions `first` and `last`, as a circle would be where these are lines.
+/// A cubic between sides with end directions `first` and `last`; it approximates the arc that would round two lines.
 Piece rounding_cubic(Vec2 from, Vec2 to, Vec2 first, Vec2 last, double away) {
   const double turn = std::abs(turn_between(first, last));
-  // The handles of an arc of that turn, whose tangents are `away` long.
+  // Handle length for an arc that turns by that angle and whose tangents are `away` long.
   const double handle =
       turn > 0.0 ? 4.0 / 3.0 * std::tan(0.25 * turn) / std::tan(0.5 * turn) * away : 2.0 / 3.0 * away;
   const double bounded = std::min(handle, away);
@@ -82,13 +82,13 @@ PlaneCurve rounded(const PlaneCurve& curve, double corner_angle, double radius) 
   const auto last_piece = [&](std::size_t i) -> const Piece& {
     return all.pieces[all.stretches[i].first + all.stretches[i].count - 1];
   };
-  // The corner at the beginning of each stretch; an open curve has none at its first.
+  // The cut at the corner where each stretch begins; the first stretch of an open curve has no corner.
   std::vector<double> away(count, 0.0);
   for (std::size_t i = all.is_closed ? 0 : 1; i < count; ++i) {
     const std::size_t before = (i + count - 1) % count;
     const double turn = std::abs(
         turn_between(last_piece(before).last_direction(), all.pieces[all.stretches[i].first].first_direction()));
-    constexpr double kMostTurn = 0.999 * kPi;  // there the tangent length has no bound
+    constexpr double kMostTurn = 0.999 * kPi;  // near pi the tangent length is unbounded
     const double wanted = radius * std::tan(0.5 * std::min(turn, kMostTurn));
     away[i] = std::min({wanted, 0.5 * all.stretches[before].length, 0.5 * all.stretches[i].length});
   }
@@ -100,7 +100,7 @@ PlaneCurve rounded(const PlaneCurve& curve, double corner_angle, double radius) 
     const double end = has_corner_after ? away[next] : 0.0;
     for (const Piece& piece : shortened(all, all.stretches[i], away[i], end)) pieces.push_back(piece);
     if (!has_corner_after || end == 0.0) continue;
-    // Each side as it is without the cut at its other end: what lies between two cuts may be nothing.
+    // Cut each side only at this corner: nothing may be left between its two cuts.
     const std::vector<Piece> before = shortened(all, all.stretches[i], 0.0, end);
     const std::vector<Piece> after = shortened(all, all.stretches[next], away[next], 0.0);
     if (before.empty() || after.empty()) continue;
@@ -120,7 +120,7 @@ PlaneCurve rounded(const PlaneCurve& curve, double corner_angle, double radius) 
   PlaneCurve out(pieces.front().from());
   out.name = curve.name;
   for (const Piece& piece : pieces) {
-    // The end of the one is the beginning of the next, whatever was rounded in between.
+    // The next piece starts where the last one ended, despite rounding in between.
     if (out.end() != piece.from() && piece.kind != PieceKind::arc && piece.kind != PieceKind::cubic)
       out.line_to(piece.from());
     out.add(piece);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Corners of curves: where they are, and curves without them.
+// Finds the corners of curves, and rounds them.
 //
 // At a corner the local feature size is zero, so no density of samples is enough for the theorems of the crust there.
 //
@@ -18,17 +18,18 @@ namespace mes {
 struct CurveCorner {
   Vec2 place{};
   double angle = 0.0;     ///< between the two sides, radians: 0 where the curve turns back, below pi
-  std::size_t curve = 0;  ///< its place in the set
+  std::size_t curve = 0;  ///< index in the set
 };
 
-/// Where the tangent turns by more than `corner_angle`, radians, in the order of the curves. Ends are none. Pieces below
-/// 1e-9 of the longest of their curve have no direction of their own. Cost: O(pieces).
+/// Points where the tangent turns by more than `corner_angle`, in radians, in the order of the curves. Ends are not
+/// corners. Pieces below 1e-9 of the longest piece of their curve have no direction of their own. Cost: O(pieces).
 std::vector<CurveCorner> corners_of(const CurveSet& curves, double corner_angle);
 
-/// The same curves with corners rounded. Between two lines that is the arc of a circle of the radius, tangent to both;
-/// where a side is curved, a cubic that begins and ends as far from the corner and has the tangents of the curve there.
-/// No more than half of what lies between two corners is given up, so a large radius becomes smaller where corners are
-/// near to each other. Open ends, and curves without corners, stay as they are. `radius` is positive. Cost: O(pieces).
+/// The same curves with rounded corners. Between two lines the rounding is a circular arc of the radius, tangent to
+/// both. Where a side is curved, it is a cubic that begins and ends at the same distance from the corner, with the
+/// tangents of the curve there. At most half of the curve between two corners is cut off, so a large radius shrinks
+/// where corners are close to each other. Open ends, and curves without corners, do not change. `radius` must be
+/// positive. Cost: O(pieces).
 CurveSet with_round_corners(const CurveSet& curves, double corner_angle, double radius);
 
 }  // namespace mes

@@ -9,7 +9,7 @@
 namespace mes {
 namespace {
 
-/// Row i: below x[i - 1] + diagonal x[i] + above x[i + 1] = right, the diagonal larger than the other two together.
+/// Row i: below x[i - 1] + diagonal x[i] + above x[i + 1] = right. The diagonal exceeds the sum of the other two.
 struct Row {
   double below = 0.0;
   double diagonal = 1.0;
@@ -17,7 +17,7 @@ struct Row {
   Vec2 right{};
 };
 
-/// Elimination without pivots, which a dominant diagonal does not need.
+/// Elimination without pivoting, which a dominant diagonal does not need.
 std::vector<Vec2> solved(std::vector<Row> rows) {
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const double factor = rows[i].below / rows[i - 1].diagonal;
@@ -33,7 +33,7 @@ std::vector<Vec2> solved(std::vector<Row> rows) {
   return out;
 }
 
-/// The derivative is continuous in the second order at point `p` between pieces of these lengths.
+/// The equation for a continuous second derivative at point `p`, between pieces of these lengths.
 Row smooth_at(Vec2 before, Vec2 p, Vec2 after, double first, double second) {
   return {second, 2.0 * (first + second), first,
           3.0 * (second / first * (p - before) + first / second * (after - p))};
@@ -55,8 +55,8 @@ std::vector<Vec2> open_derivatives(std::span<const Vec2> at, std::span<const dou
   return solved(std::move(rows));
 }
 
-/// Derivatives at the points of a closed curve of three points or more. Its matrix has a corner each beside the three
-/// diagonals, which are taken off by the formula of Sherman and Morrison.
+/// Derivatives at the points of a closed curve of three points or more. The matrix has two corner entries beside the
+/// three diagonals; the Sherman-Morrison formula removes them.
 std::vector<Vec2> closed_derivatives(std::span<const Vec2> at, std::span<const double> lengths) {
   const std::size_t count = at.size();
   std::vector<Row> rows(count);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cubic spline through points, as drawing programs make it of fit points.
+// The cubic spline through points, as drawing programs compute it from fit points.
 #pragma once
 
 #include <optional>
@@ -10,16 +10,17 @@
 
 namespace mes {
 
-/// Directions at the ends of an open curve, of any length; zero counts as none.
+/// Directions at the ends of an open curve, of any length; zero counts as unset.
 struct EndTangents {
   std::optional<Vec2> at_start{};
   std::optional<Vec2> at_end{};
 };
 
-/// The curve with two continuous derivatives whose pieces between points are cubic, with distances of neighbours as
-/// parameters. An open one has the directions of `tangents` at its ends, and no curvature where there is none. Neighbours that are equal are one
-/// point; a closed curve may repeat its first point at the end. Two points without tangents are a line, one is a curve without
-/// pieces. Nothing for no points, or for numbers that are not finite. O(n).
+/// The curve with two continuous derivatives whose pieces between points are cubic, parameterized by the distances of
+/// neighbours. An open curve starts and ends in the directions of `tangents`; where one is unset, its curvature is
+/// zero. Equal neighbours count as one point; a closed curve may repeat its first point at the end. Two points without
+/// tangents give a line, one point gives a curve without pieces. Returns nothing for no points or for numbers that are
+/// not finite. O(n).
 /// Source: Ahlberg, Nilson and Walsh, "The theory of splines and their applications", 1967, sections 2.1 and 2.2.
 ///
 /// Smallest use:

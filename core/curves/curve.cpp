@@ -9,7 +9,7 @@
 namespace mes {
 namespace {
 
-/// Exactly level where the ends are.
+/// Interpolates linearly; a coordinate that is the same at both ends stays exactly the same.
 Vec2 between(Vec2 a, Vec2 b, double t) {
   return a + t * (b - a);
 }
@@ -18,7 +18,7 @@ Vec2 on_ellipse(const EllipticArc& arc, double angle) {
   return arc.center + (std::cos(angle) * arc.u + std::sin(angle) * arc.v);
 }
 
-/// By the angle.
+/// The derivative by the angle.
 Vec2 along_ellipse(const EllipticArc& arc, double angle) {
   return std::cos(angle) * arc.v - std::sin(angle) * arc.u;
 }
@@ -35,7 +35,7 @@ std::size_t point_count(PieceKind kind) {
 
 }  // namespace
 
-// Source: SVG 2, appendix B.2.4 and B.2.5: the circle that the ellipse becomes when its axes are made the unit.
+// Source: SVG 2, appendix B.2.4 and B.2.5: scaling by the axes turns the ellipse into a unit circle.
 std::optional<EllipticArc> arc_between(Vec2 from, Vec2 to, Vec2 radii, double rotation, bool is_large,
                                        bool turns_to_v) {
   radii = {std::abs(radii.x), std::abs(radii.y)};
@@ -48,7 +48,7 @@ std::optional<EllipticArc> arc_between(Vec2 from, Vec2 to, Vec2 radii, double ro
   const double reach = length(chord);
   if (!std::isfinite(reach) || reach == 0.0) return std::nullopt;
 
-  Vec2 center{};  // in units of the axes, from the middle of the chord
+  Vec2 center{};  // in units of the axes, relative to the middle of the chord
   if (reach >= 1.0) {
     radii = reach * radii;
   } else {
@@ -80,7 +80,7 @@ Vec2 Piece::at(double t) const {
   if (t <= 0.0) return from();
   if (t >= 1.0) return to();
   if (kind == PieceKind::arc) return on_ellipse(arc, arc.start + t * arc.sweep);
-  // De Casteljau's way, which is steady near the ends.
+  // De Casteljau's algorithm, which is stable near the ends.
   std::array<Vec2, 4> p = points;
   for (std::size_t left = point_count(kind) - 1; left > 0; --left)
     for (std::size_t i = 0; i < left; ++i) p[i] = between(p[i], p[i + 1], t);
@@ -124,7 +124,7 @@ Piece Piece::part(double begin, double end) const {
     out.arc.sweep = (end - begin) * arc.sweep;
     return out;
   }
-  // The control points of the part are values of the polar form (blossom) at begin and end, in all mixtures.
+  // The control points of the part are values of the polar form (blossom) at all combinations of begin and end.
   const std::size_t degree = point_count(kind) - 1;
   for (std::size_t k = 1; k < degree; ++k) {
     std::array<Vec2, 4> p = points;
@@ -175,7 +175,7 @@ void PlaneCurve::line_to(Vec2 to) {
 }
 
 void PlaneCurve::lines_to(std::span<const Vec2> to) {
-  // With room for the line that closes it.
+  // Reserve room for the closing line too.
   const std::size_t wanted = points_.size() + to.size() + 1;
   if (wanted > points_.capacity()) points_.reserve(std::max(wanted, 2 * points_.size()));
   if (wanted > kinds_.capacity()) kinds_.reserve(std::max(wanted, 2 * kinds_.size()));

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curves as drawings and maps have them: pieces that are lines, Bézier curves and arcs of ellipses. They are what
-// samples are taken from (core/curves/sampling.h).
+// Curves as in drawings and maps: pieces that are lines, Bézier curves and arcs of ellipses. Samples are taken from
+// these curves (core/curves/sampling.h).
 //
-// Coordinates are those of the plane, without a unit; x points to the right, y up. Nothing is rounded or flattened:
-// control points and arcs are kept as they are given.
+// Coordinates are those of the plane, without a unit; x points right, y up. Nothing is rounded or flattened: control
+// points and arcs are stored as given.
 //
 // Smallest use:
 //     PlaneCurve curve({0.0, 0.0});
@@ -25,8 +25,8 @@
 
 namespace mes {
 
-/// A piece of an ellipse: center + cos(w) u + sin(w) v, with w from `start` to `start + sweep`, in radians. `u` and `v`
-/// are conjugate half diameters, which need not be at right angles: so any affine image is one again.
+/// An arc of an ellipse: center + cos(w) u + sin(w) v, with w from `start` to `start + sweep`, in radians. `u` and `v`
+/// are conjugate half diameters and need not be at right angles, so that every affine image is again such an arc.
 struct EllipticArc {
   Vec2 center{}, u{}, v{};
   double start = 0.0;
@@ -34,8 +34,8 @@ struct EllipticArc {
   friend bool operator==(const EllipticArc&, const EllipticArc&) = default;
 };
 
-/// What SVG says with radii, rotation of the x axis (in radians, counter-clockwise where y points up) and two flags.
-/// Radii that are too small are made larger. Nothing where SVG wants a line: a radius of zero, or equal ends.
+/// The arc that SVG defines by radii, rotation of the x axis (radians, counter-clockwise if y points up) and two flags.
+/// Radii that are too small are enlarged. Returns nothing where SVG requires a line: for a zero radius or equal ends.
 std::optional<EllipticArc> arc_between(Vec2 from, Vec2 to, Vec2 radii, double rotation, bool is_large,
                                        bool turns_to_v);
 
@@ -44,38 +44,37 @@ enum class PieceKind : std::uint8_t { line, quadratic, cubic, arc };
 /// One piece of a curve, as a function of a parameter in [0, 1].
 struct Piece {
   PieceKind kind = PieceKind::line;
-  std::array<Vec2, 4> points{};  ///< the ends first and last of two, three or four; of an arc the two ends
-  EllipticArc arc{};             ///< of an arc
+  std::array<Vec2, 4> points{};  ///< two, three or four points with the ends first and last; for an arc, its two ends
+  EllipticArc arc{};             ///< only for arcs
 
   Vec2 from() const { return points[0]; }
   Vec2 to() const;
-  /// At 0 and 1 exactly the ends.
+  /// The point at a parameter; exactly the ends at 0 and 1.
   Vec2 at(double t) const;
   Vec2 derivative(double t) const;
-  /// Directions at the ends, of any length; zero for a piece that is a single point. Where control points coincide
-  /// with an end, that of the next one.
+  /// Directions at the ends, of any length; zero for a piece that is a single point. If control points coincide with an
+  /// end, the next different one determines the direction.
   Vec2 first_direction() const;
   Vec2 last_direction() const;
-  /// The part between two parameters, 0 <= begin < end <= 1; at 0 and 1 it has exactly the ends.
+  /// The part between two parameters, 0 <= begin < end <= 1; at 0 and 1 its ends are exactly those of the piece.
   Piece part(double begin, double end) const;
 };
 
-/// Pieces that follow each other. A closed curve ends exactly where it starts. 17 bytes for each line; an arc has 64
-/// more.
+/// A chain of pieces. A closed curve ends exactly where it starts. 17 bytes for each line; an arc takes 64 more.
 class PlaneCurve {
  public:
   explicit PlaneCurve(Vec2 start) : points_{start} {}
-  /// A curve put together again from what `points`, `kinds` and `arcs` gave. Nothing if their numbers do not fit, or
-  /// the curve is closed and does not end where it starts.
+  /// Rebuilds a curve from the results of `points`, `kinds` and `arcs`. Returns nothing if the counts do not match, or
+  /// if the curve is closed and does not end where it starts.
   static std::optional<PlaneCurve> of_parts(std::vector<Vec2> points, std::vector<PieceKind> kinds,
                                             std::vector<EllipticArc> arcs, bool is_closed);
 
   void line_to(Vec2 to);
-  /// A line to each.
+  /// Adds a line to each point.
   void lines_to(std::span<const Vec2> to);
   void quadratic_to(Vec2 control, Vec2 to);
   void cubic_to(Vec2 first, Vec2 second, Vec2 to);
-  /// The end is given too, for it should not depend on rounding.
+  /// The end is passed as well, so that it does not depend on rounding.
   void arc_to(const EllipticArc& arc, Vec2 to);
   /// Adds a line to the start unless the curve ends there.
   void close();
@@ -86,10 +85,10 @@ class PlaneCurve {
   Vec2 start() const { return points_.front(); }
   Vec2 end() const { return points_.back(); }
   std::size_t piece_count() const { return kinds_.size(); }
-  /// The start, then control points and end of each piece.
+  /// The start, then the control points and the end of each piece.
   const std::vector<Vec2>& points() const { return points_; }
   const std::vector<PieceKind>& kinds() const { return kinds_; }
-  /// Of the pieces that are arcs, in order.
+  /// The arcs, in order, of the pieces that are arcs.
   const std::vector<EllipticArc>& arcs() const { return arcs_; }
   void add(const Piece& piece);
 
@@ -108,7 +107,7 @@ class PlaneCurve {
     }
   }
 
-  std::string name{};  ///< as the file has it; may be empty
+  std::string name{};  ///< name from the file; may be empty
   friend bool operator==(const PlaneCurve&, const PlaneCurve&) = default;
 
  private:
@@ -116,19 +115,19 @@ class PlaneCurve {
     return kind == PieceKind::cubic ? 3 : kind == PieceKind::quadratic ? 2 : 1;
   }
 
-  std::vector<Vec2> points_;  // the start, then control points and end of each piece
+  std::vector<Vec2> points_;  // the start, then the control points and the end of each piece
   std::vector<PieceKind> kinds_;
-  std::vector<EllipticArc> arcs_;  // of the pieces that are arcs, in order
+  std::vector<EllipticArc> arcs_;  // for the pieces that are arcs, in order
   bool is_closed_ = false;
   bool is_polyline_ = true;
 };
 
-/// What a drawing or a map consists of.
+/// The content of a drawing or a map.
 struct CurveSet {
   std::vector<PlaneCurve> curves{};
-  std::vector<Vec2> points{};  ///< that lie on no curve
-  /// Coordinates were rounded to multiples of about this, as a file with so many decimals has them; 0: to doubles. Ends
-  /// of curves, and curves, that are no farther apart are meant to touch.
+  std::vector<Vec2> points{};  ///< isolated points, on no curve
+  /// Coordinates were rounded to multiples of about this, as in a file with a fixed number of decimals; 0: only rounded
+  /// to doubles. Ends of curves, and curves, that are no farther apart are meant to touch.
   double resolution = 0.0;
   bool is_empty() const { return curves.empty() && points.empty(); }
   friend bool operator==(const CurveSet&, const CurveSet&) = default;

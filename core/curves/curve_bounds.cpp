@@ -8,7 +8,7 @@
 namespace mes {
 namespace {
 
-/// Adds where a derivative a t^2 + b t + c of one coordinate is zero.
+/// Adds the points where the derivative a t^2 + b t + c of one coordinate is zero.
 void add_level(const Piece& piece, double a, double b, double c, Box2& box) {
   const auto add = [&](double t) {
     if (t > 0.0 && t < 1.0) box.add(piece.at(t));
@@ -21,7 +21,7 @@ void add_level(const Piece& piece, double a, double b, double c, Box2& box) {
 }
 
 void add_turns(const Piece& piece, double u, double v, Box2& box) {
-  // cos(w) u + sin(w) v is largest or least where w = atan2(v, u) up to half turns.
+  // cos(w) u + sin(w) v has its extrema where w = atan2(v, u), up to half turns.
   constexpr double kPi = std::numbers::pi;
   if (piece.arc.sweep == 0.0) return;
   const double first = std::min(piece.arc.start, piece.arc.start + piece.arc.sweep);

@@ -19,17 +19,17 @@ bool may_have_cuts(const std::vector<PlaneCurve>& curves, const std::function<bo
   RepeatedPositions repeated;
   for (const PlaneCurve& curve : curves) {
     if (!curve.is_closed() || !curve.is_polyline()) continue;
-    // It ends where it starts.
+    // A closed curve ends where it starts.
     const auto vertices = std::span(curve.points()).first(curve.piece_count());
     if (std::ranges::any_of(vertices, on_cut) || !repeated.find(vertices).empty()) return true;
   }
   return false;
 }
 
-/// Of each arc, whether regions on both sides of it are one.
+/// Marks the arcs that have the same region on both sides.
 std::vector<bool> cuts_of(const CurveNetwork& network, const std::function<bool(Vec2)>& on_cut) {
   struct Use {
-    std::size_t forward = 0, backward = 0;  // the walk there, and its number of times
+    std::size_t forward = 0, backward = 0;  // a walk in each direction; below, the number of uses
     std::size_t forward_count = 0, backward_count = 0;
   };
   std::vector<Use> uses(network.arcs.size());
@@ -50,7 +50,7 @@ std::vector<bool> cuts_of(const CurveNetwork& network, const std::function<bool(
   return out;
 }
 
-/// Closed walks along all steps. Wherever one comes back to a node, what lies between is a walk of its own.
+/// Closed walks along all steps. A part that returns to a node becomes a walk of its own.
 std::vector<Walk> closed_walks(const CurveNetwork& network, const std::vector<Step>& steps) {
   const auto from = [&](const Step& step) { return network.nodes[step.arc][step.is_backwards ? 1 : 0]; };
   const auto to = [&](const Step& step) { return network.nodes[step.arc][step.is_backwards ? 0 : 1]; };
@@ -61,7 +61,7 @@ std::vector<Walk> closed_walks(const CurveNetwork& network, const std::vector<St
   for (std::size_t first = 0; first < steps.size(); ++first) {
     if (is_used[first]) continue;
     std::vector<Step> path;
-    std::unordered_map<std::uint32_t, std::size_t> met{{from(steps[first]), 0}};  // how many steps lead there
+    std::unordered_map<std::uint32_t, std::size_t> met{{from(steps[first]), 0}};  // steps to the node
     for (std::uint32_t node = from(steps[first]);;) {
       std::vector<std::size_t>& ways = leaving[node];
       while (!ways.empty() && is_used[ways.back()]) ways.pop_back();

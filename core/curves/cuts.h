@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Outlines that go along a cut twice, once in each direction, without the cut.
+// Removes cuts from outlines: parts that an outline follows twice, once in each direction.
 #pragma once
 
 #include <functional>
@@ -10,13 +10,13 @@
 
 namespace mes {
 
-/// A ring with a hole is often written as one outline that goes to the hole along a slit and back; and a polygon across
-/// the 180th meridian is cut there into two. What lies on both sides of such a cut is one region.
+/// A ring with a hole is often written as one outline that runs to the hole along a slit and back. A polygon across the
+/// 180th meridian is cut there into two. Both sides of such a cut belong to one region.
 ///
-/// Parts of a closed curve that it goes along in both directions are left out, and so are parts of two closed curves in
-/// opposite directions all of whose points are `on_cut`. The rest is put together again, after the curves without cuts: a ring with a
-/// slit becomes two. `resolution` as `CurveSet` has it. O(n log n), O(n) where no
-/// vertex comes twice. Throws `Cancelled` if there is a job.
+/// Removes parts of a closed curve that it follows in both directions, and parts that two closed curves follow in
+/// opposite directions if all points of the part are `on_cut`. The remaining parts are joined again, after the curves
+/// without cuts: a ring with a slit becomes two curves. `resolution` as in `CurveSet`. O(n log n); O(n) if no vertex
+/// occurs twice. Throws `Cancelled` if there is a job.
 ///
 /// Smallest use:
 ///     curves = without_cuts(std::move(curves), 0.0, [](Vec2 p) { return p.x == 180.0; });

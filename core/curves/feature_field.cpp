@@ -21,21 +21,22 @@
 namespace mes {
 namespace {
 
-/// Epsilon of the samples that show the axis: to begin with, and in the end.
+/// Epsilon of the samples that show the axis: initially, and finally.
 constexpr double kCoarse = 0.25;
 constexpr double kFine = 0.125;
-/// Of the square of that epsilon: by such a share the axis may be nearer than it seems. At the tip of a parabola the axis
-/// seems farther away by twice the square; between two places it is nearer than a line says by half of it.
+/// Error bound, in units of the square of that epsilon: the axis may be nearer than it seems by this share. At the tip
+/// of a parabola the axis seems farther away by twice the square; between two samples it is nearer by half of the
+/// square than linear interpolation says.
 constexpr double kError = 4.0;
-/// Places that have more than so many times what they should are as near to each other as they may be.
+/// Nodes whose epsilon exceeds the target by more than this factor are already as close together as allowed.
 constexpr double kMore = 1.1;
-/// Of the largest size beside an exempt place counts there, and on the way there the size may dip to a share.
+/// Near an exempt point this share of the largest size counts; on the way there the size may dip to this share of it.
 constexpr double kExempt = 0.25;
 constexpr double kDip = 0.8;
-/// What is asked for is a little less than what must be had: lengths of arc are found again up to some thousandths.
+/// The target is slightly below the requirement: arc lengths are reproduced only to some thousandths.
 constexpr double kAim = 0.99;
 constexpr std::size_t kOften = 4096;
-/// A sum of coordinates is at most so many times a distance.
+/// The sum of absolute coordinates is at most this many times the length.
 constexpr double kDiagonal = std::numbers::sqrt2 * (1.0 + 1e-9);
 
 double share_of(double epsilon) {
@@ -46,7 +47,7 @@ double share_of(double epsilon) {
 }  // namespace
 
 std::string epsilon_text(double epsilon, std::size_t exempt) {
-  // Rounded up: what is said is a bound.
+  // Rounded up, because the text states a bound.
   const double scale =
       epsilon > 0.0 && std::isfinite(epsilon) ? std::pow(10.0, 2.0 - std::floor(std::log10(epsilon))) : 1.0;
   std::string out = std::isfinite(epsilon)
@@ -73,7 +74,7 @@ struct FeatureField::Walk {
     const Node& node = line.nodes[k % line.nodes.size()];
     return is_strict ? node.size : node.regular;
   }
-  /// The last node that is not behind the place.
+  /// The last node not beyond this arc length.
   std::size_t node_at(double place) const {
     const std::size_t turns =
         line.is_closed ? static_cast<std::size_t>(std::floor(std::max(0.0, place) / line.length)) : 0;
@@ -83,7 +84,7 @@ struct FeatureField::Walk {
     const std::size_t k = turns * line.nodes.size() + (found == 0 ? 0 : found - 1);
     return last() != 0 ? std::min(k, last() - 1) : 0;
   }
-  /// Between the node k and the next.
+  /// Interpolates between node k and the next.
   double size_at(std::size_t k, double place) const {
     const double begin = along(k);
     const double end = along(k + 1);
@@ -97,8 +98,8 @@ struct FeatureField::Walk {
     for (++k; k <= last() && along(k) < to; ++k) out = std::min(out, size(k));
     return out;
   }
-  /// The farthest place, at most `to`, whose distance from `from` is at most `most` times the least size on the way, or
-  /// the finest. `k` is the node before it, and follows.
+  /// The farthest point, at most `to`, whose distance from `from` is at most `most` times the least size in between, or
+  /// the finest distance. `k` is the node before `from`, and moves along.
   double step(std::size_t& k, double from, double to, double most) const {
     double x = from;
     double here = size_at(k, x);
@@ -128,8 +129,8 @@ struct FeatureField::Walk {
     while (along(k) > end && k != 0) --k;
     return end;
   }
-  /// From `from` on, which is among them, to `to`, which is not. Gives the share that the last interval has of what it
-  /// might have; nothing if there would be more places than `most`.
+  /// Steps from `from` (included) to `to` (excluded). Returns the length of the last interval as a share of its allowed
+  /// length; nothing if there would be more than `most` points.
   std::optional<double> march(double from, double to, double twice_epsilon, std::size_t most,
                               std::vector<double>& out) const {
     const double rounding = 1e-12 * line.length;
@@ -144,7 +145,7 @@ struct FeatureField::Walk {
     const double last = to - out.back();
     return std::min(1.0, last / std::clamp(twice_epsilon * least(out.back(), to), line.finest, line.widest));
   }
-  /// The same with intervals that use the epsilon evenly, with the least that needs no more places.
+  /// The same, but evenly: all intervals use the same share of the epsilon, the least that needs no more points.
   bool even_march(double from, double to, double epsilon, std::size_t most, std::vector<double>& out) const {
     constexpr int kSteps = 16;
     constexpr double kEven = 1e-5;
@@ -154,7 +155,7 @@ struct FeatureField::Walk {
     if (!last || out.empty()) return last.has_value();
     std::vector<double> fewer;
     for (int i = 0; i < kSteps; ++i) {
-      // All intervals are made shorter by what the last one lacks.
+      // Shorten all intervals by the part that the last one lacks.
       const double lacking = (1.0 - *last) / static_cast<double>(out.size());
       if (lacking < kEven) break;
       const double guess = (1.0 - lacking) * high;
@@ -176,7 +177,7 @@ Expected<FeatureField> FeatureField::of(const CurveSet& curves, const SamplingRe
   FeatureField out;
   CurveSet set =
       request.corner_radius > 0.0 ? with_round_corners(curves, request.corner_angle, request.corner_radius) : curves;
-  // Curves that touch are measured as they are sampled, arc by arc.
+  // Curves that touch are measured arc by arc, as they are sampled.
   const auto network = network_of(set.curves, set.resolution, job);
   if (network) set.curves = network->arcs;
   out.points_ = curves.points;
@@ -218,10 +219,10 @@ Expected<FeatureField> FeatureField::of(const CurveSet& curves, const SamplingRe
       if (s != 0 || (line.is_closed && all[c].has_corner_at_start)) line.corners.push_back(line.nodes.size());
       line.stretches.push_back(line.nodes.size());
       const bool is_last = s + 1 == all[c].stretches.size();
-      // The end of a stretch is the beginning of the next, or of a closed curve.
+      // The end of a stretch is the beginning of the next one, or of the closed curve.
       const std::size_t count = is_last && !line.is_closed ? places.size() : places.size() - 1;
       for (std::size_t i = 0; i < count; ++i) {
-        // Without an axis half of nothing is zero.
+        // No axis means an infinite size and so an epsilon of zero.
         out.has_axis_ = out.has_axis_ || places[i].epsilon > 0.0;
         const double size = std::min(places[i].size, length) * share_of(places[i].epsilon);
         line.nodes.push_back({places[i].position, before + places[i].at, size, size});
@@ -250,12 +251,12 @@ Expected<FeatureField> FeatureField::of(const CurveSet& curves, const SamplingRe
   return out;
 }
 
-// Where places are as near to each other as they may be and still exceed their epsilon, the size falls to zero. In each
-// such run without a corner, the place with the least size is a meeting.
+// Where samples are as close together as allowed and still exceed their epsilon, the size falls to zero. In each such
+// run without a corner, the point with the least size is a meeting.
 void FeatureField::find_meetings(Line& line, const std::vector<double>& epsilons) {
   const std::size_t count = line.nodes.size();
   const auto is_over = [&](std::size_t i) { return epsilons[i] > kMore * kCoarse; };
-  std::vector<bool> is_corner(count, false);  // or a meeting that is known
+  std::vector<bool> is_corner(count, false);  // includes known meetings
   for (const auto* known : {&line.corners, &line.meetings})
     for (const std::size_t i : *known) is_corner[i] = true;
   for (std::size_t i = 0; i < count;) {
@@ -269,7 +270,7 @@ void FeatureField::find_meetings(Line& line, const std::vector<double>& epsilons
       has_corner = has_corner || is_corner[i];
       if (line.nodes[i].size < line.nodes[least].size) least = i;
     }
-    // A closed curve goes on where it began.
+    // A closed curve continues at its beginning.
     has_corner = has_corner || (i == count && line.is_closed && is_corner[0]);
     if (!has_corner) line.meetings.push_back(least);
   }
@@ -285,7 +286,7 @@ void FeatureField::exempt_about(Line& line, const std::vector<double>& epsilons,
   for (std::ptrdiff_t i = first + way; std::abs(i - first) < count; i += way) {
     if (!line.is_closed && (i < 0 || i >= count)) break;
     const double size = line.nodes[index(i)].size;
-    // Where places are as near to each other as they may be, sizes are what rounding makes of them.
+    // Where samples are as close together as allowed, sizes are only rounding noise.
     if (size < kDip * most && epsilons[index(i)] <= kMore * kCoarse) break;
     most = std::max(most, size);
     end = i;
@@ -316,7 +317,7 @@ void FeatureField::make_tree() {
       Parts& here = parts.emplace_back(Parts{{}, l, k, std::min(k + kEach, count)});
       for (std::uint32_t i = here.first; i < here.end; ++i) {
         const Part part = part_of(lines_[l], i);
-        // A place of the arc is not farther from the chord than that.
+        // Bounds the distance between the arc and its chord.
         const double detour = longest_detour(part);
         const double chord = distance(part.a, part.b);
         const double aside = 0.5 * std::sqrt(std::max(0.0, (detour - chord) * (detour + chord))) + slack_;
@@ -347,7 +348,7 @@ std::vector<FeatureField::Hit> FeatureField::hits(std::span<const Vec2> position
       for (std::uint32_t k = parts.first; k < parts.end; ++k) {
         const Part part = part_of(line, k);
         const double most = longest_detour(part);
-        // Most are too far from an end.
+        // Quick test: most points are too far from an end.
         if (std::abs(p.x - part.a.x) + std::abs(p.y - part.a.y) > kDiagonal * most) continue;
         const double before = distance(part.a, p);
         const double all = before + distance(p, part.b);
@@ -363,15 +364,15 @@ std::vector<FeatureField::Hit> FeatureField::hits(std::span<const Vec2> position
     if (a.line != b.line) return a.line < b.line;
     return a.along != b.along ? a.along < b.along : a.sample < b.sample;
   });
-  // A sample at the end of a part is found on both.
+  // A sample at the common end of two parts is found on both.
   const auto rest = std::ranges::unique(
       out, [](const Hit& a, const Hit& b) { return a.line == b.line && a.along == b.along && a.sample == b.sample; });
   out.erase(rest.begin(), rest.end());
   return out;
 }
 
-/// `use(line, from, to, before, after)` with the hits at both ends, one of which is missing at an open end, and both of a
-/// curve without samples.
+/// Calls `use(line, from, to, before, after)` with the hits at both ends. One of them is missing at an open end, and
+/// both are missing for a curve without samples.
 template <class Use>
 void FeatureField::for_each_interval(const std::vector<Hit>& hits, Use use) const {
   auto hit = hits.begin();
@@ -456,7 +457,7 @@ Expected<std::vector<std::vector<std::vector<double>>>> FeatureField::places(dou
 
 std::vector<FilledInterval> FeatureField::filled(std::span<const Vec2> positions, double epsilon, bool is_strict,
                                                  JobControl* job) const {
-  /// A sample to be: where on the line, and whose.
+  /// A new sample: its arc length on the line, its interval, and its index there.
   struct Wanted {
     double along;
     std::size_t interval;

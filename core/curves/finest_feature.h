@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How dense samples by local feature size may become.
+// The limit on the density of samples by local feature size.
 #pragma once
 
 namespace mes {
 
-/// Corners would ask for infinitely many samples. There are so many times as many as `SamplingRequest::count` gives, evenly
-/// along the curves, and nowhere more.
+/// Corners would require infinitely many samples. So no part of the curves gets more than this many times the density
+/// of `SamplingRequest::count` samples spread evenly along the curves.
 inline constexpr double kFinestFeature = 1000.0;
 
 }  // namespace mes

@@ -22,7 +22,7 @@ double length_along(const SampledCurves& samples) {
   return out;
 }
 
-/// Between samples along curves, or between points that were spread evenly over their extent.
+/// Mean distance of samples along curves, or of isolated points as if spread evenly over their extent.
 double mean_spacing(const SampledCurves& samples) {
   const std::size_t count = samples.positions.size();
   if (count < 2) return 0.0;
@@ -43,7 +43,7 @@ double mean_spacing(const SampledCurves& samples) {
 void jitter(SampledCurves& samples, double amount, std::uint64_t seed) {
   if (amount == 0.0) return;
   const double reach = amount * mean_spacing(samples);
-  // Another sequence than that of random points of the same seed.
+  // Makes the sequence differ from that of random points with the same seed.
   constexpr std::uint64_t kOther = 0x6a09e667f3bcc909;
   constexpr double kTurn = 2.0 * std::numbers::pi;
   Rng random(seed ^ kOther);

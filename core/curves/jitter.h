@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples off their curves, as measured ones are.
+// Moves samples off their curves, like measured data.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,9 @@
 
 namespace mes {
 
-/// Moves each sample by up to `amount` mean spacings, evenly over a disk. The mean spacing is that along the chains;
-/// without chains that of as many points spread evenly over their extent. Equal seeds give equal results. O(n).
+/// Moves each sample by up to `amount` mean spacings, uniformly over a disk. The mean spacing is measured along the
+/// chains; without chains it is that of as many points spread evenly over their extent. Equal seeds give equal results.
+/// O(n).
 void jitter(SampledCurves& samples, double amount, std::uint64_t seed);
 
 }  // namespace mes

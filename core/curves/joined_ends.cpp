@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
 
-/// End 2 i is the start of curve i, and 2 i + 1 its end.
+/// Ends of curves: 2 i is the start of curve i, and 2 i + 1 its end.
 class Ends {
  public:
   Ends(const std::vector<PlaneCurve>& curves, double tolerance)
@@ -27,7 +27,7 @@ class Ends {
     }
   }
 
-  /// The one other end at the same place, or else the one other end that is near; nothing for none and for several.
+  /// The only other end at the same position, or else the only other end nearby; nothing if there are none or several.
   std::size_t partner_of(std::size_t end) const {
     const Cell cell = cell_of(place_of(end));
     Only here;
@@ -60,7 +60,7 @@ class Ends {
     }
     std::size_t get() const { return count == 1 ? end : kNone; }
   };
-  /// A line or an arc below half a turn is never closed, however short it is.
+  /// False for a single line or an arc below half a turn, however short it is.
   bool may_close(std::size_t curve) const {
     const PlaneCurve& c = curves_[curve];
     if (c.piece_count() != 1) return c.piece_count() > 1;
@@ -75,7 +75,7 @@ class Ends {
     };
     return {index(p.x - origin_.x), index(p.y - origin_.y)};
   }
-  // Cells that share a key are distinguished by the distance of the ends in them.
+  // Cells may share a key; the distance of the ends in them tells them apart.
   static std::uint64_t key_of(std::int64_t x, std::int64_t y) {
     constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;
     std::uint64_t key = static_cast<std::uint64_t>(x) * kOdd;
@@ -85,7 +85,7 @@ class Ends {
 
   const std::vector<PlaneCurve>& curves_;
   double tolerance_;
-  Vec2 origin_;  // cells are counted from there
+  Vec2 origin_;  // origin of the cells
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
 };
 
@@ -136,7 +136,7 @@ PlaneCurve reversed(const PlaneCurve& curve) {
 std::vector<PlaneCurve> joined_ends(std::vector<PlaneCurve> curves, double tolerance) {
   if (!(tolerance > 0.0)) return curves;
   const Ends ends(curves, tolerance);
-  // Of two ends each is the partner of the other, or neither: nearness is not transitive.
+  // Ends are joined only if each is the partner of the other: nearness is not transitive.
   const auto partner = [&](std::size_t end) {
     const std::size_t other = ends.partner_of(end);
     return other != kNone && ends.partner_of(other) == end ? other : kNone;
@@ -150,7 +150,7 @@ std::vector<PlaneCurve> joined_ends(std::vector<PlaneCurve> curves, double toler
       out.push_back(std::move(curves[i]));
       continue;
     }
-    // Back to where the chain begins, or around to where it closes.
+    // Follow the chain back to its beginning, or around to where it closes.
     std::size_t begin = 2 * i;
     for (std::size_t before = partner(begin); before != kNone; before = partner(begin)) {
       begin = before ^ 1U;
@@ -174,7 +174,7 @@ std::vector<PlaneCurve> joined_ends(std::vector<PlaneCurve> curves, double toler
       end = next ^ 1U;
     }
     if (is_closed) {
-      // Its end is its start, exactly.
+      // A ring ends exactly at its start.
       std::vector<Piece> pieces = pieces_of(chain);
       PlaneCurve ring(chain.start());
       ring.name = chain.name;

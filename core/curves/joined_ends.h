@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curves that were drawn in pieces, in one piece again.
+// Joins curves that were drawn in pieces.
 #pragma once
 
 #include <vector>
@@ -11,10 +11,11 @@ namespace mes {
 /// The same curve from its end to its start.
 PlaneCurve reversed(const PlaneCurve& curve);
 
-/// Open curves whose ends are at most `tolerance` apart become one, turned around where they must be, and closed where
-/// both ends meet, unless it is a single line or less than half a turn. An end is joined where it has exactly one other end at its place, or else exactly one near: where three curves meet, none are joined.
-/// In the order of their first parts; closed curves stay as they are. Cost: O(n log n) for n curves, for ends that are
-/// near to few others.
+/// Joins open curves whose ends are at most `tolerance` apart, and reverses them where necessary. A curve whose own
+/// ends meet is closed, unless it is a single line or less than half a turn. An end is joined if exactly one other end
+/// lies at the same position, or else if exactly one is near: where three curves meet, nothing is joined. The result is
+/// in the order of the first parts; closed curves do not change. Cost: O(n log n) for n curves, if ends are near few
+/// others.
 ///
 /// Smallest use:
 ///     const auto outline = joined_ends({left_half, right_half}, 1e-6);

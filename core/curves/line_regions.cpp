@@ -15,7 +15,7 @@ namespace {
 
 using NodeSlot = Slot<struct NetworkNodeTag>;
 
-/// The arcs of a network and the faces between them. Half edge 2 a goes along arc a, 2 a + 1 comes back.
+/// The arcs of a network and the faces between them. Half edge 2 a runs along arc a, and 2 a + 1 runs back.
 class Faces {
  public:
   explicit Faces(const CurveNetwork& network) : network_(network) {
@@ -33,14 +33,14 @@ class Faces {
     return std::ranges::none_of(is_in_mesh_, [](bool in) { return in; });
   }
   bool is_in_mesh(std::uint32_t arc) const { return is_in_mesh_[arc]; }
-  /// Of each face that is inside, its half edges in order, with the face on the left.
+  /// For each face inside, its half edges in order, with the face on the left.
   std::vector<std::vector<std::uint32_t>> inside() const {
     std::vector<std::vector<std::uint32_t>> out;
     for (const Face& face : faces_)
       if (is_inside(face)) out.push_back(face.edges);
     return out;
   }
-  /// Neither side is inside, and it is on no closed curve.
+  /// True if neither side is inside and the arc is on no closed curve.
   bool is_left_open(std::uint32_t arc) const {
     if (closed_uses_[arc] != 0) return false;
     if (!is_in_mesh_[arc]) return true;
@@ -50,7 +50,7 @@ class Faces {
  private:
   struct Face {
     std::vector<std::uint32_t> edges{};
-    double area = 0.0;  ///< twice; negative around the outside
+    double area = 0.0;  ///< doubled; negative for the outer face
     std::uint32_t mesh = 0;
     bool is_odd = false;
     bool is_reached = false;
@@ -67,7 +67,7 @@ class Faces {
         for (const CurveNetwork::Step& step : walk.steps) ++closed_uses_[step.arc];
   }
 
-  /// What ends somewhere encloses nothing, and what goes on from there only does not either.
+  /// Arcs that lead to a dead end enclose nothing.
   void find_enclosing_arcs() {
     const std::size_t count = network_.arcs.size();
     is_in_mesh_.assign(count, false);
@@ -96,7 +96,7 @@ class Faces {
     }
   }
 
-  /// Arcs that hang together; those among which no curve is open are left as they are.
+  /// Finds connected components of arcs; components without open curves do not change.
   void find_meshes() {
     DisjointSets<NodeSlot> sets(node_count_);
     const auto root = [&](std::uint32_t arc) { return sets.root(NodeSlot(network_.nodes[arc][0])).index(); };
@@ -115,7 +115,7 @@ class Faces {
       if (is_in_mesh_[arc] && !has_open[mesh_of_[arc]]) is_in_mesh_[arc] = false;
   }
 
-  /// Where a half edge goes: by the tangent, and by a place a little farther on where tangents agree.
+  /// Direction of a half edge: its tangent, then a point a little farther on to break ties.
   std::pair<double, double> direction(std::uint32_t edge) const {
     const PlaneCurve& arc = network_.arcs[edge / 2];
     Piece end;
@@ -142,7 +142,7 @@ class Faces {
     std::vector<std::uint32_t> next(edges, CurveNetwork::kNoNode);
     for (std::vector<std::uint32_t>& leaving : around) {
       std::ranges::sort(leaving, {}, [&](std::uint32_t edge) { return std::pair(directions[edge], edge); });
-      // Who comes in turns as far to the left as possible: to the one before, clockwise of where it came from.
+      // An incoming half edge is followed by the next one clockwise from its twin, so that faces lie on the left.
       for (std::size_t i = 0; i < leaving.size(); ++i)
         next[leaving[i] ^ 1U] = leaving[(i + leaving.size() - 1) % leaving.size()];
     }
@@ -159,7 +159,7 @@ class Faces {
     }
   }
 
-  /// Twice the area between the arc and its first point.
+  /// Twice the signed area between the arc and a common origin.
   double area_under(std::uint32_t arc) const {
     const Vec2 origin = network_.arcs.front().start();
     double sum = 0.0;
@@ -175,7 +175,7 @@ class Faces {
     return sum;
   }
 
-  /// From the outside of each mesh, across arcs on which closed curves lie an odd number of times.
+  /// Propagates from the outer face of each mesh; the parity flips at arcs that an odd number of closed curves use.
   void find_parities() {
     std::vector<std::uint32_t> queue;
     for (std::uint32_t i = 0; i < faces_.size(); ++i) {
@@ -197,11 +197,11 @@ class Faces {
 
   const CurveNetwork& network_;
   std::size_t node_count_ = 0;
-  std::vector<std::size_t> closed_uses_;  // of each arc
-  std::vector<bool> is_in_mesh_;          // of each arc
-  std::vector<std::uint32_t> mesh_of_;    // of each arc in one
+  std::vector<std::size_t> closed_uses_;  // for each arc
+  std::vector<bool> is_in_mesh_;          // for each arc
+  std::vector<std::uint32_t> mesh_of_;    // for each arc in a mesh
   std::vector<bool> has_closed_;          // by mesh
-  std::vector<std::uint32_t> face_of_;    // of each half edge
+  std::vector<std::uint32_t> face_of_;    // for each half edge
   std::vector<Face> faces_;
 };
 

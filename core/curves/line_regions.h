@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Regions that lines enclose together, as closed curves.
+// Turns regions that lines enclose together into closed curves.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,14 @@
 
 namespace mes {
 
-/// A floor plan is often drawn as walls that end at other walls, and parcels as the lines between them: no line is closed,
-/// and yet they enclose regions. Where open curves meet others so, each region that they enclose becomes a closed curve,
-/// all of them instead of the curves that go around them; a line between two regions is in both. Regions are inside where
-/// no closed curve is concerned, or an odd number of those given goes around them. What encloses nothing stays open.
+/// A floor plan often consists of walls that end at other walls, and a parcel map of the lines between parcels: no line
+/// is closed, and yet they enclose regions. Where open curves meet others in this way, each enclosed region becomes a
+/// closed curve. These replace the given curves; a line between two regions is part of both. A region is inside if no
+/// closed curve is involved, or if an odd number of the given closed curves surround it. Curves that enclose nothing
+/// stay open.
 ///
-/// Curves that have nothing to do with open ones stay as they are, and come first. Curves that cross each other without a
-/// common vertex do not meet. `resolution` as `CurveSet` has it. O(n log n). Throws `Cancelled` if there is a job.
+/// Curves unrelated to open ones do not change, and come first. Curves that cross without a common vertex do not meet.
+/// `resolution` as in `CurveSet`. O(n log n). Throws `Cancelled` if there is a job.
 ///
 /// Smallest use:
 ///     curves = with_line_regions(std::move(walls), 0.001);

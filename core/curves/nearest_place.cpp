@@ -40,8 +40,8 @@ double nearest_parameter(const Piece& piece, Vec2 p) {
     if (distance(piece.at(static_cast<double>(i) / kIntervals), p) <
         distance(piece.at(static_cast<double>(best) / kIntervals), p))
       best = i;
-  // The least distance lies in the two intervals beside it; of a piece that comes back to where it begins, these are its
-  // first and its last. Sections in the golden ratio narrow them down.
+  // The minimum lies in the two intervals beside it; if a piece returns to its beginning, these are the first and the
+  // last. Golden-section search narrows them down.
   constexpr double kGolden = 0.6180339887498949;
   constexpr double kSmall = 1e-9;
   const auto narrowed = [&](double low, double high) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The place of curves that is nearest to a point.
+// The point of curves that is nearest to a given point.
 //
 // Smallest use:
 //     if (const auto place = nearest_place(curves, {0.0, 5.0}, 6.0)) use(*place);
@@ -12,15 +12,15 @@
 
 namespace mes {
 
-/// Nothing within `reach`, ends included. On lines the foot of the perpendicular, rounded; on other pieces the nearest
-/// up to 1e-9 of the piece's parameter, from the best of 32 intervals. Points of the set are not asked. Cost: O(pieces) comparisons
-/// with boxes, and evaluations for the pieces near by.
+/// Returns nothing if no curve is within `reach`; ends of curves count. On a line the result is the foot of the
+/// perpendicular, rounded; on other pieces it is the nearest point up to 1e-9 of the parameter, found from the best of
+/// 32 intervals. Isolated points of the set are ignored. Cost: O(pieces) box tests, and evaluations for nearby pieces.
 std::optional<Vec2> nearest_place(const CurveSet& curves, Vec2 p, double reach);
 
-/// The parameter of the place of a piece that is nearest to a point, as exact as there.
+/// Parameter of the point of a piece that is nearest to `p`, with the same precision.
 double nearest_parameter(const Piece& piece, Vec2 p);
 
-/// Contains the piece: the box of its control points, and of an arc that of its whole ellipse.
+/// A box that contains the piece: that of its control points, or of the whole ellipse for an arc.
 Box2 box_of(const Piece& piece);
 
 }  // namespace mes

@@ -7,7 +7,7 @@ namespace mes {
 
 double resolution_of(std::span<const Vec2> points) {
   constexpr int kMostDecimals = 9;
-  constexpr double kLargest = 0x1p40;  // beyond, doubles have too few bits left to tell
+  constexpr double kLargest = 0x1p40;  // beyond this, doubles have too few bits left to decide
   constexpr double kRounding = 0x1p-50;
   double scale = 1.0;
   int decimals = 0;

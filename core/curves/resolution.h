@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// To how many decimals coordinates were rounded.
+// Finds the number of decimals that coordinates were rounded to.
 #pragma once
 
 #include <span>
@@ -8,8 +8,8 @@
 
 namespace mes {
 
-/// The largest power of ten from 1 down to 1e-9 of which all coordinates are multiples, up to what rounding to doubles
-/// does; 0 where there is none, as for numbers that were computed. O(n).
+/// The largest power of ten from 1 down to 1e-9 that divides all coordinates, up to rounding to doubles. Returns 0 if
+/// no such power exists, as for computed numbers. O(n).
 ///
 /// Smallest use:
 ///     curves.resolution = resolution_of(curve.points());

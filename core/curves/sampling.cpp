@@ -22,11 +22,11 @@
 namespace mes {
 namespace {
 
-// Of the adaptive rule: how many samples may lie where one would.
+// Largest density of the adaptive rule, relative to even samples.
 constexpr double kFiner = 8.0;
-// Rules that look around take some hundred bytes for each sample.
+// Rules that search the surroundings take some hundred bytes for each sample.
 constexpr std::size_t kMostUneven = 1'000'000;
-// What has more pieces is sampled evenly when it is opened, in time that grows with their number and no faster.
+// Curves with more pieces are sampled evenly when they are opened, in linear time.
 constexpr std::size_t kMostAdaptivePieces = 20'000;
 
 std::unexpected<Error> refused(ErrorCode code, std::string text) {
@@ -41,11 +41,11 @@ std::unexpected<Error> too_many_for_rule() {
   return refused(ErrorCode::bad_input, fmt::format("by this rule there may be no more than {} samples", kMostUneven));
 }
 
-/// What the number of samples of a curve depends on.
+/// The data that determines the number of samples of a curve.
 struct Outline {
   std::vector<double> stretches;  // lengths
   double length = 0.0;
-  double whole = 0.0;  // of the curve that it is a part of; 0: it is one of its own
+  double whole = 0.0;  // length of the curve that it is a part of; 0: not a part
   bool is_closed = false;
   bool is_straight = false;
 };
@@ -64,7 +64,7 @@ Outline outline_of(const MeasuredCurve& curve) {
 
 constexpr double kIntervalRounding = 1e-9;
 
-/// Intervals of a stretch of a curve at a spacing. A length that is a multiple of it up to rounding counts as one.
+/// Number of intervals of a stretch at a spacing. A multiple of the spacing is recognized up to rounding.
 double intervals_of(double length, double spacing) {
   return std::max(1.0, std::ceil(length / spacing * (1.0 - kIntervalRounding)));
 }
@@ -90,24 +90,24 @@ double sample_count(const std::vector<Outline>& curves, double spacing, std::siz
   return sum;
 }
 
-/// The least spacing, up to rounding, that gives at most so many samples; the longest curve where none does.
+/// The least spacing, up to rounding, that gives at most `count` samples; the total length if none does.
 double spacing_for_count(const std::vector<Outline>& curves, std::size_t count, std::size_t least_each) {
   double all = 0.0;
   for (const Outline& curve : curves) all += curve.length;
   if (all == 0.0) return 1.0;
   const auto wanted = static_cast<double>(std::max<std::size_t>(count, 1));
-  double low = 0.5 * all / wanted;  // too many
-  double high = all;                // as few as there can be
+  double low = 0.5 * all / wanted;  // gives too many
+  double high = all;                // gives the fewest possible
   constexpr int kSteps = 60;
   for (int step = 0; step < kSteps; ++step) {
     const double middle = std::sqrt(low) * std::sqrt(high);
     (sample_count(curves, middle, least_each) > wanted ? low : high) = middle;
   }
-  // Lengths that are equal up to rounding are on the same side of it.
+  // Keep lengths that are equal up to rounding on the same side.
   return high * (1.0 + 2.0 * kIntervalRounding);
 }
 
-/// The curves to take samples of, or the arcs of a network of them.
+/// The curves to sample, or the arcs of their network.
 struct Sources {
   const CurveSet& curves;
   const CurveNetwork* network = nullptr;
@@ -124,10 +124,10 @@ struct Sources {
   }
 };
 
-/// Adds samples, and takes those of the curve last begun that come twice out again.
+/// Collects samples, and removes repeated ones of the current curve.
 class Collector {
  public:
-  /// Curves that are single points have a chain as well if `keeps_all`.
+  /// If `keeps_all`, curves that are single points get a chain as well.
   explicit Collector(JobControl* job, bool keeps_all) : job_(job), keeps_all_(keeps_all) {}
   /// Throws `Cancelled`.
   void checkpoint() const {
@@ -148,7 +148,7 @@ class Collector {
       out_.positions.insert(out_.positions.end(), part.begin(), part.end());
     }
   }
-  /// Of all curves, in place of what there is.
+  /// Replaces all samples.
   void take(SampledCurves samples) { out_ = std::move(samples); }
   void reserve(std::size_t count) { out_.positions.reserve(count); }
 
@@ -163,7 +163,7 @@ class Collector {
     }
   }
 
-  /// Of the curves that have ended.
+  /// Whether the samples of all finished curves are finite.
   bool are_finite() const { return repeated_.were_finite(); }
   SampledCurves result() && { return std::move(out_); }
 
@@ -192,12 +192,12 @@ void add_vertices(const PlaneCurve& curve, Collector& out) {
     return out.end_curve();
   }
   out.add(curve.start());
-  // The last one of a closed curve is its start, which comes out again.
+  // The last sample of a closed curve repeats its start and is removed again.
   curve.for_each_piece([&](const Piece& piece) { out.add(piece.to()); });
   out.end_curve();
 }
 
-/// Samples at lengths of arc from the beginning of a stretch, in order; at its end too where `adds_end`.
+/// Adds samples at arc lengths from the beginning of a stretch, in order; also at its end if `adds_end`.
 void add_places(const MeasuredCurve& curve, const Stretch& stretch, const std::vector<double>& places, bool adds_end,
                 Collector& out) {
   for_each_place(curve, stretch, places, [&](Vec2 p) { out.add(p); });
@@ -223,7 +223,7 @@ void add_evenly(const MeasuredCurve& curve, const PlaneCurve& source, double spa
   out.end_curve();
 }
 
-/// A curve by the samples in its stretches.
+/// Adds a curve from the samples in its stretches.
 void add_stretches(const MeasuredCurve& curve, const PlaneCurve& source,
                    const std::vector<std::vector<Vec2>>& positions, Collector& out) {
   out.begin_curve(curve.is_closed);
@@ -247,12 +247,12 @@ Expected<void> check_count(double count, const SamplingRequest& request) {
                  fmt::format("the curves would have {} samples; {} are as many as there may be", many, request.most));
 }
 
-/// Of many polylines, on several threads: all at once, or nothing where a vertex comes again or is not finite.
+/// The vertices of many polylines, on several threads. Returns nothing if a vertex is repeated or not finite.
 std::optional<SampledCurves> vertices_that_differ(const CurveSet& curves, JobControl* job) {
   constexpr std::size_t kVerticesEach = std::size_t{1} << 15U;
   SampledCurves out;
   out.chains.reserve(curves.curves.size());
-  std::vector<std::size_t> ends;  // of runs of curves, each with some work
+  std::vector<std::size_t> ends;  // ends of runs of curves, each a similar amount of work
   std::size_t count = 0;
   std::size_t counted = 0;
   for (std::size_t i = 0; i < curves.curves.size(); ++i) {
@@ -267,7 +267,7 @@ std::optional<SampledCurves> vertices_that_differ(const CurveSet& curves, JobCon
     ends.push_back(i + 1);
     counted = count;
   }
-  // Copied in order, for threads could fill only what is there, and to be there it would be filled with zeros first.
+  // Copied in order: threads could only fill existing elements, which would first be set to zero.
   out.positions.reserve(count);
   constexpr std::size_t kOften = 4096;
   for (std::size_t i = 0; i < out.chains.size(); ++i) {
@@ -325,7 +325,7 @@ Expected<void> sample_evenly(const Sources& sources, const SamplingRequest& requ
   return {};
 }
 
-/// Samples of each curve, of each of its stretches, without their ends.
+/// Samples for each curve and each of its stretches, without the ends.
 using Positions = std::vector<std::vector<std::vector<Vec2>>>;
 
 Expected<Positions> positions_by(const std::vector<std::vector<StretchSpacing>>& spacings,
@@ -366,7 +366,7 @@ Expected<Positions> positions_at(const std::vector<std::vector<std::vector<doubl
   return out;
 }
 
-/// By the rules under which spacings change along the curves. `field` is there for the rule `feature_size`.
+/// Samples by the rules with varying spacing. `field` is needed for the rule `feature_size`.
 Expected<Positions> uneven_positions(std::span<const MeasuredCurve> curves, double length,
                                      const SamplingRequest& request, const FeatureField* field, JobControl* job) {
   if (request.rule == SamplingRule::feature_size) {
@@ -418,7 +418,7 @@ std::size_t piece_count(const CurveSet& curves) {
   return out;
 }
 
-/// The rule `refined` would add nothing to these polylines: no side of them is longer than it allows.
+/// True if the rule `refined` would add nothing to these polylines, because no side is longer than it allows.
 bool have_short_sides(const CurveSet& curves, const SamplingRequest& request) {
   struct Sides {
     double all = 0.0;
@@ -463,7 +463,7 @@ Expected<SampledCurves> sample_each(const Sources& sources, const SamplingReques
   return std::move(out).result();
 }
 
-/// The samples of curves from those of the arcs that they go along.
+/// Converts samples of arcs to samples of the curves that run along them.
 SampledCurves walked(const CurveNetwork& network, const SampledCurves& arcs) {
   SampledCurves out;
   std::vector<std::vector<std::uint32_t>> samples(network.arcs.size());
@@ -483,7 +483,7 @@ SampledCurves walked(const CurveNetwork& network, const SampledCurves& arcs) {
     };
     const std::span here = std::span(arcs.positions).subspan(chain.first, chain.count);
     const bool has_ends = network.nodes[arc][0] != CurveNetwork::kNoNode;
-    // An arc that comes back to its node has no second sample there.
+    // An arc that returns to its node has no second sample there.
     const bool comes_back = has_ends && network.nodes[arc][0] == network.nodes[arc][1];
     for (std::size_t k = 0; k < here.size(); ++k) {
       const bool is_last = k + 1 == here.size() && k > 0 && has_ends && !comes_back;
@@ -527,7 +527,7 @@ SamplingRequest default_sampling(const CurveSet& curves) {
     const auto rule = pieces <= kMostAdaptivePieces ? SamplingRule::adaptive : SamplingRule::count;
     return {.rule = rule, .count = kUsualSamples, .least_each = 8};
   }
-  // Who gave so many vertices has sampled already, and only what is much wider is divided.
+  // A curve with so many vertices is already sampled; only much longer sides are divided.
   constexpr std::size_t kCoarse = 100;
   constexpr std::size_t kAround = 16;
   constexpr std::size_t kMostRefined = 3'000'000;
@@ -576,7 +576,7 @@ Expected<void> check(const SamplingRequest& request) {
 
 namespace {
 
-/// `field` is there for the rule `feature_size`.
+/// `field` is needed for the rule `feature_size`.
 Expected<SampledCurves> sample_by(const CurveSet& curves, const SamplingRequest& request, const FeatureField* field,
                                   JobControl* job) {
   if (auto good = check(request); !good) return std::unexpected(good.error());

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Samples of curves.
 //
-// Corners, where the tangent turns by more than an angle, and the ends of open curves are samples whatever the rule;
-// between them samples follow each other at equal lengths of arc, or by the rule `adaptive` at lengths that change
-// slowly. A closed curve has no doubled end, and the samples of one curve are different points: where a curve comes
-// back to a sample exactly, it passes it over. The result depends on curves and request alone, and on what is said of
-// feature sizes where these are asked for.
+// Corners, where the tangent turns by more than an angle, and the ends of open curves are always samples. Between them
+// samples follow each other at equal arc lengths, or by some rules (such as `adaptive`) at slowly changing ones. A
+// closed curve has no duplicate end, and the samples of one curve are distinct: if a curve returns exactly to a sample,
+// it is not added again. The result depends only on the curves and the request, and on the feature sizes if the rule
+// uses them.
 //
 // Smallest use:
 //     auto samples = sample(curves, {.rule = SamplingRule::spacing, .spacing = 0.5});
@@ -25,31 +25,31 @@
 namespace mes {
 
 enum class SamplingRule : std::uint8_t {
-  vertices,  ///< the ends of pieces; nothing between
-  spacing,   ///< neighbours at most `spacing` apart along the curve
-  count,     ///< at the least spacing that gives at most `count` samples
-  adaptive,  ///< as `count` or denser, so that no more than `share` of the distance to another part of the curves lies
-             ///< between neighbours; at most eight times as dense
-  curvature,  ///< as `count` or denser, so that no more than `turn` of direction lies between neighbours; at most eight
+  vertices,  ///< only the ends of pieces
+  spacing,   ///< neighbours are at most `spacing` apart along the curve
+  count,     ///< the least spacing that gives at most `count` samples
+  adaptive,  ///< at least as dense as `count`: the distance between neighbours is at most `share` of the distance to
+             ///< another part of the curves; at most eight times as dense
+  curvature,  ///< at least as dense as `count`: the direction turns by at most `turn` between neighbours; at most eight
               ///< times as dense
-  feature_size,  ///< half the length between neighbours is at most `epsilon` times the feature size of the curves there,
-                 ///< as far as intervals of a thousandth of the mean that `count` gives allow it
-  refined,  ///< the ends of pieces, as `vertices`, and places between them so that neighbours are no farther apart than
-            ///< the mean spacing of `count` samples, than a curve divided by `least_each`, and than `share` of the
-            ///< distance to another part of the curves, and nearer towards corners; on each curve at most eight times
+  feature_size,  ///< half the length between neighbours is at most `epsilon` times the feature size of the curves
+                 ///< there; no interval is shorter than a thousandth of the mean that `count` gives
+  refined,  ///< the ends of pieces, as `vertices`, and samples between them. Neighbours are no farther apart than the
+            ///< mean spacing of `count` samples, the curve's length divided by `least_each`, and `share` of the
+            ///< distance to another part of the curves, and closer towards corners; on each curve at most eight times
             ///< as dense as without the last two
 };
 
 struct SamplingRuleDescriptor {
   SamplingRule rule;
   std::string_view id;           ///< public name, kebab case
-  std::string_view name;         ///< as shown
+  std::string_view name;         ///< as shown in the interface
   std::string_view explanation;  ///< one sentence
 };
-/// One for each rule, in the order of the rules.
+/// One descriptor for each rule, in the order of the rules.
 std::span<const SamplingRuleDescriptor> sampling_rules();
 
-/// Samples of what is opened or made, unless another number is asked for.
+/// Default number of samples for opened or created curves.
 inline constexpr std::size_t kUsualSamples = 400;
 // Ranges of a request.
 inline constexpr double kLeastTurn = 1e-3;
@@ -60,31 +60,30 @@ inline constexpr double kMostJitter = 100.0;
 
 struct SamplingRequest {
   SamplingRule rule = SamplingRule::vertices;
-  double spacing = 0.0;        ///< of the rule of that name: positive
-  std::size_t count = 0;       ///< of the rule of that name; corners, ends and `least_each` may ask for more
+  double spacing = 0.0;        ///< for the rule `spacing`; positive
+  std::size_t count = 0;       ///< for the rule `count`; corners, ends and `least_each` may require more
   std::size_t least_each = 3;  ///< samples of a closed curve, or intervals of an open one that is not straight
-  double share = 0.4;          ///< of the rule `adaptive`
-  double turn = 0.2;           ///< of the rule `curvature`, radians
-  double epsilon = 0.25;       ///< of the rule `feature_size`
-  /// In radians. Where the tangent turns by more is a corner; pieces of less than a hundredth of the spacing make none.
+  double share = 0.4;          ///< for the rule `adaptive`
+  double turn = 0.2;           ///< for the rule `curvature`, in radians
+  double epsilon = 0.25;       ///< for the rule `feature_size`
+  /// Corners are where the tangent turns by more, in radians; pieces below a hundredth of the spacing make no corners.
   double corner_angle = 0.5;
-  double corner_radius = 0.0;     ///< corners are rounded so (core/curves/corners.h); 0: they stay
-  double jitter = 0.0;            ///< each sample is moved by up to so many mean spacings (core/curves/jitter.h)
-  std::uint64_t seed = 1;         ///< of the jitter
-  std::size_t most = 10'000'000;  ///< samples, of all curves together
+  double corner_radius = 0.0;     ///< radius for rounding corners (core/curves/corners.h); 0: no rounding
+  double jitter = 0.0;            ///< moves each sample by up to this many mean spacings (core/curves/jitter.h)
+  std::uint64_t seed = 1;         ///< seed of the jitter
+  std::size_t most = 10'000'000;  ///< limit on samples of all curves together
   friend bool operator==(const SamplingRequest&, const SamplingRequest&) = default;
 };
 
-/// What a file is sampled by when it is opened. Curves get about 400 samples, more where parts of them are near to each
-/// other (`adaptive`), and at least eight each; without regard to nearness where there are more than 20,000 pieces.
-/// Straight lines keep all vertices, and get samples between them where these are far apart (`refined`): no more where
-/// they are dense, as along a coast, and some sixteen around a house. Beyond three million samples they would have so,
-/// they have their vertices alone. Points alone are what they are.
+/// The default request for an opened file. Curves get about 400 samples, more where parts of them are close to each
+/// other (`adaptive`), and at least eight each; with more than 20,000 pieces closeness is ignored. Straight lines keep
+/// all vertices, and get samples between vertices that are far apart (`refined`): none where vertices are dense, as
+/// along a coast, and about sixteen around a house. If that would give more than three million samples, they keep only
+/// their vertices. Files with only points keep these points.
 SamplingRequest default_sampling(const CurveSet& curves);
 
 struct SampledCurves {
-  /// Samples of one curve, in its order: `count` of them from `first` on, in `positions`, or in `order` where there is
-  /// one.
+  /// Samples of one curve, in order: `count` entries from `first` on, in `positions`, or in `order` if it is not empty.
   struct Chain {
     bool is_closed = false;
     std::size_t first = 0;
@@ -92,25 +91,26 @@ struct SampledCurves {
     friend bool operator==(const Chain&, const Chain&) = default;
   };
   std::vector<Vec2> positions{};
-  std::vector<Chain> chains{};  ///< in the order of the curves, but for those that are single points
-  /// Where curves touch: the positions that chains go through, as several may go through one. Empty elsewhere: then
-  /// chains go through the positions in their order.
+  std::vector<Chain> chains{};  ///< in the order of the curves; curves that are single points have none
+  /// If curves touch: the indices of the positions of each chain, because several chains may share a position.
+  /// Otherwise empty: chains then list positions in their order.
   std::vector<std::uint32_t> order{};
 };
 
-/// Distances of samples to the axis of the curve that runs through all of them; infinite where there is none. The samples
-/// of a call are often those of the call before, in the same order, and some more. An error of it becomes that of the
+/// Distances of samples to the axis of the curve that runs through all of them; infinite if there is no axis. The
+/// samples of a call often extend those of the previous call, in the same order. Its error becomes the error of the
 /// sampling.
 using FeatureSizes = std::function<Expected<std::vector<double>>(std::span<const Vec2>)>;
 
-/// Nothing, or why the request makes no sense.
+/// Returns an error if the request makes no sense.
 Expected<void> check(const SamplingRequest& request);
 
-/// Samples of all curves in their order, then the points that lie on none. Lengths of arc are right within 1e-11 of the
-/// length of a piece's control polygon. Cost: O(pieces + samples) evaluations, more at cusps; any thread. Error:
-/// `bad_input` for more samples than `most` (by the rules from `adaptive` to `feature_size`, for more than a million), and for coordinates that are not finite; `usage` for a request that makes
-/// no sense. The rule `feature_size` measures the curves with `sizes` (feature_field.h); without it, that rule is `usage`. Throws `Cancelled` if
-/// there is a job, which is looked at every few thousand places.
+/// Samples of all curves in their order, then the isolated points. Arc lengths are accurate to 1e-11 of the length of a
+/// piece's control polygon. Cost: O(pieces + samples) evaluations, more at cusps; any thread. Error: `bad_input` for
+/// more samples than `most` (for the rules from `adaptive` to `feature_size`, more than a million), and for coordinates
+/// that are not finite; `usage` for a request that makes no sense. The rule `feature_size` measures the curves with
+/// `sizes` (feature_field.h); without `sizes` it is `usage`. Throws `Cancelled` if there is a job, which is checked
+/// every few thousand samples.
 Expected<SampledCurves> sample(const CurveSet& curves, const SamplingRequest& request, const FeatureSizes& sizes = {},
                                JobControl* job = nullptr);
 

@@ -9,7 +9,7 @@
 namespace mes {
 namespace {
 
-/// The derivative at `p` of the parabola through the three points, by knots that are the roots of distances apart.
+/// The derivative at `p` of the parabola through three points, with knots spaced by the square roots of distances.
 Vec2 tangent_at(Vec2 before, Vec2 p, Vec2 after, double first, double second) {
   const Vec2 back = 1.0 / first * (p - before);
   const Vec2 on = 1.0 / second * (after - p);
@@ -53,7 +53,7 @@ PlaneCurve smooth_curve(std::span<const Vec2> points, bool is_closed, double cor
       out.cubic_to(from + third * *tangents[i], to - third * *tangents[next], to);
       continue;
     }
-    // To a corner leads a parabola: one control point, in the direction of the other end.
+    // A parabola leads to a corner: one control point, in the direction of the other end.
     out.quadratic_to(tangents[i] ? from + 1.5 * third * *tangents[i] : to - 1.5 * third * *tangents[next], to);
   }
   if (is_closed) out.close();

@@ -17,27 +17,27 @@ namespace mes {
 namespace {
 
 constexpr double kLengthTolerance = 1e-12;
-// A cusp is narrowed down to 2^-40 of its piece.
+// Halving narrows a cusp down to 2^-40 of its piece.
 constexpr int kMostDepth = 40;
 
-/// Of a length whose square lies between these the root of the square is a good value.
+/// Range of squared lengths in which a plain square root is accurate.
 constexpr double kLeastSquare = 0x1p-900;
 constexpr double kMostSquare = 0x1p900;
 
-/// `length`, ten times as fast where squares are normal doubles.
+/// Like `length`, but ten times as fast while squares are normal doubles.
 double speed_of(Vec2 v) {
   const double squared = dot(v, v);
   return squared > kLeastSquare && squared < kMostSquare ? std::sqrt(squared) : length(v);
 }
 
-/// Of the quadrature: half of the nodes, for they lie in pairs about the middle, and their weights.
+/// Quadrature nodes and weights. Nodes lie in pairs about the middle; one of each pair is listed.
 constexpr std::array<std::pair<double, double>, 4> kNodes{{{0.183434642495649805, 0.362683783378361983},
                                                            {0.525532409916328986, 0.313706645877887287},
                                                            {0.796666477413626740, 0.222381034453374471},
                                                            {0.960289856497536232, 0.101228536290376259}}};
 
-/// Weighted speeds at the nodes about `middle`, the nodes of a pair at once, with the same roundings as one by one;
-/// below 0 where a square leaves its range, and on machines without SSE2.
+/// The weighted sum of speeds at the nodes about `middle`. Computes both nodes of a pair at once, with the same
+/// roundings as one by one. Negative if a square leaves its range, and on machines without SSE2.
 double sum_of_speeds([[maybe_unused]] const std::array<Vec2, 3>& velocity, [[maybe_unused]] double middle,
                      [[maybe_unused]] double half) {
 #ifdef __SSE2__
@@ -76,7 +76,7 @@ double polygon_length(const Piece& piece) {
   return sum;
 }
 
-/// The parameter between `low` and `high` at which a function changes from negative to not negative.
+/// The parameter between `low` and `high` at which a function changes from negative to nonnegative.
 template <class Function>
 double root_between(const Function& function, double low, double high) {
   for (;;) {
@@ -86,10 +86,10 @@ double root_between(const Function& function, double low, double high) {
   }
 }
 
-/// Calls `use(t)` where the square of the speed is least, within the piece, in order.
+/// Calls `use(t)` at each minimum of the squared speed within the piece, in order.
 template <class Use>
 void for_each_slowest_place(const std::array<Vec2, 3>& velocity, Use use) {
-  // Half the derivative of the square is a cubic polynomial; between the places where it turns it has one root at most.
+  // Half the derivative of the squared speed is a cubic polynomial. It has at most one root between its turning points.
   auto [a, b, c] = velocity;
   double size = 0.0;
   for (const Vec2 v : {a, b, c}) size = std::max({size, std::abs(v.x), std::abs(v.y)});
@@ -148,7 +148,7 @@ PieceLength::PieceLength(const Piece& piece) : piece_(piece) {
   go_to(1.0);
 }
 
-// The square of the speed is |u|^2 sin^2 w + |v|^2 cos^2 w - 2 uv sin w cos w, a wave of 2 w.
+// The squared speed is |u|^2 sin^2 w + |v|^2 cos^2 w - 2 uv sin w cos w, a wave in 2 w.
 std::vector<double> PieceLength::slowest_places_of_arc() const {
   std::vector<double> out;
   const EllipticArc& arc = piece_.arc;
@@ -157,7 +157,7 @@ std::vector<double> PieceLength::slowest_places_of_arc() const {
   const double slowest = 0.5 * (std::atan2(sine, cosine) + std::numbers::pi);
   const double low = std::min(arc.start, arc.start + arc.sweep);
   const double high = std::max(arc.start, arc.start + arc.sweep);
-  // Counted, for adding one to a large number of turns may leave it as it is.
+  // Counts turns, because adding one to a large number of turns may not change it.
   const double first = std::ceil((low - slowest) / std::numbers::pi);
   for (double turn = 0.0; turn <= std::abs(arc.sweep) / std::numbers::pi + 1.0; ++turn) {
     const double place = slowest + (first + turn) * std::numbers::pi;
@@ -174,7 +174,7 @@ Vec2 PieceLength::velocity_at(double t) const {
   return velocity_[0] + t * (velocity_[1] + t * velocity_[2]);
 }
 
-// The length between two parameters. Source of nodes and weights: Abramowitz and Stegun, table 25.4.
+// Length between two parameters. Source of nodes and weights: Abramowitz and Stegun, table 25.4.
 double PieceLength::quadrature(double begin, double end) const {
   const double middle = 0.5 * (begin + end);
   const double half = 0.5 * (end - begin);
@@ -190,7 +190,7 @@ void PieceLength::halve(double begin, double end, double whole, double tolerance
   const double middle = 0.5 * (begin + end);
   const double first = quadrature(begin, middle);
   const double second = quadrature(middle, end);
-  // Negated, so that what is not a number ends it too.
+  // Written so that NaN ends the recursion too.
   const bool is_rough = std::abs(first + second - whole) > tolerance;
   if (depth < kMostDepth && is_rough) {
     halve(begin, middle, first, tolerance, depth + 1);
@@ -212,7 +212,7 @@ double PieceLength::parameter_at(double wanted) const {
   const double begin = is_first ? 0.0 : std::prev(interval)->end;
   const double reached = is_first ? 0.0 : std::prev(interval)->length;
 
-  // Newton's method, kept between bounds that bisection narrows, from a cubic through both ends with the speeds there.
+  // Newton's method within bounds that bisection narrows; starts from a cubic through both ends with their speeds.
   double low = begin;
   double high = interval->end;
   const double width = high - begin;
@@ -224,8 +224,8 @@ double PieceLength::parameter_at(double wanted) const {
       begin + width * (share + share * (1.0 - share) * ((1.0 - share) * (at_begin - 1.0) - share * (at_end - 1.0)));
   if (!(t > low && t < high)) t = begin + width * share;
   constexpr int kMostSteps = 60;
-  constexpr double kReached = 1e-14;  // of the length: nearer is rounding
-  // After a step of such a share of the interval, the next one would be about its square: rounding.
+  constexpr double kReached = 1e-14;  // relative to the total length: smaller differences are rounding
+  // After a step of this share of the interval, the next one would be about its square, which is rounding.
   constexpr double kLast = 1e-10;
   for (int step = 0; step < kMostSteps; ++step) {
     const double error = reached + quadrature(begin, t) - wanted;

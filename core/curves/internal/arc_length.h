@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The length of a piece of a curve, and where on it a length is reached. Private to core/curves.
+// The length of a piece of a curve, and the parameter at a given length. Private to core/curves.
 //
-// Gauss-Legendre quadrature with eight points, on intervals that are halved until both halves together agree with the
-// whole within 1e-12 of the length of the control polygon. To begin with, a piece is cut where its speed is least: a turn
-// back near an end has no point of the quadrature on its other side. Lines are measured without.
+// Gauss-Legendre quadrature with eight points, on intervals that are halved until the sum of both halves agrees with
+// the whole within 1e-12 of the length of the control polygon. A piece is first cut where its speed is least: near the
+// end of a piece, the curve may turn back beyond the last quadrature point. Lines need no quadrature.
 #pragma once
 
 #include <array>
@@ -18,14 +18,14 @@ class PieceLength {
   explicit PieceLength(const Piece& piece);
 
   double total() const { return total_; }
-  /// The parameter at which the length from the beginning is `wanted`; 0 and 1 beyond the ends. Cost: logarithmic in
-  /// the number of intervals.
+  /// The parameter at arc length `wanted` from the beginning; 0 and 1 beyond the ends. Cost: logarithmic in the number
+  /// of intervals.
   double parameter_at(double wanted) const;
 
  private:
   struct Interval {
     double end;     // parameter
-    double length;  // from the beginning to there
+    double length;  // from the beginning of the piece to `end`
   };
   Vec2 velocity_at(double t) const;
   double quadrature(double begin, double end) const;
@@ -34,7 +34,7 @@ class PieceLength {
 
   Piece piece_;
   std::array<Vec2, 3> velocity_{};   // coefficients of the derivative, constant term first; not used for arcs
-  std::vector<Interval> intervals_;  // of what is not a line
+  std::vector<Interval> intervals_;  // empty for lines
   double total_ = 0.0;
 };
 

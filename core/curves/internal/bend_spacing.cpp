@@ -12,9 +12,9 @@
 namespace mes {
 namespace {
 
-// A cubic piece has at most two bends.
+// Enough parts for a cubic piece, which has at most two bends.
 constexpr std::size_t kParts = 6;
-// Of the mean length of the pieces of a curve: what is shorter has no direction of its own.
+// Share of the mean length of the pieces of a curve; shorter pieces have no direction of their own.
 constexpr double kNegligible = 0.02;
 
 double angle_of_bend(Vec2 a, Vec2 b) {
@@ -48,8 +48,8 @@ class BendReader {
     passed_ += length;
   }
 
-  /// What is at the ends of a stretch is as beside them. A closed curve without corners goes on where it began, so both
-  /// its ends have what lies between the last node and the first, and what it turns there counts.
+  /// Extends the outermost values to the ends of the stretch. A closed curve without corners continues at its
+  /// beginning, so both its ends get the value between the last node and the first, including the angle between them.
   void finish(bool goes_on) {
     const double all = out_.length;
     if (out_.at.empty()) {
@@ -116,7 +116,7 @@ class BendReader {
   double least_;
   StretchSpacing& out_;
   double passed_ = 0.0;
-  double within_ = 0.0;  // of the present piece
+  double within_ = 0.0;  // within the current piece
   double pending_ = kInfinity;
   double last_length_ = 0.0;
   Vec2 last_direction_{};

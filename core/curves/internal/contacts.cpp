@@ -13,17 +13,17 @@
 namespace mes {
 namespace {
 
-// What was rounded to a grid is at most half a diagonal of a cell away from where it was: the vertex, and the ends of the
-// piece that it lay on.
+// Rounding to a grid moves a point by at most half a diagonal of a cell. It moved the vertex, and the ends of the piece
+// that the vertex lay on.
 constexpr double kRounded = 1.5;
-// Of the extent of all: what rounding does to numbers that were computed.
+// Rounding error of computed numbers, relative to the extent of all curves.
 constexpr double kComputed = 1e-11;
-// However coarse the grid, what is farther apart than this part of the pieces there is meant to be apart: of slanted pieces,
-// on which a rounded vertex does not lie, ...
+// Points farther apart than this share of the pieces there are meant to be apart, however coarse the grid. This is the
+// share for slanted pieces, on which a rounded vertex does not lie exactly, ...
 constexpr double kOfSlanted = 1.0 / 128.0;
-// ... and of others, and of vertices, which are equal after rounding if they were before.
+// ... and this is the share for other pieces, and for vertices, which rounding keeps equal.
 constexpr double kOfOthers = 1.0 / 4096.0;
-// Of a vertex. That so many pieces are this near to it, and none of their ends is its own, is noise.
+// Limit for one vertex. More pieces this near to it, none of which ends in it, are noise.
 constexpr std::size_t kMostContacts = 256;
 
 Box2 grown(Box2 box, double by) {
@@ -34,7 +34,7 @@ bool overlap(const Box2& a, const Box2& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
-/// Of every curve, whether the box of another one overlaps its own.
+/// For each curve, whether its box overlaps that of another curve.
 std::vector<bool> overlapping(const std::vector<PlaneCurve>& curves, const std::vector<Box2>& boxes,
                               double tolerance) {
   std::vector<std::uint32_t> numbers(curves.size());
@@ -63,7 +63,7 @@ double size_of(const Piece& piece) {
   return std::max(box.width(), box.height());
 }
 
-/// Where the point lies on the piece; negative: nowhere.
+/// Parameter of the point on the piece; negative if it is not on the piece.
 double parameter_of_contact(const Piece& piece, Vec2 p, double tolerance, double tolerance_if_slanted) {
   if (distance(piece.from(), p) <= tolerance) return 0.0;
   if (distance(piece.to(), p) <= tolerance) return 1.0;
@@ -75,7 +75,7 @@ double parameter_of_contact(const Piece& piece, Vec2 p, double tolerance, double
   return is_on ? t : -1.0;
 }
 
-/// Vertices at one place become one.
+/// Merges equal vertices.
 void number_equal_vertices(Contacts& out) {
   std::vector<std::uint32_t> order(out.vertices.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
@@ -85,7 +85,7 @@ void number_equal_vertices(Contacts& out) {
     if (p.x != q.x) return p.x < q.x;
     return p.y != q.y ? p.y < q.y : a < b;
   });
-  // The first in the order of the curves stands for all.
+  // The first one in the order of the curves represents all.
   std::vector<std::uint32_t> same_as(order.size());
   for (std::size_t k = 0; k < order.size(); ++k) {
     const bool is_same = k > 0 && out.vertices[order[k]] == out.vertices[order[k - 1]];
@@ -127,7 +127,7 @@ Contacts contacts_of(const std::vector<PlaneCurve>& curves, double resolution, b
   const double size = std::max(extent.width(), extent.height());
   const double least = kComputed * std::max({size, std::abs(extent.low.x), std::abs(extent.low.y),
                                              std::abs(extent.high.x), std::abs(extent.high.y)});
-  // What a document takes for one place touches nothing.
+  // A document treats such a small drawing as one point, so nothing can touch.
   constexpr double kLeastSize = 0x1p-500;
   if (!std::isfinite(size) || size < kLeastSize) return out;
   out.tolerance = std::max(kRounded * resolution, least);
@@ -152,7 +152,7 @@ Contacts contacts_of(const std::vector<PlaneCurve>& curves, double resolution, b
       out.vertices.push_back(curves[c].end());
   }
   number_equal_vertices(out);
-  // Of each vertex, the size of the smallest piece at it.
+  // For each vertex, the size of the smallest piece at it.
   std::vector<double> local(out.vertices.size(), std::numeric_limits<double>::infinity());
   for (const TouchingPiece& piece : out.pieces)
     for (const std::uint32_t vertex : {piece.from, piece.to})

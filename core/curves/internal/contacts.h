@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where vertices of curves lie on other curves. Private to core/curves.
+// Finds vertices of curves that lie on other curves. Private to core/curves.
 #pragma once
 
 #include <cstddef>
@@ -11,11 +11,11 @@
 
 namespace mes {
 
-/// A piece of a curve that may touch others. Vertices at one place have one number, across all of these curves.
+/// A piece of a curve that may touch others. Equal vertices have one index, across all of these curves.
 struct TouchingPiece {
   Piece piece{};
   std::uint32_t curve = 0;
-  std::uint32_t from = 0;  ///< vertex
+  std::uint32_t from = 0;  ///< index of the vertex
   std::uint32_t to = 0;
 };
 
@@ -26,15 +26,15 @@ struct Contact {
 };
 
 struct Contacts {
-  std::vector<bool> is_candidate{};     ///< of each curve: its box overlaps that of another one
-  std::vector<TouchingPiece> pieces{};  ///< of the candidates, in order
-  std::vector<Vec2> vertices{};         ///< of the candidates, all different
-  std::vector<Contact> contacts{};      ///< of vertices with pieces that do not end at their very place, by vertex
-  double tolerance = 0.0;               ///< the largest; at a contact it is at most 1/128 of the pieces there
+  std::vector<bool> is_candidate{};     ///< for each curve: its box overlaps that of another curve
+  std::vector<TouchingPiece> pieces{};  ///< of all candidates, in order
+  std::vector<Vec2> vertices{};         ///< of all candidates, without duplicates
+  std::vector<Contact> contacts{};      ///< of vertices with pieces that do not end exactly there, by vertex
+  double tolerance = 0.0;               ///< upper bound; at most 1/128 of the pieces at a contact
 };
 
-/// `resolution` as `CurveSet` has it. Every curve is a candidate if `within_curves`. O(n log n). Throws `Cancelled` if there
-/// is a job.
+/// `resolution` as in `CurveSet`. If `within_curves`, every curve is a candidate. O(n log n). Throws `Cancelled` if
+/// there is a job.
 Contacts contacts_of(const std::vector<PlaneCurve>& curves, double resolution, bool within_curves, JobControl* job);
 
 }  // namespace mes

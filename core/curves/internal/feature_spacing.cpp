@@ -15,30 +15,30 @@
 namespace mes {
 namespace {
 
-// Rounds in which all samples are placed anew: each shortens or lengthens spacings at most so many times.
+// Rounds that choose all samples again; each changes spacings at most by this factor.
 constexpr int kMostRounds = 12;
 constexpr double kMostGrowth = 4.0;
-// From this round on spacings do not grow any more: where the crust is right only if samples are dense, they would
-// become sparse again and again.
+// From this round on, spacings only shrink. If the crust is right only for dense samples, they would otherwise become
+// sparse again and again.
 constexpr int kFirstSteadyRound = 5;
-// Rounds in which intervals are divided.
+// Rounds that divide intervals.
 constexpr int kMostDivisions = 48;
-// Between two samples the feature size may be smaller than at both; what is asked for is denser than what must be had.
+// Between two samples the feature size may be smaller than at both, so the target is denser than required.
 constexpr double kMargin = 0.9;
-// A share of the intervals that is too long is divided rather than placed anew.
+// If at most this share of the intervals is too long, they are divided instead of choosing all samples again.
 constexpr double kFew = 0.05;
-// Where the number of samples changes by more than this share, another round is worth it: fewer would do, or so many more
-// are asked for that dividing intervals, by two at least, would make far more of them.
+// If the number of samples would change by more than this factor, another round pays off: either fewer are enough, or
+// so many more are needed that dividing intervals (at least by two) would overshoot.
 constexpr double kSettled = 0.9;
-// Feature sizes are often less than bends are wide: to begin with samples are so much nearer to each other.
+// Feature sizes are often smaller than radii of curvature, so the first samples are closer by this factor.
 constexpr double kDenser = 0.75;
-// Beyond so many times the finer epsilon an interval is still coarse.
+// Intervals beyond this multiple of the finer epsilon are still coarse.
 constexpr double kStillCoarse = 1.5;
 constexpr double kSpacingRounding = 1e-9;
 
 using Field = std::vector<std::vector<StretchSpacing>>;
 
-/// Values of a field at places of a stretch that increase.
+/// Evaluates a field at increasing positions along a stretch.
 class FieldWalk {
  public:
   explicit FieldWalk(const StretchSpacing& field) : field_(field) {}
@@ -53,7 +53,7 @@ class FieldWalk {
     if (!std::isfinite(before) || !std::isfinite(after)) return std::min(before, after);
     return before + (place - begin) / (end - begin) * (after - before);
   }
-  /// The value at the place, which is not before those that were asked for, is above this one.
+  /// True if the field at `place` exceeds `value`. Positions must not decrease between calls.
   bool is_above(double place, double value) {
     go_to(place);
     if (std::max(field_.spacing[next_ - 1], field_.spacing[next_]) <= value) return false;
@@ -76,10 +76,10 @@ double count_of(const Field& field) {
   return out;
 }
 
-/// No more than the bound anywhere: with the nodes of the field, and those of the bound that make a difference.
+/// The minimum of field and bound, with the nodes of the field and those nodes of the bound that matter.
 StretchSpacing bounded_by(const StretchSpacing& field, const StretchSpacing& bound) {
   const std::size_t count = bound.at.size();
-  // Where the bound is below the field, up to nodes where it is not.
+  // Nodes where the bound is below the field, and their neighbours.
   std::vector<bool> is_needed(count, false);
   std::size_t needed = 0;
   FieldWalk along_field(field);
@@ -109,8 +109,8 @@ StretchSpacing bounded_by(const StretchSpacing& field, const StretchSpacing& bou
   return out;
 }
 
-/// Along a curve a feature size changes by no more than the way: so what bounds it at one place bounds it beside that
-/// place. `steepest` is by how much a spacing may grow for each unit of length.
+/// A feature size changes along a curve by at most the distance, so a bound at one point also bounds nearby points.
+/// `steepest` is the growth of the spacing for each unit of length.
 void spread_bounds(StretchSpacing& field, double steepest, bool goes_on) {
   std::vector<double>& spacing = field.spacing;
   const auto follow = [&](std::size_t k, std::size_t before) {
@@ -125,11 +125,11 @@ void spread_bounds(StretchSpacing& field, double steepest, bool goes_on) {
 }
 
 struct StretchSample {
-  double at = 0.0;  // along the stretch
+  double at = 0.0;  // arc length along the stretch
   std::uint32_t number = 0;
 };
 
-/// Samples of all stretches, each with both its ends, and what was measured of them.
+/// Samples of all stretches, each with both its ends, and their measured sizes.
 class PlacedSamples {
  public:
   using OfStretch = std::vector<StretchSample>;
@@ -161,14 +161,14 @@ class PlacedSamples {
   const std::vector<OfStretch>& of_curve(std::size_t curve) const { return of_stretch_[curve]; }
   Vec2 position(const StretchSample& sample) const { return positions_[sample.number]; }
   double feature_size(const StretchSample& sample) const { return sizes_[sample.number]; }
-  /// Half of what is between two neighbours over the most that it may be; above 1: too much.
+  /// Half the distance between neighbours, divided by its limit; above 1 it is too long.
   double excess(const StretchSample& a, const StretchSample& b, double epsilon) const {
     const double half = 0.5 * distance(positions_[a.number], positions_[b.number]);
     return half / (epsilon * std::min(sizes_[a.number], sizes_[b.number]));
   }
 
-  /// Adds samples at even lengths of arc within intervals of a stretch: `parts(a, b)` says into how many an interval is
-  /// divided. True if there are any.
+  /// Adds samples that divide intervals of a stretch evenly by arc length: `parts(a, b)` is the number of parts.
+  /// Returns true if it added any.
   template <class Parts>
   bool divide(std::size_t curve, std::size_t stretch, Parts parts) {
     OfStretch& samples = of_stretch_[curve][stretch];
@@ -192,13 +192,13 @@ class PlacedSamples {
   std::span<const MeasuredCurve> curves_;
   std::vector<Vec2> positions_;
   std::vector<double> sizes_;
-  std::vector<std::vector<OfStretch>> of_stretch_;  // in order along it
+  std::vector<std::vector<OfStretch>> of_stretch_;  // in order along the stretch
   std::vector<double> added_;
 };
 
-/// What samples by a field show.
+/// Assessment of the samples of a field.
 struct Judged {
-  Field next{};  // what their sizes ask for
+  Field next{};  // the spacings that the measured sizes ask for
   std::size_t intervals = 0;
   std::size_t too_long = 0;
   std::size_t coarse = 0;
@@ -210,7 +210,7 @@ struct Judged {
   bool is_fine() const { return are_few(coarse, intervals); }
 };
 
-/// Some pieces of the stretch meet at an angle that as fine places would show as a bend of its own.
+/// True if pieces of the stretch meet at an angle that samples of epsilon `fine` would show as a bend.
 bool has_joints(const MeasuredCurve& curve, const Stretch& stretch, double fine) {
   const double least = 2.0 * std::asin(fine);
   for (std::size_t i = stretch.first + 1; i < stretch.first + stretch.count; ++i) {
@@ -236,11 +236,11 @@ class FeatureSampler {
         for (double& spacing : stretch.spacing) spacing = std::clamp(spacing, finest(c), widest(c));
   }
 
-  /// The finer epsilon of a stretch, or that of all.
+  /// The finer epsilon of a stretch, or `limits.share` if it has joints.
   double finer(std::size_t curve, std::size_t stretch) const { return finer_[curve][stretch]; }
 
-  /// The field to begin with, for the finer epsilon: with no more than the bends allow, there and beside them, so that the
-  /// samples show most of the axis at once. Without an axis there is more room beside bends.
+  /// The initial field, for the finer epsilon. It respects the bounds from bends, at the bends and beside them, so that
+  /// the samples show most of the axis at once. Without an axis it would be coarser beside bends.
   Field first(const Field& field) const {
     Field out(field.size());
     for (std::size_t c = 0; c < field.size(); ++c)
@@ -254,7 +254,7 @@ class FeatureSampler {
     return out;
   }
 
-  /// The field, with no more than the bends allow.
+  /// The field, bounded by the bends.
   Field bounded(const Field& field) const {
     Field out(field.size());
     for (std::size_t c = 0; c < field.size(); ++c)
@@ -269,7 +269,7 @@ class FeatureSampler {
     return out;
   }
 
-  /// Into how many parts an interval is to be divided; 1 where it has the epsilon.
+  /// Number of parts to divide an interval into; 1 if it satisfies the epsilon.
   int parts(std::size_t curve, const PlacedSamples& samples, double epsilon, const StretchSample& a,
             const StretchSample& b) const {
     constexpr double kMost = 4.0;
@@ -278,7 +278,7 @@ class FeatureSampler {
     if (!(excess > 1.0) || along <= finest(curve) * (1.0 + kSpacingRounding)) return 1;
     return static_cast<int>(std::clamp(std::ceil(std::min(excess, along / finest(curve))), 2.0, kMost));
   }
-  /// The radius of curvature at increasing places of a stretch; it is at least the feature size there.
+  /// The radii of curvature at increasing positions of a stretch; each is at least the feature size there.
   std::vector<double> bends_at(std::size_t curve, std::size_t stretch, std::span<const StretchSample> places) const {
     FieldWalk bend(bends_[curve][stretch]);
     std::vector<double> out;
@@ -304,7 +304,7 @@ class FeatureSampler {
     next.spacing.reserve(here.size());
     for (std::size_t i = 0; i < here.size(); ++i) {
       const double now = was.at(here[i].at);
-      // What an interval that is too long must be multiplied by, at both its ends.
+      // Factor for the spacing at both ends of an interval that is too long.
       double shorter = 1.0;
       if (i != 0) {
         ++out.intervals;
@@ -325,14 +325,14 @@ class FeatureSampler {
       next.spacing.push_back(std::clamp(spacing, finest(c), widest(c)));
       previous = now;
     }
-    // A closed curve without corners goes on where it began.
+    // A closed curve without corners continues at its beginning.
     if (curves_[c].is_closed && !curves_[c].has_corner_at_start)
       next.spacing.front() = next.spacing.back() = std::min(next.spacing.front(), next.spacing.back());
   }
 
   std::span<const MeasuredCurve> curves_;
   SpacingLimits limits_;
-  std::vector<double> widest_;  // of each curve
+  std::vector<double> widest_;  // for each curve
   std::vector<std::vector<double>> finer_;
   Field bends_;
 };
@@ -365,7 +365,7 @@ MeasuredPlaces result_of(const PlacedSamples& samples, const FeatureSampler& sam
 }  // namespace
 
 FeatureLimits feature_limits(const SamplingRequest& request, double length, double epsilon) {
-  // What follows is measured anyway, so few places will do to look around at first, and not too many times as dense.
+  // These samples are measured later, so a coarse first look is enough, refined only moderately.
   constexpr std::size_t kFirstLook = 2000;
   constexpr double kFiner = 8.0;
   const std::size_t count = std::max<std::size_t>(request.count, 1);
@@ -394,7 +394,7 @@ Expected<MeasuredPlaces> places_by_feature_size(std::span<const MeasuredCurve> c
     Judged now = sampler.judged(field, *samples, may_grow);
     is_fine = round == 0 && now.is_near() && now.is_fine();
     if (is_fine) break;
-    now.next = sampler.bounded(now.next);  // a bend between two samples too
+    now.next = sampler.bounded(now.next);  // also bends between two samples
     const double asked = count_of(now.next);
     const bool is_settled = asked > kSettled * count && kSettled * asked < count;
     if (now.is_near() && (!may_grow || is_settled)) break;
@@ -407,7 +407,7 @@ Expected<MeasuredPlaces> places_by_feature_size(std::span<const MeasuredCurve> c
     for (std::size_t c = 0; c < curves.size(); ++c)
       for (std::size_t s = 0; s < samples->of_curve(c).size(); ++s)
         if (samples->divide(c, s, [&](const StretchSample& a, const StretchSample& b) {
-              // Each once for the finer epsilon; what has more then is left, as long as it has the other.
+              // The first round divides each interval for the finer epsilon; later rounds only enforce the coarser one.
               if (is_fine || round != 0) return sampler.parts(c, *samples, limits.share, a, b);
               const int parts = sampler.parts(c, *samples, sampler.finer(c, s), a, b);
               return sampler.finer(c, s) < limits.share && sampler.may_halve(c, a, b) ? std::max(2, parts) : parts;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places of samples by local feature size, found by measuring samples and placing others. Private to core/curves.
+// Finds samples by local feature size, by repeatedly measuring samples and choosing others. Private to core/curves.
 #pragma once
 
 #include <cstddef>
@@ -14,36 +14,36 @@
 
 namespace mes {
 
-/// What curves of some length are measured within.
+/// Limits for measuring curves of some total length.
 struct FeatureLimits {
-  SpacingLimits first{};   ///< to look around to begin with (`spacings_of`)
+  SpacingLimits first{};   ///< for the first look around (`spacings_of`)
   SpacingLimits places{};  ///< `share` is the epsilon
 };
 FeatureLimits feature_limits(const SamplingRequest& request, double length, double epsilon);
 
-/// A place of a curve, and what the samples of the last round show there.
+/// A point of a curve, with the measurements of the samples of the last round.
 struct MeasuredPlace {
-  double at = 0.0;  ///< length of arc from the beginning of its stretch
+  double at = 0.0;  ///< arc length from the beginning of its stretch
   Vec2 position{};
   double size = 0.0;  ///< distance to the axis of these samples
   double epsilon =
       0.0;  ///< the larger of both intervals beside it: half its length over the smaller size of its ends
 };
-/// Of each curve, of each of its stretches, from its beginning to its end.
+/// For each curve and each of its stretches, from its beginning to its end.
 using MeasuredPlaces = std::vector<std::vector<std::vector<MeasuredPlace>>>;
 
-/// Places so near to each other that half the distance of neighbours is at most `limits.share`, and nearly everywhere at
-/// most one and a half times `fine`, which is half of it, times the smaller feature size of both, or their distance along
-/// the curve is `limits.finest`. Along stretches of
-/// pieces that meet at small angles, as those of a polygon for a circle do, it is `limits.share` that holds: finer
-/// places would show the angles, not the circle.
+/// Chooses samples so dense that half the distance of neighbours is at most `limits.share` times the smaller feature
+/// size of both, and nearly everywhere at most one and a half times `fine`, or so that their distance along the curve
+/// is `limits.finest`. `fine` is half of `limits.share`. Along stretches whose pieces meet at small angles, as in a
+/// polygon that stands for a circle, only `limits.share` applies: finer samples would reveal the angles, not the
+/// circle.
 ///
-/// Begins with `first`, so near to each other as `fine` asks for, and nowhere with more than the bends of the curve allow,
-/// which bound feature sizes from above whatever the samples show, nor with more than a feature size may grow from there.
-/// Where that is not near enough, what is measured says where samples with `limits.share` should be; that is done anew until
-/// nearly all intervals have it. Then each is halved, or divided for `fine`. What is still too long is divided, so that it
-/// comes to an end: only what is new need be measured. Error: that of `sizes`; `bad_input` for more places than `most`.
-/// Throws `Cancelled` if there is a job.
+/// Starts with samples from `first` that are as dense as `fine` asks for. Their spacing never exceeds the bound from
+/// the bends of the curve, which bound feature sizes from above, nor the growth that a feature size can have from
+/// there. If that is not dense enough, the measured sizes determine where samples with `limits.share` should be; this
+/// is repeated until nearly all intervals have it. Then each interval is halved, or divided for `fine`. Intervals that
+/// are still too long are divided, which terminates and only needs measurements of new samples. Error: an error of
+/// `sizes`; `bad_input` for more samples than `most`. Throws `Cancelled` if there is a job.
 Expected<MeasuredPlaces> places_by_feature_size(std::span<const MeasuredCurve> curves,
                                                 std::vector<std::vector<StretchSpacing>> first,
                                                 const SpacingLimits& limits, double fine, std::size_t most,

@@ -8,7 +8,7 @@
 namespace mes {
 namespace {
 
-constexpr double kFlatness = 1e-5;  // of the extent of a curve
+constexpr double kFlatness = 1e-5;  // relative to the extent of a curve
 
 Box2 control_box(const PlaneCurve& curve) {
   Box2 box;
@@ -21,7 +21,7 @@ Box2 control_box(const PlaneCurve& curve) {
   return box;
 }
 
-/// The error of n equal steps of a curve is at most |second derivative| / (8 n^2).
+/// The number of equal steps for an error of at most |second derivative| / (8 n^2) with n steps.
 int steps_of(const Piece& piece, double tolerance) {
   const auto& p = piece.points;
   const auto bend = [](Vec2 a, Vec2 b, Vec2 c) { return length(a - 2.0 * b + c); };
@@ -76,7 +76,7 @@ GridPath FlatCurves::add(const PlaneCurve& curve, bool closes) {
       out.push_back(to);
       begin = end;
     }
-    // Steps that the grid does not tell apart belong to the side before them.
+    // Steps shorter than the grid belong to the side before them.
     if (!sides_.empty() && sides_.back().piece == number) sides_.back().end = 1.0;
   };
   curve.for_each_piece(add_piece);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curves as polygons on a grid, whose sides know what they are of. Private to core/curves.
+// Curves as polygons on a grid, whose sides remember the pieces that they come from. Private to core/curves.
 #pragma once
 
 #include <clipper.hpp>
@@ -16,14 +16,14 @@ using GridPoint = ClipperLib::IntPoint;
 using GridPath = ClipperLib::Path;
 using GridPaths = ClipperLib::Paths;
 
-/// Steps of the grid within which a corner is taken to lie on a side: Clipper rounds each crossing to the grid.
+/// A corner within this many grid steps of a side counts as on it: Clipper rounds each crossing to the grid.
 inline constexpr double kOnSide = 3.0;
 
 inline Vec2 as_vec(GridPoint p) {
   return {static_cast<double>(p.X), static_cast<double>(p.Y)};
 }
 
-/// Part of a piece, between two values of its parameter.
+/// A straight side that stands for part of a piece, between two parameters.
 struct FlatSide {
   GridPoint from;
   GridPoint to;
@@ -35,32 +35,32 @@ struct FlatSide {
 /// A side on which a corner lies.
 struct SideAt {
   std::uint32_t side = 0;
-  double distance = 0.0;   ///< steps of the grid
-  double parameter = 0.0;  ///< of the piece
+  double distance = 0.0;   ///< in grid steps
+  double parameter = 0.0;  ///< on the piece
 };
 
-/// Adding comes first, then `build`, then looking: from any thread.
+/// Usage: call `add` for all curves, then `build`; queries may then run on any thread.
 class FlatCurves {
  public:
   explicit FlatCurves(double grid) : grid_(grid) {}
 
   static bool fits(const PlaneCurve& curve, double grid);
-  /// The corners, without repetitions; an open curve that `closes` gets a line to its start. Of an open path the last
-  /// corner is the end.
+  /// Adds a curve and returns its corners, without repetitions. If `closes`, an open curve gets a line to its start;
+  /// otherwise the last corner of its path is its end.
   GridPath add(const PlaneCurve& curve, bool closes);
   void add(const FlatCurves& other);
   void build();
 
-  /// Sides within `reach` steps of the corner.
+  /// Sides within `reach` grid steps of the corner.
   std::vector<SideAt> sides_at(GridPoint corner, double reach = kOnSide) const;
 
   double grid() const { return grid_; }
-  /// How far polygons may be apart from their curves, in steps.
+  /// Largest distance between polygons and their curves, in grid steps.
   double tolerance() const { return tolerance_; }
   Vec2 place_of(GridPoint p) const { return grid_ * as_vec(p); }
   const FlatSide& side(std::uint32_t i) const { return sides_[i]; }
   const Piece& piece(std::uint32_t i) const { return pieces_[i]; }
-  /// Of which curve, in the order of adding, a piece is.
+  /// Index of the curve of a piece, in the order of adding.
   std::uint32_t curve_of(std::uint32_t piece) const { return curves_[piece]; }
   bool is_first(std::uint32_t piece) const { return piece == 0 || curves_[piece - 1] != curves_[piece]; }
   bool is_last(std::uint32_t piece) const {

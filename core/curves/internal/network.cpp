@@ -18,16 +18,16 @@ namespace {
 
 using PointSlot = Slot<struct NetworkPointTag>;
 
-/// A piece, or a part of one, between two points at which something may meet.
+/// A piece, or a part of one, between two possible nodes.
 struct Part {
   Piece piece{};
   std::uint32_t from = 0;
   std::uint32_t to = 0;
-  std::uint32_t kind = 0;  ///< the first part that goes the same way, or back
-  bool is_forward = true;  ///< as that part
+  std::uint32_t kind = 0;  ///< index of the first part with the same path, in either direction
+  bool is_forward = true;  ///< whether it has the direction of that part
 };
 
-/// The end of a piece, where it is not the start of the next.
+/// Moves the end of a piece.
 void set_end(Piece& piece, Vec2 to) {
   piece.points[piece.kind == PieceKind::cubic ? 3 : piece.kind == PieceKind::quadratic ? 2 : 1] = to;
 }
@@ -67,10 +67,10 @@ class NetworkMaker {
   const std::vector<PlaneCurve>& curves_;
   Contacts contacts_;
   JobControl* job_;
-  std::vector<std::uint32_t> point_of_;    // of each vertex
-  std::vector<std::vector<Part>> parts_;   // of each curve
-  std::vector<std::uint32_t> first_part_;  // of each curve, in the numbers of all parts
-  std::vector<bool> is_break_;             // by point
+  std::vector<std::uint32_t> point_of_;    // for each vertex
+  std::vector<std::vector<Part>> parts_;   // for each curve
+  std::vector<std::uint32_t> first_part_;  // for each curve, the index of its first part among all parts
+  std::vector<bool> is_break_;             // for each point
   std::vector<std::uint32_t> node_of_point_;
   std::vector<std::uint32_t> arc_of_part_;  // by kind
   std::vector<bool> is_forward_in_arc_;     // by kind
@@ -78,7 +78,7 @@ class NetworkMaker {
   CurveNetwork out_;
 };
 
-// Two curves touch where a vertex lies on a piece of another, or is a vertex of another.
+// Two curves touch if a vertex of one lies on a piece of the other, or coincides with a vertex of the other.
 bool NetworkMaker::has_contacts() const {
   std::vector<std::uint32_t> curve_at(contacts_.vertices.size(), CurveNetwork::kNoNode);
   for (const TouchingPiece& piece : contacts_.pieces)
@@ -100,7 +100,7 @@ void NetworkMaker::join_vertices() {
     if (contact.parameter == 0.0) sets.join(root(contact.vertex), root(piece.from));
     if (contact.parameter == 1.0) sets.join(root(contact.vertex), root(piece.to));
   }
-  // The first vertex stands for all.
+  // The first vertex represents all.
   std::vector<std::uint32_t> first(count, CurveNetwork::kNoNode);
   point_of_.resize(count);
   for (std::uint32_t v = 0; v < count; ++v) {
@@ -127,7 +127,7 @@ void NetworkMaker::divide_pieces() {
       set_end(part.piece, place(point));
       begin = to;
       at = point;
-      // A line between vertices that are one point is none.
+      // A line between two merged vertices is dropped.
       if (part.from != part.to || part.piece.kind != PieceKind::line) parts.push_back(part);
     };
     for (; next < contacts_.contacts.size() && contacts_.contacts[next].piece == number; ++next) {
@@ -168,7 +168,7 @@ void NetworkMaker::compare_parts() {
   for (std::size_t begin = 0; begin < order.size();) {
     const auto [low, high, first] = key(order[begin]);
     std::size_t end = begin;
-    // Different ways between two points, each by the first that takes it. There are few, but for those who mean harm.
+    // Different paths between two points, each named by its first part. Only malicious input reaches the limit.
     constexpr std::size_t kMostWays = 64;
     std::vector<std::uint32_t> ways;
     for (; end < order.size(); ++end) {
@@ -176,7 +176,7 @@ void NetworkMaker::compare_parts() {
       if (std::pair(std::min(part.from, part.to), std::max(part.from, part.to)) != std::pair(low, high)) break;
       const auto takes = [&](std::uint32_t way) {
         const Part& other = *all[way];
-        // Around a single point both directions have to be tried.
+        // A part that starts and ends at one point is compared in both directions.
         for (const bool is_forward : {true, false}) {
           if (part.from != part.to && is_forward != (part.from == other.from)) continue;
           if (!is_same(part, other, is_forward)) continue;
@@ -192,7 +192,7 @@ void NetworkMaker::compare_parts() {
   }
 }
 
-// Where there are not two ways on, or an open curve ends.
+// Finds breaks: points where an open curve ends, or where more or fewer than two paths meet.
 void NetworkMaker::find_breaks() {
   const std::size_t count = contacts_.vertices.size();
   std::vector<std::uint8_t> ways(count, 0);
@@ -219,7 +219,7 @@ std::uint32_t NetworkMaker::node_of(std::uint32_t point) {
   return node;
 }
 
-/// A curve that touches no other.
+/// Adds a curve that touches no other.
 void NetworkMaker::walk_alone(const PlaneCurve& curve) {
   const auto arc = static_cast<std::uint32_t>(out_.arcs.size());
   out_.arcs.push_back(curve);

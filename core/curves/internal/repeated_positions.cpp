@@ -9,7 +9,7 @@ namespace {
 
 std::size_t hash_of(Vec2 p) {
   constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;
-  // Zero is zero, whatever its sign.
+  // Adding 0.0 makes both zeros equal.
   std::uint64_t bits = std::bit_cast<std::uint64_t>(p.x + 0.0) * kOdd;
   bits = (bits ^ (bits >> 32U)) + std::bit_cast<std::uint64_t>(p.y + 0.0);
   bits = (bits ^ (bits >> 29U)) * kOdd;
@@ -17,7 +17,7 @@ std::size_t hash_of(Vec2 p) {
   return static_cast<std::size_t>(bits ^ (bits >> 29U));
 }
 
-/// For a table of a few, of 2^bits places: sums of products differ where coordinates do, most often.
+/// Hash for small tables of 2^bits slots: different coordinates mostly give different sums of products.
 std::size_t short_hash_of(Vec2 p, int bits) {
   constexpr std::uint64_t kOdd = 0x9e3779b97f4a7c15;
   constexpr std::uint64_t kOther = 0xd6e8feb86659fd93;
@@ -29,7 +29,7 @@ std::size_t short_hash_of(Vec2 p, int bits) {
 }  // namespace
 
 std::span<const std::uint32_t> RepeatedPositions::find(std::span<const Vec2> positions) {
-  // A table of a few is in the nearest cache; of many most can be told to come once without one.
+  // A small table fits in the nearest cache. In long lists, most positions prove unique without a table.
   constexpr std::size_t kFew = 1U << 13U;
   if (positions.size() > kFew) {
     note_shared_hashes(positions);
@@ -40,7 +40,7 @@ std::span<const std::uint32_t> RepeatedPositions::find(std::span<const Vec2> pos
   return repeated_;
 }
 
-// As below, with short numbers.
+// Like `find_among`, with 16-bit indices.
 void RepeatedPositions::find_among_few(std::span<const Vec2> positions) {
   constexpr std::uint16_t kFree = 0xffffU;
   const auto bits = static_cast<int>(std::bit_width(4 * positions.size() + 1));
@@ -63,7 +63,7 @@ void RepeatedPositions::find_among_few(std::span<const Vec2> positions) {
   }
 }
 
-// By a hash of the coordinates: indices in a table of which no more than a quarter is in use.
+// Uses a hash table of indices, at most a quarter full.
 void RepeatedPositions::find_among(std::span<const Vec2> positions, std::span<const std::uint32_t> numbers) {
   constexpr std::uint32_t kFree = 0xffffffffU;
   const std::size_t mask = std::bit_ceil(4 * numbers.size() + 1) - 1;
@@ -83,8 +83,8 @@ void RepeatedPositions::find_among(std::span<const Vec2> positions, std::span<co
   }
 }
 
-// Those whose hash comes twice, by two sets of bits with many more places than there are positions; and all that are not
-// finite.
+// Collects positions whose hash occurs twice, and those that are not finite. Uses two bit sets with many more bits than
+// there are positions.
 void RepeatedPositions::note_shared_hashes(std::span<const Vec2> positions) {
   constexpr std::size_t kPlacesEach = 16;
   constexpr std::size_t kWord = 64;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which positions of a list are equal to one before. Private to core/curves.
+// Finds positions in a list that equal an earlier one. Private to core/curves.
 #pragma once
 
 #include <cstdint>
@@ -10,13 +10,13 @@
 
 namespace mes {
 
-/// The two zeros are equal; what is not finite is equal to nothing. Cost: linear, expected; some 8 bytes for each position,
-/// kept for the next list.
+/// The two zeros are equal; positions that are not finite equal nothing. Cost: linear, expected; about 8 bytes for each
+/// position, kept for the next list.
 class RepeatedPositions {
  public:
-  /// Indices, increasing; valid until the next call. No more than 2^32 - 1 positions.
+  /// Indices of repeated positions, increasing; valid until the next call. Accepts at most 2^32 - 1 positions.
   std::span<const std::uint32_t> find(std::span<const Vec2> positions);
-  /// Of all positions of all calls.
+  /// Whether all positions of all calls were finite.
   bool were_finite() const { return were_finite_; }
 
  private:

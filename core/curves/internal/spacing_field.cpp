@@ -14,16 +14,16 @@
 namespace mes {
 namespace {
 
-// Along the curve against straight across: a half circle has pi / 2, a right angle has the root of 2.
+// Limit for arc length over straight distance: a half circle has pi / 2, a right angle at most the square root of 2.
 constexpr double kDetour = 1.5;
 
 struct Probe {
   Vec2 position;
   std::uint32_t curve;
-  double along;  // length of arc from the beginning of the curve
+  double along;  // arc length from the beginning of the curve
 };
 
-/// Points at even lengths of arc along a stretch, both ends included.
+/// Adds points at even arc lengths along a stretch, both ends included.
 void add_probes(const MeasuredCurve& curve, const Stretch& stretch, std::size_t intervals, std::uint32_t index,
                 double before, std::vector<Probe>& out) {
   std::size_t piece = stretch.first;
@@ -42,7 +42,7 @@ std::size_t probe_intervals(double length, double step) {
   return static_cast<std::size_t>(std::max(kLeast, std::ceil(length / step)));
 }
 
-/// Nodes at even lengths of arc, spacings still to be filled in.
+/// Nodes at even arc lengths; the spacings are not yet filled in.
 StretchSpacing even_nodes(double length, double step) {
   const std::size_t intervals = probe_intervals(length, step);
   StretchSpacing out{length, {}, std::vector<double>(intervals + 1)};
@@ -52,15 +52,15 @@ StretchSpacing even_nodes(double length, double step) {
   return out;
 }
 
-/// What looks from a probe at the others.
+/// Finds the distance from a probe to other curves.
 struct Surroundings {
   std::span<const Probe> probes;
   std::span<const MeasuredCurve> curves;
-  std::span<const double> lengths;  // of the curves
+  std::span<const double> lengths;  // for each curve
   const BoxTree<std::uint32_t>& tree;
 
-  /// From a probe to what is near it; `widest` where nothing is. Distances below `nearest` make no difference. `step` is
-  /// that between the probes of its curve.
+  /// Distance from a probe to the nearest point of other parts; `widest` if there is none. The search stops below
+  /// `nearest`. `step` is the distance between the probes of its curve.
   double distance_to_others(const Probe& probe, double step, double nearest, double widest) const {
     double out = widest;
     double bound = widest * widest;
@@ -82,7 +82,7 @@ struct Surroundings {
     const double along = std::abs(other.along - probe.along);
     return curves[probe.curve].is_closed ? std::min(along, lengths[probe.curve] - along) : along;
   }
-  /// By way of a node that both arcs have.
+  /// Distance along the arcs through a common node.
   double along_arcs(const Probe& probe, const Probe& other) const {
     double out = std::numeric_limits<double>::infinity();
     const auto to_end = [this](const Probe& p, std::size_t end) {
@@ -98,7 +98,7 @@ struct Surroundings {
   }
 };
 
-/// Calls `use(i, passed)` for each node with the number of spacings from the beginning to there.
+/// Calls `use(i, passed)` for each node, with the number of spacings between the beginning and the node.
 template <class Use>
 void for_each_passed(const StretchSpacing& field, Use use) {
   double passed = 0.0;
@@ -209,7 +209,7 @@ std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCur
         spacing = std::clamp(limits.share * away, finest, widest);
       }
       if (!limits.is_finest_by_curve) continue;
-      constexpr double kGrowth = 0.5;  // of the spacing, from a corner on
+      constexpr double kGrowth = 0.5;  // growth of the spacing for each unit of length from a corner
       const auto [begins, ends] = corners_at(curves[i], stretch, limits.corner_angle);
       for (std::size_t k = 0; k < here.at.size(); ++k) {
         if (begins) here.spacing[k] = std::min(here.spacing[k], finest + kGrowth * here.at[k]);
@@ -235,7 +235,7 @@ std::vector<std::vector<StretchSpacing>> spacings_by_curvature(std::span<const M
       std::vector<double>& spacing = here.spacing;
       probes.clear();
       add_probes(curve, stretch, spacing.size() - 1, i, 0.0, probes);
-      // The turn from one chord to the next, over the length from middle to middle.
+      // The angle between consecutive chords, over the length between their midpoints, is the curvature.
       const auto spacing_at = [&](Vec2 before, Vec2 after, double along) {
         const double turn = std::abs(std::atan2(cross(before, after), dot(before, after)));
         return std::clamp(turn > 0.0 ? limits.share * along / turn : widest, finest, widest);
@@ -243,7 +243,7 @@ std::vector<std::vector<StretchSpacing>> spacings_by_curvature(std::span<const M
       const auto chord = [&](std::size_t k) { return probes[k + 1].position - probes[k].position; };
       for (std::size_t k = 1; k + 1 < probes.size(); ++k)
         spacing[k] = spacing_at(chord(k - 1), chord(k), 0.5 * (here.at[k + 1] - here.at[k - 1]));
-      // A closed curve without corners goes on where it began.
+      // A closed curve without corners continues at its beginning.
       const bool goes_on = curve.is_closed && !curve.has_corner_at_start;
       spacing.front() = goes_on ? spacing_at(chord(probes.size() - 2), chord(0), here.at[1]) : spacing[1];
       spacing.back() = goes_on ? spacing.front() : spacing[spacing.size() - 2];

@@ -10,7 +10,7 @@ namespace mes {
 namespace {
 
 constexpr double kCornerRounding = 1e-9;
-// What is shorter is a point in every document (core/base/coordinate_range.h); a part of it may be no number of its own.
+// A shorter piece is a point in every document (core/base/coordinate_range.h); its parts may not be representable.
 constexpr double kLeastLength = 0x1p-500;
 static_assert(kLeastExponent == -500);
 
@@ -20,13 +20,13 @@ double angle_between(Vec2 a, Vec2 b) {
   return std::abs(std::atan2(cross(p, q), dot(p, q)));
 }
 
-/// Whether each piece begins at a corner. Of an open curve the first does.
+/// Whether each piece begins at a corner. The first piece of an open curve does.
 std::vector<bool> corners_of(const MeasuredCurve& curve, double corner_angle, double negligible) {
   const std::size_t count = curve.pieces.size();
   std::vector<bool> out(count, false);
   double longest = 0.0;
   for (const PieceLength& length : curve.lengths) longest = std::max(longest, length.total());
-  // Something is left of every curve.
+  // The limit never removes all pieces of a curve.
   const double least = std::max(kCornerRounding * longest, std::min(negligible, 0.5 * longest));
   const auto counts = [&](std::size_t i) { return curve.lengths[i].total() > least; };
   std::size_t last = count;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A curve measured and cut at its corners. Private to core/curves.
+// Measures a curve and cuts it at its corners. Private to core/curves.
 #pragma once
 
 #include <array>
@@ -16,28 +16,28 @@ namespace mes {
 
 /// A smooth part of a curve, between corners or ends; a closed curve without corners is one stretch.
 struct Stretch {
-  std::size_t first = 0;  ///< of its pieces
+  std::size_t first = 0;  ///< index of its first piece
   std::size_t count = 0;
   double length = 0.0;
 };
 
-/// A curve without its pieces of no length, or of less than a document can hold (2^-500).
+/// A curve without pieces of zero length, or shorter than a document can represent (2^-500).
 struct MeasuredCurve {
-  std::vector<Piece> pieces;  ///< of a closed curve with corners from one of them on
+  std::vector<Piece> pieces;  ///< for a closed curve with corners, rotated to begin at one
   std::vector<PieceLength> lengths;
-  std::vector<Stretch> stretches;  ///< none where all of the curve is one point
+  std::vector<Stretch> stretches;  ///< empty if all of the curve is one point
   bool is_closed = false;
   bool has_corner_at_start = true;  ///< false for a closed curve without corners
-  /// Of an arc of a network (network.h): its nodes, first and last, and the length of the curve that it is a part of.
+  /// For an arc of a network (network.h): its first and last node, and the length of the curve that it is a part of.
   std::array<std::uint32_t, 2> nodes{kNoNode, kNoNode};
-  double whole = 0.0;  ///< 0: it is a curve of its own
+  double whole = 0.0;  ///< 0: the arc is not part of another curve
 
   static constexpr std::uint32_t kNoNode = 0xffffffffU;
   double length() const;
   double length_of_whole() const { return whole > 0.0 ? whole : length(); }
 };
 
-/// Calls `use(Vec2)` at lengths of arc from the beginning of a stretch, which increase.
+/// Calls `use(Vec2)` at increasing arc lengths from the beginning of a stretch.
 template <class Use>
 void for_each_place(const MeasuredCurve& curve, const Stretch& stretch, const std::vector<double>& places, Use use) {
   std::size_t piece = stretch.first;
@@ -49,12 +49,13 @@ void for_each_place(const MeasuredCurve& curve, const Stretch& stretch, const st
   }
 }
 
-/// The length of pieces that make no corners: a hundredth of about what lies between samples.
+/// Length below which pieces make no corners: about a hundredth of the distance between samples.
 double negligible_length(const CurveSet& curves, const SamplingRequest& request);
 
-/// Corners are where the tangent turns by more than `corner_angle`; if that is negative, wherever two pieces meet. Pieces shorter than `negligible`, and those below
-/// 1e-9 of the longest, have no direction of their own, for they come from rounded coordinates. Throws `Cancelled` if there is a job.
-/// A closed curve `starts_at_corner` if its start is one whatever its angle.
+/// Measures a curve. Corners are where the tangent turns by more than `corner_angle`; if it is negative, wherever two
+/// pieces meet. Pieces shorter than `negligible`, and those below 1e-9 of the longest, come from rounded coordinates
+/// and have no direction of their own. If `starts_at_corner`, the start of a closed curve is a corner whatever its
+/// angle. Throws `Cancelled` if there is a job.
 MeasuredCurve measured(const PlaneCurve& curve, double corner_angle, double negligible, JobControl* job = nullptr,
                        bool starts_at_corner = false);
 

@@ -8,7 +8,7 @@
 namespace mes {
 namespace {
 
-/// How much of the parameter a few steps of the grid are.
+/// Parameter change along a few grid steps.
 double slack_of(const FlatSide& side) {
   const double size = length(as_vec(side.to) - as_vec(side.from));
   return std::min(2.0 * kOnSide / size, 0.25) * (side.end - side.begin);
@@ -19,7 +19,7 @@ struct Crossing {
   double other = 0.0;
 };
 
-/// Newton's method from two parameters; nothing where it goes further than so much, or does not arrive.
+/// Newton's method from two parameters; returns nothing if it moves farther than `most` or does not converge.
 std::optional<Crossing> crossing_near(const Piece& a, const Piece& b, Crossing at, Crossing most) {
   const Crossing first = at;
   Vec2 gap = a.at(at.one) - b.at(at.other);
@@ -33,7 +33,7 @@ std::optional<Crossing> crossing_near(const Piece& a, const Piece& b, Crossing a
     if (!(std::abs(at.one - first.one) <= most.one) || !(std::abs(at.other - first.other) <= most.other))
       return std::nullopt;
     if (at.one < 0.0 || at.one > 1.0 || at.other < 0.0 || at.other > 1.0) {
-      // The crossing may be the end itself, but for rounding.
+      // Rounding may move a crossing beyond the end of a piece.
       constexpr double kRounding = 1e-9;
       if (at.one < -kRounding || at.one > 1.0 + kRounding || at.other < -kRounding || at.other > 1.0 + kRounding)
         return std::nullopt;
@@ -43,12 +43,12 @@ std::optional<Crossing> crossing_near(const Piece& a, const Piece& b, Crossing a
     constexpr double kArrived = 1e-14;
     if (std::abs(step.one) <= kArrived && std::abs(step.other) <= kArrived) return at;
   }
-  // Rounding may keep it from resting.
+  // Rounding may prevent the last step from vanishing.
   const double size = length(a.at(at.one)) + length(b.at(at.other));
   return length(gap) <= 1e-12 * size ? std::optional(at) : std::nullopt;
 }
 
-/// How far a crossing may be from where polygons cross: some sides.
+/// How far a crossing may be from that of the polygons: a few sides.
 double reach_of(const TracedRun& run) {
   return 3.0 * run.step;
 }
@@ -57,7 +57,7 @@ bool is_at_end(double parameter) {
   return parameter == 0.0 || parameter == 1.0;
 }
 
-/// Parameters next to an end are the end.
+/// Moves a parameter close to an end onto that end.
 void snap(double& parameter, double slack) {
   if (parameter <= slack) parameter = 0.0;
   if (parameter >= 1.0 - slack) parameter = 1.0;
@@ -79,7 +79,7 @@ SideTracer::Corner SideTracer::corner_at(GridPoint place) const {
   return out;
 }
 
-/// The run that goes on where it can, else the nearest one.
+/// The run that continues the previous one if possible, else the nearest run.
 TracedRun SideTracer::run_between(const Corner& from, const Corner& to, const TracedRun* before) const {
   TracedRun best;
   double best_distance = 0.0;
@@ -137,7 +137,7 @@ std::vector<TracedRun> SideTracer::runs_along(const std::vector<Corner>& corners
   return out;
 }
 
-/// Where one run becomes the next: at the end of a piece, or where two pieces cross.
+/// Finds the point where one run becomes the next: the end of a piece, or the crossing of two pieces.
 void SideTracer::meet(TracedRun& one, TracedRun& next) const {
   if (one.of != nullptr && is_at_end(one.end)) {
     one.to = one.of->piece(one.piece).at(one.end);

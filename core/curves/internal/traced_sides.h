@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From polygons that Clipper made back to the curves whose sides they consist of. Private to core/curves.
+// Maps polygons from Clipper back to the curves whose sides they consist of. Private to core/curves.
 #pragma once
 
 #include <optional>
@@ -11,14 +11,14 @@
 
 namespace mes {
 
-/// Part of a piece that a polygon goes along; backwards where `begin` is above `end`.
+/// Part of a piece that a polygon follows; backwards if `begin` is above `end`.
 struct TracedRun {
-  const FlatCurves* of = nullptr;  ///< none: a straight side that lies on no curve
+  const FlatCurves* of = nullptr;  ///< null: a straight side that lies on no curve
   std::uint32_t piece = 0;
   double begin = 0.0;
   double end = 0.0;
-  double step = 0.0;  ///< of the parameter along the longer of the sides at its ends
-  Vec2 to{};          ///< where it ends
+  double step = 0.0;  ///< parameter length of the longer of the sides at its ends
+  Vec2 to{};          ///< end point
   bool is_whole() const { return of != nullptr && ((begin == 0.0 && end == 1.0) || (begin == 1.0 && end == 0.0)); }
   bool is_backwards() const { return begin > end; }
 };
@@ -28,14 +28,14 @@ struct TracedPath {
   std::vector<TracedRun> runs{};
 };
 
-/// Takes paths back to curves of the subject and of the region, of the subject where both run along.
+/// Maps paths back to curves of the subject and of the region; to those of the subject where both coincide.
 class SideTracer {
  public:
   SideTracer(const FlatCurves& subject, const FlatCurves* region) : subject_(subject), region_(region) {}
 
-  /// Of a polygon, which begins where a curve, or a piece of one, is left.
+  /// Traces a polygon. The result begins where the polygon leaves a curve, or a piece of one.
   TracedPath closed(const GridPath& path) const;
-  /// Of a line, whose ends are crossings with the region, within `reach` steps, or ends of its curve.
+  /// Traces a line. Its ends are crossings with the region within `reach` grid steps, or ends of its curve.
   TracedPath open(const GridPath& path, double reach) const;
 
  private:
@@ -54,7 +54,7 @@ class SideTracer {
   const FlatCurves* region_;
 };
 
-/// The curve that the runs are; closed where the path ends at its start and `closes`.
+/// The curve that consists of the runs; closed if the path ends at its start and `closes` is set.
 PlaneCurve curve_of(const TracedPath& path, bool closes);
 
 }  // namespace mes
