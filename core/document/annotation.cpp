@@ -17,7 +17,7 @@ namespace {
 constexpr std::array<std::string_view, kAnnotationKinds> kIds{"text",  "leader", "arrow",    "distance",
                                                               "angle", "radius", "highlight"};
 
-// Not written as its opposite, so that NaN is a fault.
+// Not negated, so that NaN is a fault.
 bool is_within(double x, double low, double high) {
   return low <= x && x <= high;
 }

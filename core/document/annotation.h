@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Annotations: text, arrows, leader lines, dimension lines and highlighted elements that explain a drawing.
 //
-// They are part of the document: edits of them are undone and written into sessions like those of samples. Nothing is
-// computed from them.
+// Annotations are part of the document: edits of them can be undone and are stored in sessions, like those of samples.
+// Nothing is computed from them.
 #pragma once
 
 #include <cstddef>
@@ -20,57 +20,58 @@
 
 namespace mes {
 
-/// A place in the plane that an annotation refers to, and that moves with what it is on.
+/// A position that an annotation refers to; it moves with the samples or balls that it follows.
 struct Anchor {
-  Vec2 at{};  ///< the place itself if it follows nothing
-  /// Samples by their number, counted from the first one of the document. None: the place is fixed. One: that sample.
-  /// Three: the centre of the circle through them, as of a vertex of the Voronoi diagram. When a sample is removed,
-  /// the anchors that follow it become fixed.
+  Vec2 at{};  ///< the position, if it follows nothing
+  /// Indices of samples, counted from the first one of the document. None: the position is fixed. One: that sample.
+  /// Three: the centre of their circle, as for a vertex of the Voronoi diagram. When a sample is removed, the anchors
+  /// that follow it become fixed.
   std::vector<std::uint32_t> samples{};
-  /// Balls by their number, likewise; none where it follows samples. One: its centre. Two: the crossing of their circles
-  /// on the left of the way from the first centre to the second, or the middle of two complex ones; with `along`, the
-  /// place of equal power on the line of their centres, shifted. Three: the place of equal power. Four: a place on the
-  /// perpendicular bisector of the crossing of the first two and that of the last two.
+  /// Indices of balls, likewise; empty if the anchor follows samples. One: its centre. Two: the crossing of their
+  /// circles to the left of the vector from the first centre to the second (or the midpoint of the complex crossings);
+  /// with `along`, the point of equal power on the line of centres, shifted along it. Three: the point of equal power.
+  /// Four: a point on the perpendicular bisector between the crossing of the first two balls and that of the last two.
   std::vector<std::uint32_t> balls{};
-  double along = 0.0;  ///< of two balls: times their way; of four: times the way of the crossings, to the left of it
-  double scale = 1.0;  ///< what the radii of the balls are multiplied by
+  double along = 0.0;  ///< shift: times the vector between centres (two), or the one to the left of that between
+                       ///< crossings (four)
+  double scale = 1.0;  ///< factor for the radii of the balls
 
-  /// It follows nothing.
+  /// True if it follows nothing.
   bool is_fixed() const { return samples.empty() && balls.empty(); }
   friend bool operator==(const Anchor&, const Anchor&) = default;
 };
 
 enum class AnnotationKind : std::uint8_t {
-  text,      ///< words at a place
+  text,      ///< words at a position
   leader,    ///< words beside an element, with a line to it
-  arrow,     ///< from the first place to the second one
-  distance,  ///< between two places
-  angle,     ///< at the second place, between the first and the third one
-  radius,    ///< of the circle through three places
-  /// Elements of the drawing that stay highlighted, as provenance shows them: an element with what it comes from and
-  /// what it leads to. Words beside the first of them.
+  arrow,     ///< from the first position to the second
+  distance,  ///< between two positions
+  angle,     ///< angle at the second position, between the first and the third
+  radius,    ///< radius of the circle through three positions
+  /// Elements of the drawing that stay highlighted, as provenance shows them: an element with its origins and its
+  /// products. The words stand beside the first element.
   highlight,
 };
 inline constexpr std::size_t kAnnotationKinds = 7;
 
-/// One shape of a highlight. Its places are anchors of the annotation; each element takes the next ones:
-///   point             itself
+/// One shape of a highlight. Its positions are anchors of the annotation; each element uses the next ones:
+///   point             its position
 ///   circle, disk      the centre
 ///   segment           its ends
 ///   triangle          its corners
 ///   arc               the centre and its ends, counter-clockwise
-///   line              two places, of which it is the perpendicular bisector
-///   ray               where it begins, and two places: it leads to the left of the way from one to the other
+///   line              two points; it is their perpendicular bisector
+///   ray               its start, and two points: it leads to the left of the vector between them
 struct HighlightedElement {
   PrimitiveKind kind = PrimitiveKind::point;
   ProvenanceRole role = ProvenanceRole::itself;
-  /// Of a circle or a disk. Where its centre follows three samples, a multiple of the radius of their circle; where it
-  /// follows one ball, of the ball's scaled radius; where it follows four balls, of its distance to the first crossing.
+  /// Radius of a circle or a disk, as a multiple. If the centre follows three samples, of the radius of their circle;
+  /// if it follows one ball, of its scaled radius; if it follows four balls, of the distance to the first crossing.
   double radius = 0.0;
   friend bool operator==(const HighlightedElement&, const HighlightedElement&) = default;
 };
 
-/// How many places an element has.
+/// Number of anchors of an element.
 constexpr std::size_t anchor_count(PrimitiveKind kind) {
   switch (kind) {
     case PrimitiveKind::point:
@@ -85,7 +86,7 @@ constexpr std::size_t anchor_count(PrimitiveKind kind) {
   return 0;
 }
 
-/// How many places an annotation of a kind has; of a highlight, its elements have them.
+/// Number of anchors of an annotation of this kind; for a highlight, its elements determine the number.
 constexpr std::size_t anchor_count(AnnotationKind kind) {
   switch (kind) {
     case AnnotationKind::text:
@@ -105,51 +106,51 @@ std::optional<AnnotationKind> annotation_kind_of(std::string_view id);
 inline constexpr double kUsualLetters = 15.0;
 inline constexpr double kLeastLetters = 6.0;
 inline constexpr double kMostLetters = 120.0;
-/// Of shifts, in logical pixels along each axis.
+/// Limit for shifts along each axis, in logical pixels.
 inline constexpr double kMostShift = 10'000.0;
 inline constexpr std::size_t kMostAnnotationBytes = 4000;
 inline constexpr std::size_t kMostAnnotations = 1000;
-/// Of one highlight.
+/// Limit for the elements of one highlight.
 inline constexpr std::size_t kMostHighlighted = 4000;
-/// Of scales of balls, and of multiples of a distance.
+/// Limits for the scales of balls, and for `along`.
 inline constexpr double kMostScale = 1e9;
 inline constexpr double kMostAlong = 1e12;
 
 struct Annotation {
   AnnotationKind kind = AnnotationKind::text;
-  std::string text{};              ///< in a small part of LaTeX; a dimension without text shows what it measures
+  std::string text{};              ///< in a small subset of LaTeX; a dimension without text shows its measured value
   std::vector<Anchor> anchors{};   ///< `anchor_count` of the annotation
-  Vec2 shift{};                    ///< of the words from their usual place, logical pixels, y down
+  Vec2 shift{};                    ///< offset of the words from their usual position, in logical pixels, y down
   double letters = kUsualLetters;  ///< size of the letters, logical pixels
-  /// None: dark on a light canvas, light on a dark one; of a highlight, its words. Its elements have then the colours
-  /// of their roles.
+  /// Unset: dark on a light canvas, light on a dark one. Unset for a highlight: its words do that, and its elements
+  /// have the colours of their roles.
   std::optional<Rgb> color{};
-  std::vector<HighlightedElement> elements{};  ///< of a highlight
+  std::vector<HighlightedElement> elements{};  ///< only for a highlight
   friend bool operator==(const Annotation&, const Annotation&) = default;
 };
 
 using Annotations = std::vector<Annotation>;
 
-/// How many places it has.
+/// Number of anchors of the annotation.
 std::size_t anchor_count(const Annotation& annotation);
 
-/// Takes elements with a place that is gone out of a highlight. True: nothing of it is left. Of other kinds nothing is
-/// taken away.
+/// Removes elements with a lost anchor from a highlight. Returns true if no element is left. Does nothing for other
+/// kinds.
 bool lose_elements(Annotation& annotation, const std::function<bool(const Anchor&)>& is_gone);
 
-/// How many samples and balls have a number, alive or not.
+/// Numbers of samples and balls ever numbered, alive or not.
 struct NumberedThings {
   std::size_t samples = 0;
   std::size_t balls = 0;
 };
-/// Why no document can hold it; empty: it can.
+/// Returns why no document can hold the annotation; empty if it can.
 std::string fault_of(const Annotation& annotation, const NumberedThings& things);
-/// The same of all.
+/// The same for a list of annotations.
 std::string fault_of(const Annotations& annotations, const NumberedThings& things);
-/// How many elements they highlight.
+/// Number of elements that the annotations highlight.
 std::size_t highlighted_elements(const Annotations& annotations);
 
-/// Whether they differ in places and shifts at most.
+/// True if they differ at most in positions and shifts.
 bool same_but_for_places(const Annotations& a, const Annotations& b);
 
 }  // namespace mes

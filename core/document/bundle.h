@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A layer configuration with a name.
+// A named layer configuration.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace mes {
 struct Bundle {
   std::string name{};  ///< UTF-8, not empty
   LayerConfiguration layers{};
-  std::string description{};  ///< what there is to see, one line; may be empty
+  std::string description{};  ///< one line about the picture; may be empty
   friend bool operator==(const Bundle&, const Bundle&) = default;
 };
 

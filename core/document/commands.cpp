@@ -36,7 +36,7 @@ DocumentDelta delta_from(const Document& document) {
   return delta;
 }
 
-// What all samples and all balls must satisfy; empty when they do.
+// Conditions on each sample and ball; empty if they hold.
 template <class Value>
 std::string value_fault_of(const Value& value) {
   std::string out;
@@ -52,7 +52,7 @@ std::string fault_of(const Disk& disk) {
   return disk.radius < 0.0 ? "a radius is negative" : value_fault_of(disk);
 }
 
-// What all of them together must satisfy.
+// Checks the conditions on all numbers together.
 Expected<DocumentDelta> fitting(const Document& document, DocumentDelta delta) {
   const Magnitudes after = document.magnitudes_after(delta);
   if (after.fit()) return delta;
@@ -80,7 +80,7 @@ Expected<BallSlot> live_slot(const Document& document, BallId id, std::unordered
   return live_slot(document.ball_slot_of(id), id, "ball", seen);
 }
 
-/// Fills in `values` and fresh ids.
+/// Fills `values`, and assigns fresh ids.
 template <class Value, class SomeId>
 Expected<void> number(std::span<const Value> wanted, SomeId first, std::string_view kind, std::vector<Value>& values,
                       std::vector<SomeId>& ids) {
@@ -99,7 +99,7 @@ Expected<void> number(std::span<const Value> wanted, SomeId first, std::string_v
 
 namespace {
 
-// What differs between samples and balls where they are changed.
+// Differences between the edits of samples and of balls.
 struct Samples {
   using SomeId = SampleId;
   using Edit = SampleEdit;
@@ -119,7 +119,7 @@ struct Balls {
   static Disk value(const Document& document, BallSlot slot) { return document.disk(slot); }
 };
 
-/// Appends the edits.
+/// Appends the edits to the list.
 template <class Things, class Value>
 Expected<void> add_edits(const Document& document, std::span<const typename Things::SomeId> removed,
                          std::span<const std::pair<typename Things::SomeId, Value>> changed,
@@ -145,7 +145,7 @@ Expected<void> add_edits(const Document& document, std::span<const typename Thin
   if (!has_room(first, inserted.size())) return refuse(fmt::format("too many {} in one session", Things::kKind));
   for (std::size_t i = 0; i < inserted.size(); ++i) {
     if (auto fault = fault_of(inserted[i]); !fault.empty()) return refuse(std::move(fault));
-    // Rows that were freed last are taken first.
+    // Reuses the rows that were freed last first.
     const auto slot =
         i < removed.size() ? edits[removed.size() - 1 - i].slot : Things::slot_for_new(document, i - removed.size());
     edits.push_back({Kind::insert, typename Things::SomeId{first + static_cast<std::uint32_t>(i)}, slot, Value{},
@@ -154,7 +154,7 @@ Expected<void> add_edits(const Document& document, std::span<const typename Thin
   return {};
 }
 
-/// Anchors on samples and balls that are removed become fixed; elements that are highlighted on them go with them.
+/// Fixes the anchors on removed samples and balls, and drops elements that are highlighted on them.
 void leave_where_they_are(const Document& document, DocumentDelta& delta) {
   const Annotations& before = *document.annotations();
   if (before.empty()) return;
@@ -195,7 +195,7 @@ Expected<DocumentDelta> change_document(const Document& document, const Document
 
 namespace {
 
-/// `first` is the id of the sample that is first in the data.
+/// `first` is the id of the first sample in the data.
 Expected<void> add_contours(const SampleData& data, std::uint32_t first, CurveOrder& curve) {
   for (const auto& contour : data.contours) {
     CurveOrder::Contour out{contour.closed, {}};
@@ -209,7 +209,7 @@ Expected<void> add_contours(const SampleData& data, std::uint32_t first, CurveOr
   return {};
 }
 
-/// None, or one that names samples of the data.
+/// True if there is no source, or if it names samples of the data.
 bool is_source_of(const SampleData& data) {
   return !data.source || (data.source->curves && data.source->first <= data.positions.size() &&
                           data.source->count <= data.positions.size() - data.source->first);
@@ -341,7 +341,7 @@ SampleData data_of(const Document& document) {
   }
   const std::uint32_t first = document.first_id().value;
   if (const std::shared_ptr<const CurveSource>& source = document.source()) {
-    // They follow each other in input order.
+    // The samples of the source are consecutive in input order.
     const std::vector<SampleId> left = document.samples_of_source();
     CurveSource renumbered = *source;
     renumbered.first = left.empty() ? 0 : place[document.slot_of(left.front())];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user chose about computing: number type and parameters. Plain data.
+// The user's choices for computations: number type and parameters. Plain data.
 #pragma once
 
 #include "core/document/parameter_values.h"
@@ -17,7 +17,7 @@ struct ComputationSettings {
   friend bool operator==(const ComputationSettings&, const ComputationSettings&) = default;
 };
 
-/// What another document begins with: what belongs to a document is at its default, what is the user's stays.
+/// Settings for a new document: parameters of the document are reset to their defaults, those of the user stay.
 inline ComputationSettings for_another_document(ComputationSettings settings) {
   settings.values.reset_for_another_document();
   return settings;

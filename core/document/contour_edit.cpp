@@ -73,7 +73,7 @@ bool Editing::change_each(ContourChange change) {
   return is_changed;
 }
 
-// False: there is nothing to change about it, and it is still to be kept.
+// Returns false if the contour needs no change; the caller then keeps it.
 bool Editing::change_one(ContourChange change, Contour contour) {
   switch (change) {
     case ContourChange::join: return false;
@@ -90,7 +90,7 @@ bool Editing::change_one(ContourChange change, Contour contour) {
                           std::ranges::find_if(contour.samples, [&](SampleId id) { return is_chosen(id); }));
       break;
     case ContourChange::reverse:
-      // A loop keeps its beginning.
+      // A closed contour keeps its first sample.
       std::reverse(contour.samples.begin() + (contour.closed ? 1 : 0), contour.samples.end());
       break;
     case ContourChange::forget: return true;
@@ -103,11 +103,11 @@ bool Editing::cut(const Contour& contour) {
   const std::vector<SampleId>& at = contour.samples;
   const std::size_t count = at.size();
   const bool is_loop = contour.closed && count >= kLeastOfLoop;
-  std::vector<std::size_t> cuts;  // link i: from place i to the next
+  std::vector<std::size_t> cuts;  // link i is between samples i and i + 1
   for (std::size_t i = 0; i < (is_loop ? count : count - 1); ++i)
     if (is_chosen(at[i]) && is_chosen(at[(i + 1) % count])) cuts.push_back(i);
   if (cuts.empty()) return false;
-  // From behind one cut up to the next; of a loop the last piece goes on over its beginning.
+  // Each piece runs from one cut to the next; in a closed contour the last one continues across the beginning.
   const auto piece = [&](std::size_t from, std::size_t to) {
     Contour out{false, {}};
     for (std::size_t i = from; i <= to; ++i) out.samples.push_back(at[i % count]);
@@ -123,7 +123,7 @@ bool Editing::join(std::span<const SampleId> samples) {
   if (samples.size() != 2 || samples[0] == samples[1]) return false;
   for (const SampleId id : samples)
     if (document_.slot_of(id) == kNoSlot) return false;
-  // The contour that each of the two is the end of, oriented so that it is the last.
+  // The contour that ends in the sample, oriented so that the sample is last.
   struct Side {
     std::size_t contour = 0;
     Contour chain{};
@@ -151,7 +151,7 @@ bool Editing::join(std::span<const SampleId> samples) {
   } else {
     std::ranges::reverse_copy(second->chain.samples, std::back_inserter(joined.samples));
   }
-  // In the place, and in the sense, of the contour that comes first.
+  // The joined contour takes the index and the direction of the earlier contour.
   const std::size_t place = std::min(first->contour, second->contour);
   if (place < all.size()) {
     const Contour before = living(all[place]);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contours joined, cut, closed, opened, turned around. Pure functions from a document and a wish to its new contours.
+// Joins, cuts, closes, opens and reverses contours. Pure functions from a document and a requested change to contours.
 #pragma once
 
 #include <span>
@@ -11,22 +11,22 @@
 namespace mes {
 
 enum class ContourChange : std::uint8_t {
-  join,     ///< a link between two samples, each of which is the end of an open contour or on none
-  cut,      ///< no link between any two of the samples that are neighbours
-  close,    ///< open contours with such a sample, and three samples or more, are closed
-  open,     ///< closed ones are opened: at the links between such samples, or before the first of them on the contour
-  reverse,  ///< contours with such a sample are turned around
-  forget,   ///< contours with such a sample are gone; the samples stay
+  join,     ///< links two samples, each of which is an end of an open contour or on no contour
+  cut,      ///< removes links between neighbours that are both selected
+  close,    ///< closes open contours with a selected sample and at least three samples
+  open,     ///< opens closed contours: at links between selected samples, or before the first one on the contour
+  reverse,  ///< reverses contours with a selected sample
+  forget,   ///< removes contours with a selected sample; the samples stay
 };
 inline constexpr std::size_t kContourChanges = 6;
 
-/// Contours that change are without samples that are no longer alive; all others stay as they are. Pieces of a single
-/// sample are no contours. Error: `bad_input`, where there is nothing for the change to do; the text says what to select.
+/// Changed contours drop samples that are no longer alive; all others stay unchanged. Pieces of a single sample are not
+/// kept. Error: `bad_input` if there is nothing to change; the text says what to select.
 /// Cost: O(samples on contours).
 Expected<CurveOrder> changed_contours(const Document& document, ContourChange change,
                                       std::span<const SampleId> samples);
 
-/// `chains` as contours, in the place of all contours that share a sample with one of them.
+/// All contours, with `chains` replacing those that share a sample with one of them.
 CurveOrder with_contours(const Document& document, std::vector<CurveOrder::Contour> chains);
 
 }  // namespace mes

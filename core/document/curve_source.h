@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The curves that samples were taken from. Plain data.
+// The source curves of samples. Plain data.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace mes {
 
-/// Curves as a file, a picture or a shape had them, and how samples were taken, so that others can be taken.
+/// Curves from a file, a picture or a shape, with the request that sampled them, so that they can be sampled again.
 struct CurveSource {
   std::shared_ptr<const CurveSet> curves{};  ///< never null; shared by all samplings of them
   SamplingRequest sampling{};
-  /// The samples: `count` of them from the number `first` on, of those that there were since the data were opened
-  /// (in `SampleData`, by their place in `positions`). Some may be moved or gone.
+  /// The samples: `count` indices from `first` on, counted since the data were opened (in `SampleData`, indices into
+  /// `positions`). Some may have been moved or removed.
   std::uint32_t first = 0;
   std::uint32_t count = 0;
 

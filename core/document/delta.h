@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The change from one document state to another: what the engine, history and journal live on.
+// The change from one document state to another, used by the engine, the history and the journal.
 #pragma once
 
 #include <cstdint>
@@ -19,8 +19,8 @@ namespace mes {
 
 struct CurveSource;
 
-/// Known curves through the samples, from a file or a generator. Readers skip ids that are no longer alive, so
-/// removing a sample, and undoing that, changes nothing here.
+/// Known curves through the samples, from a file or a generator. Readers skip ids that are no longer alive, so neither
+/// a removal of a sample nor its undo changes this list.
 struct CurveOrder {
   struct Contour {
     bool closed = true;
@@ -35,17 +35,17 @@ struct SampleEdit {
   enum class Kind : std::uint8_t { insert, remove, move };
   Kind kind = Kind::insert;
   SampleId id;
-  SampleSlot slot;  ///< row of the sample; rows of removed samples are used again
+  SampleSlot slot;  ///< row of the sample; rows of removed samples are reused
   Vec2 from;        ///< before (remove, move)
   Vec2 to;          ///< after (insert, move)
 };
 
-/// A whole set of samples at once. Shared, never modified after it is made.
+/// A complete set of samples. Shared, and never modified after its creation.
 struct SampleSnapshot {
   Table<SampleSlot, Vec2> position;  ///< dead rows hold (0, 0)
   Table<SampleSlot, SampleId> id;    ///< invalid in dead rows
   std::vector<SampleSlot> free_slots;
-  SampleId first{0};  ///< that the first of the data had, alive or not
+  SampleId first{0};  ///< id of the first sample of the data, alive or not
   std::optional<MapPlane> map{};
 };
 
@@ -54,12 +54,12 @@ struct BallEdit {
   enum class Kind : std::uint8_t { insert, remove, change };
   Kind kind = Kind::insert;
   BallId id;
-  BallSlot slot;  ///< row of the ball; rows of removed balls are used again
+  BallSlot slot;  ///< row of the ball; rows of removed balls are reused
   Disk from;      ///< before (remove, change)
   Disk to;        ///< after (insert, change)
 };
 
-/// As `SampleSnapshot`, for balls.
+/// Like `SampleSnapshot`, for balls.
 struct BallSnapshot {
   Table<BallSlot, Disk> disk;  ///< dead rows hold a zero disk
   Table<BallSlot, BallId> id;  ///< invalid in dead rows
@@ -67,7 +67,7 @@ struct BallSnapshot {
   BallId first{0};
 };
 
-/// Applied in order. Either `edits`, or a replacement of everything when `after` is set.
+/// Applied in order. Holds either `edits`, or a replacement of everything if `after` is set.
 struct DocumentDelta {
   std::uint64_t from_revision = 0;
   std::uint64_t to_revision = 0;
@@ -92,7 +92,7 @@ struct DocumentDelta {
     return !replaces_all() && edits.empty() && ball_edits.empty() && curve_before == curve_after &&
            !changes_annotations() && !changes_source();
   }
-  /// The delta that undoes this one.
+  /// The inverse delta, which undoes this one.
   DocumentDelta inverted() const;
 };
 
@@ -106,7 +106,7 @@ void for_each_number(const Disk& disk, Visit visit) {
   for_each_number(disk.center, visit);
   visit(disk.radius);
 }
-/// Calls `visit(x)` for each coordinate and radius that the delta brings, in order.
+/// Calls `visit(x)` for each new coordinate and radius, in order.
 template <class Visit>
 void for_each_new_number(const DocumentDelta& delta, Visit visit) {
   if (delta.replaces_all()) {
@@ -119,8 +119,8 @@ void for_each_new_number(const DocumentDelta& delta, Visit visit) {
     if (edit.kind != BallEdit::Kind::remove) for_each_number(edit.to, visit);
 }
 
-/// What several deltas do one after the other, as one. None replaces everything, and each begins where the one before
-/// ends; there is at least one.
+/// Combines several deltas into one. None may replace everything, and each must begin where the one before ends; there
+/// must be at least one.
 DocumentDelta one_after_the_other(std::span<const DocumentDelta> deltas);
 
 }  // namespace mes

@@ -26,23 +26,23 @@ std::uint64_t bits_of(double value) {
   return std::bit_cast<std::uint64_t>(value);
 }
 
-// The places below are for drawing; they are rounded, and no decision rests on them. Not finite where there is none.
+// These points are for drawing: they are rounded, and no decision uses them. Not finite if a point does not exist.
 
-/// Where the powers of two circles are equal, on the line of their centres.
+/// The point on the line of centres with equal power to both circles.
 Vec2 equal_power(const Disk& a, const Disk& b) {
   const Vec2 way = b.center - a.center;
   const double size = length(way);
   return a.center + (0.5 + 0.5 * ((a.radius - b.radius) / size) * ((a.radius + b.radius) / size)) * way;
 }
 
-/// The crossing of two circles on the left of the way from the first centre to the second; the middle of both crossings
-/// while the circles do not meet.
+/// The crossing of two circles to the left of the vector from the first centre to the second; if they do not cross, the
+/// midpoint of the complex crossings.
 Vec2 left_crossing(const Disk& a, const Disk& b) {
   const Vec2 way = b.center - a.center;
   const double size = length(way);
   const double sum = a.radius + b.radius;
   const double difference = a.radius - b.radius;
-  // As a product, so that it does not lose digits where the circles nearly touch.
+  // Written as a product, which keeps its digits when the circles nearly touch.
   const double across = 0.25 * ((sum - size) / size) * ((sum + size) / size) * ((size - difference) / size) *
                         ((size + difference) / size);
   return equal_power(a, b) + std::sqrt(std::max(across, 0.0)) * perpendicular(way);
@@ -60,7 +60,7 @@ Vec2 power_center(const Disk& a, const Disk& b, const Disk& c) {
   return a.center + Vec2{(x * q.y - y * p.y) / determinant, (p.x * y - q.x * x) / determinant};
 }
 
-// What an edit brings and what it takes away; nothing where a thing is not yet or no more.
+// Counts the new numbers of an edit, and uncounts the old ones; an insertion has no old ones, a removal no new ones.
 template <class Edit>
 void count(const Edit& edit, MagnitudeCounts& counts) {
   if (edit.kind != Edit::Kind::insert) for_each_number(edit.from, [&counts](double x) { counts.remove(x); });
@@ -71,7 +71,7 @@ void count(const DocumentDelta& delta, MagnitudeCounts& counts) {
   const auto add = [&counts](double x) { counts.add(x); };
   if (delta.replaces_all()) {
     counts = {};
-    // Dead rows hold zeros, which do not count.
+    // Dead rows hold zeros, which are not counted.
     for (const Vec2 p : delta.after->position) for_each_number(p, add);
     for (const Disk& disk : delta.balls_after->disk) for_each_number(disk, add);
   }
@@ -79,7 +79,7 @@ void count(const DocumentDelta& delta, MagnitudeCounts& counts) {
   for (const BallEdit& edit : delta.ball_edits) count(edit, counts);
 }
 
-/// What edits ask of the rows, added up.
+/// Reserves the rows that all edits together need.
 template <class Edits, class ThingRows>
 void make_room_for(std::span<const DocumentDelta> deltas, Edits edits_of, ThingRows& rows) {
   using ThingId = typename ThingRows::ThingId;
@@ -229,7 +229,7 @@ Magnitudes Document::magnitudes_after(const DocumentDelta& delta) const {
     Magnitudes with_new = now;
     for_each_new_number(delta, [&with_new](double x) { with_new.add(x); });
     if (with_new.least == now.least && with_new.most == now.most) return now;
-    // What fits with what is taken away fits without it.
+    // If everything fits including the removed numbers, it also fits without them.
     if (with_new.fit()) return with_new;
   }
   MagnitudeCounts after = magnitudes_;
@@ -284,7 +284,7 @@ void Document::make_room_for(std::span<const DocumentDelta> deltas) {
 void Document::apply(const DocumentDelta& delta) {
   MES_ASSERT(delta.from_revision == revision_);
   MES_ASSERT(delta.replaces_all() || magnitudes_after(delta).fit());
-  // History does not record what changes nothing, so it must not make a revision either.
+  // The history does not record an empty delta, so it must not create a revision either.
   if (delta.is_empty()) return;
   if (delta.replaces_all()) {
     replace_all(delta);

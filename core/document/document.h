@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The persistent state of the program: samples and balls with stable ids, the known order of the samples' curve, the
-// curves that samples were taken from, and annotations.
+// The persistent state of the program: samples and balls with stable ids, the curve order of the samples, the curves
+// that samples were taken from, and annotations.
 //
 // What it guarantees:
-//  1. An id names the same sample (or ball) for the whole session, through undo and redo, and is never given twice.
+//  1. An id names the same sample (or ball) for the whole session, through undo and redo, and is never reused.
 //  2. A slot is stable while its sample (ball) lives. Several samples may share one position, several balls one disk;
 //     each keeps its own record.
-//  3. Numbers are within the range of coordinates (core/base/coordinate_range.h), each and all together, and never
-//     -0.0; radii are not negative. A ball may have radius zero.
+// 3. Numbers are within the range of coordinates (core/base/coordinate_range.h), each alone and all together, and never
+//    -0.0; radii are not negative. A ball may have radius zero.
 //  4. Commands (commands.h) compute a delta and change nothing; only `apply` changes the document. A delta that
 //     does not fit the present revision is refused by an assertion, never half applied.
-//  5. Undo restores everything, free rows included, so that redo meets the state it was recorded in.
+//  5. Undo restores everything, including free rows, so that redo finds the state in which it was recorded.
 //
 // Smallest use:
 //     Document document;
@@ -37,16 +37,16 @@ namespace mes {
 class Document {
  public:
   Document();
-  /// An empty document whose revisions and ids continue from this one's, so that no delta of one fits the other.
+  /// An empty document whose revisions and ids continue from this one, so that no delta of one fits the other.
   Document successor() const;
-  /// What is done to this document from now on has revisions that the other one never had.
+  /// Ensures that future changes of this document get revisions that the other one never had.
   void number_after(const Document& other) {
     highest_revision_ = std::max(highest_revision_, other.highest_revision_);
   }
 
   std::uint64_t revision() const { return revision_; }
   std::size_t sample_count() const { return samples_.count(); }
-  /// Rows in use or free; `is_alive` tells which.
+  /// Number of rows, in use or free; `is_alive` tells which.
   std::size_t slot_count() const { return samples_.row_count(); }
   bool is_alive(SampleSlot slot) const { return samples_.is_alive(slot); }
   Vec2 position(SampleSlot slot) const { return samples_.value(slot); }
@@ -55,33 +55,33 @@ class Document {
   const Table<SampleSlot, SampleId>& ids() const { return samples_.ids(); }
   /// Row of a live sample, or kNoSlot.
   SampleSlot slot_of(SampleId id) const { return samples_.slot_of(id); }
-  /// Live slots by increasing id, which is input order. O(n log n).
+  /// Live slots by increasing id, which is the input order. O(n log n).
   std::vector<SampleSlot> slots_in_input_order() const { return samples_.by_age(); }
   const std::shared_ptr<const CurveOrder>& curve_order() const { return curve_; }
-  /// Never null; equal pointers: nothing of them changed.
+  /// Never null; equal pointers mean that nothing changed.
   const std::shared_ptr<const Annotations>& annotations() const { return annotations_; }
-  /// Null where samples were not taken from curves.
+  /// Null if samples were not taken from curves.
   const std::shared_ptr<const CurveSource>& source() const { return source_; }
-  /// Where on the Earth the plane lies, for data that were a map in degrees. Changed only where everything is replaced.
+  /// Position of the plane on the Earth, for data from a map in degrees. Only a replacement of everything changes it.
   const std::optional<MapPlane>& map() const { return map_; }
-  /// Those of the samples taken from curves that are left, by increasing id. O(of those that were taken).
+  /// The remaining samples of the source curves, by increasing id. O(samples ever taken from them).
   std::vector<SampleId> samples_of_source() const;
-  /// Where the anchor is now. What it follows may have no such place, as three samples in line have no circle: it is
-  /// then where it was put.
+  /// Present position of the anchor. If the followed position does not exist, as for the circle of three collinear
+  /// samples, this is the position where the anchor was set.
   Vec2 place_of(const Anchor& anchor) const;
-  /// What a radius about it is a multiple of: see `HighlightedElement`.
+  /// The unit for radii about the anchor: see `HighlightedElement`.
   double radius_unit(const Anchor& anchor) const;
-  /// How many of them there are or were since everything was last replaced.
+  /// Numbers of samples and balls that exist or existed since the last complete replacement.
   NumberedThings numbered_things() const {
     return {next_id().value - first_id().value, next_ball_id().value - first_ball_id().value};
   }
 
-  /// Id that the first sample had since everything was last replaced: what counts from it is the same however often
-  /// the same data were opened before.
+  /// Id of the first sample since the last complete replacement. Numbers relative to it are the same, however often the
+  /// data were opened before.
   SampleId first_id() const { return SampleId{samples_.first_id()}; }
   BallId first_ball_id() const { return BallId{balls_.first_id()}; }
 
-  /// The same of balls, which have rows of their own.
+  /// The same for balls, which have rows of their own.
   std::size_t ball_count() const { return balls_.count(); }
   std::size_t ball_slot_count() const { return balls_.row_count(); }
   bool is_ball_alive(BallSlot slot) const { return balls_.is_alive(slot); }
@@ -90,27 +90,27 @@ class Document {
   BallSlot ball_slot_of(BallId id) const { return balls_.slot_of(id); }
   std::vector<BallSlot> ball_slots_in_input_order() const { return balls_.by_age(); }
 
-  /// Has neither samples nor balls.
+  /// True without samples and balls.
   bool is_empty() const { return sample_count() == 0 && ball_count() == 0; }
-  /// Bounding box of samples, balls, and anchors of annotations that are fixed; finite. O(n).
+  /// Bounding box of samples, balls, and fixed anchors of annotations; finite. O(n).
   Box2 bounding_box() const;
-  /// Order-independent digest of ids, counted from the first, positions and disks: equal work on equal data gives
-  /// equal digests, whatever was open before. O(1): sums are kept up to date by `apply`.
+  /// Order-independent digest of ids (relative to the first), positions and disks. Equal edits of equal data give equal
+  /// digests, whatever was open before. O(1): `apply` keeps the sums up to date.
   std::uint64_t digest() const { return sample_digest() + ball_digest(); }
   std::uint64_t sample_digest() const;
   /// Zero when there are no balls.
   std::uint64_t ball_digest() const;
 
-  /// Of all coordinates and radii.
+  /// Magnitudes of all coordinates and radii.
   Magnitudes magnitudes() const { return magnitudes_.magnitudes(); }
-  /// Of all that there are after the delta, and perhaps of some that it takes away, if these fit. Each number must be
-  /// in range by itself. O(edits).
+  /// Magnitudes after the delta. They may include removed numbers, if all fit. Each number must be in range by itself.
+  /// O(edits).
   Magnitudes magnitudes_after(const DocumentDelta& delta) const;
 
   /// Changes the document. `delta.from_revision` must be the present revision, and the magnitudes after it must fit.
-  /// When memory runs out, it throws and nothing is changed.
+  /// Throws and changes nothing if memory runs out.
   void apply(const DocumentDelta& delta);
-  /// After this, applying the deltas one after the other asks for no memory. None may replace everything.
+  /// Reserves memory, so that applying the deltas in order allocates nothing. None may replace everything.
   void make_room_for(std::span<const DocumentDelta> deltas);
 
   // For commands.
@@ -123,7 +123,7 @@ class Document {
   std::shared_ptr<const BallSnapshot> ball_snapshot() const;
 
  private:
-  /// With their radii scaled; nothing if it follows none, or one that is not alive.
+  /// The followed balls, with scaled radii; nothing if the anchor follows none, or if one is not alive.
   std::optional<std::array<Disk, 4>> followed_disks(const Anchor& anchor) const;
   Vec2 place_by_balls(const Anchor& anchor) const;
   std::uint64_t digest_of_sample(SampleSlot slot) const;
@@ -141,7 +141,7 @@ class Document {
   std::optional<MapPlane> map_;
   std::uint64_t revision_ = 0;
   std::uint64_t highest_revision_ = 0;
-  std::uint64_t sample_sum_ = 0;  // of the digests of all samples
+  std::uint64_t sample_sum_ = 0;  // sum of the digests of all samples
   std::uint64_t ball_sum_ = 0;
 };
 

@@ -10,7 +10,7 @@ namespace mes {
 
 namespace {
 
-// Both lists give the same things, in the same order, new places.
+// True if both lists move the same things, in the same order.
 template <class Edit>
 bool can_merge(const std::vector<Edit>& earlier, const std::vector<Edit>& later, typename Edit::Kind kind) {
   return std::ranges::equal(earlier, later, [kind](const Edit& a, const Edit& b) {
@@ -25,8 +25,8 @@ void merge(std::vector<Edit>& earlier, const std::vector<Edit>& later) {
 
 }  // namespace
 
-// Two deltas that move the same samples and change the same balls, in the same order, are one delta; so are two that
-// change annotations, and leave as many as there are.
+// Two deltas merge if they move the same samples and change the same balls, in the same order, or if both change
+// annotations but not their number.
 bool History::are_same_moves(const DocumentDelta& earlier, const DocumentDelta& later) {
   if (earlier.replaces_all() || later.replaces_all()) return false;
   if (earlier.curve_after != later.curve_after) return false;
@@ -54,7 +54,7 @@ void History::begin_gesture(std::string name) {
   gesture_ = Step{.name = std::move(name)};
 }
 
-// What `record` needs: room for one more delta of the gesture, or for one more step.
+// Reserves the memory for `record`: room for one more delta of the gesture, or for one more step.
 History::Draft::Draft(History& history, Step step, bool extends)
     : history_(history), step_(std::make_unique<Step>(std::move(step))), extends_(extends) {
   std::vector<DocumentDelta>& deltas = history.gesture_.deltas;
@@ -81,11 +81,11 @@ void History::Draft::record() noexcept {
     merge_moves(h.steps_.back().deltas.back(), step_->deltas.back());
     return;
   }
-  // The room at the end is a step without edits.
+  // The spare entry at the end is a step without edits.
   auto rest = h.undone();
   if (!step_->is_edit()) {
     rest = std::remove_if(rest, h.steps_.end(), [](const Step& other) { return !other.is_edit(); });
-    // An edit that also showed layers is redone without them: they look as they were made to look since.
+    // Redo of an edit that also showed layers leaves the layers as they are now.
     for (auto undone = h.undone(); undone != rest; ++undone) undone->layers.reset();
   }
   *rest = std::move(*step_);
@@ -104,7 +104,7 @@ void History::record(const DocumentDelta& delta, const std::string& name, Role r
 }
 
 bool History::can_extend(const DocumentDelta& delta, const std::string& name) const {
-  // A step that is undone ended at a revision that the document does not have any more.
+  // An undone step ended at a revision that is no longer the current one.
   if (gesture_open_ || steps_.empty()) return false;
   const Step& last = steps_.back();
   return last.is_edit() && last.name == name && last.deltas.back().to_revision == delta.from_revision &&
@@ -183,7 +183,7 @@ std::vector<DocumentDelta> History::back_of_last_edit() const {
   return edit ? back_of(steps_[*edit]) : std::vector<DocumentDelta>();
 }
 
-// While a gesture is open, the last step is room for it.
+// While a gesture is open, the last step is only reserved for it.
 const History::Step* History::newest_edit() const {
   if (gesture_open_ && gesture_.is_edit()) return &gesture_;
   for (std::size_t i = position_; i-- > 0;)

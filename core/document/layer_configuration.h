@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything about what is shown and how, but nothing of what it is computed from: what a bundle holds.
+// The content of a bundle: all settings of the picture, but none of the computations.
 #pragma once
 
 #include <string>
@@ -15,8 +15,8 @@ struct BackgroundImage {
   std::string file{};  ///< empty: none
   Vec2 center{};       ///< document units
   double width = 0.0;  ///< document units from its left to its right edge, > 0; the height follows from the file
-  /// Turned as its Exif data say. Earlier versions laid pixels as they are stored, and their sessions keep that, so that what
-  /// was drawn on a picture stays on it.
+  /// The picture is rotated as its Exif data say. Earlier versions ignored these data; their sessions keep doing so, so
+  /// that drawings stay aligned with the picture.
   bool is_upright = true;
   friend bool operator==(const BackgroundImage&, const BackgroundImage&) = default;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many changes of the layers, one after the other, as one configuration.
+// Combines many layer changes into one configuration.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A change of how the layers look: the part that is different, and what it is to undo and redo.
+// A change of the layer settings: the part that differs, and its role in undo and redo.
 #pragma once
 
 #include <cstdint>
@@ -11,31 +11,31 @@
 
 namespace mes {
 
-/// What became different between two configurations of the layers.
+/// The difference between two layer configurations.
 struct LayersChanged {
-  /// A step of undo is recorded with its first change; what undo and redo do to the layers later is a change again,
-  /// so that knowing how the layers look takes no history.
+  /// Undo steps are recorded with their first change; later undo and redo of layers are changes again, so that the look
+  /// of the layers can be followed without a history.
   enum class Role : std::uint8_t {
-    noted,   ///< no step of undo: as the layers were at the beginning, or what came with an edit that was undone
+    noted,   ///< no undo step: the initial layers, or the layer part of an edit that was undone
     step,    ///< a step of its own
-    joined,  ///< part of the step before, as when the first ball shows the layers of balls
-    undone,  ///< takes the last step back, which is one of layers alone
-    redone   ///< takes such a step again
+    joined,  ///< part of the previous step, as when the first ball shows the layers of balls
+    undone,  ///< undoes the last step, which changes only layers
+    redone   ///< redoes such a step
   };
   std::vector<LayerConfiguration::Entry> changed{};
-  std::vector<std::string> order{};  ///< of all, bottom first; empty: as before
+  std::vector<std::string> order{};  ///< all layers, bottom first; empty: unchanged
   std::optional<BackgroundImage> image{};
   Role role = Role::noted;
-  std::string name{};                 ///< of the step
-  std::vector<LayersChanged> back{};  ///< of a step, or what is joined to one: the one change that undoes it
+  std::string name{};                 ///< name of the step
+  std::vector<LayersChanged> back{};  ///< for `step` and `joined`: the one change that undoes it
   bool is_empty() const { return changed.empty() && order.empty() && !image; }
   friend bool operator==(const LayersChanged&, const LayersChanged&) = default;
 };
 LayersChanged difference(const LayerConfiguration& before, const LayerConfiguration& after);
-/// One change; a `LayerFold` applies many without looking at all layers for each.
+/// Applies one change; a `LayerFold` applies many without visiting all layers for each.
 void apply(const LayersChanged& change, LayerConfiguration& configuration);
 
-/// Makes the first change one that does what both do, one after the other. Cost: O(size of both, squared).
+/// Extends the first change by the second, so that it has the effect of both. Cost: O(size of both, squared).
 void append(LayersChanged& first, const LayersChanged& second);
 
 }  // namespace mes

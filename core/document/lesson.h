@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A lesson: moments of a timeline, each with a caption and how it is to be seen. Plain data.
+// A lesson: moments of a timeline, each with a caption and display settings. Plain data.
 //
-// A step names how much of the timeline is done, so its document is the replay up to there, with everything that
-// edits, undo, evolutions and annotations made of it. Steps may go back and forth.
+// A step names a number of timeline entries; its document is the replay of these, with all edits, undo, evolutions and
+// annotations among them. Steps may go forwards and backwards.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@
 
 namespace mes {
 
-/// Bounds of what readers accept; `seconds` beyond its bound is brought to it.
+/// Limits that readers enforce; larger `seconds` are clamped.
 inline constexpr std::size_t kMostLessonSteps = 1000;
 inline constexpr std::size_t kLongestLessonTitle = 1000;      ///< bytes
 inline constexpr std::size_t kLongestLessonCaption = 10'000;  ///< bytes
@@ -24,16 +24,16 @@ inline constexpr double kLongestLessonStep = 600.0;           ///< seconds
 
 struct LessonStep {
   std::string caption{};     ///< headings, paragraphs, lists, **bold**, *italics*, $...$ (app/picture/caption_text.h)
-  std::size_t position = 0;  ///< so many entries of the timeline are done
-  LayerConfiguration layers{};                    ///< no layers: as the timeline has them there
-  std::optional<ComputationSettings> settings{};  ///< none: as the timeline has them there
-  Box2 view{};                                    ///< document units; empty: as the timeline has it there
-  double seconds = 0.0;  ///< how long it stays in a video; 0: as its caption needs to be read
+  std::size_t position = 0;  ///< number of timeline entries that are applied
+  LayerConfiguration layers{};                    ///< empty: as in the timeline at this position
+  std::optional<ComputationSettings> settings{};  ///< unset: as in the timeline at this position
+  Box2 view{};                                    ///< document units; empty: as in the timeline at this position
+  double seconds = 0.0;  ///< duration in a video; 0: depends on the length of the caption
   friend bool operator==(const LessonStep&, const LessonStep&) = default;
 };
 
 struct Lesson {
-  std::string title{};  ///< empty: that of the session
+  std::string title{};  ///< empty: the title of the session
   std::vector<LessonStep> steps{};
   friend bool operator==(const Lesson&, const Lesson&) = default;
 };

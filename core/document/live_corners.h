@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is left of a contour while samples on it come and go.
+// The live part of a contour, while samples on it are added and removed.
 //
 // Smallest use:
 //     for (const SampleId id : live_corners(document, contour)) use(id);
@@ -11,9 +11,9 @@
 
 namespace mes {
 
-/// The samples that a contour goes through now, in its order. Those that are not alive are passed over; where a sample
-/// then follows itself, around the end of a closed contour too, it is one corner. It may come again later on, where the
-/// contour crosses or touches itself. O(samples on the contour).
+/// The samples that a contour visits now, in its order. Dead samples are skipped; repeats that become adjacent, also
+/// around the end of a closed contour, count as one corner. A sample may occur again later where the contour crosses or
+/// touches itself. O(samples on the contour).
 std::vector<SampleId> live_corners(const Document& document, const CurveOrder::Contour& contour);
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where on the Earth the plane of a document lies that was read from a map in degrees. Plain data.
+// How the plane of a document relates to the Earth, if it was read from a map in degrees. Plain data.
 #pragma once
 
 #include <cmath>
@@ -10,20 +10,20 @@
 
 namespace mes {
 
-/// What becomes of longitude and latitude.
+/// Treatment of longitude and latitude.
 enum class MapDegrees : std::uint8_t {
-  projected,  ///< to kilometres about the middle of the map
-  kept,       ///< as coordinates of the plane, in degrees
+  projected,  ///< projected to kilometres about the middle of the map
+  kept,       ///< used as coordinates of the plane, in degrees
 };
 
-/// How degrees became coordinates of the plane: equirectangularly about a place, true to scale there and along
-/// meridians; or not at all.
+/// Conversion of degrees to coordinates of the plane: equirectangular about an origin, true to scale there and along
+/// meridians; or the identity.
 ///
-/// Guarantees: to the plane and back is the same place up to rounding, less than 1e-12 degrees for places on the Earth.
+/// Guarantees: converting to the plane and back has an error below 1e-12 degrees for positions on the Earth.
 struct MapPlane {
   MapDegrees degrees = MapDegrees::projected;
   double longitude =
-      0.0;  ///< of the origin of the plane, in degrees, perhaps above 180; of no effect where degrees are kept
+      0.0;  ///< origin of the plane, in degrees, may exceed 180; ignored if degrees are kept
   double latitude = 0.0;  ///< from -90 to 90
 
   /// Kilometres in a degree of longitude and of latitude.
@@ -40,9 +40,9 @@ struct MapPlane {
     const Vec2 from = place - origin();
     return {scale().x * from.x, scale().y * from.y};
   }
-  /// Longitude and latitude of a place of the plane; beyond 180 or 90 degrees, it is not one of the Earth.
+  /// Longitude and latitude of a point of the plane; not on the Earth if they exceed 180 or 90 degrees.
   Vec2 degrees_of(Vec2 place) const { return origin() + Vec2{place.x / scale().x, place.y / scale().y}; }
-  /// The place that is `place` in the plane of another map, the shorter way around the Earth.
+  /// Converts a point from the plane of another map, the shorter way around the Earth.
   Vec2 plane_of(const MapPlane& other, Vec2 place) const {
     Vec2 there = other.degrees_of(place);
     if (degrees == MapDegrees::projected) there.x = longitude + std::remainder(there.x - longitude, 360.0);

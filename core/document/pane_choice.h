@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a pane beside the main one shows otherwise. Plain data.
+// The setting in which a side pane differs from the main one. Plain data.
 #pragma once
 
 #include <cstddef>
@@ -19,23 +19,23 @@ struct ParameterChoice {
   double value = 0.0;  ///< within the range of the parameter
   friend bool operator==(const ParameterChoice&, const ParameterChoice&) = default;
 };
-/// State `step` of the evolution of the window.
+/// State `step` of the evolution in the window.
 struct EvolvedChoice {
   std::uint64_t step = 0;
   friend bool operator==(const EvolvedChoice&, const EvolvedChoice&) = default;
 };
-/// A gesture under way is the last edit.
+/// The document before the last edit; an open gesture counts as an edit.
 struct BeforeLastEdit {
   friend bool operator==(const BeforeLastEdit&, const BeforeLastEdit&) = default;
 };
-/// A document of its own.
+/// A choice that shows another document.
 using VersionChoice = std::variant<EvolvedChoice, BeforeLastEdit>;
 
 using PaneChoice = std::variant<Precision, ParameterChoice, FamilyKind, Bundle, EvolvedChoice, BeforeLastEdit>;
 
-/// Panes beside the main one.
+/// Limit for panes beside the main one.
 inline constexpr std::size_t kMostPanesBeside = 3;
-/// The furthest state of an evolution that a file may ask for.
+/// The highest state of an evolution that a file may request.
 inline constexpr std::uint64_t kMostPaneStep = 1'000'000;
 
 }  // namespace mes

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters: numbers that steer structures, layers, evolutions and shapes, as everybody may know them: the command
-// line, the window, the manual.
+// Parameters: numbers that control structures, layers, evolutions and shapes, as the command line, the window and the
+// manual present them.
 #pragma once
 
 #include <span>
@@ -23,19 +23,19 @@ struct Parameter {
   double high = 1.0;
   double default_value = 0.0;
   bool is_whole = false;        ///< whole numbers only
-  bool is_of_document = false;  ///< another document begins with the default; else it is the user's and stays
-  bool is_limit = false;        ///< of a filter: what lies beyond the range is taken to its end, not refused
-  bool is_length = false;       ///< in units of the document; `high` is too large for the end of a slider
+  bool is_of_document = false;  ///< reset to the default for a new document; otherwise the user's value stays
+  bool is_limit = false;        ///< bounds a filter: values beyond the range are clamped, not refused
+  bool is_length = false;       ///< in units of the document; a slider ends below `high`
   bool is_multiplier = false;   ///< lengths are multiplied by it
-  std::string title{};          ///< as the window calls it; empty: the id in words
-  /// The explanation where the window shows no number, or has other words; empty: as everywhere.
+  std::string title{};          ///< its name in the window; empty: the id in words
+  /// Explanation for the window, where it differs because no number is shown; empty: the general one.
   std::string window_explanation{};
-  std::vector<std::string> choices{};  ///< what its whole numbers stand for, from `low`; empty: numbers
+  std::vector<std::string> choices{};  ///< names of its whole numbers, from `low` on; empty: numbers
 
   /// Two parameters are equal if their ids are.
   friend bool operator==(const Parameter& a, const Parameter& b) { return a.id == b.id; }
 
-  // Those of the structures of the program; core/structures/inputs adds them to its registry.
+  // Parameters of the program's structures; core/structures/inputs adds them to its registry.
   static const Parameter union_shortcut;
   static const Parameter pole_propagation;
   static const Parameter medial_sampling_angle;
@@ -51,14 +51,14 @@ struct Parameter {
   static const Parameter alpha_radius;
 };
 
-/// Those above, in the order in which they are listed.
+/// The parameters above, in listing order.
 std::span<const Parameter> computation_parameters();
 
 inline bool is_switch(const Parameter& parameter) {
   return parameter.is_whole && parameter.low == 0.0 && parameter.high == 1.0;
 }
 
-/// The value that the parameter can have which is nearest to a number.
+/// The allowed value of the parameter that is nearest to a number.
 double within(const Parameter& parameter, double value);
 
 }  // namespace mes

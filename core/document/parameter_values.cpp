@@ -11,7 +11,7 @@ auto place_of(auto& entries, std::string_view id) {
   return std::ranges::lower_bound(entries, id, {}, [](const auto& entry) -> std::string_view { return entry.id; });
 }
 
-/// Whether every value of `a` that is not a default is that of `b`, too.
+/// Whether `b` contains every value of `a` that is not a default.
 bool agrees(const std::vector<ParameterValues::Entry>& a, const std::vector<ParameterValues::Entry>& b) {
   return std::ranges::all_of(a, [&b](const ParameterValues::Entry& entry) {
     if (entry.default_value == entry.value) return true;

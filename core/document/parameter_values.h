@@ -14,37 +14,37 @@ namespace mes {
 
 /// What it guarantees:
 ///  1. A parameter that was never set has its default.
-///  2. Two are equal if they give the same values to the same parameters, defaults aside.
-///  3. A value that was read for an id alone, of which no specification is known, is kept; once the parameter is asked
-///     for, it is that value, taken into the range of the parameter.
+///  2. Two objects are equal if they give the same values to the same parameters; defaults do not count.
+/// 3. A value that was read for an id without known specification is kept; once the parameter is requested, it gets
+///    this value, clamped to its range.
 ///
-/// Cost: a lookup compares the ids of the values that were set, O(log n) of them.
+/// Cost: a lookup compares the ids of the set values, O(log n) of them.
 class ParameterValues {
  public:
   struct Entry {
     std::string id;
     double value = 0.0;
-    std::optional<double> default_value;  ///< none: it is known by its id alone
+    std::optional<double> default_value;  ///< unset: only the id is known
     bool is_of_document = true;
   };
   ParameterValues() = default;
-  /// From the entries of another.
+  /// Copies the entries of another object.
   explicit ParameterValues(std::vector<Entry> entries) : entries_(std::move(entries)) {}
 
   double operator[](const Parameter& parameter) const;
   double& operator[](const Parameter& parameter);
   bool is_on(const Parameter& parameter) const { return (*this)[parameter] != 0.0; }
-  /// The value under an id alone; the last one counts.
+  /// Stores a value for an id without specification; the last one counts.
   void keep(std::string_view id, double value);
-  /// Gives parameters of a document their defaults, and drops what was kept for an id alone.
+  /// Resets parameters of the document to their defaults, and drops values without specification.
   void reset_for_another_document();
-  /// The kept values, and the set ones that differ from their defaults, sorted by id.
+  /// Values without specification, and values that differ from their defaults, sorted by id.
   std::vector<Entry> changed() const;
 
   friend bool operator==(const ParameterValues& a, const ParameterValues& b);
 
  private:
-  std::vector<Entry> entries_;  // by id, each once
+  std::vector<Entry> entries_;  // sorted by id, without duplicates
 };
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Things with stable ids in rows that are used again: what samples and balls of a document have in common.
+// Objects with stable ids in reusable rows: the common part of samples and balls of a document.
 #pragma once
 
 #include <algorithm>
@@ -15,9 +15,9 @@
 namespace mes {
 
 /// What it guarantees:
-///  1. An id names the same thing for the whole session and is never given twice, although rows are used again.
-///  2. Free rows form a stack: taking a change back gives rows back in the reverse order of taking them, so that what
-///     is done once more meets the rows it was recorded with. A change that does not fit is refused by an assertion.
+///  1. An id names the same object for the whole session and is never reused, although rows are.
+///  2. Free rows form a stack: undoing a change returns rows in the reverse order of taking them, so that redo finds
+///     the rows with which it was recorded. A change that does not fit is refused by an assertion.
 ///
 /// Cost: O(1) a change. Threads: none.
 template <class Value, class Tag>
@@ -27,7 +27,7 @@ class Rows {
   using Row = Slot<Tag>;
 
   std::size_t count() const { return alive_; }
-  /// Rows in use or free.
+  /// Number of rows, in use or free.
   std::size_t row_count() const { return id_.size(); }
   bool is_alive(Row slot) const { return id_.has(slot) && id_[slot].is_valid(); }
   const Value& value(Row slot) const { return value_[slot]; }
@@ -37,14 +37,14 @@ class Rows {
   const Table<Row, ThingId>& ids() const { return id_; }
   const std::vector<Row>& free_slots() const { return free_; }
   std::uint32_t next_id() const { return next_id_; }
-  /// The id that the first thing after the last replacement has or will have.
+  /// Id of the first object after the last replacement, whether it exists already or not.
   std::uint32_t first_id() const { return first_id_; }
-  /// Ids below this are taken. Only while there is nothing yet.
+  /// Starts ids here, because lower ones are taken. Only while the table is empty.
   void number_from(std::uint32_t id) {
     MES_ASSERT(id_.empty());
     first_id_ = next_id_ = id;
   }
-  /// The row that the i-th of several insertions takes.
+  /// The row of the i-th of several insertions.
   Row slot_for_new(std::size_t i) const {
     return i < free_.size() ? free_[free_.size() - 1 - i] : Row(id_.size() + i - free_.size());
   }
@@ -62,7 +62,7 @@ class Rows {
     return slots;
   }
 
-  /// After this, `inserted` insertions of things with ids up to `last`, and `removed` removals, allocate nothing.
+  /// Reserves memory, so that `inserted` insertions with ids up to `last`, and `removed` removals, allocate nothing.
   void make_room(std::size_t inserted, ThingId last, std::size_t removed) {
     const auto grow = [](auto& column, std::size_t size) {
       if (column.capacity() < size) column.reserve(std::max(size, column.capacity() + column.capacity() / 2));
@@ -100,7 +100,7 @@ class Rows {
     MES_ASSERT(is_alive(slot) && id_[slot] == id);
     value_[slot] = value;
   }
-  /// Other rows, with ids that go on from these.
+  /// A table with other rows, whose ids continue from this one.
   Rows replaced_by(Table<Row, Value> values, Table<Row, ThingId> ids, std::vector<Row> free_slots,
                    ThingId first) const {
     Rows out;
@@ -134,7 +134,7 @@ class Rows {
   Table<Row, Value> value_;
   Table<Row, ThingId> id_;
   std::vector<Row> free_;
-  std::vector<Row> slot_of_;  // by the number of an id, counted from the first
+  std::vector<Row> slot_of_;  // indexed by id, relative to the first
   std::size_t alive_ = 0;
   std::uint32_t first_id_ = 0;
   std::uint32_t next_id_ = 0;

@@ -14,7 +14,7 @@
 namespace mes {
 namespace {
 
-// Magnitudes are in the order of their bits.
+// Magnitudes are ordered like their bits.
 std::uint64_t magnitude_bits(double x) {
   constexpr std::uint64_t kMagnitude = ~std::uint64_t{0} >> 1U;
   return std::bit_cast<std::uint64_t>(x) & kMagnitude;
@@ -33,7 +33,7 @@ bool is_finite(const PlaneCurve& curve) {
 }  // namespace
 
 std::string bring_into_range(std::vector<Vec2>& positions) {
-  // Zeros become the largest when 1 is taken off their bits. That of negative sign is changed too, as traces are.
+  // Subtracting 1 from the bits makes zeros the largest. Negative zeros must change too, like rounding noise.
   constexpr std::uint64_t kNegativeZero = std::uint64_t{1} << 63U;
   struct Extent {
     std::uint64_t largest = 0;
@@ -46,7 +46,7 @@ std::string bring_into_range(std::vector<Vec2>& positions) {
     }
   };
   Extent across;
-  Extent along;  // by itself, so that neither waits for the other
+  Extent along;  // separate from `across`, so that the two do not wait for each other
   for (const Vec2 p : positions) {
     across.add(p.x);
     along.add(p.y);
@@ -83,7 +83,7 @@ Expected<SampleData> taken_from(std::shared_ptr<const CurveSet> curves, SampledC
                   contour.points.begin());
   }
   out.positions = std::move(samples.positions);
-  // The vertices of a polyline are all numbers that it has, and are finite where they are samples.
+  // A polyline has no numbers other than its vertices, which are finite if they are samples.
   const auto has_finite_samples = [&](const PlaneCurve& curve) {
     return request.rule == SamplingRule::vertices && request.corner_radius == 0.0 && curve.is_polyline();
   };

@@ -10,12 +10,12 @@
 namespace mes {
 namespace {
 
-// Dragging fewer than this many things leaves each move of the pointer on record.
+// Drags of fewer things than this record each move of the pointer.
 constexpr std::size_t kLargeEdit = 4096;
-// So many annotations or fewer, with so many highlighted elements together, leave each move on record, too.
+// Drags of at most so many annotations, with at most so many highlighted elements together, also record each move.
 constexpr std::size_t kManyAnnotations = 32;
 constexpr std::size_t kManyHighlighted = 64;
-// So many moves of an evolution stay on record, state by state; some 24 bytes each.
+// Limit on the moves of an evolution that are recorded state by state; about 24 bytes each.
 constexpr std::size_t kMostEvolutionEdits = 1U << 20U;
 
 std::unexpected<Error> bad_entry(std::string text) {
@@ -32,13 +32,13 @@ std::vector<SampleData::Contour> numbered(const CurveOrder& curve, SampleId firs
   return out;
 }
 
-// Only gives things other places.
+// True if the edit only moves things.
 bool is_motion(const TimelineEdit& edit) {
   return edit.removed.empty() && edit.inserted.empty() && edit.removed_balls.empty() && edit.inserted_balls.empty() &&
          !edit.curve && !edit.annotations && !edit.source;
 }
 
-// Does nothing but replace the annotations.
+// True if the edit only replaces the annotations.
 bool is_of_annotations(const TimelineEdit& edit) {
   return edit.annotations && edit.removed.empty() && edit.moved.empty() && edit.inserted.empty() &&
          edit.removed_balls.empty() && edit.changed_balls.empty() && edit.inserted_balls.empty() && !edit.curve &&
@@ -219,7 +219,7 @@ void Timeline::note_gesture_ended() {
   try {
     end_overdue_gesture();
   } catch (const std::bad_alloc&) {
-    // Ended with the next entry.
+    // The next entry will record the end.
   }
 }
 
@@ -250,7 +250,7 @@ Expected<void> DocumentReplay::begin(const SampleData& data) {
 
 namespace {
 
-/// `known` samples there are or were when the edit is done.
+/// `known` is the number of samples that exist or existed when the edit is done.
 Expected<std::shared_ptr<const CurveSource>> source_after(const Document& document, const SourceEdit& edit,
                                                           std::size_t known) {
   if (!edit.has_curves) return nullptr;
@@ -342,7 +342,7 @@ Expected<void> DocumentReplay::apply_edit(const TimelineEdit& edit) {
   return {};
 }
 
-// The layers themselves belong to the window or the player; only what can be undone of them is kept here.
+// The window or the player owns the layers; this class only keeps their undo steps.
 Expected<void> DocumentReplay::apply_layers(const LayersChanged& change) {
   using Role = LayersChanged::Role;
   switch (change.role) {

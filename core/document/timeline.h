@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that happened since the data were opened, in order: what sessions, recovery after a crash and replay
-// read.
+// Everything that happened since the data were opened, in order; used by sessions, crash recovery and replay.
 //
 // What it guarantees:
-//  1. The data and the entries determine the document, its free rows, and everything that can be undone and redone,
-//     of the layers too.
-//  2. Samples and balls are named by the number of their kind: 0 is the first one since the data were opened. So the
-//     same work has the same timeline, whatever was open before.
-//  3. Entries once `settled` stay as they are; others may still be merged or dropped until their gesture ends, or
-//     their evolution has gone where it was to go.
+//  1. The data and the entries determine the document with its free rows, and everything that can be undone and redone,
+//     also for layers.
+//  2. Samples and balls are named by index: 0 is the first one since the data were opened. So the same work gives the
+//     same timeline, whatever was open before.
+//  3. Entries that are `settled` do not change; others may still be merged or dropped until their gesture ends, or
+//     until their evolution reaches its target.
 //
 // Smallest use:
 //     Timeline timeline;
@@ -18,7 +17,7 @@
 //     replay.begin(*timeline.data());
 //     for (const TimelineEntry& entry : timeline.entries()) replay.apply(entry);
 //
-// Cost: O(edits) an entry, in time and memory. Threads: none.
+// Cost: O(edits) for an entry, in time and memory. Threads: none.
 #pragma once
 
 #include <cstddef>
@@ -46,12 +45,12 @@
 
 namespace mes {
 
-/// Other curves to take samples from, or another sampling of them.
+/// A change of the source curves, or of their sampling.
 struct SourceEdit {
-  bool has_curves = true;                    ///< false: none from now on, and the rest does not count
-  std::shared_ptr<const CurveSet> curves{};  ///< null: those before
+  bool has_curves = true;                    ///< false: no curves from now on; other members are ignored
+  std::shared_ptr<const CurveSet> curves{};  ///< null: unchanged
   SamplingRequest sampling{};
-  std::uint32_t first = 0;  ///< the samples, by their number
+  std::uint32_t first = 0;  ///< index of the first sample
   std::uint32_t count = 0;
   friend bool operator==(const SourceEdit& a, const SourceEdit& b) {
     const bool are_same = a.curves == b.curves || (a.curves && b.curves && *a.curves == *b.curves);
@@ -62,26 +61,26 @@ struct SourceEdit {
 
 /// One change of the document.
 struct TimelineEdit {
-  std::string name{};      ///< of the step of undo, outside a gesture
-  bool continues = false;  ///< belongs to the step before, if that has the same name and moved the same things
-  bool replaces = false;   ///< the step before is taken back first, and its place taken
-  bool is_state = false;   ///< it leads to a state of an evolution, whose state 0 is what was before
+  std::string name{};      ///< name of the undo step, outside a gesture
+  bool continues = false;  ///< part of the previous step, if that has the same name and moved the same things
+  bool replaces = false;   ///< the previous step is undone first, and replaced by this one
+  bool is_state = false;   ///< leads to a state of an evolution, whose state 0 is the document before
   std::vector<std::uint32_t> removed{};
   std::vector<std::pair<std::uint32_t, Vec2>> moved{};
   std::vector<Vec2> inserted{};
   std::vector<std::uint32_t> removed_balls{};
   std::vector<std::pair<std::uint32_t, Disk>> changed_balls{};
   std::vector<Disk> inserted_balls{};
-  std::optional<std::vector<SampleData::Contour>> curve{};  ///< the new order, if it changed
+  std::optional<std::vector<SampleData::Contour>> curve{};  ///< the new curve order, if it changed
   std::optional<Annotations> annotations{};                 ///< all of them, if any changed
   std::optional<SourceEdit> source{};
   friend bool operator==(const TimelineEdit&, const TimelineEdit&) = default;
 };
 
-/// What the edit does to the document. Error: `bad_input`, or as the commands it consists of.
+/// The delta of the edit. Error: `bad_input`, or errors of the commands that it consists of.
 Expected<DocumentDelta> delta_of(const Document& document, const TimelineEdit& edit);
 
-/// The edits up to the end of the gesture are one step of undo.
+/// Edits until the end of the gesture form one undo step.
 struct GestureBegun {
   std::string name{};
   friend bool operator==(const GestureBegun&, const GestureBegun&) = default;
@@ -89,8 +88,8 @@ struct GestureBegun {
 struct GestureEnded {
   friend bool operator==(const GestureEnded&, const GestureEnded&) = default;
 };
-/// The last edit is taken back, also where changes of layers were made since: these stay. What undo does to layers is
-/// a `LayersChanged`.
+/// Undo of the last edit, even if layers changed since; those changes stay. Undo of layer changes is recorded as a
+/// `LayersChanged`.
 struct Undone {
   friend bool operator==(const Undone&, const Undone&) = default;
 };
@@ -103,33 +102,33 @@ struct SettingsChanged {
   friend bool operator==(const SettingsChanged&, const SettingsChanged&) = default;
 };
 
-/// The view came to rest.
+/// The view stopped moving.
 struct ViewChanged {
-  Box2 visible{};  ///< what was to be seen, document units
+  Box2 visible{};  ///< visible part, in document units
   friend bool operator==(const ViewChanged&, const ViewChanged&) = default;
 };
 
-/// A caption, shown until the next one; empty: none.
+/// A caption, shown until the next one; empty: no caption.
 struct Captioned {
   std::string text{};
-  double seconds = 0.0;  ///< how long this picture stays in a video; 0: as long as any
+  double seconds = 0.0;  ///< duration of this picture in a video; 0: as for other pictures
   friend bool operator==(const Captioned&, const Captioned&) = default;
 };
 
 using TimelineEntry = std::variant<TimelineEdit, GestureBegun, GestureEnded, Undone, Redone, LayersChanged,
                                    SettingsChanged, ViewChanged, Captioned>;
 
-/// Whether the entry is about samples, balls and annotations.
+/// Whether the entry concerns samples, balls and annotations.
 bool changes_document(const TimelineEntry& entry);
-/// Whether the entry is something that was done and would be missed: an edit, a change of the layers by hand.
+/// Whether the entry is the user's work, which would be missed: an edit, or a manual change of layers.
 bool is_work(const TimelineEntry& entry);
-/// Whether the entry can change what is on the picture.
+/// Whether the entry can change the picture.
 bool is_visible(const TimelineEntry& entry);
 
-/// Entries, packed: an entry takes about as many bytes as its numbers and words have, however few they are.
+/// Packed entries: an entry takes about as many bytes as its numbers and words.
 ///
-/// What it guarantees: entries come out equal to what was put in. A call that throws leaves it as it was.
-/// Cost: O(size of the entry) to put one in or to look at one. Threads: none.
+/// What it guarantees: entries read are equal to entries stored. A call that throws changes nothing.
+/// Cost: O(size of the entry) for storing or reading one. Threads: none.
 class TimelineLog {
  public:
   class Iterator;
@@ -156,7 +155,7 @@ class TimelineLog {
   void emplace_back(const TimelineEntry& entry) { push_back(entry); }
   void pop_back();
   void replace_back(const TimelineEntry& entry);
-  /// Cost: O(1) for the last one, O(size of all) for others.
+  /// Cost: O(1) for the last entry, O(total size) for others.
   void erase(std::size_t i);
   friend bool operator==(const TimelineLog& a, const TimelineLog& b);
 
@@ -165,11 +164,11 @@ class TimelineLog {
     std::uint32_t chunk;
     std::uint32_t offset;
   };
-  /// Appends a place of `bytes` bytes.
+  /// Appends a slot of `bytes` bytes.
   void make_place(std::size_t bytes);
   std::span<const std::byte> bytes(std::size_t i) const;
 
-  // Chunks do not grow, so that nothing is ever copied to make room.
+  // Chunks never grow, so nothing is copied to make room.
   std::vector<std::vector<std::byte>> chunks_;
   std::deque<Place> places_;
 };
@@ -212,40 +211,40 @@ class Timeline {
  public:
   Timeline();
 
-  /// Forgets everything: the document is the data now.
+  /// Forgets all entries: the document is the given data now.
   void restart(std::shared_ptr<const SampleData> data);
-  /// The same with what is known to have happened since, and the lesson that was made of it.
+  /// The same, with entries that are known to have happened since, and the lesson made from them.
   void restart(std::shared_ptr<const SampleData> data, TimelineLog entries, Lesson lesson = {});
   const std::shared_ptr<const SampleData>& data() const { return data_; }
   const TimelineLog& entries() const { return entries_; }
-  /// Its positions lie among the entries that are settled.
+  /// Its positions are among the settled entries.
   const Lesson& lesson() const { return lesson_; }
-  /// Not an entry of its own: a step names entries, and the last lesson is the one that counts.
+  /// The lesson is not an entry: its steps name entries, and only the last lesson counts.
   void set_lesson(Lesson lesson) {
     lesson_ = std::move(lesson);
     ++lesson_revision_;
   }
-  /// Grows with each `set_lesson`; 0 after a `restart`.
+  /// Increases with each `set_lesson`; 0 after a `restart`.
   std::uint64_t lesson_revision() const { return lesson_revision_; }
-  /// So many entries, from the first, will not change any more.
+  /// Number of entries, from the first, that will not change any more.
   std::size_t settled() const { return gesture_at_ ? *gesture_at_ : evolution_at_.value_or(entries_.size()); }
-  /// What was done until now is not merged with what follows: a step of a lesson may name it.
+  /// Prevents merging of past entries with later ones: a step of a lesson may name this position.
   void settle() {
     end_overdue_gesture();
     evolution_at_.reset();
   }
-  /// Grows with each `restart`.
+  /// Increases with each `restart`.
   std::uint64_t generation() const { return generation_; }
 
-  /// `document` is the one the delta is applied to, before or after. When memory runs out, these functions throw and
-  /// change nothing. Large edits that continue the one before within a gesture are merged with it, so that dragging a
+  /// `document` is the document before or after the delta. When memory runs out, these functions throw and change
+  /// nothing. Large edits that continue the previous one within a gesture are merged with it, so that dragging a
   /// million samples does not fill the memory.
   void note_edit(const Document& document, const DocumentDelta& delta, const std::string& name, bool continues);
-  /// An evolution went on to another state; `replaces` the one before. Large ones keep the last state only.
+  /// Records that an evolution advanced; `replaces` the previous state. Large evolutions keep only their last state.
   void note_evolved(const Document& document, const DocumentDelta& delta, const std::string& name, bool replaces,
                     bool is_state);
   void note_gesture_begun(const std::string& name);
-  /// A gesture without edits leaves no trace. When memory runs out, the end comes with the next entry.
+  /// A gesture without edits leaves no trace. When memory runs out, the end is recorded with the next entry.
   void note_gesture_ended();
   void note(const TimelineEntry& entry) {
     end_overdue_gesture();
@@ -260,24 +259,24 @@ class Timeline {
   TimelineLog entries_;
   Lesson lesson_;
   std::uint64_t lesson_revision_ = 0;
-  std::optional<std::size_t> gesture_at_;    // where the open gesture began
-  bool is_gesture_overdue_ = false;          // its end found no room
-  std::optional<std::size_t> evolution_at_;  // a last entry that the next state takes the place of
-  std::size_t evolution_edits_ = 0;          // on record since the evolution began
+  std::optional<std::size_t> gesture_at_;    // index where the open gesture began
+  bool is_gesture_overdue_ = false;          // no memory for recording its end yet
+  std::optional<std::size_t> evolution_at_;  // a last entry that the next state may replace
+  std::size_t evolution_edits_ = 0;          // edits recorded since the evolution began
   std::uint64_t generation_ = 0;
 };
 
-/// The document and its history, brought to life from a timeline. Entries come from files and are not trusted: one
-/// that makes no sense is an error, and nothing of it is applied.
+/// Rebuilds the document and its history from a timeline. Entries come from files and are not trusted: an entry that
+/// makes no sense is an error, and nothing of it is applied.
 class DocumentReplay {
  public:
   using Listener = std::function<void(const DocumentDelta&)>;
-  /// Revisions and ids go on from those of `before`. The listener hears of every change.
+  /// Revisions and ids continue from those of `before`. The listener receives every change.
   explicit DocumentReplay(const Document& before = {}, Listener listener = {})
       : document_(before.successor()), listener_(std::move(listener)) {}
 
   Expected<void> begin(const SampleData& data);
-  /// Entries that are neither about the document nor steps of undo change nothing.
+  /// Entries that concern neither the document nor undo steps change nothing.
   Expected<void> apply(const TimelineEntry& entry);
   /// Ends a gesture that was left open.
   void finish();

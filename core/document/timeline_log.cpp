@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Entries of a timeline as bytes: whole numbers in groups of seven bits, doubles as their bits, lists with their
-// length before them. The bytes never leave the program; files have a form of their own (core/io/session.h).
+// Encodes timeline entries as bytes: integers in groups of seven bits, doubles as their bits, lists with their length
+// first. The bytes never leave the program; files have their own format (core/io/session.h).
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -17,8 +17,7 @@ namespace {
 constexpr std::size_t kSmallestChunk = 256;
 constexpr std::size_t kUsualChunk = std::size_t{64} * 1024;
 
-/// Both directions visit the same fields in the same order: `Packer` appends what it is shown, `Unpacker` fills it
-/// in.
+/// Both directions visit the same fields in the same order: `Packer` appends each field, `Unpacker` fills it in.
 template <class T, class Wanted>
 concept Some = std::same_as<std::remove_const_t<T>, Wanted>;
 
@@ -27,7 +26,7 @@ void pass(Archive& archive, T& value);
 
 class Packer {
  public:
-  /// With no place to put them, the bytes are only counted.
+  /// A null pointer only counts the bytes.
   explicit Packer(std::byte* to = nullptr) : to_(to) {}
   std::size_t size() const { return size_; }
 
@@ -54,7 +53,7 @@ class Packer {
     field(value.has_value());
     if (value) pass(*this, *value);
   }
-  /// A value that is mostly the same takes one byte.
+  /// A value that is mostly the default takes one byte.
   template <class T>
   bool differs(const T& value, const T& usual) {
     field(value != usual);
@@ -250,7 +249,7 @@ void each(auto& archive, Some<ParameterValues::Entry> auto& entry) {
   fields(archive, entry.id, entry.value, entry.default_value, entry.is_of_document);
 }
 void each(Packer& archive, const ParameterValues& values) {
-  const std::vector<ParameterValues::Entry> entries = values.changed();  // equal values are equal bytes
+  const std::vector<ParameterValues::Entry> entries = values.changed();  // equal values give equal bytes
   fields(archive, entries);
 }
 void each(Unpacker& archive, ParameterValues& values) {
@@ -327,7 +326,7 @@ void TimelineLog::make_place(std::size_t bytes) {
   const Place place{static_cast<std::uint32_t>(chunks_.size() - 1),
                     static_cast<std::uint32_t>(chunks_.back().size())};
   places_.push_back(place);
-  chunks_.back().resize(place.offset + bytes);  // there is room
+  chunks_.back().resize(place.offset + bytes);  // capacity is already reserved
 }
 
 std::span<const std::byte> TimelineLog::bytes(std::size_t i) const {
@@ -348,7 +347,7 @@ void TimelineLog::pop_back() {
   MES_ASSERT(!empty());
   const Place place = places_.back();
   places_.pop_back();
-  // A chunk after that of the entry is empty: it was made for an entry that found no place in the list.
+  // A later chunk is empty: it was made for an entry whose record could not be stored.
   chunks_.resize(place.chunk + std::size_t{1});
   chunks_.back().resize(place.offset);
   if (chunks_.back().empty()) chunks_.pop_back();
@@ -362,7 +361,7 @@ void TimelineLog::replace_back(const TimelineEntry& entry) {
   Packer packer(chunk.data());
   pack(packer, entry);
   chunks_.push_back(std::move(chunk));
-  // From here on nothing throws.
+  // Nothing below throws.
   chunks_[before.chunk].resize(before.offset);
   std::erase_if(chunks_, [](const auto& some) { return some.empty(); });
   places_.back() = {static_cast<std::uint32_t>(chunks_.size() - 1), 0};

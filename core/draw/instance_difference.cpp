@@ -13,14 +13,14 @@
 namespace mes {
 namespace {
 
-// Directions are compared as unit vectors.
+// Tolerance for directions, which are compared as unit vectors.
 constexpr double kDirectionTolerance = 1e-7;
 
 Vec2 at(const double* values, std::size_t i) {
   return {values[i], values[i + 1]};
 }
 
-/// A place of the instance that does not depend on the order of its points.
+/// A point of the instance that does not depend on the order of its points.
 Vec2 anchor(PrimitiveKind kind, const double* v) {
   switch (kind) {
     case PrimitiveKind::segment: return 0.5 * at(v, 0) + 0.5 * at(v, 2);
@@ -72,7 +72,7 @@ class Alike {
   double tolerance_;
 };
 
-/// Squares wider than the distance of anchors that are alike, so these are in neighbouring ones.
+/// Grid squares wider than the distance of matching anchors, so that these lie in neighbouring squares.
 struct Square {
   double column = 0.0;
   double row = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one layer draws and another does not.
+// Finds the instances of one layer that another layer does not have.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace mes {
 
-/// The instances of `a`, by number, that have no counterpart in `b`: an instance whose coordinates and radii are the same
-/// up to `tolerance`, whichever end of a segment, corner of a triangle or sign of a line's direction comes first. Scalars
-/// do not count, nor how often an instance is there; the points that lines pass through are compared as they are. Both
-/// hold `stride_of(kind)` doubles an instance; `tolerance` is in units of the document and positive.
+/// The indices of instances of `a` without counterpart in `b`. Counterparts have the same coordinates and radii up to
+/// `tolerance`, regardless of the order of a segment's ends or a triangle's corners, or the sign of a line's direction.
+/// Scalars and multiplicities do not count; the points that lines pass through are compared as they are. Both hold
+/// `stride_of(kind)` doubles for each instance; `tolerance` is in units of the document and positive.
 ///
-/// Cost: O(size of both), where few instances lie within a tolerance of each other. Threads: any.
+/// Cost: O(size of both) if few instances lie within a tolerance of each other. Threads: any.
 std::vector<std::uint32_t> without_counterpart(PrimitiveKind kind, std::span<const double> a,
                                                std::span<const double> b, double tolerance);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What everybody may know of a layer: the command line, the window, the manual page, the renderer.
+// The description of a layer, shared by the command line, the window, the manual page and the renderer.
 #pragma once
 
 #include <array>
@@ -25,10 +25,10 @@ enum class LayerGroup : std::uint8_t {
   union_p,
   union_b,
   diagnostics,
-  experiments  ///< of the user; the program itself has none
+  experiments  ///< for experiments of the user; the program itself has none
 };
 
-/// In the order in which they are listed.
+/// The groups in listing order.
 inline constexpr std::array kLayerGroups{
     LayerGroup::experiments, LayerGroup::samples,    LayerGroup::delaunay_voronoi, LayerGroup::crust_axis,
     LayerGroup::scale_axis,  LayerGroup::poles,      LayerGroup::union_a,          LayerGroup::union_p,
@@ -40,36 +40,36 @@ std::string_view title_of(LayerGroup group);
 /// How the points of a layer are drawn.
 enum class PointsAs : std::uint8_t {
   dots,
-  numbers,  ///< of samples, beside them: from 0 since the data were opened, with letters as high as dots are wide
+  numbers,  ///< indices of samples beside them, from 0 since the data were opened; letters are as high as dots are wide
 };
 
-/// Layers of some kinds show data of a file. They can be written in file formats for such data.
+/// Layers of some kinds show data from a file. They can be exported to file formats for such data.
 enum class LayerData : std::uint8_t { other, samples, balls, curve, curve_normals };
 
 struct LayerDescriptor {
   std::string id{};       ///< public name, kebab case
-  std::string name{};     ///< as shown
+  std::string name{};     ///< as shown in the interface
   std::string tooltip{};  ///< one sentence, no full stop
   LayerGroup group = LayerGroup::samples;
   LayerData data = LayerData::other;
-  std::string of_any_family{};  ///< what layers share that show the same of several families of balls; else empty
+  std::string of_any_family{};  ///< common name of layers that show the same for several families of balls; else empty
   bool in_paper = false;        ///< one of the 41 layers of the 2007 paper
-  bool in_fit_box = true;       ///< counts for "fit to view"
+  bool in_fit_box = true;       ///< included in "fit to view"
   bool visible_at_start = false;
-  std::string scalar{};                   ///< what the scalar of an instance means; empty = none
-  bool scalars_are_names = false;         ///< they only tell elements apart, and depend on history
-  PointsAs points_as = PointsAs::dots;    ///< numbers: it draws nothing else
-  LayerStyle style{};                     ///< the default
-  std::vector<PrimitiveKind> kinds{};     ///< what it may emit, in drawing order (first = bottom)
+  std::string scalar{};                   ///< meaning of an instance's scalar; empty = none
+  bool scalars_are_names = false;         ///< scalars only tell elements apart, and depend on history
+  PointsAs points_as = PointsAs::dots;    ///< `numbers`: the layer draws nothing else
+  LayerStyle style{};                     ///< default style
+  std::vector<PrimitiveKind> kinds{};     ///< kinds that it may emit, in drawing order (first = bottom)
   std::vector<std::string> structures{};  ///< ids of the structures it reads
-  std::vector<std::string> parameters{};  ///< ids of those that have a say in it
-  bool follows_settings = false;          ///< number type or parameters have a say in it
+  std::vector<std::string> parameters{};  ///< ids of the parameters that affect it
+  bool follows_settings = false;          ///< number type or parameters affect it
   bool is_removed = false;                ///< no layer has this index any more
 };
 
-/// The position of a public id in a list of all layers, or kNoLayer; that of a layer that was removed does not count.
+/// Position of a public id in a list of all layers, or kNoLayer; removed layers do not count.
 LayerIndex find_layer(std::span<const LayerDescriptor> layers, std::string_view id);
-/// The position of the first that shows something of a file, or kNoLayer, likewise.
+/// Position of the first layer that shows such data of a file, or kNoLayer, likewise.
 LayerIndex find_layer(std::span<const LayerDescriptor> layers, LayerData data);
 
 }  // namespace mes

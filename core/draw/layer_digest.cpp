@@ -27,7 +27,7 @@ class Hash {
   std::uint64_t state_;
 };
 
-/// Two hashes with nothing in common.
+/// Two independent hashes.
 class DoubleHash {
  public:
   void add(std::uint64_t word) {
@@ -53,7 +53,7 @@ void sort_places(Values& v, std::size_t count) {
   }
 }
 
-// One of several ways to write the same drawing, chosen by the numbers alone.
+// Rewrites equivalent values to one canonical form.
 void make_canonical(PrimitiveKind kind, Values& v) {
   for (double& value : v) value += 0.0;  // no -0
   switch (kind) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a layer draws, as one number.
+// A digest of the drawing of a layer.
 #pragma once
 
 #include <cstdint>
@@ -12,16 +12,15 @@
 namespace mes {
 
 /// What it guarantees:
-///  1. It is a function of the set of things drawn (with their multiplicity): it does not depend on the order of
-///     instances, on which end of a segment comes first, on the corner a triangle begins at or the way around it, on
-///     the sign of a line's direction, nor on the sign of a zero. Everything else counts to the last bit, scalars
-///     too.
-///  2. Digests of disjoint sets add up to that of their union.
+///  1. It depends only on the set of drawn things (with multiplicity): not on the order of instances, on which end of a
+///     segment is first, on the first corner or the orientation of a triangle, on the sign of a line's direction, nor
+///     on the sign of a zero. Everything else counts to the last bit, including scalars.
+///  2. The digests of disjoint sets add up to that of their union.
 ///
-/// Two sums of 64 bits, each of an independent hash of the instances; by accident different sets agree about once in
-/// 2^128 pairs. It does not defend against collisions made on purpose.
+/// Consists of two 64-bit sums, each of an independent hash of the instances; different sets agree by accident about
+/// once in 2^128 pairs. It does not protect against deliberate collisions.
 ///
-/// Cost: some ten nanoseconds an instance. Threads: plain data.
+/// Cost: about ten nanoseconds for each instance. Threads: plain data.
 struct LayerDigest {
   std::uint64_t high = 0;
   std::uint64_t low = 0;
@@ -37,14 +36,14 @@ struct LayerDigest {
     return *this;
   }
   friend bool operator==(const LayerDigest&, const LayerDigest&) = default;
-  /// 32 hexadecimal digits.
+  /// The digest as 32 hexadecimal digits.
   std::string text() const;
 };
 
-/// Of instances of one kind, `stride_of(kind)` doubles each. Without scalars these count as zero.
+/// Digest of instances of one kind, `stride_of(kind)` doubles each. If `with_scalars` is false, scalars count as zero.
 LayerDigest digest_of(PrimitiveKind kind, std::span<const double> instances, bool with_scalars = true);
 
-/// Of a named digest: what a picture of several layers adds up from.
+/// Digest combined with a name; a picture of several layers is the sum of these.
 LayerDigest named(std::string_view name, const LayerDigest& digest);
 
 }  // namespace mes

@@ -45,8 +45,8 @@ void LayerMirror::apply(const FramePatch& patch) {
   document_revision_ = patch.document_revision;
 }
 
-// What lies in the old frame is sent anew, or belongs to a layer out of demand, whose instances are never asked for
-// again.
+// Instances in the old frame are sent again, or belong to a layer that is no longer demanded, whose instances are never
+// read again.
 void LayerMirror::leave_frame(const FramePatch& patch) {
   const auto sent = std::span(patch.layers).first(patch.layer_count);
   layers_.for_each([&](VariantLayer layer, auto& kinds) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a renderer would hold, in plain memory: every instance of every layer, kept up to date by patches.
+// A copy of the drawing in plain memory: every instance of every layer, kept up to date by patches.
 #pragma once
 
 #include <array>
@@ -12,30 +12,30 @@
 
 namespace mes {
 
-/// The whole result, kept up to date by its changes; for the command line and tests.
+/// Follows the complete result by its changes; for the command line and tests.
 ///
 /// What it guarantees:
 ///  1. After `apply`, `instances(layer, kind)` holds `count(layer, kind)` instances of `stride_of(kind)` doubles
 ///     each, in the order of the drawing buffer.
-///  2. A patch that breaks its promises (data of the wrong size, growth without data, a count that changes unsaid, a
-///     value that is not finite, a negative radius, a ray or line without direction, instances left in a drawing
-///     frame that is gone, layers of a run that was stopped) is refused by an assertion.
+/// 2. A patch that breaks its promises is refused by an assertion: data of the wrong size, growth without data, an
+///    unannounced change of count, a value that is not finite, a negative radius, a ray or line without direction,
+///    instances left in an old drawing frame, layers of a stopped run.
 ///
 /// Smallest use:
 ///     LayerMirror mirror;
 ///     while (auto patch = engine.sync()) { mirror.apply(*patch); engine.recycle(std::move(patch)); }
 ///     mirror.count(registry.find_layer("medial-axis"), PrimitiveKind::segment);
 ///
-/// Cost: O(size of the patch). Threads: none inside; several may read while none applies a patch.
+/// Cost: O(size of the patch). Threads: several may read while none applies a patch.
 class LayerMirror {
  public:
   void apply(const FramePatch& patch);
 
   std::uint32_t count(VariantLayer layer, PrimitiveKind kind) const;
   std::span<const double> instances(VariantLayer layer, PrimitiveKind kind) const;
-  /// Of what the layer draws, without scalars that are names. O(1): kept up to date by `apply`.
+  /// Digest of the layer's drawing, without scalars that are names. O(1): `apply` keeps it up to date.
   LayerDigest digest(VariantLayer layer) const;
-  /// As of the last patch.
+  /// The frame of the last patch.
   const DrawingFrame& frame() const { return frame_; }
   std::uint64_t document_revision() const { return document_revision_; }
 
@@ -48,7 +48,7 @@ class LayerMirror {
   void apply(const KindPatch& patch, PrimitiveKind kind, bool with_scalars, Instances& instances);
 
   LayerTable<std::array<Instances, kPrimitiveKinds>> layers_;
-  std::vector<bool> written_;  // while applying: the instances that a growing patch has given
+  std::vector<bool> written_;  // during `apply`: the instances that a growing patch has written
   DrawingFrame frame_;
   std::uint64_t document_revision_ = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a layer looks. Changing a style never recomputes geometry and uploads nothing.
+// The appearance of a layer. Changing a style never recomputes geometry and uploads nothing.
 #pragma once
 
 #include <string>
@@ -16,11 +16,11 @@ struct LayerStyle {
   bool dashed = false;         ///< segments, rays, lines and circles are drawn dashed
   bool flat = false;           ///< draw the layer as one group, so that overlaps do not darken
   std::string color_map{};     ///< name of the map that colours by the layer's scalar; empty: `color` alone
-  bool range_locked = false;   ///< the map spans the range below, whatever is shown; else what is shown now
-  double range_low = 0.0;      ///< scalar at the map's first colour, in the scalar's unit
-  double range_high = 1.0;     ///< at its last colour; not below `range_low`
+  bool range_locked = false;   ///< the map spans the range below; otherwise the range of the visible values
+  double range_low = 0.0;      ///< scalar at the first colour of the map, in its unit
+  double range_high = 1.0;     ///< scalar at the last colour; not below `range_low`
   bool thin_when_dense =
-      true;  ///< points and lines are thinner than said above where samples stand closer than pixels
+      true;  ///< points and lines are drawn thinner than set above where samples are closer than pixels
   friend bool operator==(const LayerStyle&, const LayerStyle&) = default;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What leaves the geometry engine: for each layer the instances that changed.
+// The output of the geometry engine: for each layer the instances that changed.
 //
 // A patch is relative to the patches before it. Within one layer and kind, instances are numbered
-// 0 .. count-1 without gaps; that number is the instance's place in the drawing buffer.
+//  0 .. count-1 without gaps; this number is the instance's index in the drawing buffer.
 #pragma once
 
 #include <array>
@@ -27,7 +27,7 @@ namespace mes {
 struct KindPatch {
   bool reset = false;       ///< `data` holds all instances 0 .. count-1 and `index` is empty
   std::uint32_t count = 0;  ///< number of instances after this patch (shrinks need no data)
-  /// Instances to overwrite. May name one twice, then the later wins; one at or past `count` was dropped again.
+  /// Instances to overwrite. The later of two equal indices counts; one at or past `count` was dropped again.
   std::vector<std::uint32_t> index;
   std::vector<double> data;  ///< `stride_of(kind)` doubles each, in the order of `index`
 
@@ -43,8 +43,8 @@ struct KindPatch {
 
 struct LayerPatch {
   VariantLayer layer{};
-  bool has_scalars = false;        ///< the last double of an instance means something; else it is 0 in all
-  bool scalars_are_names = false;  ///< it only tells elements apart, and depends on history
+  bool has_scalars = false;        ///< the last double of an instance has a meaning; otherwise it is always 0
+  bool scalars_are_names = false;  ///< scalars only tell elements apart, and depend on history
   std::array<KindPatch, kPrimitiveKinds> kinds;
   KindPatch& operator[](PrimitiveKind kind) { return kinds[static_cast<std::size_t>(kind)]; }
   const KindPatch& operator[](PrimitiveKind kind) const { return kinds[static_cast<std::size_t>(kind)]; }
@@ -53,7 +53,7 @@ struct LayerPatch {
       if (!patch.is_empty()) return false;
     return true;
   }
-  /// Without instances, and saying so.
+  /// Clears the patch: it then has no instances, and says so.
   void clear() {
     for (KindPatch& patch : kinds) {
       patch.clear();
@@ -62,7 +62,7 @@ struct LayerPatch {
   }
 };
 
-/// Some instances of one kind of one layer, on their way to a consumer that does not keep them.
+/// Some instances of one kind of one layer, passed to a consumer that does not store them.
 struct InstancePiece {
   VariantLayer layer{};
   PrimitiveKind kind = PrimitiveKind::point;
@@ -70,8 +70,8 @@ struct InstancePiece {
   std::span<const double> values;  ///< `stride_of(kind)` doubles each
 };
 
-/// Coordinates are turned into drawing space by `(p - origin) * scale`, `scale` a power of two, so that the
-/// document fits about [-1, 1] and single precision pairs keep what the doubles say.
+/// Drawing space is `(p - origin) * scale` with a power of two as `scale`, so that the document fills about [-1, 1] and
+/// pairs of floats keep the precision of the doubles.
 struct DrawingFrame {
   Vec2 origin{};
   double scale = 1.0;
@@ -81,48 +81,48 @@ struct DrawingFrame {
 enum class NodeState : std::uint8_t {
   up_to_date,
   computing,
-  failed,    ///< `reason` says why; the last good picture stays
+  failed,    ///< `reason` explains it; the last good picture stays
   blocked,   ///< an input failed
   inactive,  ///< not demanded
 };
 
 struct NodeReport {
   std::string structure;                ///< public id, kebab case
-  VariantIndex variant = kMainVariant;  ///< whose structure it is
+  VariantIndex variant = kMainVariant;  ///< variant of the structure
   NodeState state = NodeState::inactive;
   std::string reason;               ///< one line, when failed or blocked
   std::vector<SampleId> witnesses;  ///< culprits of a failure
-  bool is_refused = false;          ///< it failed because it would be too large
-  std::uint64_t computed = 0;       ///< run in which it, or what it is computed from, was last computed; 0 = never
-  double update_ms = 0.0;           ///< own time of the last rebuild or update, inputs not counted
+  bool is_refused = false;          ///< failed because it would be too large
+  std::uint64_t computed = 0;       ///< run in which it or one of its inputs was last computed; 0 = never
+  double update_ms = 0.0;           ///< its own time for the last rebuild or update, without inputs
   std::uint64_t touched = 0;        ///< rows touched by the last update
-  bool rebuilt = false;             ///< the last one was a rebuild
-  StatList stats;                   ///< filled when statistics were asked for
-  std::string_view kernel;          ///< number type at work; empty where none decides
-  bool is_judging = false;          ///< its silence is a proof that the one-step axis is right
-  std::vector<Finding> findings;    ///< filled when findings were asked for
+  bool rebuilt = false;             ///< the last computation was a rebuild
+  StatList stats;                   ///< filled if statistics were requested
+  std::string_view kernel;          ///< number type of its decisions; empty if it makes none
+  bool is_judging = false;          ///< if it reports nothing, the one-step axis is proved right
+  std::vector<Finding> findings;    ///< filled if findings were requested
 };
 
-/// State of a layer as the panel shows it; follows from the structures it reads.
+/// State of a layer as the panel shows it; follows from the structures that it reads.
 struct LayerReport {
   VariantLayer layer{};
   NodeState state = NodeState::inactive;
-  double emit_ms = 0.0;    ///< of the last time the layer was sent whole
-  std::uint64_t lost = 0;  ///< primitives left out because their coordinates are not finite
+  double emit_ms = 0.0;    ///< time of the last complete emission of the layer
+  std::uint64_t lost = 0;  ///< primitives dropped because their coordinates are not finite
   std::string reason;
 };
 
-/// Everything one run of the graph has to say.
+/// The output of one run of the graph.
 struct FramePatch {
-  std::uint64_t document_revision = 0;  ///< the document state this picture shows
-  DrawingFrame frame;                   ///< when it differs from the patch before, every layer is reset
+  std::uint64_t document_revision = 0;  ///< revision of the document in this picture
+  DrawingFrame frame;                   ///< if it differs from the previous patch, every layer is reset
   std::vector<LayerPatch> layers;       ///< only demanded layers with changes; entries past `layer_count` are spare
   std::size_t layer_count = 0;
-  std::uint64_t origin = 0;          ///< a number for the structures that `nodes` are about
-  std::uint64_t demand = 0;          ///< a number for the demand that they were last written for
-  std::vector<NodeReport> nodes;     ///< of the main computation first, then of the variants
-  std::vector<LayerReport> reports;  ///< of the main computation first, then of the variants
-  bool complete = true;  ///< false: the run was stopped; no layer is in the patch, and the picture is as before
+  std::uint64_t origin = 0;          ///< identifies the set of structures in `nodes`
+  std::uint64_t demand = 0;          ///< identifies the demand for which they were last written
+  std::vector<NodeReport> nodes;     ///< main computation first, then the variants
+  std::vector<LayerReport> reports;  ///< main computation first, then the variants
+  bool complete = true;  ///< false: the run was stopped; the patch has no layers, and the picture stays
 };
 
 }  // namespace mes

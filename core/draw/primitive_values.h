@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Instances of layers as geometry.
+// Conversions from layer instances to geometry.
 #pragma once
 
 #include "core/base/arc.h"
@@ -7,12 +7,12 @@
 
 namespace mes {
 
-/// True for a segment (as in patches) whose ends are equal.
+/// True for a segment instance whose ends are equal.
 constexpr bool is_zero_length(const double* segment) {
   return segment[0] == segment[2] && segment[1] == segment[3];
 }
 
-/// An arc as in patches.
+/// Converts an arc instance.
 constexpr Arc arc_of(const double* values) {
   return {{values[0], values[1]}, values[2], {values[3], values[4]}, {values[5], values[6]}};
 }

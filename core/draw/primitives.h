@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a layer can draw. One instance is `doubles_per(kind)` coordinates followed by one scalar:
+// The primitives of layers. One instance is `doubles_per(kind)` coordinates followed by one scalar:
 //
 //   point     x y            | s        segment   x1 y1 x2 y2          | s
 //   disk      x y r          | s        ray       x y dx dy            | s   from (x, y) towards (dx, dy)
@@ -7,10 +7,10 @@
 //                                       triangle  x1 y1 x2 y2 x3 y3    | s
 //                                       arc       x y r x1 y1 x2 y2    | s
 //
-// An arc runs counter-clockwise along the circle (x, y) r from its point (x1, y1) to (x2, y2); equal ends are the
-// whole circle. Ends, not angles: an angle in a double places an end no better than the radius times its last bit.
-// Coordinates are in the units of the document; all are finite. Directions of rays and lines are
-// not zero and need not be of unit length. The scalar feeds colour maps; layers without one give 0.
+// An arc runs counter-clockwise along the circle (x, y) r from its point (x1, y1) to (x2, y2); equal ends mean the
+// whole circle. It stores ends, not angles: a double angle places an end no better than the radius times its last bit.
+// Coordinates are finite and in document units. Directions of rays and lines are not zero and need not have unit
+// length. The scalar is for colour maps; layers without one write 0.
 #pragma once
 
 #include <array>
@@ -26,18 +26,18 @@ inline constexpr std::array<PrimitiveKind, kPrimitiveKinds> kAllPrimitiveKinds{
     PrimitiveKind::point, PrimitiveKind::disk, PrimitiveKind::circle,   PrimitiveKind::segment,
     PrimitiveKind::ray,   PrimitiveKind::line, PrimitiveKind::triangle, PrimitiveKind::arc};
 
-/// Coordinates of one instance, without the scalar.
+/// Number of coordinates of one instance, without the scalar.
 constexpr std::size_t doubles_per(PrimitiveKind kind) {
   constexpr std::array<std::size_t, kPrimitiveKinds> counts{2, 3, 3, 4, 4, 4, 6, 7};
   return counts[static_cast<std::size_t>(kind)];
 }
 
-/// Doubles of one instance in a patch: its coordinates and its scalar.
+/// Number of doubles of one instance in a patch: coordinates and scalar.
 constexpr std::size_t stride_of(PrimitiveKind kind) {
   return doubles_per(kind) + 1;
 }
 
-/// Singular, lower case: "point", "disk", ...
+/// Name in singular and lower case: "point", "disk", ...
 constexpr std::string_view name_of(PrimitiveKind kind) {
   constexpr std::array<std::string_view, kPrimitiveKinds> names{"point", "disk", "circle",   "segment",
                                                                 "ray",   "line", "triangle", "arc"};

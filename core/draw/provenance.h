@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where something on the canvas comes from and what it made: the question, and the answer as text and shapes.
+// Provenance of elements on the canvas: the question, and the answer as text and shapes.
 #pragma once
 
 #include <array>
@@ -15,27 +15,27 @@
 namespace mes {
 
 enum class ProvenanceWish : std::uint8_t {
-  story,              ///< what lies there, where it comes from and where it leads
-  shape,              ///< the first line of that alone, with the shape and no text
-  insertion,          ///< what a further sample there would change; no layers are looked at
-  sources_of_values,  ///< what those elements of the layer come from whose value is in a range; the place does not matter
+  story,              ///< the element there, its origins and its products
+  shape,              ///< only the first line of that, with the shape and no text
+  insertion,          ///< the changes that a further sample there would cause; no layers are searched
+  sources_of_values,  ///< origins of all elements of the layer with a value in the range; ignores the position
 };
 
 inline constexpr std::size_t kProvenanceWishes = 4;
 
-/// What lies at a place, nearest in the topmost layer that has something within reach.
+/// Asks for the nearest element at a position, in the topmost layer that has one within reach.
 struct ProvenanceQuestion {
-  std::uint64_t ticket = 0;  ///< of the asker; the answer repeats it
+  std::uint64_t ticket = 0;  ///< chosen by the asker; the answer repeats it
   Vec2 at{};
   double reach = 0.0;                ///< in units of the document
-  std::vector<VariantLayer> layers;  ///< to look at, top first
+  std::vector<VariantLayer> layers;  ///< layers to search, top first
   ProvenanceWish wish = ProvenanceWish::story;
-  double low = 0.0;  ///< the range of values, both ends included
+  double low = 0.0;  ///< range of values, both ends included
   double high = 0.0;
 };
 
-/// What a place of a shape follows: nothing, samples, or balls of the document, as an `Anchor` does
-/// (core/document/annotation.h). No slot stands for none.
+/// What a point of a shape follows: nothing, samples, or balls of the document, like an `Anchor`
+/// (core/document/annotation.h). "No slot" means unused.
 struct Followed {
   std::array<SampleSlot, 3> samples{};
   std::array<BallSlot, 4> balls{};
@@ -46,7 +46,7 @@ struct Followed {
 struct ProvenanceShape {
   PrimitiveKind kind = PrimitiveKind::point;
   std::array<double, 7> values{};  ///< as in core/draw/primitives.h, without the scalar
-  /// Of the places that define it, in the order that `HighlightedElement` has (core/document/annotation.h).
+  /// For its defining points, in the order of `HighlightedElement` (core/document/annotation.h).
   std::array<Followed, 3> follows{};
 };
 
@@ -56,10 +56,10 @@ struct ProvenanceLine {
   ProvenanceRole role = ProvenanceRole::itself;
   std::string text;  ///< no full stop
   std::vector<ProvenanceShape> shapes;
-  bool is_heavy = false;  ///< what matters most among those of its role
+  bool is_heavy = false;  ///< among the most important of its role
 };
 
-/// A row that some structure has about what was asked for, with its columns as text (core/graph/table_columns.h).
+/// A row of a structure about the element, with its columns as text (core/graph/table_columns.h).
 struct ProvenanceRow {
   struct Value {
     std::string name;
@@ -73,9 +73,9 @@ struct ProvenanceRow {
 
 struct Provenance {
   std::uint64_t ticket = 0;
-  VariantLayer layer{};               ///< where it was found
-  std::vector<ProvenanceLine> lines;  ///< itself first; empty = nothing was there
-  std::vector<ProvenanceRow> rows;    ///< of a story: inputs before consumers
+  VariantLayer layer{};               ///< layer where the element was found
+  std::vector<ProvenanceLine> lines;  ///< the element itself first; empty if nothing was found
+  std::vector<ProvenanceRow> rows;    ///< only for a story: inputs before consumers
 };
 
 }  // namespace mes

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Variants: the same layers computed in other ways beside the main computation, to be seen side by side.
+// Variants: the same layers, computed in other ways beside the main computation for comparison.
 //
-// Variant 0 is the main computation, of the document with the user's settings. Another one has settings of its own,
-// or a document of its own as well. It computes what differs, and shares the rest: with another number type, the
-// Delaunay triangulation and the crust are there once.
+// Variant 0 is the main computation, of the document with the user's settings. Another variant has its own settings, or
+// its own document as well. It computes the parts that differ, and shares the rest: with another number type, there is
+// only one Delaunay triangulation and one crust.
 //
-// One patch, one scene and one mirror hold the layers of all variants. A layer that a variant shares is there once, as
+// One patch, one scene and one mirror hold the layers of all variants. A layer that a variant shares exists once, as
 // that of variant 0.
 #pragma once
 
@@ -23,7 +23,7 @@ namespace mes {
 using VariantIndex = std::uint32_t;
 inline constexpr VariantIndex kMainVariant = 0;
 
-/// A layer as a variant computes it. Layers are demanded, sent and drawn under this name.
+/// A layer of a variant. Layers are demanded, sent and drawn by this key.
 struct VariantLayer {
   VariantIndex variant = kMainVariant;
   LayerIndex layer = 0;
@@ -35,7 +35,7 @@ struct VariantLayer {
   friend constexpr auto operator<=>(const VariantLayer&, const VariantLayer&) = default;
 };
 
-/// Layers of the main computation.
+/// The given layers, in the main computation.
 inline std::vector<VariantLayer> main_layers(std::span<const LayerIndex> layers) {
   return {layers.begin(), layers.end()};
 }
@@ -44,14 +44,14 @@ inline std::vector<VariantLayer> main_layers(std::span<const LayerIndex> layers)
 template <class T>
 class LayerTable {
  public:
-  /// Makes what is not there yet, and what comes before it.
+  /// Creates the entry if necessary, and all before it.
   T& operator[](VariantLayer at) {
     if (variants_.size() <= at.variant) variants_.resize(at.variant + std::size_t{1});
     std::vector<T>& layers = variants_[at.variant];
     if (layers.size() <= at.layer) layers.resize(at.layer + std::size_t{1});
     return layers[at.layer];
   }
-  /// Null: there is none.
+  /// Returns null if there is no entry.
   const T* find(VariantLayer at) const {
     if (at.variant >= variants_.size() || at.layer >= variants_[at.variant].size()) return nullptr;
     return &variants_[at.variant][at.layer];
