@@ -32,8 +32,7 @@ struct Anchor {
   /// with `along`, the point of equal power on the line of centres, shifted along it. Three: the point of equal power.
   /// Four: a point on the perpendicular bisector between the crossing of the first two balls and that of the last two.
   std::vector<std::uint32_t> balls{};
-  double along = 0.0;  ///< shift: times the vector between centres (two), or the one to the left of that between
-                       ///< crossings (four)
+  double along = 0.0;  ///< times the vector between centres (two balls), or left normal to that of crossings (four)
   double scale = 1.0;  ///< factor for the radii of the balls
 
   /// True if it follows nothing.

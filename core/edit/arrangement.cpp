@@ -25,7 +25,7 @@ Box2 box_around(std::span<const Vec2> places) {
   return out;
 }
 
-/// Without the error of the sine and the cosine where these are whole numbers.
+/// Avoids the errors of sine and cosine where their exact values are integers.
 Vec2 direction(double degrees) {
   const double turn = std::remainder(degrees, 360.0);
   if (turn == 0.0) return {1.0, 0.0};

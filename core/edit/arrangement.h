@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places moved together: turned, scaled, mirrored, aligned, distributed.
+// Moves points together: rotates, scales, mirrors, aligns and distributes them.
 #pragma once
 
 #include <cstdint>
@@ -10,27 +10,27 @@
 
 namespace mes {
 
-/// Every function gives as many places as it is given, in their order.
+/// Every function returns as many points as it gets, in the same order.
 
-/// The middle of the box around the places; (0, 0) without any.
+/// The middle of the bounding box; (0, 0) for no points.
 Vec2 middle_of(std::span<const Vec2> places);
 
-/// Turned counter-clockwise about a place. Multiples of 90 degrees turn differences exactly.
+/// Rotates counter-clockwise about a point. Multiples of 90 degrees rotate differences exactly.
 std::vector<Vec2> turned(std::span<const Vec2> places, Vec2 about, double degrees);
-/// Each difference from `about` times the factor.
+/// Multiplies each difference from `about` by the factor.
 std::vector<Vec2> scaled(std::span<const Vec2> places, Vec2 about, double factor);
 
 enum class Axis : std::uint8_t { x, y };
-/// Reflected so that this coordinate changes its side of `about`.
+/// Reflects this coordinate across `about`.
 std::vector<Vec2> mirrored(std::span<const Vec2> places, Vec2 about, Axis coordinate);
 
 enum class Alignment : std::uint8_t { left, center, right, bottom, middle, top };
 inline constexpr std::size_t kAlignments = 6;
-/// One coordinate of all places becomes that of the box around them: x for `left`, `center`, `right`.
+/// Sets one coordinate of all points to that of their bounding box: x for `left`, `center`, `right`.
 std::vector<Vec2> aligned(std::span<const Vec2> places, Alignment where);
 
-/// The two that are outermost in this coordinate stay; those between come to lie at equal steps of it, in the order that
-/// they have. Fewer than three stay.
+/// The two outermost points in this coordinate stay; those between are spaced evenly, in the same order. Fewer than
+/// three points stay.
 std::vector<Vec2> distributed(std::span<const Vec2> places, Axis coordinate);
 
 }  // namespace mes

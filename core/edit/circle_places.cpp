@@ -15,15 +15,15 @@
 namespace mes {
 namespace {
 
-/// a^2 + b^2 is a prime that leaves 1 when divided by 4. Multiplying a point by a + ib or by a - ib turns it by an angle
-/// that no other prime gives.
+/// A Gaussian prime a + ib, where a^2 + b^2 is a prime that is 1 modulo 4. Multiplying a point by a + ib or by a - ib
+/// rotates it by an angle that no other prime gives.
 struct PrimeTurn {
   std::int64_t a = 0;
   std::int64_t b = 0;
   std::int64_t prime() const { return a * a + b * b; }
 };
 
-/// Those below `limit`, in increasing order of the prime.
+/// Primes below `limit`, in increasing order.
 std::vector<PrimeTurn> prime_turns(std::int64_t limit) {
   const auto is_prime = [](std::int64_t n) {
     for (std::int64_t d = 3; d * d <= n; d += 2)
@@ -38,16 +38,16 @@ std::vector<PrimeTurn> prime_turns(std::int64_t limit) {
   return out;
 }
 
-/// x^2 + y^2 = N for so many integer points: N is the product of the primes and the square of the factor.
+/// A circle x^2 + y^2 = N with many integer points: N is the product of the primes and the square of the factor.
 struct RichCircle {
-  std::vector<PrimeTurn> turns;  ///< a prime once for each time that it divides N; increasing
+  std::vector<PrimeTurn> turns;  ///< a prime occurs as often as it divides N; increasing
   std::int64_t factor = 1;
   double radius = 0.0;
 };
 
-constexpr double kMostPoints = 1 << 15;  // of one quarter
+constexpr double kMostPoints = 1 << 15;  // of one quarter of the circle
 
-/// Primes whose product is at most 2^bits, such that there are many ways to turn by them.
+/// Chooses primes whose product is at most 2^bits and which give many rotations.
 std::vector<PrimeTurn> many_turns(std::span<const PrimeTurn> known, double bits) {
   std::vector<PrimeTurn> out;
   std::vector<double> exponent(known.size(), 0.0);
@@ -70,13 +70,13 @@ std::vector<PrimeTurn> many_turns(std::span<const PrimeTurn> known, double bits)
   }
 }
 
-/// A circle with many integer points and a radius near the given one, which is below 2^52.
+/// A circle with many integer points and a radius near the given one, which must be below 2^52.
 RichCircle rich_circle(double radius) {
   constexpr std::int64_t kTurnLimit = 150;
   constexpr std::int64_t kTuningLimit = 2000;
   const std::vector<PrimeTurn> all = prime_turns(kTuningLimit);
   const auto tuning = std::ranges::find_if(all, [](const PrimeTurn& turn) { return turn.prime() >= kTurnLimit; });
-  // Two more primes bring the radius near to what is wanted; they take up to 22 bits of its square.
+  // Two more primes tune the radius; they take up to 22 bits of its square.
   constexpr double kBitsForTuning = 24.0;
   RichCircle best;
   best.turns = many_turns({all.begin(), tuning}, 2.0 * std::log2(std::max(1.0, radius)) - kBitsForTuning);
@@ -104,7 +104,7 @@ RichCircle rich_circle(double radius) {
   return best;
 }
 
-/// All integer points of the circle, counter-clockwise, from the direction -pi on.
+/// All integer points of the circle, counter-clockwise, starting at the direction -pi.
 struct CirclePoints {
   std::vector<GridPoint> points;
   std::vector<double> angles;
@@ -151,7 +151,7 @@ CirclePoints points_of(const RichCircle& circle) {
   return out;
 }
 
-/// Free places around the circle: the next one in a direction, near to constant time (disjoint sets).
+/// Free slots around the circle. Finds the next one in a direction in nearly constant time (disjoint sets).
 class FreePlaces {
  public:
   FreePlaces(std::size_t count, std::size_t step) : next_(count), step_(step) {
@@ -171,7 +171,7 @@ class FreePlaces {
   std::size_t step_;
 };
 
-/// For each direction a point of the circle, no point twice: the nearest that is free when its turn comes.
+/// A distinct point of the circle for each direction: the nearest one that is still free.
 std::optional<std::vector<GridPoint>> chosen(const CirclePoints& circle, std::span<const double> directions) {
   const std::size_t count = circle.points.size();
   if (directions.size() > count) return std::nullopt;
@@ -189,7 +189,7 @@ std::optional<std::vector<GridPoint>> chosen(const CirclePoints& circle, std::sp
     const bool goes_up = turn_between(circle.angles[up], direction) < turn_between(circle.angles[down], direction);
     const std::size_t best = goes_up ? up : down;
     out.push_back(circle.points[best]);
-    // The last place needs no successor; if all points are taken, a search for a free one would not end.
+    // The last point needs no successor; if all points are taken, a search for a free one would not end.
     if (out.size() == directions.size()) break;
     upwards.take(best);
     downwards.take(best);
@@ -197,8 +197,8 @@ std::optional<std::vector<GridPoint>> chosen(const CirclePoints& circle, std::sp
   return out;
 }
 
-/// The circle of least squares of |p - c|^2 - r^2 (Kasa 1976), of places around the origin and about 1 in size; nothing
-/// when they are on a line, or there are too few.
+/// The algebraic least-squares circle of |p - c|^2 - r^2 (Kasa 1976), for points around the origin of size about 1.
+/// Nothing for collinear points, or too few.
 std::optional<Disk> algebraic_circle(std::span<const Vec2> places) {
   double xx = 0.0;
   double xy = 0.0;
@@ -220,9 +220,9 @@ std::optional<Disk> algebraic_circle(std::span<const Vec2> places) {
   return Disk{center, std::sqrt(square)};
 }
 
-/// One step of Gauss and Newton towards the least squares of distances.
+/// One Gauss-Newton step towards the least squares of distances.
 void improve(Disk& circle, std::span<const Vec2> places) {
-  // Normal equations for (dx, dy, dr) with rows (ux, uy, 1), where u points from the place to the centre.
+  // Normal equations for (dx, dy, dr) with rows (ux, uy, 1), where u points from the sample to the centre.
   double xx = 0.0;
   double xy = 0.0;
   double yy = 0.0;
@@ -263,7 +263,7 @@ void improve(Disk& circle, std::span<const Vec2> places) {
   circle.radius = sum / count;
 }
 
-/// The fourth place and all after it are exactly on the circle through the first three, or all are on one line.
+/// True if all later points lie exactly on the circle through the first three, or if all are on one line.
 bool are_cocircular(std::span<const Vec2> places) {
   FilterCounts counts;
   return std::ranges::all_of(places.subspan(3), [&](Vec2 p) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a closed stroke encloses.
+// Tests which points a closed stroke encloses.
 #pragma once
 
 #include <cstddef>
@@ -9,14 +9,14 @@
 
 namespace mes {
 
-/// Whether a closed polygon goes around the point, by the even-odd rule; the last corner is joined to the first. Points on
-/// the polygon may count either way. Fewer than three corners enclose nothing. Cost: O(corners).
+/// Whether a closed polygon surrounds the point, by the even-odd rule; the last corner is joined to the first. Points
+/// on the polygon may count either way. Fewer than three corners enclose nothing. Cost: O(corners).
 inline bool encloses(std::span<const Vec2> polygon, Vec2 p) {
   bool out = false;
   if (polygon.size() < 3) return out;
   Vec2 a = polygon.back();
   for (const Vec2 b : polygon) {
-    // The edge passes the height of the point, and does so on its right.
+    // The edge crosses the height of the point to its right.
     if ((a.y > p.y) != (b.y > p.y) && p.x - a.x < (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) out = !out;
     a = b;
   }

@@ -12,11 +12,11 @@ namespace mes {
 namespace {
 
 constexpr double kMarginPx = 12.0;
-constexpr double kLeastPx = 40.0;  // of the frame, so that its handles are apart
-constexpr double kStemPx = 18.0;   // from the frame to the handle that turns
+constexpr double kLeastPx = 40.0;  // minimum size of the frame, so that its handles do not overlap
+constexpr double kStemPx = 18.0;   // distance of the rotation handle from the frame
 constexpr double kStep = 15.0;     // degrees
 
-// Which end of the box a handle is at: -1, 0 for the middle, 1.
+// Position of a handle on each axis: -1 or 1 for an end of the box, 0 for the middle.
 struct Ends {
   int x = 0;
   int y = 0;
@@ -57,7 +57,7 @@ std::optional<Dragged> turned_by(std::span<const Vec2> places, const Box2& box, 
   return out;
 }
 
-// A coordinate scaled about what stays; that of the held place is the wanted one without rounding.
+// Scales a coordinate about the fixed point; the held point gets the wanted coordinate without rounding.
 double stretched(double x, double about, double factor, double held, double wanted) {
   return x == held ? wanted : about + factor * (x - about);
 }
@@ -106,7 +106,7 @@ std::optional<Dragged> dragged(std::span<const Vec2> places, const Box2& box, co
   Dragged out;
   Vec2 wanted = drag.to;
   if (ends.x != 0 && ends.y != 0) {
-    // The place on the diagonal that is nearest to the wanted one.
+    // Project the pointer onto the diagonal.
     const double factor = dot(drag.to - about, reach) / dot(reach, reach);
     out.factor = {factor, factor};
     out.radius_factor = std::abs(factor);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The handles of a frame around places: what dragging one does to the places.
+// The handles of a frame around points, and the effect of dragging one of them.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +25,7 @@ enum class Handle : std::uint8_t {
 };
 inline constexpr std::size_t kHandles = 9;
 
-/// The frame around a box, a margin away from it, so that handles do not lie on the places. In units of the places.
+/// The frame around a box. A margin keeps its handles off the points. Lengths are in units of the points.
 ///
 /// Smallest use:
 ///     const HandleFrame frame(box, units_per_pixel);
@@ -36,10 +36,10 @@ class HandleFrame {
   HandleFrame(const Box2& box, double units_per_pixel);
 
   const Box2& outline() const { return outline_; }
-  /// A box without a width has no handles that change it, and likewise for its height.
+  /// A box of zero width has no handles that would change the width, and likewise for its height.
   bool has(Handle handle) const;
   Vec2 at(Handle handle) const;
-  /// The nearest one within reach.
+  /// The nearest handle within reach.
   std::optional<Handle> handle_at(Vec2 p, double reach) const;
 
  private:
@@ -48,28 +48,28 @@ class HandleFrame {
   double units_per_pixel_;
 };
 
-/// What of the box a handle holds: a corner, the middle of a side, or for `turn` the middle of the upper side.
+/// The point of the box that a handle holds: a corner, or the middle of a side (for `turn`, of the upper side).
 Vec2 held_place(const Box2& box, Handle handle);
 
 struct HandleDrag {
   Handle handle = Handle::turn;
-  Vec2 from{};                ///< `turn`: where the drag began; else what the handle holds
-  Vec2 to{};                  ///< where that is to be now
-  bool about_middle = false;  ///< what stays is the middle of the box, not its opposite side or corner
-  bool in_steps = false;      ///< `turn`: by multiples of 15 degrees
+  Vec2 from{};                ///< `turn`: start of the drag; otherwise the point that the handle holds
+  Vec2 to{};                  ///< its new position
+  bool about_middle = false;  ///< the middle of the box stays fixed, instead of the opposite side or corner
+  bool in_steps = false;      ///< `turn`: in multiples of 15 degrees
 };
 
 struct Dragged {
   std::vector<Vec2> places;
-  Vec2 factor{1.0, 1.0};  ///< of differences in x and y; below zero: mirrored
+  Vec2 factor{1.0, 1.0};  ///< for differences in x and y; negative: mirrored
   double degrees = 0.0;   ///< counter-clockwise
-  /// Of radii: the factor of corners, for sides change centres only.
+  /// For radii: the factor of corner handles; side handles change only centres.
   double radius_factor = 1.0;
 };
 
-/// Sides scale in their direction, and mirror when they are dragged across what stays; corners scale both coordinates by
-/// one factor; `turn` turns about the middle of the box. A place with the coordinate of the held one comes to lie
-/// exactly at that of `to`. A factor of zero is not taken: nothing, then.
+/// Sides scale in their direction, and mirror when they are dragged across the fixed point; corners scale both
+/// coordinates by one factor; `turn` rotates about the middle of the box. Points that share a coordinate with the held
+/// point get exactly that of `to`. Returns nothing for a factor of zero.
 std::optional<Dragged> dragged(std::span<const Vec2> places, const Box2& box, const HandleDrag& drag);
 
 }  // namespace mes

@@ -12,7 +12,7 @@
 namespace mes {
 namespace {
 
-/// Of the line of least squares through the mean; a unit vector. The places are not all equal.
+/// Direction of the least-squares line through the mean, as a unit vector. The points must not all be equal.
 Vec2 direction_of(std::span<const Vec2> places, Vec2 mean, double scale) {
   double xx = 0.0;
   double xy = 0.0;
@@ -27,7 +27,7 @@ Vec2 direction_of(std::span<const Vec2> places, Vec2 mean, double scale) {
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// Integer points A + t d next to the given ones; nothing where they leave the grid.
+/// Integer points A + t d nearest to the given ones; nothing if they leave the grid.
 std::optional<std::vector<Vec2>> along(std::span<const GridPoint> points, GridPoint a, GridPoint d,
                                        const CommonGrid& grid) {
   const auto dx = static_cast<long double>(d.x);
@@ -46,14 +46,14 @@ std::optional<std::vector<Vec2>> along(std::span<const GridPoint> points, GridPo
   return out;
 }
 
-/// Directions of integers that come ever nearer to a unit vector: the convergents of its slope.
+/// Integer directions that approximate a unit vector ever better: the convergents of its slope.
 std::vector<GridPoint> convergents(Vec2 direction) {
   constexpr double kMostSteps = 1e9;
   const bool is_steep = std::abs(direction.y) > std::abs(direction.x);
   double rest = is_steep ? direction.x / direction.y : direction.y / direction.x;
   const double sign = rest < 0.0 ? -1.0 : 1.0;
   rest = std::abs(rest);
-  // Numerator and denominator of this convergent and of the one before.
+  // Numerators and denominators of this convergent and the previous one.
   double p0 = 1.0;
   double q0 = 0.0;
   double p = 0.0;
@@ -76,7 +76,7 @@ std::vector<GridPoint> convergents(Vec2 direction) {
   }
 }
 
-/// Decided exactly.
+/// Decides collinearity exactly.
 bool are_collinear(std::span<const Vec2> places) {
   return std::ranges::all_of(places.subspan(2),
                              [&](Vec2 p) { return !std::isfinite(circumcircle(places[0], places[1], p).radius); });
@@ -94,7 +94,7 @@ Expected<DegeneratePlaces> on_one_line(std::span<const Vec2> places) {
   std::vector<GridPoint> points;
   points.reserve(places.size());
   for (const Vec2 p : places) points.push_back(grid.rounded(p));
-  // Through one of the places, too: those that are on one line already stay.
+  // Also tries a line through one of the points, so that points already on a line stay.
   const Vec2 direction = direction_of(places, mean, extent);
   const auto off = [&](Vec2 p) { return std::abs(cross(direction, p - mean)); };
   const Vec2 nearest = *std::ranges::min_element(places, {}, off);

@@ -28,7 +28,7 @@ struct Engine::Impl {
     thread = std::jthread([this](const std::stop_token& stop) { work(stop); });
   }
   ~Impl() {
-    // Under the lock: between the worker's look at the stop token and its sleep the notification would be lost.
+    // Takes the lock: a notification between the worker's check of the stop token and its sleep would be lost.
     const std::lock_guard lock(mutex);
     stopping = true;
     job_stop.request_stop();
@@ -37,13 +37,13 @@ struct Engine::Impl {
     work_there.notify_all();
   }
 
-  // What an answer is about is about to change.
+  // Stops the running answer, because its subject is about to change.
   void stop_answering() {
     if (is_answering) job_stop.request_stop();
   }
   void add(std::shared_ptr<const DocumentDelta> delta) {
     stop_answering();
-    // What is being computed is superseded when everything is replaced.
+    // A replacement of everything makes the running computation obsolete.
     if (delta->replaces_all()) job_stop.request_stop();
     deltas.push_back(std::move(delta));
     status.cancelled = false;
@@ -74,7 +74,7 @@ struct Engine::Impl {
   }
 
   void add(ProvenanceQuestion question) {
-    // The engine's thread needs no memory to hand over as many answers as may be asked for.
+    // Reserved here, so that the engine's thread needs no memory to hand over the answers.
     constexpr std::size_t kMostAsked = 2 * kProvenanceWishes;
     answers.reserve(answers.size() + kMostAsked);
     std::erase_if(questions, [&](const ProvenanceQuestion& earlier) { return earlier.wish == question.wish; });
@@ -94,7 +94,7 @@ struct Engine::Impl {
            want_statistics != has_statistics || want_findings != has_findings || unfinished;
   }
   bool has_work() const { return has_to_compute() || !questions.empty(); }
-  /// Under the lock, after something was given to do.
+  /// Called under the lock, after new work was added.
   void announce() {
     if (!has_work()) return;
     awaited.request_stop();
@@ -147,7 +147,7 @@ struct Engine::Impl {
       status.busy = false;
       if (is_complete && graph.has_questions()) answer(lock);
       is_running = false;
-      if (!has_to_compute()) status.cancelled = false;  // too late: it was done already
+      if (!has_to_compute()) status.cancelled = false;  // too late: the work is already done
       status.task.clear();
       idle.notify_all();
       const bool has_time = is_complete && !has_work();
@@ -158,10 +158,10 @@ struct Engine::Impl {
     }
   }
 
-  // The patch that was finished does not wait for it.
+  // The finished patch does not wait for the answers.
   void answer(std::unique_lock<std::mutex>& lock) {
     is_answering = true;
-    // A stop that came too late for the run is not about the answers.
+    // A stop that came too late for the run does not concern the answers.
     job_stop = std::stop_source();
     if (stopping || has_to_compute()) job_stop.request_stop();
     job.set_token(job_stop.get_token());
@@ -193,39 +193,39 @@ struct Engine::Impl {
   }
 
   Options options;
-  std::shared_ptr<const Registry> registry;       // of the graph
-  std::shared_ptr<const Registry> next_registry;  // that the graph has not seen
-  Graph graph;                                    // touched by the engine's thread only
+  std::shared_ptr<const Registry> registry;       // used by the graph
+  std::shared_ptr<const Registry> next_registry;  // not yet passed to the graph
+  Graph graph;                                    // used only by the engine's thread
   JobControl job;
-  JobControl job_at_leisure;  // stopped by whatever there is to do
+  JobControl job_at_leisure;  // stopped by any new work
   mutable std::mutex mutex;
   std::condition_variable work_there;
   std::condition_variable idle;
   std::vector<std::shared_ptr<const DocumentDelta>> deltas;
-  std::optional<ComputationSettings> settings;  // that the graph has not seen
+  std::optional<ComputationSettings> settings;  // not yet passed to the graph
   ComputationSettings latest_settings;
   std::vector<VariantRequest> latest_variants;
-  std::vector<VariantStep> variant_steps;  // that the graph has not seen
+  std::vector<VariantStep> variant_steps;  // not yet passed to the graph
   std::vector<VariantLayer> demand;
   bool demand_changed = false;
   bool want_statistics = false;
   bool has_statistics = false;
   bool want_findings = false;
   bool has_findings = false;
-  std::vector<ProvenanceQuestion> questions;  // that the graph has not seen
-  std::vector<Provenance> answers;            // that were not taken
-  std::vector<Provenance> found;              // touched by the engine's thread only
+  std::vector<ProvenanceQuestion> questions;  // not yet passed to the graph
+  std::vector<Provenance> answers;            // not yet taken
+  std::vector<Provenance> found;              // used only by the engine's thread
   bool unfinished = false;
-  bool is_running = false;    // the graph is at work; `status.busy` says whether it computes
+  bool is_running = false;    // the graph is working; `status.busy` says whether it computes
   bool is_answering = false;  // ... and its last patch is finished
   bool stopping = false;
   std::stop_source job_stop;
-  std::stop_source awaited;  // there is work that the worker has not seen
+  std::stop_source awaited;  // signals work that the worker has not seen
   EngineStatus status;
   std::chrono::steady_clock::time_point started;
   std::deque<std::unique_ptr<FramePatch>> finished;
   std::vector<std::unique_ptr<FramePatch>> spare;
-  std::jthread thread;  // last: it must be gone before what it uses
+  std::jthread thread;  // last member, so that the thread ends before the members it uses
 };
 
 Engine::Engine(const Registry& registry, Options options)

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The geometry engine on its own thread: takes document deltas and the set of wanted layers, gives back patches.
+// The geometry engine on its own thread: takes document deltas and the set of wanted layers, and returns patches.
 //
 // What it guarantees:
 //  1. No call but `sync` ever waits for a computation.
-//  2. Deltas are applied in the order of `post`. Several pending ones are computed as one step: the newest state
-//     wins.
-//  3. Patches come out in order and each builds on the one before; none is skipped or shared.
-//  4. A structure that fails leaves its layers at their last good picture; the report says why.
+//  2. Deltas are applied in the order of `post`. Several pending ones are computed as one step, which shows only the
+//     newest state.
+//  3. Patches are returned in order and each builds on the previous one; none is skipped or shared.
+//  4. If a structure fails, its layers keep their last good picture, and the report has the reason.
 //  5. Variants are computed in the same steps as the main computation, and are in the same patches.
-//  6. `cancel` ends the running computation within a fraction of a second; what it had to do stays pending until
-//     the next `post`, `set_demand` or `resume`.
+//  6. `cancel` ends the running computation within a fraction of a second; the interrupted work stays pending until the
+//     next `post`, `set_demand` or `resume`.
 //
 // Smallest use:
 //     Engine engine(registry, {});
@@ -42,77 +42,77 @@ struct VariantDelta {
   std::shared_ptr<const DocumentDelta> delta;
 };
 
-/// A change of the variants. Those that keep their kind keep their documents.
+/// A change of the variants. Variants of unchanged kind keep their documents.
 struct VariantStep {
-  std::optional<std::vector<VariantRequest>> variants{};  ///< 1, 2, ...; none: as they were
-  std::vector<VariantDelta> deltas{};                     ///< of variants that have documents
+  std::optional<std::vector<VariantRequest>> variants{};  ///< variants 1, 2, ...; unset: unchanged
+  std::vector<VariantDelta> deltas{};                     ///< for variants that have documents
 };
 
-/// What changes together and is computed as one step.
+/// Changes that belong together and are computed as one step.
 struct EngineStep {
   std::vector<std::shared_ptr<const DocumentDelta>> deltas;
   ComputationSettings settings;
-  std::vector<VariantLayer> demand;  ///< of all variants (`layer_in`)
+  std::vector<VariantLayer> demand;  ///< layers of all variants (`layer_in`)
   VariantStep beside{};
 };
 
 struct EngineStatus {
-  bool busy = false;       ///< something is being computed or waits to be; answering questions does not count
+  bool busy = false;       ///< a computation is running or pending; questions do not count
   bool cancelled = false;  ///< work is pending after `cancel`
-  std::string task;        ///< public id of the structure or layer at work; empty when idle
-  double progress = 0.0;   ///< of that task, in [0, 1]; 0 when unknown
-  double busy_ms = 0.0;    ///< since the running computation began
+  std::string task;        ///< public id of the structure or layer being computed; empty when idle
+  double progress = 0.0;   ///< progress of that task, in [0, 1]; 0 when unknown
+  double busy_ms = 0.0;    ///< duration of the running computation so far
 };
 
 class Engine {
  public:
   struct Options {
     std::function<void()>
-        wake;  ///< a patch or an answer is ready or the status changed; must be quick and must not throw
+        wake;  ///< a patch or an answer is ready, or the status changed; must be quick and must not throw
     /// Makes the engine's graph a one-shot one (core/engine/graph.h). Called on threads of the engine; must not throw.
     std::function<void(const InstancePiece&)> take_instances{};
-    /// Whether scalars of what is taken are needed.
+    /// Whether the taken instances need their scalars.
     bool needs_scalars = true;
   };
 
-  /// The registry has to outlive it.
+  /// The registry must outlive the engine.
   Engine(const Registry& registry, Options options);
-  /// Keeps the registry alive until it has taken another.
+  /// Keeps the registry alive until another one replaces it.
   Engine(std::shared_ptr<const Registry> registry, Options options);
   ~Engine();
   Engine(const Engine&) = delete;
   Engine& operator=(const Engine&) = delete;
 
-  /// Takes another registry, as `Graph::set_registry`, and keeps it alive. Demand may name its layers from now on. Where
-  /// memory does not suffice, the engine goes on with the one before and does not hear of layers that it lacks.
+  /// Replaces the registry, like `Graph::set_registry`, and keeps it alive. From now on demand may name its layers. If
+  /// memory runs out, the engine keeps the previous registry and ignores layers that it lacks.
   void set_registry(std::shared_ptr<const Registry> registry);
   void post(std::shared_ptr<const DocumentDelta> delta);
-  /// Layers to keep up to date. A layer that comes into demand is sent whole (reset); one that leaves costs nothing.
+  /// Layers to keep up to date. A newly demanded layer is sent whole (reset); a dropped one costs nothing.
   void set_demand(std::vector<VariantLayer> layers);
-  /// Number type and parameters. A computation with other settings is abandoned.
+  /// Sets number type and parameters. A computation with other settings is abandoned.
   void set_settings(const ComputationSettings& settings);
-  /// All three at once: no patch shows some of it without the rest. So what follows depends on the steps alone, and
-  /// not on how fast they come.
+  /// Posts all three at once: no patch shows only a part of them. So the results depend on the steps alone, and not on
+  /// their timing.
   void post(EngineStep step);
-  /// The next patches carry `NodeReport::stats`; O(n) for some structures, so only while they are looked at.
+  /// The next patches carry `NodeReport::stats`; O(n) for some structures, so only while someone looks at them.
   void set_want_statistics(bool wanted);
-  /// The next patches carry `NodeReport::findings`, of the theorem's judges too.
+  /// The next patches carry `NodeReport::findings`, including those of the theorem's judges.
   void set_want_findings(bool wanted);
-  /// Answered after the next complete run; see `take_answers`. Does not hold up what is being computed, does not count
-  /// as busy, and waits while something is to be computed, even where the answer was begun. A later question takes the
-  /// place of one with the same wish that is not answered.
+  /// The answer follows the next complete run; see `take_answers`. A question does not delay computations and does not
+  /// count as busy; its answer waits for them, even if it was already begun. A new question replaces an unanswered one
+  /// with the same wish.
   void ask(ProvenanceQuestion question);
   void cancel();
   void resume();
 
-  /// What was answered since the last call. Never waits.
+  /// Answers since the last call. Never waits.
   std::vector<Provenance> take_answers();
   /// The next finished patch, or null. Never waits.
   std::unique_ptr<FramePatch> poll();
-  /// Waits until everything posted is computed and everything asked is answered, then as `poll`; null when all patches
-  /// have been taken.
+  /// Waits until everything posted is computed and everything asked is answered, then behaves like `poll`; null if all
+  /// patches have been taken.
   std::unique_ptr<FramePatch> sync();
-  /// Gives a patch's memory back for the next one.
+  /// Returns a patch's memory for reuse.
   void recycle(std::unique_ptr<FramePatch> patch);
   EngineStatus status() const;
 

@@ -18,7 +18,7 @@ void Graph::post(std::shared_ptr<const DocumentDelta> delta) {
 }
 
 void Graph::post(VariantIndex variant, std::shared_ptr<const DocumentDelta> delta) {
-  if (variant >= variants_.size()) return;  // it found no room
+  if (variant >= variants_.size()) return;  // the variant found no memory
   MES_ASSERT(variants_[variant]->has_document);
   for (const StructureNode& node : nodes_)
     if (node.source != nullptr && node.variant == variant) node.source->post(delta);
@@ -33,7 +33,7 @@ void Graph::set_demand(std::span<const VariantLayer> layers) {
   for (const VariantLayer layer : layers) {
     if (find(layer) == nullptr) continue;
     LayerNode& node = node_of(layer);
-    // A variant that shares it may have had it by itself before the registry changed.
+    // A variant that shares the layer may have had its own before the registry changed.
     if (layer.variant == kMainVariant || !node.structures.empty()) node.demanded = true;
   }
   for_each_layer([](VariantLayer /*layer*/, LayerNode& node) {
@@ -67,7 +67,7 @@ void Graph::mark_needed() {
   });
   for (StructureNode& node : nodes_)
     if (want_findings_ && node.variant == kMainVariant && node.structure->is_judge()) node.needed = true;
-  // Inputs stand before their consumers.
+  // Inputs are listed before their consumers.
   for (std::size_t i = nodes_.size(); i-- > 0;)
     if (nodes_[i].needed)
       for (const std::size_t input : nodes_[i].inputs) nodes_[input].needed = true;
@@ -93,7 +93,7 @@ double Graph::lap_ms() {
 void Graph::bring_up_to_date(StructureNode& node, JobControl& job) {
   bool inputs_changed =
       node.source != nullptr && (node.source->has_pending() || (node.synced == 0 && node.state != NodeState::failed));
-  // What failed is tried again when its inputs have changed since, not before.
+  // A failed structure is retried only after its inputs have changed.
   const std::uint64_t seen = node.state == NodeState::failed ? node.tried : node.synced;
   bool may_update =
       !is_one_shot() && node.synced != 0 && node.synced + 1 == run_ && node.state == NodeState::up_to_date;
@@ -126,8 +126,8 @@ void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
     node.state = NodeState::failed;
     node.reason = std::move(reason);
   };
-  // Whatever goes wrong, the tables are worthless then. Its state says so: what is not up to date is rebuilt before
-  // anything follows it.
+  // If anything goes wrong from here on, the tables are worthless. The state records this: a structure that is not up
+  // to date is rebuilt before anything uses it.
   node.tried = run_;
   node.has_changes = true;
   try {
@@ -154,8 +154,8 @@ void Graph::compute(StructureNode& node, bool may_update, JobControl& job) {
   node.ms = lap_ms();
 }
 
-// The frame in which the pictures are drawn follows the samples only when they leave it by far, because a new one
-// means that every instance is sent again.
+// The drawing frame follows the samples only when they leave it by far, because a new frame requires that every
+// instance is sent again.
 void Graph::follow_extent() {
   Box2 box;
   bool replaced = false;
@@ -192,7 +192,7 @@ LayerPatch& Graph::begin_patch(VariantLayer index, FramePatch& out) {
   return patch;
 }
 
-// Turns the patch into one that takes all instances of the layer from its consumer.
+// Turns the patch into one that removes all instances of the layer.
 void Graph::withdraw(LayerPatch& patch) {
   patch.clear();
   LayerNode& node = node_of(patch.layer);
@@ -212,8 +212,7 @@ Graph::Emission Graph::emission_of(VariantLayer index, FramePatch& out) {
     if (input.state != NodeState::up_to_date) {
       node.state = input.state;
       node.reason = input.reason;
-      // The last good picture stays, unless it is in a frame that is gone. Where there was no room for another one,
-      // it is the frame that stays.
+      // The last good picture stays, unless it belongs to an old frame. If memory ran out, the old frame stays instead.
       if (!node.sent || frame_ == sent_frame_) return Emission::none;
       if (node.reason.ends_with(kOutOfMemory))
         keeps_frame_ = true;
@@ -239,8 +238,8 @@ void Graph::begin_reset(VariantLayer index, FramePatch& out, TaskQueue& tasks, J
   tasks.add([this, &patch, &job] { fill(patch, Emission::reset, job); });
 }
 
-// Layers only read tables, and those of the structures up to a rebuilt one do not change any more. So layers that
-// waited for it are given away at once.
+// Layers only read tables, and tables of structures that are already brought up to date do not change any more. So
+// layers that waited for this structure can start at once.
 void Graph::begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& tasks, JobControl& job) {
   for (const VariantLayer index : node.completes) {
     LayerNode& layer = node_of(index);
@@ -251,7 +250,7 @@ void Graph::begin_layers(const StructureNode& node, FramePatch& out, TaskQueue& 
 }
 
 void Graph::emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job) {
-  // All at once, so that what is in no cache arrives together.
+  // All prefetches first, so that their cache misses overlap.
   for (const VariantLayer index : demanded_)
     if (node_of(index).begun != run_ && !is_one_shot())
       for (const auto& part : node_of(index).layer.parts) part->expect_update();
@@ -269,7 +268,7 @@ void Graph::emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job) {
     tasks.finish();
   }
   if (is_stopped_) throw Cancelled{};
-  // A layer that could not be made has nothing to say.
+  // Drop the empty patches of layers that could not be made.
   std::size_t kept = 0;
   for (std::size_t i = 0; i < out.layer_count; ++i) {
     if (out.layers[i].is_empty()) continue;
@@ -279,9 +278,9 @@ void Graph::emit_layers(FramePatch& out, TaskQueue& tasks, JobControl& job) {
   out.layer_count = kept;
 }
 
-// A run that is stopped brings nothing: half of its layers would show another state than the rest. The consumer holds
-// what it held before, and what was made for it is forgotten; `synced` of those layers is then in the past, so the
-// next run sends them whole.
+// A stopped run sends nothing, because half of its layers would show another state than the rest. The consumer keeps
+// its instances, and the finished part is forgotten; `synced` of those layers then lies in the past, so the next run
+// sends them whole.
 void Graph::take_back(FramePatch& out) {
   for (const LayerBefore& before : before_) {
     LayerNode& node = node_of(before.layer);
@@ -300,8 +299,8 @@ void Graph::emit_whole(LayerPart& part, LayerPatch& patch) const {
     part.reset(patch);
 }
 
-// Whatever ends early leaves an empty patch. The consumer then keeps the instances it has, unless they are in a frame
-// that is gone; which rows they belong to is forgotten, so the layer is sent whole next time.
+// If filling ends early, the patch stays empty. The consumer then keeps its instances, unless they belong to an old
+// frame. Their rows are forgotten, so the layer is sent whole next time.
 void Graph::fill(LayerPatch& patch, Emission emission, JobControl& job) {
   LayerNode& node = node_of(patch.layer);
   node.synced = 0;
@@ -363,8 +362,8 @@ void Graph::report_node(StructureNode& node, NodeReport& report) {
   report.is_judging = is_judged && node.structure->has_verdict() && node.state == NodeState::up_to_date;
   report.kernel = node.structure->kernel();
   if (node.state != NodeState::up_to_date) return;
-  // After a run that was stopped, the tables of inputs may be newer than its own, and what it says of itself reads
-  // both.
+  // After a stopped run, the tables of inputs may be newer than those of the structure, and its statistics and findings
+  // read both.
   const bool may_ask = node.synced == run_;
   if (is_judged) {
     if (may_ask && (node.findings_run < node.changed || node.findings_run == 0)) {
@@ -391,7 +390,7 @@ void Graph::report_inactive(const StructureNode& node, NodeReport& report) {
 }
 
 void Graph::report(FramePatch& out) {
-  // What is not needed is most of all. It stands in a patch that is used again, unless that was about others.
+  // Most structures and layers are not needed. Their reports stay in the reused patch, unless it was about others.
   const std::size_t layers = variants_.front()->layers.size();
   if (out.origin != origin_ || out.demand != demand_ || out.nodes.size() != nodes_.size() ||
       out.reports.size() != variants_.size() * layers)
@@ -421,7 +420,7 @@ void Graph::report_all_inactive(FramePatch& out) {
   out.demand = demand_;
 }
 
-// For when memory does not suffice for the report itself.
+// Used if there is no memory for the report itself.
 void Graph::report_lack_of_memory(FramePatch& out) {
   out.nodes.clear();
   out.demand = 0;
@@ -432,7 +431,7 @@ void Graph::report_lack_of_memory(FramePatch& out) {
   }
 }
 
-// There was no room for what holds the run together. Nothing of it is sent, and the next one sends everything.
+// The run itself found no memory. It sends nothing, and the next run sends everything.
 void Graph::give_up_for_lack_of_memory(FramePatch& out) {
   take_back(out);
   for_each_layer([](VariantLayer /*layer*/, LayerNode& node) {
@@ -465,7 +464,7 @@ bool Graph::run(FramePatch& out, JobControl& job) {
   lap_ms();
   TaskQueue tasks;
   try {
-    out.layers.reserve(demanded_.size());  // tasks hold on to their patches
+    out.layers.reserve(demanded_.size());  // tasks hold references to their patches
     for (const std::size_t i : sources_) {
       job.reset_progress();
       bring_up_to_date(nodes_[i], job);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Questions to the graph: what lies at a place, what an insertion would change, what elements come from.
+// Answers questions to the graph: elements at a position, effects of an insertion, origins of elements.
 #include <algorithm>
 #include <exception>
 #include <new>
@@ -11,7 +11,7 @@
 namespace mes {
 namespace {
 
-constexpr std::size_t kLook = 4096;  // instances between two looks at the job
+constexpr std::size_t kLook = 4096;  // instances between two checks of the job
 
 }  // namespace
 
@@ -28,7 +28,7 @@ bool Graph::is_up_to_date(const Structure& structure) const {
   return found != nodes_.end() && found->needed && found->state == NodeState::up_to_date;
 }
 
-// What the elements are and come from, as one line; the elements themselves count as far as they are samples or balls.
+// The elements and their origins, as one line; elements that are samples or balls are included.
 std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& question,
                                                      const std::function<bool(const Structure&)>& is_current,
                                                      JobControl& job) const {
@@ -59,7 +59,7 @@ std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& q
     return {{ProvenanceRole::itself, "more than 20,000 elements have such a value", {}, false}};
   ProvenanceLine out{ProvenanceRole::origin, count_text(found.size(), "element", "elements"), {}, false};
   for (const auto& [variant, element, shape] : found) {
-    job.checkpoint();  // some elements are found by looking at all
+    job.checkpoint();  // some lookups scan all rows
     out.shapes.push_back(shape);
     for (const ProvenanceLine& line : explain(structures(variant), is_current, element, job))
       if (line.role != ProvenanceRole::product)
@@ -68,7 +68,7 @@ std::vector<ProvenanceLine> Graph::sources_of_values(const ProvenanceQuestion& q
   return {std::move(out)};
 }
 
-// An answer is empty without memory for it, or where a structure fails to give one. Those about a place take no time, and come first.
+// An answer is empty if memory runs out or a structure fails. Questions about a position are fast and come first.
 void Graph::answer(std::vector<Provenance>& out, JobControl& job) {
   static_assert(static_cast<std::size_t>(ProvenanceWish::sources_of_values) + 1 == kProvenanceWishes);
   for (std::optional<ProvenanceQuestion>& question : questions_) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The nodes of the graph: they are made of a registry, for each variant, and follow a change of both.
+// The nodes of the graph: creates them from a registry, for each variant, and follows changes of both.
 #include <algorithm>
 #include <atomic>
 #include <iterator>
@@ -31,7 +31,7 @@ Graph::Graph(const Registry& registry, const Graph& before)
         Variant{.structures = registry.make_structures(*before.registry_, old->structures, shared, old->has_document),
                 .has_document = old->has_document}));
   }
-  // A new source could not be given what was posted to the old one.
+  // A new source would miss everything that was posted to the old one.
   for (const StructureNode& old : before.nodes_)
     MES_ASSERT(old.source == nullptr || variants_[old.variant]->structures.holds(*old.structure));
   for (StructureNode& node : nodes_) {
@@ -111,7 +111,7 @@ void Graph::add(std::unique_ptr<Variant> added) {
       layer.parts.clear();
     } else {
       std::ranges::transform(layer.structures, std::back_inserter(node.structures), position_of);
-      // Sources are brought up to date before all others.
+      // Sources are brought up to date before all other structures.
       const auto turn = [this](std::size_t position) {
         return std::pair(nodes_[position].source == nullptr, position);
       };
@@ -122,7 +122,7 @@ void Graph::add(std::unique_ptr<Variant> added) {
     node.layer = std::move(layer);
     variant.layers.push_back(std::move(node));
   }
-  // Here memory may lack; in a run nothing could be done about it.
+  // Reserved here, because a run could not handle a lack of memory.
   sources_.reserve(nodes_.size());
   needed_.reserve(nodes_.size());
   demanded_.reserve(variants_.size() * variant.layers.size());

@@ -10,10 +10,10 @@
 
 namespace mes {
 
-/// The reason of a structure or layer that found no room. Short enough to be noted without asking for more.
+/// The reason for a structure or layer that found no memory. Short enough to be stored without allocation.
 inline constexpr std::string_view kOutOfMemory = "out of memory";
 
-/// Some structure, or some layer by itself, found no room.
+/// Whether a structure or a layer found no memory.
 inline bool lacks_memory(std::span<const NodeReport> nodes, std::span<const LayerReport> layers) {
   const auto lacks = [](const auto& report) {
     return report.state == NodeState::failed && report.reason == kOutOfMemory;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The theorem light: does the one-step axis deserve to be called the medial axis?
+// The theorem light says whether the one-step axis may be called the medial axis.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 namespace mes {
 
 enum class TheoremLight : std::uint8_t {
-  none,    ///< nothing inside, or the judges are not up to date
+  none,    ///< the union has no inside, or the judges are not up to date
   green,   ///< the one-step axis is the medial axis of the union of the inner balls: proved for this input
-  yellow,  ///< exact, but what the theorem asks for does not hold everywhere
+  yellow,  ///< exact, but the assumptions of the theorem do not hold everywhere
   red,     ///< the chosen number type gave a wrong or inconsistent result
 };
 
@@ -28,7 +28,7 @@ constexpr std::string_view name_of(TheoremLight light) {
   return "none";
 }
 
-/// What is said of samples with it, everywhere; without a full stop.
+/// The sentence about samples with this light, used everywhere; no full stop.
 constexpr std::string_view sentence_of(TheoremLight light) {
   switch (light) {
     case TheoremLight::green: return "the theorem is proved for these samples";
@@ -39,7 +39,7 @@ constexpr std::string_view sentence_of(TheoremLight light) {
   return "there is nothing to prove";
 }
 
-/// What a finding of this level makes the light at least.
+/// The lowest light level that a finding of this level allows.
 constexpr TheoremLight light_of(FindingLevel level) {
   switch (level) {
     case FindingLevel::doubt: return TheoremLight::yellow;
@@ -49,7 +49,7 @@ constexpr TheoremLight light_of(FindingLevel level) {
   return TheoremLight::none;
 }
 
-/// From the reports of a run in which findings were wanted. Lack of memory and refused sizes say nothing about the result.
+/// Light from the reports of a run with findings. Lack of memory and refused sizes say nothing about the result.
 inline TheoremLight light_of(std::span<const NodeReport> nodes) {
   TheoremLight light = TheoremLight::none;
   for (const NodeReport& node : nodes) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a variant (core/draw/variant.h) has of its own. Plain data.
+// The parts of a variant (core/draw/variant.h) that are its own. Plain data.
 #pragma once
 
 #include "core/document/computation_settings.h"
@@ -8,7 +8,7 @@ namespace mes {
 
 struct VariantRequest {
   ComputationSettings settings;
-  bool has_document = false;  ///< samples and balls too
+  bool has_document = false;  ///< also has its own samples and balls
   friend bool operator==(const VariantRequest&, const VariantRequest&) = default;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Additive growth: balls of radius r have the radius sqrt(r^2 + alpha-radius^2), and alpha-radius changes step by step. So
-// power cells stay as they are, and the dual complexes of the grown balls are nested alpha complexes.
+// Additive growth: balls of radius r get the radius sqrt(r^2 + alpha-radius^2), and alpha-radius changes step by step.
+// So power cells do not change, and the dual complexes of the grown balls are nested alpha complexes.
 #include <cmath>
 
 #include "core/evolutions/evolution.h"
@@ -18,7 +18,7 @@ const Parameter kAlphaStep{.id = "alpha-step",
                            .title = "Step"};
 
 double by_steps(double first, double sign, std::uint64_t k, const ParameterValues& values) {
-  // What k steps of rounded length go beyond zero by is none.
+  // A remainder that only comes from the rounding of k steps counts as zero.
   const double way = static_cast<double>(k) * values[kAlphaStep];
   const double out = first + sign * way;
   return std::abs(out) <= 0x1p-40 * first ? 0.0 : out;

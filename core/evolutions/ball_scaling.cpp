@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Growing and shrinking: the balls of a family, or those along an axis, are scaled about their centres, step by step.
+// Growing and shrinking: scales the balls of a family, or those along an axis, about their centres, step by step.
 #include "core/evolutions/evolution.h"
 
 namespace mes {

@@ -122,7 +122,7 @@ Expected<EvolutionState> next_state(const EvolutionState& state, std::uint64_t k
   job.checkpoint();
   auto next = std::get<SampleMove>(choice.evolution->move)(state, {k, choice, *curve});
   if (!next) return next;
-  // Traces that rounding leaves where a sum is zero are none. Equal points have equal bits, as in a document.
+  // Sums that are zero up to rounding become zero. Equal points get equal bits, as in a document.
   Magnitudes all;
   for (const Vec2 p : next->positions) for_each_number(p, [&all](double x) { all.add(x); });
   for (Vec2& p : next->positions) p = {without_traces(p.x, all.most) + 0.0, without_traces(p.y, all.most) + 0.0};

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of evolutions, in the order in which they are offered. A new one is a file that defines its function, and two
-// lines here.
+// The list of evolutions, in the order of the menu. A new one needs a file that defines its function, and two lines
+// here.
 #include <memory>
 #include <utility>
 

@@ -28,7 +28,7 @@ void EvolutionRun::begin(EvolutionState beginning, EvolutionChoice choice) {
 void EvolutionRun::want(std::uint64_t k) {
   {
     const std::lock_guard lock(mutex_);
-    // States on the way to a farther one are kept, so only a wish for an earlier one ends what is being done.
+    // States on the way to a later one are kept, so only a request for an earlier state stops the computation.
     if (!wanted_ || k < *wanted_) stop_.request_stop();
     wanted_ = k;
     answer_.reset();
@@ -81,7 +81,7 @@ void EvolutionRun::work(const std::stop_token& ending) {
       auto state = compute(*states, k, job);
       {
         const std::lock_guard lock(mutex_);
-        // A newer wish gets an answer of its own.
+        // A newer request gets its own answer.
         if (states != states_ || wanted_ != k) continue;
         wanted_.reset();
         answer_ = Answer{k, std::move(state)};

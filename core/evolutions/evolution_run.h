@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The states of one evolution, computed on a thread of their own.
+// Computes the states of one evolution on a thread of its own.
 //
 // What it guarantees:
 //  1. No call waits for a computation.
-//  2. Of several wishes the last counts; what is being computed for an earlier one is given up where it does not lie
-//     on the way. Exactly one answer follows the last wish, unless `cancel` or `begin` came first.
+// 2. The last request counts; the computation for an earlier one is abandoned unless it lies on the way. Exactly one
+//    answer follows the last request, unless `cancel` or `begin` came first.
 //
 // Smallest use:
 //     EvolutionRun run({});
@@ -12,7 +12,7 @@
 //     run.want(12);
 //     if (auto answer = run.poll()) show(*answer);  // from time to time
 //
-// Threads: all methods may be called from one other thread. `wake` is called from the thread of the run.
+// Threads: all methods may be called from one other thread. The thread of the run calls `wake`.
 #pragma once
 
 #include <atomic>
@@ -44,14 +44,14 @@ class EvolutionRun {
   EvolutionRun(const EvolutionRun&) = delete;
   EvolutionRun& operator=(const EvolutionRun&) = delete;
 
-  /// Forgets everything that was computed and wished for.
+  /// Forgets all computed states and requests.
   void begin(EvolutionState beginning, EvolutionChoice choice);
   void want(std::uint64_t k);
   void cancel();
-  /// The answer to the last wish, once.
+  /// The answer to the last request; returned only once.
   std::optional<Answer> poll();
   bool is_busy() const;
-  /// Number of the last state that was reached on the way to the wanted one.
+  /// Number of the last state computed on the way to the requested one.
   std::uint64_t reached() const { return reached_.load(std::memory_order_relaxed); }
 
  private:
@@ -61,10 +61,10 @@ class EvolutionRun {
   Options options_;
   mutable std::mutex mutex_;
   std::condition_variable_any changed_;
-  std::shared_ptr<EvolutionStates> states_;  // used by the thread only, but exchanged under the mutex
+  std::shared_ptr<EvolutionStates> states_;  // used only by the thread, but exchanged under the mutex
   std::optional<std::uint64_t> wanted_;
   std::optional<Answer> answer_;
-  std::stop_source stop_;  // of what is being computed
+  std::stop_source stop_;  // stops the running computation
   std::atomic<std::uint64_t> reached_{0};
   std::jthread thread_;
 };

@@ -26,7 +26,7 @@ void EvolutionStates::keep(std::uint64_t k, const Shared& state) {
     }
     return;
   }
-  // Of another stretch, or too many: what is far from the wanted state goes.
+  // States of another stretch, or too many of them: drop those far from the requested state.
   const auto is_elsewhere = [&](const auto& entry) { return entry.first / stride_ != k / stride_; };
   if (stretch_bytes_ + size > budget_ / 2 || (!stretch_.empty() && is_elsewhere(*stretch_.begin()))) {
     stretch_.clear();

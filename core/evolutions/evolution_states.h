@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The states of one evolution, computed when asked for and kept within a budget of memory.
+// The states of one evolution, computed on request and kept within a memory budget.
 //
 // What it guarantees:
-//  1. State k is the same however often and in whatever order states are asked for: what was dropped is computed
-//     again from an earlier one.
-//  2. What is kept stays within the budget, but for state 0, the last state computed, and the one last given out.
+//  1. State k is the same, however often and in whatever order states are requested: dropped states are computed again
+//     from an earlier one.
+//  2. Kept states stay within the budget, apart from state 0, the last state computed, and the last one returned.
 //
 // Smallest use:
 //     EvolutionStates states(state_of(document), {.evolution = registry.evolutions().find("smooth")});
 //     auto state = states.at(12, job);
 //
-// Cost: one step for each state between the wanted one and the nearest kept one before it. When the budget is used
-// up, every second checkpoint is dropped; the states of the stretch in use are kept too, so that playing backwards
+// Cost: one step for each state between the requested one and the nearest kept one before it. When the budget is used
+// up, every second checkpoint is dropped. The states of the current stretch are kept too, so that backward playback
 // computes each stretch once. Threads: none.
 #pragma once
 
@@ -29,8 +29,8 @@ class EvolutionStates {
 
   EvolutionStates(EvolutionState beginning, EvolutionChoice choice, std::size_t budget_bytes = kDefaultBudget);
 
-  /// Throws `Cancelled`; what was computed until then is kept. `on_step` hears of each state reached on the way.
-  /// Error: as `next_state`.
+  /// Throws `Cancelled`; states computed until then are kept. `on_step` is called for each state on the way. Error: as
+  /// `next_state`.
   Expected<Shared> at(std::uint64_t k, JobControl& job, const std::function<void(std::uint64_t)>& on_step = {});
 
   const EvolutionChoice& choice() const { return choice_; }

@@ -8,7 +8,7 @@
 namespace mes {
 namespace {
 
-// Fewer samples than this enclose nothing: their neighbours are each other.
+// A shorter loop encloses nothing: its samples have the same neighbour on both sides.
 constexpr std::size_t kSmallestLoop = 3;
 
 void find_who_moves(MovingCurve& curve, std::size_t samples) {
@@ -53,7 +53,7 @@ MovingCurve crust_curve(const std::vector<Vec2>& positions, JobControl& job) {
     structure->rebuild(job);
 
   MovingCurve out;
-  // Of samples at one place the first stands for all.
+  // Equal samples are represented by the first of them.
   constexpr std::uint32_t kNone = 0xffffffffU;
   Table<SiteSlot, std::uint32_t> first(delaunay.site_rows(), kNone);
   for (std::uint32_t i = 0; i < positions.size(); ++i) {
@@ -69,7 +69,7 @@ MovingCurve crust_curve(const std::vector<Vec2>& positions, JobControl& job) {
     to.points.reserve(chain.sites.size());
     for (const SiteSlot site : chain.sites) to.points.push_back(first[site]);
   }
-  // Rows of the structures have an order of their own.
+  // Sort, because the rows of structures are in no fixed order.
   std::ranges::sort(out.chains, {}, &MovingCurve::Chain::points);
   find_who_moves(out, positions.size());
   return out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chains of samples as evolutions see them: who follows whom, who may move, who goes along.
+// Chains of samples for evolutions: order of samples, which of them may move, and which follow others.
 #pragma once
 
 #include <cstdint>
@@ -15,24 +15,24 @@
 
 namespace mes {
 
-/// Chains name samples by their place in the state.
+/// Chains name samples by their index in the state.
 struct MovingCurve {
   using Chain = SampleData::Contour;
   std::vector<Chain> chains;
   bool is_known = false;       ///< from the document
-  std::vector<bool> may_move;  ///< by sample; the ends of open chains may not, nor who is met more than once
-  /// A sample and the one at the same place that stands for it in the chains: where that goes, this goes.
+  std::vector<bool> may_move;  ///< by sample; false for ends of open chains, and for samples that occur more than once
+  /// Pairs of a sample and the equal sample that represents it in the chains; the first moves with the second.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> followers;
 };
 
-/// Loops that were given with the samples.
+/// Loops that came with the samples.
 MovingCurve known_curve(std::vector<MovingCurve::Chain> chains, std::size_t samples);
 
-/// The chains of the one-step crust, in an order that depends on the samples alone. Throws `Cancelled`, and
-/// `GeometryError` when a structure fails. O(n log n).
+/// The chains of the one-step crust, in an order that depends only on the samples. Throws `Cancelled`, and
+/// `GeometryError` if a structure fails. O(n log n).
 MovingCurve crust_curve(const std::vector<Vec2>& positions, JobControl& job);
 
-/// Calls `visit(before, sample, after)` for every sample of the chains that may move.
+/// Calls `visit(before, sample, after)` for every movable sample of the chains.
 template <class Visit>
 void for_each_moving(const MovingCurve& curve, Visit visit) {
   for (const MovingCurve::Chain& chain : curve.chains) {
@@ -43,7 +43,7 @@ void for_each_moving(const MovingCurve& curve, Visit visit) {
   }
 }
 
-/// Brings the followers to where those are that stand for them.
+/// Moves followers to the samples that represent them.
 void gather_followers(const MovingCurve& curve, std::vector<Vec2>& positions);
 
 }  // namespace mes

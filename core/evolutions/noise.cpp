@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Noise: every sample on the curve is moved at random, by a fraction of the distance between its neighbours.
+// Noise: moves every sample on the curve at random, by a fraction of the distance between its neighbours.
 #include "core/base/rng.h"
 #include "core/evolutions/evolution.h"
 
@@ -20,9 +20,9 @@ const Parameter kIsotropic{.id = "noise-isotropic",
                            .title = "Direction",
                            .window_explanation = "Where a sample may move",
                            .choices = {"Along the normal", "In every direction"}};
-constexpr std::uint64_t kStream = 0x6e6f697365ULL;  // no other evolution draws the same numbers
+constexpr std::uint64_t kStream = 0x6e6f697365ULL;  // a stream that no other evolution uses
 
-// Uniform in the unit disk; by rejection, as sines and cosines are not the same on all machines.
+// Uniform in the unit disk; uses rejection, because sines and cosines differ between machines.
 Vec2 in_unit_disk(Rng& random) {
   for (;;) {
     const double x = random.uniform(-1.0, 1.0);
@@ -39,7 +39,7 @@ Expected<EvolutionState> noise_step(const EvolutionState& state, const Evolution
   for_each_moving(step.curve, [&](std::uint32_t before, std::uint32_t sample, std::uint32_t after) {
     Rng random(of_step.at((*state.numbers)[sample]));
     const Vec2 across = state.positions[after] - state.positions[before];
-    // `across` turned by a right angle is the unit normal times the distance of the neighbours.
+    // `across` rotated by a right angle is the unit normal times the distance of the neighbours.
     const Vec2 offset =
         isotropic ? length(across) * in_unit_disk(random) : random.uniform(-1.0, 1.0) * perpendicular(across);
     out.positions[sample] = state.positions[sample] + factor * offset;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Smoothing: every sample goes part of the way to the middle of its two neighbours.
+// Smoothing: moves every sample part of the way to the midpoint of its two neighbours.
 //
 // On a closed polygon of n samples the k-th Fourier mode is multiplied by 1 - mu (1 - cos(2 pi k / n)) in each step.
-// The second pass, of opposite sign, is Taubin's against shrinking (A signal processing approach to fair surface
-// design, SIGGRAPH 1995).
+// The second pass, of opposite sign, prevents shrinking (Taubin, A signal processing approach to fair surface design,
+// SIGGRAPH 1995).
 #include <cmath>
 
 #include "core/evolutions/evolution.h"
@@ -34,7 +34,7 @@ const Parameter kKeepArea{
 std::vector<Vec2> averaged(const MovingCurve& curve, const std::vector<Vec2>& from, double mu) {
   std::vector<Vec2> out = from;
   for_each_moving(curve, [&](std::uint32_t before, std::uint32_t sample, std::uint32_t after) {
-    // Halves first: the sum of two large numbers may be none.
+    // Halve before adding: the sum of two large numbers may overflow.
     const Vec2 middle = 0.5 * from[before] + 0.5 * from[after];
     out[sample] = (1.0 - mu) * from[sample] + mu * middle;
   });
@@ -49,7 +49,7 @@ double twice_area(const MovingCurve::Chain& loop, const std::vector<Vec2>& posit
   return sum;
 }
 
-// Loops that turn inside out or lose all area, and those with samples that stay, are left as they are.
+// Loops that turn inside out or lose all area, and loops with fixed samples, do not change.
 void restore_areas(const MovingCurve& curve, const std::vector<Vec2>& before, std::vector<Vec2>& positions) {
   for (const MovingCurve::Chain& chain : curve.chains) {
     if (!chain.closed) continue;

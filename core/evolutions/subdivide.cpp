@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Subdivision: between two samples that follow each other comes a new one, and old ones may move.
+// Subdivision: inserts a sample between each two neighbours; existing samples may move.
 //
 // The cubic B-spline mask is that of Lane and Riesenfeld (1980), the rule of Mesecina from its beginning; Chaikin's
 // gives quadratic B-splines (1974); the four-point scheme, of Dyn, Levin and Gregory (1987), and midpoints keep every
@@ -27,7 +27,7 @@ const Parameter kScheme{
     .window_explanation = "What the curve through the samples becomes",
     .choices = {"Cubic B-spline", "Corner cutting (Chaikin)", "Four-point, through every sample", "Midpoints"}};
 
-/// Walks along one chain and past its ends.
+/// Indexes the samples of one chain, also beyond its ends.
 class Walk {
  public:
   Walk(const MovingCurve::Chain& chain, const std::vector<Vec2>& positions)
@@ -36,7 +36,7 @@ class Walk {
   std::size_t size() const { return at_.size(); }
   std::size_t edge_count() const { return closed_ ? size() : size() - 1; }
   bool has_neighbours(std::size_t i) const { return closed_ || (i > 0 && i + 1 < size()); }
-  /// Beyond an open end the chain goes on straight.
+  /// Beyond an open end the chain is extended straight.
   Vec2 operator[](std::ptrdiff_t i) const {
     const auto n = static_cast<std::ptrdiff_t>(size());
     if (closed_) return positions_[at_[static_cast<std::size_t>((i + n) % n)]];
@@ -51,7 +51,7 @@ class Walk {
   const std::vector<Vec2>& positions_;
 };
 
-/// Where sample i goes.
+/// New position of sample i.
 Vec2 moved(Scheme scheme, const Walk& walk, std::ptrdiff_t i) {
   if (scheme == Scheme::cubic) return 0.125 * walk[i - 1] + 0.75 * walk[i] + 0.125 * walk[i + 1];
   if (scheme == Scheme::chaikin) return 0.75 * walk[i] + 0.25 * walk[i + 1];
@@ -66,7 +66,7 @@ Vec2 between(Scheme scheme, const Walk& walk, std::ptrdiff_t i) {
   return 0.5 * walk[i] + 0.5 * walk[i + 1];
 }
 
-// Chaikin cuts corners; at the last edge of an open chain there is none to cut.
+// Chaikin cuts corners; the last edge of an open chain has no corner to cut.
 std::size_t new_samples(Scheme scheme, const Walk& walk, bool closed) {
   const std::size_t edges = walk.edge_count();
   return scheme == Scheme::chaikin && !closed && edges > 0 ? edges - 1 : edges;

@@ -15,7 +15,7 @@ namespace mes {
 struct Formula::Parsed {
   mu::Parser parser;
   std::vector<std::string> names;
-  std::vector<double> values;  // the parser keeps pointers to them
+  std::vector<double> values;  // the parser keeps pointers to these
   std::vector<bool> is_used;
 };
 
@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t kMostBytes = 1000;
 
-// Those of muParser, and the cube root.
+// The functions of muParser, and the cube root.
 constexpr std::array<FormulaFunction, 27> kFunctions{
     {{"sin"},  {"cos"},   {"tan"},   {"asin"},  {"acos"}, {"atan"},   {"atan2", 2}, {"sinh"},   {"cosh"},
      {"tanh"}, {"asinh"}, {"acosh"}, {"atanh"}, {"exp"},  {"ln"},     {"log"},      {"log2"},   {"log10"},
@@ -36,7 +36,7 @@ std::string printable(std::string text) {
 }
 
 Error error_of(const mu::Parser::exception_type& problem, std::string_view text) {
-  // The position is past the end for what is missing, and unset for what has no place.
+  // The position is past the end if something is missing, and unset if the error has no position.
   const auto at = static_cast<std::size_t>(std::max(0, static_cast<int>(problem.GetPos())));
   const std::string token = printable(problem.GetToken());
   const std::size_t column = std::min(at, text.size()) + 1;
@@ -92,10 +92,10 @@ Expected<Formula> Formula::parse(std::string_view text, std::vector<std::string>
     parser.DefineConst("e", std::numbers::e);
     parser.DefineConst("deg", std::numbers::pi / 180.0);
     parser.DefineFun("cbrt", static_cast<mu::fun_type1>([](double x) { return std::cbrt(x); }));
-    parser.EnableOptimizer(false);  // what is written is what is computed
+    parser.EnableOptimizer(false);  // evaluates the expression exactly as written
     for (std::size_t i = 0; i < parsed->names.size(); ++i) parser.DefineVar(parsed->names[i], &parsed->values[i]);
     parser.SetExpr(std::string(text));
-    // The only operator that writes a variable.
+    // Assignment is the only operator that writes a variable.
     const std::size_t assigned = [&] {
       for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] != '=') continue;
@@ -113,7 +113,7 @@ Expected<Formula> Formula::parse(std::string_view text, std::vector<std::string>
     if (results != 1)
       return std::unexpected(Error{ErrorCode::bad_input, "one number is expected, and a comma separates several"});
     for (const std::string& name : parsed->names) parsed->is_used.push_back(parser.GetUsedVar().contains(name));
-    // Asking for the variables leaves the parser without its compiled expression.
+    // A query for the variables discards the compiled expression of the parser.
     parser.SetExpr(std::string(text));
     parser.Eval();
   } catch (const mu::Parser::exception_type& problem) {
@@ -127,7 +127,7 @@ double Formula::value(std::span<const double> values) const {
   try {
     return parsed_->parser.Eval();
   } catch (const mu::Parser::exception_type&) {
-    return std::nan("");  // functions that refuse their arguments
+    return std::nan("");  // a function refused its arguments
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Arithmetic as people type it into a field for a number.
+// Arithmetic that people type into number fields.
 #pragma once
 
 #include <memory>
@@ -12,38 +12,38 @@
 
 namespace mes {
 
-/// A function that expressions know.
+/// A function that may occur in expressions.
 struct FormulaFunction {
   std::string_view name;
-  int arguments = 1;  ///< 0: any number from 1 on
+  int arguments = 1;  ///< 0: any number, at least one
 };
-/// All of them. `log` and `ln` are the natural logarithm.
+/// All functions. `log` and `ln` are the natural logarithm.
 std::span<const FormulaFunction> formula_functions();
-/// "sin, cos, ...", as a sentence lists them.
+/// The functions in words: "sin, cos, ...".
 std::string formula_functions_in_words();
 
 /// An expression in named variables: + - * / ^, comparisons, `a ? b : c`, parentheses, `formula_functions()`, pi, e, and
 /// deg for pi / 180. Nothing else: no assignment, no text, no file.
 ///
-/// What it guarantees: the same numbers on every machine and in every locale, as far as its mathematical functions are.
+/// What it guarantees: equal numbers on every machine and in every locale, as far as the mathematical functions allow.
 ///
 /// Smallest use:
 ///     const auto formula = Formula::parse("2 * x + 1", {"x"});
 ///     const double values[]{3.0};
 ///     const double seven = formula->value(values);
 ///
-/// Threads: one at a time, since an evaluation writes the variables.
+/// Threads: one at a time, because an evaluation writes the variables.
 class Formula {
  public:
-  /// Error: what is wrong and at which column, from 1; text of more than 1000 bytes.
+  /// Error: a description of the mistake with its column, from 1; text of more than 1000 bytes.
   static Expected<Formula> parse(std::string_view text, std::vector<std::string> names);
   ~Formula();
   Formula(Formula&& other) noexcept;
   Formula& operator=(Formula&& other) noexcept;
 
-  /// `values`: of the variables, in the order of their names. Not finite where the expression is not, as in 1 / 0.
+  /// `values` belong to the variables, in the order of their names. Not finite if the expression is not: 1 / 0.
   double value(std::span<const double> values) const;
-  /// Whether the variable, by its place among the names, is in the expression.
+  /// Whether the variable with this index occurs in the expression.
   bool uses(std::size_t variable) const;
 
  private:
@@ -52,8 +52,7 @@ class Formula {
   std::unique_ptr<Parsed> parsed_;
 };
 
-/// The number that an expression without variables stands for. Error: as for `Formula::parse`; a value that is not
-/// finite.
+/// The value of an expression without variables. Error: as for `Formula::parse`; a value that is not finite.
 Expected<double> number_of(std::string_view text);
 
 }  // namespace mes

@@ -27,7 +27,7 @@ const FcChar8* to_fc(const std::string& text) {
   return reinterpret_cast<const FcChar8*>(text.c_str());
 }
 
-/// The values of a property that are texts.
+/// The text values of a property.
 std::vector<std::string> texts_of(FcPattern* font, const char* property) {
   std::vector<std::string> out;
   FcChar8* text = nullptr;
@@ -41,7 +41,7 @@ bool is_true(FcPattern* font, const char* property) {
   return FcPatternGetBool(font, property, 0, &value) == FcResultMatch && value == FcTrue;
 }
 
-/// What HarfBuzz reads. Of a variable font the named instances count, each of which is listed.
+/// Whether HarfBuzz can read the outlines. Variable fonts are listed by their named instances, which count instead.
 bool has_outlines(FcPattern* font) {
   const std::vector<std::string> kinds = texts_of(font, FC_FONTFORMAT);
   const bool is_open_type =
@@ -104,7 +104,7 @@ Expected<FontFile> font_in_file(const std::string& name) {
   return FontFile{.path = name, .index = 0, .name = fs::path(name).filename().string()};
 }
 
-/// Families that begin alike, or contain the name.
+/// Families that begin like the name, or contain it.
 std::string suggestions(const std::string& name) {
   std::string out;
   int count = 0;
@@ -126,7 +126,7 @@ Expected<FontFile> find_font(const std::string& name) {
   if (!all.config || !all.fonts || all.fonts->nfont == 0) return no_font("there are no fonts on this machine");
   for (const char* const property : {FC_FULLNAME, FC_POSTSCRIPT_NAME})
     for (int i = 0; i < all.fonts->nfont; ++i)
-      // A family of one name with its only font, such as "Cantarell", is found below, in its regular style.
+      // The full name of a single-font family, such as "Cantarell", is found below, in its regular style.
       if (has_name(all.fonts->fonts[i], property, name) && !has_name(all.fonts->fonts[i], FC_FAMILY, name))
         return file_of(all.fonts->fonts[i]);
 

@@ -24,7 +24,7 @@ using Font = std::unique_ptr<hb_font_t, DestroyedBy<hb_font_destroy>>;
 using Buffer = std::unique_ptr<hb_buffer_t, DestroyedBy<hb_buffer_destroy>>;
 using DrawFuncs = std::unique_ptr<hb_draw_funcs_t, DestroyedBy<hb_draw_funcs_destroy>>;
 
-/// Contours as they come, moved to where the glyph stands.
+/// Collects contours, moved to the position of the glyph.
 struct Pen {
   Vec2 origin{};
   std::optional<PlaneCurve> open{};
@@ -87,7 +87,7 @@ DrawFuncs make_draw_funcs() {
   return out;
 }
 
-/// The character that begins at a byte, with its code: "ä" (U+00E4).
+/// The character at a byte, with its code point: "ä" (U+00E4).
 std::string character_at(std::string_view text, std::size_t byte) {
   if (byte >= text.size()) return {};
   std::size_t end = byte + 1;
@@ -198,7 +198,7 @@ class TextReader {
     }
     TextOutlines out;
     const double em = hb_face_get_upem(face_.get());
-    // A thousandth of what is drawn of most letters.
+    // About a thousandth of the size of most letters.
     constexpr double kTolerance = 1.0 / 20'000.0;
     out.curves.curves = united_contours(std::move(pen_.contours), kTolerance * em, job_);
     const double scale = request_.size / em;

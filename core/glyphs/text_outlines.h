@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The outlines of a text in a font, as curves.
+// Outlines of text in a font, as curves.
 //
-// Letters stand as the font says: HarfBuzz shapes each line, with kerning and ligatures. Where contours overlap, in a
-// letter or between letters, they become one: the boundary of all that they wind around (core/glyphs/internal).
-// Everything else keeps the Bézier curves of the font, exactly.
+// The font positions the letters: HarfBuzz shapes each line, with kerning and ligatures. Where contours overlap, in a
+// letter or between letters, they are replaced by the boundary of their union (core/glyphs/internal). All other
+// contours keep the Bézier curves of the font, exactly.
 //
 // Smallest use:
 //     const auto font = find_font("DejaVu Sans");
@@ -24,23 +24,23 @@ namespace mes {
 struct TextRequest {
   std::string text{};  ///< UTF-8; lines end at LF
   FontFile font{};
-  double size = 100.0;        ///< of an em, in units of the plane
-  double line_spacing = 1.0;  ///< from line to line, as a multiple of what the font says
+  double size = 100.0;        ///< size of an em, in units of the plane
+  double line_spacing = 1.0;  ///< distance between lines, as a multiple of the font's own
   bool has_kerning = true;
   friend bool operator==(const TextRequest&, const TextRequest&) = default;
 };
 
 struct TextOutlines {
-  CurveSet curves{};                   ///< closed; the first line stands on y = 0 and begins at x = 0
-  std::vector<std::string> remarks{};  ///< one line a kind: what the font has no glyph for
+  CurveSet curves{};                   ///< closed; the baseline of the first line is y = 0, and it begins at x = 0
+  std::vector<std::string> remarks{};  ///< one line for each kind: characters that the font has no glyph for
 };
 
 inline constexpr std::size_t kLongestText = 10'000;  // bytes
 
-/// Equal requests and font files give equal curves. Cost: some 10 us for each letter, more where contours overlap. Any
-/// thread. Error: `usage` for a text that is too long, or a size that is not positive; `bad_input` for a file that is no
-/// font, and for a text of which nothing is drawn, with the reason. Throws `Cancelled` if there is a job, which is looked at
-/// for each glyph, but not while overlapping contours are united.
+/// Equal requests and font files give equal curves. Cost: about 10 us for each letter, more where contours overlap. Any
+/// thread. Error: `usage` for a text that is too long, or a size that is not positive; `bad_input` for a file that is
+/// not a font, and for a text without visible outlines, with the reason. Throws `Cancelled` if there is a job, which is
+/// checked for each glyph, but not while overlapping contours are united.
 Expected<TextOutlines> outlines_of_text(const TextRequest& request, JobControl* job = nullptr);
 
 }  // namespace mes

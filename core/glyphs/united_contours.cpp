@@ -25,13 +25,13 @@ IntPoint rounded(Vec2 p) {
   return {std::llround(kStepsAUnit * p.x), std::llround(kStepsAUnit * p.y)};
 }
 
-/// Straight pieces that are as near to a piece as asked. The error of n equal steps of a curve is at most
-/// |second derivative| / (8 n^2).
+/// The number of straight pieces that approximate a piece within the tolerance. n equal steps of a curve have an error
+/// of at most |second derivative| / (8 n^2).
 int steps_of(const Piece& piece, double tolerance) {
   const auto& p = piece.points;
   const auto bend = [](Vec2 a, Vec2 b, Vec2 c) { return length(a - 2.0 * b + c); };
   constexpr double kMost = 256.0;
-  // Few enough are a polygon whose corners are seen: the tangent should turn little from step to step.
+  // Fewer steps would show as corners: the tangent should turn little from step to step.
   constexpr double kLeast = 8.0;
   double second = 0.0;
   switch (piece.kind) {
@@ -43,7 +43,7 @@ int steps_of(const Piece& piece, double tolerance) {
   return static_cast<int>(std::clamp(std::ceil(std::sqrt(second / (8.0 * tolerance))), kLeast, kMost));
 }
 
-/// Corners without repetitions.
+/// The corners, without repetitions.
 Path path_of(const PlaneCurve& contour, double tolerance) {
   Path out;
   const auto add = [&out](IntPoint p) {
@@ -57,7 +57,7 @@ Path path_of(const PlaneCurve& contour, double tolerance) {
   return out;
 }
 
-/// What two paths of the same corners have in common, whatever their beginning and direction.
+/// Identifies paths with the same corners, whatever their start and direction.
 using Corners = std::vector<std::pair<ClipperLib::cInt, ClipperLib::cInt>>;
 Corners corners_of(const Path& path) {
   Corners out;
@@ -76,7 +76,7 @@ PlaneCurve curve_of(const Path& path) {
   return out;
 }
 
-/// Of the corners.
+/// Bounding box of the corners.
 struct PathBox {
   IntPoint low;
   IntPoint high;
@@ -92,8 +92,8 @@ PathBox box_of(const Path& path) {
 
 using PathSlot = Slot<struct PathTag>;
 
-/// Paths that can be united without the others: their boxes meet none of the others'. Each part in the order of its paths,
-/// the parts in that of their first ones. Paths have corners.
+/// Groups of paths that can be united independently: their boxes meet none of the other groups'. Each group keeps the
+/// order of its paths; groups are in the order of their first paths. Paths must have corners.
 std::vector<std::vector<PathSlot>> parts_of(const std::vector<Path>& paths) {
   std::vector<PathBox> boxes;
   std::vector<PathSlot> from_left;
@@ -103,7 +103,7 @@ std::vector<std::vector<PathSlot>> parts_of(const std::vector<Path>& paths) {
   }
   std::ranges::stable_sort(from_left, {}, [&](PathSlot path) { return boxes[path.index()].low.X; });
   DisjointSets<PathSlot> sets(paths.size());
-  std::vector<PathSlot> across;  // those that the sweep has met and not left
+  std::vector<PathSlot> across;  // paths that the sweep has reached and not left
   for (const PathSlot path : from_left) {
     const PathBox& box = boxes[path.index()];
     std::erase_if(across, [&](PathSlot other) { return boxes[other.index()].high.X < box.low.X; });
@@ -114,7 +114,7 @@ std::vector<std::vector<PathSlot>> parts_of(const std::vector<Path>& paths) {
     across.push_back(path);
   }
   std::vector<std::vector<PathSlot>> out;
-  std::vector<std::optional<std::size_t>> part_of(paths.size());  // by the root
+  std::vector<std::optional<std::size_t>> part_of(paths.size());  // indexed by root
   for (const PathSlot path : slots_below<PathSlot>(paths.size())) {
     std::optional<std::size_t>& part = part_of[sets.root(path).index()];
     if (!part) {
@@ -126,7 +126,7 @@ std::vector<std::vector<PathSlot>> parts_of(const std::vector<Path>& paths) {
   return out;
 }
 
-/// The boundary of a part: the paths that stay are noted, what is new is added.
+/// Computes the boundary of a group: marks the paths that stay, and adds the new ones.
 class PartUnion {
  public:
   PartUnion(const std::vector<Path>& paths, std::vector<bool>& stays, std::vector<PlaneCurve>& made)
@@ -174,7 +174,7 @@ std::vector<PlaneCurve> united_contours(std::vector<PlaneCurve> contours, double
     if (job != nullptr) job->checkpoint(i, parts.size());
     all.unite(parts[i]);
   }
-  // What stays, in its own order; then what is new.
+  // First the contours that stay, in their order, then the new ones.
   std::vector<PlaneCurve> out;
   for (std::size_t i = 0; i < contours.size(); ++i)
     if (stays[i]) out.push_back(std::move(contours[i]));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How structures say what a row of theirs is, what it comes from and what it made.
+// How structures describe one of their rows, its origins and its products.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace mes {
 
-/// A place of a shape, and what it follows.
+/// A point of a shape, and what it follows.
 struct ShapePlace {
   Vec2 at{};
   Followed follows{};
@@ -23,11 +23,11 @@ struct ShapePlace {
   ShapePlace(Vec2 p, const Followed& followed) : at(p), follows(followed) {}
 };
 
-/// Shapes of one line; those with coordinates that are not finite are left out.
+/// Shapes of one line; shapes with coordinates that are not finite are dropped.
 class ProvenanceShapes {
  public:
   void point(const ShapePlace& p) { add(PrimitiveKind::point, {p.at.x, p.at.y}, {p.follows}); }
-  /// `follows`: of its centre.
+  /// `follows` is for the centre.
   void circle(const Disk& disk, const Followed& follows = {}) {
     add(PrimitiveKind::circle, {disk.center.x, disk.center.y, disk.radius}, {follows});
   }
@@ -35,7 +35,7 @@ class ProvenanceShapes {
     add(PrimitiveKind::segment, {a.at.x, a.at.y, b.at.x, b.at.y}, {a.follows, b.follows});
   }
   void ray(Vec2 from, Vec2 towards) { add(PrimitiveKind::ray, {from.x, from.y, towards.x, towards.y}, {}); }
-  /// From a place on the bisector of `a` and `b`, to the left of the way from `a` to `b`.
+  /// A ray from a point on the bisector of `a` and `b`, to the left of the vector from `a` to `b`.
   void ray_along_bisector(const ShapePlace& from, const ShapePlace& a, const ShapePlace& b) {
     const Vec2 towards = perpendicular(b.at - a.at);
     add(PrimitiveKind::ray, {from.at.x, from.at.y, towards.x, towards.y}, {from.follows, a.follows, b.follows});
@@ -46,7 +46,7 @@ class ProvenanceShapes {
     const Vec2 along = perpendicular(b.at - a.at);
     add(PrimitiveKind::line, {through.x, through.y, along.x, along.y}, {a.follows, b.follows});
   }
-  /// `follows`: of its centre.
+  /// `follows` is for the centre.
   void arc(const Disk& disk, const ShapePlace& from, const ShapePlace& to, const Followed& follows = {}) {
     add(PrimitiveKind::arc, {disk.center.x, disk.center.y, disk.radius, from.at.x, from.at.y, to.at.x, to.at.y},
         {follows, from.follows, to.follows});
@@ -62,34 +62,34 @@ class ProvenanceShapes {
   std::vector<ProvenanceShape> shapes_;
 };
 
-/// Numbers as the lines write them: six digits.
+/// A number as in the lines: six digits.
 std::string number_text(double x);
 std::string place_text(Vec2 p);
 /// "1 edge", "2 edges".
 std::string count_text(std::size_t count, const std::string& one, const std::string& many);
 
-/// The lines about one element. Structures add theirs in `Structure::explain`, inputs before consumers; each says what
-/// its own tables know, so several may speak of one row.
+/// The lines about one element. Structures add theirs in `Structure::explain`, inputs before consumers. Each describes
+/// only the contents of its own tables, so several may describe one row.
 class Explanation {
  public:
   Explanation(const StructureSet& set, const std::function<bool(const Structure&)>& is_current, JobControl& job)
       : set_(set), is_current_(is_current), job_(job) {}
 
-  /// To be called for each row where rows are found by looking at all. Throws `Cancelled`.
+  /// Call this for each row of a full scan. Throws `Cancelled`.
   void look() {
     constexpr std::size_t kRowsBetween = 1024;
     if (++looks_ % kRowsBetween == 0) job_.checkpoint();
   }
 
-  /// Lets the owner of the row speak; where there is none, every structure that is up to date, inputs first: each
-  /// adds what it knows of the row.
+  /// Asks the owner of the row to add its lines. Without an owner, asks every structure that is up to date, inputs
+  /// first.
   void about(const Element& element);
   template <class Tag>
   void about(ElementKind kind, Slot<Tag> row) {
     about(Element{{kind, nullptr}, row.index()});
   }
 
-  /// Null when it is not up to date.
+  /// Null if it is not up to date.
   template <class T>
   const T* current() const {
     const T& structure = set_.get<T>();
@@ -99,18 +99,18 @@ class Explanation {
   void say(ProvenanceRole role, std::string text, ProvenanceShapes& shapes, bool is_heavy = false) {
     lines_.push_back({{role, std::move(text), shapes.take(), is_heavy}, {}});
   }
-  /// What the element is, as its name and the rest of the line. A structure that knows more calls it by another name.
+  /// Describes the element, by its name and the rest of the line. A structure with more information may `rename` it.
   void say_itself(std::string name, std::string rest, ProvenanceShapes& shapes);
-  /// Replaces the name that `say_itself` gave last; does nothing before it.
+  /// Replaces the last name given to `say_itself`; does nothing before the first.
   void rename(std::string name);
-  /// Adds shapes of one sort, one for each thing counted: to the line that has them already, or as a new line. Nothing
-  /// when there are none.
+  /// Adds shapes of one sort, one for each counted thing: to the existing line of this sort, or as a new line. Does
+  /// nothing without shapes.
   void say_any(ProvenanceRole role, const std::string& one, const std::string& many, ProvenanceShapes& shapes);
-  /// By role: itself, origins, products. Within a role in the order in which they were said.
+  /// Lines by role: itself, origins, products. Within a role they keep the order of insertion.
   std::vector<ProvenanceLine> take();
 
  private:
-  /// A line, and what is counted in it or what follows the name in it.
+  /// A line with its key: the sort of things it counts, or the text after the name.
   struct Draft {
     ProvenanceLine line;
     std::string key;
@@ -121,22 +121,22 @@ class Explanation {
   JobControl& job_;
   std::size_t looks_ = 0;
   std::vector<Draft> lines_;
-  std::optional<std::size_t> named_;  ///< the line of the last `say_itself`
+  std::optional<std::size_t> named_;  ///< index of the line of the last `say_itself`
 };
 
-/// Reads only structures for which `is_current` holds; the others are passed over in silence. Empty when the row is
-/// dead. Throws `Cancelled`. O(size of the neighbourhood), O(n) where rows are found by looking at all.
+/// Asks only structures for which `is_current` holds, and skips the others silently. Empty if the row is dead. Throws
+/// `Cancelled`. O(size of the neighbourhood), or O(n) if rows are found by a full scan.
 std::vector<ProvenanceLine> explain(const StructureSet& set, const std::function<bool(const Structure&)>& is_current,
                                     const Element& element, JobControl& job);
 
-/// The rows that structures for which `is_current` holds have of an element: its owner, or all of them where it has none.
+/// The rows of an element in structures for which `is_current` holds: only in its owner, if it has one.
 /// O(columns of all tables).
 std::vector<ProvenanceRow> rows_of(const StructureSet& set, const std::function<bool(const Structure&)>& is_current,
                                    const Element& element);
 
-/// What a further sample at a place would change, as far as the structures are current: its Voronoi cell (itself), what
-/// goes (origin) and what comes (product); edges of the curve are heavy. Empty below dimension 2, where a sample is
-/// already, and where no number may be. Throws `Cancelled`. O(location + changes).
+/// The changes that a further sample would cause, as far as the structures are current: its Voronoi cell (itself),
+/// elements that disappear (origin) and that appear (product); edges of the curve are heavy. Empty below dimension 2,
+/// at an existing sample, and at positions outside the coordinate range. Throws `Cancelled`. O(location + changes).
 std::vector<ProvenanceLine> explain_insertion(const StructureSet& set,
                                               const std::function<bool(const Structure&)>& is_current, Vec2 at,
                                               JobControl& job);

@@ -35,7 +35,7 @@ void HitSearch::look_at(PrimitiveKind kind, const double* v, ElementType type, R
     case PrimitiveKind::arc: {
       const Vec2 from{v[3], v[4]};
       const Vec2 to{v[5], v[6]};
-      // Beside the arc its ends are nearest. Where on the circle: as far as the sweep to there is not longer.
+      // Outside the arc's sweep, the nearest point of the arc is an end.
       const bool is_beside = from == to || sweep_of({a, v[2], from, at_}) <= sweep_of({a, v[2], from, to});
       measure = is_beside ? std::abs(distance(at_, a) - v[2]) : std::min(distance(at_, from), distance(at_, to));
       break;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which instance of a layer lies at a place.
+// Finds the instance of a layer at a position.
 #pragma once
 
 #include <limits>
@@ -10,8 +10,8 @@
 
 namespace mes {
 
-/// The best instance seen so far. Points win over lines, lines over areas; of points and lines the nearest, of areas
-/// that hold the place the smallest.
+/// The best instance so far. Points win over lines, lines over areas. Among points or lines the nearest wins, among
+/// areas that contain the position the smallest.
 class HitSearch {
  public:
   HitSearch(Vec2 at, double reach) : at_(at), reach_(reach) {}

@@ -11,7 +11,7 @@ namespace mes {
 
 namespace {
 
-/// Rows that are looked at in one go: their instances stay in the cache.
+/// Rows that are emitted together: their instances stay in the cache.
 constexpr std::size_t kBlock = 16;
 
 }  // namespace
@@ -26,10 +26,10 @@ void Instance::set_values(PrimitiveKind kind, const std::array<double, 8>& value
   is_lost_ = !is_set_;
 }
 
-/// Keeps the places of a table's primitives in the drawing buffers of one layer.
+/// Maintains the indices of a table's primitives in the drawing buffers of one layer.
 ///
-/// Instances of a kind are numbered without gaps. A row that stops drawing leaves a hole, which the next newcomer
-/// takes; holes left at the end are filled with the last instances, whose rows are emitted again for that.
+/// Instances of a kind are numbered without gaps. A row that stops drawing leaves a hole, which the next new instance
+/// fills; remaining holes are filled with the last instances, whose rows are emitted again for that.
 class TablePart::Places {
  public:
   void reset(std::size_t rows, PrimitiveKind main_kind) {
@@ -38,7 +38,7 @@ class TablePart::Places {
     for (auto& rows_of_kind : row_at_) rows_of_kind.clear();
     row_at_[index_of(main_kind)].reserve(rows);
   }
-  /// Bulk emission: the row's instance is the next of its kind.
+  /// Bulk emission: the row gets the next instance of its kind.
   void append(RowNumber row, const Instance& instance, LayerPatch& patch) {
     auto& rows = row_at_[index_of(instance.kind())];
     place_[row] = encode(instance.kind(), static_cast<std::uint32_t>(rows.size()));
@@ -49,7 +49,7 @@ class TablePart::Places {
     if (place_.size() < rows) place_.resize(rows, kNoPlace);
   }
   void expect(RowNumber row) const { prefetch(place_.data() + row); }
-  /// The row draws nothing any more.
+  /// Removes the instance of the row.
   void withdraw(RowNumber row) {
     const std::uint32_t place = place_[row];
     if (place == kNoPlace) return;
@@ -76,7 +76,7 @@ class TablePart::Places {
     }
     write(place_[row] & kIndexMask, instance, patch);
   }
-  /// Closes the holes of the given kinds; `emit(row, instance)` is asked for rows that move.
+  /// Closes the holes of the given kinds; calls `emit(row, instance)` for rows that move.
   template <class Emit>
   void close_holes(const std::vector<PrimitiveKind>& kinds, LayerPatch& patch, Emit emit) {
     for (const PrimitiveKind kind : kinds) {
@@ -128,7 +128,7 @@ class TablePart::Places {
     append_to(out.data, instance);
   }
 
-  std::vector<std::uint32_t> place_;  // by row: kind and index
+  std::vector<std::uint32_t> place_;  // for each row: kind and index
   std::array<std::vector<RowNumber>, kPrimitiveKinds> row_at_;
   std::array<std::vector<std::uint32_t>, kPrimitiveKinds> holes_;
 };
@@ -153,7 +153,7 @@ void TablePart::for_each_row(bool wants_scalars, Take take) const {
 
 void TablePart::reset(LayerPatch& patch) {
   const std::size_t rows = row_count();
-  // Room for all rows as the first kind: memory that is not written costs nothing, growing step by step does.
+  // Reserves room for all rows as the first kind: unwritten memory costs nothing, but growth step by step does.
   places_->reset(rows, kinds_.front());
   for (const PrimitiveKind kind : kinds_) {
     patch[kind].clear();
@@ -168,7 +168,7 @@ void TablePart::reset(LayerPatch& patch) {
 }
 
 void TablePart::pour(InstancePiece out, bool needs_scalars, const std::function<void(const InstancePiece&)>& take) {
-  constexpr std::size_t kPiece = 4096;  // instances; some hundred kibibytes, which stay in the cache
+  constexpr std::size_t kPiece = 4096;  // instances; some hundred kibibytes, which fit in the cache
   std::array<std::vector<double>, kPrimitiveKinds> pieces;
   const auto flush = [&](PrimitiveKind kind) {
     std::vector<double>& values = pieces[static_cast<std::size_t>(kind)];

@@ -2,9 +2,8 @@
 // A layer: a pure function from the rows of a table to primitives, and the bookkeeping that turns change sets into
 // patches.
 //
-// A layer file (core/layers/*.cpp) gives one function `Layer make_xyz_layer(const StructureSet&)`. The emitter looks
-// at one row and fills in at most one primitive; which instance of the drawing buffer that becomes is not its
-// business.
+// A layer file (core/layers/*.cpp) defines one function `Layer make_xyz_layer(const StructureSet&)`. The emitter looks
+// at one row and writes at most one primitive; it does not know the index of that primitive in the drawing buffer.
 //
 // Smallest use:
 //     const auto emit = [&](EdgeSlot edge, Instance& out) {
@@ -31,15 +30,15 @@
 
 namespace mes {
 
-/// What an emitter fills in. Coordinates that are not finite make nothing, as such a primitive cannot be drawn; it is
-/// lost.
+/// The output of an emitter. A primitive with coordinates that are not finite cannot be drawn; it is dropped and
+/// counted as lost.
 class Instance {
  public:
   void point(Vec2 p, double scalar = 0.0) { set(PrimitiveKind::point, {p.x, p.y, scalar}); }
   void disk(Vec2 c, double r, double scalar = 0.0) { set(PrimitiveKind::disk, {c.x, c.y, r, scalar}); }
   void circle(Vec2 c, double r, double scalar = 0.0) { set(PrimitiveKind::circle, {c.x, c.y, r, scalar}); }
   void segment(Vec2 a, Vec2 b, double scalar = 0.0) { set(PrimitiveKind::segment, {a.x, a.y, b.x, b.y, scalar}); }
-  /// A direction of length zero, as rounding may leave it, makes nothing.
+  /// A direction of length zero, which rounding may produce, draws nothing.
   void ray(Vec2 from, Vec2 towards, double scalar = 0.0) {
     if (towards != Vec2{}) set(PrimitiveKind::ray, {from.x, from.y, towards.x, towards.y, scalar});
   }
@@ -54,14 +53,14 @@ class Instance {
         {arc.center.x, arc.center.y, arc.radius, arc.from.x, arc.from.y, arc.to.x, arc.to.y, scalar});
   }
 
-  /// The same by kind, coordinates first and the scalar behind them.
+  /// The same by kind: coordinates first, then the scalar.
   void set_values(PrimitiveKind kind, const std::array<double, 8>& values);
 
-  /// A scalar that takes time to find is not needed, and may be 0, unless this says so. True by default.
+  /// If false, a scalar that is expensive to compute is not needed and may be 0. True by default.
   bool wants_scalar() const { return wants_scalar_; }
   void set_wants_scalar(bool wanted) { wants_scalar_ = wanted; }
   bool is_set() const { return is_set_; }
-  /// There was something, but not with finite coordinates.
+  /// True if a primitive was dropped because its coordinates are not finite.
   bool is_lost() const { return is_lost_; }
   PrimitiveKind kind() const { return kind_; }
   const double* begin() const { return values_.data(); }
@@ -71,7 +70,7 @@ class Instance {
  private:
   template <std::size_t N>
   void set(PrimitiveKind kind, const double (&values)[N]) {
-    // One sum instead of many tests: it is finite unless a term is not (or the terms are beyond any drawing).
+    // One sum instead of many tests: it is finite unless a term is not (or the terms are too large to draw).
     double sum = 0.0;
     for (std::size_t i = 0; i < N; ++i) {
       values_[i] = values[i];
@@ -94,21 +93,21 @@ class LayerPart {
   virtual ~LayerPart() = default;
   /// Emits every row.
   virtual void reset(LayerPatch& patch) = 0;
-  /// Hands the primitive of every row out, in pieces, and keeps none of them. `out` says which layer it is. Unless
-  /// scalars are needed, they may be 0.
+  /// Passes the primitives of all rows to `take`, in pieces, and keeps none of them. `out` names the layer. Scalars may
+  /// be 0 unless they are needed.
   virtual void pour(InstancePiece out, bool needs_scalars, const std::function<void(const InstancePiece&)>& take) = 0;
   /// Emits the rows of the change set.
   virtual void update(LayerPatch& patch) = 0;
-  /// An `update` may follow soon: asks for the memory that it will look at.
+  /// Prefetches memory, because an `update` may follow soon.
   virtual void expect_update() const = 0;
-  /// Rows whose primitive is lost, because its coordinates are not finite.
+  /// Number of rows whose primitive is lost, because its coordinates are not finite.
   virtual std::size_t lost() const = 0;
-  /// Shows every instance; O(rows). Values are as in core/draw/primitives.h, the scalar last.
+  /// Visits every instance; O(rows). Values are as in core/draw/primitives.h, the scalar last.
   using Visit = std::function<void(PrimitiveKind kind, const double* values, const Element& element)>;
   virtual void for_each_instance(const Visit& visit) const = 0;
 };
 
-/// A part whose rows are looked at in turn; the rest is the same for all tables.
+/// A part that visits the rows of a table in turn; holds the code that is the same for all tables.
 class TablePart : public LayerPart {
  public:
   ~TablePart() override;
@@ -129,12 +128,12 @@ class TablePart : public LayerPart {
   class Places;
   virtual std::size_t row_count() const = 0;
   virtual RowChanges changes() const = 0;
-  /// Looks at as many rows from `first` on as `out` has instances, all clear.
+  /// Emits the rows from `first` on, one for each instance of `out`, which are all clear.
   virtual void emit_rows(RowNumber first, std::span<Instance> out) const = 0;
-  /// Looks at the rows of the list from place `from` on, as many.
+  /// The same for the rows of a list, from index `from` on.
   virtual void emit_listed(std::span<const RowNumber> rows, std::size_t from, std::span<Instance> out) const = 0;
 
-  /// Shows the instance of each row, set, lost or clear.
+  /// Calls `take` with the instance of each row, set, lost or clear.
   template <class Take>
   void for_each_row(bool wants_scalars, Take take) const;
 
@@ -143,7 +142,7 @@ class TablePart : public LayerPart {
   std::unique_ptr<Places> places_;
 };
 
-/// `RowCount()` gives the number of rows, `Emit(row, instance)` looks at one, dead or alive.
+/// `RowCount()` is the number of rows; `Emit(row, instance)` emits one, dead or alive.
 template <class Row, class RowCount, class Emit>
 class PartOf final : public TablePart {
  public:
@@ -173,10 +172,10 @@ class PartOf final : public TablePart {
   Emit emit_;
 };
 
-/// Part of a layer over one table, whose rows are of the kind of the change set. Each kind of primitive of a layer
-/// belongs to one part. `element` says what the rows are when one of them is pointed at. `Emit` may have members
-/// `expect(row)` and, for what the row refers to, `expect_more(row)`: they ask for memory a few rows ahead, for a label
-/// may turn thousands.
+/// Creates a part of a layer over one table, whose row type is that of the change set. Each kind of primitive of a
+/// layer belongs to one part. `element` identifies the rows for picking. `Emit` may have members `expect(row)` and, for
+/// data that the row refers to, `expect_more(row)`: they prefetch memory a few rows ahead, because one label may change
+/// thousands of rows.
 template <class Row, class RowCount, class Emit>
 std::unique_ptr<LayerPart> table_part(std::vector<PrimitiveKind> kinds, RowCount rows, const ChangeSet<Row>& changes,
                                       Emit emit, ElementType element = {}) {
@@ -185,7 +184,7 @@ std::unique_ptr<LayerPart> table_part(std::vector<PrimitiveKind> kinds, RowCount
 
 struct Layer {
   LayerDescriptor descriptor;
-  std::vector<const Structure*> structures;  ///< what the parts read
+  std::vector<const Structure*> structures;  ///< structures that the parts read
   std::vector<std::unique_ptr<LayerPart>> parts;
 };
 

@@ -9,8 +9,8 @@
 
 namespace mes {
 
-/// All copies read the registry that was set last through one of them. A job on another thread owns the registry that
-/// it was begun with.
+/// All copies read the registry that was last set through any of them. A job on another thread owns the registry that
+/// it started with.
 ///
 /// Smallest use:
 ///     LiveRegistry registry(builtins());
@@ -19,10 +19,10 @@ namespace mes {
 ///     registry.set(std::make_shared<const Registry>(changed));
 ///     of_a_desk.now().find_layer("points");
 ///
-/// Cost: a copy shares ownership, and `share` does. Threads: one for all copies; the registry may be read by any.
+/// Cost: copies and `share` share ownership. Threads: one for all copies; any thread may read the registry itself.
 class LiveRegistry {
  public:
-  /// The registry outlives the copies, and all that `share` gave.
+  /// The registry must outlive the copies, and all results of `share`.
   LiveRegistry(const Registry& registry) : LiveRegistry(Shared(Shared(), &registry)) {}
   LiveRegistry(const Registry&& registry) = delete;
   explicit LiveRegistry(std::shared_ptr<const Registry> registry)

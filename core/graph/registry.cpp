@@ -11,7 +11,7 @@
 namespace mes {
 namespace {
 
-/// A source that is not of the document, the settings, has a say in it.
+/// Whether it depends on the settings, the only source that does not belong to the document.
 bool follows_settings(const Structure& structure) {
   const auto* const source = dynamic_cast<const SourceStructure*>(&structure);
   if (source != nullptr) return !source->is_of_document();
@@ -91,7 +91,7 @@ bool Registry::remove_structure(std::string_view id) {
   const auto is_lost = [&gone](std::span<const std::string> read) {
     return std::ranges::any_of(read, [&gone](const std::string& one) { return holds(gone, one); });
   };
-  // Inputs stand before what reads them.
+  // Inputs are listed before the structures that read them.
   for (const auto& spec : structures_)
     if (is_lost(spec->inputs)) gone.push_back(spec->id);
   std::erase_if(structures_, [&gone](const auto& spec) { return holds(gone, spec->id); });
@@ -184,7 +184,7 @@ StructureSet Registry::make_structures(const Registry& other, const StructureSet
     return set.holds(*input) || (shared != nullptr && shared->holds(*input));
   };
   for (const auto& spec : structures_) {
-    // A structure all of whose inputs a variant shares is shared, too.
+    // A structure is shared if the variant shares all of its inputs.
     const bool follows_own = std::ranges::any_of(spec->inputs, [&own](const auto& id) { return own.contains(id); });
     const bool is_source = spec->inputs.empty();
     if (shared != nullptr && !(is_source ? !spec->is_of_document || has_document : follows_own)) continue;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The registry knows which structures and layers there are. A graph is made of one, and code that lists, names or draws
-// layers reads one.
+// The registry lists all structures and layers. Graphs are created from one, and code that lists, names or draws layers
+// reads one.
 #pragma once
 
 #include <algorithm>
@@ -24,14 +24,14 @@ struct Evolution;
 struct Format;
 struct ShapeDescriptor;
 
-/// What a registry knows of a structure.
+/// The registry's entry for a structure.
 struct StructureSpec {
   std::string id{};
   std::vector<std::string> inputs{};          ///< ids
-  std::vector<std::string> parameters{};      ///< ids of those that it reads itself
-  std::vector<std::string> all_parameters{};  ///< with those of all that it is computed from
+  std::vector<std::string> parameters{};      ///< ids of the parameters that it reads itself
+  std::vector<std::string> all_parameters{};  ///< including those of its direct and indirect inputs
   std::function<std::unique_ptr<Structure>(const StructureSet&)> make{};
-  bool is_of_document = false;  ///< a source that a variant without a document shares
+  bool is_of_document = false;  ///< a source that variants without a document share
 };
 
 /// Smallest use:
@@ -41,12 +41,13 @@ struct StructureSpec {
 ///     registry.add_layer(make_points_layer);
 ///     Graph graph(registry);
 ///
-/// What it guarantees: a layer keeps its index. It is not given to a layer of another id after a removal, and the layer
-/// has it again when its id is added again. A copy has the same things at the same indices, and changes by itself. So
-/// what grows and shrinks while the program runs is a copy, which graphs then follow (`Graph::set_registry`).
+/// What it guarantees: a layer keeps its index. After a removal, no layer with another id gets the index, and the layer
+/// gets it back when its id is added again. A copy has the same entries at the same indices, and changes independently.
+/// So code that adds and removes entries at run time uses a copy, which graphs then follow (`Graph::set_registry`).
 ///
-/// Each structure and each layer is made once when it is added, without data, to know its id, what it reads and how it
-/// is drawn; copies and removals make all again. A change that throws ends its use. Threads: many read or one changes.
+/// Each structure and each layer is created once when it is added, without data, to learn its id, its inputs and its
+/// style; copies and removals create all of them again. After a change that throws, the registry must not be used.
+/// Threads: many may read, or one may change it.
 class Registry {
  public:
   Registry() = default;
@@ -59,20 +60,20 @@ class Registry {
   using MakeLayer = std::function<Layer(const StructureSet&)>;
   using MakeLayers = std::function<std::vector<Layer>(const StructureSet&)>;
 
-  /// A structure whose inputs have been added before. Its id must be new.
+  /// Adds a structure whose inputs have been added before. Its id must be new.
   void add_structure(MakeStructure make);
-  /// A structure whose constructor takes the given inputs.
+  /// Adds a structure whose constructor takes the given inputs.
   template <class S, class... Inputs>
   void add_structure() {
     add_structure([](const StructureSet& set) { return std::make_unique<S>(set.get<Inputs>()...); });
   }
-  /// A layer above all others, or at the place of a removed one of its id, over structures that have been added.
+  /// Adds a layer on top, or at the index of a removed one with the same id, over structures that have been added.
   void add_layer(const MakeLayer& make);
-  /// Several of them, bottom first.
+  /// Adds several layers, bottom first.
   void add_layers(MakeLayers make);
 
-  /// With it goes what is computed from it: structures, and layers that read one of them together with those that were
-  /// added in the same call. False: there is none.
+  /// Also removes its dependents: structures, and layers that read one of them together with those added in the same
+  /// call. Returns false if there is no such structure.
   bool remove_structure(std::string_view id);
   bool remove_layer(std::string_view id);
   bool remove_parameter(std::string_view id);
@@ -83,45 +84,45 @@ class Registry {
   /// Shapes (core/shapes/shape.h).
   NamedList<ShapeDescriptor>& shapes() { return shapes_; }
   const NamedList<ShapeDescriptor>& shapes() const { return shapes_; }
-  /// File formats (core/io/format_spec.h), in the order in which contents are tried.
+  /// File formats (core/io/format_spec.h), in the order in which they are tried on contents.
   NamedList<Format>& formats() { return formats_; }
   const NamedList<Format>& formats() const { return formats_; }
 
-  /// A number that structures read from the settings. Its id must be new.
+  /// Adds a number that structures read from the settings. Its id must be new.
   void add_parameter(Parameter parameter);
 
-  /// In the order in which they were added.
+  /// In the order of addition.
   std::span<const Parameter> parameters() const { return parameters_; }
-  /// Null: there is none with that id. Valid until one is added or removed.
+  /// Null if the id is unknown. Valid until a parameter is added or removed.
   const Parameter* find_parameter(std::string_view id) const;
-  /// Null: there is none with that id. Valid until one is added or removed.
+  /// Null if the id is unknown. Valid until a structure is added or removed.
   const StructureSpec* find_structure(std::string_view id) const;
   /// Public ids, inputs before consumers.
   std::span<const std::string_view> structures() const { return structure_ids_; }
-  /// In default stacking order: first = bottom. A `LayerIndex` is a position here, so that places of layers that were
-  /// removed are among them (`LayerDescriptor::is_removed`). Valid until one is added or removed.
+  /// In default stacking order: first = bottom. A `LayerIndex` is a position here, so removed layers keep their
+  /// positions (`LayerDescriptor::is_removed`). Valid until a layer is added or removed.
   std::span<const LayerDescriptor> layers() const { return layers_; }
   /// The position of a public id, or kNoLayer.
   LayerIndex find_layer(std::string_view id) const;
-  /// The layer that a variant shows: its own, or that of the main computation where they share it. `has_document` says
-  /// that the variant has samples and balls of its own.
+  /// The layer that a variant shows: its own, or that of the main computation if they share it. `has_document` tells
+  /// whether the variant has its own samples and balls.
   VariantLayer layer_in(VariantIndex variant, bool has_document, LayerIndex layer) const;
 
-  /// Every structure, inputs before consumers.
+  /// Creates every structure, inputs before consumers.
   ///
-  /// A variant of a shared set has settings of its own, samples and balls of its own if it has a document, and whatever
-  /// depends on these: the others are not made.
+  /// A variant of a shared set has its own settings, its own samples and balls if it has a document, and all structures
+  /// that depend on these; the others are not created.
   StructureSet make_structures(const StructureSet* shared = nullptr, bool has_document = false) const;
-  /// The same, where a set of another registry is at hand: structures of equal specs and kept inputs are those of `kept`.
+  /// The same, but reuses structures of `kept`, a set of another registry, if specs are equal and inputs are reused.
   StructureSet make_structures(const Registry& other, const StructureSet& kept, const StructureSet* shared,
                                bool has_document) const;
-  /// Every layer over the given structures, by position; nothing at the places of those that were removed.
+  /// Creates every layer over the given structures, by position; removed ones are empty.
   std::vector<Layer> make_layers(const StructureSet& structures) const;
 
  private:
   struct LayerEntry {
     MakeLayers make;
-    std::vector<LayerIndex> places{};  ///< of what it makes; kNoLayer: removed
+    std::vector<LayerIndex> places{};  ///< indices of the layers that it creates; kNoLayer: removed
     std::vector<std::string> reads{};  ///< ids of structures
   };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A structure without inputs: what enters the graph from outside.
+// A structure without inputs: the entry of outside data into the graph.
 #pragma once
 
 #include <memory>
@@ -10,8 +10,8 @@
 
 namespace mes {
 
-/// Something is queued by `post` (or by a method of the subclass) and taken by the next `update` or `rebuild`, all at
-/// once. Sources are brought up to date in every run, demanded or not: their queue must not grow.
+/// `post` (or a method of the subclass) queues changes, and the next `update` or `rebuild` takes them all at once.
+/// Sources are brought up to date in every run, demanded or not, so that their queues do not grow.
 class SourceStructure : public Structure {
  public:
   explicit SourceStructure(std::string_view id) : Structure(id, {}) {}
@@ -19,9 +19,9 @@ class SourceStructure : public Structure {
   /// Queues a change of the document; sources that do not care ignore it.
   virtual void post(std::shared_ptr<const DocumentDelta> /*delta*/) {}
   virtual bool has_pending() const = 0;
-  /// A variant that has no document of its own shares it.
+  /// Whether variants without a document of their own share it.
   virtual bool is_of_document() const { return true; }
-  /// Covers all that lived since the last rebuild; the pictures are drawn in a frame that follows it.
+  /// Covers everything alive since the last rebuild; the drawing frame follows this box.
   virtual Box2 extent() const { return {}; }
 };
 

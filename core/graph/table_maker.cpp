@@ -5,11 +5,11 @@
 
 namespace mes {
 
-/// Functions that read where everything is now.
+/// Functions that return the present addresses and sizes.
 struct AnyTableMaker::Refresh {
   std::function<std::size_t()> rows;
   std::vector<std::function<std::size_t()>> limits;
-  std::vector<std::pair<std::size_t, std::function<const void*()>>> columns;  // by their places
+  std::vector<std::pair<std::size_t, std::function<const void*()>>> columns;  // with the index of each column
   std::function<RowChanges()> changes;
 
   void apply(TableColumns& table) const {

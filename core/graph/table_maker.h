@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes columns of what a structure holds: a line a column, whose type, width and stride follow from the C++ type.
+// Creates columns from the data of a structure, one line each; the C++ type determines type, width and stride.
 #pragma once
 
 #include <algorithm>
@@ -27,7 +27,7 @@ namespace mes {
 
 inline constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
-/// How a C++ type is a column: `type`, `width`, the names of `parts`, and whether values are row numbers.
+/// Maps a C++ type to a column: `type`, `width`, the names of `parts`, and whether values are row numbers.
 template <class Value>
 struct ColumnTraits;
 
@@ -77,8 +77,8 @@ struct ColumnTraits<std::array<Value, N>> : ColumnTraits<Value> {
 template <class Value, std::size_t N>
 struct ColumnTraits<Value[N]> : ColumnTraits<std::array<Value, N>> {};
 
-/// The table that row numbers of a column belong to, and the number there of the vertex at infinity, if it occurs. Refers
-/// to the name.
+/// The table that row numbers of a column refer to, and the row number of the vertex at infinity there, if it occurs.
+/// Keeps a reference to the name.
 struct RowsOf {
   std::string_view table;
   std::optional<RowNumber> infinity;
@@ -116,10 +116,10 @@ class AnyTableMaker {
   TableColumn& add_stored(std::string_view name, std::string_view description, const ValueShape& shape,
                           std::size_t stride, const std::function<std::size_t()>& size,
                           const std::function<const void*()>& address);
-  /// `read` is asked for `kNoRow` where the row is not alive.
+  /// `read` is called with `kNoRow` if the row is not alive.
   TableColumn& add_read(std::string_view name, std::string_view description, const ValueShape& shape,
                         std::function<void(RowNumber, void*)> read);
-  // The assertion fails when a structure lists row numbers as plain values; a reference has to name its table.
+  // An assertion fails if a structure lists row numbers as plain values; a reference must name its table.
   static TableColumn& plain(TableColumn& column);
   static TableColumn& boolean(TableColumn& column);
   static TableColumn& refer(TableColumn& column, const RowsOf& target);
@@ -127,7 +127,7 @@ class AnyTableMaker {
  private:
   struct Refresh;
   TableColumns table_;
-  std::shared_ptr<Refresh> refresh_;  // null: it cannot be refreshed
+  std::shared_ptr<Refresh> refresh_;  // null if the table cannot be refreshed
 };
 
 /// Makes a `TableColumns` whose rows are slots of one kind.
@@ -143,8 +143,8 @@ class AnyTableMaker {
 template <class Row>
 class TableMaker : public AnyTableMaker {
  public:
-  /// `rows` is the number of rows, or a function that returns it. With a function the table can be refreshed; its
-  /// columns and change sets are then members of the structure, or of what it keeps as long as it lives.
+  /// `rows` is the number of rows, or a function that returns it. A table with a function can be refreshed; its columns
+  /// and change sets must then be members of the structure, or live as long as it.
   template <class Rows, class IsAlive>
   TableMaker(std::string_view name, std::string_view description, Rows rows, IsAlive is_alive)
       : AnyTableMaker(name, description,
@@ -153,19 +153,19 @@ class TableMaker : public AnyTableMaker {
   }
 
   void set_changes(const ChangeSet<Row>& changes) { set_changes_of(changes); }
-  /// The change set of another table with the same row numbers.
+  /// Uses the change set of another table with the same row numbers.
   template <class Other>
   void set_changes_of(const ChangeSet<Other>& changes) {
     AnyTableMaker::set_changes([&changes] { return row_numbers(changes); });
   }
-  /// The table has no more rows than these values.
+  /// Limits the table to as many rows as there are values.
   template <class Values>
   void limit_rows(const Values& values) {
     AnyTableMaker::limit_rows([&values] { return values.size(); });
   }
 
-  // Columns that are stored: as a table of their own, or as a member of each row. `reference` is for row numbers, and
-  // `flag` for bytes that are 0 or 1.
+  // Stored columns: a table of their own, or a member of each row. Use `reference` for row numbers, and `flag` for
+  // bytes that are 0 or 1.
   template <class Value>
   TableColumn& column(std::string_view name, std::string_view description, const Table<Row, Value>& values) {
     return plain(stored(name, description, values.values()));
@@ -204,7 +204,7 @@ class TableMaker : public AnyTableMaker {
     return refer(stored(name, description, rows, member), target);
   }
 
-  // Columns that are computed, by a function of the row, which is asked for rows that are alive.
+  // Computed columns, by a function that is called only for live rows.
   template <class ValueOf>
   TableColumn& computed(std::string_view name, std::string_view description, ValueOf value_of) {
     return plain(made(name, description, std::move(value_of)));
@@ -240,7 +240,7 @@ class TableMaker : public AnyTableMaker {
   }
 };
 
-/// The tables of several makers, which are empty afterwards.
+/// Takes the tables of several makers, which are empty afterwards.
 template <class... Rows>
 std::vector<TableColumns> taken(TableMaker<Rows>&... makers) {
   std::vector<TableColumns> out;

@@ -18,7 +18,7 @@ namespace {
 constexpr std::array<std::pair<TableFormat, std::string_view>, 2> kTableFormats{
     {{TableFormat::csv, "csv"}, {TableFormat::npy, "npy"}}};
 
-/// Hands text on in pieces.
+/// Passes text on in pieces.
 class PieceWriter {
  public:
   explicit PieceWriter(const TableSink& sink) : sink_(sink) {}
@@ -52,7 +52,7 @@ void append_number_to(std::string& out, Number number) {
   out.append(digits.data(), end);
 }
 
-/// Nothing where there is no value.
+/// Appends nothing if there is no value.
 void append_value(std::string& out, const TableColumn& column, const std::byte* at) {
   switch (column.type) {
     case ColumnType::float64:
@@ -113,7 +113,7 @@ std::string_view numpy_type(ColumnType type) {
   return {};
 }
 
-/// A Python dictionary of what an array is.
+/// The header of an array, as a Python dictionary.
 std::string numpy_header(const TableColumns& table) {
   std::string out = "{'descr': [('is_alive', '|b1')";
   for (const TableColumn& column : table.columns) {
@@ -130,7 +130,7 @@ void write_npy(const TableColumns& table, PieceWriter& out) {
   constexpr std::string_view kMagic("\x93NUMPY\x01\x00", 8);
   std::string header = numpy_header(table);
   const std::size_t before = kMagic.size() + 2;
-  // Spaces and a line end fill the header up, so that values begin at a multiple of the alignment.
+  // Spaces and a line end pad the header, so that values begin at a multiple of the alignment.
   header.append(kAlignment - 1 - (before + header.size()) % kAlignment, ' ');
   header += '\n';
   MES_ASSERT(header.size() <= std::numeric_limits<std::uint16_t>::max());

@@ -11,7 +11,7 @@
 namespace mes {
 namespace {
 
-/// The value that a parameter takes. Error: `usage`.
+/// The value that a parameter will have. Error: `usage`.
 Expected<double> accepted(const Parameter& parameter, double value) {
   const bool is_whole = !parameter.is_whole || value == std::floor(value);
   if (parameter.is_limit && is_whole && !std::isnan(value)) return std::clamp(value, parameter.low, parameter.high);
@@ -190,7 +190,7 @@ Expected<void> Workbench::compare_with(std::span<const WorkbenchVariant> variant
     documents[i].apply(*deltas.back());
   }
   std::erase_if(shown_, [](VariantLayer layer) { return layer.variant != kMainVariant; });
-  graph_->set_variants({});  // documents of earlier ones would stay
+  graph_->set_variants({});  // earlier variants would keep their documents
   graph_->set_variants(requests);
   for (std::size_t i = 0; i < deltas.size(); ++i)
     if (deltas[i]) graph_->post(static_cast<VariantIndex>(i + 1), std::move(deltas[i]));
@@ -232,15 +232,15 @@ Expected<void> Workbench::run(JobControl& job) {
     try {
       mirror_.apply(patch_);
     } catch (const std::bad_alloc&) {
-      // The mirror has missed a patch. The next run sends every layer whole.
+      // The mirror missed a patch, so the next run must send every layer whole.
       mirror_ = {};
-      patch_.reports.clear();  // the instances of no layer can be read
+      patch_.reports.clear();  // no layer's instances can be read
       graph_->set_demand(std::span<const VariantLayer>());
       graph_->set_demand(shown_);
       return refusals::out_of_memory();
     }
   }
-  if (patch_.nodes.empty()) return refusals::out_of_memory();  // there was no room for the reports
+  if (patch_.nodes.empty()) return refusals::out_of_memory();  // there was no memory for the reports
   // A failed structure is the cause; blocked ones and layers follow from it.
   for (const NodeReport& node : patch_.nodes)
     if (node.state == NodeState::failed) return refusals::failed("structure", node.structure, node.reason);

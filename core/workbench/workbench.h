@@ -23,17 +23,17 @@
 
 namespace mes {
 
-/// These options say how much a workbench keeps. The defaults suit interactive use.
+/// Options that say how much a workbench keeps. The defaults suit interactive use.
 struct WorkbenchOptions {
   /// false: `load` and `open` give their data to the structures alone; the document stays empty, other edits are
   /// refused, and there is no history.
   bool keeps_document = true;
   bool keeps_history = true;    ///< false: nothing can be undone, and edits cost no memory
-  bool keeps_instances = true;  ///< false: layers are only in `patch()`, as changes since the run before
+  bool keeps_instances = true;  ///< false: layers are only in `patch()`, as changes since the previous run
   /// Makes the graph a one-shot graph, which hands instances out in pieces and keeps nothing for later edits
   /// (`Graph::make_one_shot`). The workbench then keeps no document and no instances.
   Graph::InstanceTaker take_instances{};
-  bool needs_scalars = true;  ///< false: a one-shot graph may leave out scalars that take time to find
+  bool needs_scalars = true;  ///< false: a one-shot graph may skip scalars that are expensive to compute
 };
 
 /// A variant is computed beside the document, with other settings or other data (core/draw/variant.h).
@@ -50,8 +50,8 @@ struct WorkbenchVariant {
 ///  1. After a `run` without error, every needed structure and every shown layer is that of the present document and
 ///     settings. A run computes only what has changed since the run before.
 ///  2. An edit or a setting that is refused changes nothing.
-///  3. After a `run` with the error `cannot_compute`, all that does not depend on the failed structures is up to date,
-///     and `nodes()` has the reasons. The next run that changes their inputs tries them again.
+/// 3. After a `run` with the error `cannot_compute`, everything that does not depend on the failed structures is up to
+///    date, and `nodes()` has the reasons. The next run that changes their inputs tries them again.
 ///  4. After a `run` with the error `cancelled`, instances and digests are as before it, and no structure can be read
 ///     by its id. The next run completes the work.
 ///  5. Results that are read by a public id are never outdated by a failure: `structure`, `statistic`, `instances` and
@@ -71,17 +71,17 @@ struct WorkbenchVariant {
 /// threads may watch or stop a run by its `JobControl`.
 class Workbench {
  public:
-  /// The registry has to contain the sources `Samples` and `SettingsSource`, and to outlive the workbench.
+  /// The registry must contain the sources `Samples` and `SettingsSource`, and must outlive the workbench.
   explicit Workbench(const Registry& registry, WorkbenchOptions options = {});
-  /// Takes another registry, which was made from the present one without a change of its sources and outlives the workbench
-  /// in its place. Document, history, settings and demand stay as they are; there are no results before the next run, which
-  /// computes what is new. Structures that are gone are not needed any more.
+  /// Replaces the registry by one that was made from it without a change of its sources and outlives the workbench
+  /// instead. Document, history, settings and demand stay as they are; there are no results before the next run, which
+  /// computes the new structures. Removed structures are not needed any more.
   void set_registry(const Registry& registry);
 
   // The document. A step of undo is one edit, or all edits between `begin_step` and `end_step`.
 
   /// Reads a file of any format and replaces the document by its data. A session also sets its settings; other files
-  /// leave the settings as they are. Returns what is known of the file, with its data. Error: as `read_sample_file`.
+  /// leave the settings as they are. Returns information on the file, with its data. Error: as `read_sample_file`.
   Expected<LoadedFile> open(const std::filesystem::path& path, JobControl& job, const ReadRequest& request = {},
                             std::string_view format = {});
   /// Does the same for bytes in memory; `name` stands for the file in messages.
@@ -97,19 +97,19 @@ class Workbench {
   Expected<void> remove(std::span<const SampleId> ids);
   Expected<void> change_balls(std::span<const std::pair<BallId, Disk>> targets);
   Expected<void> remove_balls(std::span<const BallId> ids);
-  /// Replaces the contours. Their points are places of samples in input order. Error: `bad_input` for a place that does not
-  /// exist.
+  /// Replaces the contours. Their points are indices of samples in input order. Error: `bad_input` for an index that
+  /// does not exist.
   Expected<void> set_contours(std::span<const SampleData::Contour> contours);
-  /// Applies the result of a command for the present document. The error of a command is returned as it is.
+  /// Applies the result of a command for the present document. If the command failed, returns its error unchanged.
   Expected<void> apply(Expected<DocumentDelta> delta, const std::string& name = {});
 
-  /// Steps do not nest.
+  /// Steps cannot be nested.
   void begin_step(std::string name) { history_.begin_gesture(std::move(name)); }
   void end_step() { history_.end_gesture(); }
   /// Both return false if there is nothing to undo or redo.
   bool undo() { return apply_all(history_.undo()); }
   bool redo() { return apply_all(history_.redo()); }
-  /// Nothing can be undone or redone then. Not inside a step.
+  /// Afterwards nothing can be undone or redone. Not inside a step.
   void forget_history() { history_.clear(); }
 
   const Document& document() const& { return document_; }
@@ -120,7 +120,7 @@ class Workbench {
   // Settings. They apply from the next run on.
 
   const ComputationSettings& settings() const { return settings_; }
-  /// Values are not checked.
+  /// Does not check the values.
   void choose(const ComputationSettings& settings);
   /// Values beyond the range of a limit are set to the end of the range. Error: `usage` for an unknown parameter, another
   /// value beyond its range, or a fraction where a whole number is expected.
@@ -130,14 +130,14 @@ class Workbench {
   /// Error: `usage` for an unknown number type.
   Expected<void> set_precision(std::string_view id);
 
-  /// Computes these variants in the same runs, in place of all earlier ones, and hides the layers of those. They are
+  /// Computes these variants in the same runs, replacing all earlier ones, whose layers are hidden. Variants are
   /// numbered from 1; `layer_in` says which of their layers are their own. Error: as `replace_all`.
   Expected<void> compare_with(std::span<const WorkbenchVariant> variants);
-  /// These are the documents of the variants, empty where a variant shares the workbench's.
+  /// Documents of the variants; empty for a variant that shares the workbench's.
   const std::vector<Document>& variant_documents() const& { return variant_documents_; }
   std::vector<Document> variant_documents() && { return std::move(variant_documents_); }
 
-  // Demand. Each call replaces the one before; nothing is computed without demand.
+  // Demand. Each call replaces the previous one; nothing is computed without demand.
 
   /// Chooses the layers whose instances are computed. Error: `usage` for an unknown layer.
   Expected<void> show(std::span<const std::string_view> layers);
@@ -153,19 +153,19 @@ class Workbench {
   }
   /// The next runs report counters and measures. Some take O(n).
   void set_want_statistics(bool wanted) { graph_->set_want_statistics(wanted); }
-  /// The next runs compute the judges of the theorem light, too, and report their findings.
+  /// The next runs also compute the judges of the theorem light, and report their findings.
   void set_want_findings(bool wanted) { graph_->set_want_findings(wanted); }
-  /// Called with the id of each structure or layer before it is worked on.
+  /// Sets a function that is called with the id of each structure or layer before work on it begins.
   void set_on_task(std::function<void(std::string_view)> on_task) { graph_->set_on_task(std::move(on_task)); }
 
   // Computing.
 
-  /// Brings all that is demanded up to date. Error: `cannot_compute` with the first cause, `cancelled`, or
+  /// Brings everything demanded up to date. Error: `cannot_compute` with the first cause, `cancelled`, or
   /// `out_of_memory` if there is no room for the instances.
   Expected<void> run(JobControl& job);
   /// Does the same for code that is itself part of a job, and throws `Cancelled` when the job is stopped.
   Expected<void> run_or_throw(JobControl& job);
-  /// Prepares what only the next edit needs, so that it takes less time. Optional, after a run; ends early when stopped.
+  /// Prepares data that only the next edit needs, to make it faster. Optional, after a run; ends early when stopped.
   void get_ready(JobControl& job) { graph_->get_ready(job); }
 
   // Results of the last run.
@@ -173,7 +173,7 @@ class Workbench {
   /// Returns a structure by its public id. Error: it is unknown, was not needed, failed, or was left unfinished by a
   /// stop.
   Expected<const Structure*> structure(std::string_view id) const;
-  /// Returns a structure by its type. Its tables mean something only if it was up to date after the last run.
+  /// Returns a structure by its type. Its tables are meaningful only if it was up to date after the last run.
   template <class T>
   const T& get() const {
     return graph_->structures().get<T>();
@@ -186,22 +186,21 @@ class Workbench {
   Expected<std::span<const double>> instances(std::string_view layer, PrimitiveKind kind) const;
   /// Returns the digest that `mesecina compute --digest` writes. Error: as `instances`.
   Expected<LayerDigest> digest(std::string_view layer) const;
-  /// The mirror holds the instances of all layers, and outdated ones of layers that are hidden or failed.
+  /// The mirror holds the instances of all layers, including outdated ones of hidden or failed layers.
   const LayerMirror& mirror() const { return mirror_; }
 
-  /// There is one report for each structure of the registry, in its order, then those of variants; before the first run
-  /// there is none.
+  /// One report for each structure of the registry, in its order, then those of variants; empty before the first run.
   std::span<const NodeReport> nodes() const { return patch_.nodes; }
-  /// There is one report for each layer, likewise.
+  /// One report for each layer, likewise.
   std::span<const LayerReport> layers() const { return patch_.reports; }
   /// The theorem light is `none` unless findings were wanted.
   TheoremLight light() const { return light_of(patch_.nodes); }
-  /// The patch holds all that the last run has to say.
+  /// The patch of the last run.
   const FramePatch& patch() const { return patch_; }
   const Graph& graph() const { return *graph_; }
 
-  /// Runs, and answers the question about the results; its ticket is set here. Layers that are not shown are passed
-  /// over. Error: as `run`.
+  /// Runs, and answers the question about the results; sets the ticket of the question. Layers that are not shown are
+  /// ignored. Error: as `run`.
   Expected<Provenance> ask(ProvenanceQuestion question, JobControl& job);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The results of a run, by their public ids.
+// Results of a run, by their public ids.
 #include <algorithm>
 
 #include "core/workbench/internal/refusals.h"
@@ -64,7 +64,7 @@ Expected<Provenance> Workbench::ask(ProvenanceQuestion question, JobControl& job
   if (auto done = run(job); !done) return std::unexpected(std::move(done.error()));
   std::vector<Provenance> answers;
   graph_->answer(answers, job);
-  // Earlier questions that were stopped may be answered now, too.
+  // Earlier stopped questions may have been answered too.
   for (Provenance& answer : answers)
     if (answer.ticket == ticket_) return std::move(answer);
   return refusals::stopped();

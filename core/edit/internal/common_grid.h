@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Doubles as integers: multiples of one power of two. Private to core/edit.
+// Doubles as integer multiples of one power of two. Private to core/edit.
 #pragma once
 
 #include <algorithm>
@@ -20,17 +20,17 @@ struct GridPoint {
   friend bool operator==(const GridPoint&, const GridPoint&) = default;
 };
 
-/// The multiples of a power of two, as fine as doubles of some magnitude allow. Integers up to `kMost` times the step are
-/// doubles.
+/// A grid of multiples of a power of two, as fine as doubles of a given magnitude allow. Multiples of the step by
+/// integers up to `kMost` are doubles.
 class CommonGrid {
  public:
   static constexpr std::int64_t kMost = std::int64_t{1} << 52U;
 
-  /// Numbers up to twice `largest`, which is not zero, are on it after rounding.
+  /// After rounding, numbers up to twice `largest`, which must not be zero, are on the grid.
   explicit CommonGrid(double largest) : exponent_(exponent_of(largest) - 50) {}
 
   double step() const { return std::ldexp(1.0, exponent_); }
-  /// In steps, rounded to the nearest integer.
+  /// Number of steps, rounded to the nearest integer.
   std::int64_t rounded(double x) const { return std::llround(std::ldexp(x, -exponent_)); }
   GridPoint rounded(Vec2 p) const { return {rounded(p.x), rounded(p.y)}; }
   /// Exact for integers up to `kMost`.
@@ -48,7 +48,7 @@ inline double largest_magnitude(std::span<const Vec2> places) {
   return out;
 }
 
-/// The mean, without leaving the range of doubles.
+/// The mean, computed without overflow.
 inline Vec2 mean_of(std::span<const Vec2> places) {
   Vec2 out;
   double count = 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What both kinds of degenerate places are held against. Private to core/edit.
+// Checks shared by the line and circle functions. Private to core/edit.
 #pragma once
 
 #include <optional>
@@ -10,14 +10,14 @@
 
 namespace mes {
 
-/// One that is there twice; of several the first from left to right.
+/// A point that occurs twice; of several, the leftmost.
 std::optional<Vec2> repeated_place(std::span<const Vec2> places);
 inline bool are_distinct(std::span<const Vec2> places) {
   return !repeated_place(places);
 }
-/// Says which one.
+/// The error that names a repeated point.
 std::unexpected<Error> refuse_repeated(Vec2 place);
-/// The largest distance between places of the same position in both lists, which are equally long.
+/// The largest distance between corresponding points of two lists of equal length.
 double largest_shift(std::span<const Vec2> from, std::span<const Vec2> to);
 
 }  // namespace mes

@@ -4,7 +4,7 @@
 
 namespace mes {
 
-/// For std::unique_ptr: calls the function that the library has for this.
+/// For std::unique_ptr: calls the library's function that destroys the object.
 template <auto kDestroy>
 struct DestroyedBy {
   void operator()(auto* object) const { kDestroy(object); }

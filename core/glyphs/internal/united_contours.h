@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Contours that overlap, as the boundary of what they wind around. Private to core/glyphs.
+// Replaces overlapping contours by the boundary of their union. Private to core/glyphs.
 #pragma once
 
 #include <vector>
@@ -9,14 +9,14 @@
 
 namespace mes {
 
-/// Closed curves whose coordinates are design units of a font, as they are filled by the rule of nonzero winding: a
-/// contour that meets no other and not itself, and is part of the boundary, stays as it is, to the last bit. Where
-/// contours cross, touch, or lie within what is filled already, the boundary takes their place, of straight pieces that
-/// are nowhere further than `tolerance` from the curves, after those that stay.
+/// Unites closed curves in design units of a font, which are filled by the nonzero winding rule. A contour on the
+/// boundary that meets neither another one nor itself stays unchanged, to the last bit. Where contours cross, touch, or
+/// lie within a filled area, straight pieces of the boundary replace them; these are within `tolerance` of the curves,
+/// and follow the unchanged contours in the list.
 ///
-/// Decisions are those of Clipper, which are exact for the corners of these pieces, rounded to a 1024th of a unit. Contours
-/// whose bounding boxes meet are united in one call, others in calls of their own: so what a letter becomes does not depend
-/// on those that it is apart from. Throws `Cancelled` if there is a job, which is looked at between these calls.
+/// Clipper decides, exactly for the corners of these pieces rounded to a 1024th of a unit. Contours whose bounding
+/// boxes meet are united in one call, others in separate calls, so that the outline of a letter does not depend on
+/// letters that it does not touch. Throws `Cancelled` if there is a job, which is checked between these calls.
 std::vector<PlaneCurve> united_contours(std::vector<PlaneCurve> contours, double tolerance,
                                         JobControl* job = nullptr);
 
