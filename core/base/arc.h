@@ -34,7 +34,7 @@ inline double sweep_of(const Arc& arc) {
   return angle >= 0.0 ? angle : angle + kTurn;
 }
 
-/// The box of both ends and of those extreme points of the circle (right, up, left, down) that lie on the arc.
+/// The box of both ends and of the extreme points (right, up, left, down) of the circle that lie on the arc.
 inline Box2 bounding_box_of(const Arc& arc) {
   const Box2 circle = bounding_box_of(Disk{arc.center, arc.radius});
   const double sweep = sweep_of(arc);

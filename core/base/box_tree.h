@@ -75,10 +75,10 @@ inline std::vector<std::uint32_t> order_along_z_curve(std::span<const Box2> boxe
   return out;
 }
 
-/// What a tree stores about an item: its bounds.
+/// The bounds of an item, as the tree stores them.
 struct TreeBounds {
   Box2 box;            ///< may reach to infinity
-  double reach = 0.0;  ///< how far the item reaches beyond its box; only `visit_where` uses it
+  double reach = 0.0;  ///< distance that the item reaches beyond its box; only `visit_where` uses it
 
   void add(const TreeBounds& other) {
     box.add(other.box);
@@ -88,7 +88,7 @@ struct TreeBounds {
 
 /// A tree over items with bounds.
 ///
-/// What it guarantees:
+/// Guarantees:
 ///  1. `visit_near` skips an item only if its bounds prove that it is farther away than asked for, with a margin for
 ///     the rounding of distances at such coordinates. So the result does not depend on the tree.
 ///  2. The index that `moved` reports for an item is valid until `moved` reports another one, or the item is removed.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How pictures and figures carry the session that made them; shared by the writers and the readers.
+// The form in which pictures and figures carry their session; shared by the writers and the readers.
 //
 // The carried data is the text of a session file, compressed (core/base/zlib.h):
 //   PNG   an iTXt chunk with this keyword, compressed

@@ -27,8 +27,8 @@ struct Error {
   ErrorCode code = ErrorCode::bad_input;
   std::string text{};        ///< one printable line, no trailing full stop, no file name
   std::string file{};        ///< empty when no file is involved
-  std::uint64_t line = 0;    ///< from 1; 0 = unknown
-  std::uint64_t column = 0;  ///< byte column from 1; 0 = unknown
+  std::uint64_t line = 0;    ///< counted from 1; 0 = unknown
+  std::uint64_t column = 0;  ///< byte column, counted from 1; 0 = unknown
 
   /// "FILE:LINE:COLUMN: what is wrong" with the parts that are known.
   std::string message() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a structure reports about how far its results can be trusted.
+// A structure's report on how far its results can be trusted.
 #pragma once
 
 #include <cstdint>

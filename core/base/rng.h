@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random numbers that are the same on every machine and in every build.
 //
-// What it guarantees:
+// Guarantees:
 //  1. Number i of a seed is a pure function of (seed, i), independent of call order, threads and platform.
 //  2. `uniform()` is a multiple of 2^-53 in [0, 1), made with integer arithmetic and one exact multiplication.
 //  3. Different seeds, even consecutive ones, give unrelated sequences.

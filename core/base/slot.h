@@ -20,7 +20,7 @@ inline constexpr NoSlot kNoSlot = NoSlot::none;
 /// Row of one table, or of several tables whose rows describe the same elements. Stable while the element lives; rows
 /// of dead elements are reused.
 ///
-/// What it guarantees: slots of different tables do not convert to each other, and numbers and slots convert only
+/// Guarantees: slots of different tables do not convert to each other, and numbers and slots convert only
 /// explicitly. Takes four bytes, names no row by default, and is as cheap as the number.
 ///
 /// Smallest use:

@@ -15,7 +15,7 @@
 
 namespace mes {
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. Each task runs once, on some thread, before `finish` returns, unless it had not begun when `drop` was called.
 ///  2. No thread of the queue runs after either returns. An unused queue costs nothing: threads start with the first
 ///     task.
@@ -46,7 +46,7 @@ class TaskQueue {
         threads_.emplace_back([this] { work(); });
         return;
       } catch (const std::system_error&) {
-        // Without a new thread the task waits for one of the others, or for `finish`.
+        // If no new thread starts, the task waits for one of the others, or for `finish`.
       } catch (const std::bad_alloc&) {
       }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Regions of the plane that curves enclose, and clipping of other curves to them.
 //
-// What it guarantees:
+// Guarantees:
 //  1. A curve that no boundary cuts is returned unchanged, to the last bit.
 //  2. A clipped curve consists of parts of the given curves (lines, Bézier curves and arcs), not of polygons. The parts
 //     meet at the intersections of both curves, up to rounding.
@@ -31,7 +31,7 @@ namespace mes {
 
 enum class FillRule : std::uint8_t { nonzero, even_odd };
 
-/// How the curves are drawn: as the areas that they enclose, or as lines.
+/// Drawing style of the curves: the areas that they enclose, or lines.
 enum class Ink : std::uint8_t { nonzero_area, even_odd_area, line };
 
 /// Grid step for drawings of about this extent: a power of two.
@@ -40,7 +40,7 @@ double clip_grid(double extent);
 struct ClippedCurves {
   enum class Seen : std::uint8_t { whole, part, nothing };
   Seen seen = Seen::whole;
-  std::vector<PlaneCurve> curves{};  ///< without names; if everything is seen, the curves that were given
+  std::vector<PlaneCurve> curves{};  ///< no names; if everything is seen, the curves that were given
 };
 
 /// A value type. Combined regions must have the same grid. Coordinates must not exceed 2^55 steps of the grid.

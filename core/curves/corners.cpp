@@ -59,7 +59,7 @@ std::vector<Piece> shortened(const MeasuredCurve& curve, const Stretch& stretch,
 Piece rounding_arc(Vec2 from, Vec2 to, Vec2 first, double turn, double away) {
   const double radius = away / std::tan(0.5 * std::abs(turn));
   const Vec2 left{-first.y, first.x};
-  const Vec2 out = (turn > 0.0 ? -radius : radius) * left;  // from the centre to where the arc begins
+  const Vec2 out = (turn > 0.0 ? -radius : radius) * left;  // vector from the centre to the start of the arc
   return {.kind = PieceKind::arc,
           .points = {from, to},
           .arc = {.center = from - out, .u = out, .v = radius * first, .start = 0.0, .sweep = std::abs(turn)}};

@@ -57,7 +57,7 @@ std::string epsilon_text(double epsilon, std::size_t exempt) {
   return out;
 }
 
-/// Goes along a line, around a closed one as often as need be.
+/// Walks along a line, any number of times around a closed one.
 struct FeatureField::Walk {
   const Line& line;
   bool is_strict;

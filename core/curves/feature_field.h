@@ -6,7 +6,7 @@
 // samples themselves is a poor measure: where there are too few samples, it misses features of the curves. So this
 // class uses the axis of other, finer samples, which it makes as dense as needed.
 //
-// What it guarantees:
+// Guarantees:
 //  1. Sizes are lower bounds as far as an estimate can be: the sizes that the finer samples show, less four times the
 //     square of the epsilon of these samples. Tests compare with shapes whose axis is known.
 //  2. At corners, and where curves meet, sizes fall to zero, and no density of samples has an epsilon. These points are
@@ -43,14 +43,14 @@ namespace mes {
 
 struct MeasuredCurve;
 
-/// How well samples represent curves.
+/// The quality with which samples represent curves.
 struct CurveStanding {
   double epsilon = 0.0;    ///< maximum over all intervals; 0 without an axis, infinite where a curve has no sample
   Vec2 place{};            ///< point of the curves in the middle of that interval
   std::size_t exempt = 0;  ///< number of corners and meetings of curves (guarantee 2)
   std::size_t off_curve = 0;   ///< number of samples that lie on no curve
   std::vector<Vec2> sparse{};  ///< middle points of all intervals with an epsilon above 1 (`kMostEpsilon`)
-  /// Indices of samples that follow each other along the curves, at different positions.
+  /// Pairs of indices of samples that are neighbours along the curves and have different positions.
   std::vector<std::array<std::uint32_t, 2>> neighbours{};
 };
 
@@ -86,7 +86,7 @@ class FeatureField {
   /// thousandth of the mean distance. Error: `bad_input` for more than `most`.
   Expected<std::vector<std::vector<std::vector<double>>>> places(double epsilon, std::size_t most) const;
 
-  /// How well samples at these positions represent the curves. Equal positions count as one sample.
+  /// The quality with which samples at these positions represent the curves. Equal positions count as one sample.
   CurveStanding standing(std::span<const Vec2> positions, JobControl* job = nullptr) const;
 
   /// Samples to insert so that all intervals between samples have the epsilon; they lie exactly on the curves. Near

@@ -200,7 +200,7 @@ class Faces {
   std::vector<std::size_t> closed_uses_;  // for each arc
   std::vector<bool> is_in_mesh_;          // for each arc
   std::vector<std::uint32_t> mesh_of_;    // for each arc in a mesh
-  std::vector<bool> has_closed_;          // by mesh
+  std::vector<bool> has_closed_;          // indexed by mesh
   std::vector<std::uint32_t> face_of_;    // for each half edge
   std::vector<Face> faces_;
 };

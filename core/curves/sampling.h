@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Samples of curves.
 //
-// Corners, where the tangent turns by more than an angle, and the ends of open curves are always samples. Between them
-// samples follow each other at equal arc lengths, or by some rules (such as `adaptive`) at slowly changing ones. A
-// closed curve has no duplicate end, and the samples of one curve are distinct: if a curve returns exactly to a sample,
-// it is not added again. The result depends only on the curves and the request, and on the feature sizes if the rule
-// uses them.
+// Corners, where the tangent turns by more than an angle, and the ends of open curves are always samples. Between them,
+// samples have equal distances along the curve, or slowly changing ones by rules such as `adaptive`. A closed curve has
+// no duplicate end, and the samples of one curve are distinct: if a curve returns exactly to a sample, it is not added
+// again. The result depends only on the curves and the request, and on the feature sizes if the rule uses them.
 //
 // Smallest use:
 //     auto samples = sample(curves, {.rule = SamplingRule::spacing, .spacing = 0.5});
@@ -43,7 +42,7 @@ enum class SamplingRule : std::uint8_t {
 struct SamplingRuleDescriptor {
   SamplingRule rule;
   std::string_view id;           ///< public name, kebab case
-  std::string_view name;         ///< as shown in the interface
+  std::string_view name;         ///< name in the interface
   std::string_view explanation;  ///< one sentence
 };
 /// One descriptor for each rule, in the order of the rules.

@@ -42,8 +42,8 @@ struct Anchor {
 
 enum class AnnotationKind : std::uint8_t {
   text,      ///< words at a position
-  leader,    ///< words beside an element, with a line to it
-  arrow,     ///< from the first position to the second
+  leader,    ///< words next to an element, with a line to it
+  arrow,     ///< an arrow that ends at the second position
   distance,  ///< between two positions
   angle,     ///< angle at the second position, between the first and the third
   radius,    ///< radius of the circle through three positions

@@ -15,8 +15,8 @@
 
 namespace mes {
 
-/// The parts of one delta. Samples cannot be removed and others moved in one delta, and removals of balls cannot be
-/// combined with other changes of balls.
+/// The parts of one delta. A delta cannot both remove and move samples, nor combine removals of balls with other
+/// changes of balls.
 struct DocumentChange {
   std::span<const SampleId> removed{};  ///< applied before insertions
   std::span<const std::pair<SampleId, Vec2>> moved{};

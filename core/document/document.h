@@ -2,7 +2,7 @@
 // The persistent state of the program: samples and balls with stable ids, the curve order of the samples, the curves
 // that samples were taken from, and annotations.
 //
-// What it guarantees:
+// Guarantees:
 //  1. An id names the same sample (or ball) for the whole session, through undo and redo, and is never reused.
 //  2. A slot is stable while its sample (ball) lives. Several samples may share one position, several balls one disk;
 //     each keeps its own record.

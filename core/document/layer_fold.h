@@ -12,7 +12,7 @@
 
 namespace mes {
 
-/// What it guarantees: after `apply` of several changes in order, `configuration` is what `mes::apply` of each of
+/// Guarantees: after `apply` of several changes in order, `configuration` is what `mes::apply` of each of
 /// them in turn gives, without the layers that `keeps` refuses. Cost of `apply`: O(size of the change), on average
 /// also where layers are put in order: the order names all that stay. Threads: none.
 ///
@@ -35,7 +35,7 @@ class LayerFold {
 
   LayerConfiguration configuration_;
   Keeps keeps_;
-  std::unordered_map<std::string, std::size_t> place_;  // of the first entry of each layer
+  std::unordered_map<std::string, std::size_t> place_;  // index of the first entry of each layer
 };
 
 }  // namespace mes

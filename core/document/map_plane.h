@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the plane of a document relates to the Earth, if it was read from a map in degrees. Plain data.
+// Relation of the plane of a document to the Earth, for data from a map in degrees. Plain data.
 #pragma once
 
 #include <cmath>
@@ -24,7 +24,7 @@ struct MapPlane {
   MapDegrees degrees = MapDegrees::projected;
   double longitude =
       0.0;  ///< origin of the plane, in degrees, may exceed 180; ignored if degrees are kept
-  double latitude = 0.0;  ///< from -90 to 90
+  double latitude = 0.0;  ///< between -90 and 90
 
   /// Kilometres in a degree of longitude and of latitude.
   Vec2 scale() const {

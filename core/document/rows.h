@@ -14,7 +14,7 @@
 
 namespace mes {
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. An id names the same object for the whole session and is never reused, although rows are.
 ///  2. Free rows form a stack: undoing a change returns rows in the reverse order of taking them, so that redo finds
 ///     the rows with which it was recorded. A change that does not fit is refused by an assertion.

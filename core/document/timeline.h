@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Everything that happened since the data were opened, in order; used by sessions, crash recovery and replay.
 //
-// What it guarantees:
+// Guarantees:
 //  1. The data and the entries determine the document with its free rows, and everything that can be undone and redone,
 //     also for layers.
 //  2. Samples and balls are named by index: 0 is the first one since the data were opened. So the same work gives the
@@ -127,7 +127,7 @@ bool is_visible(const TimelineEntry& entry);
 
 /// Packed entries: an entry takes about as many bytes as its numbers and words.
 ///
-/// What it guarantees: entries read are equal to entries stored. A call that throws changes nothing.
+/// Guarantees: entries read are equal to entries stored. A call that throws changes nothing.
 /// Cost: O(size of the entry) for storing or reading one. Threads: none.
 class TimelineLog {
  public:

@@ -37,10 +37,10 @@ inline constexpr std::array kLayerGroups{
 /// Heading of the group in the layer panel, e.g. "Delaunay & Voronoi".
 std::string_view title_of(LayerGroup group);
 
-/// How the points of a layer are drawn.
+/// Style of the points of a layer.
 enum class PointsAs : std::uint8_t {
   dots,
-  numbers,  ///< indices of samples beside them, from 0 since the data were opened; letters are as high as dots are wide
+  numbers,  ///< indices next to the samples, from 0 since the data were opened; letters are as high as dots are wide
 };
 
 /// Layers of some kinds show data from a file. They can be exported to file formats for such data.
@@ -48,7 +48,7 @@ enum class LayerData : std::uint8_t { other, samples, balls, curve, curve_normal
 
 struct LayerDescriptor {
   std::string id{};       ///< public name, kebab case
-  std::string name{};     ///< as shown in the interface
+  std::string name{};     ///< name in the interface
   std::string tooltip{};  ///< one sentence, no full stop
   LayerGroup group = LayerGroup::samples;
   LayerData data = LayerData::other;

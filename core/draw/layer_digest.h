@@ -11,7 +11,7 @@
 
 namespace mes {
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. It depends only on the set of drawn things (with multiplicity): not on the order of instances, on which end of a
 ///     segment is first, on the first corner or the orientation of a triangle, on the sign of a line's direction, nor
 ///     on the sign of a zero. Everything else counts to the last bit, including scalars.

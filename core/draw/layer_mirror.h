@@ -14,7 +14,7 @@ namespace mes {
 
 /// Follows the complete result by its changes; for the command line and tests.
 ///
-/// What it guarantees:
+/// Guarantees:
 ///  1. After `apply`, `instances(layer, kind)` holds `count(layer, kind)` instances of `stride_of(kind)` doubles
 ///     each, in the order of the drawing buffer.
 /// 2. A patch that breaks its promises is refused by an assertion: data of the wrong size, growth without data, an

@@ -34,7 +34,7 @@ struct ProvenanceQuestion {
   double high = 0.0;
 };
 
-/// What a point of a shape follows: nothing, samples, or balls of the document, like an `Anchor`
+/// The thing that a point of a shape follows: nothing, samples, or balls of the document, like an `Anchor`
 /// (core/document/annotation.h). "No slot" means unused.
 struct Followed {
   std::array<SampleSlot, 3> samples{};
@@ -45,7 +45,7 @@ struct Followed {
 
 struct ProvenanceShape {
   PrimitiveKind kind = PrimitiveKind::point;
-  std::array<double, 7> values{};  ///< as in core/draw/primitives.h, without the scalar
+  std::array<double, 7> values{};  ///< see core/draw/primitives.h; without the scalar
   /// For its defining points, in the order of `HighlightedElement` (core/document/annotation.h).
   std::array<Followed, 3> follows{};
 };
@@ -66,7 +66,7 @@ struct ProvenanceRow {
     std::string text;
     std::string description;
   };
-  std::string table;  ///< as in "delaunay/faces"
+  std::string table;  ///< full name, as in "delaunay/faces"
   RowNumber row = 0;
   std::vector<Value> values;
 };

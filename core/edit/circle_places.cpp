@@ -45,7 +45,7 @@ struct RichCircle {
   double radius = 0.0;
 };
 
-constexpr double kMostPoints = 1 << 15;  // of one quarter of the circle
+constexpr double kMostPoints = 1 << 15;  // on one quarter of the circle
 
 /// Chooses primes whose product is at most 2^bits and which give many rotations.
 std::vector<PrimeTurn> many_turns(std::span<const PrimeTurn> known, double bits) {

@@ -19,18 +19,18 @@
 namespace mes {
 
 struct DegeneratePlaces {
-  std::vector<Vec2> places;    ///< as many as were given, in their order, no two equal
+  std::vector<Vec2> places;    ///< the moved points, in the order given, no two equal
   double largest_shift = 0.0;  ///< largest distance that a point was moved, in units of the coordinates
 };
 
-/// Moves points onto one line: each three of the results are collinear as real numbers. Fewer than three points stay.
+/// Moves points onto one line: any three of the results are collinear as real numbers. Fewer than three points stay.
 /// The line is that of least squares with a rounded direction. Beyond their distance from it, points move by about
 /// 2^-30 of their extent, or of their distance from the origin if that is larger.
 ///
 /// Error: points that are equal or would become so; all points equal. Cost: O(n log n).
 Expected<DegeneratePlaces> on_one_line(std::span<const Vec2> places);
 
-/// Moves points onto one circle: each four of the results are cocircular as real numbers. Fewer than four points stay.
+/// Moves points onto one circle: any four of the results are cocircular as real numbers. Fewer than four points stay.
 /// The circle is that of least squares, rounded. Beyond their distance from it, points move by about 2e-5 of its
 /// radius, rarely by more than 1e-4. If the circle is small compared with its distance from the origin, they move
 /// farther: by about 2e-3 of the radius for a ratio of 10^6.

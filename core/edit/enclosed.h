@@ -16,7 +16,7 @@ inline bool encloses(std::span<const Vec2> polygon, Vec2 p) {
   if (polygon.size() < 3) return out;
   Vec2 a = polygon.back();
   for (const Vec2 b : polygon) {
-    // The edge crosses the height of the point to its right.
+    // The edge crosses the horizontal line through the point, on its right.
     if ((a.y > p.y) != (b.y > p.y) && p.x - a.x < (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) out = !out;
     a = b;
   }

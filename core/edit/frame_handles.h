@@ -21,7 +21,7 @@ enum class Handle : std::uint8_t {
   lower_right,
   upper_left,
   upper_right,
-  turn,  ///< above the frame
+  turn,  ///< rotates; above the frame
 };
 inline constexpr std::size_t kHandles = 9;
 

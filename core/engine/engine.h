@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The geometry engine on its own thread: takes document deltas and the set of wanted layers, and returns patches.
 //
-// What it guarantees:
+// Guarantees:
 //  1. No call but `sync` ever waits for a computation.
 //  2. Deltas are applied in the order of `post`. Several pending ones are computed as one step, which shows only the
 //     newest state.

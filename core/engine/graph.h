@@ -23,7 +23,7 @@
 
 namespace mes {
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. After a complete `run`, every demanded layer shows the document state of the last posted delta.
 ///  2. A structure is computed only if it is needed itself or a demanded layer needs it. It follows an edit locally if
 ///     it was up to date in the previous run; otherwise it is rebuilt. Nothing is computed twice in a run, and nothing
@@ -128,7 +128,7 @@ class Graph {
     std::uint64_t findings_run = 0;
   };
   struct LayerNode {
-    Layer layer;  ///< without parts if a variant shares it
+    Layer layer;  ///< has no parts if a variant shares it
     std::vector<std::size_t> structures;
     /// Kinds that it does not emit but the consumer may hold: the layer of an earlier registry emitted them.
     std::vector<PrimitiveKind> earlier_kinds{};
@@ -145,7 +145,7 @@ class Graph {
     StructureSet structures;
     bool has_document = true;
     std::size_t first_node = 0;
-    std::vector<LayerNode> layers{};  ///< by position in the registry
+    std::vector<LayerNode> layers{};  ///< indexed by position in the registry
   };
 
   /// Graph of another registry, which takes over from `before` the structures that both have, and its demand.
@@ -191,7 +191,7 @@ class Graph {
   const Registry* registry_;
   std::uint64_t origin_ = 0;                        // identifies the nodes among those of all graphs
   std::vector<std::unique_ptr<Variant>> variants_;  // the main computation first
-  const Samples* samples_ = nullptr;                // of the main computation
+  const Samples* samples_ = nullptr;                // samples of the main computation
   std::vector<StructureNode> nodes_;                // variant by variant, inputs before their consumers
   DrawingFrame frame_;
   DrawingFrame sent_frame_;  ///< frame of the last complete run, and of all instances that consumers hold
@@ -206,7 +206,7 @@ class Graph {
   std::vector<VariantLayer> demanded_;
   bool want_statistics_ = false;
   bool want_findings_ = false;
-  std::array<std::optional<ProvenanceQuestion>, kProvenanceWishes> questions_;  ///< by wish; not yet answered
+  std::array<std::optional<ProvenanceQuestion>, kProvenanceWishes> questions_;  ///< unanswered questions, by wish
   std::int64_t lap_ns_ = 0;
   std::function<void(std::string_view)> on_task_;
   InstanceTaker take_;  ///< empty unless this is a one-shot graph

@@ -2,7 +2,7 @@
 // Evolutions: deterministic maps from one state to the next, shown on a slider. An evolution moves the samples, or
 // changes a parameter of the computation.
 //
-// What an evolution promises:
+// An evolution promises:
 //  1. A step is a pure function of the state, the step's number, the seed and the parameters: it does not depend on the
 //     number of threads, the order of requests, or earlier computations.
 //  2. Samples keep their indices in the state's lists; new ones are appended. No sample disappears.
@@ -39,7 +39,7 @@ struct ParameterMove;
 
 /// The data that determine all states, besides the initial one.
 struct EvolutionChoice {
-  std::shared_ptr<const Evolution> evolution{};  ///< from a registry; null: no evolution, whose only state is the first
+  std::shared_ptr<const Evolution> evolution{};  ///< registered; null: none, with only the first state
   std::uint64_t seed = 1;
   ParameterValues values{};
   /// Null if it moves samples, or if there is no evolution.
@@ -68,11 +68,11 @@ struct EvolutionStep {
 
 struct EvolutionDescriptor {
   std::string id;          ///< public name, kebab case
-  std::string name;        ///< as in a menu
+  std::string name;        ///< name in a menu
   std::string tooltip;     ///< one sentence, no full stop
   bool is_random = false;  ///< the seed matters
   std::vector<Parameter> parameters{};
-  std::string moves = "the samples";  ///< as in "Show the samples"
+  std::string moves = "the samples";  ///< object of a sentence: "Show the samples"
   bool is_missing = false;            ///< placeholder for an evolution that is not registered (`missing_evolution`)
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Computes the states of one evolution on a thread of its own.
 //
-// What it guarantees:
+// Guarantees:
 //  1. No call waits for a computation.
 // 2. The last request counts; the computation for an earlier one is abandoned unless it lies on the way. Exactly one
 //    answer follows the last request, unless `cancel` or `begin` came first.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The states of one evolution, computed on request and kept within a memory budget.
 //
-// What it guarantees:
+// Guarantees:
 //  1. State k is the same, however often and in whatever order states are requested: dropped states are computed again
 //     from an earlier one.
 //  2. Kept states stay within the budget, apart from state 0, the last state computed, and the last one returned.

@@ -19,8 +19,8 @@ namespace mes {
 struct MovingCurve {
   using Chain = SampleData::Contour;
   std::vector<Chain> chains;
-  bool is_known = false;       ///< from the document
-  std::vector<bool> may_move;  ///< by sample; false for ends of open chains, and for samples that occur more than once
+  bool is_known = false;       ///< the document has these loops
+  std::vector<bool> may_move;  ///< for each sample; false for ends of open chains, and for repeated samples
   /// Pairs of a sample and the equal sample that represents it in the chains; the first moves with the second.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> followers;
 };

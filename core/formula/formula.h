@@ -22,10 +22,10 @@ std::span<const FormulaFunction> formula_functions();
 /// The functions in words: "sin, cos, ...".
 std::string formula_functions_in_words();
 
-/// An expression in named variables: + - * / ^, comparisons, `a ? b : c`, parentheses, `formula_functions()`, pi, e, and
-/// deg for pi / 180. Nothing else: no assignment, no text, no file.
+/// An expression in named variables: + - * / ^, comparisons, `a ? b : c`, parentheses, `formula_functions()`, pi, e,
+/// and deg for pi / 180. Nothing else: no assignment, no text, no file.
 ///
-/// What it guarantees: equal numbers on every machine and in every locale, as far as the mathematical functions allow.
+/// Guarantees: equal numbers on every machine and in every locale, as far as the mathematical functions allow.
 ///
 /// Smallest use:
 ///     const auto formula = Formula::parse("2 * x + 1", {"x"});

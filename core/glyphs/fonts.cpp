@@ -41,7 +41,7 @@ bool is_true(FcPattern* font, const char* property) {
   return FcPatternGetBool(font, property, 0, &value) == FcResultMatch && value == FcTrue;
 }
 
-/// Whether HarfBuzz can read the outlines. Variable fonts are listed by their named instances, which count instead.
+/// Whether HarfBuzz can read the outlines. A variable font itself does not count; its named instances are listed.
 bool has_outlines(FcPattern* font) {
   const std::vector<std::string> kinds = texts_of(font, FC_FONTFORMAT);
   const bool is_open_type =

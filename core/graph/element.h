@@ -16,7 +16,7 @@ enum class ElementKind : std::uint8_t {
   sample,
   site,
   voronoi_vertex,  ///< Delaunay face
-  delaunay_edge,   ///< with its dual Voronoi edge
+  delaunay_edge,   ///< edge with its dual Voronoi edge
   own_ball,        ///< a ball of the document
   ball,            ///< a ball of a union
   dual_edge,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How structures describe one of their rows, its origins and its products.
+// Structures describe their rows here: a row itself, its origins and its products.
 #pragma once
 
 #include <functional>

@@ -41,7 +41,7 @@ struct StructureSpec {
 ///     registry.add_layer(make_points_layer);
 ///     Graph graph(registry);
 ///
-/// What it guarantees: a layer keeps its index. After a removal, no layer with another id gets the index, and the layer
+/// Guarantees: a layer keeps its index. After a removal, no layer with another id gets the index, and the layer
 /// gets it back when its id is added again. A copy has the same entries at the same indices, and changes independently.
 /// So code that adds and removes entries at run time uses a copy, which graphs then follow (`Graph::set_registry`).
 ///

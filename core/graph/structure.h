@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A node of the geometry graph: owns tables, and keeps them consistent with its inputs.
 //
-// What a structure promises:
+// A structure promises:
 //  1. After `rebuild` or `update` its tables are a function of its inputs' tables alone, up to the numbering of rows;
 //     the history does not matter (tests compare the two after every step of random edit scripts).
 //  2. After `update` its change sets name every row that differs from before the call, and only rows near the change.
@@ -10,9 +10,9 @@
 //
 // In a one-shot graph (core/engine/graph.h), `forgo_updates` is called first, and `update` is never called.
 //
-// How it is called: inputs first, both methods on the engine's thread. `update` is called if this structure was up to
-// date in the previous run and no changed input was rebuilt; it may return false to request `rebuild` instead. The
-// change sets of an input that did not change in this run are empty.
+// Calls come for inputs first, both methods on the engine's thread. `update` is called if this structure was up to date
+// in the previous run and no changed input was rebuilt; it may return false to request `rebuild` instead. The change
+// sets of an input that did not change in this run are empty.
 #pragma once
 
 #include <algorithm>

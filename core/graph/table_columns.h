@@ -52,7 +52,7 @@ struct TableColumn {
   std::function<void(RowNumber row, void* out)> read{};
   /// Values are rows of the table `refers_to`, which is empty if that table has no columns; `kNoRow` means no row.
   bool is_reference = false;
-  std::string refers_to{};              ///< as in "delaunay/sites"
+  std::string refers_to{};              ///< full name, as in "delaunay/sites"
   std::optional<RowNumber> infinity{};  ///< row number of the vertex at infinity, if the column contains it
   /// Whether the change sets of the table name each row in which the column changed.
   bool is_followed = true;
@@ -84,7 +84,7 @@ RowChanges row_numbers(const ChangeSet<Row>& changes) {
   return {row_numbers(changes.touched), row_numbers(changes.removed)};
 }
 
-/// What it guarantees, as long as the structure is up to date:
+/// Guarantees, as long as the structure is up to date:
 ///  1. Every column can be read for each row below `rows`. Values of dead rows have no meaning.
 ///  2. A row number in a column with `refers_to` is a live row there, unless it means "no row" or infinity.
 ///  3. If a computed column has no value for a live row, a double is NaN and a row number is `kNoRow`. For a stored

@@ -9,7 +9,7 @@ namespace mes {
 struct AnyTableMaker::Refresh {
   std::function<std::size_t()> rows;
   std::vector<std::function<std::size_t()>> limits;
-  std::vector<std::pair<std::size_t, std::function<const void*()>>> columns;  // with the index of each column
+  std::vector<std::pair<std::size_t, std::function<const void*()>>> columns;  // pairs with the index of each column
   std::function<RowChanges()> changes;
 
   void apply(TableColumns& table) const {

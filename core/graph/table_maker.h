@@ -132,7 +132,7 @@ class AnyTableMaker {
 
 /// Makes a `TableColumns` whose rows are slots of one kind.
 ///
-/// What it guarantees: every stored column has at least as many rows as the table; a column of row numbers names the
+/// Guarantees: every stored column has at least as many rows as the table; a column of row numbers names the
 /// table that they index.
 ///
 /// Smallest use:

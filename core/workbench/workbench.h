@@ -46,7 +46,7 @@ struct WorkbenchVariant {
 /// asks for. An edit changes the document at once; `run` brings the results up to date. The window, which must not
 /// wait, uses an `Engine` instead.
 ///
-/// What it guarantees:
+/// Guarantees:
 ///  1. After a `run` without error, every needed structure and every shown layer is that of the present document and
 ///     settings. A run computes only what has changed since the run before.
 ///  2. An edit or a setting that is refused changes nothing.
@@ -64,11 +64,11 @@ struct WorkbenchVariant {
 ///     bench.show({"medial-axis"});
 ///     if (bench.run(job)) draw(*bench.instances("medial-axis", PrimitiveKind::segment));
 ///
-/// Cost: an edit takes O(what it changes), a run what `Graph::run` takes, and reading O(number of structures or
-/// layers) for the lookup of an id. Lack of memory in an edit throws `std::bad_alloc`;
-/// the workbench can then only be destroyed.
-/// Threads: none inside except those of the graph, which end with `run`. One thread at a time may use a workbench; other
-/// threads may watch or stop a run by its `JobControl`.
+/// Cost: an edit takes O(size of the change), a run takes as long as `Graph::run`, and reading takes O(number of
+/// structures or layers) to look up an id. Lack of memory in an edit throws `std::bad_alloc`; the workbench can then
+/// only be destroyed.
+/// Threads: none inside except those of the graph, which end with `run`. One thread at a time may use a workbench;
+/// other threads may watch or stop a run by its `JobControl`.
 class Workbench {
  public:
   /// The registry must contain the sources `Samples` and `SettingsSource`, and must outlive the workbench.
@@ -122,8 +122,8 @@ class Workbench {
   const ComputationSettings& settings() const { return settings_; }
   /// Does not check the values.
   void choose(const ComputationSettings& settings);
-  /// Values beyond the range of a limit are set to the end of the range. Error: `usage` for an unknown parameter, another
-  /// value beyond its range, or a fraction where a whole number is expected.
+  /// Values beyond the range of a limit are set to the end of the range. Error: `usage` for an unknown parameter,
+  /// another value beyond its range, or a fraction where a whole number is expected.
   Expected<void> set(std::string_view parameter, double value);
   Expected<void> set(const Parameter& parameter, double value);
   void set_precision(Precision precision);
@@ -178,8 +178,8 @@ class Workbench {
   const T& get() const {
     return graph_->structures().get<T>();
   }
-  /// Returns a counter or a measure of a structure by its public key. Error: as `structure`; statistics were not wanted; there
-  /// is no such key.
+  /// Returns a counter or a measure of a structure by its public key. Error: as `structure`; statistics were not
+  /// wanted; the key does not exist.
   Expected<StatValue> statistic(std::string_view structure, std::string_view key) const;
   /// Returns the instances of a kind, `stride_of(kind)` doubles each (core/draw/primitives.h). They are valid until the
   /// next run. Error: the layer is unknown, was not shown, failed, or instances are not kept.
@@ -219,7 +219,7 @@ class Workbench {
   std::unique_ptr<Graph> graph_;
   FramePatch patch_;
   LayerMirror mirror_;
-  std::uint64_t ticket_ = 0;  // that the last question got
+  std::uint64_t ticket_ = 0;  // ticket of the last question
 };
 
 }  // namespace mes

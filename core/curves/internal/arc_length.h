@@ -25,7 +25,7 @@ class PieceLength {
  private:
   struct Interval {
     double end;     // parameter
-    double length;  // from the beginning of the piece to `end`
+    double length;  // length from the beginning of the piece to `end`
   };
   Vec2 velocity_at(double t) const;
   double quadrature(double begin, double end) const;

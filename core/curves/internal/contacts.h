@@ -27,9 +27,9 @@ struct Contact {
 
 struct Contacts {
   std::vector<bool> is_candidate{};     ///< for each curve: its box overlaps that of another curve
-  std::vector<TouchingPiece> pieces{};  ///< of all candidates, in order
-  std::vector<Vec2> vertices{};         ///< of all candidates, without duplicates
-  std::vector<Contact> contacts{};      ///< of vertices with pieces that do not end exactly there, by vertex
+  std::vector<TouchingPiece> pieces{};  ///< all pieces of candidates, in order
+  std::vector<Vec2> vertices{};         ///< all vertices of candidates, without duplicates
+  std::vector<Contact> contacts{};      ///< between vertices and pieces that do not end exactly there, by vertex
   double tolerance = 0.0;               ///< upper bound; at most 1/128 of the pieces at a contact
 };
 

@@ -27,16 +27,16 @@ struct MeasuredPlace {
   Vec2 position{};
   double size = 0.0;  ///< distance to the axis of these samples
   double epsilon =
-      0.0;  ///< the larger of both intervals beside it: half its length over the smaller size of its ends
+      0.0;  ///< the larger of both adjacent intervals: half its length over the smaller size at its ends
 };
 /// For each curve and each of its stretches, from its beginning to its end.
 using MeasuredPlaces = std::vector<std::vector<std::vector<MeasuredPlace>>>;
 
-/// Chooses samples so dense that half the distance of neighbours is at most `limits.share` times the smaller feature
-/// size of both, and nearly everywhere at most one and a half times `fine`, or so that their distance along the curve
-/// is `limits.finest`. `fine` is half of `limits.share`. Along stretches whose pieces meet at small angles, as in a
-/// polygon that stands for a circle, only `limits.share` applies: finer samples would reveal the angles, not the
-/// circle.
+/// Chooses samples whose distances satisfy one of two limits. Either half the distance of neighbours is at most
+/// `limits.share` times the smaller feature size of both (nearly everywhere: one and a half times `fine`), or their
+/// distance along the curve is `limits.finest`. `fine` is half of `limits.share`. Along stretches whose pieces meet at
+/// small angles, as in a polygon that stands for a circle, only `limits.share` applies: finer samples would reveal the
+/// angles, not the circle.
 ///
 /// Starts with samples from `first` that are as dense as `fine` asks for. Their spacing never exceeds the bound from
 /// the bends of the curve, which bound feature sizes from above, nor the growth that a feature size can have from

@@ -72,8 +72,8 @@ class NetworkMaker {
   std::vector<std::uint32_t> first_part_;  // for each curve, the index of its first part among all parts
   std::vector<bool> is_break_;             // for each point
   std::vector<std::uint32_t> node_of_point_;
-  std::vector<std::uint32_t> arc_of_part_;  // by kind
-  std::vector<bool> is_forward_in_arc_;     // by kind
+  std::vector<std::uint32_t> arc_of_part_;  // indexed by kind
+  std::vector<bool> is_forward_in_arc_;     // indexed by kind
   std::uint32_t node_count_ = 0;
   CurveNetwork out_;
 };

@@ -17,7 +17,7 @@ namespace mes {
 /// the other (a T-junction). If curves were sampled one by one, such sides would get two sets of samples. In a network
 /// each side exists once, and curves are walks along arcs.
 ///
-/// What it guarantees:
+/// Guarantees:
 ///  1. Nodes are the ends of arcs: points where more or fewer than two arcs meet, or where an open curve ends.
 ///  2. Each curve is the walk along its arcs, in its order and direction. Curves that repeat another one in the same
 ///     direction (for open curves, in either) are dropped, because they add nothing.

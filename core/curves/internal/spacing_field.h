@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far apart samples may be along curves: less where curves come close to each other. Private to core/curves.
+// Distances of samples along curves: smaller where curves come close to each other. Private to core/curves.
 #pragma once
 
 #include <span>

@@ -48,7 +48,7 @@ std::optional<Crossing> crossing_near(const Piece& a, const Piece& b, Crossing a
   return length(gap) <= 1e-12 * size ? std::optional(at) : std::nullopt;
 }
 
-/// How far a crossing may be from that of the polygons: a few sides.
+/// Largest distance between a crossing of curves and that of their polygons: a few sides.
 double reach_of(const TracedRun& run) {
   return 3.0 * run.step;
 }
