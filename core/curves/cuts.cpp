@@ -29,7 +29,7 @@ bool may_have_cuts(const std::vector<PlaneCurve>& curves, const std::function<bo
 /// Marks the arcs that have the same region on both sides.
 std::vector<bool> cuts_of(const CurveNetwork& network, const std::function<bool(Vec2)>& on_cut) {
   struct Use {
-    std::size_t forward = 0, backward = 0;  // index of a walk in each direction; then the number of uses
+    std::size_t forward = 0, backward = 0;  // a walk that uses the arc, and the number of such uses
     std::size_t forward_count = 0, backward_count = 0;
   };
   std::vector<Use> uses(network.arcs.size());

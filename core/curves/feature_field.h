@@ -50,7 +50,7 @@ struct CurveStanding {
   std::size_t exempt = 0;  ///< number of corners and meetings of curves (guarantee 2)
   std::size_t off_curve = 0;   ///< number of samples that lie on no curve
   std::vector<Vec2> sparse{};  ///< middle points of all intervals with an epsilon above 1 (`kMostEpsilon`)
-  /// Pairs of indices of samples that are neighbours along the curves and have different positions.
+  /// Index pairs of samples that are neighbours along the curves, at different positions.
   std::vector<std::array<std::uint32_t, 2>> neighbours{};
 };
 

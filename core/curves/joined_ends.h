@@ -14,7 +14,7 @@ PlaneCurve reversed(const PlaneCurve& curve);
 /// Joins open curves whose ends are at most `tolerance` apart, and reverses them where necessary. A curve whose own
 /// ends meet is closed, unless it is a single line or less than half a turn. An end is joined if exactly one other end
 /// lies at the same position, or else if exactly one is near: where three curves meet, nothing is joined. The result is
-/// in the order of the first parts; closed curves do not change. Cost: O(n log n) for n curves, if ends are near few
+/// in the order of the first parts; closed curves do not change. Cost: O(n log n) for n curves, if each end is near few
 /// others.
 ///
 /// Smallest use:

@@ -12,9 +12,9 @@
 
 namespace mes {
 
-/// Cubic pieces from each point to the next, a closed curve back to the first. At a point where the polygon turns by more
-/// than `corner_angle`, radians, and at open ends, the curve has a corner; elsewhere its tangent is that of the
-/// centripetal Catmull-Rom spline. `points` is not empty. Neighbours that are equal are passed over. O(n).
+/// A curve of cubic pieces from each point to the next; a closed curve returns to the first. It has a corner at open
+/// ends, and at points where the polygon turns by more than `corner_angle`, in radians; elsewhere its tangent is that
+/// of the centripetal Catmull-Rom spline. `points` must not be empty. Equal neighbours are skipped. O(n).
 /// Source: Barry and Goldman, "A recursive evaluation algorithm for a class of Catmull-Rom splines", 1988, with the
 /// knots of Lee, "Choosing nodes in parametric curve interpolation", 1989.
 PlaneCurve smooth_curve(std::span<const Vec2> points, bool is_closed, double corner_angle);

@@ -39,7 +39,7 @@ struct ParameterMove;
 
 /// The data that determine all states, besides the initial one.
 struct EvolutionChoice {
-  std::shared_ptr<const Evolution> evolution{};  ///< registered; null: none, with only the first state
+  std::shared_ptr<const Evolution> evolution{};  ///< registry entry; null: no evolution, only state 0 exists
   std::uint64_t seed = 1;
   ParameterValues values{};
   /// Null if it moves samples, or if there is no evolution.
