@@ -17,6 +17,7 @@
 #include "core/draw/patch.h"
 #include "core/draw/variant.h"
 #include "core/engine/variant_request.h"
+#include "core/graph/layer.h"
 #include "core/graph/registry.h"
 #include "core/structures/inputs/samples.h"
 #include "core/structures/inputs/settings_source.h"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/assert.h"
+#include "core/graph/layer.h"
 #include "core/graph/source_structure.h"
 
 namespace mes {

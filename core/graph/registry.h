@@ -15,13 +15,14 @@
 #include "core/base/named_list.h"
 #include "core/document/parameter.h"
 #include "core/draw/layer_descriptor.h"
-#include "core/graph/layer.h"
+#include "core/draw/variant.h"
 #include "core/graph/structure.h"
 
 namespace mes {
 
 struct Evolution;
 struct Format;
+struct Layer;
 struct ShapeDescriptor;
 
 /// The registry's entry for a structure.

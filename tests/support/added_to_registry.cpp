@@ -5,6 +5,7 @@
 
 #include "core/builtins/builtins.h"
 #include "core/evolutions/evolution.h"
+#include "core/graph/layer.h"
 #include "core/shapes/shape.h"
 #include "core/structures/inputs/samples.h"
 #include "core/structures/inputs/settings_source.h"
