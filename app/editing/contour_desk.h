@@ -8,6 +8,7 @@
 
 #include "app/editing/crust_chains.h"
 #include "app/layers/layer_stack.h"
+#include "app/system/waker.h"
 #include "core/document/contour_edit.h"
 
 namespace mes {
@@ -25,7 +26,7 @@ namespace mes {
 /// Threads: the window's; `wake` is called from another.
 class ContourDesk {
  public:
-  ContourDesk(Editor& editor, LayerStack& layers, std::function<void()> wake)
+  ContourDesk(Editor& editor, LayerStack& layers, Waker wake)
       : editor_(editor), layers_(layers), crust_(editor, std::move(wake)) {}
 
   /// Of the contours with selected samples. What was done.

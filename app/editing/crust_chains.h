@@ -19,7 +19,7 @@ namespace mes {
 /// Cost: O(n log n) on the thread. Threads: the window's; `wake` is called from the other.
 class CrustChains {
  public:
-  CrustChains(const Editor& editor, std::function<void()> wake) : editor_(editor), job_(std::move(wake)) {}
+  CrustChains(const Editor& editor, Waker wake) : editor_(editor), job_(std::move(wake)) {}
 
   /// Chains of rows: neighbours are neighbours on the curve.
   struct Curve {

@@ -32,7 +32,7 @@ class CurveSampler {
  public:
   static constexpr std::size_t kMostLive = 20'000;
 
-  CurveSampler(Editor& editor, std::function<void()> wake)
+  CurveSampler(Editor& editor, Waker wake)
       : editor_(editor), job_(wake), curves_job_(std::move(wake)) {}
 
   /// Null: the samples were not taken from curves.

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/editing/crust_chains.h"
+#include "app/system/waker.h"
 
 namespace mes {
 
@@ -22,7 +23,7 @@ namespace mes {
 /// Cost: O(rows) on the window's thread. Threads: the window's; `wake` is called from another.
 class CurveSelector {
  public:
-  CurveSelector(Editor& editor, std::function<void()> wake) : editor_(editor), crust_(editor, std::move(wake)) {}
+  CurveSelector(Editor& editor, Waker wake) : editor_(editor), crust_(editor, std::move(wake)) {}
 
   enum class Wish : std::uint8_t {
     whole,   ///< every curve with a selected sample on it

@@ -28,7 +28,7 @@ namespace mes {
 
 class ResampleDesk {
  public:
-  ResampleDesk(LiveRegistry registry, Editor& editor, std::function<void()> wake)
+  ResampleDesk(LiveRegistry registry, Editor& editor, Waker wake)
       : registry_(std::move(registry)), editor_(editor), job_(std::move(wake)) {}
 
   enum class Wish : std::uint8_t { repair, decimate };

@@ -34,7 +34,7 @@ class SampleMaking {
   };
   using Call = std::function<Made(JobControl&)>;
 
-  explicit SampleMaking(std::function<void()> wake) : job_(std::move(wake)) {}
+  explicit SampleMaking(Waker wake) : job_(std::move(wake)) {}
 
   void want(Call call);
   /// Gives up what is being computed, which ends where it looks at its job next, and what was accepted.

@@ -11,7 +11,7 @@
 namespace mes {
 namespace fs = std::filesystem;
 
-ExperimentDesk::ExperimentDesk(ExperimentTools tools, std::function<void()> wake)
+ExperimentDesk::ExperimentDesk(ExperimentTools tools, Waker wake)
     : tools_(std::move(tools)), job_(wake), watch_(std::move(wake)) {}
 
 Expected<void> ExperimentDesk::add(const fs::path& name) {

@@ -44,7 +44,7 @@ class ExperimentDesk {
     std::size_t versions = 0;                    ///< added so far
   };
 
-  ExperimentDesk(ExperimentTools tools, std::function<void()> wake);
+  ExperimentDesk(ExperimentTools tools, Waker wake);
 
   /// For what is compiled from now on.
   void use_compiler(const std::string& words) { tools_.compiler = words; }

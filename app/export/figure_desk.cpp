@@ -128,7 +128,7 @@ struct FigureDesk::Contents {
   }
 };
 
-FigureDesk::FigureDesk(LiveRegistry registry, std::function<void()> wake)
+FigureDesk::FigureDesk(LiveRegistry registry, Waker wake)
     : registry_(std::move(registry)), computing_(wake), drawing_(wake), writing_(wake), saving_(std::move(wake)) {}
 
 void FigureDesk::begin(FigureSubject subject) {

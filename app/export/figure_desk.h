@@ -74,7 +74,7 @@ struct FigurePreview {
 /// Threads: the window's.
 class FigureDesk {
  public:
-  FigureDesk(LiveRegistry registry, std::function<void()> wake);
+  FigureDesk(LiveRegistry registry, Waker wake);
 
   void begin(FigureSubject subject);
   /// Gives up everything but a file that is being saved.

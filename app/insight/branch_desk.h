@@ -4,7 +4,7 @@
 // What it guarantees:
 //  1. Nothing waits: the table is computed afresh on a thread of its own. It is of one state of the document and of the
 //     settings; `is_current` says whether that is the state asked for last.
-//  2. While it is not asked for, nothing is computed.
+//  2. In frames in which nothing follows it, nothing is computed.
 //  3. A branch stays chosen in the next table if one there has the same two ends.
 //
 // Smallest use, once a frame:
@@ -15,21 +15,19 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
 
 #include "app/insight/branch_table.h"
-#include "app/system/background_job.h"
+#include "app/system/latest.h"
 #include "core/graph/live_registry.h"
 
 namespace mes {
 
 class BranchDesk {
  public:
-  BranchDesk(LiveRegistry registry, std::function<void()> wake)
-      : registry_(std::move(registry)), job_(std::move(wake)) {}
+  BranchDesk(LiveRegistry registry, Waker wake) : registry_(std::move(registry)), latest_(std::move(wake)) {}
 
   struct State {
     std::uint64_t document = 0;  ///< revision
@@ -41,17 +39,16 @@ class BranchDesk {
   /// Takes what is ready, and begins what is missing. `data` is called when a computation begins. True when there is
   /// another table now.
   bool follow(const State& wanted, const std::function<SampleData()>& data);
-  /// It is not looked at any more.
-  void rest();
+  /// Once a frame, after those who may follow: what nothing followed is given up.
+  void end_frame() { latest_.end_frame(); }
 
   /// The last one; null before the first.
-  const BranchTable* table() const { return table_.get(); }
+  const BranchTable* table() const { return latest_.result().get(); }
   /// The state of the table.
-  const State& state() const { return state_; }
-  bool is_current() const { return table_ != nullptr && state_ == wanted_; }
-  bool is_under_way() const { return job_.is_under_way(); }
-  /// Why the computation of the table failed; empty if it did not.
-  const std::string& problem() const { return problem_; }
+  const State& state() const { return latest_.state(); }
+  bool is_current() const { return latest_.is_current(); }
+  /// Why there is no table of the state followed last; empty: there is one, or it is being computed.
+  std::string problem() const { return latest_.problem(); }
 
   /// Row of the table.
   std::optional<std::size_t> chosen() const { return chosen_; }
@@ -61,20 +58,8 @@ class BranchDesk {
   bool pick(Vec2 place, double reach);
 
  private:
-  struct Done {
-    State state;
-    std::shared_ptr<const BranchTable> table;
-    std::string problem;
-  };
-  void take(Done done);
-
   LiveRegistry registry_;
-  BackgroundJob<Done> job_;
-  State wanted_;
-  State state_;
-  std::optional<State> failed_;
-  std::shared_ptr<const BranchTable> table_;
-  std::string problem_;
+  Latest<State, BranchTable> latest_;
   std::optional<std::size_t> chosen_;
 };
 

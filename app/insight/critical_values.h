@@ -4,14 +4,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "app/system/background_job.h"
-#include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "app/system/latest.h"
 #include "core/document/commands.h"
 #include "core/graph/live_registry.h"
 
@@ -25,34 +22,20 @@ Expected<std::vector<double>> critical_values_of(const Registry& registry, const
 /// window's; `wake` is called from the other.
 class CriticalValues {
  public:
-  CriticalValues(LiveRegistry registry, std::function<void()> wake)
-      : registry_(std::move(registry)), job_(std::move(wake)) {}
+  CriticalValues(LiveRegistry registry, Waker wake) : registry_(std::move(registry)), latest_(std::move(wake)) {}
 
   /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
   void follow(std::uint64_t document, const std::function<SampleData()>& data);
   /// Once a frame, after those who may follow: what nothing followed is given up.
-  void end_frame() {
-    if (!std::exchange(is_followed_, false)) job_.give_up();
-  }
-  bool is_under_way() const { return job_.is_under_way() || job_.is_ending(); }
+  void end_frame() { latest_.end_frame(); }
   /// Of the document followed last; null while they are not known.
-  const std::vector<double>* values() const {
-    return found_ && found_->document == wanted_ && found_->problem.empty() ? &found_->values : nullptr;
-  }
+  const std::vector<double>* values() const { return latest_.is_current() ? latest_.result().get() : nullptr; }
   /// Why they cannot be had; empty: they can.
-  std::string problem() const { return found_ && found_->document == wanted_ ? found_->problem : std::string(); }
+  std::string problem() const { return latest_.problem(); }
 
  private:
-  struct Found {
-    std::uint64_t document = 0;
-    std::vector<double> values;
-    std::string problem;
-  };
   LiveRegistry registry_;
-  BackgroundJob<Found> job_;
-  bool is_followed_ = false;
-  std::uint64_t wanted_ = 0;
-  std::optional<Found> found_;
+  Latest<std::uint64_t, std::vector<double>> latest_;
 };
 
 }  // namespace mes

@@ -24,15 +24,14 @@
 #include <utility>
 
 #include "app/insight/persistence_table.h"
-#include "app/system/background_job.h"
+#include "app/system/latest.h"
 #include "core/graph/live_registry.h"
 
 namespace mes {
 
 class PersistenceDesk {
  public:
-  PersistenceDesk(LiveRegistry registry, std::function<void()> wake)
-      : registry_(std::move(registry)), job_(std::move(wake)) {}
+  PersistenceDesk(LiveRegistry registry, Waker wake) : registry_(std::move(registry)), latest_(std::move(wake)) {}
 
   /// What grows. The panels choose it.
   GrowthOf growth() const { return growth_; }
@@ -46,19 +45,16 @@ class PersistenceDesk {
     });
   }
   /// Since the last `end_frame`.
-  bool is_followed() const { return is_followed_; }
+  bool is_followed() const { return latest_.is_followed(); }
   /// Once a frame, after those who may follow: what nothing followed is given up.
-  void end_frame() {
-    if (!std::exchange(is_followed_, false)) job_.give_up();
-  }
+  void end_frame() { latest_.end_frame(); }
 
   /// The last one; null before the first.
-  const PersistenceTable* table() const { return table_.get(); }
-  std::shared_ptr<const PersistenceTable> shared_table() const { return table_; }
-  bool is_current() const { return table_ != nullptr && state_ == wanted_; }
-  bool is_under_way() const { return job_.is_under_way(); }
-  /// Why the computation of the table failed; empty if it did not.
-  const std::string& problem() const { return problem_; }
+  const PersistenceTable* table() const { return latest_.result().get(); }
+  std::shared_ptr<const PersistenceTable> shared_table() const { return latest_.result(); }
+  bool is_current() const { return latest_.is_current(); }
+  /// Why there is no table of the state followed last; empty: there is one, or it is being computed.
+  std::string problem() const { return latest_.problem(); }
 
   /// Row of the table.
   std::optional<std::size_t> chosen() const { return chosen_; }
@@ -67,22 +63,9 @@ class PersistenceDesk {
   bool pick(Vec2 place, double reach);
 
  private:
-  struct Done {
-    std::uint64_t document = 0;
-    std::shared_ptr<const PersistenceTable> table;
-    std::string problem;
-  };
-  void take(Done done);
-
   LiveRegistry registry_;
-  BackgroundJob<Done> job_;
+  Latest<std::uint64_t, PersistenceTable> latest_;
   GrowthOf growth_ = GrowthOf::samples;
-  bool is_followed_ = false;
-  std::uint64_t wanted_ = 0;
-  std::uint64_t state_ = 0;
-  std::optional<std::uint64_t> failed_;
-  std::shared_ptr<const PersistenceTable> table_;
-  std::string problem_;
   std::optional<std::size_t> chosen_;
 };
 

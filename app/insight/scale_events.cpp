@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <new>
 #include <utility>
 
 #include "core/workbench/workbench.h"
@@ -166,31 +165,12 @@ Expected<std::vector<ScaleEvent>> scale_events_of(const Registry& registry, cons
 void ScaleEvents::follow(std::uint64_t document, const ComputationSettings& settings,
                          const std::function<SampleData()>& data) {
   // Nothing else makes a difference: all factors are looked at, with one number type.
-  is_followed_ = true;
-  wanted_ = {document, {}};
-  wanted_.settings[Parameter::medial_sampling_angle] = angle_for_events(settings);
-  if (auto found = job_.poll()) found_ = *std::move(found);
-  if (job_.is_under_way() && begun_ == wanted_) return;
-  if (found_ && found_->state == wanted_) return;
-  // Given up where the document has changed meanwhile: it takes long. The next one begins when this one has ended.
-  job_.give_up();
-  if (job_.is_ending()) return;
-  begun_ = wanted_;
-  job_.begin([registry = registry_.share(), state = wanted_, samples = data()](const std::stop_token& stop) -> Found {
-    Found out{state, {}, {}};
-    JobControl job(stop);
-    try {
-      if (auto events = scale_events_of(*registry, samples, state.settings, job))
-        out.events = *std::move(events);
-      else
-        out.problem = events.error().text;
-    } catch (const Cancelled&) {
-      // The result is dropped.
-    } catch (const std::bad_alloc&) {
-      out.events.clear();
-      out.problem = "there is not enough memory";
-    }
-    return out;
+  State wanted{document, {}};
+  wanted.settings[Parameter::medial_sampling_angle] = angle_for_events(settings);
+  latest_.follow(wanted, [&] {
+    return [registry = registry_.share(), settings = wanted.settings, samples = data()](JobControl& job) {
+      return scale_events_of(*registry, samples, settings, job);
+    };
   });
 }
 

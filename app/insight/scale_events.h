@@ -4,15 +4,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
-#include "app/system/background_job.h"
-#include "core/base/error.h"
-#include "core/base/job_control.h"
+#include "app/system/latest.h"
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"
 #include "core/graph/live_registry.h"
@@ -50,22 +46,17 @@ Expected<std::vector<ScaleEvent>> scale_events_of(const Registry& registry, cons
 /// window's; `wake` is called from the other.
 class ScaleEvents {
  public:
-  ScaleEvents(LiveRegistry registry, std::function<void()> wake)
-      : registry_(std::move(registry)), job_(std::move(wake)) {}
+  ScaleEvents(LiveRegistry registry, Waker wake)
+      : registry_(std::move(registry)), latest_(std::move(wake), Outdated::give_up) {}
 
   /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
   void follow(std::uint64_t document, const ComputationSettings& settings, const std::function<SampleData()>& data);
   /// Once a frame, after those who may follow: what nothing followed is given up.
-  void end_frame() {
-    if (!std::exchange(is_followed_, false)) job_.give_up();
-  }
-  bool is_under_way() const { return job_.is_under_way() || job_.is_ending(); }
+  void end_frame() { latest_.end_frame(); }
   /// Of the state followed last; null while they are not known.
-  const std::vector<ScaleEvent>* events() const {
-    return found_ && found_->state == wanted_ && found_->problem.empty() ? &found_->events : nullptr;
-  }
+  const std::vector<ScaleEvent>* events() const { return latest_.is_current() ? latest_.result().get() : nullptr; }
   /// Why they cannot be had; empty: they can.
-  std::string problem() const { return found_ && found_->state == wanted_ ? found_->problem : std::string(); }
+  std::string problem() const { return latest_.problem(); }
 
  private:
   struct State {
@@ -73,17 +64,8 @@ class ScaleEvents {
     ComputationSettings settings{};
     friend bool operator==(const State&, const State&) = default;
   };
-  struct Found {
-    State state;
-    std::vector<ScaleEvent> events;
-    std::string problem;
-  };
   LiveRegistry registry_;
-  BackgroundJob<Found> job_;
-  bool is_followed_ = false;
-  State wanted_;
-  State begun_;
-  std::optional<Found> found_;
+  Latest<State, std::vector<ScaleEvent>> latest_;
 };
 
 }  // namespace mes

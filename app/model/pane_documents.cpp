@@ -50,7 +50,7 @@ SampleData drawn_part(const SampleData& data) {
 
 }  // namespace
 
-PaneDocuments::PaneDocuments(const Editor& editor, const EvolutionPlayer& evolution, std::function<void()> wake)
+PaneDocuments::PaneDocuments(const Editor& editor, const EvolutionPlayer& evolution, Waker wake)
     : editor_(editor), evolution_(evolution), computing_(std::move(wake)) {}
 
 const Document* PaneDocuments::document_of(VariantIndex variant) const {

@@ -37,7 +37,7 @@ namespace mes {
 class PaneDocuments {
  public:
   /// Both outlive it.
-  PaneDocuments(const Editor& editor, const EvolutionPlayer& evolution, std::function<void()> wake);
+  PaneDocuments(const Editor& editor, const EvolutionPlayer& evolution, Waker wake);
 
   /// Variants 1, 2, ... show these versions, or none of their own. The engine makes variants anew as `Graph` does.
   /// `is_held`: the engine does not know the present document yet, and what is shown waits for it.

@@ -67,7 +67,7 @@ void BranchesPanel::draw() {
     ImGui::TextDisabled("%s", uses_.desk.problem().empty() ? "Computing the branches" : uses_.desk.problem().c_str());
     return;
   }
-  if (!uses_.desk.is_current() && !uses_.desk.is_under_way() && !uses_.desk.problem().empty()) {
+  if (!uses_.desk.problem().empty()) {
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(uses_.desk.problem().c_str());
     ImGui::PopTextWrapPos();

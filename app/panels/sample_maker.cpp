@@ -12,18 +12,13 @@
 
 namespace mes {
 
-SampleMaker::SampleMaker()
-    : making_([this] {
-        if (wake_) wake_();
-      }) {}
-
-void SampleMaker::set_uses(Make make, std::function<void()> wake) {
+void SampleMaker::set_uses(Make make, Waker wake) {
   make_ = std::move(make);
-  wake_ = std::move(wake);
+  making_.emplace(std::move(wake));
 }
 
 void SampleMaker::draw_facts(const Gui& gui) const {
-  const SampleMaking::Made* made = making_.made();
+  const SampleMaking::Made* made = making_->made();
   ImGui::PushTextWrapPos(0.0F);
   if (made != nullptr && made->data) {
     const std::size_t balls = made->data->balls.size();
@@ -42,20 +37,20 @@ void SampleMaker::draw_facts(const Gui& gui) const {
 bool SampleMaker::draw_buttons(const Gui& gui, const std::string& name, const char* explanation) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const ImVec2 size(0.5F * (ImGui::GetContentRegionAvail().x - spacing), 0);
-  ImGui::BeginDisabled(!making_.is_possible() || making_.is_accepted());
+  ImGui::BeginDisabled(!making_->is_possible() || making_->is_accepted());
   // Not with the number before one that is refused, which stays said.
-  if (default_button(gui, "Make", size, true) && refused_number().empty()) making_.accept();
+  if (default_button(gui, "Make", size, true) && refused_number().empty()) making_->accept();
   ImGui::EndDisabled();
   tooltip(gui, explanation);
   ImGui::SameLine();
   if (ImGui::Button("Cancel", size)) return true;
-  if (!making_.is_accepted_and_ready()) return false;
-  make_(*making_.made()->data, name);
+  if (!making_->is_accepted_and_ready()) return false;
+  make_(*making_->made()->data, name);
   return true;
 }
 
 void SampleMaker::draw_preview(const Gui& gui) const {
-  const SampleMaking::Made* made = making_.made();
+  const SampleMaking::Made* made = making_->made();
   draw_sample_preview(gui, made != nullptr && made->data ? &*made->data : nullptr);
 }
 

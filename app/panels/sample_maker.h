@@ -3,9 +3,11 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "app/editing/sample_making.h"
+#include "app/system/waker.h"
 #include "app/ui/gui.h"
 
 namespace mes {
@@ -23,16 +25,15 @@ class SampleMaker {
   /// What is done with the samples: called with a name for the step.
   using Make = std::function<void(const SampleData&, const std::string& name)>;
 
-  SampleMaker();
-  void set_uses(Make make, std::function<void()> wake);
+  /// Before all else.
+  void set_uses(Make make, Waker wake);
 
   /// Takes what was made.
-  void follow() { making_.follow(); }
-  void want(SampleMaking::Call call) { making_.want(std::move(call)); }
-  bool is_busy() const { return making_.is_busy(); }
+  void follow() { making_->follow(); }
+  void want(SampleMaking::Call call) { making_->want(std::move(call)); }
   /// The key Enter, say.
-  void accept() { making_.accept(); }
-  void stop() { making_.stop(); }
+  void accept() { making_->accept(); }
+  void stop() { making_->stop(); }
 
   void draw_facts(const Gui& gui) const;
   /// True when the dialog is to be closed: samples were made, or it was cancelled.
@@ -41,8 +42,7 @@ class SampleMaker {
 
  private:
   Make make_;
-  std::function<void()> wake_;
-  SampleMaking making_;
+  std::optional<SampleMaking> making_;
 };
 
 }  // namespace mes

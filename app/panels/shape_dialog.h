@@ -12,6 +12,7 @@
 
 #include "app/panels/sample_maker.h"
 #include "app/panels/sampling_controls.h"
+#include "app/system/waker.h"
 #include "app/ui/dialog.h"
 #include "core/graph/live_registry.h"
 #include "core/shapes/shape.h"
@@ -22,7 +23,7 @@ namespace mes {
 class ShapeDialog final : public Dialog {
  public:
   /// The registry, whose shapes are listed; what is done with the samples, and what wakes the window.
-  void set_uses(LiveRegistry registry, SampleMaker::Make make, std::function<void()> wake) {
+  void set_uses(LiveRegistry registry, SampleMaker::Make make, Waker wake) {
     registry_ = std::move(registry);
     maker_.set_uses(std::move(make), std::move(wake));
   }
@@ -31,7 +32,6 @@ class ShapeDialog final : public Dialog {
   void open();
 
   bool is_open() const override { return is_open_; }
-  bool is_busy() const { return maker_.is_busy(); }
   void cancel() override {
     is_open_ = false;
     maker_.stop();

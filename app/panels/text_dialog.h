@@ -9,6 +9,7 @@
 
 #include "app/panels/sample_maker.h"
 #include "app/panels/sampling_controls.h"
+#include "app/system/waker.h"
 #include "app/ui/dialog.h"
 #include "core/glyphs/text_outlines.h"
 #include "core/shapes/shape.h"
@@ -19,7 +20,7 @@ namespace mes {
 class TextDialog final : public Dialog {
  public:
   /// What is done with the samples, and what wakes the window.
-  void set_uses(SampleMaker::Make make, std::function<void()> wake) {
+  void set_uses(SampleMaker::Make make, Waker wake) {
     maker_.set_uses(std::move(make), std::move(wake));
   }
   /// The font of the program, first in the list; it has none where this is not set.
@@ -29,7 +30,6 @@ class TextDialog final : public Dialog {
   void open();
 
   bool is_open() const override { return is_open_; }
-  bool is_busy() const { return maker_.is_busy(); }
   void cancel() override {
     is_open_ = false;
     maker_.stop();

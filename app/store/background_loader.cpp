@@ -10,7 +10,7 @@
 
 namespace mes {
 
-BackgroundLoader::BackgroundLoader(std::function<void()> wake) : reading_(std::move(wake)) {}
+BackgroundLoader::BackgroundLoader(Waker wake) : reading_(std::move(wake)) {}
 
 bool BackgroundLoader::follow(const BackgroundImage& image) {
   if (image.file == file_ && (image.is_upright == is_upright_ || file_.empty())) return false;

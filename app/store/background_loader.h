@@ -22,7 +22,7 @@ namespace mes {
 /// Threads: the window's; `wake` is called from the reading one.
 class BackgroundLoader {
  public:
-  explicit BackgroundLoader(std::function<void()> wake);
+  explicit BackgroundLoader(Waker wake);
 
   /// Begins to read if this is another file than before, or the same turned in another way, which is returned; an empty
   /// name gives up what is being read.

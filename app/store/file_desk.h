@@ -46,7 +46,7 @@ namespace mes {
 class FileDesk {
  public:
   /// `session_now` gives what a session file is to hold. Files are read by the formats of the registry.
-  FileDesk(LiveRegistry registry, Editor& editor, std::function<Session()> session_now, std::function<void()> wake);
+  FileDesk(LiveRegistry registry, Editor& editor, std::function<Session()> session_now, Waker wake);
   ~FileDesk();
 
   /// Begins to read; a reading under way is given up. Of several files those are opened together that bring something

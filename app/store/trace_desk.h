@@ -41,7 +41,7 @@ struct TracePreview {
 /// Threads: the window's; `wake` is called from the reading ones.
 class TraceDesk {
  public:
-  TraceDesk(LiveRegistry registry, std::function<void()> wake)
+  TraceDesk(LiveRegistry registry, Waker wake)
       : registry_(std::move(registry)), reading_(wake), deciding_(wake), tracing_(std::move(wake)) {}
 
   void begin(const std::filesystem::path& file);

@@ -15,10 +15,13 @@
 #include <utility>
 #include <vector>
 
+#include "app/system/waker.h"
+
 namespace mes {
 
 /// What it guarantees:
-///  1. `begin` returns at once. The call runs on a thread of its own; `wake` is called from there when it has ended.
+///  1. `begin` returns at once. The call runs on a thread of its own; `wake` is called from there when it has ended,
+///     and counts it as work until then.
 ///  2. What the call returned is given once, by `poll` or `finish`. What it threw, std::bad_alloc among it, they throw
 ///     in its place, and the object is as before `begin`.
 ///  3. Of calls that were begun one after the other only the last is delivered: those before are given up. A call
@@ -39,7 +42,7 @@ class BackgroundJob {
  public:
   using Call = std::function<Result(const std::stop_token&)>;
 
-  explicit BackgroundJob(std::function<void()> wake) : wake_(std::move(wake)) {}
+  explicit BackgroundJob(Waker wake) : wake_(std::move(wake)) {}
   ~BackgroundJob() {
     if (run_) run_->thread.request_stop();
   }
@@ -50,7 +53,8 @@ class BackgroundJob {
     give_up();
     std::erase_if(given_up_, [](const auto& run) { return run->is_empty.load(); });
     auto run = std::make_unique<Run>();
-    run->thread = std::jthread([run = run.get(), call = std::move(call), wake = wake_](const std::stop_token& stop) {
+    run->thread = std::jthread([run = run.get(), call = std::move(call), wake = wake_,
+                                work = wake_.begin_work()](const std::stop_token& stop) mutable {
       try {
         run->result.emplace(call(stop));
       } catch (...) {
@@ -59,7 +63,8 @@ class BackgroundJob {
       auto before = Delivery::awaited;
       if (!run->delivery.compare_exchange_strong(before, Delivery::ready)) run->drop();
       run->has_ended = true;
-      if (wake) wake();
+      work.end();
+      wake();
     });
     run_ = std::move(run);
   }
@@ -117,7 +122,7 @@ class BackgroundJob {
     std::jthread thread;  // last: it ends before what it writes to
   };
 
-  std::function<void()> wake_;
+  Waker wake_;
   std::unique_ptr<Run> run_;
   std::vector<std::unique_ptr<Run>> given_up_;
 };

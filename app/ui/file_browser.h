@@ -64,7 +64,7 @@ class FileBrowser final : public Dialog {
   struct Desktop {
     Desktop(std::string above, std::function<void()> wake) : window(std::move(above)), asking(std::move(wake)) {}
     std::string window;
-    BackgroundJob<DesktopAnswer> asking;
+    BackgroundJob<DesktopAnswer> asking;  // with a waker of its own: a dialog that is open is not work
   };
   void ask(const std::filesystem::path& folder, Then then, FilePurpose purpose);
   void ask_desktop_first();

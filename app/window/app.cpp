@@ -26,19 +26,20 @@ Messages begun_with(const std::string& problem) {
 
 App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets,
          LoadedSettings loaded)
-    : settings_(default_settings_path(), std::move(loaded.settings)),
+    : wake_(GlfwWindow::wake),
+      settings_(default_settings_path(), std::move(loaded.settings)),
       messages_(begun_with(loaded.message)),
       screen_(std::move(window), assets),
-      work_(std::move(registry), assets, messages_, GlfwWindow::wake),
-      board_(work_, settings_.settings(), messages_, screen_, assets, GlfwWindow::wake),
+      work_(std::move(registry), assets, messages_, wake_),
+      board_(work_, settings_.settings(), messages_, screen_, assets, wake_),
       demo_(work_, board_.fitter(), messages_),
       lesson_(work_, board_, messages_),
-      recording_({screen_, work_, board_, demo_, lesson_, settings_.settings(), messages_}, assets, GlfwWindow::wake),
+      recording_({screen_, work_, board_, demo_, lesson_, settings_.settings(), messages_}, assets, wake_),
       documents_({work_, board_, demo_, lesson_, dialogs_, messages_, settings_.settings(), screen_}, assets,
-                 GlfwWindow::wake),
+                 wake_),
       experiments_({work_, dialogs_, messages_, settings_.settings(), [this] { documents_.keep_on_disk(); }}, assets,
-                   GlfwWindow::wake),
-      link_({work_, messages_, [this] { keys_.actions().run(ActionId::quit); }}, GlfwWindow::wake),
+                   wake_),
+      link_({work_, messages_, [this] { keys_.actions().run(ActionId::quit); }}, wake_),
       keys_(settings_.settings(), messages_),
       panels_({screen_, work_, board_, demo_, lesson_, recording_, documents_, experiments_, keys_.actions(),
                settings_.settings(), messages_}),
@@ -113,16 +114,8 @@ void App::deselect() {
 
 double App::next_wait() {
   const double now = ImGui::GetTime();
-  const FileDesk& files = documents_.files();
-  const bool is_busy = work_.engine().status().busy || work_.evolution().is_waiting() || work_.is_finding_crust() ||
-                       work_.curve_sampler().is_busy() || work_.branches().is_under_way() ||
-                       work_.resampling().is_under_way() || work_.scale_events().is_under_way() ||
-                       work_.critical_values().is_under_way() || work_.persistence().is_under_way() ||
-                       work_.sweep().is_under_way() || (files.is_reading() && !files.would_lose_work()) ||
-                       files.is_saving() || board_.traced().is_reading() || documents_.figures().is_busy() ||
-                       documents_.tracing().is_busy() || documents_.is_looking_for_left_work() ||
-                       experiments_.is_busy() || link_.is_waiting() || dialogs_.shape.is_busy() ||
-                       dialogs_.text.is_busy() || screen_.gui.is_about_to_rest() || recording_.holds_input();
+  const bool is_busy = work_.engine().status().busy || work_.evolution().is_waiting() || wake_.has_work() ||
+                       link_.is_waiting() || screen_.gui.is_about_to_rest() || recording_.holds_input();
   return FrameClock::sleep({demo_.next_due(now), lesson_.next_due(now), work_.computation().next_due(now),
                             work_.evolution().next_due(now), panels_.presenter().next_due(now)},
                            is_busy);

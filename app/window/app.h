@@ -11,6 +11,7 @@
 #include "app/model/settings_file.h"
 #include "app/panels/dialogs.h"
 #include "app/system/termination.h"
+#include "app/system/waker.h"
 #include "app/ui/screen.h"
 #include "app/window/demo_run.h"
 #include "app/window/document_flow.h"
@@ -59,6 +60,7 @@ class App {
   void update_title();
   void end();
 
+  Waker wake_;
   SettingsFile settings_;
   Messages messages_;
   Screen screen_;

@@ -30,7 +30,7 @@ namespace mes {
 
 class DifferenceMarks {
  public:
-  explicit DifferenceMarks(std::function<void()> wake) : comparing_(std::move(wake)) {}
+  explicit DifferenceMarks(Waker wake) : comparing_(std::move(wake)) {}
 
   /// What the panes show, as far as it can change.
   struct State {

@@ -27,7 +27,7 @@ bool is_picture_to_trace(const fs::path& file) {
   return render::is_picture_file(file) && !is_picture_with_session(file);
 }
 
-DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const std::function<void()>& wake)
+DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const Waker& wake)
     : uses_(uses),
       shapes_(read_sample_shapes(assets)),
       lessons_(read_shipped_lessons(assets)),

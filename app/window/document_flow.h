@@ -18,6 +18,7 @@
 #include "app/store/file_desk.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
+#include "app/system/waker.h"
 #include "app/window/demo_run.h"
 #include "app/window/drawing_board.h"
 #include "app/window/figure_flow.h"
@@ -48,7 +49,7 @@ class DocumentFlow {
     Settings& settings;
     Screen& screen;
   };
-  DocumentFlow(Uses uses, const std::filesystem::path& assets, const std::function<void()>& wake);
+  DocumentFlow(Uses uses, const std::filesystem::path& assets, const Waker& wake);
 
   FileDesk& files() { return files_; }
   FigureFlow& figures() { return figures_; }
@@ -57,7 +58,6 @@ class DocumentFlow {
   /// A question about work that was left may still come up.
   /// The journal has all that was done, on the disk. Waits for the disk.
   void keep_on_disk();
-  bool is_looking_for_left_work() const { return keeper_.is_looking_for_left_work(); }
   const FileDesk& files() const { return files_; }
   std::span<const SampleShape> shapes() const { return shapes_; }
   std::span<const ShippedLesson> lessons() const { return lessons_; }

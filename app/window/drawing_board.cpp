@@ -23,7 +23,7 @@ constexpr double kListedReach = 7.0;
 }  // namespace
 
 DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& messages, Screen& screen,
-                           const std::filesystem::path& assets, std::function<void()> wake)
+                           const std::filesystem::path& assets, Waker wake)
     : work_(work),
       settings_(settings),
       messages_(messages),
@@ -44,7 +44,7 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
                       if (!may_ask()) return;
                       provenance_.ask(work_.engine(), work_.layers(), pointer, work_.editor());
                       if (settings_.details == DetailsPage::branches)
-                        work_.branches().pick(pointer.world, kListedReach * pointer.units_per_px);
+                        work_.insight().branches.pick(pointer.world, kListedReach * pointer.units_per_px);
                       choose_class(pointer, pointer.world);
                     },
                     [this](Vec2 px) {
@@ -191,7 +191,7 @@ void DrawingBoard::ask_beside(const Pointer& pointer, const ChosenThing& chosen)
 // A component is born at a sample or ball: a click there chooses it, as one beside them chooses a hole.
 void DrawingBoard::choose_class(const Pointer& pointer, Vec2 place) {
   if (settings_.details == DetailsPage::persistence)
-    work_.persistence().pick(place, kListedReach * pointer.units_per_px);
+    work_.insight().persistence.pick(place, kListedReach * pointer.units_per_px);
 }
 
 void DrawingBoard::select_values(LayerIndex layer, double low, double high) {

@@ -16,6 +16,7 @@
 #include "app/panels/provenance_card.h"
 #include "app/picture/annotation_drawing.h"
 #include "app/picture/picture.h"
+#include "app/system/waker.h"
 #include "app/ui/screen.h"
 #include "app/window/difference_marks.h"
 #include "app/window/traced_picture.h"
@@ -28,7 +29,7 @@ namespace mes {
 class DrawingBoard {
  public:
   DrawingBoard(Workspace& work, const Settings& settings, Messages& messages, Screen& screen,
-               const std::filesystem::path& assets, std::function<void()> wake);
+               const std::filesystem::path& assets, Waker wake);
 
   Picture& picture() { return picture_; }
   Canvas& canvas() { return canvas_; }

@@ -26,7 +26,7 @@ std::vector<fs::path> find_examples(const fs::path& assets) {
 
 }  // namespace
 
-ExperimentRun::ExperimentRun(Uses uses, const fs::path& assets, std::function<void()> wake)
+ExperimentRun::ExperimentRun(Uses uses, const fs::path& assets, Waker wake)
     : uses_(std::move(uses)),
       examples_(find_examples(assets)),
       desk_(ExperimentTools::of_this_program(), std::move(wake)) {}

@@ -12,6 +12,7 @@
 #include "app/model/messages.h"
 #include "app/model/settings.h"
 #include "app/panels/dialogs.h"
+#include "app/system/waker.h"
 #include "app/window/workspace.h"
 
 namespace mes {
@@ -28,7 +29,7 @@ class ExperimentRun {
     /// All that was done is on the disk when it returns.
     std::function<void()> keep_work;
   };
-  ExperimentRun(Uses uses, const std::filesystem::path& assets, std::function<void()> wake);
+  ExperimentRun(Uses uses, const std::filesystem::path& assets, Waker wake);
 
   ExperimentDesk& desk() { return desk_; }
   const std::vector<std::filesystem::path>& examples() const { return examples_; }
@@ -43,7 +44,6 @@ class ExperimentRun {
 
   /// Once a turn: takes what was prepared.
   void follow();
-  bool is_busy() const { return desk_.is_busy(); }
 
  private:
   void say(const ExperimentDesk::Entry& entry);

@@ -12,7 +12,7 @@
 
 namespace mes {
 
-FigureFlow::FigureFlow(Uses uses, std::function<void()> wake)
+FigureFlow::FigureFlow(Uses uses, Waker wake)
     : uses_(std::move(uses)), desk_(uses_.work.live_registry(), wake), writing_geometry_(std::move(wake)) {
   uses_.dialogs.figure.set_uses({.desk = desk_,
                                  .settings = uses_.settings.figure,

@@ -31,7 +31,7 @@ class FigureFlow {
     std::function<std::string()> title;             ///< of the document
     std::function<std::filesystem::path()> folder;  ///< where files are asked for
   };
-  FigureFlow(Uses uses, std::function<void()> wake);
+  FigureFlow(Uses uses, Waker wake);
   ~FigureFlow();
   FigureFlow(const FigureFlow&) = delete;
   FigureFlow& operator=(const FigureFlow&) = delete;
@@ -41,11 +41,6 @@ class FigureFlow {
   void ask_geometry(std::vector<LayerIndex> layers, const LayerTextFormat& format);
   /// Once a turn, before the frame.
   void take_results();
-  /// A figure is being drawn or written.
-  bool is_busy() const {
-    const bool is_drawing = desk_.is_open() && desk_.bytes() == nullptr && !desk_.problem();
-    return is_drawing || desk_.is_saving() || writing_geometry_.is_under_way();
-  }
 
  private:
   struct WrittenGeometry {

@@ -49,7 +49,7 @@ Panels::Panels(const Uses& uses)
                   uses.work.computation(),
                   uses.messages,
                   {uses.screen.gui, uses.actions, uses.work.engine(), uses.documents.files(), uses.recording.desk(),
-                   uses.work.hold(), uses.work.sweep(), uses.experiments.desk()},
+                   uses.work.hold(), uses.work.insight().sweep, uses.experiments.desk()},
                   {uses.screen.gui, uses.actions, uses.work.engine(), uses.work.document(),
                    uses.work.computation().settings(), uses.board.picture(), uses.board.canvas()}},
       toolbar_{uses.screen.gui,
@@ -66,16 +66,16 @@ Panels::Panels(const Uses& uses)
           uses.screen.gui, uses.actions, uses.settings.details,
           {uses.screen.gui, uses.board.picture(), uses.screen.times},
           {uses.screen.gui, uses.work.computation(), uses.board.picture(), uses.work.editor(), uses.work.layers(),
-           uses.work.scale_events(), uses.work.critical_values(), uses.work.persistence(), uses.work.sweep(),
+           uses.work.insight().scale_events, uses.work.insight().critical_values, uses.work.insight().persistence, uses.work.insight().sweep,
            uses.messages},
           {uses.screen.gui, uses.messages}, {uses.screen.gui, uses.actions, uses.lesson.desk()},
           {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.board.canvas(), uses.messages},
           {uses.screen.gui, uses.actions, uses.work.curve_sampler()},
-          BranchesPanel({uses.screen.gui, uses.work.branches(), uses.board.canvas(), uses.work.editor(),
+          BranchesPanel({uses.screen.gui, uses.work.insight().branches, uses.board.canvas(), uses.work.editor(),
                          uses.work.computation(),
                          [&flow = uses.documents](std::string csv) { flow.ask_table("branches", std::move(csv)); }}),
           PersistencePanel(
-              {uses.screen.gui, uses.work.persistence(), uses.board.canvas(), uses.work.editor(),
+              {uses.screen.gui, uses.work.insight().persistence, uses.board.canvas(), uses.work.editor(),
                uses.work.computation(),
                [&flow = uses.documents](std::string csv) { flow.ask_table("persistence", std::move(csv)); }}),
           SamplingPanel({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
@@ -87,7 +87,7 @@ Panels::Panels(const Uses& uses)
              run.edit(file, line);
            }}),
       step_events_({uses.work.evolution(), uses.work.editor(), uses.work.layers(), uses.work.computation(),
-                    uses.work.persistence(), uses.work.scale_events()}) {
+                    uses.work.insight().persistence, uses.work.insight().scale_events}) {
   layers_panel_.set_select(
       [&board = uses.board](LayerIndex layer, double low, double high) { board.select_values(layer, low, high); });
   layers_panel_.set_export([&flow = uses.documents](LayerIndex layer, const LayerTextFormat& format) {
@@ -241,8 +241,7 @@ void Panels::bind_look(ActionBindings& actions) {
 
 Panels::Room Panels::draw() {
   follow_lesson();
-  if (!are_shown_ || uses_.settings.details != DetailsPage::branches) uses_.work.branches().rest();
-  if (auto sweep = uses_.work.sweep().poll()) {
+  if (auto sweep = uses_.work.insight().sweep.poll()) {
     if (*sweep)
       uses_.documents.ask_table("sweep", **std::move(sweep));
     else
@@ -274,9 +273,7 @@ Panels::Room Panels::draw() {
   if (uses_.demo.draw(gui, {middle.x, screen.y - sides.bottom}, width)) uses_.actions.run(ActionId::demo);
   presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), ImGui::GetTime());
   ProblemNote{gui, uses_.messages}.draw({sides.left + 8 * unit, sides.top + 10 * unit}, width - 16 * unit);
-  uses_.work.persistence().end_frame();
-  uses_.work.scale_events().end_frame();
-  uses_.work.critical_values().end_frame();
+  uses_.work.insight().end_frame();
   const double ratio = uses_.screen.window->pixel_ratio();
   const auto in_pixels = [ratio](float length) { return static_cast<double>(length) * ratio; };
   return {{in_pixels(sides.left), in_pixels(sides.top), in_pixels(sides.right), in_pixels(sides.bottom)},

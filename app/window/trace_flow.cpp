@@ -6,7 +6,7 @@
 
 namespace mes {
 
-TraceFlow::TraceFlow(Uses uses, std::function<void()> wake) : uses_(uses), desk_(uses_.registry, std::move(wake)) {
+TraceFlow::TraceFlow(Uses uses, Waker wake) : uses_(uses), desk_(uses_.registry, std::move(wake)) {
   uses_.dialogs.trace.set_uses({.desk = desk_,
                                 .texture = [this] { return texture(); },
                                 .trace =

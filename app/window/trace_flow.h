@@ -8,6 +8,7 @@
 
 #include "app/panels/dialogs.h"
 #include "app/store/trace_desk.h"
+#include "app/system/waker.h"
 #include "app/window/drawing_board.h"
 #include "core/graph/live_registry.h"
 
@@ -25,7 +26,7 @@ class TraceFlow {
     std::function<void(std::function<void()> then)> leave_work;  ///< goes on when it is saved or given up
     std::function<void(TraceDesk::Samples samples, const std::string& title)> open_made;
   };
-  TraceFlow(Uses uses, std::function<void()> wake);
+  TraceFlow(Uses uses, Waker wake);
   ~TraceFlow() { forget_texture(); }
   TraceFlow(const TraceFlow&) = delete;
   TraceFlow& operator=(const TraceFlow&) = delete;
@@ -33,7 +34,6 @@ class TraceFlow {
   void open(const std::filesystem::path& file);
   /// Once a turn, before the frame.
   void take_results();
-  bool is_busy() const { return desk_.is_busy(); }
 
  private:
   void take_samples(Expected<TraceDesk::Samples> samples);

@@ -10,6 +10,7 @@
 #include "app/model/messages.h"
 #include "app/picture/picture.h"
 #include "app/store/background_loader.h"
+#include "app/system/waker.h"
 
 namespace mes {
 
@@ -17,14 +18,13 @@ namespace mes {
 /// Threads: the window's; `wake` is called from the reader's.
 class TracedPicture {
  public:
-  TracedPicture(Editor& editor, LayerStack& layers, Picture& picture, Messages& messages, std::function<void()> wake)
+  TracedPicture(Editor& editor, LayerStack& layers, Picture& picture, Messages& messages, Waker wake)
       : editor_(editor), layers_(layers), picture_(picture), messages_(messages), new_(wake), loader_(wake) {}
 
   /// Becomes the picture of the layers once it is read; if it cannot be, they stay as they are.
   void trace(const std::filesystem::path& file);
   /// Gives up what is being read to be traced: it was meant for another document.
   void give_up() { new_.follow({}); }
-  bool is_reading() const { return new_.is_reading() || loader_.is_reading(); }
   /// Once a frame; `free` is what is seen between the panels, which a new picture fills. True when reading has ended.
   bool follow(const Box2& free);
 

@@ -8,7 +8,7 @@
 namespace mes {
 
 WorkKeeper::WorkKeeper(Workspace& work, Messages& messages, std::function<Session()> session_now,
-                       std::function<void()> wake)
+                       Waker wake)
     : work_(work),
       messages_(messages),
       session_now_(std::move(session_now)),

@@ -18,7 +18,7 @@ namespace mes {
 class WorkKeeper {
  public:
   /// `session_now` gives the document as it is to be kept. Begins to look for work that was left behind.
-  WorkKeeper(Workspace& work, Messages& messages, std::function<Session()> session_now, std::function<void()> wake);
+  WorkKeeper(Workspace& work, Messages& messages, std::function<Session()> session_now, Waker wake);
 
   struct Rest {
     bool controls = false;  ///< no control of a panel is held
@@ -37,7 +37,6 @@ class WorkKeeper {
   /// The journal is on the disk, with everything given so far.
   bool holds_all() { return autosave_.holds_all(); }
 
-  bool is_looking_for_left_work() const { return left_work_.is_under_way(); }
   /// What an earlier run has left behind, once, when it has been found.
   std::optional<FoundWork> take_left_work() { return left_work_.poll(); }
 

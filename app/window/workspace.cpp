@@ -12,7 +12,7 @@
 namespace mes {
 
 Workspace::Workspace(LiveRegistry registry, const std::filesystem::path& assets, Messages& messages,
-                     std::function<void()> wake)
+                     Waker wake)
     : registry_(std::move(registry)),
       messages_(messages),
       engine_(registry_.share(), {.wake = wake}),
@@ -23,12 +23,8 @@ Workspace::Workspace(LiveRegistry registry, const std::filesystem::path& assets,
       curve_selector_(editor_, wake),
       contour_desk_(editor_, layers_, wake),
       curve_sampler_(editor_, wake),
-      branches_(registry_, wake),
-      persistence_(registry_, wake),
-      sweep_(registry_, wake),
+      insight_(registry_, wake),
       resampling_(registry_, editor_, wake),
-      scale_events_(registry_, wake),
-      critical_values_(registry_, wake),
       evolution_(registry_, editor_,
                  {[this](const Parameter& parameter) { return computation_.settings()[parameter]; },
                   [this](const Parameter& parameter, double value) { computation_.set(parameter, value); }},

@@ -18,12 +18,8 @@
 #include "app/editing/resample_desk.h"
 #include "app/editing/selection_desk.h"
 #include "app/export/comparison.h"
-#include "app/insight/branch_desk.h"
 #include "app/insight/computation_control.h"
-#include "app/insight/critical_values.h"
-#include "app/insight/parameter_sweep.h"
-#include "app/insight/persistence_desk.h"
-#include "app/insight/scale_events.h"
+#include "app/insight/insight.h"
 #include "app/layers/ball_families.h"
 #include "app/layers/layer_stack.h"
 #include "app/model/engine_demand.h"
@@ -34,6 +30,7 @@
 #include "app/model/update_hold.h"
 #include "app/playing/evolution_player.h"
 #include "app/store/bundle_desk.h"
+#include "app/system/waker.h"
 #include "core/engine/engine.h"
 #include "core/graph/live_registry.h"
 #include "core/io/session.h"
@@ -45,7 +42,7 @@ namespace mes {
 class Workspace {
  public:
   Workspace(LiveRegistry registry, const std::filesystem::path& assets, Messages& messages,
-            std::function<void()> wake);
+            Waker wake);
 
   /// Takes another registry, made from the present one by removals and additions. What it lacks is shown no more, and is
   /// as it was when it comes back: layers, parameters, the chosen evolution. What was begun with the present one ends
@@ -70,20 +67,8 @@ class Workspace {
   AnnotationDesk& annotations() { return annotations_; }
   const AnnotationDesk& annotations() const { return annotations_; }
   SelectionDesk& selection_desk() { return selection_desk_; }
-  CriticalValues& critical_values() { return critical_values_; }
-  const CriticalValues& critical_values() const { return critical_values_; }
-  ScaleEvents& scale_events() { return scale_events_; }
-  const ScaleEvents& scale_events() const { return scale_events_; }
+  Insight& insight() { return insight_; }
   ResampleDesk& resampling() { return resampling_; }
-  const ResampleDesk& resampling() const { return resampling_; }
-  BranchDesk& branches() { return branches_; }
-  const BranchDesk& branches() const { return branches_; }
-  PersistenceDesk& persistence() { return persistence_; }
-  SweepDesk& sweep() { return sweep_; }
-  const SweepDesk& sweep() const { return sweep_; }
-  const PersistenceDesk& persistence() const { return persistence_; }
-  /// The crust is being found, to select along it or to make contours of it.
-  bool is_finding_crust() const { return curve_selector_.is_under_way() || contour_desk_.is_under_way(); }
   HiddenSamples& hidden_samples() { return hidden_samples_; }
   CurveSampler& curve_sampler() { return curve_sampler_; }
   const CurveSampler& curve_sampler() const { return curve_sampler_; }
@@ -186,12 +171,8 @@ class Workspace {
   CurveSelector curve_selector_;
   ContourDesk contour_desk_;
   CurveSampler curve_sampler_;
-  BranchDesk branches_;
-  PersistenceDesk persistence_;
-  SweepDesk sweep_;
+  Insight insight_;
   ResampleDesk resampling_;
-  ScaleEvents scale_events_;
-  CriticalValues critical_values_;
   EvolutionPlayer evolution_;
   PaneList panes_;
   PaneDocuments pane_documents_;

@@ -117,9 +117,9 @@ void Workspace::bind_computation(ActionBindings& actions) {
                   evolution_.cancel();
                   computation_.animation().stop();
                   engine_.cancel();
-                  if (!is_computing) sweep_.give_up();
+                  if (!is_computing) insight_.sweep.give_up();
                 },
-                {[this, plays] { return engine_.status().busy || plays() || sweep_.is_under_way(); },
+                {[this, plays] { return engine_.status().busy || plays() || insight_.sweep.is_under_way(); },
                  "nothing is being computed"}});
   actions.bind(ActionId::resume_computation,
                {[this] { engine_.resume(); },

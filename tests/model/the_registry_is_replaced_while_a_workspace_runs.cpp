@@ -334,7 +334,7 @@ TEST_CASE("a job ends with the registry that it was begun with, and lets it go")
   sweep.range.to = 2.0;
   sweep.range.steps = 1;
   sweep.layers = {gated};
-  work.sweep().begin(std::move(sweep));
+  work.insight().sweep.begin(std::move(sweep));
   gate->is_reached.wait(false);
 
   Registry without = work.registry();
@@ -342,13 +342,13 @@ TEST_CASE("a job ends with the registry that it was begun with, and lets it go")
   work.set_registry(std::make_shared<const Registry>(std::move(without)));
   running.follow();
   CHECK(work.layers().find("gated-points") == kNoLayer);
-  CHECK(work.sweep().is_under_way());
+  CHECK(work.insight().sweep.is_under_way());
   // The job alone has it now.
   CHECK_FALSE(old.expired());
 
   gate->open();
   std::optional<Expected<std::string>> table;
-  running.bell.wait_until([&] { return (table = work.sweep().poll()).has_value(); });
+  running.bell.wait_until([&] { return (table = work.insight().sweep.poll()).has_value(); });
   REQUIRE(*table);
   CHECK((**table).find("layers.gated-points.points") != std::string::npos);
   CHECK((**table).find("\n2,3,") != std::string::npos);
