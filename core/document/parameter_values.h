@@ -15,8 +15,8 @@ namespace mes {
 /// Guarantees:
 ///  1. A parameter that was never set has its default.
 ///  2. Two objects are equal if they give the same values to the same parameters; defaults do not count.
-/// 3. A value that was read for an id without known specification is kept; once the parameter is requested, it gets
-///    this value, clamped to its range.
+///  3. A value that was read for an id without known specification is kept; once the parameter is requested, it gets
+///     this value, clamped to its range.
 ///
 /// Cost: a lookup compares the ids of the set values, O(log n) of them.
 class ParameterValues {

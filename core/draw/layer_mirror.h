@@ -17,9 +17,9 @@ namespace mes {
 /// Guarantees:
 ///  1. After `apply`, `instances(layer, kind)` holds `count(layer, kind)` instances of `stride_of(kind)` doubles
 ///     each, in the order of the drawing buffer.
-/// 2. A patch that breaks its promises is refused by an assertion: data of the wrong size, growth without data, an
-///    unannounced change of count, a value that is not finite, a negative radius, a ray or line without direction,
-///    instances left in an old drawing frame, layers of a stopped run.
+///  2. A patch that breaks its promises is refused by an assertion: data of the wrong size, growth without data, an
+///     unannounced change of count, a value that is not finite, a negative radius, a ray or line without direction,
+///     instances left in an old drawing frame, layers of a stopped run.
 ///
 /// Smallest use:
 ///     LayerMirror mirror;

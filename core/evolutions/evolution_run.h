@@ -3,8 +3,8 @@
 //
 // Guarantees:
 //  1. No call waits for a computation.
-// 2. The last request counts; the computation for an earlier one is abandoned unless it lies on the way. Exactly one
-//    answer follows the last request, unless `cancel` or `begin` came first.
+//  2. The last request counts; the computation for an earlier one is abandoned unless it lies on the way. Exactly one
+//     answer follows the last request, unless `cancel` or `begin` came first.
 //
 // Smallest use:
 //     EvolutionRun run({});

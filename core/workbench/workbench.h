@@ -50,8 +50,8 @@ struct WorkbenchVariant {
 ///  1. After a `run` without error, every needed structure and every shown layer is that of the present document and
 ///     settings. A run computes only what has changed since the run before.
 ///  2. An edit or a setting that is refused changes nothing.
-/// 3. After a `run` with the error `cannot_compute`, everything that does not depend on the failed structures is up to
-///    date, and `nodes()` has the reasons. The next run that changes their inputs tries them again.
+///  3. After a `run` with the error `cannot_compute`, everything that does not depend on the failed structures is up to
+///     date, and `nodes()` has the reasons. The next run that changes their inputs tries them again.
 ///  4. After a `run` with the error `cancelled`, instances and digests are as before it, and no structure can be read
 ///     by its id. The next run completes the work.
 ///  5. Results that are read by a public id are never outdated by a failure: `structure`, `statistic`, `instances` and

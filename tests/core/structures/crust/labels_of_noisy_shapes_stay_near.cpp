@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How much of ten shapes is labelled wrongly when their samples are noisy: never more than by the rule that labels had
-// before open strokes were looked for locally (docs/decisions/label_conflicts.md), whose figures the bounds are.
+// before open strokes were looked for locally (docs/decisions/label_conflicts.md). The bounds are measured with that rule.
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
