@@ -15,8 +15,8 @@
 
 namespace {
 
-/// What no boundary caught, on whichever thread, ends the program with one line instead of a core dump. It allocates
-/// nothing: lack of memory is the likeliest reason to be here.
+/// Ends the program with one line, not a core dump, after an exception that no boundary caught, on any thread. It
+/// allocates nothing: lack of memory is the likeliest reason to be here.
 [[noreturn]] void end_in_one_line() noexcept {
   const auto print = [](std::string_view text) {
     static_cast<void>(!::write(STDERR_FILENO, text.data(), text.size()));
@@ -41,10 +41,11 @@ namespace {
 int main(int argc, char** argv) {
   mes::keep_freed_memory();
   std::set_terminate(end_in_one_line);
-  // A reader that goes away and a file that grows too large are errors of a write, not reasons to die in silence.
+  // A reader that closes the pipe and a file that grows too large are errors of a write, not reasons to die in
+  // silence.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  // Ignored, as some parents leave it, it would keep the exit codes of children from us.
+  // If it were ignored, as some parents leave it, we would not get the exit codes of children.
   std::signal(SIGCHLD, SIG_DFL);
   return mes::cli::run_command_line(
       mes::builtins(), argc, argv,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the actions of the table do in this window, and when they are possible.
+// The effects of the actions of the table in this window, and the conditions under which they are possible.
 #pragma once
 
 #include <algorithm>
@@ -17,25 +17,25 @@ namespace mes {
 
 class ActionBindings {
  public:
-  /// When an action is possible, and what there is to say when it is not: "nothing is selected".
+  /// A condition under which an action is possible, with the message for the case that it is not: "nothing is
+  /// selected".
   class Condition {
    public:
     struct Need {
       std::function<bool()> holds;
-      std::string missing;  ///< said where it does not hold
+      std::string missing;  ///< the message when it does not hold
     };
-    Condition() = default;  ///< always
+    Condition() = default;  ///< always holds
     Condition(std::function<bool()> holds, std::string missing) : needs_{{std::move(holds), std::move(missing)}} {}
-    /// When all of them hold. They are looked at in this order, and the first that does not hold is what there is to
-    /// say: each has a reason of its own.
+    /// Holds when all needs hold. They are checked in this order, and the first that fails gives the message.
     Condition(std::initializer_list<Need> needs) : needs_(needs) {}
     bool holds() const { return first_missing() == nullptr; }
-    /// Empty where it holds.
+    /// The message of the first need that fails; empty when the condition holds.
     std::string missing() const {
       const Need* const need = first_missing();
       return need == nullptr ? std::string() : need->missing;
     }
-    /// The same, but it holds as well where `otherwise` does.
+    /// The same condition, which also holds whenever `otherwise` does.
     Condition unless(const std::function<bool()>& otherwise) const {
       Condition out = *this;
       for (Need& need : out.needs_)
@@ -60,10 +60,10 @@ class ActionBindings {
   const Binding& binding(ActionId id) const { return at(id); }
   bool is_bound(ActionId id) const { return static_cast<bool>(at(id).run); }
   bool is_enabled(ActionId id) const { return is_bound(id) && at(id).enabled.holds(); }
-  /// Why it is not possible now; empty where it is, and where nothing is bound.
+  /// The reason why the action is not possible now; empty when it is possible, and when nothing is bound to it.
   std::string missing(ActionId id) const { return is_bound(id) ? at(id).enabled.missing() : std::string(); }
   bool is_checked(ActionId id) const { return at(id).checked && at(id).checked(); }
-  /// Runs it if it is possible now; whether it was. An action that runs out of memory ends there.
+  /// Runs the action if it is possible now, and returns whether it was. Catches an action's running out of memory.
   bool run(ActionId id) const {
     if (!is_enabled(id)) return false;
     try {
@@ -73,10 +73,11 @@ class ActionBindings {
     }
     return true;
   }
-  /// The keys that are in force.
+  /// The keymap in force.
   const Keymap& keymap() const { return keymap_; }
   void set_keymap(Keymap keymap) { keymap_ = std::move(keymap); }
-  /// "Undo (Ctrl+Z)", below it what it does, and why it is not possible now: what a tooltip says.
+  /// The text of a tooltip: "Undo (Ctrl+Z)", a line with the effect, and the reason if the action is not possible
+  /// now.
   std::string tooltip_of(ActionId id) const {
     const ActionDescriptor& action = descriptor_of(id);
     const std::string key = keymap_.key_of(id);
@@ -84,7 +85,7 @@ class ActionBindings {
     if (const std::string why = missing(id); !why.empty()) out += "\nNot possible now: " + why;
     return out;
   }
-  /// What is done then.
+  /// Sets the function to call after an action has run out of memory.
   void when_out_of_memory(std::function<void()> act) { out_of_memory_ = std::move(act); }
 
  private:

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one table of actions. Keys, menus, toolbar tooltips, the help overlay and `mesecina list actions` all read it,
-// the keys through a `Keymap`;
-// what an action does and when it is possible is bound to it elsewhere (window/action_bindings.h).
+// The one table of actions. Keys (through a `Keymap`), menus, toolbar tooltips, the help overlay and `mesecina list
+// actions` all read it. The effect of an action and its condition are bound elsewhere (actions/action_bindings.h).
 #pragma once
 
 #include <cstdint>
@@ -109,7 +108,7 @@ enum class ActionId : std::uint8_t {
   toggle_theme,
   projector_mode,
   presenter_mode,
-  first_bundle,  // those of the digits 1 to 9
+  first_bundle,  // the bundles of the digits 1 to 9
   last_bundle = first_bundle + 8,
   next_bundle,
   previous_bundle,
@@ -148,7 +147,7 @@ enum class ActionId : std::uint8_t {
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::help) + 1;
 
-/// Of a series of actions the one with this place, from 0.
+/// The action at this index, from 0, of a series that begins with `first`.
 constexpr ActionId nth(ActionId first, std::size_t place) {
   return static_cast<ActionId>(static_cast<std::size_t>(first) + place);
 }
@@ -161,32 +160,32 @@ inline constexpr std::size_t kNumberedBundles = length_of_series(ActionId::first
 enum class ActionGroup : std::uint8_t { file, edit, tools, view, compute, help };
 std::string_view title_of(ActionGroup group);
 
-/// When the keys of an action are its own.
+/// The situation in which the keys of an action are valid.
 enum class ActionContext : std::uint8_t { always, with_selection };
 
 struct ActionDescriptor {
   ActionId id = ActionId::help;
   std::string public_id;  ///< kebab case, stable
-  std::string name;       ///< as in a menu
+  std::string name;       ///< the name shown in menus
   std::string tooltip;    ///< one sentence, no full stop
   ActionGroup group = ActionGroup::file;
   ActionContext context = ActionContext::always;
-  bool repeats = false;                ///< holding the key down does it again
-  std::vector<std::string_view> keys;  ///< as long as they are not changed (keymap.h)
+  bool repeats = false;                ///< holding the key down repeats the action
+  std::vector<std::string_view> keys;  ///< the default keys (keymap.h can change them)
 };
 
-/// It changes neither the document nor what lies over the canvas, so it works at any time: while a gesture is under way,
-/// beside a list that is open, and, by a key that types nothing, while words are typed.
+/// True for actions that change neither the document nor the overlays of the canvas. They work at any time: during a
+/// gesture, while a list is open, and, if their key types nothing, while the user is typing.
 bool works_at_any_time(ActionId id);
 
-/// The key that holds the update while it is down, as Alt does, which many window managers take for themselves.
+/// Holding this key down holds the update, as Alt does; many window managers take Alt for themselves.
 inline constexpr char32_t kHoldKey = 'W';
 
 /// Every action, in the order of `ActionId`.
 std::span<const ActionDescriptor> action_descriptors();
 const ActionDescriptor& descriptor_of(ActionId id);
 
-/// Mouse gestures, which are not actions but belong on the same help page.
+/// Mouse gestures: they are not actions but belong on the same help page.
 struct GestureDescriptor {
   std::string_view input;
   std::string_view meaning;

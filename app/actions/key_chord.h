@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A key with its modifiers, named by what the key *says* on the user's keyboard, never by where it lies.
+// A key with its modifiers, named by the character that it types on the user's keyboard, never by its position.
 #pragma once
 
 #include <cstdint>
@@ -35,10 +35,10 @@ inline constexpr char32_t page_down = named + 13;
 inline constexpr char32_t f1 = named + 101;  ///< F2 .. F12 follow
 }  // namespace key
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. `symbol` is an upper-case letter, a digit, another printable character, or one of `key::`.
-///  2. A character such as `+` or `?` that is typed without Ctrl or Alt carries no Shift: on which layer of the
-///     keyboard it lies differs from country to country.
+///  2. A character such as `+` or `?` that is typed without Ctrl or Alt carries no Shift, because the layer of the
+///     keyboard on which it lies differs from country to country.
 ///  3. `parse_chord(to_string(c)) == c`.
 struct KeyChord {
   char32_t symbol = 0;
@@ -49,7 +49,7 @@ struct KeyChord {
 /// True for characters that are matched as typed text (guarantee 2).
 bool is_typed_symbol(const KeyChord& chord);
 
-/// "Ctrl+Shift+Z", "F1", "?", "+". Nothing when the text is not a chord.
+/// Reads "Ctrl+Shift+Z", "F1", "?" or "+". Returns nothing when the text is not a chord.
 std::optional<KeyChord> parse_chord(std::string_view text);
 std::string to_string(const KeyChord& chord);
 

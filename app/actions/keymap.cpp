@@ -13,9 +13,9 @@
 namespace mes {
 namespace {
 
-// By the shortcuts and the manual of the program of 2007 to 2009. Its Load is Open, its Export is Save as, its settings
-// are the parameters, and its full screen is the drawing without panels. What else its keys did keeps a key beside
-// Shift. Evolutions went the other way round in their list.
+// Keys from the shortcuts and the manual of the program of 2007 to 2009. Its Load is our Open, its Export our Save
+// as, its settings our parameters, and its full screen our view without panels. A present function whose key is taken
+// here keeps a second key. Up and Down are swapped because the list of evolutions ran the other way round.
 struct ClassicKeys {
   ActionId id;
   std::string_view keys;
@@ -63,7 +63,7 @@ std::string_view without_remark(std::string_view line) {
   return line;
 }
 
-// "ctrl+alt+pageup" in the one spelling of chords.
+// Parses a chord in any spelling, e.g. "ctrl+alt+pageup".
 std::optional<KeyChord> chord_of(std::string_view word) {
   bool ctrl = false;
   bool alt = false;
@@ -101,7 +101,7 @@ std::vector<KeyChord> chords_of(std::string_view keys) {
   return out;
 }
 
-/// Reads line by line.
+/// Reads a keymap file line by line.
 class Reader {
  public:
   explicit Reader(Keymap keymap) { file_.keymap = std::move(keymap); }
@@ -131,7 +131,7 @@ class Reader {
       else if (given_.emplace(to_string(*chord), number_).second)
         chords.push_back(*chord);
     }
-    // A line of which nothing can be used takes no keys away.
+    // A line without a usable key takes no keys away.
     if (!chords.empty() || words_of(line.substr(sign + 1)).empty()) file_.keymap.give(*id, chords);
   }
   KeymapFile take() { return std::move(file_); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which keys do what: those of the table of actions, those of the Mesecina of 2007, or those of a file.
+// A mapping from keys to actions: the default keys of the table, those of the Mesecina of 2007, or those of a file.
 #pragma once
 
 #include <optional>
@@ -11,26 +11,26 @@
 
 namespace mes {
 
-/// What it guarantees: a key does one thing, given whether anything is selected; what is given to one action is taken
-/// from the others.
+/// Guarantees: given whether anything is selected, a key has one action; giving a key to one action takes it from the
+/// others.
 ///
 /// Smallest use:
 ///     const KeymapFile read = read_keymap(Keymap::standard(), "spray = D\nundo = Ctrl+Z Alt+Backspace\n");
 ///     read.keymap.find(*parse_chord("D"), false);   // tool-spray
 class Keymap {
  public:
-  /// The keys of the table.
+  /// The default keys of the table.
   static Keymap standard();
-  /// The same with the keys that the Mesecina of 2007 to 2009 had.
+  /// The same, with the keys of the Mesecina of 2007 to 2009 where they differ.
   static Keymap classic();
 
-  /// In their one spelling; the first one is shown in menus.
+  /// The keys in their canonical spelling; menus show the first one.
   const std::vector<std::string>& keys_of(ActionId id) const { return keys_[static_cast<std::size_t>(id)]; }
-  /// The first of them, or nothing.
+  /// The first key of the action, or nothing.
   std::string key_of(ActionId id) const;
-  /// The action of a key.
+  /// The action of a key, or nothing.
   std::optional<ActionId> find(const KeyChord& chord, bool has_selection) const;
-  /// Gives the action these keys in place of its own. O(actions).
+  /// Replaces the keys of the action by these. O(actions).
   void give(ActionId id, const std::vector<KeyChord>& chords);
 
  private:
@@ -40,15 +40,16 @@ class Keymap {
 
 struct KeymapFile {
   Keymap keymap;
-  /// What is wrong, "line 3: ...", in the order of the lines. Those lines have no effect; all others have.
+  /// Messages such as "line 3: ...", in the order of the lines. Lines with a problem have no effect; all others do.
   std::vector<std::string> problems;
 };
 
-/// Lines `ID = KEY KEY...`, where nothing behind the sign takes all keys away; what follows `#` at the beginning of a
-/// line or after a space is a remark. Letters of keys and the order of modifiers are free. Cost: O(text).
+/// Reads lines `ID = KEY KEY...`. A line with nothing after the sign takes all keys away from the action; `#` at the
+/// beginning of a line or after a space starts a remark. Key letters may have either case, modifiers any order.
+/// O(text).
 KeymapFile read_keymap(Keymap keymap, std::string_view text);
 
-/// A file for `read_keymap` that changes nothing: every action with its name and keys, as remarks.
+/// A file for `read_keymap` that changes nothing: it lists every action with its name and keys in remarks.
 std::string keymap_template(const Keymap& keymap);
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The plane as the pointer meets it: pans and zooms itself, and hands everything else to the tool in use.
+// The plane under the pointer: pans and zooms by itself, and hands all other events to the tool in use.
 #pragma once
 
 #include <array>
@@ -15,54 +15,54 @@ enum class PointerButton : std::uint8_t { left, middle, right };
 enum class ToolId : std::uint8_t { select, insert, spray, ball, measure, annotate, brush };
 inline constexpr std::size_t kToolCount = 7;
 
-/// What it guarantees: from press to release one gesture has the pointer, whatever else is pressed meanwhile; the
-/// view may move under a tool's gesture, which then follows the pointer. Positions are framebuffer pixels. It knows
-/// no window and no OpenGL. Threads: none.
+/// Guarantees: from press to release one gesture has the pointer, whatever else is pressed meanwhile. The view may
+/// move during a tool's gesture, which then follows the pointer. Positions are framebuffer pixels. The class depends
+/// on no window and no OpenGL. Threads: none.
 class Canvas {
  public:
   explicit Canvas(ToolContext& context);
 
-  /// Of the main pane.
+  /// The view of the main pane.
   ViewMotion& view() { return views_.main(); }
   const ViewMotion& view() const { return views_.main(); }
-  /// Of all panes.
+  /// The views of all panes.
   PaneViews& views() { return views_; }
   const PaneViews& views() const { return views_; }
-  /// Of the pane that the pointer is in, or was last.
+  /// The view of the pane that the pointer is in, or was in last.
   ViewMotion& view_at_pointer() { return views_.of(pane_); }
   const ViewMotion& view_at_pointer() const { return views_.of(pane_); }
   /// Framebuffer pixels per logical pixel.
   void set_content_scale(double scale) { content_scale_ = scale; }
   double content_scale() const { return content_scale_; }
 
-  /// There are several panes. Whichever the pointer is in, it meets the plane as that pane shows it; a gesture stays in
-  /// the pane where it began.
+  /// Sets several panes. The pointer meets the plane as the pane under it shows it; a gesture stays in the pane where
+  /// it began.
   void set_panes(PanePlaces panes);
   const PanePlaces& panes() const { return panes_; }
-  /// The pane that the pointer is in, and from the main pane to it in pixels.
+  /// The pane that the pointer is in, and the shift from the main pane to it in pixels.
   std::size_t pane() const { return pane_; }
   Vec2 pane_shift() const { return panes_.shift(pane_); }
 
   void press(PointerButton button, Vec2 in_window, Modifiers modifiers);
   void move(Vec2 px, Modifiers modifiers);
   void release(PointerButton button, Vec2 in_window, Modifiers modifiers);
-  /// `steps` of the wheel, positive away from the user. Zooms, unless the tool takes it.
+  /// Turns the wheel by `steps`, positive away from the user. Zooms, unless the tool takes the event.
   void wheel(Vec2 in_window, double steps);
   void leave();
   void set_space_held(bool held);
   /// Ends the gesture under way without its effect; false when there was none.
   bool cancel_gesture();
 
-  /// A gesture has the pointer: events belong here wherever it goes.
+  /// True while a gesture has the pointer: events belong to the canvas wherever the pointer moves.
   bool has_pointer() const { return panning_ || tool().is_active(); }
   bool is_hovered() const { return is_hovered_; }
-  /// The same place in the main pane.
+  /// The corresponding point of the main pane.
   Vec2 pointer_px() const { return pointer_px_; }
   Vec2 pointer_world() const { return view_at_pointer().camera().to_world(pointer_px_); }
-  /// The cursor if it is here, else the middle of the free area: where keys zoom the view at the pointer.
+  /// The pointer if it is here, else the middle of the free area: the point around which keys zoom the view.
   Vec2 zoom_center() const { return is_hovered_ ? pointer_px_ : view_at_pointer().middle(); }
 
-  /// Where the pointer is, as tools see it.
+  /// The pointer as tools see it.
   Pointer pointer() const { return pointer(pointer_px_, modifiers_); }
 
   /// Discards what the tool in use shows between gestures; returns false if it showed nothing.
@@ -75,7 +75,7 @@ class Canvas {
   const Tool& tool() const { return *tools_[static_cast<std::size_t>(tool_id_)]; }
   PointerShape pointer_shape() const;
 
-  /// Moves the view on; what lies under the resting pointer may change with it.
+  /// Moves the view on; the element under a resting pointer may change with it.
   void advance(double seconds);
 
  private:

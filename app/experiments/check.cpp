@@ -34,7 +34,7 @@ double milliseconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// Slow structures are tried less often.
+/// Limits the time of a check: slow structures get fewer trials.
 class TimeLimit {
  public:
   bool is_over() const { return std::chrono::steady_clock::now() > end_; }
@@ -75,7 +75,7 @@ std::vector<NamedPoints> degenerate_inputs() {
   for (int i = 0; i < 12; ++i) line.push_back({static_cast<double>(i), 2.0 * i});
   for (int x = 0; x < 7; ++x)
     for (int y = 0; y < 7; ++y) grid.push_back({static_cast<double>(x), static_cast<double>(y)});
-  // Integer points of one circle.
+  // Integer points on one circle.
   for (const auto& [x, y] :
        {std::pair{0, 65}, {16, 63}, {25, 60}, {33, 56}, {39, 52}, {52, 39}, {56, 33}, {60, 25}, {63, 16}, {65, 0}})
     for (const int sign_x : {-1, 1})
@@ -93,7 +93,7 @@ std::vector<NamedPoints> degenerate_inputs() {
   return out;
 }
 
-/// Rows of a table without their numbers, which depend on history: what stands in columns of row numbers is left out.
+/// The rows of a table without columns of row numbers, which depend on history.
 std::multiset<std::string> contents_of(const TableColumns& table) {
   std::multiset<std::string> out;
   for (RowNumber row = 0; row < table.rows; ++row) {
@@ -107,7 +107,7 @@ std::multiset<std::string> contents_of(const TableColumns& table) {
   return out;
 }
 
-/// The experiment in a workbench of its own.
+/// The experiment in its own workbench.
 class Subject {
  public:
   Subject(const Registry& registry, const ExperimentContents& added) : added_(added), bench_(registry) {
@@ -149,7 +149,7 @@ class Subject {
           std::pair{id, p + Vec2{0.05 * reach * (rng.uniform() - 0.5), 0.05 * reach * (rng.uniform() - 0.5)}}}));
   }
 
-  /// Moves a sample by some thousandth of its coordinates.
+  /// Moves a sample by at most a thousandth of its coordinates.
   void nudge(Rng& rng) {
     const std::vector<SampleSlot> slots = bench_.document().slots_in_input_order();
     const SampleSlot slot = slots[rng.below(slots.size())];
@@ -157,7 +157,7 @@ class Subject {
     static_cast<void>(bench_.move(std::vector{std::pair{bench_.document().id(slot), to}}));
   }
 
-  /// Why a structure or a layer has no result; empty: it has one.
+  /// The reason why a structure or a layer has no result; empty if it has one.
   std::string failure_of_structure(const std::string& id) const {
     for (const NodeReport& node : bench_.nodes())
       if (node.structure == id && node.state != NodeState::up_to_date) return node.reason.empty() ? "?" : node.reason;
@@ -167,7 +167,7 @@ class Subject {
     const auto digest = bench_.digest(id);
     return digest ? std::string() : digest.error().text;
   }
-  /// The first difference to another subject with the same samples; empty: they are equal.
+  /// The first difference from another subject with the same samples; empty if they are equal.
   std::string difference_of_structure(const std::string& id, const Subject& other) const {
     const auto mine = bench_.structure(id);
     const auto theirs = other.bench_.structure(id);
@@ -229,7 +229,7 @@ class Check {
       }
     return at;
   }
-  /// Both of a structure and of the layer of the same name, in this order.
+  /// Calls both functions, for each structure and for each layer.
   template <class OfStructure, class OfLayer>
   void each(OfStructure of_structure, OfLayer of_layer) {
     for (const std::string& id : added_.structures) of_structure(id);
@@ -337,7 +337,7 @@ class Check {
         });
   }
 
-  // Two graphs at the same time, so that what they share is found out by what they draw.
+  // Draws two graphs at the same time, so that differences reveal data they share.
   void draw_side_by_side() {
     constexpr int kTimes = 8;
     int times = 0;
@@ -393,7 +393,7 @@ class Check {
         });
   }
 
-  /// State 0 has the value that the parameter has, and the same step gives the same value.
+  /// Checks that state 0 has the default value of the parameter, and that a repeated step gives the same value.
   void move_parameter(const std::string& id, const ParameterMove& move) {
     const EvolutionChoice choice{.evolution = registry_.evolutions().find(id)};
     const double first = move.parameter.default_value;
@@ -404,7 +404,7 @@ class Check {
     for (std::uint64_t k = 1; k <= 20 && wrong.empty(); ++k, ++steps) {
       const auto value = moved_value(move, first, k, choice.values);
       const auto again = moved_value(move, first, k, choice.values);
-      if (!value) break;  // it has come to the end of the range
+      if (!value) break;  // the end of the range is reached
       if (!again || *again != *value) wrong = fmt::format("step {} gives another value when it is made again", k);
     }
     add(id, "steps", wrong, fmt::format("ok, {} steps", steps));
@@ -450,7 +450,7 @@ class Check {
     const auto shape = registry_.shapes().find(id);
     std::string wrong;
     std::size_t made = 0;
-    // Its defaults, and each parameter at its ends.
+    // Tries the defaults, and each parameter at both ends of its range.
     std::vector<ShapeValues> wishes{values_of(*shape)};
     for (const Parameter& parameter : shape->parameters)
       for (const double end : {parameter.low, parameter.high}) {

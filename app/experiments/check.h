@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Checks an experiment for the properties that the structures of the program have.
+// Checks that an experiment has the properties that the program's own structures have.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace mes {
 
 class Registry;
 
-/// One line of the table.
+/// One line of the result table.
 struct CheckResult {
   std::string subject{};  ///< id of the structure, layer, evolution or shape
   std::string property{};
@@ -23,12 +23,12 @@ struct CheckResult {
 };
 
 /// Tries what was added to the registry:
-///  - degenerate inputs (none to three samples, collinear and cocircular ones, duplicates, extreme numbers) are computed,
-///  - an update gives the tables and drawings that a computation anew gives, through random edits,
+///  - degenerate inputs (no to three samples, collinear and cocircular ones, duplicates, extreme numbers) are computed,
+///  - through random edits, an update gives the same tables and drawings as a computation from scratch,
 ///  - numbers are finite,
-///  - layers that are drawn on two threads at the same time are as those drawn on one,
+///  - layers drawn on two threads at the same time equal those drawn on one,
 ///  - evolutions keep the number of samples and do not depend on earlier calls, shapes can be sampled,
-/// and measures the time of a row. The results are in the order of what was added. Seed and inputs are always the same.
+/// and measures the time per row. The results are in the order of the additions. Seed and inputs are always the same.
 std::vector<CheckResult> check_experiment(const Registry& registry, const ExperimentContents& added);
 
 }  // namespace mes

@@ -38,7 +38,7 @@ std::string environment(const char* name) {
   return value == nullptr ? "" : value;
 }
 
-/// The installed headers, or those of the sources that the program was built from.
+/// Finds the installed headers, or those of the sources that the program was built from.
 std::optional<fs::path> find_headers() {
   std::vector<fs::path> candidates;
   if (const std::string given = environment("MESECINA_INCLUDE"); !given.empty()) candidates.emplace_back(given);
@@ -53,7 +53,7 @@ std::optional<fs::path> find_headers() {
   return {};
 }
 
-/// A number at the beginning of the text, which is cut off with the colon behind it.
+/// Cuts a number and the colon after it off the beginning of the text.
 std::optional<std::uint64_t> take_number(std::string_view& text) {
   std::uint64_t value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -63,7 +63,7 @@ std::optional<std::uint64_t> take_number(std::string_view& text) {
 }
 
 std::optional<CompilerMessage> message_in(std::string_view line) {
-  // FILE:LINE:COLUMN: error: TEXT. A file's name may have colons, too.
+  // The format is FILE:LINE:COLUMN: error: TEXT. The name of the file may contain colons, too.
   for (std::size_t colon = line.find(':'); colon != std::string_view::npos; colon = line.find(':', colon + 1)) {
     std::string_view rest = line.substr(colon + 1);
     const auto number = take_number(rest);
@@ -85,7 +85,7 @@ std::string hexadecimal(const FileFingerprint& print) {
   return fmt::format("{:x}-{:016x}", print.size, print.hash);
 }
 
-/// Files that a source includes, in the way of `make`: "target: a b \".
+/// Reads the files that a source includes from the `make` format: "target: a b \".
 std::vector<fs::path> dependencies_in(const fs::path& file) {
   const auto text = read_regular_file(file);
   std::vector<fs::path> out;
@@ -102,7 +102,7 @@ std::vector<fs::path> dependencies_in(const fs::path& file) {
       if (next == '\n')
         end_word();
       else
-        word += next;  // a blank in a name
+        word += next;  // an escaped blank in a name
     } else if (c == ' ' || c == '\n') {
       end_word();
     } else {
@@ -113,7 +113,7 @@ std::vector<fs::path> dependencies_in(const fs::path& file) {
   return out;
 }
 
-/// Fingerprints of these files, one a line; nothing if one cannot be read.
+/// Fingerprints of these files, one per line; nothing if a file cannot be read.
 std::optional<std::string> fingerprints_of(const std::vector<fs::path>& files) {
   std::string out;
   for (const fs::path& file : files) {
@@ -124,7 +124,7 @@ std::optional<std::string> fingerprints_of(const std::vector<fs::path>& files) {
   return out;
 }
 
-/// The compiler may be replaced by another of the same name.
+/// Identifies the compiler by its file, because another of the same name may replace it.
 std::string identity_of(const std::string& program) {
   std::error_code error;
   fs::path file = program;
@@ -153,7 +153,7 @@ Words words_for(const Compiler& compiler, std::string_view text) {
   for (const char* word : {"-std=c++20", "-O2", "-fPIC", "-shared", "-fvisibility=hidden", "-Wall", "-I"})
     out.before.emplace_back(word);
   out.before.push_back(compiler.headers.string());
-  // Static variables of two versions stay apart. Clang keeps them apart without being asked.
+  // Keeps static variables of two versions apart. Clang does so by default.
   if (compiler.command.front().find("clang") == std::string::npos) out.before.emplace_back("-fno-gnu-unique");
   for (std::size_t at = text.find(kFlagsMark); at != std::string_view::npos; at = text.find(kFlagsMark, at + 1)) {
     const std::size_t begin = at + kFlagsMark.size();
@@ -163,7 +163,7 @@ Words words_for(const Compiler& compiler, std::string_view text) {
   return out;
 }
 
-/// Differs for another text, another place, other words, and another compiler or program.
+/// A name that differs for another text, path, option list, compiler or version of the program.
 std::string cache_name(const Compiler& compiler, const Words& words, const fs::path& source, std::string_view text) {
   std::string identity =
       identity_of(compiler.command.front()) + '\n' + source.string() + '\n' + MESECINA_VERSION "\n";
@@ -173,7 +173,7 @@ std::string cache_name(const Compiler& compiler, const Words& words, const fs::p
          hexadecimal(fingerprint_of(text));
 }
 
-/// The library is there, and what the source includes is as it was then.
+/// True if the library exists and the included files have not changed since its compilation.
 bool is_as_compiled(const fs::path& library, const fs::path& inputs) {
   std::error_code error;
   const auto known = read_regular_file(inputs);
@@ -247,7 +247,7 @@ Expected<CompiledExperiment> compile_experiment(const Compiler& compiler, const 
   const fs::path inputs = compiler.cache / (name + ".inputs");
   if (is_as_compiled(library, inputs)) return CompiledExperiment{.library = library, .was_there = true};
 
-  // Its words are read here, so they are in English.
+  // The messages are parsed here, so they must be in English.
   std::vector<std::string> command{"env", "LC_ALL=C"};
   command.insert(command.end(), words.before.begin(), words.before.end());
   const fs::path part = compiler.cache / fmt::format("{}.{}.part", name, ::getpid());
@@ -274,7 +274,7 @@ Expected<CompiledExperiment> compile_experiment(const Compiler& compiler, const 
   }
   fs::rename(part, library, error);
   if (error) return failure(ErrorCode::cannot_write, library.string() + ": " + error.message());
-  // Without them it is compiled again next time.
+  // If this write fails, the source is compiled again next time.
   if (prints) static_cast<void>(write_file_atomically(inputs, *prints));
   return CompiledExperiment{.library = library};
 }

@@ -13,7 +13,7 @@
 
 namespace mes {
 
-/// One line of what the compiler says.
+/// One message of the compiler.
 struct CompilerMessage {
   std::string file{};
   std::uint64_t line = 0;    ///< from 1; 0 = unknown
@@ -22,29 +22,29 @@ struct CompilerMessage {
   std::string text{};        ///< one line
 };
 
-/// Lines of GCC and of Clang that name a place, errors and warnings alone, in their order.
+/// The errors and warnings with a file position in the output of GCC or Clang, in their order.
 std::vector<CompilerMessage> compiler_messages(std::string_view output);
 
-/// A compiler, its headers, and the place for its results.
+/// A compiler, its headers, and the folder for its results.
 struct Compiler {
-  std::vector<std::string> command{};  ///< the program and words that come before all others
-  std::filesystem::path headers{};     ///< the folder in which `mesecina/experiment.h` lies
-  std::filesystem::path cache{};       ///< the folder of what was compiled before
+  std::vector<std::string> command{};  ///< the program and its first arguments
+  std::filesystem::path headers{};     ///< the folder that contains `mesecina/experiment.h`
+  std::filesystem::path cache{};       ///< the folder of compiled libraries
 
-  /// The wanted words, or else $CXX, or else the first of g++, clang++ and c++ that there is. Error: `bad_input` if there is
-  /// none, or no headers.
+  /// Finds the `wanted` command, else $CXX, else the first available of g++, clang++ and c++. Error: `bad_input` if
+  /// there is no compiler, or no headers.
   static Expected<Compiler> find(std::string_view wanted = {});
 };
 
 struct CompiledExperiment {
   std::filesystem::path library{};
-  bool was_there = false;  ///< it was compiled before
+  bool was_there = false;  ///< true if it was compiled before
 };
 
-/// What it guarantees: a source that was compiled before by the same command, together with all files that it includes
-/// with quotation marks, is not compiled again. A library appears in the cache complete or not at all.
+/// Guarantees: a source that was compiled before by the same command, with the same text of all files that it
+/// includes in quotation marks, is not compiled again. A library appears in the cache complete or not at all.
 ///
-/// Error: `bad_input` with file, line and column of the first error; `cancelled`. `messages` has all of them.
+/// Error: `bad_input` with file, line and column of the first error; `cancelled`. `messages` gets all messages.
 Expected<CompiledExperiment> compile_experiment(const Compiler& compiler, const std::filesystem::path& source,
                                                 const std::stop_token& stop, std::vector<CompilerMessage>& messages);
 

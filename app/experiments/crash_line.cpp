@@ -13,7 +13,8 @@
 namespace mes {
 namespace {
 
-// A handler may not take memory, and reads what is there. Two texts, so that one is whole while the other is written.
+// The handler may not allocate, so it reads a static text. There are two, so that one is whole while the other is
+// written.
 constexpr std::size_t kMostBytes = 1000;
 std::array<std::array<char, kMostBytes>, 2> texts{};
 std::atomic<std::size_t> present{0};
@@ -32,7 +33,7 @@ void print(std::string_view text) {
   static_cast<void>(!::write(STDERR_FILENO, text.data(), text.size()));
 }
 
-// The action is the usual one again, and takes place when the handler returns to what went wrong.
+// SA_RESETHAND has restored the default action; the raised signal ends the process.
 void handle(int signal) {
   const char* const text = texts[present.load()].data();
   if (text[0] != '\0') {

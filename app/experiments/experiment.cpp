@@ -101,7 +101,7 @@ Expected<void> add_experiments(Registry& registry, std::span<const std::string> 
 
 Expected<std::shared_ptr<const Registry>> with_experiments(const Registry& registry,
                                                            std::span<const std::string> names) {
-  // The registry of the program lives as long as the program.
+  // A pointer without ownership suffices: the registry of the program lives as long as the program.
   if (names.empty()) return std::shared_ptr<const Registry>(std::shared_ptr<void>(), &registry);
   auto out = std::make_shared<Registry>(registry);
   std::string loaded;

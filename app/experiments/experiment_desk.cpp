@@ -31,7 +31,7 @@ Expected<void> ExperimentDesk::add(const fs::path& name) {
 }
 
 void ExperimentDesk::reload(std::size_t entry) {
-  // What is being prepared may have been read before it changed.
+  // The running job may have read the file before it changed.
   if (entries_[entry].file == at_work_) job_.give_up();
   entries_[entry].state = State::waiting;
 }
@@ -78,7 +78,7 @@ void ExperimentDesk::begin_next() {
   });
 }
 
-// The experiments after it may read what it adds, so they are added anew, too.
+// Later experiments may read what this one adds, so they are added again, too.
 std::shared_ptr<const Registry> ExperimentDesk::take(Entry& entry, Prepared prepared, const Registry& present) {
   entry.messages = std::move(prepared.messages);
   entry.seconds = prepared.seconds;
@@ -117,7 +117,7 @@ std::shared_ptr<const Registry> ExperimentDesk::take(Entry& entry, Prepared prep
 
 std::shared_ptr<const Registry> ExperimentDesk::follow(const Registry& present,
                                                        const std::function<void(const Entry&)>& on_news) {
-  // What reads a removed one goes with it, and says so when it is prepared anew.
+  // An experiment that reads a removed one leaves with it, and reports that when it is prepared again.
   std::shared_ptr<const Registry> out;
   if (!removed_.empty()) {
     auto changed = std::make_shared<Registry>(present);
@@ -127,7 +127,7 @@ std::shared_ptr<const Registry> ExperimentDesk::follow(const Registry& present,
   }
   if (auto prepared = job_.poll()) {
     const auto entry = std::ranges::find(entries_, std::exchange(at_work_, {}), &Entry::file);
-    // It may have been removed, or have changed again, in between.
+    // Meanwhile it may have been removed, or have changed again.
     if (entry != entries_.end() && entry->state == State::preparing) {
       if (auto changed = take(*entry, *std::move(prepared), out ? *out : present)) out = std::move(changed);
       on_news(*entry);

@@ -53,7 +53,7 @@ void FileWatch::look(const std::stop_token& stop) {
   while (!ends_.wait_for(lock, stop, kInterval, [] { return false; }) && !stop.stop_requested()) {
     std::vector<fs::path> files;
     for (const auto& [file, stamp] : stamps_) files.push_back(file);
-    // A file system that does not answer holds up this thread alone.
+    // Unlocked, so that a file system that does not answer blocks only this thread.
     lock.unlock();
     std::vector<std::pair<fs::path, Stamp>> found;
     for (const fs::path& file : files)

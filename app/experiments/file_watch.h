@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Says which of some files have been written.
+// Reports which of some files have been written.
 #pragma once
 
 #include <condition_variable>
@@ -13,17 +13,17 @@
 
 namespace mes {
 
-/// Looks at times and sizes 25 times a second, on a thread that there is only while there are files. A file that is away
-/// for a moment, as while an editor replaces it, has changed once it is there again.
+/// Looks at times and sizes 25 times a second, on a thread that exists only while there are files. A file that is
+/// missing for a moment, as while an editor replaces it, counts as changed once it is back.
 ///
 /// Threads: one; `wake` is called from another.
 class FileWatch {
  public:
   explicit FileWatch(std::function<void()> wake) : wake_(std::move(wake)) {}
 
-  /// Looks at these files from now on. Those that it looked at before are compared with what they were.
+  /// Watches these files from now on. Files that it watched before are compared with their former state.
   void watch(std::vector<std::filesystem::path> files);
-  /// Files that have changed since the last call.
+  /// The files that have changed since the last call.
   std::vector<std::filesystem::path> take_changed();
 
  private:
@@ -35,7 +35,7 @@ class FileWatch {
   std::condition_variable_any ends_;
   std::map<std::filesystem::path, Stamp> stamps_;
   std::vector<std::filesystem::path> changed_;
-  std::jthread thread_;  // last: it uses all of the above
+  std::jthread thread_;  // last: it uses all members above
 };
 
 }  // namespace mes

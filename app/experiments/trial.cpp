@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 
 constexpr auto kLongestTrial = std::chrono::seconds(20);
 
-// The last line is what a process says that is ended by a signal.
+// If a signal ends the process, its last line tells the user what it was doing.
 void say(const std::string& text) {
   std::fprintf(stderr, "%s\n", text.c_str());
   std::fflush(stderr);
@@ -119,7 +119,7 @@ int run_trial(const Registry& registry, const fs::path& library) {
   constexpr int kRefused = 3;
   say("loading");
   const auto loaded = ExperimentLibrary::load(library);
-  // What is wrong with it is said when the program itself loads it.
+  // The program itself reports a load error when it loads the library.
   if (!loaded) return 0;
   Registry changed = registry;
   say("adding");

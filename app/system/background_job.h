@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A call that takes long, on a thread of its own, and what came of it.
+// Runs a call that takes long on a thread of its own, and delivers its result.
 #pragma once
 
 #include <algorithm>
@@ -19,14 +19,15 @@
 
 namespace mes {
 
-/// What it guarantees:
-///  1. `begin` returns at once. The call runs on a thread of its own; `wake` is called from there when it has ended,
-///     and counts it as work until then.
-///  2. What the call returned is given once, by `poll` or `finish`. What it threw, std::bad_alloc among it, they throw
-///     in its place, and the object is as before `begin`.
-///  3. Of calls that were begun one after the other only the last is delivered: those before are given up. A call
-///     that was given up is asked to stop; others do not wait for it. What it returns or throws is destroyed on its own
-///     thread, or on another one if it had ended before: however large it is, the caller does not wait for that either.
+/// Guarantees:
+///  1. `begin` returns at once. The call runs on a thread of its own, which calls `wake` when the call has ended.
+///     Until then `wake` counts it as work.
+///  2. `poll` or `finish` deliver the result once. If the call threw, std::bad_alloc included, they throw that
+///     instead, and the object is as before `begin`.
+///  3. When several calls are begun one after the other, only the last is delivered: the earlier ones are given up. A
+///     call that is given up is asked to stop; the others do not wait for it. Its result or exception is destroyed on
+///     its own thread, or on another one if it had already ended, so that the caller never waits even for a large
+///     result.
 ///  4. The destructor asks every call to stop and waits for its end. A call that must be complete does not look at
 ///     its stop token.
 ///
@@ -35,8 +36,8 @@ namespace mes {
 ///     job.begin([file](const std::stop_token&) { return read(file); });
 ///     ... each frame: if (auto text = job.poll()) show(*text);
 ///
-/// Cost: a thread for each call. `begin` throws std::system_error when the system has none left.
-/// Threads: one for all members; the call and `wake` run on the call's.
+/// Cost: a thread for each call. `begin` throws std::system_error when the system has no thread left. Threads: all
+/// members on one thread; the call and `wake` run on the call's own.
 template <class Result>
 class BackgroundJob {
  public:
@@ -77,27 +78,27 @@ class BackgroundJob {
     auto before = Delivery::awaited;
     if (run.delivery.compare_exchange_strong(before, Delivery::unwanted)) return;
     try {
-      // The thread before is at its end, and waited for.
+      // The run's former thread has finished; the assignment joins it.
       run.thread = std::jthread([&run] { run.drop(); });
     } catch (const std::exception&) {
       run.drop();
     }
   }
 
-  /// A call that was given up has not ended yet; `wake` is called when it has.
+  /// True while a call that was given up has not ended yet; `wake` is called when it has.
   bool is_ending() const {
     return std::ranges::any_of(given_up_, [](const auto& run) { return !run->has_ended; });
   }
 
-  /// It was begun, and what came of it was not taken.
+  /// True from `begin` until the result is taken.
   bool is_under_way() const { return run_ != nullptr; }
 
-  /// What came of it can be taken.
+  /// True when the result can be taken.
   bool has_ended() const { return run_ && run_->has_ended; }
-  /// Nothing while the call runs, or when none is under way.
+  /// The result; nothing while the call runs, or when none is under way.
   std::optional<Result> poll() { return has_ended() ? finish() : std::nullopt; }
 
-  /// Waits for the call's end; nothing when none is under way.
+  /// Waits for the call's end and returns its result; nothing when none is under way.
   std::optional<Result> finish() {
     if (!run_) return std::nullopt;
     const std::unique_ptr<Run> run = std::move(run_);
@@ -111,7 +112,7 @@ class BackgroundJob {
   struct Run {
     std::atomic<bool> has_ended = false;
     std::atomic<Delivery> delivery = Delivery::awaited;
-    std::atomic<bool> is_empty = false;  // what it returned was destroyed
+    std::atomic<bool> is_empty = false;  // the result has been destroyed
     std::optional<Result> result;
     std::exception_ptr failure;
     void drop() {
@@ -119,7 +120,7 @@ class BackgroundJob {
       failure = nullptr;
       is_empty = true;
     }
-    std::jthread thread;  // last: it ends before what it writes to
+    std::jthread thread;  // last: joined before the members it writes to are destroyed
   };
 
   Waker wake_;

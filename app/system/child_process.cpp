@@ -25,10 +25,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr auto kLookInterval = std::chrono::milliseconds(30);
 constexpr auto kKillInterval = std::chrono::milliseconds(1);
-constexpr auto kPatience = std::chrono::seconds(3);  // for a child that was asked to end
+constexpr auto kPatience = std::chrono::seconds(3);  // the time a child has to end after SIGTERM
 
-/// Children that were started and not yet reaped: their numbers cannot be those of other processes. It is never
-/// destroyed: threads may outlive `main`.
+/// Children that were started and not yet reaped: until then their process ids cannot be reused. The object is never
+/// destroyed, because threads may outlive `main`.
 struct Children {
   std::timed_mutex mutex;
   bool is_closed = false;
@@ -49,7 +49,7 @@ class EndOfProcess {
   EndOfProcess(const EndOfProcess&) = delete;
   EndOfProcess& operator=(const EndOfProcess&) = delete;
 
-  /// Until the process ends, or for the time of an interval.
+  /// Waits until the process ends, at most for one interval.
   void wait() const {
     pollfd waited_for{.fd = file_, .events = POLLIN, .revents = 0};
     if (file_ < 0 || ::poll(&waited_for, 1, static_cast<int>(kLookInterval.count())) < 0)
@@ -106,7 +106,7 @@ int ChildProcess::start(const std::vector<std::string>& words, const fs::path& f
 bool ChildProcess::wait(const std::stop_token& stop, Clock::time_point until) {
   int status = 0;
   Clock::time_point asked{};
-  const EndOfProcess end(pid_);  // it is not reaped before, so the number is its own
+  const EndOfProcess end(pid_);  // not reaped yet, so the process id is still its own
   for (;;) {
     {
       const std::lock_guard lock(children().mutex);
@@ -164,7 +164,7 @@ void kill_children(Clock::time_point until) {
   if (!lock) return;
   children().is_closed = true;
   for (const pid_t pid : children().running) ::kill(pid, SIGKILL);
-  // What it has begun to write may only be removed when it cannot make it anew.
+  // Temporary files may be removed only when no child can write them again.
   for (const pid_t pid : children().running) {
     siginfo_t ended{};
     while (::waitid(P_PID, static_cast<id_t>(pid), &ended, WEXITED | WNOHANG | WNOWAIT) == 0 && ended.si_pid == 0 &&

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Another program that works for this one, and does not outlive it: the one place that starts programs. (Computations
-// in a copy of this process are in core/base/isolated.h.)
+// Another program that works for this one and does not outlive it. No other file starts programs. (Computations in a
+// copy of this process are in core/base/isolated.h.)
 #pragma once
 
 #include <sys/types.h>
@@ -14,8 +14,8 @@
 
 namespace mes {
 
-/// A program in its own folder, with its errors in a file without a name, nothing to read, and signals at their
-/// defaults. Threads: one at a time.
+/// A program that runs in its own folder, with its errors in a file without a name, nothing to read, and default
+/// signal actions. Threads: one at a time.
 class ChildProcess {
  public:
   ChildProcess() = default;
@@ -23,16 +23,16 @@ class ChildProcess {
   ChildProcess(const ChildProcess&) = delete;
   ChildProcess& operator=(const ChildProcess&) = delete;
 
-  /// Looked for on the PATH. 0 or the reason.
+  /// Starts the program, which is looked up on the PATH. Returns 0 or errno.
   int start(const std::vector<std::string>& words, const std::filesystem::path& folder);
-  /// Whether it ended well. It is asked to end when a stop is requested, and made to end when it does not or when the
-  /// time is over.
+  /// Waits, and returns whether the program ended well. A requested stop asks it to end; it is killed if it does not,
+  /// or when the time is over.
   bool wait(const std::stop_token& stop, std::chrono::steady_clock::time_point until = kNoEnd);
-  /// The signal that ended it, or 0.
+  /// The signal that killed it, or 0.
   int signal() const { return signal_; }
-  /// The last printable line it complained with.
+  /// The last printable line of its error output.
   std::string complaint();
-  /// All that it complained with.
+  /// All of its error output.
   std::string complaints();
 
  private:
@@ -46,7 +46,7 @@ class ChildProcess {
 bool is_program_on_path(const std::string& name);
 
 /// For a process that ends without destructors: kills its children and waits for their end, as far as the time
-/// allows; none is started any more.
+/// allows. No child can be started afterwards.
 void kill_children(std::chrono::steady_clock::time_point until);
 
 }  // namespace mes

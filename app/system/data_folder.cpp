@@ -8,7 +8,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Relative values are invalid by the specification and are ignored.
+// The specification calls relative values invalid, so they are ignored.
 fs::path folder(const char* variable, const char* below_home) {
   if (const char* value = std::getenv(variable); value != nullptr && value[0] == '/')
     return fs::path(value) / "mesecina";

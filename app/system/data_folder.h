@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the program keeps what it makes for itself, by the XDG base directory specification.
+// The folders for the program's own files, by the XDG base directory specification.
 #pragma once
 
 #include <filesystem>

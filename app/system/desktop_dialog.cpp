@@ -37,7 +37,7 @@ using Object = Owned<void, g_object_unref>;
 using Text = Owned<char, g_free>;
 using Value = Owned<GVariant, g_variant_unref>;
 
-/// The events of this thread alone, while it exists.
+/// An event loop for this thread alone.
 class Loop {
  public:
   Loop() : context_(g_main_context_new()) { g_main_context_push_thread_default(context_.get()); }
@@ -46,7 +46,7 @@ class Loop {
   Loop& operator=(const Loop&) = delete;
 
   void wake() const { g_main_context_wakeup(context_.get()); }
-  /// False when the time is over first, if it is limited.
+  /// Runs until `is_done`; returns false when the time, if limited, is over first.
   bool run_until(const std::function<bool()>& is_done, std::optional<Clock::time_point> end) const {
     Owned<GSource, g_source_unref> alarm;
     if (end) {
@@ -65,7 +65,7 @@ class Loop {
   Owned<GMainContext, g_main_context_unref> context_;
 };
 
-/// What a call of GIO that was begun came to.
+/// A pending call of GIO, or its result.
 struct Pending {
   Object source;
   Owned<GAsyncResult, g_object_unref> result;
@@ -86,7 +86,7 @@ class Asking {
         cancellable_(g_cancellable_new()),
         end_(Clock::now() + kLongestBeginning) {}
   ~Asking() {
-    // What was begun with addresses of this object ends before it does.
+    // Pending calls hold addresses of this object, so they must end before it does.
     g_cancellable_cancel(cancellable_.get());
     loop_.run_until([this] { return calls_ == ended_calls(); }, std::nullopt);
     if (bus_) g_dbus_connection_close_sync(bus_.get(), nullptr, nullptr);
@@ -129,7 +129,7 @@ class Asking {
                                        G_DBUS_SIGNAL_FLAGS_NONE, on_response, this, nullptr);
   }
 
-  // Listens before it asks, so that no answer is missed; the path of the answer follows from the token.
+  // Subscribes before it asks, so that no answer is missed; the path of the answer follows from the token.
   bool begin() {
     std::string sender = g_dbus_connection_get_unique_name(bus_.get()) + 1;
     std::ranges::replace(sender, '.', '_');
@@ -145,7 +145,7 @@ class Asking {
                            question_.is_saving ? "SaveFile" : "OpenFile", arguments(), G_VARIANT_TYPE("(o)"),
                            G_DBUS_CALL_FLAGS_NONE, -1, cancellable_.get(), Pending::end, &calling_);
     if (!wait_for(calling_)) {
-      // It may still come up.
+      // The dialog may still appear.
       close();
       return false;
     }
@@ -164,7 +164,7 @@ class Asking {
     g_dbus_connection_flush_sync(bus_.get(), cancellable_.get(), nullptr);
   }
 
-  // Owned by the call it is given to.
+  // The call that receives the arguments owns them.
   GVariant* arguments() const {
     GVariantBuilder options;
     g_variant_builder_init(&options, G_VARIANT_TYPE_VARDICT);
@@ -202,7 +202,7 @@ class Asking {
     static_cast<Asking*>(self)->is_portal_gone_ = now[0] == '\0';
   }
 
-  // 0: done, 1: cancelled, anything else: it failed.
+  // Code 0: done; 1: cancelled; anything else: failed.
   void take(GVariant* values) {
     if (!g_variant_is_of_type(values, G_VARIANT_TYPE("(ua{sv})"))) return;
     guint32 code = 2;
@@ -238,7 +238,7 @@ class Asking {
 
 }  // namespace
 
-// GIO would start a bus where none is named.
+// Checks first, because GIO would start a bus where none is named.
 bool may_have_desktop_dialog() {
   if (const char* const named = std::getenv("DBUS_SESSION_BUS_ADDRESS"); named != nullptr && named[0] != '\0')
     return true;

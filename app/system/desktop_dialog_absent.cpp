@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In place of desktop_dialog.cpp where GIO, which speaks D-Bus, was not found.
+// Replaces desktop_dialog.cpp where GIO, which speaks D-Bus, was not found.
 #include "app/system/desktop_dialog.h"
 
 namespace mes {

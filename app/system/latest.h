@@ -19,7 +19,7 @@ namespace mes {
 /// Whether a computation of an earlier state is finished, so that changing pictures are seen.
 enum class Outdated : std::uint8_t { finish, give_up };
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. Nothing waits: results are computed on a thread of their own, one at a time. While the state keeps changing, the
 ///     results of some of its moments are given; the next one begins when the one before has ended.
 ///  2. No state is computed twice in a row, even if it has no result.

@@ -26,7 +26,7 @@ SignalWatch::SignalWatch(std::function<void(int)> heard, std::chrono::millisecon
     struct sigaction present {};
     if (::sigaction(signal, nullptr, &present) == 0 && present.sa_handler != SIG_IGN) sigaddset(&signals_, signal);
   }
-  // How the destructor ends the watcher, whatever else is ignored.
+  // The destructor ends the watcher with SIGUSR1, whatever signals are ignored.
   sigaddset(&signals_, SIGUSR1);
   ::pthread_sigmask(SIG_BLOCK, &signals_, &mask_before_);
   thread_ = std::thread([this] { watch(); });
@@ -55,7 +55,7 @@ int SignalWatch::wait_until(Clock::time_point end) const {
 void SignalWatch::watch() {
   const int first = wait_until(Clock::time_point::max());
   if (is_over_) return;
-  // Aside, since it may wait for what the rest of the program holds: a lock, or a display that does not answer.
+  // On its own thread, since it may wait for something the program holds: a lock, or a display that does not answer.
   std::thread call;
   try {
     call = std::thread([this, first] { heard_(first); });

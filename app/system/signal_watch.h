@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SIGINT, SIGTERM and SIGHUP as calls on a thread of their own, and the end of the process within a second.
+// Turns SIGINT, SIGTERM and SIGHUP into calls on a thread of their own, and ends the process within a second.
 #pragma once
 
 #include <atomic>
@@ -10,19 +10,19 @@
 
 namespace mes {
 
-/// What it guarantees: the first such signal calls `heard`; the second, or the end of `patience` after the first,
-/// ends the process by `end_process`, whatever its other threads are doing, with exit code 128 + signal. Signals that
-/// are ignored when it is made stay ignored.
+/// Guarantees: the first such signal calls `heard`; the second, or the end of `patience` after the first, ends the
+/// process by `end_process`, whatever its other threads are doing, with exit code 128 + signal. Signals that are
+/// ignored when the object is made stay ignored.
 ///
-/// Make it before any other thread is started: they inherit that these signals are left to it. Make it the last
-/// member: `heard` may be called at once, and until the destructor returns. Make it the first and destroy it the last
-/// of what may take long to end.
+/// Make it before any other thread is started, since threads inherit the mask that leaves these signals to it. Make
+/// it the last member, since `heard` may be called at once and until the destructor returns. Make it before, and
+/// destroy it after, everything that may take long to end.
 class SignalWatch {
  public:
-  /// With what `end_process` takes, less than a second.
+  /// Together with the time of `end_process`, less than a second.
   static constexpr std::chrono::milliseconds kPatience{650};
 
-  /// Or what MESECINA_PATIENCE says, in milliseconds: for tests of what happens in order, however busy the machine is.
+  /// `kPatience`, or MESECINA_PATIENCE in milliseconds: for tests of an orderly end on a machine however busy.
   static std::chrono::milliseconds usual_patience();
 
   explicit SignalWatch(std::function<void(int)> heard, std::chrono::milliseconds patience = usual_patience());
@@ -33,7 +33,7 @@ class SignalWatch {
  private:
   void watch();
   using Clock = std::chrono::steady_clock;
-  /// The next signal; 0 when it does not come in time.
+  /// Waits for the next signal; 0 when none arrives in time.
   int wait_until(Clock::time_point end) const;
 
   std::function<void(int)> heard_;

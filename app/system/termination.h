@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SIGINT, SIGTERM and SIGHUP ask the window to end in order.
+// On SIGINT, SIGTERM or SIGHUP, asks the window to end in order.
 #pragma once
 
 #include <atomic>
@@ -9,16 +9,16 @@
 
 namespace mes {
 
-/// What it guarantees: the first such signal is noted and `wake` is called. The second ends the process at once, and
-/// so does the end of the patience of `SignalWatch`, with exit code 128 + signal: what is unsaved by then is in the
-/// journal. Signals that are ignored when it is made stay ignored.
+/// Guarantees: the first such signal is noted and `wake` is called. The second signal, or the end of the patience of
+/// `SignalWatch`, ends the process at once with exit code 128 + signal; the journal then holds the unsaved changes.
+/// Signals that are ignored when the object is made stay ignored.
 ///
-/// Make it before any other thread is started: they inherit that these signals are left to it.
+/// Make it before any other thread is started, since threads inherit the mask that leaves these signals to it.
 class Termination {
  public:
   explicit Termination(std::function<void()> wake);
 
-  /// The signal that asked for it, or 0.
+  /// The signal that asked the window to end, or 0.
   int signal() const { return signal_; }
 
  private:

@@ -11,7 +11,7 @@
 
 namespace mes {
 
-/// What it guarantees: copies wake the same loop and share one count. A default waker wakes nothing.
+/// Guarantees: copies wake the same loop and share one count. A default waker wakes nothing.
 ///
 /// Smallest use:
 ///     const Waker wake([&] { loop.wake(); });

@@ -6,7 +6,7 @@
 namespace mes {
 namespace {
 
-/// Logical pixels from an element to words beside it.
+/// Offset in logical pixels from an element to the words beside it.
 constexpr Vec2 kBeside{22.0, -22.0};
 
 }  // namespace
@@ -20,7 +20,7 @@ void AnnotateTool::press(const Pointer& pointer) {
   Pressed pressed{.at = pointer};
   pressed.annotation = context_.annotation_at ? context_.annotation_at(pointer.px) : std::nullopt;
   const Document& document = context_.editor.document();
-  // What is highlighted is there to be written about.
+  // A highlighted area without an element below is not taken: the user wants to write on it.
   if (pressed.annotation && *pressed.annotation < document.annotations()->size() &&
       (*document.annotations())[*pressed.annotation].kind == AnnotationKind::highlight &&
       !anchor_at(pointer).is_fixed())
@@ -28,7 +28,8 @@ void AnnotateTool::press(const Pointer& pointer) {
   if (pressed.annotation && *pressed.annotation < document.annotations()->size()) {
     pressed.before = (*document.annotations())[*pressed.annotation];
     const double reach = kPickRadiusPx * pointer.units_per_px;
-    // The place of words alone is where they begin; they are moved as a whole. Of a highlight its words are moved.
+    // Only anchors of shapes are ends that can be dragged. Text is moved as a whole, and of a highlight only its
+    // text.
     if (shows_without_words(pressed.before.kind) && pressed.before.kind != AnnotationKind::highlight)
       for (std::size_t i = 0; i < pressed.before.anchors.size(); ++i)
         if (distance(document.place_of(pressed.before.anchors[i]), pointer.world) <= reach) pressed.end = i;
@@ -39,7 +40,7 @@ void AnnotateTool::press(const Pointer& pointer) {
   pressed_ = std::move(pressed);
 }
 
-/// The annotation as it is with the pointer here.
+/// The annotation as it would be with the pointer here.
 Annotation AnnotateTool::moved(const Pointer& pointer) const {
   Annotation out = pressed_->before;
   if (pressed_->end) {
@@ -74,7 +75,7 @@ void AnnotateTool::end_gesture() {
   pressed_.reset();
 }
 
-/// What a click or a drag over free space makes.
+/// Makes the annotation of a click or of a drag over free space.
 void AnnotateTool::make(const Pointer& pointer) {
   const Anchor& from = pressed_->anchor;
   const bool is_on_element = !from.is_fixed();

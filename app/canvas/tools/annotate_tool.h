@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Click for text, drag from an element for text with a line to it, drag from anywhere else for an arrow; drag words
+// Click for text, drag from an element for text with a line to it, or drag from anywhere else for an arrow; drag text
 // and ends to move them.
 #pragma once
 
@@ -8,9 +8,8 @@
 
 namespace mes {
 
-/// What it guarantees: a drag of an annotation is one step of undo. A click on one chooses it on the desk, where it is
-/// written. Ends and lines are on the element under the pointer, a sample or a vertex of the Voronoi diagram, and
-/// follow it.
+/// Guarantees: a drag of an annotation is one step of undo. A click on one chooses it on the desk, where its text is
+/// edited. Ends and lines attach to the element under the pointer, a sample or a Voronoi vertex, and follow it.
 class AnnotateTool final : public Tool {
  public:
   using Tool::Tool;
@@ -31,9 +30,9 @@ class AnnotateTool final : public Tool {
  private:
   struct Pressed {
     Pointer at{};
-    Anchor anchor{};                          ///< of what is new
-    std::optional<std::size_t> annotation{};  ///< that lies there
-    std::optional<std::size_t> end{};         ///< of its anchors, the one there
+    Anchor anchor{};                          ///< the first anchor of a new annotation
+    std::optional<std::size_t> annotation{};  ///< the existing annotation under the press
+    std::optional<std::size_t> end{};         ///< index of the pressed anchor in `before`
     Annotation before{};
     bool is_dragged = false;
   };
@@ -44,7 +43,7 @@ class AnnotateTool final : public Tool {
 
   std::optional<Pressed> pressed_;
   std::optional<Pointer> now_;
-  Anchor under_pointer_;  // found once a move of the pointer: frames show it
+  Anchor under_pointer_;  // found once per move of the pointer; each frame reads it
   std::optional<std::size_t> hovered_;
 };
 

@@ -6,8 +6,8 @@
 
 namespace mes {
 
-/// What it guarantees: a ball ends on the pointer, and is one step. A click, or a drag that returns to where it
-/// began, makes nothing: a ball too small to see would only be in the way.
+/// Guarantees: a ball ends on the pointer, and is one step. A click, or a drag that returns to its start, makes
+/// nothing: a ball too small to see would only be in the way.
 class BallTool final : public Tool {
  public:
   using Tool::Tool;
@@ -29,8 +29,8 @@ class BallTool final : public Tool {
   std::string_view hint() const override { return "Press at the centre of a ball and drag to its circle"; }
 
  private:
-  std::optional<Vec2> center_;  // of the ball being drawn
-  BallId ball_;                 // once it is large enough
+  std::optional<Vec2> center_;  // centre of the ball being drawn
+  BallId ball_;                 // valid once the ball is large enough
   double radius_ = 0.0;
   std::optional<Vec2> pointer_px_;
 };

@@ -42,8 +42,8 @@ void BrushTool::press(const Pointer& pointer) {
 void BrushTool::drag(const Pointer& pointer) {
   if (!is_active()) return;
   pointer_px_ = pointer.px;
-  // A quarter of the radius from one touch to the next leaves hardly anything out at the rim.
-  // Finding the curve takes longer, and it does not matter there.
+  // When erasing, steps of a quarter of the radius leave hardly any gap at the rim. The other modes have to find the
+  // curve, which takes longer, and gaps at the rim do not matter there.
   const double share = context_.brush->mode == BrushMode::erase ? 0.25 : 0.5;
   const double step = std::max(1.0, share * context_.brush->radius_px);
   const Pointer from = last_;

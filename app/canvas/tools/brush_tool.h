@@ -7,7 +7,7 @@
 
 namespace mes {
 
-/// What it guarantees: a stroke touches all that the ring passes over, however few places of the pointer the system
+/// Guarantees: a stroke touches everything that the ring passes over, however few positions of the pointer the system
 /// reports.
 class BrushTool final : public Tool {
  public:

@@ -22,7 +22,7 @@ void InsertTool::press(const Pointer& pointer) {
 void InsertTool::drag(const Pointer& pointer) {
   if (!is_active()) return;
   pointer_px_ = pointer.px;
-  // Of a click the sample stays where it was put. It may be on a vertex, which is none any more with the sample there.
+  // After a click the sample stays where it was snapped, even on a Voronoi vertex that the new sample has destroyed.
   if (distance(pointer.px, pressed_px_) > kDragThresholdPx) pressed_snap_.reset();
   if (pressed_snap_) {
     snap_ = pressed_snap_;

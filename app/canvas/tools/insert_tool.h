@@ -27,14 +27,14 @@ class InsertTool final : public Tool {
   std::string_view hint() const override { return "Click to add a sample; keep the button down to place it"; }
 
  private:
-  /// A sample on another one would change nothing.
+  /// Excludes samples as snap targets: a sample on top of another one would change nothing.
   static Snapper::Except beside_samples(bool is_placed) {
     return {.sample = [](SampleSlot) { return true; }, .vertices = is_placed};
   }
 
   SampleId sample_;
   Vec2 pressed_px_;
-  std::optional<Snap> pressed_snap_;  ///< until the pointer moves away
+  std::optional<Snap> pressed_snap_;  ///< the snap of the press, until the pointer moves away
   std::optional<Vec2> pointer_px_;
 };
 

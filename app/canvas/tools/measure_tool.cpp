@@ -55,7 +55,7 @@ ToolFeedback MeasureTool::feedback() const {
   for (const Place& place : places_) out.measured.push_back(position_of(place));
   if (!now_) return out;
   out.hovered = sample_of(*now_);
-  // What two places measure is shown until the pointer leaves the second one.
+  // The measurement of two points is shown until the pointer leaves the second one.
   const bool is_still_there = places_.size() > 1 && position_of(*now_) == position_of(places_.back());
   if (!places_.empty() && places_.size() < kMostPlaces && !is_still_there) out.measured.push_back(position_of(*now_));
   return out;

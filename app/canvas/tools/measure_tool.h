@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Click two places, or drag from one to the other, for their distance; a third one for angle and circle.
+// Click two points, or drag from one to the other, to measure their distance; a third one adds angle and circle.
 #pragma once
 
 #include <vector>
@@ -8,8 +8,8 @@
 
 namespace mes {
 
-/// What it guarantees: nothing of the document changes. A place on a sample follows the sample, also when another
-/// tool, undo or an evolution moves it; once the sample is deleted, the place is where it was clicked. A fourth click
+/// Guarantees: the document does not change. A point on a sample follows the sample, also when another tool, undo or
+/// an evolution moves it; once the sample is deleted, the point returns to where it was clicked. A fourth click
 /// starts a new measurement.
 class MeasureTool final : public Tool {
  public:
@@ -33,15 +33,15 @@ class MeasureTool final : public Tool {
   static constexpr std::size_t kMostPlaces = 3;
   struct Place {
     Vec2 at{};
-    SampleId sample;  ///< on which it lies, if any
+    SampleId sample;  ///< the sample on which it lies, if any
   };
   Place place_at(const Pointer& pointer) const;
   SampleSlot sample_of(const Place& place) const;
   Vec2 position_of(const Place& place) const;
 
   std::vector<Place> places_;
-  std::optional<Place> now_;        // under the pointer
-  std::optional<Vec2> pressed_px_;  // where the button went down, while it is
+  std::optional<Place> now_;        // the point under the pointer
+  std::optional<Vec2> pressed_px_;  // where the button went down; empty while it is up
 };
 
 }  // namespace mes

@@ -16,7 +16,7 @@ constexpr double kRadiusPerStep = 1.1;
 constexpr double kLassoStepPx = 3.0;
 constexpr double kHandleReachPx = 8.0;
 
-// As the window shows it beside the pointer.
+// The text of a drag, as the window shows it beside the pointer.
 std::string drag_words(Handle handle, const Dragged& result) {
   if (handle == Handle::turn) return fmt::format("{:.1f} degrees", result.degrees);
   const bool is_side = result.factor.x != result.factor.y;
@@ -25,7 +25,7 @@ std::string drag_words(Handle handle, const Dragged& result) {
   return fmt::format("{}times {:.4g}", coordinate, factor);
 }
 
-// Many window managers take Alt with a click for themselves.
+// Ctrl counts as well because many window managers take Alt with a click for themselves.
 bool asks_about(Modifiers modifiers) {
   return modifiers.ctrl || modifiers.alt;
 }
@@ -98,7 +98,7 @@ void SelectTool::press(const Pointer& pointer) {
   state_ = State::pressed_thing;
   const Mode mode = mode_of(pointer.modifiers);
   was_selected_ = is_selected(pressed_);
-  // A press on something selected may begin a move of all that is, so it does not yet select this one alone.
+  // A press on a selected thing may begin a move of the whole selection, so it does not yet select this thing alone.
   if (mode != Mode::replace || !was_selected_) select_one(pressed_, mode);
 }
 
@@ -129,7 +129,7 @@ std::optional<Box2> SelectTool::frame_box() const {
   return is_shown ? context_.frame->box() : std::nullopt;
 }
 
-// What is nearer to the pointer is taken, a handle or a thing.
+// Takes the handle unless the sample or ball of the hit is nearer to the pointer.
 std::optional<Handle> SelectTool::handle_at(const Pointer& pointer, const Hit& hit) const {
   const auto box = frame_box();
   if (!box || pointer.modifiers.ctrl) return std::nullopt;
@@ -190,7 +190,7 @@ void SelectTool::drag(const Pointer& pointer) {
   if (state_ != State::moving) return;
   const Vec2 offset = snapped_offset(pointer);
   const Document& document = context_.editor.document();
-  // What was pressed lies on what it snaps to without the rounding of a difference.
+  // The pressed thing takes the snap position itself; adding an offset would round it.
   const auto target = [&](Vec2 position, bool is_pressed) {
     return is_pressed && snap_ ? snap_->place : position + offset;
   };
@@ -205,7 +205,7 @@ void SelectTool::drag(const Pointer& pointer) {
   accepted(context_.editor.move(targets_, ball_targets_, {}));
 }
 
-// What was pressed comes to lie on what it snaps to, and the rest keeps its place beside it.
+// Shifts the pressed thing onto its snap target; the rest of the selection moves by the same offset.
 Vec2 SelectTool::snapped_offset(const Pointer& pointer) {
   const Vec2 offset = pointer.world - start_.world;
   const Document& document = context_.editor.document();
@@ -237,7 +237,7 @@ void SelectTool::select_box(const Pointer& pointer) {
 }
 
 void SelectTool::select_lasso(const Pointer& pointer) {
-  // Ctrl began the lasso; with Shift it adds, as a box does.
+  // Ctrl began the lasso; with Shift the lasso adds to the selection, as a box does.
   const Mode mode = pointer.modifiers.shift ? Mode::add : Mode::replace;
   if (mode == Mode::replace) context_.editor.selection().clear();
   Box2 box;
@@ -290,7 +290,7 @@ void SelectTool::cancel() {
 bool SelectTool::wheel(const Pointer& pointer, double steps) {
   if (is_active()) return false;
   if (context_.editor.selection().ball_count() == 0) wheel_px_.reset();
-  // While the wheel is turned the circle moves away from the pointer; the turns go on meaning this ball.
+  // Turning the wheel moves the circle away from the pointer; the following turns still belong to this ball.
   const bool continues = wheel_px_.has_value();
   if (!continues) {
     const Hit hit = pick(pointer);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Click, box and lasso to select; drag a sample or a ball to move it, with the selection it belongs to; drag a handle of the
-// frame to scale, mirror or turn the selection; turn the wheel on a selected ball to change its radius.
+// Click, box or lasso to select; drag a sample or a ball to move it together with the selection it belongs to; drag a
+// handle of the frame to scale, mirror or turn the selection; turn the wheel on a selected ball to change its radius.
 #pragma once
 
 #include <utility>
@@ -10,8 +10,9 @@
 
 namespace mes {
 
-/// A ball is taken at its centre or its circle, and is in a box or a lasso when its centre is. Of a sample and a ball the nearer
-/// one is taken. All turns of the wheel until the pointer moves on are one step.
+/// A ball can be picked at its centre or its circle, and a box or lasso contains it when it contains its centre. When
+/// both a sample and a ball can be picked, the nearer one is. All turns of the wheel until the pointer moves on are
+/// one step.
 class SelectTool final : public Tool {
  public:
   using Tool::Tool;
@@ -44,7 +45,7 @@ class SelectTool final : public Tool {
   };
   enum class Mode : std::uint8_t { replace, add, remove };
   static Mode mode_of(Modifiers modifiers);
-  /// A sample, a ball, or nothing.
+  /// A sample, a ball, or nothing under the pointer.
   struct Hit {
     SampleSlot sample;
     BallSlot ball;
@@ -56,7 +57,7 @@ class SelectTool final : public Tool {
   void select(const Hit& hit, Mode mode);
   void select_one(const Hit& hit, Mode mode);
   Vec2 snapped_offset(const Pointer& pointer);
-  /// Where the selected things are now.
+  /// Notes the present positions of the selected things.
   void note_places();
   Snapper::Except beside_selection() const;
   std::optional<Box2> frame_box() const;
@@ -75,17 +76,17 @@ class SelectTool final : public Tool {
   Hit pressed_;
   bool was_selected_ = false;
   Hit hovered_;
-  std::optional<Vec2> wheel_px_;  // where the wheel is being turned on balls
-  std::vector<Vec2> lasso_;       // in the world
+  std::optional<Vec2> wheel_px_;  // pointer position while the wheel is being turned on balls
+  std::vector<Vec2> lasso_;       // corners in the world
   Vec2 lasso_px_;                 // its last corner on the canvas
   std::optional<Handle> hovered_handle_;
-  Handle handle_ = Handle::turn;  // that is held
-  Box2 handled_;                  // the box when it was pressed
+  Handle handle_ = Handle::turn;  // the handle that is held
+  Box2 handled_;                  // the box when the handle was pressed
   bool is_handle_dragged_ = false;
   std::string handle_words_;
-  std::vector<std::pair<SampleId, Vec2>> from_;  // where the moved samples were
+  std::vector<std::pair<SampleId, Vec2>> from_;  // the moved samples and their positions before
   std::vector<std::pair<BallId, Disk>> from_balls_;
-  std::vector<std::pair<SampleId, Vec2>> targets_;  // kept for their memory
+  std::vector<std::pair<SampleId, Vec2>> targets_;  // kept to reuse its memory
   std::vector<std::pair<BallId, Disk>> ball_targets_;
 };
 

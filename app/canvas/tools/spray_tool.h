@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drag to draw a stroke of samples, evenly spaced along the way of the pointer.
+// Drag to draw a stroke of samples, evenly spaced along the path of the pointer.
 #pragma once
 
 #include "app/canvas/tools/tool.h"
 
 namespace mes {
 
-/// What it guarantees: neighbouring samples of a stroke are `spray_spacing_px` apart along the polygon of the
-/// pointer's positions, however few of them the system reports.
+/// Guarantees: neighbouring samples of a stroke are `spray_spacing_px` apart along the polygon of the pointer's
+/// positions, however few of them the system reports.
 class SprayTool final : public Tool {
  public:
   using Tool::Tool;

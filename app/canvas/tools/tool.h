@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A tool turns what the pointer does on the canvas into commands.
+// A tool turns pointer events on the canvas into commands.
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@
 
 namespace mes {
 
-/// Where the pointer is. Pixels are logical, y down; the world is that of the document, y up.
+/// The position of the pointer. Pixels are logical, y down; the world is that of the document, y up.
 struct Pointer {
   Vec2 px{};
   Vec2 world{};
@@ -30,63 +30,62 @@ struct Pointer {
 
 inline constexpr BrushSettings kUsualBrush{};
 
-/// A sample, or a ball that was taken by its circle or centre.
+/// A sample, or a ball that was picked at its circle or centre.
 struct ChosenThing {
   bool is_ball = false;
-  Vec2 place{};           ///< its own, or its centre
-  double distance = 0.0;  ///< from the pointer to the sample, or to circle or centre
+  Vec2 place{};           ///< position of the sample, or centre of the ball
+  double distance = 0.0;  ///< distance from the pointer to the sample, or to the circle or centre
 };
 
-/// What a tool works with. Everything outlives the tool.
+/// The objects that a tool works with. They all outlive the tool.
 struct ToolContext {
   Editor& editor;
   AnnotationDesk& annotations;
   const double& spray_spacing_px;
-  std::function<void(const Error&)> report;         ///< a command was refused
-  std::function<void(const Pointer&)> ask_about{};  ///< what lies there, and where does it come from?
-  /// The annotation that is drawn at a place in logical pixels; nothing where none is.
+  std::function<void(const Error&)> report;         ///< called when a command is refused
+  std::function<void(const Pointer&)> ask_about{};  ///< called to ask what lies there and which computation made it
+  /// Returns the annotation drawn at a position in logical pixels, if any.
   std::function<std::optional<std::size_t>(Vec2)> annotation_at{};
-  const Snapper* snapper = nullptr;  ///< none: places are where the pointer is
+  const Snapper* snapper = nullptr;  ///< null: no snapping
   const BrushSettings* brush = &kUsualBrush;
-  const SelectionFrame* frame = nullptr;  ///< none: the selection has no handles
-  const bool* shows_frame = nullptr;      ///< with `frame`
-  /// A click there selected it alone.
+  const SelectionFrame* frame = nullptr;  ///< null: the selection has no handles
+  const bool* shows_frame = nullptr;      ///< set together with `frame`
+  /// Called when a click there has selected this thing alone.
   std::function<void(const Pointer&, const ChosenThing&)> note_chosen{};
 };
 
-/// The frame around what is selected.
+/// The frame around the selection.
 struct FrameMark {
-  Box2 box{};                     ///< around the places; the frame goes around it
-  std::optional<Handle> taken{};  ///< that a press would take, or that is held
-  std::string words{};            ///< what the drag does; empty between drags
+  Box2 box{};                     ///< bounding box of the positions; the frame is drawn around it
+  std::optional<Handle> taken{};  ///< the handle that a press would take, or that is held
+  std::string words{};            ///< effect of the drag; empty between drags
 };
 
-/// What the canvas shows of a tool besides the drawing.
+/// Additional marks that the canvas shows for a tool besides the drawing.
 struct ToolFeedback {
   SampleSlot hovered;                           ///< the sample a press would take
-  BallSlot hovered_ball;                        ///< the ball it would take; never both
+  BallSlot hovered_ball;                        ///< the ball a press would take; never set together with `hovered`
   bool asks = false;                            ///< a click would ask what lies here
   std::optional<Disk> ball;                     ///< a ball being drawn
   std::optional<Box2> box_px;                   ///< the selection box being drawn
-  std::vector<Vec2> lasso{};                    ///< in the world, being drawn around what is to be selected
+  std::vector<Vec2> lasso{};                    ///< the lasso being drawn, in the world
   std::optional<Vec2> marker_px;                ///< where a press would put a sample
   double ring_px = 0.0;                         ///< radius of a circle around the marker; 0 = none
-  std::vector<Vec2> measured{};                 ///< places in the world between which something is measured
-  std::optional<std::size_t> annotation{};      ///< that a press would take
-  std::optional<Vec2> ringed{};                 ///< the place in the world of an element that a press would be on
-  std::optional<std::pair<Vec2, Vec2>> line{};  ///< in the world, being drawn
-  std::optional<Snap> snap{};                   ///< where a place is put instead of under the pointer
+  std::vector<Vec2> measured{};                 ///< the points in the world being measured
+  std::optional<std::size_t> annotation{};      ///< the annotation a press would take
+  std::optional<Vec2> ringed{};                 ///< position in the world of the element that a press would attach to
+  std::optional<std::pair<Vec2, Vec2>> line{};  ///< the line being drawn, in the world
+  std::optional<Snap> snap{};                   ///< the snap that replaces the pointer's position
   std::optional<FrameMark> frame{};
 };
 
 enum class PointerShape : std::uint8_t { arrow, crosshair, hand };
 
-/// How near a place must be to what it snaps to, in logical pixels.
+/// The distance in logical pixels within which a position snaps.
 inline constexpr double kSnapReachPx = 8.0;
 
-/// What it guarantees: a tool holds the state of a gesture and nothing else; between gestures it holds only where the
-/// pointer last was, and what `clear` discards. A gesture is at most one step of undo. `cancel` takes it back.
-/// Threads: the window's.
+/// Guarantees: a tool holds only the state of a gesture; between gestures it holds the last position of the pointer
+/// and what `clear` discards. A gesture is at most one step of undo. `cancel` takes it back. Threads: the window's.
 class Tool {
  public:
   explicit Tool(ToolContext& context) : context_(context) {}
@@ -100,7 +99,7 @@ class Tool {
   virtual void release(const Pointer& pointer) = 0;
   virtual void cancel() = 0;
   virtual bool is_active() const = 0;
-  /// Each place that the pointer passes counts, not only where it is once a frame.
+  /// True if every position that the pointer passes counts, not only its position once per frame.
   virtual bool is_stroke() const { return false; }
   /// Discards what the tool shows between gestures; returns false if it showed nothing.
   virtual bool clear() { return false; }
@@ -112,10 +111,10 @@ class Tool {
   /// The pointer left the canvas.
   virtual void leave() = 0;
   virtual ToolFeedback feedback() const = 0;
-  /// What it measures, as an annotation; nothing for other tools, and before there are two places.
+  /// The present measurement as an annotation; nothing for other tools, and before there are two points.
   virtual std::optional<Annotation> measurement() const { return std::nullopt; }
   virtual PointerShape pointer_shape() const = 0;
-  /// What to do with it, one line for the status bar.
+  /// Instructions for the tool, one line for the status bar.
   virtual std::string_view hint() const = 0;
 
  protected:
@@ -124,7 +123,7 @@ class Tool {
     if (!result && context_.report) context_.report(result.error());
     return result.has_value();
   }
-  /// The place, or what it snaps to; Ctrl holds that off.
+  /// Returns the position, or the one it snaps to; holding Ctrl switches snapping off.
   Vec2 snapped(const Pointer& pointer, Vec2 place, const Snapper::Except& except) {
     snap_.reset();
     if (context_.snapper != nullptr && !pointer.modifiers.ctrl)
@@ -135,9 +134,9 @@ class Tool {
   std::optional<Snap> snap_;
 };
 
-/// How near the pointer must be to a sample to take it, in logical pixels.
+/// The distance in logical pixels within which the pointer takes a sample.
 inline constexpr double kPickRadiusPx = 9.0;
-/// How far the pointer moves before a click becomes a drag.
+/// The distance in logical pixels that the pointer must move before a click becomes a drag.
 inline constexpr double kDragThresholdPx = 3.0;
 
 }  // namespace mes
