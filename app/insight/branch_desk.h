@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of branches of what is shown, and the one that is chosen.
+// The branch table of the displayed document, and the chosen branch.
 //
-// What it guarantees:
-//  1. Nothing waits: the table is computed afresh on a thread of its own. It is of one state of the document and of the
-//     settings; `is_current` says whether that is the state asked for last.
-//  2. In frames in which nothing follows it, nothing is computed.
-//  3. A branch stays chosen in the next table if one there has the same two ends.
+// Guarantees:
+//  1. No call waits: the table is computed from scratch on a thread of its own. It belongs to one state of document
+//     and settings; `is_current` says whether that is the state requested last.
+//  2. Nothing is computed in frames without a call of `follow`.
+//  3. A branch stays chosen if the next table has a branch with the same two ends.
 //
 // Smallest use, once a frame:
 //     if (desk.follow(BranchDesk::State{document.revision(), settings, BranchAxis::lambda}, data)) draw(*desk.table());
 //
-// Cost: of the axis from scratch, beside the window. Threads: the window's; `wake` is called from the other.
+// Cost: the axis from scratch, beside the window. Threads: the window's; `wake` is called from the other.
 #pragma once
 
 #include <cstdint>
@@ -30,31 +30,31 @@ class BranchDesk {
   BranchDesk(LiveRegistry registry, Waker wake) : registry_(std::move(registry)), latest_(std::move(wake)) {}
 
   struct State {
-    std::uint64_t document = 0;  ///< revision
+    std::uint64_t document = 0;  ///< revision of the document
     ComputationSettings settings{};
     BranchAxis axis = BranchAxis::whole;
     bool measures_area = false;  ///< takes many times longer
     friend bool operator==(const State&, const State&) = default;
   };
-  /// Takes what is ready, and begins what is missing. `data` is called when a computation begins. True when there is
-  /// another table now.
+  /// Takes a finished table, and begins a missing one. Calls `data` when a computation begins. Returns true if the
+  /// table has changed.
   bool follow(const State& wanted, const std::function<SampleData()>& data);
-  /// Once a frame, after those who may follow: what nothing followed is given up.
+  /// Call it once per frame after all possible calls of `follow`: if there was none, the computation is given up.
   void end_frame() { latest_.end_frame(); }
 
-  /// The last one; null before the first.
+  /// The last table; null before the first.
   const BranchTable* table() const { return latest_.result().get(); }
   /// The state of the table.
   const State& state() const { return latest_.state(); }
   bool is_current() const { return latest_.is_current(); }
-  /// Why there is no table of the state followed last; empty: there is one, or it is being computed.
+  /// The reason why the state followed last has no table; empty if it has one or is being computed.
   std::string problem() const { return latest_.problem(); }
 
-  /// Row of the table.
+  /// Chosen row of the table.
   std::optional<std::size_t> chosen() const { return chosen_; }
   void choose(std::optional<std::size_t> row) { chosen_ = row; }
-  /// Chooses the branch within `reach` of a place, or no branch if there is none. False while the table is not that of
-  /// what is shown.
+  /// Chooses the branch within `reach` of a point, or none if there is none. Returns false if the table does not
+  /// match the displayed document.
   bool pick(Vec2 place, double reach);
 
  private:

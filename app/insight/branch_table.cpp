@@ -16,7 +16,7 @@
 namespace mes {
 namespace {
 
-// Each edge goes on where the one before it ended. Ends of edges at one node may differ in their last bits.
+// Each edge continues where the previous one ended. Ends of edges at one node may differ in their last bits.
 std::vector<Vec2> line_of(const AxisFilter& filter, const AxisBranch& branch) {
   std::vector<Vec2> out{branch.from.place};
   for (const EdgeSlot edge : branch.edges) {
@@ -64,7 +64,7 @@ double distance_to(const std::vector<Vec2>& line, Vec2 p) {
   return out;
 }
 
-/// A structure that gives the area and nothing else of the table.
+/// Structures that only measure the area; the rest of the table does not need them.
 bool is_measured_only(std::string_view structure) {
   return structure == "lambda-union" || structure == "angle-union" || structure == "cover-union";
 }
@@ -91,13 +91,13 @@ std::string_view name_of(BranchEndKind kind) {
   return "none";
 }
 
-// The whole axis is what a limit of 0 leaves.
+// The whole axis is the lambda axis with limit 0.
 Expected<BranchTable> branch_table_of(const Registry& registry, const SampleData& data,
                                       const ComputationSettings& settings, BranchAxis axis, JobControl& job,
                                       bool measures_area) {
   ComputationSettings chosen = settings;
   if (axis == BranchAxis::whole) chosen[Parameter::lambda_limit] = 0.0;
-  chosen[Parameter::a_scale] = 1.0;  // shares are of the balls as they are
+  chosen[Parameter::a_scale] = 1.0;  // shares refer to the unscaled balls
   Workbench bench(registry, {.keeps_document = false});
   const auto& lambda = bench.get<LambdaAxis>();
   const auto& angle = bench.get<AngleAxis>();

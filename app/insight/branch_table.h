@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The branches of an axis as a table: computed from samples, filtered, sorted, and written as CSV.
+// A table of the branches of an axis: computed from samples, filtered, sorted, and written as CSV.
 #pragma once
 
 #include <array>
@@ -19,13 +19,13 @@ namespace mes {
 
 class Registry;
 
-/// What of the one-step axis has the branches.
+/// The part of the one-step axis whose branches are listed.
 enum class BranchAxis : std::uint8_t { whole, lambda, angle, cover };
 inline constexpr std::array kBranchAxes{BranchAxis::whole, BranchAxis::lambda, BranchAxis::angle, BranchAxis::cover};
-/// Id of its layer.
+/// Id of the axis's layer.
 std::string_view layer_of(BranchAxis axis);
 
-/// A number that holds for a part of the axis of some length.
+/// A number that is valid along a length of the axis.
 struct AxisShare {
   double value = 0.0;
   double length = 0.0;
@@ -33,35 +33,35 @@ struct AxisShare {
 
 struct BranchTable {
   std::vector<AxisBranch> branches;      ///< in the order of `branches_of`, which numbers them from 1
-  std::vector<std::vector<Vec2>> lines;  ///< of each branch: its places from end to end; one place: a point
-  std::string reason;                    ///< why there is none
-  double length = 0.0;                   ///< of all together
-  std::int64_t components = 0;           ///< of what is kept
+  std::vector<std::vector<Vec2>> lines;  ///< points of each branch from end to end; a single point: an isolated point
+  std::string reason;                    ///< why there is no axis
+  double length = 0.0;                   ///< total length of all branches
+  std::int64_t components = 0;           ///< components of the filtered axis
   std::int64_t cycles = 0;
-  /// The union of the balls along it was asked for, and is measured unless `area_problem` says why not.
+  /// Asked to measure the union of the balls along the axis; it is measured unless `area_problem` has a reason.
   bool measures_area = false;
   std::string area_problem;
-  double area = 0.0;            ///< of that union
-  double share_of_shape = 0.0;  ///< how much of the shape it holds (`KeptUnion`); 0: there is none
-  /// Of the whole axis, edge by edge, whatever the filter leaves.
+  double area = 0.0;            ///< area of that union
+  double share_of_shape = 0.0;  ///< the part of the shape that it holds (`KeptUnion`); 0: no share
+  /// Shares of the whole axis, edge by edge, regardless of the filter.
   std::vector<AxisShare> radii;
   std::vector<AxisShare> lambdas;
 };
 
-/// Throws `Cancelled`. Error: a structure failed; but where the union alone fails, the table is there without its area.
-/// Cost: of the axis from scratch; with `measures_area`, also of the union of the balls by the general pipeline, which
-/// is many times that.
+/// Throws `Cancelled`. Error: a structure failed; if only the union fails, the table is returned without its area.
+/// Cost: the axis from scratch; `measures_area` adds the union of the balls by the general pipeline, which takes many
+/// times longer.
 Expected<BranchTable> branch_table_of(const Registry& registry, const SampleData& data,
                                       const ComputationSettings& settings, BranchAxis axis, JobControl& job,
                                       bool measures_area = true);
 
-/// What is kept, in one line: "12 branches, length 3.25, 1 component, 0 cycles, 98.7 % of the shape", the last only where
+/// A summary in one line: "12 branches, length 3.25, 1 component, 0 cycles, 98.7 % of the shape", the last only if
 /// there is a share.
 std::string kept_in_words(const BranchTable& table);
 
 std::string branches_as_csv(std::span<const AxisBranch> branches);
 
-/// Columns by which a table is sorted and filtered.
+/// The columns by which a table can be sorted and filtered.
 enum class BranchColumn : std::uint8_t {
   number,
   from,
@@ -75,14 +75,14 @@ enum class BranchColumn : std::uint8_t {
 };
 inline constexpr std::size_t kBranchColumns = 9;
 std::string_view name_of(BranchEndKind kind);
-/// The cell as a number; of an end its kind.
+/// The cell as a number; for an end, the number of its kind.
 double number_in(const AxisBranch& branch, std::size_t row, BranchColumn column);
 
-/// Conditions that a row must meet, all of them: "length>2.5 lambda<1 leaf". A word is the kind of an end; the numbers are
+/// Conditions that a row must all meet: "length>2.5 lambda<1 leaf". A word is the kind of an end; the numbers are
 /// `length`, `radius` (mean), `least`, `largest`, `lambda`, `angle`, with <, >, <= or >=.
 class BranchFilter {
  public:
-  /// Error: a condition that is not one.
+  /// Error: a malformed condition.
   static Expected<BranchFilter> parse(std::string_view text);
   bool holds(const AxisBranch& branch) const;
 
@@ -98,14 +98,14 @@ class BranchFilter {
   std::vector<Condition> conditions_;
 };
 
-/// Rows that the filter leaves, sorted; equal ones by number.
+/// The rows that pass the filter, sorted; ties by number.
 std::vector<std::size_t> rows_of(const BranchTable& table, const BranchFilter& filter, BranchColumn by,
                                  bool is_descending);
 
-/// The branch whose line passes nearest to the place, if it is no farther than `reach`; otherwise the number of branches.
+/// The branch whose line is nearest to the point, if within `reach`; otherwise the number of branches.
 std::size_t branch_near(const BranchTable& table, Vec2 place, double reach);
 
-/// Lengths in equal steps of the value, from 0 to the largest.
+/// Histogram of lengths over equal steps of the value, from 0 to the largest.
 struct ShareHistogram {
   double high = 0.0;
   std::vector<double> lengths;

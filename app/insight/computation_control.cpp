@@ -11,7 +11,7 @@ void ComputationControl::follow_registry() {
   set(settings);
 }
 
-// A value that was read for an id alone becomes one of the parameter.
+// Indexing by the parameter turns a value that was read by id alone into one of the parameter.
 void ComputationControl::set(const ComputationSettings& settings) {
   settings_ = settings;
   for (const Parameter& parameter : parameters()) static_cast<void>(settings_[parameter]);

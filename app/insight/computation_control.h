@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The settings of the computation while the window is open, and a parameter that runs through its values.
+// The settings of the computation while the window is open, and a parameter that is animated through its values.
 #pragma once
 
 #include <optional>
@@ -13,18 +13,18 @@
 
 namespace mes {
 
-/// What it guarantees: the engine hears of each change of the settings, whose parameters are those of the registry; an
-/// animated parameter takes one step for each complete picture, no more than its speed allows, and has its value back at
-/// the end. Threads: the window's.
+/// Guarantees: the engine gets each change of the settings, whose parameters are those of the registry. An animated
+/// parameter takes one step per complete picture, no faster than its speed allows, and finally gets its old value
+/// back. Threads: the window's.
 class ComputationControl {
  public:
-  /// The engine outlives it.
+  /// The engine must outlive this object.
   ComputationControl(LiveRegistry registry, Engine& engine) : registry_(std::move(registry)), engine_(engine) {}
-  /// To be called when the registry was replaced. A parameter at its default has the new default, and other values are
-  /// brought into the new range. The value of a parameter that is gone is kept for when it comes back.
+  /// Call it when the registry was replaced. A parameter at its default gets the new default, and other values are
+  /// clamped to the new range. The value of a removed parameter is kept in case it returns.
   void follow_registry();
 
-  /// All parameters that the settings can have.
+  /// All parameters of the settings.
   std::span<const Parameter> parameters() const { return registry_.now().parameters(); }
 
   const ComputationSettings& settings() const { return settings_; }
@@ -32,13 +32,13 @@ class ComputationControl {
   void set(const Parameter& parameter, double value);
 
   ParameterAnimation& animation() { return animation_; }
-  /// Begins the animation. When it has come to its end, its parameter has the value of now again.
+  /// Begins the animation. At its end the parameter returns to its present value.
   void start_animation();
-  /// Ends the animation there.
+  /// Ends the animation early and restores the value.
   void give_back();
-  /// Once a frame in which the picture is complete; true when the animation took a step.
+  /// Call it once per frame in which the picture is complete; returns true when the animation took a step.
   bool advance(double now);
-  /// When the next step of the animation is due, in seconds from `now`; nothing while none runs.
+  /// Seconds from `now` until the next step of the animation; nothing while none runs.
   std::optional<double> next_due(double now) const;
 
  private:
@@ -46,8 +46,8 @@ class ComputationControl {
   Engine& engine_;
   ComputationSettings settings_{};
   ParameterAnimation animation_{};
-  double next_step_ = 0.0;  // of the animation, in seconds
-  double before_ = 0.0;     // value of its parameter before it began
+  double next_step_ = 0.0;  // time of the next step of the animation, in seconds
+  double before_ = 0.0;     // value of the animated parameter before the animation
 };
 
 }  // namespace mes

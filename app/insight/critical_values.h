@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Critical values of the distance to the samples on the axis, at which the lambda axis may change its topology.
+// Critical values of the distance to the samples on the axis, where the lambda axis may change its topology.
 #pragma once
 
 #include <cstdint>
@@ -14,23 +14,23 @@
 
 namespace mes {
 
-/// Ascending, each once (`LambdaAxis::critical_values`); the first is the estimate of the weak feature size. Throws
-/// `Cancelled`. Error: a structure failed. Cost: of the axis from scratch.
+/// The critical values, ascending and distinct (`LambdaAxis::critical_values`); the first is the estimate of the weak
+/// feature size. Throws `Cancelled`. Error: a structure failed. Cost: the axis from scratch.
 Expected<std::vector<double>> critical_values_of(const Registry& registry, const SampleData& data, JobControl& job);
 
-/// Those of the document, found on a thread of their own, one at a time, while they are looked at. Threads: the
-/// window's; `wake` is called from the other.
+/// The critical values of the document, computed on a thread of their own, one job at a time, while they are
+/// displayed. Threads: the window's; `wake` is called from the other.
 class CriticalValues {
  public:
   CriticalValues(LiveRegistry registry, Waker wake) : registry_(std::move(registry)), latest_(std::move(wake)) {}
 
-  /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
+  /// Takes finished values, and begins a missing computation. Calls `data` when a computation begins.
   void follow(std::uint64_t document, const std::function<SampleData()>& data);
-  /// Once a frame, after those who may follow: what nothing followed is given up.
+  /// Call it once per frame after all possible calls of `follow`: if there was none, the computation is given up.
   void end_frame() { latest_.end_frame(); }
-  /// Of the document followed last; null while they are not known.
+  /// The values of the document followed last; null while they are unknown.
   const std::vector<double>* values() const { return latest_.is_current() ? latest_.result().get() : nullptr; }
-  /// Why they cannot be had; empty: they can.
+  /// The reason why they are unavailable; empty if there is none.
   std::string problem() const { return latest_.problem(); }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A parameter that goes from one value to another in equal steps, one complete picture each.
+// Moves a parameter from one value to another in equal steps, with one complete picture per step.
 #pragma once
 
 #include <algorithm>
@@ -9,13 +9,13 @@
 
 namespace mes {
 
-/// Its values differ by orders of magnitude.
+/// True if the values of the parameter span orders of magnitude.
 inline bool is_wide(const Parameter& descriptor) {
   return descriptor.low > 0.0 && descriptor.high >= 1000.0 * descriptor.low;
 }
 
-/// What it guarantees: the first value is `from` and the last one `to`, to the bit; of a whole number each value is
-/// whole. Threads: none.
+/// Guarantees: the first value is exactly `from` and the last exactly `to`; a parameter of whole numbers gets only
+/// whole values. Threads: none.
 class ParameterAnimation {
  public:
   static constexpr int kMostSteps = 100'000;
@@ -24,10 +24,10 @@ class ParameterAnimation {
   double from = 0.0;
   double to = 1.0;
   int steps = 50;                  ///< [1, kMostSteps]
-  double steps_per_second = 10.0;  ///< at most; each waits for its picture
+  double steps_per_second = 10.0;  ///< upper limit; each step waits for its picture
 
-  /// A range to begin with for a parameter that has this value now: up to twice the value where magnitudes count, else
-  /// all that it can be.
+  /// Sets an initial range for a parameter with this value: up to twice the value if the parameter spans orders of
+  /// magnitude, else its whole range.
   void aim(const Parameter& at, double now) {
     parameter = at;
     from = parameter.low;
@@ -44,14 +44,14 @@ class ParameterAnimation {
   }
   void stop() { is_running_ = false; }
   bool is_running() const { return is_running_; }
-  /// 0 .. steps.
+  /// Number of the present step, from 0 to `steps`.
   int position() const { return position_; }
   double value() const {
     if (position_ == steps) return to;
     const double value = from + (to - from) * position_ / steps;
     return parameter.is_whole ? std::round(value) : value;
   }
-  /// To be called when the picture of `value` is complete; false: that was the last one.
+  /// Call it when the picture of `value` is complete; returns false if that was the last value.
   bool advance() {
     if (position_ < steps)
       ++position_;

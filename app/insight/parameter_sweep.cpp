@@ -16,8 +16,8 @@
 namespace mes {
 namespace {
 
-/// The cells of one line under their names, which are the paths of these numbers in what `compute` writes; a number that
-/// is not there is an empty cell.
+/// The cells of one line by column name: the path of the number in the output of `compute`. A missing number is an
+/// empty cell.
 using Cells = std::vector<std::pair<std::string, std::string>>;
 
 std::string cell_of(double value) {
@@ -51,7 +51,7 @@ Cells cells_of(const Registry& registry, const Workbench& bench, const std::vect
   return out;
 }
 
-/// A table whose columns become more while lines come.
+/// A table that gains columns as lines are added.
 class Lines {
  public:
   explicit Lines(std::string_view first_column) : columns_{std::string(first_column)} {}
@@ -82,7 +82,7 @@ class Lines {
 
  private:
   std::vector<std::string> columns_;
-  std::vector<std::pair<std::string, std::size_t>> lines_;  // with how many columns there were
+  std::vector<std::pair<std::string, std::size_t>> lines_;  // with the number of columns at that time
 };
 
 }  // namespace
@@ -108,7 +108,7 @@ Expected<std::string> sweep_as_csv(const Registry& registry, const ParameterSwee
 }
 
 void SweepDesk::begin(ParameterSweep sweep) {
-  // A sweep that was given up may write to the old one still.
+  // A sweep that was given up may still write to the old one.
   done_ = std::make_shared<std::atomic<double>>(0.0);
   job_.begin([registry = registry_.share(), sweep = std::move(sweep),
               done = done_](const std::stop_token& stop) -> Expected<std::string> {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Counts and measures while a parameter goes through its values, as CSV.
+// Sweeps a parameter through its values, and writes counts and measures as CSV.
 #pragma once
 
 #include <atomic>
@@ -24,18 +24,18 @@ namespace mes {
 struct ParameterSweep {
   SampleData data{};
   ComputationSettings settings{};    ///< the other parameters
-  ParameterAnimation range{};        ///< which parameter, from where to where, in how many steps
-  std::vector<LayerIndex> layers{};  ///< measured with the structures that they need
+  ParameterAnimation range{};        ///< the parameter, its range and the number of steps
+  std::vector<LayerIndex> layers{};  ///< measured together with the structures that they need
 };
 
-/// One line for each value; the columns are the numbers that `mesecina compute` gives for any of the values, in the order in
-/// which they come. A line that lacks some has empty cells there. `progress` is called with the share that is done. Throws `Cancelled`. Error:
-/// the data cannot be a document, or a layer failed. Cost: of a run from scratch, and of a change of the parameter for each
-/// further value.
+/// One line for each value. The columns are the numbers that `mesecina compute` gives for any of the values, in order
+/// of appearance; a line that lacks one has an empty cell. Calls `progress` with the finished share. Throws
+/// `Cancelled`. Error: the data cannot be a document, or a layer failed. Cost: one run from scratch, and a change of
+/// the parameter for each further value.
 Expected<std::string> sweep_as_csv(const Registry& registry, const ParameterSweep& sweep,
                                    const std::function<void(double)>& progress, JobControl& job);
 
-/// One sweep at a time, on a thread of its own. Threads: the window's; `wake` is called from the other.
+/// Runs one sweep at a time on a thread of its own. Threads: the window's; `wake` is called from the other.
 class SweepDesk {
  public:
   SweepDesk(LiveRegistry registry, Waker wake)
@@ -44,9 +44,9 @@ class SweepDesk {
   void begin(ParameterSweep sweep);
   void give_up() { job_.give_up(); }
   bool is_under_way() const { return job_.is_under_way(); }
-  /// Share that is done.
+  /// Finished share of the sweep.
   double progress() const { return done_->load(std::memory_order_relaxed); }
-  /// The table or why there is none, once.
+  /// The table, or the reason why there is none; given once.
   std::optional<Expected<std::string>> poll() { return job_.poll(); }
 
  private:

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Births and deaths of what is shown, and the class that is chosen.
+// The persistence table of the displayed document, and the chosen pair.
 //
-// What it guarantees:
-//  1. Nothing waits: the table is computed afresh on a thread of its own. It is of one state of the document;
-//     `is_current` says whether that is the one asked for last.
-//  2. In frames in which nothing follows it, nothing is computed.
-//  3. A class stays chosen in the next table if one there has the same dimension, place and edge.
+// Guarantees:
+//  1. No call waits: the table is computed from scratch on a thread of its own. It belongs to one state of the
+//     document; `is_current` says whether that is the one requested last.
+//  2. Nothing is computed in frames in which nothing calls `follow`.
+//  3. A pair stays chosen if the next table has one of the same dimension, position and edge.
 //
 // Smallest use, once a frame:
 //     desk.follow(digest_of(document, desk.growth(), settings), input);
 //     if (desk.table() != nullptr) draw(*desk.table());
 //     desk.end_frame();
 //
-// Cost: of the triangulation and its filtration from scratch, beside the window. Threads: the window's; `wake` is called
-// from the other.
+// Cost: triangulation and filtration from scratch, beside the window. Threads: the window's; `wake` is called from
+// the other.
 #pragma once
 
 #include <cstdint>
@@ -33,33 +33,33 @@ class PersistenceDesk {
  public:
   PersistenceDesk(LiveRegistry registry, Waker wake) : registry_(std::move(registry)), latest_(std::move(wake)) {}
 
-  /// What grows. The panels choose it.
+  /// The disks or balls that grow. The panels choose them.
   GrowthOf growth() const { return growth_; }
   void choose_growth(GrowthOf of) { growth_ = of; }
-  /// Takes what is ready, and begins what is missing, by `digest_of`. `input` is called when a computation begins.
+  /// Takes a finished table, and begins a missing one, by `digest_of`. Calls `input` when a computation begins.
   void follow(std::uint64_t digest, const std::function<PersistenceInput()>& input);
-  /// Those of a document.
+  /// The same for a document.
   void follow(const Document& document, const ComputationSettings& settings) {
     follow(digest_of(document, growth_, settings), [&] {
       return PersistenceInput{data_of(document), growth_, settings};
     });
   }
-  /// Since the last `end_frame`.
+  /// True if `follow` was called since the last `end_frame`.
   bool is_followed() const { return latest_.is_followed(); }
-  /// Once a frame, after those who may follow: what nothing followed is given up.
+  /// Call it once per frame after all possible calls of `follow`: if there was none, the computation is given up.
   void end_frame() { latest_.end_frame(); }
 
-  /// The last one; null before the first.
+  /// The last table; null before the first.
   const PersistenceTable* table() const { return latest_.result().get(); }
   std::shared_ptr<const PersistenceTable> shared_table() const { return latest_.result(); }
   bool is_current() const { return latest_.is_current(); }
-  /// Why there is no table of the state followed last; empty: there is one, or it is being computed.
+  /// The reason why the state followed last has no table; empty if it has one or is being computed.
   std::string problem() const { return latest_.problem(); }
 
-  /// Row of the table.
+  /// Chosen row of the table.
   std::optional<std::size_t> chosen() const { return chosen_; }
   void choose(std::optional<std::size_t> row) { chosen_ = row; }
-  /// Chooses what `row_near` finds, or nothing. False while the table is not that of what is shown.
+  /// Chooses what `row_near` finds, or nothing. Returns false if the table does not match the displayed document.
   bool pick(Vec2 place, double reach);
 
  private:

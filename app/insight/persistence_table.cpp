@@ -31,7 +31,7 @@ bool holds(const PersistenceTable::Triangle& triangle, Vec2 p) {
          cross(c[0] - c[2], p - c[2]) >= 0.0;
 }
 
-/// Places and radii of what is born and dies, by rows of some filtration.
+/// Reads positions and radii of births and deaths from the rows of some filtration.
 struct Reading {
   std::function<double(std::uint32_t rank)> radius;
   std::function<Vec2(std::size_t corner)> corner;
@@ -39,7 +39,7 @@ struct Reading {
   std::function<Vec2(std::size_t triangle)> center;
 };
 
-/// `Class` is one of a filtration; numbers of edges and triangles are those of the table.
+/// `Class` is a class of a filtration; the numbers of edges and triangles are those of the table.
 template <class Class>
 void add_rows(const std::vector<Class>& classes, const Reading& read, auto corner_of, auto edge_of, auto triangle_of,
               PersistenceTable& out) {
@@ -109,7 +109,7 @@ PersistenceTable table_of(const Delaunay& delaunay, const AlphaFiltration& filtr
       [&](const Class& one) { return number_of_face[one.face]; }, out);
   std::vector<double> radii(filtration.rank_count());
   for (std::uint32_t rank = 0; rank < radii.size(); ++rank) radii[rank] = filtration.radius(rank);
-  // These radii are rounded up to the next double, so no radius lies between one and its rounding.
+  // The radii are rounded up to the next double, so no double lies between the exact radius and its rounding.
   out.ranks_within = [radii = std::make_shared<const std::vector<double>>(std::move(radii))](double radius) {
     return static_cast<std::uint32_t>(std::ranges::upper_bound(*radii, radius) - radii->begin());
   };
@@ -164,7 +164,7 @@ std::string_view title_of(GrowthOf of) {
   return title_of(LayerGroup::union_b);
 }
 
-/// The structure that has the complex of what grows.
+/// The structure that holds the complex of the growing balls.
 std::string_view complex_of(GrowthOf of) {
   constexpr std::array<std::string_view, kGrowths.size()> kComplexes{"alpha-complex", "a-grown-complex",
                                                                      "p-grown-complex", "b-grown-complex"};
@@ -212,7 +212,7 @@ Expected<PersistenceTable> persistence_table_of(const Registry& registry, const 
   return table_of(bench.get<Delaunay>(), bench.get<AlphaFiltration>());
 }
 
-// The hole is what can be reached from its last triangle without passing edges that are there when it is closed.
+// The hole is the set of triangles reachable from its last one without crossing edges that exist when it closes.
 std::vector<std::array<Vec2, 2>> outline_of(const PersistenceTable& table, const PersistenceRow& row) {
   std::vector<std::array<Vec2, 2>> out;
   if (!row.is_hole) return out;
@@ -246,7 +246,7 @@ std::optional<std::size_t> row_near(const PersistenceTable& table, Vec2 place, d
     out = i;
   };
   for (std::size_t i = 0; i < table.rows.size(); ++i) look_at(i, distance(table.rows[i].place, place));
-  // No end of an edge is nearer than the edge.
+  // Edges are searched only now: an edge is never farther than its ends and would always win.
   for (std::size_t i = 0, found = out ? 1 : 0; i < table.rows.size() && found == 0; ++i)
     if (table.rows[i].has_edge) look_at(i, distance_to_segment(table.rows[i].edge, place));
   for (std::size_t i = 0; i < table.rows.size() && !out; ++i)

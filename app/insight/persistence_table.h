@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Births and deaths of components and holes while disks about the samples grow, or the balls of a family, as a table:
-// computed from a document, looked up by place, and written as CSV.
+// A table of births and deaths of components and holes while disks about the samples, or the balls of a family, grow:
+// computed from a document, searched by position, and written as CSV.
 #pragma once
 
 #include <array>
@@ -22,65 +22,65 @@ namespace mes {
 
 class Registry;
 
-/// What grows: disks about the samples, or the balls of a family.
+/// The growing family: disks about the samples, or balls.
 enum class GrowthOf : std::uint8_t { samples, inner, polar, own };
 inline constexpr std::array kGrowths{GrowthOf::samples, GrowthOf::inner, GrowthOf::polar, GrowthOf::own};
 /// "samples", "inner", "polar", "own".
 std::string_view word_of(GrowthOf of);
 /// "Samples", "Inner balls", "Polar balls", "Own balls".
 std::string_view title_of(GrowthOf of);
-/// Of a layer of an alpha complex; nothing for other layers.
+/// The family of a layer of an alpha complex; nothing for other layers.
 std::optional<GrowthOf> growth_of(const LayerDescriptor& layer);
 
-/// What births and deaths follow from.
+/// The data that determine births and deaths.
 struct PersistenceInput {
   SampleData data{};
   GrowthOf of = GrowthOf::samples;
   ComputationSettings settings{};  ///< scales of balls, and labels of poles
 };
-/// Of what follows from it: equal for documents and settings with equal births and deaths.
+/// A digest of that data: equal for documents and settings with equal births and deaths.
 std::uint64_t digest_of(const Document& document, GrowthOf of, const ComputationSettings& settings);
 
-/// Radii of births and deaths are those of disks about samples, or the growth of balls: the radius that a ball of radius 0
-/// grows to. It is negative where balls as they are have what is born: there they would have to shrink first.
-/// A component is born at a sample or ball and dies by an edge that joins it to an older one; a hole is born with the edge that
-/// closes it and dies with the triangle that fills it.
+/// A persistence pair. Radii of births and deaths are those of disks about samples. For balls they are the growth,
+/// i.e. the radius that a ball of radius 0 grows to, which is negative where the balls would have to shrink first. A
+/// component is born at a sample or ball and dies by an edge that joins it to an older one; a hole is born with the
+/// edge that closes it and dies with the triangle that fills it.
 struct PersistenceRow {
   static constexpr std::uint32_t kNever = std::numeric_limits<std::uint32_t>::max();
 
   bool is_hole = false;
   std::uint32_t birth_rank = 0;
-  std::uint32_t death_rank = kNever;  ///< `kNever`: it stays
+  std::uint32_t death_rank = kNever;  ///< `kNever`: never dies
   double birth = 0.0;                 ///< radius
-  double death = 0.0;                 ///< radius; infinite: it stays
-  Vec2 place{};           ///< of a component its sample or ball, of a hole the centre of the circle that fills it
-  bool has_edge = false;  ///< a component that stays has none
-  std::array<Vec2, 2> edge{};     ///< joins or closes
-  std::uint32_t edge_number = 0;  ///< in the order in which edges come
-  std::uint32_t triangle = 0;     ///< of a hole: the one that fills it
+  double death = 0.0;                 ///< radius; infinite: never dies
+  Vec2 place{};           ///< sample or ball of a component, or centre of the circle that fills a hole
+  bool has_edge = false;  ///< a component that never dies has no edge
+  std::array<Vec2, 2> edge{};     ///< the edge that joins the components or closes the hole
+  std::uint32_t edge_number = 0;  ///< in filtration order
+  std::uint32_t triangle = 0;     ///< for a hole: the triangle that fills it
 
   double persistence() const { return death - birth; }
-  /// When so many ranks have come.
+  /// True if it exists once `ranks` filtration values have been reached.
   bool is_alive(std::uint32_t ranks) const { return birth_rank < ranks && ranks <= death_rank; }
 };
 
-/// Something that happens at a radius.
+/// An event at some radius.
 struct GrowthEvent {
   double radius = 0.0;
   std::uint32_t rank = 0;
 };
 
-/// Ranks number what comes at the same radius, in the order of the radii as real numbers. Radii of balls are rounded, up and
-/// by less than a part in 10^11; so what is there at a radius is for ranks to say.
+/// A rank is the index of a filtration value in the exact order of the radii. Radii of balls are rounded up, by less
+/// than a part in 10^11; so compare ranks, not radii, to find what exists at a radius.
 struct PersistenceTable {
-  std::vector<PersistenceRow> rows;  ///< the longest first
-  /// Where components are joined, holes closed and holes filled; in the order in which that happens.
+  std::vector<PersistenceRow> rows;  ///< sorted by persistence, longest first
+  /// The events that join components, close holes and fill holes, in filtration order.
   std::vector<GrowthEvent> joins, closes, fills;
-  /// How many ranks have come at a radius, exactly; it is not negative.
+  /// The exact number of filtration values up to a radius, which must not be negative.
   std::function<std::uint32_t(double radius)> ranks_within;
-  /// Of the rows.
+  /// The largest finite death of the rows.
   double largest_death = 0.0;
-  double least_birth = 0.0;  ///< not above 0
+  double least_birth = 0.0;  ///< at most 0
 
   static constexpr std::uint32_t kOutside = 0xffffffffU;
   struct Triangle {
@@ -95,11 +95,11 @@ struct PersistenceTable {
 Expected<PersistenceTable> persistence_table_of(const Registry& registry, const PersistenceInput& input,
                                                 JobControl& job);
 
-/// The edges around a hole when it is closed; none of a component.
+/// The edges around a hole when it closes; empty for a component.
 std::vector<std::array<Vec2, 2>> outline_of(const PersistenceTable& table, const PersistenceRow& row);
 
-/// The row whose sample or centre is nearest to the place, of those that are no farther than `reach`, or, where there is
-/// none, the one whose edge is; else the longest hole of those whose last triangle holds the place.
+/// The row whose sample or centre is nearest to the point, within `reach`; if there is none, the row whose edge is;
+/// else the longest hole whose last triangle contains the point.
 std::optional<std::size_t> row_near(const PersistenceTable& table, Vec2 place, double reach);
 
 /// "hole, born at 1.5, filled at 4, persistence 2.5".

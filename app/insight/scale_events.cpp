@@ -34,7 +34,7 @@ class ScaleSweep {
       try {
         look_on(whole, 1.0, range.low, kIntervalsBelow);
       } catch (const GeometryError&) {
-        // What is known of larger factors counts.
+        // Keep the events of larger factors.
       }
     }
     halve();
@@ -52,13 +52,13 @@ class ScaleSweep {
     double low = 0.0, high = 0.0;
     Topology below, above;
     double width() const { return high - low; }
-    /// Wide ones come first in a heap, of these the lowest.
+    /// Puts wide intervals first in a heap, and the lowest of equally wide ones.
     friend bool operator<(const Interval& a, const Interval& b) {
       return a.width() != b.width() ? a.width() < b.width() : a.low > b.low;
     }
   };
 
-  /// Of the scaled union: its axis has as many components, and a cycle for each hole.
+  /// The topology of the scaled union: its axis has as many components, and a cycle for each hole.
   Topology at(double factor) {
     settings_[Parameter::scale_axis_factor] = factor;
     bench_.choose(settings_);
@@ -72,14 +72,14 @@ class ScaleSweep {
     }
     return {count("components"), count("cycles")};
   }
-  /// Returns zero where the union has no such number.
+  /// Returns zero if the union has no such number.
   std::int64_t count(std::string_view key) const {
     const auto found = bench_.statistic("scale-union", key);
     return found ? std::get<std::int64_t>(*found) : 0;
   }
   bool may_go_on() const { return unions_ < kMostUnions && balls_ < kMostBalls; }
 
-  /// Equal intervals from one factor to another.
+  /// Examines equal intervals from one factor to another.
   void look_on(const Topology& there, double from, double to, int count) {
     double last = from;
     Topology before = there;
@@ -114,7 +114,7 @@ class ScaleSweep {
       try {
         there = at(middle);
       } catch (const GeometryError&) {
-        unions_ = kMostUnions;  // what is known so far counts
+        unions_ = kMostUnions;  // keep the events found so far
         intervals_.push_back(at_hand);
         continue;
       }
@@ -151,7 +151,7 @@ Expected<std::vector<ScaleEvent>> scale_events_of(const Registry& registry, cons
   bench.need({"scale-union"});
   bench.set_want_statistics(true);
   if (auto good = bench.load({.positions = data.positions}); !good) return std::unexpected(good.error());
-  // Other number types would take minutes for as many unions.
+  // Other number types would take minutes for this many unions.
   ComputationSettings fast = settings;
   fast.precision = Precision::fast;
   fast[Parameter::medial_sampling_angle] = angle_for_events(settings);
@@ -164,7 +164,7 @@ Expected<std::vector<ScaleEvent>> scale_events_of(const Registry& registry, cons
 
 void ScaleEvents::follow(std::uint64_t document, const ComputationSettings& settings,
                          const std::function<SampleData()>& data) {
-  // Nothing else makes a difference: all factors are looked at, with one number type.
+  // No other setting matters: all factors are examined, with one number type.
   State wanted{document, {}};
   wanted.settings[Parameter::medial_sampling_angle] = angle_for_events(settings);
   latest_.follow(wanted, [&] {

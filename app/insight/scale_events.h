@@ -15,7 +15,7 @@
 
 namespace mes {
 
-/// The topology just below and just above.
+/// The topology just below and just above a factor.
 struct ScaleEvent {
   double factor = 1.0;
   double within = 0.0;  ///< largest error of `factor`: 5e-4, or more if the search reached its limits
@@ -27,35 +27,36 @@ struct ScaleEvent {
   std::string words() const;
 };
 
-/// Found by halving intervals of the factor at whose ends the union differs, the widest first: from 32 equal ones between 1
-/// and 3 on, and 6 below 1. So what happens and is undone within one of these is not seen, and events nearer than a
-/// thousandth are one.
+/// Halves intervals of the factor at whose ends the union differs, the widest first. It starts with 32 equal
+/// intervals between 1 and 3, and 6 below 1, so a change that is undone within one interval is missed, and events
+/// closer than a thousandth are merged.
 ///
-/// Below 1 nothing is looked for where the union at 1 is certified: shrunk balls along an axis have the topology of that
-/// axis, which is then that of the union. Where it is not, balls of parts that are no neighbours may part as they shrink.
-/// Of these factors those are left out at which the union fails, as it does where it takes too many balls.
+/// Factors below 1 are skipped if the union at 1 is certified: shrunk balls along an axis have the topology of that
+/// axis, which is then that of the union. If it is not certified, balls of parts that are not neighbours may separate
+/// as they shrink. Factors below 1 at which the union fails, for example because it takes too many balls, are left
+/// out.
 ///
 /// Balls are sampled at 175 degrees at most; dents between them are then no deeper than a thousandth of the radius.
 ///
-/// Throws `Cancelled`. Error: a structure failed, or 39 unions are too much. Cost: at most 400 unions, and none after 4 * 10^7
-/// balls.
+/// Throws `Cancelled`. Error: a structure failed, or even 39 unions are too many. Cost: at most 400 unions, and none
+/// after 4 * 10^7 balls.
 Expected<std::vector<ScaleEvent>> scale_events_of(const Registry& registry, const SampleData& data,
                                                   const ComputationSettings& settings, JobControl& job);
 
-/// Events of the document, found on a thread of their own, one at a time, while they are looked at. Threads: the
-/// window's; `wake` is called from the other.
+/// Events of the document, found on a thread of their own, one search at a time, while they are displayed. Threads:
+/// the window's; `wake` is called from the other.
 class ScaleEvents {
  public:
   ScaleEvents(LiveRegistry registry, Waker wake)
       : registry_(std::move(registry)), latest_(std::move(wake), Outdated::give_up) {}
 
-  /// Takes what is ready, and begins what is missing. `data` is called when a computation begins.
+  /// Takes finished events, and begins a missing search. Calls `data` when a search begins.
   void follow(std::uint64_t document, const ComputationSettings& settings, const std::function<SampleData()>& data);
-  /// Once a frame, after those who may follow: what nothing followed is given up.
+  /// Call it once per frame after all possible calls of `follow`: if there was none, the computation is given up.
   void end_frame() { latest_.end_frame(); }
-  /// Of the state followed last; null while they are not known.
+  /// The events of the state followed last; null while they are unknown.
   const std::vector<ScaleEvent>* events() const { return latest_.is_current() ? latest_.result().get() : nullptr; }
-  /// Why they cannot be had; empty: they can.
+  /// The reason why they are unavailable; empty if there is none.
   std::string problem() const { return latest_.problem(); }
 
  private:

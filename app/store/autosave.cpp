@@ -34,12 +34,12 @@ std::string local_time(std::time_t when, const char* format) {
   return {text.data(), length};
 }
 
-/// Under a name that was free: nothing that was set aside before is lost. Empty: it stays where it is.
+/// Renames the file to a free name, so that no file set aside before is lost. Empty: the file could not be renamed.
 fs::path set_aside(const fs::path& file) {
   for (int twin = 1;; ++twin) {
     fs::path aside = file.string() + (twin == 1 ? ".broken" : fmt::format(".broken-{}", twin));
     if (::renameat2(AT_FDCWD, file.c_str(), AT_FDCWD, aside.c_str(), RENAME_NOREPLACE) == 0) return aside;
-    // Some file systems cannot do that in one step.
+    // Some file systems lack an atomic rename without replacement.
     if (errno == EINVAL && ::access(aside.c_str(), F_OK) != 0 && ::rename(file.c_str(), aside.c_str()) == 0)
       return aside;
     constexpr int kMostTwins = 10'000;
@@ -47,8 +47,8 @@ fs::path set_aside(const fs::path& file) {
   }
 }
 
-/// A new file that is locked. What cannot be locked would be taken by another program as left behind, so there is
-/// none then. Error: errno.
+/// Creates a new, locked file. If locking fails, no file is kept: another program would take it for left behind.
+/// Error: errno.
 std::expected<int, int> create_journal(const fs::path& folder, fs::path& file) {
   const std::string stem = fmt::format("{}-{}", local_time(std::time(nullptr), "%Y%m%d-%H%M%S"), ::getpid());
   for (int attempt = 0;; ++attempt) {
@@ -63,7 +63,7 @@ std::expected<int, int> create_journal(const fs::path& folder, fs::path& file) {
   }
 }
 
-/// Closes the descriptor.
+/// Opens a journal and closes its descriptor at the end.
 class OpenJournal {
  public:
   explicit OpenJournal(const fs::path& file)
@@ -74,7 +74,7 @@ class OpenJournal {
   OpenJournal(const OpenJournal&) = delete;
   OpenJournal& operator=(const OpenJournal&) = delete;
 
-  /// It was left behind, and no other program is asking about it.
+  /// True if the journal was left behind and no other program is offering it.
   bool is_left(const fs::path& file) const {
     return descriptor_ >= 0 && try_lock(descriptor_) == LockTry::locked && is_named(file, descriptor_);
   }
@@ -87,11 +87,11 @@ class OpenJournal {
 
 }  // namespace
 
-/// The file being written. What could not be written is kept for the next attempt.
+/// The file being written. Text that could not be written is kept for the next attempt.
 struct Autosave::Journal {
   int fd = -1;
   fs::path file;
-  int superseded_fd = -1;  // of the one before, while this one is not on the disk
+  int superseded_fd = -1;  // of the previous journal, until this one is on the disk
   fs::path superseded;
   off_t length = 0;  // up to the last whole line
   std::string unwritten;
@@ -109,7 +109,7 @@ struct Autosave::Journal {
     if (fd >= 0) ::close(fd);
     fd = -1;
   }
-  /// Stays on the disk until its successor is there.
+  /// Keeps the file on the disk until its successor is there.
   void set_aside() {
     if (fd < 0) return;
     drop_superseded();
@@ -129,7 +129,7 @@ struct Autosave::Journal {
     unwritten.clear();
     is_wanted = false;
   }
-  /// Error number, 0 when all is written.
+  /// Writes the pending text. Returns errno, or 0 when all is written.
   int put(const fs::path& folder) {
     if (!is_wanted || unwritten.empty()) return 0;
     if (fd < 0) {
@@ -146,7 +146,7 @@ struct Autosave::Journal {
       if (n < 0 && errno == EINTR) continue;
       if (n <= 0) {
         const int error = n < 0 ? errno : ENOSPC;
-        // A journal whose first line does not fit holds nothing then, instead of what cannot be read.
+        // If the first line does not fit, the journal is left empty: a part of it could not be read.
         return ::ftruncate(fd, length) == 0 ? error : errno;
       }
       done += static_cast<std::size_t>(n);
@@ -170,7 +170,7 @@ void Autosave::follow(const Editor& editor, const std::function<Session()>& head
   if (folder_.empty()) return;
   const Timeline& timeline = editor.timeline();
   Work work;
-  // The lesson stands on the first line.
+  // The first line holds the lesson.
   const bool is_renewed = timeline.generation() == generation_ && timeline.lesson_revision() != lesson_revision_;
   lesson_revision_ = timeline.lesson_revision();
   if (timeline.generation() != generation_) {
@@ -345,7 +345,7 @@ FoundWork find_left_work(const fs::path& folder, const std::stop_token& stop) {
     OpenJournal open(file);
     if (!open.is_left(file)) continue;
     const auto text = open.text(file);
-    // It may be readable another time.
+    // It may become readable later.
     if (!text) continue;
     auto journal = read_journal(*text, file.string(), &job);
     if (!journal && !text->empty()) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work that no file holds yet survives a crash.
+// Protects work that no file holds yet against a crash.
 #pragma once
 
 #include <chrono>
@@ -18,14 +18,14 @@
 
 namespace mes {
 
-/// What it guarantees:
-///  1. A second after an edit, and a fraction more, a journal in the folder has it, whatever happens to the program
-///     or to the machine after that. An edit within a gesture has to wait for the gesture's end.
-///  2. Whenever it is interrupted, the journal can be read up to the last line that was finished.
+/// Guarantees:
+///  1. A little more than a second after an edit, a journal in the folder holds it, whatever happens to the program
+///     or to the machine after that. An edit within a gesture waits for the gesture's end.
+///  2. Whenever writing is interrupted, the journal can be read up to the last complete line.
 ///  3. Nothing is written while nothing is edited. An unchanged document has no journal.
-///  4. `follow` costs as much as what is new. Writing is done by a thread of its own.
-///  5. Journals of programs that still run are not touched: each holds a lock on its own from before the moment it
-///     can be seen as left behind. Without locks no journal is kept, and a problem says so.
+///  4. `follow` takes time proportional to the new edits. A separate thread writes.
+///  5. Journals of running programs are not touched: each program locks its journal before others could take it for
+///     left behind. Where locking fails, no journal is kept, and a problem is reported.
 ///
 /// Smallest use:
 ///     Autosave autosave(default_autosave_folder(), [] {});
@@ -35,7 +35,7 @@ namespace mes {
 /// Threads: the window's; `wake` is called from the writer's.
 class Autosave {
  public:
-  /// With an empty folder it does nothing. What comes within `gather` is written together.
+  /// Does nothing if the folder is empty. Edits within `gather` are written together.
   Autosave(std::filesystem::path folder, std::function<void()> wake,
            std::chrono::milliseconds gather = std::chrono::milliseconds(1000));
   /// Leaves the journal as it is; a regular end of the program calls `discard` first.
@@ -44,20 +44,20 @@ class Autosave {
   Autosave& operator=(const Autosave&) = delete;
 
   void follow(const Editor& editor, const std::function<Session()>& head);
-  /// A file holds everything now.
+  /// Tells the autosave that a file now holds everything.
   void note_saved();
   void discard();
-  /// Why work is not protected, once.
+  /// The reason why work is not protected, given once.
   std::string take_problem();
-  /// Waits until everything given so far has been written, or could not be.
+  /// Waits until everything given so far has been written or has failed to be.
   void flush();
-  /// There is a journal, and everything given so far is in it, on the disk. If not, `wake` is called once it may be.
+  /// True if a journal on the disk holds everything given so far. If not, `wake` is called once it may be true.
   bool holds_all();
 
  private:
   struct Work {
     bool begins = false;  // a new journal
-    bool renews = false;  // the same work has another first line: a new journal takes the place of this one
+    bool renews = false;  // the first line has changed for the same work: a new journal replaces this one
     bool ends = false;    // the journal is not needed any more
     bool saved = false;
     Session head;
@@ -81,8 +81,8 @@ class Autosave {
   std::vector<Work> queue_;
   bool is_writing_ = false;
   bool hurry_ = false;
-  bool has_failed_ = false;  // what was written last is not on the disk
-  bool is_awaited_ = false;  // by `holds_all`
+  bool has_failed_ = false;  // the last write is not on the disk
+  bool is_awaited_ = false;  // `holds_all` waits for it
   std::string problem_;
   std::jthread thread_;
 };
@@ -90,7 +90,8 @@ class Autosave {
 /// $XDG_DATA_HOME/mesecina/autosave or ~/.local/share/mesecina/autosave; empty when no home folder is known.
 std::filesystem::path default_autosave_folder();
 
-/// What a program left behind that did not end in order. No other process is offered it while this lives.
+/// Work left behind by a program that did not end in order. While this object lives, no other process is offered the
+/// work.
 class LeftWork {
  public:
   LeftWork(std::filesystem::path file, int lock, Journaled journal);
@@ -100,10 +101,11 @@ class LeftWork {
 
   const Session& session() const { return *session_; }
   const std::shared_ptr<const Session>& shared_session() const { return session_; }
-  /// Of the last write, in the computer's time zone: "2026-11-21 10:15".
+  /// Time of the last write in the local time zone: "2026-11-21 10:15".
   const std::string& when() const { return when_; }
   std::size_t edits() const { return edits_; }
-  /// It is in other hands now, or not wanted. What could be read in part only is kept as a file all the same.
+  /// Deletes the journal because the work was taken over or rejected. A partly readable one is kept as a file all the
+  /// same.
   void remove();
 
  private:
@@ -117,10 +119,10 @@ class LeftWork {
 
 struct FoundWork {
   std::vector<LeftWork> works;  ///< newest first
-  std::string message;          ///< about journals that could not be read and were set aside; empty: none
+  std::string message;          ///< about unreadable journals that were set aside; empty if there are none
 };
-/// Journals without unsaved edits are removed on the way; what cannot be read is kept as `.broken`. Throws `Cancelled`
-/// when it is asked to stop; works that were found until then are found again the next time.
+/// Finds left work. Removes journals without unsaved edits, and renames unreadable ones to `.broken`. Throws
+/// `Cancelled` on a stop; the next call finds the works again.
 FoundWork find_left_work(const std::filesystem::path& folder, const std::stop_token& stop = {});
 
 }  // namespace mes

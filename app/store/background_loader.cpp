@@ -18,7 +18,7 @@ bool BackgroundLoader::follow(const BackgroundImage& image) {
   is_upright_ = image.is_upright;
   if (file_.empty())
     reading_.give_up();
-  else  // A reader cannot be stopped, only not waited for.
+  else  // The job cannot be stopped; the caller just does not wait for it.
     reading_.begin([image](const std::stop_token&) { return read_background(image); });
   return true;
 }
@@ -30,7 +30,7 @@ std::optional<BackgroundLoader::Outcome> BackgroundLoader::poll() {
 }
 
 Expected<render::Image> read_background(const BackgroundImage& picture) try {
-  // More is not seen, and would keep the window from its frames while it goes to the graphics card.
+  // More detail is invisible, and uploading it to the graphics card would block the window's frames.
   constexpr int kLongestSide = 8192;
   auto image = render::read_picture(picture.file, picture.is_upright ? PictureTurn::upright : PictureTurn::as_stored);
   if (!image) return image;
@@ -43,7 +43,7 @@ BackgroundImage placed_in(const Box2& box, BackgroundImage image, double height_
   Box2 room = box;
   if (room.is_empty()) room = {{0.0, 0.0}, {1.0, 1.0}};
   const double width = std::min(room.width(), room.height() / height_by_width);
-  // A view may be deeper or farther than anything a document can hold.
+  // Views can be deeper or farther than any document, so the numbers are clamped.
   static constexpr double kLeast = 0x1p-500;
   static constexpr double kMost = 0x1.fffffffffffffp499;
   static_assert(exponent_of(kLeast) == kLeastExponent && exponent_of(kMost) == kMostExponent);

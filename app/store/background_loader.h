@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads the picture to trace on a thread of its own.
+// Reads the picture that the user traces, on a thread of its own.
 #pragma once
 
 #include <filesystem>
@@ -15,8 +15,8 @@
 
 namespace mes {
 
-/// What it guarantees: it never waits for a file; of several asked for one after the other only the last is
-/// delivered, once. Smallest use:
+/// Guarantees: it never waits for a file; of several requests one after the other only the last is delivered, once.
+/// Smallest use:
 ///     loader.follow(layers.image().file);
 ///     if (auto outcome = loader.poll()) ...
 /// Threads: the window's; `wake` is called from the reading one.
@@ -24,10 +24,10 @@ class BackgroundLoader {
  public:
   explicit BackgroundLoader(Waker wake);
 
-  /// Begins to read if this is another file than before, or the same turned in another way, which is returned; an empty
-  /// name gives up what is being read.
+  /// Begins to read if the file or the way it is turned differs from before, and returns whether it does. An empty
+  /// name gives up the reading under way.
   bool follow(const BackgroundImage& image);
-  /// The file was read elsewhere, upright: following it begins nothing.
+  /// Notes that the file was already read elsewhere, upright, so that following it begins nothing.
   void take_as_read(const std::string& file) {
     follow({});
     file_ = file;
@@ -50,7 +50,7 @@ class BackgroundLoader {
 /// The picture of a file, reduced to what the eye and a graphics card need for tracing. Any thread.
 Expected<render::Image> read_background(const BackgroundImage& image);
 
-/// The picture as large as it can be within the box, in its middle; an empty box is the unit square.
+/// Places the picture in the middle of the box, as large as it fits; an empty box stands for the unit square.
 BackgroundImage placed_in(const Box2& box, BackgroundImage image, double height_by_width);
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bundles on disk.
+// Reads and writes bundles on disk.
 #include <fmt/core.h>
 #include <algorithm>
 #include <fstream>
@@ -23,7 +23,7 @@ std::string bytes_of(const fs::path& path) {
   return std::move(out).str();
 }
 
-/// The first name like this one that is free: nothing that was set aside before is lost.
+/// The first free name with this ending, so that no file set aside before is lost.
 fs::path free_name(const fs::path& path, const std::string& ending) {
   fs::path out = path.string() + ending;
   std::error_code error;
@@ -70,7 +70,7 @@ std::optional<std::vector<Bundle>> BundleStore::read(std::string& message) {
   if (loaded) return std::move(loaded->bundles);
   // Reading a pipe would block until it is written to.
   const std::string bytes = fs::is_regular_file(path_, error) ? bytes_of(path_) : std::string();
-  // A list that was emptied on purpose is not a fault.
+  // An empty list may be intended and is not an error.
   if (bytes == write_bundles({})) return std::vector<Bundle>{};
   const bool is_later = are_bundles_of_the_future(bytes);
   const fs::path aside = free_name(path_, is_later ? ".later" : ".broken");
@@ -87,7 +87,7 @@ std::optional<std::vector<Bundle>> BundleStore::read(std::string& message) {
 
 BundleStore::Loaded BundleStore::load(std::vector<Bundle> starting) {
   Loaded out;
-  // A file that is set aside must not be one that was mended meanwhile.
+  // Locked, so that the file that is set aside is not one that was repaired meanwhile.
   std::optional<UpdateLock> lock;
   std::error_code error;
   if (!path_.empty() && fs::exists(path_, error)) lock.emplace(path_, patience_);
@@ -112,7 +112,7 @@ Expected<BundleStore::Loaded> BundleStore::write(std::span<const Bundle> mine) {
   if (error)
     return std::unexpected(
         Error{ErrorCode::cannot_write, "cannot make the folder: " + error.message(), path_.parent_path().string()});
-  // One that was stopped while it had the lock stops no other; what such a one writes in the end is read again.
+  // A suspended process cannot hold up others for long; if it writes late, the file is read again.
   const UpdateLock lock(path_, patience_);
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     const auto read_from = fingerprint_of_file(path_);

@@ -19,7 +19,7 @@ const Bundle* find_in(std::span<const Bundle> bundles, std::string_view name) {
   return found == bundles.end() ? nullptr : &*found;
 }
 
-/// The name itself, or the first of "name (2)", "name (3)"... that is free.
+/// The name itself if it is free, else the first free one of "name (2)", "name (3)"...
 template <class IsTaken>
 std::string free_name(const std::string& name, const IsTaken& is_taken) {
   std::string out = name;
@@ -56,7 +56,7 @@ Expected<void> BundleList::save(const std::string& name, LayerConfiguration laye
   if (found == bundles_.end())
     bundles_.push_back({std::move(*checked), std::move(layers)});
   else
-    // What it was said to show may not be what it shows now.
+    // Drops the old description, which may not fit the new layers.
     *found = {std::move(*checked), std::move(layers)};
   return {};
 }

@@ -18,10 +18,10 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostColors = 4096;
 constexpr std::uintmax_t kLargestFile = 1U << 20U;
-// Maps are rows of one texture; far more than anybody chooses from.
+// Maps are rows of one texture. The limit is far more than anybody chooses from.
 constexpr std::size_t kMostMaps = 256;
 
-/// The files of a folder, by name; those that come with the program and are the best to begin with lead.
+/// The files of a folder by name, except that the program's recommended maps come first.
 std::vector<fs::path> map_files(const fs::path& folder) {
   std::vector<fs::path> out;
   std::error_code error;
@@ -83,7 +83,7 @@ Expected<render::ColorMap> read_color_map(const fs::path& file) {
     return std::unexpected(Error{ErrorCode::bad_input, std::move(text), file.string()});
   };
   std::error_code error;
-  // Also keeps pipes and devices from being waited for.
+  // The check also avoids waiting for pipes and devices.
   if (!fs::is_regular_file(file, error)) return fail("this is not a file");
   if (fs::file_size(file, error) > kLargestFile || error) return fail("far too large for a colour map");
   std::ifstream stream(file, std::ios::binary);

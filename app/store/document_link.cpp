@@ -18,7 +18,7 @@ std::unexpected<Error> refusal(std::string text) {
   return std::unexpected(Error{.code = ErrorCode::bad_input, .text = std::move(text)});
 }
 
-/// The numbers of one array; nothing unless there are `N` finite ones.
+/// The numbers of one array; nothing unless it has exactly `N` finite numbers.
 template <std::size_t N>
 std::optional<std::array<double, N>> numbers_of(const Json& values) {
   if (!values.is_array() || values.size() != N) return {};
@@ -95,7 +95,7 @@ Json as_json(const Disk& d) {
   return {d.center.x, d.center.y, d.radius};
 }
 
-/// Writes the changes that make the new list out of the old one. Elements of the new list are old ones or newer ones.
+/// Writes the changes that turn the old list into the new one. New elements have ids that the old list lacks.
 template <class Id, class Value>
 void write_difference(const std::vector<Id>& old_ids, const std::vector<Value>& old_values,
                       const std::vector<Id>& ids, const std::vector<Value>& values, const std::string& suffix,
@@ -123,7 +123,7 @@ void write_difference(const std::vector<Id>& old_ids, const std::vector<Value>& 
   if (!inserted.empty()) to["inserted" + suffix] = std::move(inserted);
 }
 
-/// The old elements that are left, in their order, and then the new ones.
+/// Orders the elements as the other side has them: the remaining old ones in their order, then the new ones.
 template <class Id, class Value>
 void put_in_agreed_order(const std::vector<Id>& old_ids, std::vector<Id>& ids, std::vector<Value>& values) {
   std::unordered_map<std::uint32_t, std::size_t> place;
@@ -148,7 +148,7 @@ void put_in_agreed_order(const std::vector<Id>& old_ids, std::vector<Id>& ids, s
   values = std::move(new_values);
 }
 
-/// Writes contours as places among the samples.
+/// Writes contours as indices of samples.
 Json as_json(const std::vector<CurveOrder::Contour>& contours, const std::vector<SampleId>& samples) {
   std::unordered_map<std::uint32_t, std::size_t> place;
   for (std::size_t i = 0; i < samples.size(); ++i) place.emplace(samples[i].value, i);
@@ -163,7 +163,7 @@ Json as_json(const std::vector<CurveOrder::Contour>& contours, const std::vector
 
 using Contours = std::vector<std::pair<bool, std::vector<std::size_t>>>;
 
-/// Reads contours, whose places have to be below the count.
+/// Reads contours, whose indices must be below the count.
 bool read_contours(const Json& lists, std::size_t count, std::optional<Contours>& out) {
   if (!lists.contains("contours")) return true;
   out.emplace();
@@ -208,7 +208,7 @@ void take_over(const DocumentLink::Settings& from, DocumentLink::Settings& to) {
   for (const auto& [id, value] : from.parameters) to.parameters[id] = value;
 }
 
-/// Removes samples for which `is_gone` holds, and contours of which nothing is left.
+/// Removes the samples for which `is_gone` holds, and contours left empty.
 template <class IsGone>
 void remove_from(std::vector<CurveOrder::Contour>& contours, IsGone is_gone) {
   for (CurveOrder::Contour& contour : contours) std::erase_if(contour.samples, is_gone);
@@ -277,7 +277,7 @@ Expected<std::string> DocumentLink::take(std::string_view line, Editor& editor, 
                      change.contours) ||
       !read_settings(json, change.settings))
     return refusal("a line of the link makes no sense");
-  // Another change came first. What is different afterwards is proposed again.
+  // Another change came first. Remaining differences are proposed again.
   proposed_.reset();
   compared_ = ~std::uint64_t{0};
   ++number_;
@@ -287,7 +287,7 @@ Expected<std::string> DocumentLink::take(std::string_view line, Editor& editor, 
   return Json{{"made", number_}}.dump();
 }
 
-// Places of elements that were removed here meanwhile are passed over.
+// Indices of elements that were removed here meanwhile are skipped.
 void DocumentLink::make(const Change& change, const std::string& name, Editor& editor) {
   const Document& document = editor.document();
   std::vector<std::pair<SampleId, Vec2>> moved;
@@ -320,7 +320,7 @@ void DocumentLink::make(const Change& change, const std::string& name, Editor& e
   std::vector<Disk> inserted_balls;
   for (const auto& p : change.inserted) inserted.push_back({p[0], p[1]});
   for (const auto& d : change.inserted_balls) inserted_balls.push_back({{d[0], d[1]}, d[2]});
-  // The other side has checked the numbers. What is refused all the same is proposed as a difference.
+  // The other side has checked the numbers. If the editor still refuses some, they are proposed as a difference.
   editor.begin_gesture(name);
   if (!removed.empty() || !removed_balls.empty()) static_cast<void>(editor.remove(removed, removed_balls, name));
   if (!moved.empty() || !moved_balls.empty()) static_cast<void>(editor.move(moved, moved_balls, name));

@@ -9,7 +9,7 @@
 namespace mes {
 namespace {
 
-/// Among the entries before `end`.
+/// Counts the edits among the entries before `end`.
 std::size_t edits_in(const TimelineLog& entries, std::size_t end) {
   std::size_t out = 0;
   for (std::size_t i = 0; i < end; ++i) out += changes_document(entries[i]) ? 1U : 0U;

@@ -23,7 +23,7 @@ bool is_session_file(const fs::path& file) {
   return lower_case_extension(file) == ".json";
 }
 
-/// However the file was named. Links are not followed: one that leads elsewhere now holds something else.
+/// One key however the file was named. Links are not followed: a link that changes its target has other contents.
 fs::path key_of(const fs::path& file) {
   std::error_code error;
   const fs::path absolute = fs::absolute(file, error);
@@ -93,7 +93,7 @@ void FileDesk::join(const Asked& asked, std::vector<LoadedFile> files, ReadFiles
     outcome.files = {outcome.file};
     outcome.left_out = asked.files.size() - 1;
     out.data = first.session->data;
-    // What is saved must not take the place of a picture, nor of what came with the program.
+    // Saving must not overwrite a picture, nor a file that comes with the program.
     if (!first.is_carried && !outcome.is_shape) out.session_file = outcome.file;
     out.sources = std::move(first.sources);
     outcome.warnings = std::move(first.warnings);
@@ -119,7 +119,7 @@ void FileDesk::join(const Asked& asked, std::vector<LoadedFile> files, ReadFiles
     }
     if (!loaded.data.balls.empty()) data.balls = std::move(loaded.data.balls);
     std::ranges::move(loaded.warnings, std::back_inserter(outcome.warnings));
-    // Other formats are read only: saving them means choosing a POFF file beside them.
+    // Other formats are read-only: saving asks for a POFF file beside them.
     if (outcome.is_shape) continue;
     if (loaded.format == "poff") out.sample_file = asked.files[i];
     if (loaded.format == "wpoff") out.ball_file = asked.files[i];
@@ -173,8 +173,9 @@ void FileDesk::note_work(Asked& asked) const {
   asked.was_modified = editor_.is_modified();
 }
 
-// So many numbers are left that what is done by hand meanwhile does not use them up, nor an evolution that moves samples.
-// One that adds samples may, and is left more of them each time, up to a number that takes longer to add than to read.
+// Leaves so many ids free that edits by hand meanwhile, or an evolution that moves samples, cannot use them up. One
+// that adds samples can, so each attempt leaves more, up to a number that takes longer to add than the file takes to
+// read.
 Document FileDesk::start() const {
   const unsigned bits = std::min(16U + 4U * attempts_, 24U);
   return successor_of(editor_.document(), {.revisions = std::uint64_t{1} << 32U, .ids = std::uint32_t{1} << bits});
@@ -210,7 +211,7 @@ std::string FileDesk::reading_name() const {
 
 double FileDesk::reading_progress() const {
   if (!is_reading()) return 0.0;
-  constexpr double kReplayed = 0.5;  // of what comes after reading
+  constexpr double kReplayed = 0.5;  // share of the work after reading
   const double read = asked_.files.empty() ? 0.0 : 0.9;
   const auto files = static_cast<double>(asked_.files.size());
   const auto part = static_cast<double>(progress_->part);
@@ -258,7 +259,7 @@ FileDesk::Outcome FileDesk::take_over(ReadFiles& read) {
   const Asked asked = std::exchange(asked_, {});
   Outcome& out = read.outcome;
   if (out.error) return std::move(out);
-  // What asks for memory comes first: either all is taken over, or nothing.
+  // Steps that allocate come first, so that either everything is taken over or nothing.
   try {
     out.samples = read.document->document().sample_count();
     out.balls = read.document->document().ball_count();
@@ -283,7 +284,7 @@ void FileDesk::drop(ReadFilesPointer read) {
       return true;
     });
   } catch (const std::exception&) {
-    // It went with the call.
+    // The failed call has already destroyed the data.
   }
 }
 
@@ -365,7 +366,7 @@ void FileDesk::overwrite(const FileConflict& conflict) {
   begin_saving(std::move(after));
 }
 
-// `after` says which files there are; of them those are written that are new, or all if none is.
+// Writes the files of `after` that are new, or all of them if none is new.
 void FileDesk::begin_saving(Held after) {
   finish_saving();
   contested_.reset();
@@ -405,7 +406,7 @@ void FileDesk::begin_saving(Held after) {
   }
   saving.after = std::move(after);
   saving_ = std::make_shared<const Saving>(std::move(saving));
-  // Complete whatever happens meanwhile: it does not look at its stop token.
+  // The write ignores its stop token, so it is always completed.
   writing_.begin([what = saving_](const std::stop_token&) { return write(*what); });
 }
 
@@ -419,7 +420,7 @@ void FileDesk::write_part(const Saving& saving, const Part& part, Written& out) 
   } else if (const auto written = write_file_atomically(part.file, text); !written) {
     out.error = written.error();
   }
-  // What went into a pipe is not there to be compared with.
+  // Only a regular file can be compared later; a pipe cannot.
   std::error_code error;
   if (out.is_good() && fs::is_regular_file(part.file, error)) out.files.push_back({part.file, fingerprint_of(text)});
 }
@@ -428,7 +429,7 @@ FileDesk::Written FileDesk::write(const Saving& saving) {
   Written out;
   const fs::path* at = nullptr;
   try {
-    // Of two files none is written while there is a question about the other.
+    // If one of two files is in conflict, neither is written.
     for (const Part& part : saving.parts) {
       at = &part.file;
       if (!part.expected || is_as_expected(part.file, *part.expected)) continue;
@@ -464,7 +465,7 @@ FileDesk::Saved FileDesk::saved(Written written) {
   const std::shared_ptr<const Saving> saving = std::move(saving_);
   Saved out{{}, std::move(written.error), std::move(written.conflict)};
   for (const Part& part : saving->parts) out.files.push_back(part.file);
-  // Something else may have been opened meanwhile.
+  // Another document may have been opened meanwhile.
   if (saving->of != editor_.timeline().data()) return out;
   if (out.conflict) contested_ = saving->after;
   if (!out.error && !out.conflict) held_ = saving->after;

@@ -23,7 +23,7 @@ bool holds_curve(const LayerDescriptor& layer) {
   return layer.data == LayerData::curve || layer.data == LayerData::curve_normals;
 }
 
-// One line a format.
+// One line per format.
 constexpr std::array<LayerTextFormat, 7> kFormats{{
     {"csv", "csv", "CSV table",
      "one primitive a line, segments without length left out; the second pair of numbers is the other end of a "

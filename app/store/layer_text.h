@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The geometry of layers as text that other programs read.
+// Writes the geometry of layers as text for other programs.
 #pragma once
 
 #include <cstdint>
@@ -18,11 +18,11 @@ namespace mes {
 
 class Registry;
 
-/// What is written.
+/// The geometry to write.
 struct LayerGeometry {
   const Registry& registry;
   std::span<const LayerIndex> layers;  ///< in drawing order
-  const LayerMirror& mirror;           ///< holds them, and the layers that `LayerTextFormat::needs` adds
+  const LayerMirror& mirror;           ///< holds these layers and those that `LayerTextFormat::needs_curve` adds
   const Document& document;
 };
 
@@ -30,34 +30,34 @@ struct LayerText {
   std::string text;
   std::uint64_t left_out = 0;  ///< rays and lines, which the format cannot hold
   std::uint64_t off_earth =
-      0;  ///< shapes of a map that reach beyond a pole or around the Earth, and are left out, too
+      0;  ///< shapes of a map that reach beyond a pole or around the Earth; also left out
 };
 
-/// A format. Numbers are in shortest round-trip form in all of them; segments of length zero are left out, as they are
-/// from the counts of `compute`. Equal geometry gives equal bytes.
+/// A format. All formats write numbers in shortest round-trip form and leave out segments of length zero, as the
+/// counts of `compute` do. Equal geometry gives equal bytes.
 struct LayerTextFormat {
-  std::string_view name;        ///< as on the command line
+  std::string_view name;        ///< its name on the command line
   std::string_view extension;   ///< of file names, without its dot
-  std::string_view title;       ///< as in a menu
+  std::string_view title;       ///< its name in menus
   std::string_view help;        ///< one line
-  bool is_of_many = false;      ///< it holds several layers at once
-  bool needs_curve = false;     ///< the layers `curve` and `curve-normals` have to be computed too
-  std::string_view contents{};  ///< what a layer needs for it: "points"; empty: any layer
+  bool is_of_many = false;      ///< holds several layers at once
+  bool needs_curve = false;     ///< needs the layers `curve` and `curve-normals` to be computed too
+  std::string_view contents{};  ///< required content of a layer, such as "points"; empty: any layer
   bool (*holds)(const LayerDescriptor& layer) = nullptr;
   LayerText (*write)(const LayerGeometry& geometry) = nullptr;
 };
 
-/// In the order in which help and menus name them.
+/// The formats in the order of help and menus.
 std::span<const LayerTextFormat> layer_text_formats();
-/// Null for any other name.
+/// The format of this name, or null.
 const LayerTextFormat* find_layer_text_format(std::string_view name);
 
-/// The columns that a primitive of this kind fills in CSV, with what they mean for it. Where a layer has several kinds, the
-/// header names the columns of one of them, and the others fill the same places.
+/// The CSV columns that a primitive of this kind fills, by their meaning for it. If a layer has several kinds, the
+/// header names the columns of one of them, and the others fill the same columns.
 std::string_view csv_columns(PrimitiveKind kind);
 
-/// Checks that the format holds these layers; `descriptors` are those of all layers. Error: `usage`, with the layer and a
-/// format that holds it.
+/// Checks that the format can hold these layers; `descriptors` are those of all layers. Error: `usage`, with the
+/// layer and a format that can hold it.
 Expected<void> check_layers(std::span<const LayerDescriptor> descriptors, const LayerTextFormat& format,
                             std::span<const LayerIndex> layers);
 

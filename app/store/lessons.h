@@ -17,19 +17,19 @@ namespace mes {
 class Registry;
 
 struct ShippedLesson {
-  std::filesystem::path file{};  ///< empty: the demo, which the program makes
-  std::string name{};            ///< of the file, without its extension
+  std::filesystem::path file{};  ///< empty: the demo, which the program generates
+  std::string name{};            ///< name of the file without its extension
   std::string title{};
 };
 
-/// As `lessons/index.json` lists them, and the demo after them; those whose file is missing are left out.
+/// The lessons in `lessons/index.json`, followed by the demo; lessons whose file is missing are left out.
 std::vector<ShippedLesson> read_shipped_lessons(const std::filesystem::path& assets);
 
-/// The demo, of the first of these shapes, with its scenes as steps of a lesson (app/playing/demo.h). Error: `bad_input`
-/// without a shape; what reading it and `demo_session` say.
+/// The demo of the first of these shapes, with its scenes as steps of a lesson (app/playing/demo.h). Error:
+/// `bad_input` if there is no shape; errors of reading it and of `demo_session`.
 Expected<Session> demo_of(const Registry& registry, std::span<const SampleShape> shapes);
 
-/// What a lesson shows. Error: its file cannot be read, or holds no session.
+/// The session of a lesson. Error: its file cannot be read, or holds no session.
 Expected<std::shared_ptr<const Session>> session_of(const Registry& registry, const ShippedLesson& lesson,
                                                     const std::filesystem::path& assets);
 

@@ -9,7 +9,7 @@
 
 namespace mes {
 
-/// The text font of the window, in the assets. Error: `bad_input` where it is missing.
+/// The window's text font, read from the assets. Error: `bad_input` if it is missing.
 Expected<FontFile> own_font(const std::filesystem::path& assets);
 
 }  // namespace mes

@@ -16,9 +16,9 @@ fs::path find_assets(const fs::path& executable) {
   if (const char* given = std::getenv("MESECINA_ASSETS"); given != nullptr && given[0] != '\0')
     candidates.emplace_back(given);
   std::error_code error;
-  // The link of the running program is right whatever name it was started by.
+  // The link of the running program is right by whatever name it was started.
   fs::path self = fs::read_symlink("/proc/self/exe", error);
-  // A bare root may be without /proc. A name without a folder was found on the PATH, where the loader knows it.
+  // A chroot may lack /proc. A name without a folder was found on the PATH, and the kernel passes the path on.
   // NOLINTNEXTLINE(performance-no-int-to-ptr): the kernel hands over the address as a number.
   if (error) self = executable.has_parent_path() ? executable : reinterpret_cast<const char*>(::getauxval(AT_EXECFN));
   self = fs::absolute(self, error);

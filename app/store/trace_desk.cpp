@@ -79,7 +79,7 @@ void TraceDesk::follow() {
   if (auto decision = deciding_.poll()) decision_ = *std::move(decision);
 }
 
-// One after the other, so that a slider that is dragged is followed.
+// One at a time, so that dragging a slider does not restart the job at every step.
 void TraceDesk::decide(const TraceRequest& request) {
   if (!preview_->whole || deciding_.is_under_way() || (decision_ && decision_->request == request)) return;
   deciding_.begin([whole = preview_->whole, request](const std::stop_token& stop) {
@@ -88,7 +88,7 @@ void TraceDesk::decide(const TraceRequest& request) {
     try {
       if (const auto counts = counts_of_tracing(*whole, request, &job)) out.counts = *counts;
     } catch (const std::bad_alloc&) {
-      // It is shown as it is.
+      // Without memory for the count, the preview stays as it is.
     }
     return out;
   });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture on its way to samples: read, looked at with its outlines, traced.
+// Turns a picture into samples: reads it, previews its outlines, traces it.
 #pragma once
 
 #include <filesystem>
@@ -17,20 +17,20 @@
 
 namespace mes {
 
-/// What can be shown of a picture while its threshold is chosen.
+/// The data shown of a picture while the user chooses its threshold.
 struct TracePreview {
-  GrayImage image{};                         ///< reduced to about a thousand pixels a side
-  double reduction = 1.0;                    ///< pixels of the file along a side of one of these
-  Histogram histogram{};                     ///< of the file
-  std::optional<Level> level{};              ///< the best; nothing: all pixels are alike
-  double specks = 0.0;                       ///< square pixels of the file, as usual for its size
-  std::shared_ptr<const GrayImage> whole{};  ///< that of the file, if this one is reduced
+  GrayImage image{};                         ///< reduced to about a thousand pixels per side
+  double reduction = 1.0;                    ///< pixels of the file per pixel of `image`, along a side
+  Histogram histogram{};                     ///< histogram of the file
+  std::optional<Level> level{};              ///< the best level; nothing if all pixels are alike
+  double specks = 0.0;                       ///< default in square pixels of the file, by its size
+  std::shared_ptr<const GrayImage> whole{};  ///< the picture of the file, if `image` is reduced
 };
 
-/// What it guarantees: it never waits for a file; outlines of the preview are computed at once, in milliseconds. Whether
-/// they are of a blurred picture, and how much, is what the whole picture needs: this is found out on another thread, and
-/// until then it is as for the request before. Outlines and specks are counted there, too, as the tracing will count them:
-/// a reduced picture has fewer specks.
+/// Guarantees: it never waits for a file; outlines of the preview are computed at once, in milliseconds. Whether and
+/// how much to blur depends on the whole picture and is found out on another thread; until then the answer of the
+/// previous request is used. That thread also counts outlines and specks as the tracing will, because a reduced
+/// picture has fewer specks.
 ///
 /// Smallest use:
 ///     desk.begin("leaf.png");
@@ -45,33 +45,33 @@ class TraceDesk {
       : registry_(std::move(registry)), reading_(wake), deciding_(wake), tracing_(std::move(wake)) {}
 
   void begin(const std::filesystem::path& file);
-  /// Forgets the picture, and gives up what is under way.
+  /// Forgets the picture, and gives up all work under way.
   void end();
   bool is_busy() const { return reading_.is_under_way() || deciding_.is_under_way() || tracing_.is_under_way(); }
   bool is_tracing() const { return tracing_.is_under_way(); }
   const std::filesystem::path& file() const { return file_; }
 
-  /// Whether the picture could be read, once; `preview` is there then.
+  /// Whether the picture could be read, given once; if so, `preview` is set.
   std::optional<Expected<void>> poll_picture();
   const TracePreview* preview() const { return preview_ ? &*preview_ : nullptr; }
-  /// A number that differs from that of every other picture.
+  /// A number unique to this picture.
   std::uint64_t preview_number() const { return number_; }
-  /// Once a turn: takes what was found out about the whole picture.
+  /// Called once per frame: takes the results for the whole picture.
   void follow();
-  /// Outlines in pixels of the preview. `request` is about the file, and says threshold and specks. Computed when it
-  /// differs from the last one.
+  /// Outlines in pixels of the preview. `request` refers to the file, and has threshold and specks. Computed when the
+  /// request differs from the last one.
   const Expected<Tracing>& outlines(const TraceRequest& request);
 
-  /// What the picture of the file has to trace and to leave out; nothing while that is being counted, or where there are no
-  /// outlines. Asked after `outlines`, it costs nothing.
+  /// The counts of outlines to trace and to leave out in the whole picture; nothing while they are being counted, or
+  /// if there are no outlines. After `outlines` the call is free.
   std::optional<TraceCounts> counts(const TraceRequest& request);
 
   void trace(const TraceRequest& request);
   struct Samples {
     SampleData data{};
-    std::string remark{};  ///< what was traced and left out
+    std::string remark{};  ///< a remark on the traced and omitted outlines
   };
-  /// Once, when tracing has ended.
+  /// The samples, given once when tracing has ended.
   std::optional<Expected<Samples>> poll_samples();
 
  private:
@@ -79,14 +79,14 @@ class TraceDesk {
   std::filesystem::path file_;
   std::optional<TracePreview> preview_;
   std::uint64_t number_ = 0;
-  /// What the whole picture needs.
+  /// The parameters that the whole picture needs.
   struct Decision {
     TraceRequest request{};
-    TraceCounts counts{};  // of the file, in its pixels
+    TraceCounts counts{};  // counts of the file, in its pixels
   };
   void decide(const TraceRequest& request);
   std::optional<Decision> decision_;
-  /// What was asked of the preview.
+  /// The last request for the preview and its outlines.
   struct Traced {
     TraceRequest request{};
     std::optional<double> blur{};

@@ -23,7 +23,7 @@ void append_values(std::string& out, std::span<const double> values) {
   }
 }
 
-/// One row without scalar; arcs by angle in radians, a0 <= a1.
+/// Appends one row without its scalar; arcs have angles in radians, a0 <= a1.
 void append_coordinates(std::string& out, PrimitiveKind kind, std::span<const double> values) {
   if (kind != PrimitiveKind::arc) {
     append_values(out, values);

@@ -27,7 +27,7 @@ void append_list(std::string& out, std::span<const Vec2> corners, std::string_vi
   }
 }
 
-// A scalar may be infinite, which JSON cannot say.
+// A scalar may be infinite, for which JSON has no number.
 void append_json_number(std::string& out, double x) {
   if (std::isfinite(x))
     append_number(out, x);
@@ -35,10 +35,10 @@ void append_json_number(std::string& out, double x) {
     out += "null";
 }
 
-/// What is written of a shape: in the plane one part with its corners.
+/// The written parts of a shape; in the plane it is one part with its corners.
 using Parts = std::vector<std::vector<Vec2>>;
 
-/// In degrees where the plane is one of a map. A shape that is nowhere on the Earth is left out.
+/// Calls `use` for each shape, in degrees if the plane is that of a map. Shapes not on the Earth are left out.
 template <class Use>
 void for_each_shape(const LayerGeometry& geometry, LayerText& out, Use use) {
   const std::optional<MapPlane>& map = geometry.document.map();
@@ -127,7 +127,7 @@ void append_wkt(std::string& out, StraightKind kind, const Parts& parts, bool is
 LayerText geojson_of(const LayerGeometry& geometry) {
   const std::optional<MapPlane>& map = geometry.document.map();
   LayerText out{R"({"type":"FeatureCollection",)"};
-  // Readers that follow RFC 7946 pass it over; without it features of this program lie in the plane.
+  // Readers that follow RFC 7946 ignore the member; without it this program reads features as lying in the plane.
   if (map) out.text += R"("crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}},)";
   out.text += R"("features":[)";
   bool is_first = true;

@@ -39,7 +39,7 @@ struct Before {
 };
 using Normals = std::map<Vec2, Vec2, Before>;
 
-// The layer of normals draws each as a segment that begins at its sample.
+// The layer of normals draws each normal as a segment that begins at its sample.
 Normals normals_in(const LayerGeometry& geometry) {
   Normals out;
   const std::span<const double> segments = geometry.mirror.instances(
@@ -70,7 +70,7 @@ LayerText wpoff_of(const LayerGeometry& geometry) {
 LayerText poff_of(const LayerGeometry& geometry) {
   const LayerIndex layer = geometry.layers.front();
   const LayerDescriptor& descriptor = geometry.registry.layers()[layer];
-  // In input order and with the curve order that came with them.
+  // Keeps the input order and the curve order of the input.
   if (descriptor.data == LayerData::samples) return {write_poff(geometry.document)};
   if (!emits(descriptor, PrimitiveKind::point)) {
     const SegmentChains found = chains_of(geometry.mirror.instances(layer, PrimitiveKind::segment));

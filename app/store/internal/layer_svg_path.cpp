@@ -18,13 +18,13 @@ class PathText {
   void line_to(Vec2 p) { place(" L", p); }
   void close() { out_ += " Z"; }
   void end() { out_ += '\n'; }
-  /// A dot where caps are round.
+  /// Draws a dot, if caps are round.
   void dot(Vec2 p) {
     move_to(p);
     out_ += " h0";
     end();
   }
-  /// Counter-clockwise in the plane, which is against the angle of SVG.
+  /// Draws an arc, counter-clockwise in the plane, which is against the angle of SVG.
   void arc_to(double radius, bool is_large, Vec2 p) {
     out_ += " A";
     number(radius);

@@ -8,10 +8,10 @@
 
 namespace mes {
 
-/// Sides of a whole turn: the polygon stays within a thousandth of the radius of the circle.
+/// Sides per turn: the polygon stays within a thousandth of the radius of the circle.
 inline constexpr int kSidesOfTurn = 96;
 
-/// Corners along the arc, from end to end, counter-clockwise; of a whole turn the first is repeated.
+/// Corners along the arc, from end to end, counter-clockwise; for a whole turn the first one is repeated.
 inline std::vector<Vec2> corners_of(const Arc& arc) {
   const double sweep = sweep_of(arc);
   const int sides = std::max(1, static_cast<int>(std::ceil(sweep / (2.0 * std::numbers::pi) * kSidesOfTurn)));

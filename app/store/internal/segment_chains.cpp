@@ -10,7 +10,7 @@
 namespace mes {
 namespace {
 
-/// Points by number of first appearance, and the edges between them.
+/// Points numbered by first appearance, and the edges between them.
 struct PointGraph {
   std::vector<Vec2> points;
   std::vector<std::array<std::uint32_t, 2>> edges;
@@ -39,7 +39,7 @@ PointGraph graph_of(std::span<const double> segments) {
   return graph;
 }
 
-/// Maximal chains between points that do not have exactly two edges, then the closed ones that are left.
+/// Finds maximal chains between points that do not have exactly two edges, then the remaining closed ones.
 class ChainFinder {
  public:
   explicit ChainFinder(const PointGraph& graph) : graph_(graph), at_(graph.points.size()), used_(graph.edges.size()) {

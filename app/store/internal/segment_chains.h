@@ -10,22 +10,22 @@
 
 namespace mes {
 
-/// A chain of points by number; of a closed one the first is not repeated.
+/// A chain of numbered points; a closed one does not repeat its first point.
 struct SegmentChain {
   bool closed = false;
   std::vector<std::uint32_t> points;
-  std::vector<std::uint32_t> segments;  ///< by number among the instances: segments[i] joins points[i] and the next
+  std::vector<std::uint32_t> segments;  ///< numbers of the instances: segments[i] joins points[i] and the next
 };
 
-/// What it guarantees: points are numbered by first appearance; equal ends of segments are one point. Each segment of
-/// positive length is in one chain. Chains lead from one point that has not just two segments to the next; what is left
-/// then is closed.
+/// Guarantees: points are numbered by first appearance; equal ends of segments are one point. Each segment of
+/// positive length is in one chain. A chain joins two points that do not have exactly two segments; the remaining
+/// chains are closed.
 struct SegmentChains {
   std::vector<Vec2> points;
   std::vector<SegmentChain> chains;
 };
 
-/// Segments as in patches. O(n log n).
+/// Takes segments as patches have them. O(n log n).
 SegmentChains chains_of(std::span<const double> segments);
 
 }  // namespace mes

@@ -19,7 +19,7 @@ Vec2 crossing(Vec2 from, Vec2 to, double longitude) {
   return {longitude, from.y + t * (to.y - from.y)};
 }
 
-/// Where a side goes through the meridian, and does not end on it, a corner is added.
+/// Adds a corner where a side crosses the meridian without ending on it.
 template <class Use>
 void for_each_with_crossings(const Corners& corners, double longitude, Use use) {
   for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -29,14 +29,14 @@ void for_each_with_crossings(const Corners& corners, double longitude, Use use) 
   }
 }
 
-/// The chain, in pieces that lie on one side each.
+/// Cuts the chain into pieces that each lie on one side.
 std::vector<Corners> cut_chain(const Corners& corners, double longitude) {
   std::vector<Corners> out(1);
   double side = 0.0;
   for_each_with_crossings(corners, longitude, [&](Vec2 p) {
     const double here = p.x - longitude;
     if (here * side < 0.0) {
-      // The corner before lies on the meridian.
+      // The previous corner lies on the meridian.
       const Vec2 on = out.back().back();
       out.push_back({on});
     }
@@ -46,8 +46,8 @@ std::vector<Corners> cut_chain(const Corners& corners, double longitude) {
   return out;
 }
 
-/// What of the ring lies on one side, `sign` times east of the meridian. A ring that goes back and forth through it is
-/// one that touches itself there.
+/// The part of the ring on one side, `sign` times east of the meridian. A ring that crosses it several times gives a
+/// ring that touches itself there.
 Corners cut_ring(const Corners& corners, double longitude, double sign) {
   Corners out;
   for_each_with_crossings(corners, longitude, [&](Vec2 p) {
@@ -69,7 +69,7 @@ std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const 
   Corners corners;
   corners.reserve(shape.corners.size());
   for (const Vec2 p : shape.corners) corners.push_back(map.degrees_of(p));
-  // Coordinates that were kept as degrees may lie beyond the poles: such a shape is not written as a place on the Earth.
+  // Degrees that were kept as coordinates may lie beyond the poles; such a shape is not on the Earth.
   const auto is_beyond = [](Vec2 p) { return !(std::abs(p.y) <= kPole) || !std::isfinite(p.x); };
   if (corners.empty() || std::ranges::any_of(corners, is_beyond)) return {};
   const auto [low, high] = std::ranges::minmax(corners, {}, &Vec2::x);
@@ -77,7 +77,7 @@ std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const 
   const double turns = std::ceil((high.x - kHalfTurn) / kTurn);
   if (turns != 0.0) shift(corners, -kTurn * turns);
   if (low.x - kTurn * turns >= -kHalfTurn) return {std::move(corners)};
-  // Now it reaches from west of -180 degrees to at most 180.
+  // The shape now reaches from west of -180 degrees to at most 180.
   std::vector<Corners> out;
   if (shape.kind == StraightKind::polygon)
     out = {cut_ring(corners, -kHalfTurn, 1.0), cut_ring(corners, -kHalfTurn, -1.0)};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes of the plane of a map as shapes in longitude and latitude.
+// Converts shapes in the plane of a map to longitude and latitude.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace mes {
 
-/// Longitudes from -180 to 180 and latitudes from -90 to 90: a shape across the 180th meridian is cut there, as RFC 7946
-/// (3.1.9) wants it, so it may be several chains or polygons. None for a shape that reaches beyond a pole, or all around
-/// the Earth. O(corners).
+/// Longitudes are from -180 to 180 and latitudes from -90 to 90: a shape across the 180th meridian is cut there, as
+/// RFC 7946 (3.1.9) requires, and may become several chains or polygons. Returns none for a shape that reaches beyond
+/// a pole or all around the Earth. O(corners).
 std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const MapPlane& map);
 
 }  // namespace mes

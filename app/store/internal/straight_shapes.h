@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The instances of a layer as points, chains and polygons.
+// Converts the instances of a layer to points, chains and polygons.
 #pragma once
 
 #include <optional>
@@ -16,14 +16,14 @@ enum class StraightKind : std::uint8_t { point, chain, polygon };
 struct StraightShape {
   StraightKind kind = StraightKind::point;
   PrimitiveKind of = PrimitiveKind::point;
-  std::vector<Vec2> corners;     ///< of a polygon counter-clockwise, and the first is repeated
-  std::optional<Disk> circle{};  ///< what it stands for
+  std::vector<Vec2> corners;     ///< for a polygon counter-clockwise, with the first repeated
+  std::optional<Disk> circle{};  ///< the circle that the shape approximates
   std::optional<double> scalar{};
-  std::vector<double> scalars{};  ///< of the sides of a chain of segments, where its layer has scalars
+  std::vector<double> scalars{};  ///< one per side of a chain of segments, if its layer has scalars
 };
 
-/// All shapes of a layer, with segments joined to chains; a closed chain ends where it begins. Rays and lines are counted
-/// in `left_out`.
+/// All shapes of a layer, with segments joined into chains; a closed chain ends at its first point. Rays and lines
+/// are counted in `left_out`.
 std::vector<StraightShape> straight_shapes_of(const LayerGeometry& geometry, LayerIndex layer,
                                               std::uint64_t& left_out);
 
