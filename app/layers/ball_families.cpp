@@ -10,7 +10,7 @@ using Entry = LayerConfiguration::Entry;
 
 using Descriptors = std::span<const LayerDescriptor>;
 
-/// Null: there is none with that id.
+/// Null if no layer has this id.
 const LayerDescriptor* descriptor_of(Descriptors descriptors, std::string_view id) {
   const LayerIndex layer = find_layer(descriptors, id);
   return layer == kNoLayer ? nullptr : &descriptors[layer];
@@ -20,12 +20,12 @@ std::optional<FamilyKind> family_of_layer(const LayerDescriptor* layer) {
   return layer == nullptr ? std::nullopt : family_of(*layer);
 }
 
-// Own balls as they are drawn by hand: shown beside the union of any family.
+// True for own balls as drawn by hand, which are shown beside the union of any family.
 bool is_plain(const LayerDescriptor& layer) {
   return layer.structures.size() == 1 && layer.structures.front() == "scaled-balls";
 }
 
-/// The layer that shows the same of another family, as "a-v-points" and "b-v-points" do, or null.
+/// The layer that shows the same for another family, as "a-v-points" and "b-v-points" do, or null.
 const LayerDescriptor* counterpart_of(Descriptors descriptors, const LayerDescriptor& layer, FamilyKind family) {
   const std::string_view shown = layer.of_any_family;
   const auto found = std::ranges::find_if(descriptors, [&](const LayerDescriptor& other) {

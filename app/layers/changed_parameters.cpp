@@ -15,7 +15,7 @@ std::string value_text(const Parameter& descriptor, double value) {
   if (is_switch(descriptor)) return value != 0.0 ? "on" : "off";
   if (const auto& choices = descriptor.choices; !choices.empty())
     return lower_case(choices[static_cast<std::size_t>(value - descriptor.low)]);
-  // As few digits as tell it from the default, which it may be very near.
+  // Uses as few digits as distinguish the value from the default, which may be very near.
   std::string out;
   for (int digits = 4; digits <= 17; ++digits) {
     out = fmt::format("{:.{}g}", value, digits);

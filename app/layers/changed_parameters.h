@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters that are not at their defaults, in words, so that no picture depends on a number that is not on screen.
+// Lists parameters that are not at their defaults, so that no picture depends on a number that is not on screen.
 #pragma once
 
 #include <cstddef>
@@ -16,15 +16,15 @@ struct ChangedParameter {
   std::string text{};  ///< "Inner balls: scale 2.14 ×", "Union shortcut off"
 };
 
-/// Those of the document first, else in the order in which the parameters are given.
+/// Parameters of the document come first, the others in the given order.
 std::vector<ChangedParameter> changed_parameters(std::span<const Parameter> parameters,
                                                  const ComputationSettings& settings);
 
-/// "2.14 ×", "150°", "on".
+/// The value with its unit: "2.14 ×", "150°", "on".
 std::string value_text(const Parameter& descriptor, double value);
 
-/// How many things of these widths, from the first and with `gap` between them, fit into `room`. If not all do, there
-/// is room for one more of the width `rest` after them, as long as `room` is not smaller than that.
+/// The number of items of these widths, from the first and with `gap` between them, that fit into `room`. If not all
+/// fit, there is also room after them for one more of width `rest`, as long as `room` is not smaller than that.
 std::size_t how_many_fit(std::span<const float> widths, float gap, float rest, float room);
 
 }  // namespace mes

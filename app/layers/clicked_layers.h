@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which layers a click is about that takes a sample or a ball.
+// Finds the layers that a click on a sample or a ball refers to.
 #pragma once
 
 #include <vector>
@@ -11,13 +11,13 @@ namespace mes {
 /// The sample or ball that a click on the canvas took.
 struct Clicked {
   bool is_ball = false;
-  /// On the dot that shows it, or on the circle: not merely near enough to take it.
+  /// On the dot or the circle that shows it, not merely near enough to take it.
   bool is_on_mark = false;
 };
 
-/// The visible layers, top first, whose elements such a click is about as well: all that are drawn over what was taken,
-/// points also where they are drawn below it, and lines beside it where they alone are under the pointer. Where nothing
-/// shows what was taken, all of them.
+/// The visible layers, top first, to which such a click refers as well: all layers drawn over the taken element;
+/// layers of points also if drawn below it; and layers of lines beside it if the pointer is on them alone. If no
+/// layer shows the taken element, all visible layers.
 std::vector<LayerIndex> layers_of_click(const LayerStack& layers, const Clicked& clicked);
 
 }  // namespace mes

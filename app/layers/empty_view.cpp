@@ -48,7 +48,7 @@ std::optional<EmptyView> empty_view(const Document& document, const LayerStack& 
   std::size_t of_other_balls = 0;
   for (const LayerIndex layer : layers.visible_layers()) {
     const LayerDescriptor& descriptor = layers.descriptor(layer);
-    // The picture to trace is not of the document.
+    // The picture to trace is not part of the document.
     if (descriptor.kinds.empty()) continue;
     if (shows(layer)) return std::nullopt;
     ++shown;

@@ -13,7 +13,7 @@ bool is_of_another_family(LayerGroup group, FamilyKind family) {
                              [&](FamilyKind other) { return other != family && group_of(other) == group; });
 }
 
-/// Top first, of all layers in drawing order.
+/// The layers in drawing order, top first.
 LayerSection drawn(const LayerStack& layers, const LayerListOptions& options, bool only_shown) {
   LayerSection out;
   for (const LayerIndex layer : layers.order() | std::views::reverse)

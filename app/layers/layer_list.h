@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which layers are listed under which headings.
+// Lists layers under headings.
 #pragma once
 
 #include <optional>
@@ -13,14 +13,14 @@ namespace mes {
 struct LayerListOptions {
   std::string search{};
   bool only_shown = false;
-  bool by_order = false;  ///< as they lie on each other, top first, without headings
+  bool by_order = false;  ///< in drawing order, top first, without headings
   FamilyKind family = FamilyKind::inner;
   friend bool operator==(const LayerListOptions&, const LayerListOptions&) = default;
 };
 
 struct LayerSection {
   std::string title{};                ///< empty: no heading
-  std::optional<LayerGroup> group{};  ///< nothing: what is shown, or everything
+  std::optional<LayerGroup> group{};  ///< nothing: the shown layers, or all layers
   std::vector<LayerIndex> rows{};     ///< first = top
   std::size_t shown = 0;              ///< of all layers of the group, listed or not
   std::size_t size = 0;
@@ -28,16 +28,16 @@ struct LayerSection {
 
 struct LayerListing {
   std::vector<LayerSection> sections{};
-  std::size_t listed = 0;    ///< layers, each counted once
-  std::size_t left_out = 0;  ///< by the search, or because they are not shown
+  std::size_t listed = 0;    ///< number of listed layers, each counted once
+  std::size_t left_out = 0;  ///< excluded by the search, or because they are hidden
 };
 
-/// By subject: what is shown, as it lies on each other, and then each group in an order of its own that nothing
-/// changes. Of the families of balls one is listed, and of the others what is shown. A search finds layers of every
-/// family, under their headings.
+/// Lists by subject: first the shown layers in drawing order, then each group in its own fixed order. One family of
+/// balls is listed completely, the others only as far as they are shown. A search finds layers of every family, under
+/// their headings.
 LayerListing list_layers(const LayerStack& layers, const LayerListOptions& options);
 
-/// The name under the heading of its group: "Inner balls: boundary" is "Boundary" there.
+/// The name below the heading of its group: "Inner balls: boundary" becomes "Boundary".
 std::string short_name(const LayerDescriptor& descriptor);
 
 }  // namespace mes

@@ -98,7 +98,7 @@ void LayerStack::set_configuration(const LayerConfiguration& configuration) {
   if (visible_layers() != before) ++demand_revision_;
 }
 
-// More than can be are passed over, as a file that named them could not be read again.
+// Ignores layers beyond the maximum, because a file that named them could not be read again.
 void LayerStack::add_missing(LayerConfiguration::Entry entry, LayerIndex above) {
   if (missing_.size() < kMostMissing) missing_.push_back({std::move(entry), above});
 }
@@ -132,7 +132,7 @@ void LayerStack::apply(const LayersChanged& change) {
   if (change.image) set_image(*change.image);
 }
 
-// Those that are not named stay below, in the order they had. Missing ones that are not named are gone.
+// Layers that are not named stay below, in their order. Missing layers that are not named are dropped.
 void LayerStack::restack(std::span<const std::string> order) {
   std::vector<LayerIndex> rest = order_;
   std::vector<LayerIndex> named;

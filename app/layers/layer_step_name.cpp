@@ -14,7 +14,7 @@ std::string name_of(const LayerStack& layers, const std::string& id) {
   return layer == kNoLayer ? id : std::string(layers.descriptor(layer).name);
 }
 
-// The one layer without which both orders are the same; empty: there is none.
+// The one layer whose removal makes both orders equal; empty if there is none.
 std::string moved_layer(const std::vector<std::string>& before, const std::vector<std::string>& after) {
   const auto [old, fresh] = std::ranges::mismatch(before, after);
   if (old == before.end() || fresh == after.end()) return {};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a change of the layers is called in the Edit menu.
+// The name of a layer change in the Edit menu.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a layer amounts to: counts and sums over its instances.
+// A summary of a layer: counts and sums over its instances.
 #pragma once
 
 #include <array>
@@ -16,13 +16,13 @@ namespace mes {
 struct LayerSummary {
   std::array<std::uint64_t, kPrimitiveKinds> count{};  ///< zero-length segments not counted
   std::uint64_t zero_length = 0;                       ///< segments whose ends are equal
-  std::uint64_t not_finite = 0;                        ///< lengths and areas beyond the doubles, left out of the sums
-  double length = 0.0;                                 ///< of segments and arcs
-  double radius_sum = 0.0;                             ///< of circles and disks
-  double area = 0.0;                                   ///< of the triangles
+  std::uint64_t not_finite = 0;                        ///< lengths and areas too large for a double, not in the sums
+  double length = 0.0;                                 ///< total length of segments and arcs
+  double radius_sum = 0.0;                             ///< total radius of circles and disks
+  double area = 0.0;                                   ///< total area of the triangles
 };
 
-/// Adds up a layer that comes in pieces.
+/// Adds up the pieces of a layer.
 class LayerTally {
  public:
   /// `values` are instances as in `InstancePiece`.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which layers a legend explains.
+// The layers that a legend explains.
 #pragma once
 
 #include <cstdint>
@@ -8,8 +8,8 @@ namespace mes {
 
 enum class LegendScope : std::uint8_t {
   none,
-  color_maps,  ///< those that a colour map colours
-  all_layers,  ///< a key: all that draw something, with their colours
+  color_maps,  ///< the layers coloured by a colour map
+  all_layers,  ///< a key: all layers that draw something, with their colours
 };
 
 constexpr LegendScope legend_scope(bool with_color_maps, bool with_key) {

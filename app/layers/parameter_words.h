@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Parameters of computation and evolutions in the words of the window.
+// The names of parameters of computation and evolutions in the window.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace mes {
 
-/// "smooth-mu" -> "Way to the middle", "a-scale" -> "Inner balls: scale"; an unknown id with spaces for hyphens.
+/// "smooth-mu" -> "Way to the middle", "a-scale" -> "Inner balls: scale"; an unknown id gets spaces for hyphens.
 std::string title_of(const Parameter& descriptor);
 
-/// "Scale axis: factor: 99 is above 3, which is taken instead", of a number outside [low, high].
+/// The message for a number outside [low, high]: "Scale axis: factor: 99 is above 3, which is taken instead".
 std::string beyond_words(const std::string& title, double number, double low, double high);
 
-/// The explanation as the window gives it: "On: ..., off: ..." of a switch, nothing of numbers that are not seen.
+/// The explanation for the window: "On: ..., off: ..." for a switch, without references to invisible numbers.
 std::string spoken_explanation(const Parameter& descriptor);
 
 }  // namespace mes

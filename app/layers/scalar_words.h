@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers that layers are coloured by, in the words of the window.
+// The names of the numbers that colour layers, as the window shows them.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace mes {
 
-/// "lambda" is the symbol with its meaning; other scalars are words already.
+/// Expands "lambda" to its symbol and meaning; other scalars are words already.
 inline std::string spoken_scalar(std::string_view scalar) {
   return scalar == "lambda" ? "\u03BB, radius of the smallest circle around the nearest samples"
                             : std::string(scalar);

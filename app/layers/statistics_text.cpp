@@ -8,7 +8,7 @@
 namespace mes {
 namespace {
 
-// Every digit, for programs.
+// All digits, for programs.
 std::string exactly(const StatValue& value) {
   return std::visit([](const auto& v) { return nlohmann::json(v).dump(); }, value);
 }
@@ -55,7 +55,7 @@ std::string statistics_as_tsv(std::span<const NodeReport> nodes) {
 
 nlohmann::ordered_json json_of(const NodeReport& node, bool with_timing) {
   nlohmann::ordered_json out = nlohmann::ordered_json::object();
-  // Nanoseconds are all a clock has.
+  // Clocks count no less than nanoseconds.
   if (with_timing) out["ms"] = std::round(node.update_ms * 1e6) / 1e6;
   if (!node.kernel.empty()) out["kernel"] = node.kernel;
   for (const Stat& stat : node.stats) std::visit([&](const auto& value) { out[stat.key] = value; }, stat.value);

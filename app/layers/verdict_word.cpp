@@ -49,7 +49,7 @@ constexpr auto kNames = std::to_array<Name>({
     {"layers", "the drawing"},
 });
 
-// The families of balls and what is made of each, for ids like "a-power-diagram".
+// The families of balls and the structures made from each, for ids like "a-power-diagram".
 constexpr std::array<Name, 3> kFamilies{
     {{"a-", "the inner balls"}, {"p-", "the polar balls"}, {"b-", "your own balls"}}};
 constexpr std::array<Name, 8> kOfBalls{{{"union", "the union of "},
@@ -61,7 +61,7 @@ constexpr std::array<Name, 8> kOfBalls{{{"union", "the union of "},
                                         {"skeleton-union", "the scale skeleton of "},
                                         {"precision-difference", "the difference of the number types for "}}};
 
-// What findings are called here, of several and of one.
+// The names of findings, in the plural and the singular.
 struct Spoken {
   std::string_view text;
   std::string_view several;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The theorem light, and what it rests on, in words.
+// The theorem light and its findings in words.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace mes {
 
-/// Whether the light is about the document as it is now.
+/// Whether the light refers to the document as it is now.
 enum class Checking : std::uint8_t { done, under_way, cancelled };
 
 struct VerdictWord {
@@ -20,16 +20,17 @@ struct VerdictWord {
   std::string_view word;     ///< for the status bar
   std::string_view meaning;  ///< one sentence, no full stop
 };
-/// Of a finding in the list of what the light rests on.
+/// The mood of a finding in the list below the light.
 VerdictWord::Mood mood_of(FindingLevel level);
 VerdictWord verdict_word(TheoremLight light, bool lacks_memory, Checking checking);
 
-/// A finding of a structure with its count: "207 triangles misjudged by rounding ..., of the inner balls".
+/// The text of a structure's finding with its count: "207 triangles misjudged by rounding ..., of the inner balls".
 std::string text_of(const Finding& finding, std::string_view structure);
 
-/// What a structure makes, by its public id: "the Delaunay triangulation"; an unknown id with spaces for hyphens.
+/// The name of a structure's result, by its public id: "the Delaunay triangulation"; an unknown id gets spaces for
+/// hyphens.
 std::string structure_name(std::string_view id);
-/// What is being done while this structure, or "layers", is at work: "Checking the theorem", "Computing the crust".
+/// The task while this structure, or "layers", is at work: "Checking the theorem", "Computing the crust".
 std::string task_text(std::string_view task);
 
 }  // namespace mes

@@ -13,9 +13,9 @@
 namespace mes {
 namespace {
 
-constexpr double kLongestStep = 0.05;  // seconds; after a sleep a motion goes on from where it was
+constexpr double kLongestStep = 0.05;  // seconds; limits the step of a motion after the computer slept
 
-// What was wrong with the settings is the first thing to be said.
+// Shows the problem with the settings before any other message.
 Messages begun_with(const std::string& problem) {
   Messages out;
   if (!problem.empty()) out.problem(problem);
@@ -103,7 +103,7 @@ bool App::end_lesson() {
   return was_running;
 }
 
-// Esc ends one thing at a time.
+// Each press of Esc ends one thing.
 void App::deselect() {
   if (demo_.is_running())
     demo_.end(true);
@@ -127,7 +127,7 @@ void App::wait_for_event() {
   turns_at_rest_ = is_at_rest ? turns_at_rest_ + 1 : 0;
   GlfwWindow& window = *screen_.window;
   if (is_at_rest && window.is_asked_for_rest()) {
-    // What another thread finished after its results were last taken is seen after one more turn.
+    // One more turn shows what another thread has finished since the last results were taken.
     if (turns_at_rest_ < 2) return window.poll();
     window.answer_rest();
   }
@@ -153,7 +153,7 @@ void App::refuse_for_memory() noexcept try {
   // The message does not fit into memory either.
 }
 
-// An edit that finds no room is not done at all (Editor), so the window goes on.
+// The editor drops an edit that lacks memory completely, so the window can continue.
 void App::deliver_events() try {
   input_.deliver();
   work_.editor().catch_up();
@@ -161,7 +161,8 @@ void App::deliver_events() try {
   refuse_for_memory();
 }
 
-// From the key pressed over the canvas until it is released. Pictures that are kept show every change with its structures.
+// The key holds the update from its press over the canvas until its release. A recording that needs exact pictures
+// shows every change with its structures, so it cannot be held.
 void App::follow_hold() try {
   const Canvas& canvas = board_.canvas();
   const bool is_down = ImGui::GetIO().KeyAlt || input_.is_update_held();
@@ -171,7 +172,7 @@ void App::follow_hold() try {
   refuse_for_memory();
 }
 
-// Of what is taken none, or all, is done.
+// Each result is applied completely or not at all.
 void App::take_results() try {
   experiments_.follow();
   link_.follow();
@@ -193,9 +194,9 @@ void App::turn() {
   const bool was_about_to_rest = screen_.gui.is_about_to_rest();
   frame();
   screen_.clock.frame_done();
-  // A tooltip that comes up now is measured in its first frame and seen in its second.
+  // A new tooltip is measured in its first frame and appears in its second.
   if (was_about_to_rest && !screen_.gui.is_about_to_rest()) screen_.clock.settle();
-  // What was said of itself, by no event, is laid out in one frame and seen in the next.
+  // A message that no event caused is laid out in one frame and appears in the next.
   if (const std::uint64_t said = messages_.said(); said != said_) {
     said_ = said;
     screen_.clock.settle();
@@ -218,7 +219,7 @@ void App::frame() {
   board_.follow();
   take_steps();
   board_.fit(room.legend);
-  // Marks are laid out before the view moves on: where it has come to rest, they need one frame more.
+  // Marks are laid out before the view moves on, so they need one more frame after it has come to rest.
   if (board_.canvas().views().is_moving()) screen_.clock.want(1);
   if (!recording_.holds_motion()) board_.canvas().advance(seconds);
   draw();
@@ -227,7 +228,7 @@ void App::frame() {
   recording_.follow();
 }
 
-// What moves by itself goes on when the picture of the step before is complete.
+// Demo, lesson and animations take their next step when the picture of the previous step is complete.
 void App::take_steps() {
   const double now = ImGui::GetTime();
   const auto may_step = [this] { return !work_.engine().status().busy && !recording_.holds_input(); };
@@ -244,7 +245,7 @@ void App::draw() {
                .hides_pointer = panels_.presenter().hides_pointer(ImGui::GetTime()),
                .is_kept = recording_.desk().wants_exact_picture()});
   documents_.keep();
-  // Reading pixels back waits for what draws them, so it belongs to drawing.
+  // Reading pixels back waits for their drawing, so its time counts as drawing.
   screen_.times.begin_drawing();
   recording_.picture_drawn();
   screen_.gui.end_frame();

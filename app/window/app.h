@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window program: what it is made of, and the loop that draws a frame when something changed and sleeps otherwise.
+// The window program: its parts, and the loop that draws a frame when something has changed and sleeps otherwise.
 #pragma once
 
 #include <cstdint>
@@ -28,16 +28,15 @@
 
 namespace mes {
 
-/// What it guarantees: what its members guarantee, and that with nothing to show anew it sleeps and uses no processor
-/// time.
+/// Guarantees: those of its members; and with nothing new to show it sleeps and uses no processor time.
 ///
-/// Threads: the main one. Each member uses those above it and none below, and they are destroyed in reverse order: what
-/// hears events first, then what needs OpenGL, then the engine with its thread, the window last.
+/// Threads: the main one. Each member uses those above it and none below. They are destroyed in reverse order: first
+/// the listeners of events, then the users of OpenGL, then the engine with its thread, and the window last.
 class App {
  public:
   App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const WindowOptions& options, LoadedSettings loaded);
 
-  /// Until the user has left, or a signal asks for it.
+  /// Runs until the user has left or a signal asks for it.
   void run(const Termination& termination);
 
  private:
@@ -76,8 +75,8 @@ class App {
   KeyDesk keys_;
   Panels panels_;
   WindowInput input_;
-  int turns_at_rest_ = 0;   // in a row
-  std::uint64_t said_ = 0;  // messages that have had their frames
+  int turns_at_rest_ = 0;   // consecutive turns at rest
+  std::uint64_t said_ = 0;  // number of messages that have had their frames
   bool is_held_by_key_ = false;
 };
 

@@ -78,7 +78,7 @@ bool DemoRun::take_step(double now) {
   return true;
 }
 
-// Changes of layers made meanwhile are taken back on the way.
+// Layer changes made meanwhile are undone, too.
 void DemoRun::go_on() {
   while (work_.document().revision() != run_->document && work_.editor().can_undo()) work_.editor().undo();
   if (work_.document().revision() != run_->document) {
@@ -87,14 +87,14 @@ void DemoRun::go_on() {
     return;
   }
   work_.editor().mark_saved();
-  messages_.clear_remark();  // it is about an edit that was taken back
+  messages_.clear_remark();  // the remark is about an edit that was undone
   run_->is_interrupted = false;
   run_->is_paused = false;
 }
 
 bool DemoRun::draw(const Gui& gui, ImVec2 middle, float width) {
   if (!run_) return false;
-  constexpr float kWidth = 640;  // logical pixels: the buttons stay where they are, whatever the caption
+  constexpr float kWidth = 640;  // logical pixels: the buttons keep their position whatever the caption
   const bool is_interrupted = run_->is_interrupted;
   const std::string caption = is_interrupted ? "You are editing the drawing of the demo" : run_->playback.caption();
   const float unit = gui.unit();
@@ -108,14 +108,14 @@ bool DemoRun::draw(const Gui& gui, ImVec2 middle, float width) {
   ImGui::Begin("##caption", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
-  // A font belongs to the window in which it is pushed: popped in another, it takes that one's texture away.
+  // A font must be popped in the window where it was pushed: another window would lose its texture.
   ImGui::PushFont(gui.bold());
   ImGui::PushTextWrapPos(wanted - buttons - 10 * unit);
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(caption.c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
-  // At the foot, which does not move when a caption has more lines.
+  // Put at the bottom, which does not move when a caption has more lines.
   ImGui::SetCursorPosY(std::max(ImGui::GetStyle().WindowPadding.y, ImGui::GetCursorPosY() - button - 4 * unit));
   ImGui::SetCursorPosX(wanted - buttons);
   bool begins_again = false;

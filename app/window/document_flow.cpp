@@ -181,7 +181,7 @@ void DocumentFlow::with_saved_work(std::function<void()> then, std::string reaso
   uses_.dialogs.unsaved.ask(files_.title(), {.save = save_first, .discard = then}, std::move(reason));
 }
 
-// A table that waits for its file is asked for next.
+// A table that waits for its file is asked about next.
 void DocumentFlow::quit() {
   if (tables_.empty())
     is_left_ = true;
@@ -202,7 +202,7 @@ void DocumentFlow::leave_document() {
   map_files_.clear();
 }
 
-// What is being read or saved is about the document that the lesson would put aside.
+// A reading or a save refers to the document that the lesson would put aside.
 ActionBindings::Condition DocumentFlow::when_presentable() const {
   return {{[this] { return !uses_.lesson.is_running(); }, "a lesson is being presented"},
           {[this] { return !files_.is_reading(); }, "a file is being read"},
@@ -220,7 +220,7 @@ void DocumentFlow::start_demo() {
   start_empty();
   uses_.messages.clear();
   uses_.demo.start(*session);
-  // What was selected or clicked belongs to another document.
+  // The selection and the clicked elements belong to another document.
   uses_.board.provenance().clear();
   uses_.screen.clock.settle();
 }
@@ -241,7 +241,7 @@ void DocumentFlow::take_results() {
 void DocumentFlow::follow_dialogs() {
   const bool is_asking = uses_.dialogs.browser.is_open() || uses_.dialogs.conflict.is_open();
   if (!is_asking && !files_.is_saving()) after_save_ = {};
-  // What is being saved may have to ask for another file, or for the name of what belongs to it.
+  // The save under way may need another file name, or the name of a related file.
   if (tables_.empty() || files_.is_saving() || after_save_) return;
   if (!uses_.dialogs.open().empty() || uses_.board.canvas().has_pointer()) return;
   Table table = std::move(tables_.front());
@@ -249,7 +249,7 @@ void DocumentFlow::follow_dialogs() {
   ask_for(std::move(table), browse_folder());
 }
 
-// While a lesson is presented, what there is to keep is put aside.
+// While a lesson is presented, the document to keep is put aside.
 void DocumentFlow::keep() {
   if (uses_.lesson.is_running()) return;
   const bool controls = !ImGui::IsAnyItemActive();
@@ -262,8 +262,8 @@ void DocumentFlow::keep_on_disk() {
   keeper_.flush();
 }
 
-// In order: what there was has been saved or given up on request. A signal makes no request; its journal stays, and is
-// complete before anything that may take longer than a signal waits.
+// By now the user has saved the old work or given it up, if it was a request. A signal makes no request: its journal
+// stays, and is complete before anything that may take longer than a signal waits.
 void DocumentFlow::end() {
   if (is_left_) {
     keeper_.discard();

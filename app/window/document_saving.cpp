@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The document of the window goes to its files.
+// Saves the document of the window to its files.
 #include <algorithm>
 #include <utility>
 
@@ -10,7 +10,8 @@ namespace mes {
 
 namespace fs = std::filesystem;
 
-// Whatever waits for the save goes on once everything is in a file; what has none is asked a name for then.
+// The action that waits for the save continues when everything is in a file; parts without a file are then asked
+// about.
 void DocumentFlow::save() {
   uses_.lesson.end();
   if (files_.file().empty())
@@ -41,7 +42,7 @@ void DocumentFlow::ask_table(const std::string& of, std::string csv) {
   uses_.screen.clock.want(1);
 }
 
-// It may have taken hours to compute, so that it is not given up for a disk that is full.
+// The table may have taken hours to compute, so a full disk must not lose it.
 void DocumentFlow::ask_for(Table table, const fs::path& folder, std::string trouble) {
   const std::string name = table.name;
   const auto write = [this, table = std::move(table)](const fs::path& file) {
@@ -79,7 +80,7 @@ void DocumentFlow::take_saved() {
   say_saved(names);
 }
 
-// What waits for the save waits for the answer too.
+// The action that waits for the save also waits for the answer.
 void DocumentFlow::ask_about(const FileConflict& conflict) {
   uses_.dialogs.conflict.ask(conflict, {.overwrite = [this](const FileConflict& of) { files_.overwrite(of); },
                                         .save_as = [this] { ask_save_as(); },

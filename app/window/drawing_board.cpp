@@ -17,7 +17,7 @@
 namespace mes {
 namespace {
 
-// From the pointer to a place of a table, in logical pixels.
+// Distance in logical pixels within which the pointer picks an entry of a table.
 constexpr double kListedReach = 7.0;
 
 }  // namespace
@@ -65,7 +65,7 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
       differences_(std::move(wake)) {
   LoadedColorMaps maps = load_color_maps(assets, user_color_map_folder());
   picture_.set_color_maps(std::move(maps.maps));
-  // Captions and annotations of pictures use the same ones (LiveRecording).
+  // Captions and annotations of pictures use the same fonts (LiveRecording).
   if (auto fonts = PaperFonts::read(assets)) picture_.set_letters(fonts->plain);
   if (!maps.problems.empty()) messages_.problem("A colour map is left out: " + maps.problems.front().message());
 }
@@ -75,7 +75,7 @@ void DrawingBoard::bind(ActionBindings& actions) {
   bind_view(actions);
   const auto bind_tool = [&](ActionId id, ToolId tool) {
     actions.bind(id, {[this, tool] {
-                        // What is being written belongs to its tool.
+                        // An annotation being written belongs to its tool.
                         if (tool != ToolId::annotate) work_.annotations().close();
                         canvas_.choose_tool(tool);
                       },
@@ -130,7 +130,7 @@ void DrawingBoard::nudge(Vec2 px) {
   if (!done) messages_.problem(done.error().message());
 }
 
-// The main pane is fitted when the panels are where they will be; those beside it are there.
+// The main pane is fitted later, when the panels have their positions; the other panes have theirs already.
 void DrawingBoard::fit_all() {
   const std::size_t pane = canvas_.pane();
   if (!canvas_.views().is_own(pane)) return fitter_.want(ViewFitter::How::glide);
@@ -154,7 +154,7 @@ bool DrawingBoard::is_at_rest() const {
 }
 
 void DrawingBoard::take_results() {
-  has_all_results_ = work_.is_complete();  // before: what it computes from here on is taken in the next turn
+  has_all_results_ = work_.is_complete();  // taken first: later results wait for the next turn
   if (picture_.take_from(work_.engine())) watch_memory();
   for (Provenance& answer : work_.engine().take_answers()) take_answer(std::move(answer));
   if (provenance_.wants_sources()) select_sources();
@@ -168,19 +168,19 @@ void DrawingBoard::take_answer(Provenance answer) {
     return;
   }
   provenance_.take(std::move(answer));
-  screen_.clock.settle();  // a card that comes up is measured first
+  screen_.clock.settle();  // a new card must be measured first
 }
 
-// The engine would answer about the document that it knows.
+// The engine would answer for the document that it knows.
 bool DrawingBoard::may_ask() {
   if (work_.hold().waiting().empty()) return true;
   messages_.problem("Release the held update first: the structures are not those of the samples");
   return false;
 }
 
-// What is drawn over a sample or a ball that was clicked, or beside it under the pointer, has its card too.
+// Elements drawn over a clicked sample or ball, or beside it under the pointer, get their cards too.
 void DrawingBoard::ask_beside(const Pointer& pointer, const ChosenThing& chosen) {
-  constexpr double kReach = 4.0;  // logical pixels: of a dot of usual size
+  constexpr double kReach = 4.0;  // logical pixels: radius of a dot of usual size
   const double reach = kReach * pointer.units_per_px;
   const auto layers = layers_of_click(work_.layers(), {chosen.is_ball, chosen.distance <= reach});
   ProvenanceQuestion question{.at = pointer.world, .reach = reach, .layers = main_layers(layers)};
@@ -188,7 +188,7 @@ void DrawingBoard::ask_beside(const Pointer& pointer, const ChosenThing& chosen)
   provenance_.ask(work_.engine(), work_.layers(), std::move(question), work_.editor());
 }
 
-// A component is born at a sample or ball: a click there chooses it, as one beside them chooses a hole.
+// A component is born at a sample or ball, so a click there chooses it; a click elsewhere chooses a hole.
 void DrawingBoard::choose_class(const Pointer& pointer, Vec2 place) {
   if (settings_.details == DetailsPage::persistence)
     work_.insight().persistence.pick(place, kListedReach * pointer.units_per_px);
@@ -229,7 +229,8 @@ void DrawingBoard::begin_frame(int width, int height) {
   dim_outdated();
 }
 
-// A drawing of the document before is not to be taken for this one. Shorter than a moment it would flicker.
+// Dims a drawing of the previous document, so that nobody takes it for this one, but not for a moment, which would
+// flicker.
 void DrawingBoard::dim_outdated() {
   constexpr double kMoment = 100.0;  // milliseconds
   constexpr double kVeil = 0.75;
@@ -273,7 +274,7 @@ void DrawingBoard::follow_differences() {
             all.add(box);
         DifferenceMarks::Panes out{work_.live_registry().share(), comparison_of(work_.shown_panes(), work_.layers()),
                                    picture_.instances(), all.is_empty() ? 0.0 : std::max(all.width(), all.height())};
-        // Such a layer shows an earlier state, and would differ for no reason of its own.
+        // A failed layer shows an earlier state, so comparing it would show false differences.
         if (const LayerReport* const failed = picture_.first_failed())
           out.problem = Error{ErrorCode::cannot_compute,
                               fmt::format("the layer {} failed: {}",
@@ -302,7 +303,7 @@ void DrawingBoard::fit(Vec2 legend) {
     if (canvas_.views().is_own(i + 1))
       fit_pane(i + 1, views[i].is_empty() ? work_.document_of_pane(i).bounding_box() : views[i],
                views[i].is_empty() ? ViewFitter::kMargin * canvas_.content_scale() : 0.0, true);
-  // Axes, scale bar and status bar were drawn for the view before.
+  // Axes, scale bar and status bar were drawn for the previous view.
   if (view().camera() != before) screen_.clock.want(1);
 }
 
@@ -318,7 +319,7 @@ void DrawingBoard::draw(const Frame& frame) {
   picture_.draw(view().camera(), work_.layers(), work_.editor(), screen_.gui.drawing_scale(), frame.is_kept,
                 canvas_.panes(), panes_beside());
   screen_.times.end_drawing();
-  // The status bar shows the share, and was drawn before it was known.
+  // The status bar shows the drawn share, and was drawn before it was known.
   if (picture_.is_refining() || picture_.every() != share) screen_.clock.want(2);
 }
 
@@ -384,7 +385,7 @@ CanvasAnnotations DrawingBoard::annotations_in(const Document& document, const P
 void DrawingBoard::draw_marks(std::size_t number, const PanePart& pane, bool is_marked) {
   const Document& document = number == 0 ? work_.document() : work_.document_of_pane(number - 1);
   const bool is_main_document = &document == &work_.document();
-  // What is asked about lies in the main computation, and the pointer in one pane.
+  // The pointed element belongs to the main computation, and the pointer to one pane.
   const bool is_pointed_in = canvas_.views().is_own(canvas_.pane()) ? number == canvas_.pane() : number == 0;
   if (is_pointed_in && is_main_document) pointed_.draw(screen_.gui, pane, canvas_.content_scale());
   if (is_main_document) preview_.draw(screen_.gui, pane, canvas_.content_scale());
@@ -404,7 +405,7 @@ void DrawingBoard::draw_marks(std::size_t number, const PanePart& pane, bool is_
   if (is_pointed_in && is_main_document) preview_.draw_words(screen_.gui, pane, canvas_);
 }
 
-// The tool that writes them shows them.
+// The tool that writes annotations always shows them.
 bool DrawingBoard::shows_annotations() const {
   return settings_.show_annotations || canvas_.tool_id() == ToolId::annotate;
 }

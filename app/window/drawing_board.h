@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The workspace as it is seen, and as the pointer meets it.
+// The displayed workspace, and its reaction to the pointer.
 #pragma once
 
 #include <filesystem>
@@ -24,8 +24,8 @@
 
 namespace mes {
 
-/// What it guarantees: it never waits for the engine; a picture that lacks memory is said so once. Needs a current
-/// OpenGL context for its life. Threads: the window's.
+/// Guarantees: it never waits for the engine; lack of memory for a picture is reported once. Needs a current OpenGL
+/// context for its whole life. Threads: the window's.
 class DrawingBoard {
  public:
   DrawingBoard(Workspace& work, const Settings& settings, Messages& messages, Screen& screen,
@@ -36,50 +36,50 @@ class DrawingBoard {
   const Canvas& canvas() const { return canvas_; }
   ViewMotion& view() { return canvas_.view(); }
   const ViewMotion& view() const { return canvas_.view(); }
-  /// Selects what elements of a layer with values in a range come from.
+  /// Selects the samples and balls from which elements of a layer with values in a range come.
   void select_values(LayerIndex layer, double low, double high);
   ViewFitter& fitter() { return fitter_; }
   ProvenanceCard& provenance() { return provenance_; }
-  /// Makes what the card shows an annotation: one of its lines, or all.
+  /// Makes an annotation of the contents of the card: one of its lines, or all.
   void keep_highlight(std::optional<std::size_t> line = std::nullopt);
   TracedPicture& traced() { return traced_; }
   const TracedPicture& traced() const { return traced_; }
 
-  /// Tools, zooming, fitting, nudging.
+  /// Binds the actions for tools, zooming, fitting and nudging.
   void bind(ActionBindings& actions);
 
-  /// Nothing moves the view, and nothing is going to.
+  /// True if nothing moves the view or is going to.
   bool is_at_rest() const;
-  /// What is shown beside the main pane.
+  /// The contents of the panes beside the main one.
   std::vector<Picture::Pane> panes_beside() const;
-  /// What only some of the panes have is marked, where it is to be.
+  /// True if the differences between the panes are marked, or no marks are wanted.
   bool has_differences() const { return differences_.is_complete(compared_state()); }
-  /// Takes what the engine has finished.
+  /// Takes the results that the engine has finished.
   void take_results();
-  /// Another document was read: what it lacks is said anew.
+  /// Another document was read: its missing layers are reported again.
   void note_new_document();
 
-  /// The frame begins in a window of this size, in framebuffer pixels.
+  /// Begins a frame in a window of this size, in framebuffer pixels.
   void begin_frame(int width, int height);
-  /// Follows the layers and the picture to trace, after the panels were drawn.
+  /// Follows the layers and the picture to trace; call it after the panels were drawn.
   void follow();
-  /// What is free between the panels was found: fits what is to be fitted.
+  /// Fits the pending views, now that the free area between the panels is known.
   void fit(Vec2 legend);
   struct Frame {
     Vec2 pointer_px{};
-    bool hides_pointer = false;  ///< nothing is marked under it
-    bool is_kept = false;        ///< as `Picture::draw` has it
+    bool hides_pointer = false;  ///< no element under the pointer is marked
+    bool is_kept = false;        ///< as in `Picture::draw`
   };
   /// Draws the layers and the marks of the pointer.
   void draw(const Frame& frame);
 
-  /// What the panes beside the main one show, when they have cameras of their own; else nothing.
+  /// The views of the panes beside the main one, if they have their own cameras; else nothing.
   std::vector<Box2> pane_views() const;
-  /// Shows these in the panes, as `pane_views` gave them, together with what is fitted next.
+  /// Shows these views in the panes, as `pane_views` returned them, together with the next fitting.
   void see_in_panes(std::vector<Box2> views) { wanted_pane_views_ = std::move(views); }
 
  private:
-  /// Panels know their size when they have been drawn once, and the drawing has its place from then on.
+  /// True once the panels have been drawn and know their sizes, so that the drawing has its area.
   static bool has_place();
   void bind_nudges(ActionBindings& actions);
   void bind_view(ActionBindings& actions);
@@ -94,9 +94,9 @@ class DrawingBoard {
   void draw_pointer(const Frame& frame);
   bool shows_annotations() const;
   CanvasAnnotations annotations_in(const Document& document, const PanePart& pane) const;
-  /// In all panes, the same marks, so that one sees in each where the pointer is in the others.
+  /// Draws the same marks in all panes, so that each shows where the pointer is in the others.
   void draw_marks_in_panes(bool is_marked);
-  /// Marks of the pointer and annotations, in one pane.
+  /// Draws the marks of the pointer and the annotations in one pane.
   void draw_marks(std::size_t number, const PanePart& pane, bool is_marked);
   void fit_pane(std::size_t pane, const Box2& box, double margin_px, bool at_once = false);
   void keep_measurement();
@@ -123,9 +123,9 @@ class DrawingBoard {
   ViewFitter fitter_;
   TracedPicture traced_;
   DifferenceMarks differences_;
-  bool has_all_results_ = false;  ///< of the engine, when they were taken last
+  bool has_all_results_ = false;  ///< true if the engine had finished when its results were taken last
   MemoryWatch memory_;
-  AnnotationDrawing annotations_;  // of the document, at the view at the pointer, as they were drawn last
+  AnnotationDrawing annotations_;  // the document's annotations as last drawn, for the view at the pointer
   std::vector<Box2> wanted_pane_views_;
 };
 

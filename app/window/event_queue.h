@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Events of the window that wait until they can be acted on.
+// A queue of window events that wait until they can be handled.
 #pragma once
 
 #include <deque>
@@ -8,19 +8,19 @@
 
 namespace mes {
 
-/// What it guarantees: events run once, in the order in which they came. Threads: none.
+/// Guarantees: each event runs once, in order of arrival. Threads: none.
 class EventQueue {
  public:
   using Act = std::function<void()>;
 
   void push(Act act) { events_.push_back({false, std::move(act)}); }
-  /// Before all that wait.
+  /// Adds an event before all waiting ones.
   void push_first(Act act) { events_.push_front({false, std::move(act)}); }
-  /// The pointer moved: of many moves in a row the last one says all.
+  /// Adds a move of the pointer; of several moves in a row only the last one counts.
   void push_move(Act act) { events_.push_back({true, std::move(act)}); }
   bool is_empty() const { return events_.empty(); }
 
-  /// Runs events while `may_go_on`; of moves in a row only the last, unless `needs_each_move`.
+  /// Runs events while `may_go_on`; of several moves in a row only the last, unless `needs_each_move`.
   void deliver(const std::function<bool()>& may_go_on, const std::function<bool()>& needs_each_move) {
     while (!events_.empty() && may_go_on()) {
       const Event event = std::move(events_.front());

@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Beside the other files that come with the program, or in its sources.
+/// Looks beside the other files that come with the program, or in its sources.
 std::vector<fs::path> find_examples(const fs::path& assets) {
   std::error_code error;
   for (const fs::path& folder : {assets / "examples", assets / "../examples/experiments"})
@@ -57,7 +57,7 @@ void ExperimentRun::edit(const fs::path& file, std::uint64_t line) {
   ImGui::SetClipboardText(place.c_str());
   const char* const visual = std::getenv("VISUAL");
   const std::string program = visual != nullptr && visual[0] != '\0' ? visual : "xdg-open";
-  // The shell ends at once, and the editor stays.
+  // The shell ends at once; the editor keeps running.
   ChildProcess shell;
   std::error_code error;
   if (shell.start({"sh", "-c", program + " \"$1\" >/dev/null 2>&1 &", "sh", file.string()},
@@ -69,7 +69,7 @@ void ExperimentRun::edit(const fs::path& file, std::uint64_t line) {
 void ExperimentRun::say(const ExperimentDesk::Entry& entry) {
   const std::string name = entry.file.filename().string();
   if (entry.state == ExperimentDesk::State::failed) {
-    // The panel has the whole story, and forgets it once it is cured.
+    // The panel shows the full messages, and drops them once the experiment is repaired.
     uses_.settings.details = DetailsPage::experiments;
     uses_.messages.remark(entry.contents.is_empty() ? name + " cannot be used"
                                                     : name + " has a mistake; its previous version stays in use");

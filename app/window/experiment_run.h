@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Experiments in the window: they are asked for, prepared, and become part of what is computed.
+// Experiments in the window: opened by the user, prepared, and added to the computation.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +17,8 @@
 
 namespace mes {
 
-/// What it guarantees: it never waits; document, undo, view and styles stay as they are when an experiment is added,
-/// replaced or removed. Threads: the window's.
+/// Guarantees: it never waits; document, undo, view and styles are unchanged when an experiment is added, replaced or
+/// removed. Threads: the window's.
 class ExperimentRun {
  public:
   struct Uses {
@@ -26,7 +26,7 @@ class ExperimentRun {
     Dialogs& dialogs;
     Messages& messages;
     Settings& settings;
-    /// All that was done is on the disk when it returns.
+    /// When it returns, all work is on the disk.
     std::function<void()> keep_work;
   };
   ExperimentRun(Uses uses, const std::filesystem::path& assets, Waker wake);
@@ -34,15 +34,15 @@ class ExperimentRun {
   ExperimentDesk& desk() { return desk_; }
   const std::vector<std::filesystem::path>& examples() const { return examples_; }
 
-  /// A file or a folder, which the user has named.
+  /// Adds a file or a folder that the user has named.
   void add(const std::filesystem::path& name);
-  /// The same after a question: it was dropped on the window.
+  /// The same after a question, for a file dropped on the window.
   void ask(const std::filesystem::path& file);
   void ask_file();
   /// Opens a source with $VISUAL or the desktop, and puts "FILE:LINE" on the clipboard.
   void edit(const std::filesystem::path& file, std::uint64_t line);
 
-  /// Once a turn: takes what was prepared.
+  /// Called once per turn: takes prepared experiments.
   void follow();
 
  private:

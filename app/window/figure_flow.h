@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Figures and geometry leave the window: dialogs, what they show, and files.
+// Exports figures and geometry from the window: the dialogs, their contents, and the files.
 #pragma once
 
 #include <filesystem>
@@ -17,8 +17,8 @@
 
 namespace mes {
 
-/// What it guarantees: it never waits for a figure being computed, drawn or written. Needs a current OpenGL context for
-/// its life. Threads: the window's; `wake` is called from others.
+/// Guarantees: it never waits for a figure to be computed, drawn or written. Needs a current OpenGL context for its
+/// whole life. Threads: the window's; `wake` is called from others.
 class FigureFlow {
  public:
   struct Uses {
@@ -28,8 +28,8 @@ class FigureFlow {
     Dialogs& dialogs;
     Messages& messages;
     Settings& settings;
-    std::function<std::string()> title;             ///< of the document
-    std::function<std::filesystem::path()> folder;  ///< where files are asked for
+    std::function<std::string()> title;             ///< title of the document
+    std::function<std::filesystem::path()> folder;  ///< the folder that file dialogs show first
   };
   FigureFlow(Uses uses, Waker wake);
   ~FigureFlow();
@@ -37,15 +37,15 @@ class FigureFlow {
   FigureFlow& operator=(const FigureFlow&) = delete;
 
   void bind(ActionBindings& actions);
-  /// Asks for a file for the geometry of these layers, which are computed afresh for it.
+  /// Asks for a file for the geometry of these layers, which are computed again for it.
   void ask_geometry(std::vector<LayerIndex> layers, const LayerTextFormat& format);
-  /// Once a turn, before the frame.
+  /// Called once per turn before the frame.
   void take_results();
 
  private:
   struct WrittenGeometry {
     std::filesystem::path file;
-    Expected<std::string> remark;  ///< empty: nothing is left out
+    Expected<std::string> remark;  ///< empty: nothing was left out
   };
   void open();
   void write_geometry(const std::filesystem::path& file, const std::vector<LayerIndex>& layers,
@@ -54,7 +54,7 @@ class FigureFlow {
   std::string document_name() const;
   void ask_file();
   FigureSubject subject() const;
-  /// Of the preview, made when it is asked for.
+  /// Texture of the preview, created on demand.
   ImTextureID texture();
   void forget_texture();
 
@@ -62,7 +62,7 @@ class FigureFlow {
   FigureDesk desk_;
   BackgroundJob<WrittenGeometry> writing_geometry_;
   std::optional<render::TextureId> texture_;
-  std::uint64_t textured_ = 0;  // number of the preview in it
+  std::uint64_t textured_ = 0;  // number of the preview in the texture
 };
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What actions do and the keys in force: those chosen in the settings, changed by the user's file.
+// Binds actions to their effects and to the keys in force: the keys of the settings, changed by the user's file.
 #pragma once
 
 #include <filesystem>
@@ -10,8 +10,8 @@
 
 namespace mes {
 
-/// What it guarantees: the file is read once and never changed; what is wrong in it is one message with the lines, and
-/// everything else in it holds. Threads: the window's.
+/// Guarantees: the file is read once and never changed; its errors are reported in one message with their lines, and
+/// the rest of it is valid. Threads: the window's.
 class KeyDesk {
  public:
   KeyDesk(Settings& settings, Messages& messages);
@@ -30,7 +30,7 @@ class KeyDesk {
   Settings& settings_;
   ActionBindings actions_;
   Messages& messages_;
-  std::string text_;  // of the file
+  std::string text_;  // text of the file
 };
 
 }  // namespace mes

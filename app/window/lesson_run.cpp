@@ -46,7 +46,7 @@ void LessonRun::start(const Session& session) {
   work_.release_hold();
   work_.computation().give_back();
   work_.evolution().cancel();
-  // A document that has just been opened has not been looked at.
+  // A document that has just been opened has no view yet.
   view_before_ = board_.fitter().is_wanted() ? Box2{} : board_.view().free_box();
   leave_step();
   messages_.clear();

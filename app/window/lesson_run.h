@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A lesson in the window: presented in place of the document, which comes back when it ends.
+// A lesson in the window: presented instead of the document, which returns when the lesson ends.
 #pragma once
 
 #include <functional>
@@ -15,35 +15,35 @@
 
 namespace mes {
 
-/// What it guarantees: what LessonPresenter guarantees; view, selection and what was clicked follow. Whatever saves,
-/// opens or leaves the document ends it first. Threads: the window's.
+/// Guarantees: those of LessonPresenter; view, selection and clicked elements follow the lesson. Saving, opening or
+/// leaving the document ends it first. Threads: the window's.
 class LessonRun {
  public:
   LessonRun(Workspace& work, DrawingBoard& board, Messages& messages);
 
-  /// The Page keys lead to steps while it runs, and otherwise to what they are bound to already.
+  /// The Page keys step through the lesson while it runs, and keep their earlier bindings otherwise.
   void bind(ActionBindings& actions);
-  /// Shows the first step of the session's lesson; says why where that is not possible.
+  /// Shows the first step of the session's lesson, or reports why that is not possible.
   void start(const Session& session);
   void end();
   bool is_running() const { return presenter_.is_running(); }
-  /// Where a lesson is made of the document.
+  /// The desk on which the user makes a lesson from the document.
   LessonDesk& desk() { return desk_; }
   /// Caption of the present step; empty while none runs.
   std::string caption() const { return is_running() ? presenter_.caption() : std::string(); }
-  /// "2 of 8".
+  /// Number of the present step: "2 of 8".
   std::string place() const;
 
   std::optional<double> next_due(double now) const { return presenter_.next_due(now); }
-  /// Once a frame; `may_step`: the picture is complete. True when an edit was played.
+  /// Call it once per frame; `may_step`: the picture is complete. Returns true when an edit was played.
   bool advance(double now, bool may_step) { return presenter_.advance(now, may_step); }
-  /// The room of the drawing has changed because it began or ended.
+  /// Fits again because the area of the drawing changed when the lesson began or ended.
   void fit_again() { look_at(looked_at_); }
-  /// Beside the drawing, at the left of this area; the width that it takes.
+  /// Draws the lesson at the left of this area, beside the drawing, and returns the width it takes.
   float draw(const Gui& gui, const ActionBindings& actions, const PanelArea& area);
 
  private:
-  /// What was selected or clicked belongs to another step.
+  /// Discards the selection and the clicked elements, which belong to another step.
   void leave_step();
   void say(const Expected<void>& done);
   void look_at(const Box2& box);
@@ -54,7 +54,7 @@ class LessonRun {
   LessonPresenter presenter_;
   LessonDesk desk_;
   Box2 view_before_;
-  Box2 looked_at_;  // last; empty: everything
+  Box2 looked_at_;  // the last requested view; empty: everything
 };
 
 }  // namespace mes

@@ -66,7 +66,7 @@ void LinkRun::read() {
 
 void LinkRun::follow() {
   if (socket_ < 0) return;
-  // A gesture that is under way comes first.
+  // Waits for the end of a gesture.
   if (uses_.work.editor().in_gesture()) return;
   for (;;) {
     std::string line;
@@ -85,7 +85,7 @@ void LinkRun::follow() {
     if (!answer) return end(answer.error().text);
     set(wanted);
     if (!answer->empty()) unsent_ += *answer + '\n';
-    // The other side has it.
+    // The other side now has the document.
     uses_.work.editor().mark_saved();
   }
   const bool is_over = [this] {
@@ -124,7 +124,7 @@ void LinkRun::set(const DocumentLink::Settings& settings) {
   computation.set(wanted);
 }
 
-// The socket may take only a part of the text. The rest is sent in the next turn.
+// Sends text. The socket may take only a part; the rest is sent in the next turn.
 void LinkRun::say(const std::string& text) {
   const ssize_t count = ::send(socket_, text.data(), text.size(), MSG_DONTWAIT | MSG_NOSIGNAL);
   if (count < 0 && errno != EAGAIN && errno != EINTR) return;  // the reader sees the end

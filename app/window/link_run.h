@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window beside a program that started it, such as an interpreter of Python: both work on one document.
+// Connects the window to the program that started it, such as a Python interpreter: both work on one document.
 #pragma once
 
 #include <condition_variable>
@@ -15,36 +15,36 @@
 
 namespace mes {
 
-/// What it guarantees: it never waits, except in `open`. When the other side ends, the document stays, and the window goes
-/// on by itself.
-/// Threads: the window's; `wake` is called from the one that reads.
+/// Guarantees: it never waits, except in `open`. When the other side ends, the document stays, and the window
+/// continues on its own. Threads: the window's; `wake` is called from the reading one.
 class LinkRun {
  public:
   struct Uses {
     Workspace& work;
     Messages& messages;
-    std::function<void()> leave;  ///< the window is to close, as if the user had asked for it
+    std::function<void()> leave;  ///< closes the window, as if the user had asked for it
   };
   LinkRun(Uses uses, std::function<void()> wake) : uses_(std::move(uses)), wake_(std::move(wake)) {}
   ~LinkRun();
   LinkRun(const LinkRun&) = delete;
   LinkRun& operator=(const LinkRun&) = delete;
 
-  /// A socket, which it closes. Waits for the document, which the other side sends at once, so that there is nothing yet
-  /// that it could take the place of. To be called once.
+  /// Takes over a socket and closes it at the end. Waits for the document, which the other side sends at once, so
+  /// that it cannot replace any work. Call it once.
   void open(int socket);
-  /// Once a turn: makes what the other side says, and says what was done here.
+  /// Called once per turn: makes the changes of the other side, and sends those made here.
   void follow();
-  /// `follow` has work that waits for the end of a gesture, after which nothing else may happen for long.
+  /// True if `follow` has changes that wait for the end of a gesture, after which no event may wake the loop for
+  /// long.
   bool is_waiting();
 
  private:
-  /// Waits for bytes and adds whole lines. False: there will be no more.
+  /// Waits for bytes and adds whole lines. Returns false when the connection has ended.
   bool read_some();
   void read();
   Expected<void> begin();
   void say(const std::string& line);
-  /// The settings of the computation. While a parameter runs through its values, they are those that the link knows.
+  /// The settings of the computation. During an animation of a parameter, they are those that the link knows.
   const DocumentLink::Settings& settings();
   void set(const DocumentLink::Settings& settings);
   void end(const std::string& reason);
@@ -56,10 +56,10 @@ class LinkRun {
   std::string unsent_;
   std::string begun_line_;
   int socket_ = -1;
-  std::mutex mutex_;  // of the two below
+  std::mutex mutex_;  // guards the next two members
   std::deque<std::string> lines_;
   bool is_over_ = false;
-  std::jthread reader_;  // last: it uses all of the above
+  std::jthread reader_;  // last: it uses all members above
 };
 
 }  // namespace mes

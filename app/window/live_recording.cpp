@@ -7,7 +7,7 @@
 namespace mes {
 namespace {
 
-// Pictures without legend and caption are better than none.
+// Without fonts, pictures lack legend and caption, which is better than no pictures.
 std::shared_ptr<const PaperFonts> fonts_of_pictures(const std::filesystem::path& assets) {
   auto fonts = PaperFonts::read(assets);
   return fonts ? std::make_shared<const PaperFonts>(std::move(*fonts)) : nullptr;
@@ -44,7 +44,7 @@ void LiveRecording::start(const RecordSettings& settings) {
   const auto size = uses_.screen.window->framebuffer_size();
   const PanePlaces& panes = uses_.board.canvas().panes();
   Insets panels = uses_.board.view().insets();
-  // Those of the view leave the main pane.
+  // Marks of the view must not reach outside the main pane.
   if (!panes.is_empty()) {
     const PanePlace all = panes.all();
     panels = {static_cast<double>(all.left), static_cast<double>(all.top),
@@ -85,7 +85,7 @@ bool LiveRecording::holds_input() const {
   return desk_.is_recording() && desk_.holds_input(shown_state(), at_rest(), uses_.work.engine().status().cancelled);
 }
 
-// A later request to the engine makes another state, or waits until this one is noted.
+// A later request to the engine changes the state, or waits until this one is noted.
 void LiveRecording::note_if_complete(bool is_reading) {
   const bool is_complete = uses_.work.is_complete() && uses_.board.has_differences() && !is_reading;
   desk_.note_complete(is_complete ? std::optional<ShownState>(shown_state()) : std::nullopt);

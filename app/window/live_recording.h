@@ -14,8 +14,8 @@
 
 namespace mes {
 
-/// Each turn of the window's loop, in this order: `note_if_complete`, results are taken, the drawing is drawn,
-/// `picture_drawn`, the panels are drawn, `panels_drawn`, the window is swapped, `follow`.
+/// Calls per turn of the window's loop, in this order: `note_if_complete`, take results, draw the drawing,
+/// `picture_drawn`, draw the panels, `panels_drawn`, swap the window, `follow`.
 /// Threads: the window's; `wake` is called from others.
 class LiveRecording {
  public:
@@ -34,7 +34,7 @@ class LiveRecording {
   const RecordDesk& desk() const { return desk_; }
   void bind(ActionBindings& actions);
 
-  /// A change that was made waits for its frame; others wait until it has it.
+  /// True while a change waits for its frame; other input must wait until then.
   bool holds_input() const;
   bool holds_motion() const { return desk_.holds_motion(shown_state()); }
   void note_if_complete(bool is_reading);

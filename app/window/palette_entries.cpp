@@ -19,7 +19,7 @@ bool is_series(ActionId id) {
 void add_actions(const Panels::Uses& uses, Entries& out) {
   const ActionBindings& actions = uses.actions;
   for (const ActionDescriptor& action : action_descriptors()) {
-    // Bundles have their own names below; the palette is open already.
+    // Bundles are listed below by their own names; the palette itself is already open.
     if (!actions.is_bound(action.id) || is_series(action.id) || action.id == ActionId::command_palette) continue;
     out.push_back({.kind = std::string(title_of(action.group)),
                    .name = action.name,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that has a name in the window, as entries of the palette.
+// Everything with a name in the window, as entries of the palette.
 #pragma once
 
 #include <vector>
@@ -9,8 +9,8 @@
 
 namespace mes {
 
-/// Actions, bundles, layers, parameters, evolutions, shapes and recent files, as they are now; what an entry does uses
-/// the members of `uses` when it is done. Cost: O(names).
+/// Actions, bundles, layers, parameters, evolutions, shapes and recent files, as they are now. The action of an entry
+/// uses the members of `uses` when it runs. Cost: O(names).
 std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses);
 
 }  // namespace mes

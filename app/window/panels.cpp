@@ -18,8 +18,8 @@
 namespace mes {
 namespace {
 
-constexpr float kMostOfBundles = 0.35F;   // of the height that bundles and layers share
-constexpr float kLeastOfBundles = 62.0F;  // logical pixels: the head and a row
+constexpr float kMostOfBundles = 0.35F;   // maximal share of the height of bundles and layers
+constexpr float kLeastOfBundles = 62.0F;  // logical pixels: the header and a row
 constexpr float kLeastOfLayers = 190.0F;
 constexpr double kLeastColumn = 240.0;
 constexpr float kMargin = 10.0F;
@@ -112,7 +112,7 @@ void Panels::bind(ActionBindings& actions) {
 
 void Panels::bind_brush(ActionBindings& actions) {
   const auto take = [this](BrushMode mode) {
-    // What is being written belongs to its tool.
+    // An annotation being written belongs to its tool.
     uses_.work.annotations().close();
     uses_.settings.brush.mode = mode;
     uses_.board.canvas().choose_tool(ToolId::brush);
@@ -214,7 +214,7 @@ void Panels::follow_lesson() {
   uses_.lesson.fit_again();
 }
 
-// "3 of 13: Crust".
+// The number and name of the slide: "3 of 13: Crust".
 std::string Panels::slide() const {
   if (uses_.lesson.is_running()) return uses_.lesson.place();
   const BundleDesk& bundles = uses_.work.bundles();
@@ -287,7 +287,7 @@ void Panels::draw_lesson(Sides& sides) {
       {{sides.left, sides.top}, {screen.x - sides.left - sides.right, screen.y - sides.top - sides.bottom}});
 }
 
-// Above, below, on the right and on the left.
+// Draws the panels above, below, on the right and on the left.
 Panels::Sides Panels::draw_around() {
   const float unit = uses_.screen.gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -302,7 +302,7 @@ Panels::Sides Panels::draw_around() {
   return out;
 }
 
-// Bundles, layers and details; its width.
+// Draws bundles, layers and details, and returns the width of the column.
 float Panels::draw_column(float top, float height) {
   Settings& settings = uses_.settings;
   const float unit = uses_.screen.gui.unit();
@@ -320,7 +320,7 @@ float Panels::draw_column(float top, float height) {
   return width;
 }
 
-// In a low window the layers need the room, and bundles have their keys and their menu.
+// In a low window the layers get the room; bundles remain accessible by their keys and their menu.
 void Panels::draw_layers(const PanelArea& area) {
   Settings& settings = uses_.settings;
   const Gui& gui = uses_.screen.gui;
@@ -358,7 +358,7 @@ void Panels::draw_splitters(const PanelArea& column, float upper) {
   if (line.is_reset) settings.details_share = kUsualDetailsShare;
 }
 
-// The strip of evolutions, which takes room, and what was clicked, which takes none.
+// Draws the strip of evolutions, which takes room, and the card of clicked elements, which takes none.
 void Panels::draw_over(Sides& sides) {
   const Gui& gui = uses_.screen.gui;
   const float margin = kMargin * gui.unit();
@@ -373,7 +373,7 @@ void Panels::draw_over(Sides& sides) {
                        step_events_, uses_.messages}
             .draw(corner(), width);
   }
-  // Its marks belong to the main pane.
+  // Marks of the strip refer to the main pane.
   const std::vector<PanePlace>& places = uses_.board.canvas().panes().places();
   const double ratio = uses_.screen.window->pixel_ratio();
   const auto on_screen = [ratio](int x, int y) {
@@ -424,7 +424,7 @@ void Panels::divide(Sides& sides) {
            on_screen(size.height - main.top - main.height)};
 }
 
-// Below what it is about.
+// Draws the card below its annotation.
 void Panels::draw_annotation_card(const Sides& sides) {
   AnnotationDesk& desk = uses_.work.annotations();
   const Annotation* const current = desk.current();
@@ -443,7 +443,7 @@ void Panels::draw_annotation_card(const Sides& sides) {
                         room, [this](const Error& error) { uses_.messages.problem(error.message()); });
 }
 
-// What they leave for the legend, in logical pixels.
+// Draws the scale marks; returns the room left for the legend, in logical pixels.
 MarksPlace Panels::draw_scale_marks(const Sides& sides) {
   const Gui& gui = uses_.screen.gui;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -452,7 +452,7 @@ MarksPlace Panels::draw_scale_marks(const Sides& sides) {
   const double ratio = uses_.screen.window->pixel_ratio();
   const MarksPlace marks = CanvasMarks{gui, uses_.board.picture(), {uses_.board.view().camera()}}.draw(
       uses_.settings.marks, low, high, ratio);
-  // Where all panes are seen at one scale, one bar is enough.
+  // If all panes have the same scale, one bar is enough.
   const Canvas& canvas = uses_.board.canvas();
   for (std::size_t i = 1; i < canvas.panes().places().size(); ++i) {
     ScaleMarks beside = uses_.settings.marks;
@@ -470,7 +470,7 @@ MarksPlace Panels::draw_scale_marks(const Sides& sides) {
   return marks;
 }
 
-// Its size with its margin while it is in its corner, of which the drawing is kept clear.
+// Draws the legend. Returns its size with margin if it is in its corner, so that the drawing can avoid it.
 ImVec2 Panels::draw_legend(const Sides& sides, const MarksPlace& marks) {
   if (marks.room.is_empty()) return {};
   const Gui& gui = uses_.screen.gui;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// All panels around and over the canvas, and where each of them lies.
+// All panels around and over the canvas, and their positions.
 #pragma once
 
 #include "app/actions/action_bindings.h"
@@ -36,24 +36,24 @@ class Panels {
     const ActionBindings& actions;
     Settings& settings;
     Messages& messages;
-    std::function<void(const std::string&)> show_parameter{};  ///< lists those with this name
+    std::function<void(const std::string&)> show_parameter{};  ///< lists the parameters with this name
   };
   explicit Panels(const Uses& uses);
 
-  /// What is shown, and how it looks.
+  /// Binds the actions that choose what is shown, and its look.
   void bind(ActionBindings& actions);
   Presenter& presenter() { return presenter_; }
   const Presenter& presenter() const { return presenter_; }
-  /// Ends the presentation, with the panels as they were before; false when there was none.
+  /// Ends the presentation and restores the panels; returns false if there was none.
   bool end_presentation();
   /// The legend or the scale bar, while it is dragged.
   MarkDrag& mark_drag() { return mark_drag_; }
-  /// Everything that has a name, as it is now.
+  /// Entries for everything that has a name now.
   std::vector<PaletteEntry> palette_entries();
-  /// Those around the canvas are shown, and not only what lies on it.
+  /// True if the panels around the canvas are shown, and not only those on it.
   bool are_shown() const { return are_shown_; }
 
-  /// What the panels have left of the window, in framebuffer pixels.
+  /// The free area of the window, in framebuffer pixels.
   struct Room {
     Insets insets{};
     Vec2 legend{};  ///< size of the legend in the lower right corner, with its margin
@@ -61,7 +61,7 @@ class Panels {
   Room draw();
 
  private:
-  /// What is taken at the sides, in screen coordinates.
+  /// The widths taken at the sides, in screen coordinates.
   struct Sides {
     float left = 0.0F;
     float top = 0.0F;
@@ -69,16 +69,16 @@ class Panels {
     float bottom = 0.0F;
   };
   void begin_presentation();
-  /// A lesson is shown without panels.
+  /// Hides the panels while a lesson is shown.
   void follow_lesson();
   std::string slide() const;
   Sides draw_around();
   void draw_lesson(Sides& sides);
-  /// Divides what is left between the panes, and leaves the main one of them.
+  /// Divides the remaining area between the panes, and sets `sides` to those of the main pane.
   void divide(Sides& sides);
   float draw_column(float top, float height);
   void draw_layers(const PanelArea& area);
-  /// `upper`: where the details begin below the top; 0: no details, or nothing above them.
+  /// `upper`: distance from the top to the details; 0: there are no details, or nothing is above them.
   void draw_splitters(const PanelArea& column, float upper);
   void draw_over(Sides& sides);
   void draw_annotation_card(const Sides& sides);
@@ -97,7 +97,7 @@ class Panels {
   DetailsPanel details_panel_;
   StepEvents step_events_;
   bool are_shown_ = true;
-  bool were_shown_ = true;  // before the presentation
+  bool were_shown_ = true;  // state before the presentation
   bool presents_lesson_ = false;
   AnnotationCard annotation_card_;
   Presenter presenter_;

@@ -17,7 +17,7 @@ struct Bound {
   SelectionUses uses;
   Refusal refusal{uses.messages};
 
-  /// Whether it was done.
+  /// Reports an error; returns whether the action succeeded.
   template <class T>
   bool report(const Expected<T>& done) {
     if (done)
@@ -36,7 +36,7 @@ using Shared = std::shared_ptr<Bound>;
 void bind_clipboard(ActionBindings& actions, const Shared& shared) {
   const ActionBindings::Condition has_selection{[shared] { return !shared->uses.editor.selection().is_empty(); },
                                                 "nothing is selected"};
-  // To the lower right.
+  // Copies move to the lower right.
   const auto step = [shared] {
     const double by = kCopyStepPx * shared->uses.units_per_px();
     return Vec2{by, -by};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the actions of the table do with what is selected.
+// Binds the actions of the table that work on the selection.
 #pragma once
 
 #include <functional>
@@ -12,16 +12,16 @@
 
 namespace mes {
 
-/// What the actions work with; all of it outlives them.
+/// The objects that the actions work with; they all outlive the actions.
 struct SelectionUses {
   Editor& editor;
   SelectionDesk& desk;
   Messages& messages;
   const Settings& settings;
-  std::function<std::string()> clipboard;  ///< its text
+  std::function<std::string()> clipboard;  ///< returns its text
   std::function<void(const std::string&)> to_clipboard;
-  std::function<double()> units_per_px;  ///< of the view, in logical pixels
-  std::function<Box2()> view;            ///< what is seen
+  std::function<double()> units_per_px;  ///< scale of the view, per logical pixel
+  std::function<Box2()> view;            ///< the visible area
 };
 void bind_selection(ActionBindings& actions, SelectionUses uses);
 

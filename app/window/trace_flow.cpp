@@ -11,7 +11,7 @@ TraceFlow::TraceFlow(Uses uses, Waker wake) : uses_(uses), desk_(uses_.registry,
                                 .texture = [this] { return texture(); },
                                 .trace =
                                     [this](const TraceRequest& request) {
-                                      // The picture may be given up while the question is open.
+                                      // The user may give up the picture while the question is open.
                                       uses_.leave_work([this, request] {
                                         if (uses_.dialogs.trace.is_open()) desk_.trace(request);
                                       });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture comes into the window: it is asked about, and becomes samples or lies underneath.
+// Brings a picture into the window: a dialog asks whether it becomes samples or is placed below the drawing.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,9 @@
 
 namespace mes {
 
-/// What it guarantees: it never waits for a picture being read or traced; what it is traced into becomes a document of its
-/// own, and the question about unsaved work comes before the tracing. Needs a current OpenGL context for its life. Threads: the window's; `wake` is called from others.
+/// Guarantees: it never waits for a picture to be read or traced; a traced picture becomes a document of its own, and
+/// the question about unsaved work comes before the tracing. Needs a current OpenGL context for its whole life.
+/// Threads: the window's; `wake` is called from others.
 class TraceFlow {
  public:
   struct Uses {
@@ -23,7 +24,7 @@ class TraceFlow {
     DrawingBoard& board;
     Dialogs& dialogs;
     Messages& messages;
-    std::function<void(std::function<void()> then)> leave_work;  ///< goes on when it is saved or given up
+    std::function<void(std::function<void()> then)> leave_work;  ///< continues when the work is saved or given up
     std::function<void(TraceDesk::Samples samples, const std::string& title)> open_made;
   };
   TraceFlow(Uses uses, Waker wake);
@@ -32,19 +33,19 @@ class TraceFlow {
   TraceFlow& operator=(const TraceFlow&) = delete;
 
   void open(const std::filesystem::path& file);
-  /// Once a turn, before the frame.
+  /// Called once per turn before the frame.
   void take_results();
 
  private:
   void take_samples(Expected<TraceDesk::Samples> samples);
-  /// Of the preview, made when it is asked for.
+  /// Texture of the preview, created on demand.
   ImTextureID texture();
   void forget_texture();
 
   Uses uses_;
   TraceDesk desk_;
   std::optional<render::TextureId> texture_;
-  std::uint64_t textured_ = 0;  // number of the preview in it
+  std::uint64_t textured_ = 0;  // number of the preview in the texture
 };
 
 }  // namespace mes

@@ -7,7 +7,7 @@ void TracedPicture::trace(const std::filesystem::path& file) {
   std::error_code error;
   std::filesystem::path absolute = std::filesystem::weakly_canonical(file, error);
   if (error) absolute = file;
-  new_.follow({});  // the same file again may hold another picture
+  new_.follow({});  // the same file may hold another picture now
   new_.follow({.file = absolute.string()});
 }
 
@@ -21,10 +21,10 @@ bool TracedPicture::follow(const Box2& free) {
   return traced.has_value() || outcome.has_value();
 }
 
-// The layers change only when there is a picture to show.
+// Changes the layers only when there is a picture to show.
 void TracedPicture::take_new(const BackgroundLoader::Outcome& outcome, const Box2& free) {
   if (!show_image(outcome)) return;
-  messages_.clear_problem();  // another picture was asked for before
+  messages_.clear_problem();  // its problem concerned an earlier request for a picture
   loader_.take_as_read(outcome.file);
   editor_.change_layers("Picture underneath", [&] {
     layers_.set_image(placed_in(free, {.file = outcome.file}, picture_.background_aspect()));

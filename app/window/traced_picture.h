@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The picture to trace: chosen or dropped, read in the background, shown below the drawing.
+// The picture that the user traces: chosen or dropped, read in the background, shown below the drawing.
 #pragma once
 
 #include <filesystem>
@@ -14,18 +14,19 @@
 
 namespace mes {
 
-/// What it guarantees: the picture that the layers name is shown where they place it; reading it holds up nothing.
-/// Threads: the window's; `wake` is called from the reader's.
+/// Guarantees: the picture named in the layers is shown where they place it; its reading blocks nothing. Threads: the
+/// window's; `wake` is called from the reader's.
 class TracedPicture {
  public:
   TracedPicture(Editor& editor, LayerStack& layers, Picture& picture, Messages& messages, Waker wake)
       : editor_(editor), layers_(layers), picture_(picture), messages_(messages), new_(wake), loader_(wake) {}
 
-  /// Becomes the picture of the layers once it is read; if it cannot be, they stay as they are.
+  /// Reads a file, which then becomes the picture of the layers; if it cannot be read, the layers stay as they are.
   void trace(const std::filesystem::path& file);
-  /// Gives up what is being read to be traced: it was meant for another document.
+  /// Gives up the reading of a picture to trace, because it was meant for another document.
   void give_up() { new_.follow({}); }
-  /// Once a frame; `free` is what is seen between the panels, which a new picture fills. True when reading has ended.
+  /// Call it once per frame; a new picture fills `free`, the visible area between the panels. True when a reading has
+  /// ended.
   bool follow(const Box2& free);
 
  private:
@@ -37,8 +38,8 @@ class TracedPicture {
   LayerStack& layers_;
   Picture& picture_;
   Messages& messages_;
-  BackgroundLoader new_;     // chosen to be traced
-  BackgroundLoader loader_;  // named by the layers
+  BackgroundLoader new_;     // reads a picture chosen for tracing
+  BackgroundLoader loader_;  // reads the picture that the layers name
 };
 
 }  // namespace mes

@@ -11,12 +11,12 @@ bool types_text(const KeyChord& chord) {
   return chord.symbol < key::named && !chord.modifiers.ctrl && !chord.modifiers.alt;
 }
 
-/// Tab, Enter, arrows and the like, by which one goes about in panels.
+/// Tab, Enter, arrow keys and the like, which navigate in panels.
 bool goes_about(const KeyChord& chord) {
   return chord.symbol >= key::named && chord.symbol < key::f1;
 }
 
-// What a field of text understands.
+// The keys that a text field handles.
 bool is_editing_key(const KeyChord& chord) {
   constexpr std::u32string_view kWithCtrl = U"ACVXYZ";
   if (types_text(chord) || goes_about(chord)) return true;
@@ -33,8 +33,8 @@ WindowInput::~WindowInput() {
   uses_.screen.window->set_listener(nullptr);
 }
 
-// A dialog is really there, or gone, in the next frame only, and so is the field of a panel that was clicked: on a slow
-// machine a whole sentence of keys can arrive between two frames.
+// A dialog opens or closes only in the next frame, and a clicked field gets the keyboard only then. On a slow machine
+// a whole sentence of keys can arrive between two frames, so later events wait.
 void WindowInput::deliver() {
   const std::vector<const Dialog*> open = uses_.dialogs.open();
   const auto is_recording = [this] { return uses_.recording.desk().is_recording(); };
@@ -87,8 +87,8 @@ void WindowInput::press(PointerButton button, Vec2 px, Modifiers modifiers) {
   uses_.canvas.press(button, px, modifiers);
 }
 
-// The second of two clicks on a selected sample means the curve that it is on. Where a frame takes long, the second one
-// is heard of late.
+// A double click on a selected sample selects its curve. If a frame takes long, the second click arrives late, so
+// clicks in adjacent frames count as well.
 void WindowInput::release(PointerButton button, Vec2 px, Modifiers modifiers, Clock::time_point when) {
   constexpr std::chrono::milliseconds kLongest{400};
   constexpr double kFarthestPx = 6.0;
@@ -114,7 +114,7 @@ void WindowInput::on_wheel(double steps) {
 std::optional<ActionId> WindowInput::action_of(const KeyChord& chord) const {
   const bool has_selection = !uses_.selection.is_empty() || uses_.annotations.current() != nullptr;
   const auto action = uses_.actions.keymap().find(chord, has_selection);
-  // Without a selection, too, the key of an action that needs one says so.
+  // Finds the action even without a selection, so that a key that needs one can say so.
   return action ? action : uses_.actions.keymap().find(chord, true);
 }
 
@@ -127,7 +127,7 @@ void WindowInput::come_again(const KeyChord& chord, bool repeated) {
   });
 }
 
-// A list is left as by a click beside it, and a field as by Enter, for what has nothing to do with it.
+// Keys meant for the window close a list, as a click beside it does, or leave a field, as Enter does.
 bool WindowInput::is_for_panels(const KeyChord& chord, bool repeated) {
   Gui& gui = uses_.screen.gui;
   const bool wants_text = gui.wants_text();
@@ -144,7 +144,7 @@ bool WindowInput::is_for_panels(const KeyChord& chord, bool repeated) {
   return true;
 }
 
-// The document must not change beneath a gesture, which Esc takes back.
+// The document must not change during a gesture, which Esc takes back.
 bool WindowInput::is_refused_by_gesture(ActionId action) {
   const bool is_mark = uses_.mark_drag.is_under_way();
   if (is_mark && (action == ActionId::deselect || action == ActionId::undo)) {
@@ -160,7 +160,7 @@ bool WindowInput::is_refused_by_gesture(ActionId action) {
 
 void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   const auto action = action_of(chord);
-  // A recording is ended also where something is being asked.
+  // The record key ends a recording even during a question.
   const bool is_for_dialogs = action != ActionId::record || types_text(chord);
   if (is_for_dialogs && uses_.dialogs.take_key(chord, repeated)) return;
   if (is_for_dialogs && is_for_panels(chord, repeated)) return;
@@ -168,7 +168,7 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   if (chord.symbol == key::escape && !uses_.canvas.has_pointer() && files.is_reading()) return files.cancel_reading();
   if (!action || (repeated && !descriptor_of(*action).repeats)) return;
   if (is_refused_by_gesture(*action)) return;
-  // A press of a key that does nothing says why, as no menu shows that it is not possible.
+  // A pressed key without effect must give the reason, because no menu shows that the action is disabled.
   if (const std::string why = uses_.actions.missing(*action); !why.empty())
     uses_.messages.remark(descriptor_of(*action).name + " is not possible now: " + why);
   uses_.actions.run(*action);
@@ -178,7 +178,7 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
 }
 
 void WindowInput::on_key(const KeyChord& chord, bool repeated) {
-  // What a recording waits for may be what is to be cancelled, and so may the recording.
+  // The user may want to cancel the computation that the recording waits for, or the recording itself.
   const bool is_held = uses_.recording.holds_input();
   const bool waits = is_held || (uses_.recording.desk().is_recording() && !events_.is_empty());
   const auto action = uses_.actions.keymap().find(chord, false);
@@ -217,8 +217,8 @@ void WindowInput::on_key_held(char32_t symbol, bool held) {
   is_update_held_ = is_update_held_ || (symbol == kHoldKey && is_free);
 }
 
-// What a gesture does, and where it snaps to, depends on them; the pointer may rest meanwhile. Below a dialog nothing
-// does, and the pointer is where it was when the dialog has gone.
+// Gestures and snapping depend on the modifiers, even if the pointer rests. Nothing depends on them below a dialog,
+// and after it the pointer is where it was.
 void WindowInput::on_modifiers(Modifiers modifiers) {
   events_.push([this, px = pointer_px_, modifiers] {
     const Canvas& canvas = uses_.canvas;

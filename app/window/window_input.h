@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Events of the window: panels have first refusal, then the canvas, then the table of actions.
+// Distributes the events of the window: first to the panels, then to the canvas, then to the table of actions.
 #pragma once
 
 #include <chrono>
@@ -17,10 +17,10 @@
 
 namespace mes {
 
-/// What it guarantees: events are acted on in their order, each by what it was meant for. What came together with an
-/// event that opened or closed a dialog waits for the next frame, and during a recording each event waits until the
-/// change before has its frame; the key that ends it does as well, and ends it at once when it is pressed again. A key
-/// that does nothing says why. Listens to the window for its life. Threads: the window's.
+/// Guarantees: events are handled in order, each by its intended target. Events that arrived together with one that
+/// opened or closed a dialog wait for the next frame. During a recording each event waits until the previous change
+/// has its frame; so does the key that ends it, but a second press ends it at once. A key without effect gives the
+/// reason. Listens to the window for its whole life. Threads: the window's.
 class WindowInput final : private WindowListener {
  public:
   struct Uses {
@@ -40,12 +40,12 @@ class WindowInput final : private WindowListener {
   explicit WindowInput(const Uses& uses);
   ~WindowInput() override;
 
-  /// Once a turn: acts on what has come.
+  /// Called once per turn: handles the events that have arrived.
   void deliver();
   bool has_waiting_events() const { return !events_.is_empty(); }
-  /// The key that holds the update is down (`kHoldKey`).
+  /// True while the key that holds the update is down (`kHoldKey`).
   bool is_update_held() const { return is_update_held_; }
-  /// Where the pointer was last, in framebuffer pixels.
+  /// Last position of the pointer, in framebuffer pixels.
   Vec2 pointer_px() const { return pointer_px_; }
 
  private:
@@ -67,9 +67,10 @@ class WindowInput final : private WindowListener {
   void release(PointerButton button, Vec2 px, Modifiers modifiers, Clock::time_point when);
   void run_by_key(const KeyChord& chord, bool repeated);
   std::optional<ActionId> action_of(const KeyChord& chord) const;
-  /// A key for which a list or a field has the keyboard. True: it is not for the canvas, or comes once more.
+  /// Handles a key while a list or a field has the keyboard. Returns true if it is consumed, or will be delivered
+  /// again.
   bool is_for_panels(const KeyChord& chord, bool repeated);
-  /// It is acted on in the next frame, when what was closed is gone.
+  /// Delivers the key again in the next frame, when the list or field is closed.
   void come_again(const KeyChord& chord, bool repeated);
   bool is_refused_by_gesture(ActionId action);
 
@@ -82,10 +83,10 @@ class WindowInput final : private WindowListener {
     int frame = 0;
     Vec2 px{};
   };
-  std::optional<Click> click_;     // the last one on the canvas
-  bool waits_for_panels_ = false;  // a press may give the keyboard to a field
-  bool has_come_again_ = false;    // the key that is acted on
-  bool ends_recording_ = false;    // a key that does so waits for its turn
+  std::optional<Click> click_;     // the last click on the canvas
+  bool waits_for_panels_ = false;  // a press may give a field the keyboard
+  bool has_come_again_ = false;    // the present key was delivered again
+  bool ends_recording_ = false;    // such a key is waiting in the queue
   bool is_update_held_ = false;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Work that no file holds: noted on the timeline, kept in a journal, and offered again after a crash.
+// Keeps unsaved work: notes it on the timeline, writes it to a journal, and offers it again after a crash.
 #pragma once
 
 #include <functional>
@@ -13,31 +13,32 @@
 
 namespace mes {
 
-/// What it guarantees: what Autosave guarantees; looking for left work holds up nothing.
-/// Threads: the window's; `wake` is called from others.
+/// Guarantees: those of Autosave; the search for left work blocks nothing. Threads: the window's; `wake` is called
+/// from others.
 class WorkKeeper {
  public:
-  /// `session_now` gives the document as it is to be kept. Begins to look for work that was left behind.
+  /// `session_now` returns the document to keep. Begins to search for work left behind.
   WorkKeeper(Workspace& work, Messages& messages, std::function<Session()> session_now, Waker wake);
 
   struct Rest {
     bool controls = false;  ///< no control of a panel is held
-    bool all = false;       ///< nor does anything move, or is being read
+    bool all = false;       ///< in addition nothing moves or is being read
   };
-  /// Once a frame. Surroundings are noted when they are at rest: a slider or a zoom under way is not yet what is meant.
+  /// Called once per frame. Layers, settings and view are noted only at rest: a slider or zoom in motion is not final
+  /// yet.
   void follow(const Rest& rest, const Box2& view);
-  /// The document was restored, and this view with it.
+  /// Notes that the document was restored together with this view.
   void take_as_noted(const Box2& view);
-  /// A file holds everything now.
+  /// Notes that a file now holds everything.
   void note_saved() { autosave_.note_saved(); }
-  /// What is unsaved was given up.
+  /// Notes that the unsaved work was given up.
   void discard() { autosave_.discard(); }
   /// Waits until the journal has been written.
   void flush() { autosave_.flush(); }
-  /// The journal is on the disk, with everything given so far.
+  /// True if the journal is on the disk and holds everything given so far.
   bool holds_all() { return autosave_.holds_all(); }
 
-  /// What an earlier run has left behind, once, when it has been found.
+  /// The work left by an earlier run, given once when it has been found.
   std::optional<FoundWork> take_left_work() { return left_work_.poll(); }
 
  private:

@@ -34,7 +34,7 @@ Workspace::Workspace(LiveRegistry registry, const std::filesystem::path& assets,
 }
 
 void Workspace::set_registry(std::shared_ptr<const Registry> registry) {
-  // The layers are looked at until those of the next one take their place.
+  // Keeps the old registry alive: its layers are read until the new ones replace them.
   const std::shared_ptr<const Registry> before = registry_.share();
   registry_.set(std::move(registry));
   engine_.set_registry(registry_.share());
@@ -90,7 +90,7 @@ void Workspace::leave_document() {
   evolution_.resume(evolution_.choice(), 0);
   computation_.set(for_another_document(computation_.settings()));
   layers_.set_image({});
-  // The look stays, and is about the balls that a document usually has.
+  // The look stays, and shows the family of balls that a document usually has.
   if (std::exchange(family_, {}).family() != family()) show_family();
 }
 
@@ -111,7 +111,7 @@ void Workspace::take_family_of_layers() {
   if (const auto shown = family_of(layers_.descriptors(), layers_.configuration())) family_.note_shown(*shown);
 }
 
-// A bundle that is shown as it was saved stays the one that is shown.
+// An unchanged bundle stays the chosen one.
 void Workspace::show_family() {
   const auto current = bundles_.current();
   if (!current || bundles_.is_changed()) {
@@ -123,7 +123,7 @@ void Workspace::show_family() {
   bundles_.choose(*current, as);
 }
 
-// What is undone and redone brings its layers with it.
+// Undo and redo restore the layers themselves.
 void Workspace::follow_family() {
   if (editor_.in_gesture() || !family_.follow(document()) || editor_.can_redo()) return;
   editor_.note_layers();
@@ -194,7 +194,7 @@ std::vector<PaneRequest> Workspace::pane_requests(const std::shared_ptr<const Sa
 }
 
 const Document& Workspace::document_of_pane(std::size_t pane) const {
-  // A pane that was added since the engine was asked for what is visible shows the document.
+  // A pane added since the last request to the engine shows the document.
   if (pane >= shown_panes().variant.size()) return document();
   const Document* const own = pane_documents_.document_of(shown_panes().variant[pane]);
   return own != nullptr ? *own : document();

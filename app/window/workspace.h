@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one works on: the document, the layers it is shown in, and the engine that computes them.
+// The objects the user works on: the document, the layers that show it, and the engine that computes them.
 #pragma once
 
 #include <filesystem>
@@ -37,20 +37,20 @@
 
 namespace mes {
 
-/// What it guarantees: each edit reaches the engine, which is asked for what the layers show; none of it waits for the
-/// engine. It knows no window, no panels and no OpenGL. Threads: the window's; `wake` is called from others.
+/// Guarantees: each edit reaches the engine, which is asked for the visible layers; nothing waits for the engine.
+/// Depends on no window, panels or OpenGL. Threads: the window's; `wake` is called from others.
 class Workspace {
  public:
   Workspace(LiveRegistry registry, const std::filesystem::path& assets, Messages& messages,
             Waker wake);
 
-  /// Takes another registry, made from the present one by removals and additions. What it lacks is shown no more, and is
-  /// as it was when it comes back: layers, parameters, the chosen evolution. What was begun with the present one ends
-  /// with it. Nothing of it is a step of undo.
+  /// Takes another registry, made from the present one by removals and additions. Layers, parameters and the
+  /// evolution that it lacks disappear, and look as before if they return. Computations begun with the present
+  /// registry end with it. Undo skips the change.
   void set_registry(std::shared_ptr<const Registry> registry);
   /// Valid until the next `set_registry`.
   const Registry& registry() const { return registry_.now(); }
-  /// Follows `set_registry`.
+  /// A reference that follows `set_registry`.
   const LiveRegistry& live_registry() const { return registry_; }
   Engine& engine() { return engine_; }
   const Engine& engine() const { return engine_; }
@@ -59,7 +59,7 @@ class Workspace {
   LayerStack& layers() { return layers_; }
   const LayerStack& layers() const { return layers_; }
   BundleDesk& bundles() { return bundles_; }
-  /// Which family of balls the layers are about.
+  /// The family of balls that the layers show.
   FamilyKind family() const { return family_.family(); }
   Editor& editor() { return editor_; }
   const Editor& editor() const { return editor_; }
@@ -75,65 +75,65 @@ class Workspace {
   EvolutionPlayer& evolution() { return evolution_; }
   const EvolutionPlayer& evolution() const { return evolution_; }
 
-  /// Panes beside the main one, and what they show.
+  /// The panes beside the main one, and their contents.
   PaneList& panes() { return panes_; }
   const PaneList& panes() const { return panes_; }
   const ShownPanes& shown_panes() const { return demand_.shown(); }
-  /// How dense the samples are is kept up to date, though no layer may show it.
+  /// Keeps the density of the samples up to date even if no layer shows it.
   void look_at_density(bool looks) { looks_at_density_ = looks; }
-  /// All layers are to come from the engine once more.
+  /// Asks the engine for all layers again.
   void ask_again_for_layers() { demand_.ask_again(); }
-  /// What each pane is about, the main one first.
+  /// A description of each pane, the main one first.
   std::vector<std::string> words_of_panes() const;
-  /// As sessions have them.
+  /// The panes in the form of sessions.
   std::vector<PaneChoice> panes_now() const { return {panes_.panes().begin(), panes_.panes().end()}; }
   SessionEvolution evolution_now() const;
-  /// What a picture carries: the document as it is, without its history.
+  /// The session that a picture carries: the document as it is, without its history.
   Session session_for_picture(std::string title, const Box2& view, std::vector<Box2> pane_views) const;
-  /// All panes, the main one of these data first, as figures have them.
+  /// All panes in the form of figures, with the main one for these data first.
   std::vector<PaneRequest> pane_requests(const std::shared_ptr<const SampleData>& data) const;
   /// The document of a pane beside the main one.
   const Document& document_of_pane(std::size_t pane) const;
-  /// The same as data where it is a version of its own; null: it is the document of the main pane.
+  /// The same as data if the pane has its own version; null: it has the main pane's document.
   std::shared_ptr<const SampleData> data_of_pane(std::size_t pane) const;
 
-  /// Undo and redo, selection, evolution, computation, bundles.
+  /// Binds the actions for undo and redo, selection, evolution, computation and bundles.
   void bind(ActionBindings& actions, Settings& settings);
 
-  /// Another document takes the place of this one: what belongs to this one alone goes
+  /// Another document replaces this one: discards what belongs to this one alone
   /// (docs/decisions/document_parameters.md).
   void leave_document();
-  /// Shows the bundle, for the family of balls that the window is about.
+  /// Shows the bundle for the present family of balls.
   void choose_bundle(std::size_t index);
-  /// Shows the same of another family of balls.
+  /// Shows the same layers for another family of balls.
   void choose_family(FamilyKind family);
-  /// The layers were replaced by those of a session.
+  /// Call it when a session has replaced the layers.
   void take_family_of_layers();
   void import_bundles(const std::filesystem::path& file);
   void export_bundles(const std::filesystem::path& file, std::optional<std::size_t> index);
 
-  /// Changes that the engine does not hear of yet.
+  /// Changes that the engine has not received yet.
   const UpdateHold& hold() const { return hold_; }
-  /// Once a turn: holds the update while it may be held and the action or a key that is held wants that, else releases it.
+  /// Called once per turn: holds the update if it may be held and a held action or key wants that, else releases it.
   void follow_hold(bool may_hold, bool is_held_by_key) {
     hold_.set_held(may_hold && (is_held_by_action_ || is_held_by_key));
   }
-  /// What is shown step by step would not be seen.
+  /// Releases the hold, because it would hide a display that changes step by step.
   void release_hold() {
     is_held_by_action_ = false;
     hold_.set_held(false);
   }
-  /// Once a turn: selects along the crust, or makes contours of it, when it was found.
+  /// Called once per turn: selects along the crust or makes contours of it, once it has been found.
   void follow_crust();
-  /// The same of samples of curves. `is_held`: a control of the panels is held.
+  /// The same for samples of curves. `is_held`: the user holds a control of the panels.
   void follow_curves(bool is_held);
-  /// Once a turn: inserts or removes the samples that were found.
+  /// Called once per turn: inserts or removes the samples that were found.
   void follow_resampling();
-  /// Once a turn: shows the state of the evolution that is ready.
+  /// Called once per turn: shows the state of the evolution that is ready.
   void follow_evolution(std::uint64_t shown_document, double now);
-  /// Once a frame: asks the engine for what is visible. True when that has changed.
+  /// Called once per frame: asks the engine for the visible layers. Returns true if they have changed.
   bool follow_layers(bool picture_is_lost);
-  /// All that was asked for is computed, and nothing was cancelled.
+  /// True if everything requested is computed and nothing was cancelled.
   bool is_complete() const;
 
  private:

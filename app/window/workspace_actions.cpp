@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the actions of the table do to the document, its layers and its computation.
+// Binds the actions of the table that work on the document, its layers and its computation.
 #include <algorithm>
 
 #include "app/window/workspace.h"
@@ -79,7 +79,7 @@ void Workspace::bind_editing(ActionBindings& actions) {
 
 void Workspace::bind_evolution(ActionBindings& actions, Settings& settings) {
   using Direction = EvolutionPlayer::Direction;
-  // A step by a key shows the slider, which says where it led.
+  // A step by a key shows the slider, so that the user sees the new state.
   const auto bind = [&](ActionId id, auto act) {
     actions.bind(id, {[this, &settings, act] {
                         settings.show_evolution = true;
@@ -106,7 +106,8 @@ void Workspace::bind_evolution(ActionBindings& actions, Settings& settings) {
 }
 
 void Workspace::bind_computation(ActionBindings& actions) {
-  // What plays would begin the next computation; between two of its pictures there may be none.
+  // A running animation would begin its next computation, and between two pictures there may be no computation to
+  // cancel.
   const auto plays = [this] {
     return evolution_.is_waiting() || evolution_.direction() != EvolutionPlayer::Direction::none ||
            computation_.animation().is_running();
