@@ -25,7 +25,7 @@ Anchor AnnotationDesk::anchor_at(Vec2 p, double reach, bool with_vertices) const
     return {document.position(sample), {document.id(sample).value - document.first_id().value}};
   if (BallSlot ball = editor_.centers().nearest(p, reach); ball != kNoSlot) {
     const Vec2 center = document.disk(ball).center;
-    // Of those with one centre the one that came last, which lies on top.
+    // Of several balls with one centre, take the newest, which lies on top.
     for (const BallSlot other : editor_.centers().in_box({center, center}))
       if (document.ball_id(ball) < document.ball_id(other)) ball = other;
     return {.at = center, .balls = {document.ball_id(ball).value - document.first_ball_id().value}};
@@ -35,8 +35,8 @@ Anchor AnnotationDesk::anchor_at(Vec2 p, double reach, bool with_vertices) const
   return {.at = p};
 }
 
-// The samples around a vertex are all at one distance from it, and none is nearer. A circle far larger than the reach
-// is not searched; among very many samples the reach is a smaller one.
+// All samples around a vertex are at one distance from it, and none is nearer. Circles far larger than the reach are
+// not searched; where samples are very dense, the reach is smaller.
 std::optional<Anchor> AnnotationDesk::vertex_at(Vec2 p, double reach) const {
   constexpr double kFarthest = 128.0;
   constexpr std::size_t kMostAround = 400;
@@ -126,7 +126,7 @@ Expected<void> AnnotationDesk::move(std::size_t i, Annotation moved) {
   all[i] = std::move(moved);
   const auto done = editor_.annotate(std::move(all), "Move annotation");
   if (is_chosen) seen_ = editor_.document().annotations();
-  // What follows is a step of its own.
+  // Later changes are a step of their own.
   is_new_ = is_changed_ = false;
   return done;
 }
@@ -146,7 +146,7 @@ bool AnnotationDesk::close() {
   follow();
   const bool had = current() != nullptr;
   if (selected_ && is_blank((*seen_)[*selected_])) {
-    // As if it had never been, if all of it is the last step.
+    // Leaves no trace if all of it is the last step.
     if (is_new_ && editor_.document().revision() == revision_)
       editor_.undo_edit();
     else
@@ -164,7 +164,7 @@ void AnnotationDesk::forget() {
 
 void AnnotationDesk::follow() {
   if (!selected_ || editor_.document().annotations() == seen_) return;
-  // What lies on a sample that was deleted stays what it is.
+  // Anchors of deleted samples change only their form, which is no change by the user.
   const Annotations& now = *editor_.document().annotations();
   if (now.size() == seen_->size() && same_but_for_places(now, *seen_)) {
     seen_ = editor_.document().annotations();

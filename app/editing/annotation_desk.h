@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Annotations as they are written: which one is being worked on, and what its places are on.
+// The annotation desk: the annotation that the user is working on, and the elements to which its anchors are
+// attached.
 #pragma once
 
 #include <cstddef>
@@ -13,12 +14,12 @@
 
 namespace mes {
 
-/// What it guarantees:
-///  1. What is chosen is an annotation of the document, or a draft that becomes one with its first letter. Whatever
-///     else changes the annotations, such as undo, ends the choice.
-///  2. An annotation and all that is done to it until it is left are one step of undo, moving it another one; so are
-///     all changes of an older one.
-///  3. An annotation that would show nothing leaves the document with the choice.
+/// Guarantees:
+///  1. The chosen annotation belongs to the document, or is a draft that enters it with its first letter. Any other
+///     change of the annotations, such as undo, ends the choice.
+///  2. A new annotation and all changes to it until the choice ends are one step of undo; moving it is another one.
+///     All changes of an older annotation are one step, too.
+///  3. An annotation that would show nothing leaves the document when the choice ends.
 ///
 /// Smallest use:
 ///     desk.begin({.kind = AnnotationKind::text, .anchors = {desk.anchor_at(p, reach)}});
@@ -30,18 +31,18 @@ class AnnotationDesk {
  public:
   explicit AnnotationDesk(Editor& editor) : editor_(editor) {}
 
-  /// On the nearest sample within `reach`, or else on the centre of the nearest ball, or else on the vertex of the Voronoi
-  /// diagram there, if vertices are wanted and there are at most `kMostSamplesForVertices`, or else fixed. As
-  /// `PlaceIndex::nearest`, and what has exactly the place that was found.
+  /// Attaches an anchor to the nearest sample within `reach`, else to the centre of the nearest ball, else to the
+  /// Voronoi vertex there (if `with_vertices`, and with at most `kMostSamplesForVertices` samples); else the anchor
+  /// is fixed. Finds elements as `PlaceIndex::nearest`. The anchor gets exactly the position of the element.
   static constexpr std::size_t kMostSamplesForVertices = 20'000;
   Anchor anchor_at(Vec2 p, double reach, bool with_vertices) const;
 
-  /// What shows something without words is put into the document at once. Ends the choice before.
+  /// Ends the present choice and begins another. A draft that is visible without words enters the document at once.
   Expected<void> begin(Annotation draft);
   void select(std::size_t i);
-  /// Null when none is chosen.
+  /// The chosen annotation, or null.
   const Annotation* current() const;
-  /// Its place among those of the document; nothing for a draft.
+  /// Its index among those of the document; nothing for a draft.
   std::optional<std::size_t> selected() const { return selected_; }
   bool is_draft() const { return draft_.has_value(); }
   /// Grows with each new choice.
@@ -49,16 +50,16 @@ class AnnotationDesk {
 
   Expected<void> change(Annotation changed);
   Expected<void> erase();
-  /// Ends the choice; false when there was none.
+  /// Ends the choice; returns false if there was none.
   bool close();
 
-  /// Ends the choice and leaves the document as it is. To be called when another document is about to replace it.
+  /// Ends the choice and leaves the document as it is. Call it when another document is about to replace this one.
   void forget();
 
-  /// Of a drag: the annotation is as it is moved. Within a gesture.
+  /// One step of a drag, which sets the moved annotation. Call it within a gesture.
   Expected<void> move(std::size_t i, Annotation moved);
 
-  /// To be called after whatever may have changed the document.
+  /// Call it after anything that may have changed the document.
   void follow();
 
  private:
@@ -68,14 +69,14 @@ class AnnotationDesk {
   Editor& editor_;
   std::optional<Annotation> draft_;
   std::optional<std::size_t> selected_;
-  std::shared_ptr<const Annotations> seen_;  // as this desk left them
+  std::shared_ptr<const Annotations> seen_;  // the annotations as this desk left them
   bool is_new_ = false;                      // the choice began as a draft
   bool is_changed_ = false;
-  std::uint64_t revision_ = 0;  // of the document, after the last change by this desk
+  std::uint64_t revision_ = 0;  // revision of the document after the last change by this desk
   std::uint64_t choice_number_ = 0;
 };
 
-/// Whether it shows something without words.
+/// True if the kind shows something without words.
 constexpr bool shows_without_words(AnnotationKind kind) {
   return kind != AnnotationKind::text && kind != AnnotationKind::leader;
 }

@@ -12,7 +12,7 @@ BallPick nearest_ball(const Document& document, Vec2 p, double radius) {
   for (const BallSlot slot : slots_below<BallSlot>(document.ball_slot_count())) {
     if (!document.is_ball_alive(slot)) continue;
     const Disk& disk = document.disk(slot);
-    // Nearly all are nowhere near, which is found out without a root. The factor makes up for rounding.
+    // Rejects nearly all balls, which are far away, without a root. The factor makes up for rounding.
     const double reach = (disk.radius + best.distance) * (1.0 + 0x1p-50);
     if (std::abs(disk.center.x - p.x) > reach || std::abs(disk.center.y - p.y) > reach) continue;
     const double to_center = distance(disk.center, p);

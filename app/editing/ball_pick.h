@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which ball is near the cursor? One takes a ball at its centre or at its circle; its inside belongs to what lies in
-// it.
+// Finds the ball near the pointer. A ball is picked at its centre or its circle; its inside belongs to the elements
+// in it.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,7 @@ struct BallPick {
   double distance = 0.0;  ///< to the centre or the circle, whichever is nearer
 };
 
-/// The ball whose centre or circle is nearest to `p`, at most `radius` away; ties go to the higher row, which is
+/// The ball whose centre or circle is nearest to `p` and at most `radius` away; ties go to the higher row, which is
 /// drawn above. Cost: O(balls), some 15 ns each: under 2 ms at 10^5 balls.
 BallPick nearest_ball(const Document& document, Vec2 p, double radius);
 

@@ -16,8 +16,8 @@
 namespace mes {
 namespace {
 
-/// Samples in input order, as far as the brush has to look: farther where they are few, since a curve cannot be seen by
-/// two of its samples; nothing where there are too many even under it.
+/// Samples in input order, as far from the brush as is necessary. It looks farther where samples are few, since two
+/// samples do not show a curve, and returns nothing if there are too many even under the brush.
 std::optional<std::vector<SampleSlot>> samples_near(const Editor& editor, Vec2 at, double radius) {
   constexpr double kReach = 3.0;
   constexpr double kFarthest = 48.0;
@@ -41,14 +41,14 @@ std::optional<std::vector<SampleSlot>> samples_near(const Editor& editor, Vec2 a
   return out;
 }
 
-/// Of the circle through three points that follow each other; positive where they turn to the left.
+/// Curvature of the circle through three consecutive points; positive for a left turn.
 double curvature(Vec2 a, Vec2 b, Vec2 c) {
   const double sides = distance(a, b) * distance(b, c) * distance(a, c);
   return sides > 0.0 ? 2.0 * cross(b - a, c - b) / sides : 0.0;
 }
 
-/// Between a and b, on an arc whose curvature is the mean of those at both; in the middle of the line where that would
-/// be more than a sixth of a turn, as at corners. A neighbour is null where the curve ends.
+/// A point between a and b on an arc whose curvature is the mean of those at both. It is the midpoint if the arc
+/// would span more than a sixth of a turn, as at corners. A neighbour is null where the curve ends.
 Vec2 middle_of_arc(const Vec2* before, Vec2 a, Vec2 b, const Vec2* after) {
   const Vec2 middle = 0.5 * (a + b);
   double bend = 0.0;
@@ -56,7 +56,7 @@ Vec2 middle_of_arc(const Vec2* before, Vec2 a, Vec2 b, const Vec2* after) {
   if (after != nullptr) bend += curvature(a, b, *after);
   if (before != nullptr && after != nullptr) bend *= 0.5;
   const double chord = distance(a, b);
-  const double sine = 0.5 * bend * chord;  // of half the angle that the arc spans
+  const double sine = 0.5 * bend * chord;  // sine of half the angle that the arc spans
   constexpr double kMost = 0.5;
   if (chord == 0.0 || std::abs(sine) > kMost) return middle;
   // The height of the arc over its chord is chord / 2 times the tangent of a quarter of its angle.
@@ -120,7 +120,7 @@ Expected<void> BrushStroke::along_curve(Vec2 at, double radius, BrushMode mode) 
     for (std::size_t i = 0; i < count; ++i) {
       if (mode == BrushMode::thin) {
         if (!is_under(p[i])) continue;
-        // Ends of a stroke, and the last ones of a loop, stay.
+        // Keeps the ends of a curve, and the last samples of a loop.
         constexpr std::size_t kSmallestLoop = 5;
         if (!is_there(i, -1) || !is_there(i, 1) || (chain.closed && count < kSmallestLoop)) continue;
         if (kept_.contains(id(p[i]))) continue;
@@ -138,7 +138,7 @@ Expected<void> BrushStroke::along_curve(Vec2 at, double radius, BrushMode mode) 
       const Vec2* const after = is_there(i, 2) && count > 2 ? &positions[neighbor(i, 2)] : nullptr;
       const Vec2 middle = middle_of_arc(before, a, b, after);
       if (middle == a || middle == b) continue;
-      // Neighbours may be farther apart than the brush is wide.
+      // Neighbours may be farther apart than the width of the brush.
       const bool is_met = distance(middle, at) <= radius || (is_under(p[i]) && is_under(neighbor(i, 1)));
       if (!is_met) continue;
       inserted.push_back(middle);

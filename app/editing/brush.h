@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples under a brush: erased, thinned out, or made denser along the curve.
+// The brush: it erases samples, thins them out, or makes them denser along the curve.
 #pragma once
 
 #include <map>
@@ -11,26 +11,26 @@
 
 namespace mes {
 
-/// What one stroke of the brush does, from press to release.
+/// One stroke of the brush, from press to release.
 ///
-/// What it guarantees: a stroke thins out and refines each part of the curve once, however often it passes over it. The
-/// curve is the one-step crust of the samples within three radii, or farther where these are few, at most `kMostSamples`
-/// of them. A sample is put between two neighbours where the brush is on both or on the place between them; it lies on
-/// an arc with the curvature that the curve has at both neighbours. Where these are neighbours on a contour of the document,
-/// too, the new sample is between them there once the stroke is finished. Each touch is one command, and so is the end of a
-/// stroke along contours; the caller opens the gesture.
+/// Guarantees: a stroke thins out and refines each part of the curve once, however often it passes over it. The curve
+/// is the one-step crust of the samples within three radii, or within more if these are few, but of at most
+/// `kMostSamples`. A new sample is put between two neighbours if the brush covers both or the point between them; it
+/// lies on an arc with the mean of the curvatures at both neighbours. If they are also neighbours on a contour of the
+/// document, the new sample is inserted between them there when the stroke ends. Each touch is one command, and so is
+/// the end of a stroke along contours; the caller opens the gesture.
 ///
-/// Cost of a touch: that of the crust of the samples near by; of the end: O(samples on contours). Threads: the window's.
+/// Cost: per touch, the crust of the nearby samples; at the end, O(samples on contours). Threads: the window's.
 class BrushStroke {
  public:
   static constexpr std::size_t kMostSamples = 2000;
 
   explicit BrushStroke(Editor& editor) : editor_(editor) {}
 
-  /// Error: that of the edit, or once in a stroke `cannot_compute`, where there are too many samples near by to find a
+  /// Error: that of the edit; or `cannot_compute`, once per stroke, if there are too many samples nearby to find a
   /// curve.
   Expected<void> touch(Vec2 at, double radius, BrushMode mode);
-  /// After the last touch, within the gesture. Error: that of the edit.
+  /// Call it after the last touch, within the gesture. Error: that of the edit.
   Expected<void> finish();
 
  private:
@@ -40,9 +40,9 @@ class BrushStroke {
 
   Editor& editor_;
   bool is_refused_ = false;
-  std::set<SampleId> kept_;           // of those that thinning leaves
-  std::set<Pair> refined_;            // neighbours that nothing more comes between
-  std::map<Pair, SampleId> between_;  // what came between these
+  std::set<SampleId> kept_;           // samples that thinning keeps
+  std::set<Pair> refined_;            // neighbours that get no more samples between them
+  std::map<Pair, SampleId> between_;  // the sample put between these neighbours
 };
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the brush does, and how large it is. Plain data.
+// Effect and size of the brush. Plain data.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +8,9 @@
 namespace mes {
 
 enum class BrushMode : std::uint8_t {
-  erase,   ///< all samples, and balls by their centres
-  thin,    ///< every other sample along the curve
-  refine,  ///< a sample between neighbours along the curve
+  erase,   ///< removes all samples, and balls by their centres
+  thin,    ///< removes every other sample along the curve
+  refine,  ///< adds a sample between neighbours along the curve
 };
 inline constexpr std::size_t kBrushModes = 3;
 

@@ -85,7 +85,7 @@ Expected<std::optional<std::string>> ContourDesk::follow() {
   if (!is_wanted_) return std::nullopt;
   const auto* const curve = crust_.now();
   if (curve == nullptr) {
-    // The document changed while the chains of its former state were found.
+    // The document has changed since the search of the chains began.
     if (*is_found) is_wanted_ = false;
     return std::nullopt;
   }

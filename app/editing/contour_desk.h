@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done to the contours of the document by way of the selected samples.
+// Changes the contours of the document by means of the selected samples.
 #pragma once
 
 #include <functional>
@@ -13,10 +13,10 @@
 
 namespace mes {
 
-/// What it guarantees:
-///  1. Each call is one step of undo, named after what it does, or changes nothing and says why.
-///  2. The layer of contours becomes visible with the step, so that what was done is seen.
-///  3. Contours along the crust are found on a thread; a document that changes meanwhile drops the wish.
+/// Guarantees:
+///  1. Each call is one step of undo, named after its effect, or changes nothing and returns the reason.
+///  2. The layer of contours becomes visible in the same step, so that the effect can be seen.
+///  3. A thread finds contours along the crust; if the document changes meanwhile, the request is dropped.
 ///
 /// Smallest use:
 ///     if (const auto done = desk.change(ContourChange::join); !done) messages.problem(done.error().message());
@@ -29,10 +29,10 @@ class ContourDesk {
   ContourDesk(Editor& editor, LayerStack& layers, Waker wake)
       : editor_(editor), layers_(layers), crust_(editor, std::move(wake)) {}
 
-  /// Of the contours with selected samples. What was done.
+  /// Changes the contours that have selected samples. Returns a sentence on the effect.
   Expected<std::string> change(ContourChange change);
-  /// The chains of the crust become contours: those with a selected sample, all where none is selected. They take the
-  /// place of contours that share a sample with them.
+  /// Makes contours of the chains of the crust: of those with a selected sample, or of all if none is selected. They
+  /// replace the contours that share a sample with them.
   void begin_along_crust();
   bool is_under_way() const { return crust_.is_under_way(); }
   /// What was done, if it was done now. Error: the crust could not be computed, or it has no chains there.

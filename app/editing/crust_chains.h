@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The chains of the one-step crust of the document, whatever is shown.
+// The chains of the one-step crust of the document, whatever layers are shown.
 #pragma once
 
 #include <cstdint>
@@ -13,31 +13,31 @@
 
 namespace mes {
 
-/// What it guarantees: the chains are found on a thread of its own, once for each state of the document that they are
-/// asked for; those of a document that has changed meanwhile are dropped.
+/// Guarantees: a separate thread finds the chains, once for each state of the document for which they are requested;
+/// if the document has changed meanwhile, they are dropped.
 ///
 /// Cost: O(n log n) on the thread. Threads: the window's; `wake` is called from the other.
 class CrustChains {
  public:
   CrustChains(const Editor& editor, Waker wake) : editor_(editor), job_(std::move(wake)) {}
 
-  /// Chains of rows: neighbours are neighbours on the curve.
+  /// Chains of rows: neighbours in a chain are neighbours on the curve.
   struct Curve {
     struct Chain {
       bool closed = true;
       std::vector<SampleSlot> samples;
     };
     std::vector<Chain> chains;
-    /// A sample and the one at the same place that stands for it in the chains.
+    /// A duplicate, and the sample at the same position that represents it in the chains.
     std::vector<std::pair<SampleSlot, SampleSlot>> followers;
   };
 
-  /// Those of the document as it is; null where they are not known. `find` has them found.
+  /// The chains of the present document; null if they are unknown. Call `find` to compute them.
   const Curve* now() const;
-  /// False: they are being found already.
+  /// Begins to find the chains; returns false if that is under way already.
   bool find();
   bool is_under_way() const { return job_.is_under_way(); }
-  /// Whether chains were found, of the document as it is now or as it was. Error: the crust could not be computed.
+  /// True if chains were found, for the present document or an earlier state. Error: the crust could not be computed.
   Expected<bool> follow();
 
  private:

@@ -87,7 +87,7 @@ void CurveSampler::drop() {
 }
 
 Expected<void> CurveSampler::follow(bool is_held) try {
-  // A wish that came with the press belongs to it.
+  // A request that came with the press belongs to it.
   if (is_held && !is_held_ && !is_wish_new_) ++hold_;
   is_held_ = is_held;
   is_wish_new_ = false;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The curves that the document's samples were taken from, and taking others.
+// The curves from which the document's samples were taken, and the taking of new samples.
 #pragma once
 
 #include <cstdint>
@@ -15,13 +15,13 @@
 
 namespace mes {
 
-/// What it guarantees:
-///  1. Samples are taken on a thread of its own; nothing waits. Of several wishes the last counts, but each that was
-///     begun is shown, so that a slider that is dragged is followed.
-///  2. What is wished for while a control is held is one step of undo. Samples that were set by hand stay; those that
-///     were taken from the curves before go, moved or not.
-///  3. While a control is held, more than `kMostLive` samples are shown only when it is left.
-///  4. Another document, other curves in it, and undo or redo of a sampling drop what is under way.
+/// Guarantees:
+///  1. A separate thread takes the samples; nothing waits. Of several requests the last counts, but each one that was
+///     begun is shown, so that the drawing follows a dragged slider.
+///  2. All requests made while a control is held are one step of undo. Samples set by hand stay; those taken from the
+///     curves before are removed, moved or not.
+///  3. While a control is held, more than `kMostLive` samples are shown only after its release.
+///  4. Another document, other curves in it, and undo or redo of a sampling cancel the work under way.
 ///
 /// Smallest use:
 ///     sampler.want(request);
@@ -35,28 +35,28 @@ class CurveSampler {
   CurveSampler(Editor& editor, Waker wake)
       : editor_(editor), job_(wake), curves_job_(std::move(wake)) {}
 
-  /// Null: the samples were not taken from curves.
+  /// Null if the samples were not taken from curves.
   const CurveSource* source() const { return editor_.document().source().get(); }
-  /// How they are or will be taken; there are curves.
+  /// The present or pending sampling; there must be curves.
   const SamplingRequest& request() const { return wanted_ ? *wanted_ : begun_ ? *begun_ : source()->sampling; }
   void want(const SamplingRequest& request);
-  /// Curves through the samples that there are: the one-step crust as smooth curves, whose vertices they are. They become
-  /// the source of the samples; nothing moves.
+  /// Requests smooth curves along the one-step crust, with the present samples as vertices. They become the source of
+  /// the samples, which do not move.
   void want_curves_of_samples();
 
   bool is_busy() const { return job_.is_under_way() || curves_job_.is_under_way(); }
-  /// Shows what is ready. Error: what cannot be taken, also for lack of memory; it stays as it was.
+  /// Shows finished samples. Error: they cannot be taken, perhaps for lack of memory; the document stays as it was.
   Expected<void> follow(bool is_held);
-  /// What was done that may not be seen, once.
+  /// A message about an effect that may be invisible, given once.
   std::optional<std::string> take_notice() { return std::exchange(notice_, std::nullopt); }
 
-  /// What is known of the samples; empty: nothing, or the document has changed since.
+  /// A remark on the samples; empty if there is none, or the document has changed since.
   std::string remark() const;
-  /// How many of the samples that were taken are left.
+  /// The number of samples left of those that were taken.
   std::size_t sample_count();
-  /// Corners of the curves, found once for each; no curves: none.
+  /// The corners of the curves, found once per set of curves; empty if there are no curves.
   const std::vector<CurveCorner>& corners();
-  /// Writes its angle beside each corner that has none yet: one step of undo. Error: more annotations than there may be.
+  /// Writes the angle beside each corner that has none yet, as one step of undo. Error: too many annotations.
   Expected<void> mark_corners();
 
  private:
@@ -73,13 +73,14 @@ class CurveSampler {
   std::optional<SamplingRequest> wanted_;  // not begun yet
   std::optional<SamplingRequest> begun_;
   std::shared_ptr<const CurveSource> begun_of_;
-  std::shared_ptr<const Taken> kept_;  // until the control is left
-  // A number for each time that a control is held, and for each wish without one: what has the same number is one step.
+  std::shared_ptr<const Taken> kept_;  // shown after the release of the control
+  // A number for each time that a control is held, and for each request without one: equal numbers are one step of
+  // undo.
   std::uint64_t hold_ = 1;
   std::uint64_t begun_hold_ = 0;
   std::uint64_t shown_hold_ = 0;
   bool is_held_ = false;
-  bool is_wish_new_ = false;  // since the last `follow`
+  bool is_wish_new_ = false;  // true since the last `follow`
   std::optional<std::string> notice_;
   std::size_t sample_count_ = 0;
   std::uint64_t counted_at_ = ~std::uint64_t{0};  // revision of the document

@@ -7,7 +7,7 @@
 namespace mes {
 namespace {
 
-// In the order of the wishes.
+// In the order of `Wish`.
 constexpr std::array<const char*, 3> kNothingChanged{"No selected sample has more of a curve than is selected",
                                                      "Nothing on a curve is next to what is selected",
                                                      "Nothing that is selected is next to something else on a curve"};

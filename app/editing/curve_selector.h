@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Selecting along the curve: all of it, or a sample farther at each end.
+// Selects along the curve: all of it, or one sample more or less at each end.
 #pragma once
 
 #include <cstdint>
@@ -13,8 +13,9 @@
 
 namespace mes {
 
-/// What it guarantees: the curve is the one-step crust of the samples, whatever is shown (app/editing/crust_chains.h). Until
-/// it is found nothing is selected, and a document that changes meanwhile drops the wish. Balls stay selected or not.
+/// Guarantees: the curve is the one-step crust of the samples, whatever is shown (app/editing/crust_chains.h).
+/// Nothing is selected before it is found, and a change of the document meanwhile drops the request. The selection of
+/// balls stays.
 ///
 /// Smallest use:
 ///     selector.begin(CurveSelector::Wish::whole);
@@ -27,14 +28,15 @@ class CurveSelector {
 
   enum class Wish : std::uint8_t {
     whole,   ///< every curve with a selected sample on it
-    grow,    ///< what is next to something selected, too
-    shrink,  ///< not what is next to something that is not selected
+    grow,    ///< adds the neighbours of selected samples
+    shrink,  ///< removes the neighbours of samples that are not selected
   };
   void begin(Wish wish);
   bool is_under_way() const { return crust_.is_under_way(); }
-  /// Takes the curve when it was found, and selects. Error: the crust could not be computed.
+  /// Takes the curve once it is found, and selects along it. Error: the crust could not be computed.
   Expected<void> follow();
-  /// What was selected last, or why nothing changed; once, and empty where there is nothing to say.
+  /// The last effect on the selection, or the reason why there was none; given once, and empty if there is no
+  /// message.
   std::string take_remark() { return std::exchange(remark_, {}); }
 
  private:

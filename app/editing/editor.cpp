@@ -19,8 +19,9 @@ Vec2& place_of(std::pair<Id, Thing>& thing) {
   return place_of(thing.second);
 }
 
-// Places as tools give them, with coordinates that are nothing beside the others of the document set to zero: a
-// pointer close to an axis, or a nudge onto it, means the axis. Radii stay, so that no ball vanishes.
+// The positions that tools give, with negligible coordinates set to zero: a pointer close to an axis, or a nudge onto
+// it, means the axis. A coordinate is negligible relative to those of the document. Radii stay, so that no ball
+// vanishes.
 template <class Thing>
 std::vector<Thing> placed(const Document& document, std::span<const Thing> things) {
   std::vector<Thing> out(things.begin(), things.end());
@@ -83,7 +84,7 @@ void Editor::catch_up() {
     if (listener_) listener_(std::make_shared<const DocumentDelta>(replacement()));
     told_revision_ = document_.revision();
   } catch (const std::bad_alloc&) {
-    // Behind until the next time.
+    // The listener stays behind until the next call.
   }
 }
 
@@ -115,7 +116,7 @@ void Editor::restore(PreparedDocument& next) {
   if (layers_ != nullptr) noted_revision_ = layers_->revision();
 }
 
-// Observers see one replacement. What asks for memory comes before the first change: the move constructors of deques do.
+// Observers see one replacement. Allocations precede the first change: move constructors of deques allocate.
 void Editor::take(PreparedDocument& next) {
   MES_ASSERT(next.document_.revision() >= document_.next_revision());
   MES_ASSERT(next.document_.first_id() >= document_.next_id());
@@ -179,7 +180,7 @@ void Editor::take_up(Aside aside) {
   evolved_revision_ = aside.evolved_revision;
   saved_lesson_ = aside.saved_lesson;
   noted_layers_ = std::move(aside.noted_layers);
-  noted_revision_ = ~std::uint64_t{0};  // compared when they come to rest
+  noted_revision_ = ~std::uint64_t{0};  // layers are compared when they come to rest
   if (told_revision_ == document_.revision()) return;
   const auto change = std::make_shared<const DocumentDelta>(replacement());
   follow(*change);
@@ -202,7 +203,7 @@ void Editor::end_gesture() {
   timeline_.note_gesture_ended();
 }
 
-// Whatever asks for memory comes before the first change.
+// All allocations precede the first change.
 void Editor::record(const DocumentDelta& delta, const std::string& name, bool continues) {
   if (delta.is_empty()) return;
   note_layers();
@@ -363,7 +364,7 @@ void Editor::cancel_gesture() {
   if (history_.position() != before) take_back();
 }
 
-// Whatever asks for memory comes before the first change.
+// All allocations precede the first change.
 void Editor::take_step(const std::vector<DocumentDelta>& deltas, const TimelineEntry& entry,
                        void (History::*step)()) {
   const std::vector<Posted> changes = posted(deltas);
@@ -409,7 +410,7 @@ void Editor::redo() {
 
 void Editor::undo_edit() {
   note_layers();
-  // Reordering steps that do not touch each other changes nothing.
+  // Reordering independent steps changes nothing.
   if (history_.raise_edit()) take_step(history_.deltas_of_undo(), Undone{}, &History::step_back);
 }
 
@@ -491,7 +492,7 @@ void Editor::set_saved_layers(std::optional<LayerConfiguration> layers) {
 
 void Editor::show_layers(LayersChanged change, LayersChanged::Role role) {
   if (layers_ == nullptr) return;
-  // What was changed within a gesture that is cancelled is not noted yet, and stays so.
+  // Layer changes within a cancelled gesture are not noted yet, and stay so.
   const bool is_pending = layers_->revision() != noted_revision_;
   layers_->apply(change);
   if (is_pending && noted_layers_)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first ball of a document is shown.
+// Makes the first ball of a document visible.
 #pragma once
 
 #include "app/editing/editor.h"
@@ -7,12 +7,11 @@
 
 namespace mes {
 
-/// What it guarantees: with a first ball the layers of balls become visible, as a part of the step that made it, if
-/// none of them is; but not where undone work can be brought back, which is shown as it was looked at, nor where one
-/// layer is shown alone. Threads: none.
+/// Guarantees: the first ball makes the layers of balls visible, in the same step, if none of them is. It does not if
+/// undone work can be redone, because its layers are then restored, nor if one layer is shown alone. Threads: none.
 class FirstBall {
  public:
-  /// Once a frame.
+  /// Call it once per frame.
   void follow(Editor& editor, LayerStack& layers);
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples that are added while no layer shows samples.
+// Counts samples that are added while no layer shows samples.
 #pragma once
 
 #include "app/layers/layer_stack.h"
@@ -7,21 +7,21 @@
 
 namespace mes {
 
-/// Counts the samples that were added since samples were visible last, or since the document came, less those that were
-/// taken away again; the count is zero once the user knows. Threads: none.
+/// Counts the samples added since samples were last visible, or since the document was loaded, less those removed
+/// again; the count is zero once the user knows of them. Threads: none.
 class HiddenSamples {
  public:
-  /// Another document is there.
+  /// Begins with another document.
   void begin(const Document& document);
-  /// Once a frame.
+  /// Call it once per frame.
   void follow(const Document& document, const LayerStack& layers);
-  /// The number of hidden samples to tell of.
+  /// The number of hidden samples to report.
   std::size_t count() const { return is_known_ ? 0 : added_; }
-  /// The user knows, until samples have been visible, or another document comes.
+  /// The user knows; valid until samples have been visible, or another document is loaded.
   void dismiss() { is_known_ = true; }
 
  private:
-  std::size_t last_ = 0;  // samples of the document
+  std::size_t last_ = 0;  // number of samples in the document
   std::size_t added_ = 0;
   bool is_known_ = false;
 };

@@ -12,7 +12,7 @@
 namespace mes {
 namespace {
 
-/// The places that define a shape, as they are now, in the order of `HighlightedElement`.
+/// The present points that define a shape, in the order of `HighlightedElement`.
 std::vector<Vec2> places_of(const ProvenanceShape& shape) {
   const auto& v = shape.values;
   const Vec2 first{v[0], v[1]};
@@ -30,7 +30,7 @@ std::vector<Vec2> places_of(const ProvenanceShape& shape) {
   return {};
 }
 
-/// It follows something, and all of that is alive.
+/// True if it follows elements, all of which are alive.
 bool is_followed(const Followed& followed, const Document& document) {
   if (followed.samples[0] == kNoSlot && followed.balls[0] == kNoSlot) return false;
   return std::ranges::all_of(followed.samples,
@@ -50,7 +50,7 @@ Anchor following(const Followed& followed, Vec2 at, const Document& document) {
   return out;
 }
 
-/// As a multiple of what the radius about its centre is measured by.
+/// The radius as a multiple of the unit for radii about this centre.
 double relative_radius(double radius, const Anchor& center, const Document& document) {
   const double factor = radius / document.radius_unit(center);
   constexpr double kRounding = 1e-9;

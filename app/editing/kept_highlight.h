@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What provenance highlights, as an annotation that stays.
+// Turns a highlight of provenance into an annotation that stays.
 //
 // Smallest use:
 //     KeptHighlight kept = highlight_of(*card.shown(), document);
@@ -16,13 +16,13 @@
 namespace mes {
 
 struct KeptHighlight {
-  Annotation annotation;     ///< without elements if there is nothing that can be kept
-  std::size_t left_out = 0;  ///< shapes beyond `kMostHighlighted`, and those that no document can hold
+  Annotation annotation;     ///< without elements if nothing can be kept
+  std::size_t left_out = 0;  ///< shapes beyond `kMostHighlighted`, and shapes that no document can hold
 };
 
-/// What it guarantees: an element that is defined by samples alone, or by balls of the document, follows them; one of
-/// which some place is not stays as a whole where it is. `line`: of the answer; none: all lines. The answer is of this
-/// state of the document. Cost: O(shapes). Threads: any.
+/// Guarantees: an element defined by samples alone, or by balls of the document, follows them; if one of its points
+/// is not so defined, the whole element keeps its position. `line`: a line of the answer; nothing: all lines. The
+/// answer must refer to this state of the document. Cost: O(shapes). Threads: any.
 KeptHighlight highlight_of(const Provenance& answer, const Document& document,
                            std::optional<std::size_t> line = std::nullopt);
 

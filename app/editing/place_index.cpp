@@ -13,7 +13,7 @@
 namespace mes {
 namespace {
 
-// Cells this far out lie beyond what a double tells apart; clamping keeps the integers defined.
+// Cells this far out are finer than doubles can tell apart; clamping keeps the integers defined.
 constexpr double kFarthestCell = 4e15;
 
 std::int64_t floor_div(std::int64_t a, std::int64_t b) {
@@ -30,7 +30,7 @@ double squared_distance_to(const Box2& box, Vec2 p) {
   return dx * dx + dy * dy;
 }
 
-// Width of the middle nine tenths, so that an outlier does not decide.
+// Width of the middle nine tenths of the values, so that outliers do not count.
 double robust_width(std::vector<double>& values) {
   const auto low = static_cast<std::ptrdiff_t>(values.size() / 20);
   const auto high = static_cast<std::ptrdiff_t>(values.size() - 1) - low;
@@ -83,7 +83,7 @@ Box2 PlaceIndex<Places>::box_of(Cell cell, std::size_t level) const {
   static_assert(kFanout == 4);
   const double size = std::ldexp(cell_size_, 2 * static_cast<int>(level));
   const Vec2 low{origin_.x + static_cast<double>(cell.x) * size, origin_.y + static_cast<double>(cell.y) * size};
-  // One part in 10^12 wider: rounding of the cell number must not hide a place that lies on the border.
+  // Wider by one part in 10^12, so that rounding of the cell number cannot hide a point on the border.
   const double slack = 1e-12 * (size + std::abs(low.x - origin_.x) + std::abs(low.y - origin_.y));
   return {{low.x - slack, low.y - slack}, {low.x + size + slack, low.y + size + slack}};
 }
@@ -115,7 +115,7 @@ void PlaceIndex<Places>::rebuild(const JobPart& part) {
   size_ = 0;
   cell_size_ = chosen_cell_size();
   origin_ = {};
-  // Most samples of a dense curve lie in the cell of the one before.
+  // On a dense curve most samples lie in the cell of the previous one.
   Cell last{};
   Row* head = nullptr;
   constexpr std::size_t kOften = std::size_t{1} << 14U;
@@ -274,7 +274,7 @@ typename PlaceIndex<Places>::Row PlaceIndex<Places>::nearest(Vec2 p, double radi
       if (Places::is_alive(document_, slot)) look_at(slot);
     return best.slot;
   }
-  // Growing boxes: a wide radius in a dense place ends after the first ones.
+  // Grows the box step by step, so that a wide radius among dense points ends after the first steps.
   double reach = std::min(radius, cell_size_);
   for (;;) {
     const Box2 box{{p.x - reach, p.y - reach}, {p.x + reach, p.y + reach}};
@@ -282,7 +282,7 @@ typename PlaceIndex<Places>::Row PlaceIndex<Places>::nearest(Vec2 p, double radi
       if (best.slot != kNoSlot && squared_distance_to(box_of(cell, 0), p) > best.distance * best.distance) return;
       for (Row slot = first; slot != kNoSlot; slot = next_[slot]) look_at(slot);
     });
-    // Within the box everything was seen, so a place at most `reach` away cannot be beaten from outside it.
+    // Everything within the box was seen, so no point outside it can be nearer than one at most `reach` away.
     if ((best.slot != kNoSlot && best.distance <= reach) || reach >= radius) return best.slot;
     reach = std::min(radius, reach * static_cast<double>(kFanout));
   }

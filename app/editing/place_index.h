@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which samples, or centres of balls, are near the cursor? A hash grid over the live ones of a document.
+// Finds the samples, or centres of balls, near the pointer: a hash grid over the live ones of a document.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace mes {
 
-/// The samples of a document, as an index sees them.
+/// Adapts the samples of a document to an index.
 struct SamplePlaces {
   using Row = SampleSlot;
   static std::size_t rows(const Document& document) { return document.slot_count(); }
@@ -23,7 +23,7 @@ struct SamplePlaces {
   static Vec2 place(Vec2 p) { return p; }
 };
 
-/// The centres of the balls of a document, as an index sees them.
+/// Adapts the centres of the balls of a document to an index.
 struct CenterPlaces {
   using Row = BallSlot;
   static std::size_t rows(const Document& document) { return document.ball_slot_count(); }
@@ -34,44 +34,44 @@ struct CenterPlaces {
   static Vec2 place(const Disk& disk) { return disk.center; }
 };
 
-/// What it guarantees:
-///  1. After `follow` the answers are those of looking at every place; ties go to the higher row.
-///  2. One far outlier does not spoil the grid: the cell size comes from the middle nine tenths of the places.
+/// Guarantees:
+///  1. After `follow` the answers equal those of a search through all points; ties go to the higher row.
+///  2. One far outlier does not spoil the grid: the cell size comes from the middle nine tenths of the points.
 ///
 /// Smallest use:
 ///     SampleIndex index(document);
 ///     document.apply(delta); index.follow(delta);
 ///     SampleSlot slot = index.nearest(cursor_world, 8 * units_per_px);
 ///
-/// Cost: `follow` O(edits) with a rebuild whenever the number of places has changed fourfold; `nearest` looks at the
-/// cells of a few rings (some microseconds at 10^6 samples); `in_box` O(cells of the box + answer).
-/// Threads: none; it follows the document of the window's thread.
+/// Cost: `follow` O(edits), with a rebuild whenever the number of points has changed fourfold; `nearest` looks at the
+/// cells of a few rings (some microseconds at 10^6 samples); `in_box` O(cells of the box + answer). Threads: none; it
+/// follows the document of the window's thread.
 ///
-/// How it works inside: cells of level 0 hold the places as a linked list through the rows; a cell of level k + 1
+/// How it works inside: cells of level 0 hold the points as a linked list through the rows; a cell of level k + 1
 /// counts the occupied ones of its 4 x 4 children, so a search in a radius of a million empty cells descends only
-/// where something is.
+/// into occupied ones.
 template <class Places>
 class PlaceIndex {
  public:
   using Row = typename Places::Row;
   explicit PlaceIndex(const Document& document) : PlaceIndex(document, JobPart{}) {}
-  /// Of a job whose steps are rows of several indices, in order.
+  /// A part of a job whose steps are the rows of several indices, in order.
   struct JobPart {
     JobControl* job = nullptr;
-    std::size_t before = 0;  ///< rows of the indices made before
-    std::size_t total = 0;   ///< of all of them
+    std::size_t before = 0;  ///< rows of the indices made before this one
+    std::size_t total = 0;   ///< rows of all indices
   };
-  /// Throws `Cancelled` if there is a job.
+  /// Throws `Cancelled` if there is a job and it is asked to stop.
   PlaceIndex(const Document& document, const JobPart& part);
 
-  /// To be called after `document.apply(delta)`, with every delta, in order. Lack of memory makes searches slow, not
+  /// Call it after `document.apply(delta)`, with every delta, in order. Lack of memory makes searches slow, not
   /// wrong.
   void follow(const DocumentDelta& delta);
-  /// To be called when the documents of both were swapped. O(1), and asks for no memory.
+  /// Call it when the documents of both indices were swapped. O(1), without allocation.
   void swap_tables(PlaceIndex& other) noexcept;
-  /// Row of the place nearest to `p` at a distance of at most `radius`, or kNoSlot.
+  /// Row of the point nearest to `p` at a distance of at most `radius`, or kNoSlot.
   Row nearest(Vec2 p, double radius) const;
-  /// Rows of the places in the closed box, increasing.
+  /// Rows of the points in the closed box, increasing.
   std::vector<Row> in_box(const Box2& box) const;
   std::size_t size() const { return is_lost_ ? Places::count(document_) : size_; }
 
@@ -110,8 +110,8 @@ class PlaceIndex {
   Vec2 origin_{};
   std::size_t size_ = 0;
   std::size_t size_at_rebuild_ = 0;
-  bool is_lost_ = false;  // memory ran out: it looks at every place until there is room to begin anew
-  std::unordered_map<Cell, Row, CellHash> head_;  // level 0: first place of the cell
+  bool is_lost_ = false;  // memory ran out: searches look at every point until a rebuild has room
+  std::unordered_map<Cell, Row, CellHash> head_;  // level 0: first point of the cell
   std::vector<std::unordered_map<Cell, std::uint32_t, CellHash>> occupied_children_;  // levels 1, 2, ...
   Table<Row, Row> next_;
   Table<Row, Row> previous_;

@@ -19,14 +19,14 @@ std::shared_ptr<DocumentDelta> change_to(const Document& document) {
   return out;
 }
 
-// Where numbers run out, half of those that remain: what does not find any is refused, as any insertion is.
+// When ids run short, takes half of the remaining ones: an element that finds none is refused, as in any insertion.
 std::uint32_t ids_left(std::uint32_t next, std::uint32_t wanted) {
   return std::min(wanted, (std::numeric_limits<std::uint32_t>::max() - next) / 2);
 }
 
 }  // namespace
 
-// Nothing takes the place of nothing, with later numbers.
+// An empty document that replaces an empty one, with later ids.
 Document successor_of(const Document& before, const NumbersLeft& left) {
   Document out = before.successor();
   auto samples = std::make_shared<SampleSnapshot>();

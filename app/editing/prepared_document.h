@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A document with all that the editor keeps beside it, made on another thread.
+// A document with the editor's data for it, made on another thread.
 #pragma once
 
 #include <cstdint>
@@ -13,16 +13,16 @@
 
 namespace mes {
 
-/// How many revisions, and ids of samples and of balls, a document keeps to itself while another one is made.
+/// The revisions, and the ids of samples and of balls, that a document keeps for itself while another one is made.
 struct NumbersLeft {
   std::uint64_t revisions = 0;
   std::uint32_t ids = 0;
 };
-/// As `before.successor()`, but further on: `before` may go on and be followed by it all the same, as long as the numbers
-/// that are left to it last.
+/// Like `before.successor()`, but with later numbers: `before` may be edited and still be followed by the result, as
+/// long as the numbers left to it suffice.
 Document successor_of(const Document& before, const NumbersLeft& left);
 
-/// What it guarantees: `Editor::load` and `Editor::restore` take it over in O(1), whatever its size, and leave in it what
+/// Guarantees: `Editor::load` and `Editor::restore` take it over in O(1), whatever its size, and leave in it what
 /// they had before.
 ///
 /// Smallest use:
@@ -30,11 +30,12 @@ Document successor_of(const Document& before, const NumbersLeft& left);
 ///     ... on another thread: replay.begin(*data); PreparedDocument next(std::move(replay), data);
 ///     editor.load(next);
 ///
-/// Cost: making one is O(n). Threads: any, one at a time; it is not moved, for its indices look at its document.
+/// Cost: making one is O(n). Threads: any, one at a time; it cannot be moved, because its indices refer to its
+/// document.
 class PreparedDocument {
  public:
-  /// The state of the replay, where `data` and `entries` are what was replayed. Throws `Cancelled` if there is a job, and
-  /// std::bad_alloc.
+  /// Takes the state of the replay, with `data` and `entries` as replayed. Throws `Cancelled` if there is a job and
+  /// it is asked to stop, and std::bad_alloc.
   PreparedDocument(DocumentReplay replay, std::shared_ptr<const SampleData> data, TimelineLog entries = {},
                    Lesson lesson = {}, JobControl* job = nullptr);
   PreparedDocument(const PreparedDocument&) = delete;
@@ -50,7 +51,7 @@ class PreparedDocument {
   std::shared_ptr<const SampleData> data_;
   TimelineLog entries_;
   Lesson lesson_;
-  std::shared_ptr<DocumentDelta> change_;  // what it begins from is set when it is taken over
+  std::shared_ptr<DocumentDelta> change_;  // its beginning is set at the takeover
   SampleIndex index_;
   CenterIndex centers_;
 };

@@ -37,7 +37,7 @@ void ResampleDesk::begin(Wish wish) {
   });
 }
 
-// Samples are named by numbers that count from the first of the document, dead ones included.
+// The repair numbers samples from the first one of the document, dead ones included.
 Expected<void> ResampleDesk::apply(const Repair& repaired) {
   const Document& document = editor_.document();
   if (repaired.inserted == 0) return {};
@@ -55,7 +55,7 @@ Expected<void> ResampleDesk::apply(const Repair& repaired) {
         sample = static_cast<std::uint32_t>(sample < old ? document.id(slots[sample]).value - first
                                                          : known + (sample - old));
   }
-  // Samples on the curves go when others are taken of these.
+  // Samples on the curves are replaced when others are taken of these curves.
   const std::shared_ptr<const CurveSource>& source = document.source();
   const auto known = document.next_id().value - document.first_id().value;
   if (repaired.is_on_curves && source && source->first + source->count == known)

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The sampling of the document, repaired or decimated beside the window.
+// Repairs or decimates the sampling of the document beside the window.
 //
-// What it guarantees:
-//  1. Nothing waits: what is to be done is found on a thread of its own, and then done as one step of undo.
-//  2. Samples that were edited meanwhile are left as they are, and that is said.
+// Guarantees:
+//  1. Nothing waits: a separate thread finds the change, which is then made as one step of undo.
+//  2. If the samples are edited meanwhile, they are left as they are, and the report says so.
 //
 // Smallest use, once a turn:
 //     if (auto report = desk.follow()) say(report->sentences);
@@ -34,25 +34,25 @@ class ResampleDesk {
   enum class Wish : std::uint8_t { repair, decimate };
   void begin(Wish wish);
   bool is_under_way() const { return job_.is_under_way(); }
-  /// Another document takes the place of this one.
+  /// Another document replaces this one.
   void forget() {
     job_.give_up();
     last_ = {};
   }
 
-  /// What was done, and what could not be.
+  /// A report on the change, and on the places where it failed.
   struct Report {
-    bool is_problem = false;             ///< nothing was done
+    bool is_problem = false;             ///< true if nothing was changed
     std::vector<std::string> sentences;  ///< without a full stop
     std::vector<SampledCorner> corners{};
-    std::vector<Vec2> places{};  ///< where the samples are still too few, or the curve ends
+    std::vector<Vec2> places{};  ///< where samples are still too few, or the curve ends
   };
-  /// Takes what was found, and does it; within a gesture it waits for its end.
+  /// Takes a finished change and makes it; within a gesture it waits for the end.
   std::optional<Report> follow();
-  /// Of the last that was done; empty at first, and when the document has changed since.
+  /// The report on the last change; empty at first, and when the document has changed since.
   Report last() const { return editor_.document().revision() == reported_at_ ? last_ : Report(); }
 
-  /// What samples are to be, above 0 and at most 1.
+  /// Target epsilon of the samples, above 0 and at most 1.
   double epsilon = 0.25;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples of a shape or a text, computed aside while it is being chosen.
+// Computes the samples of a shape or a text in the background while the user chooses it.
 #pragma once
 
 #include <functional>
@@ -14,11 +14,11 @@
 
 namespace mes {
 
-/// What it guarantees:
-///  1. Samples are computed on a thread of their own; nothing waits. Of several wishes the last counts, but each that
-///     was begun is shown, so that a slider that is dragged is followed.
-///  2. Only samples of the last wish are taken: what is accepted before they are ready waits for them. Where they
-///     cannot be made, nothing is taken.
+/// Guarantees:
+///  1. A separate thread computes the samples; nothing waits. Of several requests the last counts, but each one that
+///     was begun is shown, so that the preview follows a dragged slider.
+///  2. Only samples of the last request are used: accepting before they are ready waits for them. If they cannot be
+///     made, nothing is used.
 ///
 /// Smallest use:
 ///     making.want([request](JobControl& job) { return SampleMaking::Made{make_shape(shape, request, &job)}; });
@@ -37,15 +37,15 @@ class SampleMaking {
   explicit SampleMaking(Waker wake) : job_(std::move(wake)) {}
 
   void want(Call call);
-  /// Gives up what is being computed, which ends where it looks at its job next, and what was accepted.
+  /// Gives up the computation, which ends at its next look at the job, and an acceptance.
   void stop();
-  /// Takes what is ready. What is accepted and cannot be made is accepted no more.
+  /// Takes finished samples. If accepted samples cannot be made, the acceptance is withdrawn.
   void follow();
   bool is_busy() const { return job_.is_under_way(); }
 
-  /// What was computed last, for the last wish or one before; null: nothing yet.
+  /// The last finished result, of the last request or an earlier one; null: none yet.
   const Made* made() const { return made_ ? &*made_ : nullptr; }
-  /// The last wish has samples, or may still have.
+  /// True if the last request has samples, or may still get them.
   bool is_possible() const { return is_busy() || (made_ && made_->data); }
   void accept() { is_accepted_ = true; }
   bool is_accepted() const { return is_accepted_; }

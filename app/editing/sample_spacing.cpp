@@ -27,7 +27,7 @@ void visit_places(const Document& document, const Visit& visit) {
     if (document.is_alive(slot)) visit(document.position(slot));
 }
 
-/// A random number of the place; 0 and -0 are one.
+/// A pseudo-random number for the point; 0 and -0 give the same.
 std::uint64_t key_of(Vec2 p) {
   return Rng(std::bit_cast<std::uint64_t>(p.x + 0.0)).at(std::bit_cast<std::uint64_t>(p.y + 0.0));
 }
@@ -41,9 +41,9 @@ void keep_least(std::vector<Probe>& probes, std::uint64_t key, Vec2 at) {
   if (probes.size() > kProbes) probes.pop_back();
 }
 
-/// Of many samples, a random choice by their numbers in the order of input, which files keep: samples that move, as in an
-/// evolution, stay chosen, or the median would jump from step to step. Where some of those lie at one place, or there are
-/// few, a random choice of places.
+/// If there are many samples, chooses some at random by their index in input order, which files keep: samples that
+/// move, as in an evolution, stay chosen, or the median would jump from step to step. If some of those coincide, or
+/// there are few, chooses positions at random.
 std::vector<Probe> choose_probes(const Document& document) {
   std::vector<Probe> out;
   if (document.sample_count() > kProbes) {
@@ -61,7 +61,7 @@ std::vector<Probe> choose_probes(const Document& document) {
   return out;
 }
 
-/// Probes by the cells of a grid, each in its own and the eight around it.
+/// A grid of probes, each listed in its own cell and the eight around it.
 class ProbeGrid {
  public:
   ProbeGrid(std::vector<Probe>& probes, double reach) : probes_(probes), size_((1.0 + 1e-9) * reach) {
@@ -74,7 +74,7 @@ class ProbeGrid {
     for (const Entry& entry : entries_) is_used_.set(entry.key % kBits);
   }
 
-  /// Measures how far the place is from the probes near it.
+  /// Measures the distances from the point to the probes near it.
   void meet(Vec2 p) {
     const std::uint64_t key = key_of(cell_of(p));
     if (!is_used_.test(key % kBits)) return;
@@ -96,7 +96,7 @@ class ProbeGrid {
     std::size_t probe = 0;
   };
 
-  // About a probe, so that a place far from the origin has cells, too.
+  // Relative to a probe, so that points far from the origin have cells, too.
   Cell cell_of(Vec2 p) const {
     const auto number = [this](double value) {
       constexpr double kFarthest = 4e15;
@@ -117,7 +117,7 @@ class ProbeGrid {
   std::bitset<kBits> is_used_;
 };
 
-/// More than half of them have one.
+/// The median is finite only if more than half of the probes have a neighbour.
 double median_of_nearest(const std::vector<Probe>& probes) {
   std::vector<double> nearest;
   for (const Probe& probe : probes) nearest.push_back(probe.nearest);
@@ -128,8 +128,8 @@ double median_of_nearest(const std::vector<Probe>& probes) {
 
 }  // namespace
 
-// Half of the probes have another probe within the median of their distances. Among more places the nearest are about
-// as much nearer as there are more; where half of the probes meet nothing there, the search is wider.
+// The probes alone give a median distance as an upper bound. With more points, nearest distances shrink about in
+// proportion to their number; the search is wider if half of the probes have no neighbour within that.
 double typical_spacing(const Document& document) {
   std::vector<Probe> probes = choose_probes(document);
   if (probes.size() < 2) return 0.0;
@@ -175,9 +175,9 @@ bool is_made_of_samples(const LayerDescriptor& descriptor) {
 
 LayerStyle thinned(LayerStyle style, const LayerDescriptor& descriptor, double spacing_px) {
   constexpr double kShareOfSpacing = 0.7;
-  constexpr double kSmallestApart = 1.5;  // logical pixels, as all of these
+  constexpr double kSmallestApart = 1.5;  // logical pixels, like the others
   constexpr double kDense = 2.0;
-  constexpr double kThinnest = 0.2;  // of the width in the style
+  constexpr double kThinnest = 0.2;  // share of the width in the style
   constexpr double kSmallestDot = 1.0;
   constexpr double kThinnestLine = 0.3;
   if (!style.thin_when_dense || !is_made_of_samples(descriptor) || !(spacing_px > 0.0)) return style;

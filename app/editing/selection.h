@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which samples and which balls are selected.
+// The set of selected samples and balls.
 #pragma once
 
 #include <cstdint>
@@ -10,12 +10,12 @@
 
 namespace mes {
 
-/// What it guarantees: only live samples and balls are selected; what is removed leaves the selection, and comes back
-/// unselected when the removal is undone. Cost: O(1) a change, O(rows) for the whole-set operations.
-/// Threads: none; it follows the document of the window's thread.
+/// Guarantees: only live samples and balls are selected; removed ones leave the selection, and return unselected when
+/// the removal is undone. Cost: O(1) per change, O(rows) for the whole-set operations. Threads: none; it follows the
+/// document of the window's thread.
 class Selection {
  public:
-  /// Samples and balls together.
+  /// Number of samples and balls together.
   std::size_t size() const { return samples_.count + balls_.count; }
   bool is_empty() const { return size() == 0; }
   /// Grows with every change; equal numbers mean an equal selection.
@@ -26,7 +26,7 @@ class Selection {
   void add(SampleSlot slot) { note(samples_.add(slot)); }
   void remove(SampleSlot slot) { note(samples_.remove(slot)); }
   std::size_t sample_count() const { return samples_.count; }
-  /// Increasing. O(rows).
+  /// Rows in increasing order. O(rows).
   std::vector<SampleSlot> slots() const { return samples_.slots(); }
 
   /// Balls, by row.
@@ -40,7 +40,7 @@ class Selection {
   void select_all(const Document& document);
   void invert(const Document& document);
 
-  /// To be called after `document.apply(delta)`.
+  /// Call it after `document.apply(delta)`.
   void follow(const DocumentDelta& delta);
 
  private:
@@ -65,7 +65,7 @@ class Selection {
 /// "1 sample", "3 balls", "12 samples and 1 ball"; "nothing" when both are zero.
 std::string counted(std::size_t samples, std::size_t balls);
 
-/// What is selected, for the name of a step: "sample", "samples", "ball", "samples and balls", ...
+/// A noun for the selection in the name of a step: "sample", "samples", "ball", "samples and balls", ...
 std::string noun_of(const Selection& selection);
 
 }  // namespace mes

@@ -24,7 +24,7 @@ const std::vector<std::string>& formula_names() {
   return names;
 }
 
-/// Nothing for an empty text.
+/// Returns nothing for an empty text.
 Expected<std::optional<Formula>> formula_of(const std::string& text, std::string_view named) {
   if (text.find_first_not_of(" \t") == std::string::npos) return std::nullopt;
   auto formula = Formula::parse(text, formula_names());
@@ -108,7 +108,7 @@ Expected<void> SelectionDesk::put(const Places& from, std::vector<Vec2> at, std:
 
 Expected<void> SelectionDesk::move_middle_to(Vec2 place) {
   Places all = places();
-  // One place is put where it is to be, without the rounding of a difference.
+  // A single point is put exactly at its target, without the rounding of a difference.
   if (all.at.size() == 1) return put(all, {place}, "Move");
   const Vec2 middle = middle_of(all.at);
   std::vector<Vec2> at = all.at;
@@ -310,7 +310,7 @@ Expected<void> SelectionDesk::duplicate(Vec2 step) {
   std::vector<Disk> balls;
   const std::size_t samples = all.samples.size();
   for (std::size_t i = 0; i < all.balls.size(); ++i) balls.push_back({all.at[samples + i], all.radius[i]});
-  // Places are in the order of the ids.
+  // Samples are sorted by id.
   const auto place_of = [&](SampleId id) -> std::optional<std::uint32_t> {
     const auto found = std::ranges::lower_bound(all.samples, id);
     if (found == all.samples.end() || *found != id) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The box around what is selected, as a frame with handles goes around it.
+// The bounding box of the selection, around which the frame with handles is drawn.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ class SelectionFrame {
  public:
   explicit SelectionFrame(const Editor& editor) : editor_(editor) {}
 
-  /// Around the selected samples and centres of balls; nothing where there are fewer than two different places.
+  /// The box of the selected samples and centres of balls; nothing with fewer than two different points.
   std::optional<Box2> box() const;
 
  private:

@@ -71,8 +71,8 @@ std::optional<Snap> Snapper::circle_at(Vec2 p, double reach, const Except& excep
 
 std::optional<Snap> Snapper::lines_at(Vec2 p, double reach, double step) {
   if (!(step > 0.0)) return std::nullopt;
-  // A step below 1 is the inverse of a whole number, which is exact down to steps of 1e-22; a quotient of two exact
-  // numbers is rounded once.
+  // For steps below 1, the inverse is a whole number and exact down to steps of 1e-22, so the quotient of two exact
+  // numbers is rounded only once.
   const double inverse = std::round(1.0 / step);
   const auto on_line = [&](double x) {
     const double k = std::round(x / step);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Places that the hand means when it is near them.
+// Snaps positions to elements near the pointer.
 #pragma once
 
 #include <functional>
@@ -13,36 +13,37 @@
 
 namespace mes {
 
-/// A place with what it is: "sample", "grid", ...
+/// A position with the kind of its element: "sample", "grid", ...
 struct Snap {
   Vec2 place{};
   std::string_view name;
 };
 
-/// What it guarantees: of samples, centres and vertices within reach the nearest one is taken, else the nearest place on a
-/// circle or a curve that samples were taken from, else a crossing of the grid or a place on one of its lines, else round
-/// numbers that a pixel has. Coordinates of the grid, and of pixels, are the doubles nearest to the decimal numbers that the axes show, for steps from 1e-22 to 1e22.
+/// Guarantees: takes the nearest of the samples, centres and vertices within reach; else the nearest point on a
+/// circle or on a curve that samples were taken from; else a crossing or a line of the grid; else round numbers
+/// within the pixel. Coordinates of the grid and of pixels are the doubles nearest to the decimal numbers on the
+/// axes, for steps from 1e-22 to 1e22.
 ///
-/// Cost: a search among the samples near by; balls are looked at one by one. Threads: the window's.
+/// Cost: a search among nearby samples; balls are searched one by one. Threads: the window's.
 class Snapper {
  public:
-  /// Distances of lines at present, in units, each 1, 2 or 5 times a power of ten; 0 or less where there are none.
+  /// The present distances of lines, in units, each 1, 2 or 5 times a power of ten; 0 or less if there are no lines.
   struct Steps {
     double grid = 0.0;
     double pixel = 0.0;
   };
-  /// All that is named outlives it.
+  /// All arguments must outlive it.
   Snapper(const Editor& editor, const AnnotationDesk& vertices, const SnapSettings& settings,
           std::function<Steps()> steps)
       : editor_(editor), vertices_(vertices), settings_(settings), steps_(std::move(steps)) {}
 
-  /// What places do not snap to: things that move with the pointer, and vertices of samples that move.
+  /// The elements to ignore: those that move with the pointer, and vertices of moving samples.
   struct Except {
-    std::function<bool(SampleSlot)> sample{};  ///< empty: none
+    std::function<bool(SampleSlot)> sample{};  ///< empty: ignores none
     std::function<bool(BallSlot)> ball{};
     bool vertices = false;
   };
-  /// Nothing where snapping is off, or nothing is within `reach`, in units.
+  /// Nothing if snapping is off, or nothing is within `reach`, in units.
   std::optional<Snap> at(Vec2 p, double reach, const Except& except) const;
 
  private:

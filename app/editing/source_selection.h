@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Selecting the samples and balls that something on screen comes from.
+// Selects the samples and balls from which an element on screen was made.
 #pragma once
 
 #include <cstdint>
@@ -13,28 +13,28 @@
 
 namespace mes {
 
-/// Selects the samples that lie at places, ends and corners of the element and of what it comes from, and the balls that
-/// are among these, and nothing else. How many there are; where there are none, what was selected stays so. O(shapes).
+/// Selects exactly the samples at points, ends and corners of the element and of its sources, and the balls among
+/// these. Returns their number; if it is zero, the selection stays. O(shapes).
 std::size_t select_sources(Editor& editor, const Provenance& element);
 
-/// Selects what those elements of a layer come from whose value is in a range.
+/// Selects the sources of those elements of a layer whose value is in a range.
 ///
-/// What it guarantees: the engine finds them, and the window does not wait for it; an edit before the answer drops it.
+/// Guarantees: the engine finds them, and the window does not wait for it; an edit before the answer cancels it.
 /// Threads: the window's.
 class ValueSelector {
  public:
   explicit ValueSelector(Editor& editor) : editor_(editor) {}
 
   void ask(Engine& engine, LayerIndex layer, double low, double high);
-  /// What was done, as a sentence, when the answer was to a question of this object.
+  /// A sentence on the effect, if the answer was to a question of this object.
   std::optional<std::string> take(const Provenance& answer);
 
  private:
-  // Below those of other questions that come without a click.
+  // Below the tickets of other questions without a click.
   static constexpr std::uint64_t kFirstTicket = std::uint64_t{1} << 61U;
   Editor& editor_;
   std::uint64_t ticket_ = kFirstTicket;
-  std::uint64_t revision_ = 0;  // of the document, when it was asked
+  std::uint64_t revision_ = 0;  // revision of the document at the question
 };
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a document is looked at with, beside its layers, and its changes on the timeline.
+// The view and settings of a document, beside its layers, and their changes on the timeline.
 #pragma once
 
 #include "app/editing/editor.h"
@@ -8,16 +8,16 @@ namespace mes {
 
 struct Surroundings {
   const ComputationSettings& settings;
-  Box2 view{};  ///< what is to be seen; empty: not known yet
+  Box2 view{};  ///< the visible area; empty: not known yet
 };
 
-/// What it guarantees: after `follow` the timeline's entries, folded, give these surroundings; of a new document they
-/// are noted in full, then only what is different. Cost: a few comparisons when nothing changed. Threads: none.
+/// Guarantees: after `follow`, folding the timeline's entries gives these surroundings. A new document gets them in
+/// full, later only the differences. Cost: a few comparisons if nothing has changed. Threads: none.
 class SurroundingsNotes {
  public:
-  /// To be called when things are at rest, so that a slider being dragged makes one entry.
+  /// Call it at rest, so that dragging a slider makes one entry.
   void follow(Editor& editor, const Surroundings& now);
-  /// The document was restored, and these surroundings with it: they are on its timeline already.
+  /// Notes that these surroundings were restored with the document: they are on its timeline already.
   void take_as_noted(const Editor& editor, const Surroundings& now);
 
  private:

@@ -13,13 +13,13 @@ namespace {
 
 constexpr std::size_t kBorder = SIZE_MAX;
 
-/// A corner of a cell, and the site beyond the side that leads on from it.
+/// A corner of a cell, and the site beyond the side that begins there.
 struct Corner {
   Vec2 at{};
   std::size_t beyond = kBorder;
 };
 
-/// What of a convex cell is nearer to `own` than to `other`; places are relative to one that is near.
+/// Cuts off the part of a convex cell that is nearer to `other` than to `own`; points are relative to a nearby one.
 void cut(std::vector<Corner>& cell, std::vector<Corner>& out, Vec2 own, Vec2 other, std::size_t name) {
   const Vec2 normal = other - own;
   const Vec2 middle = 0.5 * (own + other);
@@ -44,7 +44,7 @@ void cut(std::vector<Corner>& cell, std::vector<Corner>& out, Vec2 own, Vec2 oth
 std::optional<NearVertex> vertex_near(std::span<const Vec2> sites, Vec2 p, double reach) {
   std::vector<Vec2> places;
   for (const Vec2 site : sites) places.push_back(site - p);
-  // The nearest first: they cut off most.
+  // Sorted by distance: the nearest sites cut off most.
   std::vector<std::size_t> order(sites.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, [&](std::size_t i) { return std::pair(length(places[i]), i); });
@@ -55,7 +55,7 @@ std::optional<NearVertex> vertex_near(std::span<const Vec2> sites, Vec2 p, doubl
     const Circle circle = circumcircle(sites[corners[0]], sites[corners[1]], sites[corners[2]]);
     const double away = distance(p, circle.center);
     if (!(away < nearest || (best && away == nearest && corners < best->corners))) return;
-    // Cells were cut with rounding; what is a hair inside is taken to be on the circle.
+    // Cells were cut with rounding, so a site barely inside counts as on the circle.
     constexpr double kHair = 1.0 - 1e-9;
     if (std::ranges::any_of(sites, [&](Vec2 site) { return distance(site, circle.center) < kHair * circle.radius; }))
       return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vertex of the Voronoi diagram that the pointer is near to, found among the samples around it.
+// Finds the Voronoi vertex near the pointer among the samples around it.
 #pragma once
 
 #include <array>
@@ -13,13 +13,13 @@
 namespace mes {
 
 struct NearVertex {
-  std::array<std::size_t, 3> corners{};  ///< positions in the list of sites, increasing
+  std::array<std::size_t, 3> corners{};  ///< indices in the list of sites, increasing
   Vec2 at{};                             ///< the centre of the circle through them
 };
 
-/// The vertex nearest to `p` of the Voronoi diagram of the sites, if it is nearer than `reach`. Sites whose distance from
-/// `p` is larger than that of the nearest one by more than twice the reach make no difference. Where more than three sites
-/// are on one circle, three of them. For the hand: decided by doubles. O(n^2), mostly in a few operations a pair.
+/// The vertex of the sites' Voronoi diagram nearest to `p`, if it is nearer than `reach`. Sites farther from `p` than
+/// the nearest one by more than twice the reach do not matter. If more than three sites are on one circle, returns
+/// three of them. Meant for the hand, so it decides by doubles. O(n^2), mostly a few operations per pair.
 std::optional<NearVertex> vertex_near(std::span<const Vec2> sites, Vec2 p, double reach);
 
 }  // namespace mes

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A picture as it comes back from the graphics card: one part, or one for each pane of a sheet.
+// A picture read back from the graphics card: one part, or one for each pane of a sheet.
 //
 // Smallest use:
 //     CapturedPicture picture = raw_image;           // or: CapturedPicture(sheet, fonts), then `add` for each pane
 //     if (picture.is_whole()) encode(std::move(picture).image());
 //
-// Cost: `add` a move, `image` O(pixels). Threads: any, one at a time.
+// Cost: `add` is a move, `image` O(pixels). Threads: any, one at a time.
 #pragma once
 
 #include <cstddef>
@@ -26,18 +26,18 @@ class CapturedPicture {
   using Pixels = std::variant<render::Image, render::RawImage>;
 
   CapturedPicture() = default;
-  /// A whole picture, with nothing or an overlay on it.
+  /// A whole picture, perhaps with an overlay.
   CapturedPicture(render::Image image, PictureOverlay overlay = {}) { add(std::move(image), std::move(overlay)); }
   CapturedPicture(render::RawImage raw, PictureOverlay overlay = {}) { add(std::move(raw), std::move(overlay)); }
-  /// A sheet without its panes, which are to be added in their order. `fonts` is not null.
+  /// A sheet without its panes, which must be added in their order. `fonts` is not null.
   CapturedPicture(PaneSheet sheet, std::shared_ptr<const PaperFonts> fonts)
       : sheet_(std::move(sheet)), fonts_(std::move(fonts)) {}
 
   void add(Pixels pixels, PictureOverlay overlay) { parts_.push_back({std::move(pixels), std::move(overlay)}); }
   bool is_whole() const { return parts_.size() == (sheet_ ? sheet_->labels.size() : 1); }
-  /// Of the pixels that it holds.
+  /// Size of its pixels.
   std::size_t bytes() const;
-  /// With its overlays and labels; it must be whole.
+  /// The picture with its overlays and labels; it must be whole.
   render::Image image() &&;
 
  private:

@@ -26,7 +26,7 @@ FrameWriter::FrameWriter(Take take, FrameWriterOptions options)
 }
 
 FrameWriter::~FrameWriter() {
-  // A caller that wants the result has called `finish` before.
+  // A caller that needs the result has called `finish` before.
   static_cast<void>(finish());
 }
 

@@ -30,7 +30,7 @@ Expected<void> copy_png(std::span<const std::byte> png, const std::stop_token& s
   const int reason =
       xclip.start({"xclip", "-selection", "clipboard", "-target", "image/png", "-in", file.string()}, folder->path());
   if (reason != 0) return clipboard_error("xclip cannot be started: " + std::generic_category().message(reason));
-  // It reads the file and goes on in the background.
+  // `xclip` has read the file when it returns; a background copy serves the clipboard.
   if (!xclip.wait(stop)) {
     const std::string complaint = xclip.complaint();
     return clipboard_error("xclip failed" + (complaint.empty() ? std::string() : ": " + complaint));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures on the clipboard of the desktop.
+// Puts pictures on the clipboard of the desktop.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,8 @@
 
 namespace mes {
 
-/// Puts a PNG file on the clipboard through `xclip`, which also serves it after this program has ended. Waits for that
-/// program. Error: `cannot_write` where it is missing or fails, and what `ScratchFolder` and writing say.
-/// Any thread.
+/// Puts a PNG file on the clipboard through `xclip`, which also serves it after this program has ended. Waits for
+/// `xclip`. Error: `cannot_write` if it is missing or fails; errors of `ScratchFolder` and of writing. Threads: any.
 Expected<void> copy_png(std::span<const std::byte> png, const std::stop_token& stop);
 
 }  // namespace mes

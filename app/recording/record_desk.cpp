@@ -22,7 +22,7 @@ std::string counted_frames(std::size_t n) {
   return fmt::format("{} {}", n, n == 1 ? "frame" : "frames");
 }
 
-/// A session that is too long for a picture is left out.
+/// Writes a picture with its session, which is left out if it is too long for a picture.
 Expected<fs::path> write_picture(const render::Image& image, const fs::path& folder,
                                  const std::optional<Session>& session) {
   const auto png =
@@ -38,7 +38,7 @@ Expected<fs::path> write_picture(const render::Image& image, const fs::path& fol
   return *file;
 }
 
-// Beside the take, under a name that is free. A link that leads nowhere has its name too.
+// A free name beside the take. A dangling link occupies its name, too.
 fs::path video_name(const fs::path& take) {
   std::error_code error;
   fs::path out = take.string() + ".mp4";
@@ -63,7 +63,7 @@ RecordDesk::RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<con
 
 namespace {
 
-/// As the panes lie in the window, or on a picture of the size that is asked for.
+/// Arranges the panes as in the window, or on a picture of the requested size.
 PaneSheet sheet_for(const PanePlaces& panes, double content_scale, const RecordSettings& settings) {
   const PanePlace& main = panes.places().front();
   const std::size_t count = panes.places().size();
@@ -85,7 +85,7 @@ bool shows_panes(const RecordSettings& settings, const PanePlaces& panes) {
   return settings.all_panes && !panes.is_empty();
 }
 
-/// Those of a window whose drawing is wanted without its panels at the size that it has on screen.
+/// Sets the size of the drawing on screen, for a drawing without its panels.
 void take_size_of(const RecordDesk::Window& window, RecordSettings& settings) {
   if (shows_panes(settings, window.panes)) {
     const PaneSheet sheet = sheet_for(window.panes, window.content_scale, settings);
@@ -130,7 +130,7 @@ void RecordDesk::stop() {
   if (!is_recording()) return;
   while (auto raw = capture_.wait()) hand_on(std::move(*raw));
   recorder_.reset();
-  // Of two takes in quick succession the first is waited for.
+  // If two takes follow each other quickly, waits for the first one.
   if (const auto done = finished_.finish()) tell_end(*done);
   std::optional<Session> session;
   if (settings_.with_source && take_source_) session = take_source_();
@@ -247,7 +247,7 @@ bool RecordDesk::ask_sheet(const Drawn& drawn, const RecordSettings& settings, P
   const auto shared = std::make_shared<const Purpose>(std::move(purpose));
   for (std::size_t i = 0; i < panes.size(); ++i) {
     ScaleMarks marks = drawn.state.marks;
-    // Where all panes are seen at one scale, one bar is enough.
+    // If all panes have the same scale, one bar is enough.
     marks.bar = marks.bar && (i == 0 || panes[i].camera != nullptr);
     const FrameView view = frame_view(panes[i].camera != nullptr ? *panes[i].camera : drawn.camera,
                                       {main.left, main.top, main.width, main.height}, drawn.content_scale, pane_size);
@@ -321,7 +321,7 @@ void RecordDesk::picture_drawn(const Drawn& drawn) {
 
 void RecordDesk::panels_drawn(const Drawn& drawn) {
   const render::PixelRect all{0, 0, drawn.camera.width(), drawn.camera.height()};
-  // More disks may be on their way to the window.
+  // More disks may still be on their way to the window.
   if (picture_.is_refining()) return;
   if (is_snapshot_due(drawn)) {
     static_cast<void>(ask_window(all, snapshot_purpose()));
@@ -354,7 +354,7 @@ void RecordDesk::hand_on(render::RawImage raw) {
   }
 }
 
-// Of a picture of several panes once.
+// Reports a picture of several panes once.
 void RecordDesk::tell_lost(const Asked& asked, const render::RawImage& raw) {
   if (lost_ == asked.picture || (asked.purpose->use == Use::frame && has_lost_frame_)) return;
   lost_ = asked.picture;

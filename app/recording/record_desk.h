@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Recording, snapshots and videos of the window.
+// Makes recordings, snapshots and videos of the window.
 #pragma once
 
 #include <chrono>
@@ -24,12 +24,13 @@
 
 namespace mes {
 
-/// What it guarantees:
-///  1. What Recorder and FrameWriter guarantee: each change one frame, each frame whole.
+/// Guarantees:
+///  1. Those of Recorder and FrameWriter: one frame per change, each frame complete.
 ///  2. No call but `end` waits for a disk or for another program.
-///  3. All frames of a take have the size that the first one has, even if the window is resized meanwhile. Frames of
-///     the drawing alone show what is between the panels when the take begins.
-///  4. While several panes are on screen, frames show all of them as snapshots do, or the main one, as the settings say.
+///  3. All frames of a take have the size of the first one, even if the window is resized meanwhile. Frames of the
+///     drawing alone show the area between the panels as it was when the take began.
+///  4. If several panes are on screen, frames show all of them, as snapshots do, or the main one, as the settings
+///     say.
 ///
 /// Smallest use, each turn of the window's loop:
 ///     if (!desk.holds_input(now, rest, is_cancelled)) deliver_events();
@@ -42,42 +43,43 @@ class RecordDesk {
   RecordDesk(Picture& picture, Messages& messages, std::shared_ptr<const PaperFonts> fonts,
              std::function<void()> wake);
 
-  /// What a snapshot carries (core/io/carried_session.h) comes from here; without it snapshots carry nothing.
+  /// Sets the source of the session that a snapshot carries (core/io/carried_session.h); without it snapshots carry
+  /// none.
   void set_source(std::function<Session()> source) { source_ = std::move(source); }
-  /// The same of what the manifest of a take holds when it ends.
+  /// The same for the session in the manifest of a take, taken when it ends.
   void set_take_source(std::function<Session()> source) { take_source_ = std::move(source); }
   bool is_recording() const { return writer_ != nullptr; }
-  /// What is recorded of.
+  /// The window to record.
   struct Window {
     int width = 0;  ///< pixels
     int height = 0;
-    Insets panels{};          ///< at its sides; what they leave free is divided into the panes
-    const PanePlaces& panes;  ///< empty: there is only the main one
+    Insets panels{};          ///< taken by panels at its sides; the rest is divided into panes
+    const PanePlaces& panes;  ///< empty: there is only the main pane
     double content_scale = 1.0;
   };
   void start(const RecordSettings& settings, const Window& window, const ShownState& now);
-  /// What was captured is written in the background.
+  /// Ends the take. Captured pictures are written in the background.
   void stop();
-  /// Stops, and waits until everything is written.
+  /// Ends the take, and waits until everything is written.
   void end();
-  /// One picture into the folder for pictures, as soon as what is shown is complete.
+  /// Saves one picture into the folder for pictures as soon as the display is complete.
   void snapshot(const RecordSettings& settings);
-  /// The same picture, with everything else as usual, to the clipboard.
+  /// Copies the same picture, with default settings otherwise, to the clipboard.
   void copy(bool all_panes);
 
-  /// What is on screen is going to be a picture that is kept.
+  /// True if the screen content is going to be kept as a picture.
   bool wants_exact_picture() const { return is_recording() || snapshot_.has_value(); }
 
   void note_complete(const std::optional<ShownState>& state);
   bool holds_input(const ShownState& now, const AtRest& rest, bool is_cancelled) const;
-  /// A view that glides by itself has to wait, or some of its steps would get no frame.
+  /// True while a gliding view must wait, because some of its steps would get no frame.
   bool holds_motion(const ShownState& now) const;
 
-  /// What is shown beside the main pane.
+  /// The contents of the panes beside the main one.
   struct DrawnPanes {
-    const PanePlaces& places;  ///< empty: there is only that one
+    const PanePlaces& places;  ///< empty: there is only the main pane
     std::vector<Picture::Pane> beside{};
-    std::vector<std::string> labels;  ///< of all, as on the sheet
+    std::vector<std::string> labels;  ///< labels of all panes, as on the sheet
   };
   struct Drawn {
     const render::Camera& camera;
@@ -90,13 +92,13 @@ class RecordDesk {
     AtRest rest{};
     bool is_cancelled = false;
   };
-  /// The window shows the drawing and nothing else yet.
+  /// Call it when the window shows the drawing and nothing else yet.
   void picture_drawn(const Drawn& drawn);
-  /// The window shows everything.
+  /// Call it when the window shows everything.
   void panels_drawn(const Drawn& drawn);
-  /// Hands on what came from the graphics card, and tells what was finished; whether there was something to tell.
+  /// Takes pictures from the graphics card, and reports finished work. Returns true if there was something to report.
   bool follow();
-  /// Something is under way that needs the next turn soon.
+  /// True if work under way needs the next turn soon.
   bool wants_turn() const { return capture_.pending() != 0 || snapshot_.has_value(); }
 
   std::size_t frames() const { return frames_; }
@@ -104,7 +106,7 @@ class RecordDesk {
   bool is_waiting_for_disk() const { return writer_ && !has_room(); }
   bool is_finishing() const { return finished_.is_under_way(); }
 
-  /// Of the last take, if it has frames.
+  /// Refers to the last take, if it has frames.
   bool can_make_video() const {
     return !last_take_.empty() && !is_recording() && !is_finishing() && !video_.is_running();
   }
@@ -118,19 +120,19 @@ class RecordDesk {
     std::size_t frames = 0;
     Expected<void> result{};
   };
-  /// Where a captured picture goes: a frame, or a snapshot.
+  /// The use of a captured picture: a frame, or a snapshot.
   enum class Use : std::uint8_t { frame, snapshot, copy };
-  /// What becomes of a picture that was asked for.
+  /// The destination of a requested picture.
   struct Purpose {
     Use use = Use::frame;
     FrameInfo info{};
-    std::filesystem::path folder{};    ///< of a snapshot
-    std::optional<Session> session{};  ///< that it carries
+    std::filesystem::path folder{};    ///< folder of a snapshot
+    std::optional<Session> session{};  ///< the session that it carries
   };
-  /// Pixels that are on their way from the graphics card.
+  /// Pixels on their way from the graphics card.
   struct Asked {
     PictureOverlay overlay{};
-    std::shared_ptr<CapturedPicture> picture{};  ///< that they are a part of
+    std::shared_ptr<CapturedPicture> picture{};  ///< the picture that they are part of
     std::shared_ptr<const Purpose> purpose{};
   };
   bool has_room() const;
@@ -139,10 +141,10 @@ class RecordDesk {
   Purpose frame_purpose(const Drawn& drawn) const;
   Purpose snapshot_purpose() const;
   void note_frame(const Drawn& drawn);
-  /// The drawing as settings have it. False, with a message: it cannot be had.
+  /// Requests the drawing with these settings. Returns false, with a message, if that is impossible.
   bool ask(const Drawn& drawn, const RecordSettings& settings, const Insets& panels, Purpose purpose);
   bool ask_one(const Drawn& drawn, const RecordSettings& settings, const Insets& panels, Purpose purpose);
-  /// All panes.
+  /// Requests all panes.
   bool ask_sheet(const Drawn& drawn, const RecordSettings& settings, Purpose purpose);
   bool ask_window(const render::PixelRect& all, Purpose purpose);
   bool refuse(const Purpose& purpose, const std::string& reason);
@@ -158,18 +160,18 @@ class RecordDesk {
 
   Picture& picture_;
   Messages& messages_;
-  std::shared_ptr<const PaperFonts> fonts_;  // none: no legend, no caption
+  std::shared_ptr<const PaperFonts> fonts_;  // null: no legend, no caption
   std::function<void()> wake_;
   std::function<Session()> source_;
   std::function<Session()> take_source_;
   render::FrameCapture capture_;
   std::deque<Asked> asked_;
-  std::shared_ptr<CapturedPicture> lost_{};  // the last of which a part was lost for lack of memory
-  bool has_lost_frame_ = false;              // of the take, which ends before it
+  std::shared_ptr<CapturedPicture> lost_{};  // the last picture that lost a part for lack of memory
+  bool has_lost_frame_ = false;              // a frame was lost, so the take ends before it
   std::optional<ShownState> complete_{};
 
-  RecordSettings settings_{};  // of the take
-  Insets panels_{};            // as the take began: its frames do not jump when a panel comes or goes
+  RecordSettings settings_{};  // settings of the take
+  Insets panels_{};            // as at the beginning of the take: its frames do not jump when a panel opens or closes
   std::optional<Recorder> recorder_{};
   std::unique_ptr<FrameWriter> writer_;
   std::size_t frames_ = 0;
@@ -177,8 +179,8 @@ class RecordDesk {
   BackgroundJob<Finished> finished_;
   std::filesystem::path last_take_;
 
-  std::optional<RecordSettings> snapshot_{};  // wanted
-  bool is_copy_ = false;                      // what is wanted goes to the clipboard
+  std::optional<RecordSettings> snapshot_{};  // requested
+  bool is_copy_ = false;                      // the requested picture is for the clipboard
   BackgroundJob<Expected<std::filesystem::path>> written_snapshot_;
   BackgroundJob<Expected<void>> written_copy_;
   VideoJob video_;

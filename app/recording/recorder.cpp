@@ -4,7 +4,7 @@
 namespace mes {
 namespace {
 
-// Edits within a gesture have no name of their own.
+// The name of the last edit; edits within a gesture have no name of their own.
 std::string name_of_last_edit(const TimelineLog& timeline) {
   for (std::size_t i = timeline.size(); i-- > 0;) {
     const TimelineEntry entry = timeline[i];

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Decides when a frame is due: whenever what is shown differs from the last frame and its picture is complete.
+// Decides when a frame is due: whenever the display differs from the last frame and its picture is complete.
 //
-// What it guarantees:
-//  1. No frame of a half-computed picture: a state counts as complete when the engine had nothing to do for it and
+// Guarantees:
+//  1. No frame shows a half-computed picture: a state counts as complete when the engine had no work left for it and
 //     all its results were taken.
-//  2. While a change waits for its frame, input is to be held back: each change gets a frame of its own. A cancelled
+//  2. While a change waits for its frame, input must be held back: each change gets a frame of its own. A cancelled
 //     computation holds nothing back and gives no frame.
-//  3. A view in motion waits until it is at rest, and a control in use until it is let go; the former is an option.
+//  3. A moving view gets a frame only at rest, and a control in use only after its release; the former is an option.
 //
 // Smallest use, each turn of the window's loop:
 //     recorder.note_complete(is_idle ? now : nullopt);   // before results are taken
 //     if (recorder.is_due(now, rest)) { capture(); recorder.note_captured(now); }
 //     if (!recorder.holds_input(now, rest)) deliver_events();
 //
-// Cost: comparisons. Threads: none.
+// Cost: some comparisons. Threads: none.
 #pragma once
 
 #include <cstdint>
@@ -32,27 +32,27 @@
 
 namespace mes {
 
-/// All that the picture depends on and that can change.
+/// The changeable state on which the picture depends.
 struct ShownState {
-  std::uint64_t document = 0;  ///< revisions
+  std::uint64_t document = 0;  ///< revision, like the next two
   std::uint64_t selection = 0;
   std::uint64_t layers = 0;
   LayerIndex solo = kNoLayer;
-  std::uint64_t panes = 0;       ///< what is shown beside the main one
-  PaneEvolution evolution{};     ///< that panes show states of; as at the start where none does
-  bool has_differences = false;  ///< of the panes, marked
+  std::uint64_t panes = 0;       ///< revision of the panes beside the main one
+  PaneEvolution evolution{};     ///< the evolution whose states panes show; the default if no pane does
+  bool has_differences = false;  ///< differences of the panes are marked
   ComputationSettings settings{};
   render::Camera view{};
-  std::vector<render::Camera> pane_views{};  ///< of panes beside the main one that have their own
+  std::vector<render::Camera> pane_views{};  ///< for panes beside the main one that have their own camera
   LegendScope legend = LegendScope::none;
-  std::optional<PaperPlace> legend_at{};  ///< none: the lower right corner
+  std::optional<PaperPlace> legend_at{};  ///< nothing: the lower right corner
   ScaleMarks marks{};
-  bool annotations = true;  ///< shown
+  bool annotations = true;  ///< annotations are shown
   std::string caption{};
   friend bool operator==(const ShownState&, const ShownState&) = default;
 };
 
-/// What is still under way by the user's hand.
+/// True for each thing that the user's hand does not move.
 struct AtRest {
   bool view = true;      ///< neither panned nor gliding
   bool controls = true;  ///< no slider, colour or field of a panel is in use
@@ -64,14 +64,14 @@ class Recorder {
  public:
   Recorder(const ShownState& start, bool each_motion) : captured_(start), each_motion_(each_motion) {}
 
-  /// The state whose results are complete once the patches that are there have been taken; none: still computing.
+  /// The state whose results are complete once the available patches have been taken; nothing: still computing.
   void note_complete(const std::optional<ShownState>& state) { complete_ = state; }
   void note_captured(const ShownState& state) { captured_ = state; }
 
-  /// The weightiest difference from the last frame.
+  /// The most important difference from the last frame.
   Change change(const ShownState& now) const;
   bool is_due(const ShownState& now, const AtRest& rest) const;
-  /// A change has no frame yet, and will get one if nothing else happens.
+  /// True if a change has no frame yet, and will get one if nothing else happens.
   bool holds_input(const ShownState& now, const AtRest& rest, bool is_cancelled) const;
 
  private:
@@ -82,7 +82,7 @@ class Recorder {
   bool each_motion_ = false;
 };
 
-/// What a manifest says of it; a change of the document has the name that the timeline gives to its last one.
+/// The name of a change in a manifest; a change of the document has the name of its last entry on the timeline.
 std::string name_of(Change change, const TimelineLog& timeline);
 
 }  // namespace mes

@@ -23,7 +23,7 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr int kSchema = 1;
-// More names than this within one second are an error.
+// More equal names than this within one second are an error.
 constexpr int kMostTwins = 10'000;
 
 std::string time_text(std::chrono::system_clock::time_point now) {
@@ -51,7 +51,7 @@ std::uint64_t unhex(const std::string& text) {
   return std::strtoull(text.c_str(), nullptr, 16);
 }
 
-// What is not there or of another type is as if it were not written.
+// Missing values, and values of another type, give the default.
 template <class T>
 T value_of(const json& object, const char* key, T otherwise) {
   const auto entry = object.find(key);
@@ -145,7 +145,7 @@ std::string manifest_text(const Manifest& manifest) {
                  {"frames", std::move(frames)}};
   if (!manifest.problem.empty()) object["problem"] = manifest.problem;
   if (!manifest.session.empty()) object[std::string(kCarriedSession)] = base64(manifest.session);
-  // What it is comes first, where it is looked for.
+  // The kind of the file comes first, where readers look for it.
   return std::string(kManifestBeginning) + object.dump(1, ' ', false, json::error_handler_t::replace).substr(1) +
          '\n';
 }

@@ -24,7 +24,7 @@ std::unexpected<Error> failed(std::string text, const fs::path& file) {
   return std::unexpected(Error{ErrorCode::cannot_write, std::move(text), file.string()});
 }
 
-/// The frames and how long each is seen, as the program reads it. Removed with this object.
+/// The list of frames and their durations in the format of ffmpeg. The destructor removes the file.
 class TimedFrames {
  public:
   static constexpr const char* kName = "frames.ffconcat";
@@ -49,7 +49,7 @@ class TimedFrames {
   TimedFrames(const TimedFrames&) = delete;
   TimedFrames& operator=(const TimedFrames&) = delete;
   bool is_written() const { return is_written_; }
-  /// Of all of them.
+  /// Duration of all frames.
   double seconds() const { return seconds_; }
 
  private:
@@ -62,8 +62,8 @@ bool has_times(std::span<const FrameInfo> frames) {
   return frames.size() > 1 && frames.back().seconds > frames.front().seconds;
 }
 
-// `part` is where the bytes go; the kind of video is by the name of `output`. `seconds`: of the video, with the times
-// of the frames; 0: a steady pace.
+// The arguments of ffmpeg. It writes to `part`, and the name of `output` selects the kind of video. `seconds`:
+// duration with the times of the frames; 0: a steady pace.
 std::vector<std::string> arguments(double fps, std::size_t frames, const fs::path& output, const fs::path& part,
                                    double seconds) {
   const std::string rate = fmt::format("{:g}", fps);
@@ -77,10 +77,10 @@ std::vector<std::string> arguments(double fps, std::size_t frames, const fs::pat
     add({"-f", "concat", "-i", TimedFrames::kName});
   else
     add({"-framerate", rate.data(), "-start_number", "1", "-i", "%05d.png"});
-  // A frame is repeated until the next one, and the last one until the end, which the program does not do by itself.
+  // Repeats a frame until the next one, and the last one until the end, which ffmpeg does not do by itself.
   const std::string paced =
       is_timed ? "[0]fps=" + rate + ",tpad=stop=-1:stop_mode=clone,format=rgba" : "[0]format=rgba";
-  // Players want even sides; without the ground, what is transparent would be black.
+  // Players need even sides; without the white ground, transparent pixels would be black.
   const std::string filter = paced +
                              ",pad=ceil(iw/2)*2:ceil(ih/2)*2:color=white@0,split[a][b];"
                              "[a]lutrgb=r=255:g=255:b=255:a=255[ground];[ground][b]overlay=format=auto";
