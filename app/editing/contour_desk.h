@@ -35,7 +35,8 @@ class ContourDesk {
   /// replace the contours that share a sample with them.
   void begin_along_crust();
   bool is_under_way() const { return crust_.is_under_way(); }
-  /// What was done, if it was done now. Error: the crust could not be computed, or it has no chains there.
+  /// A sentence on the effect, if it has happened now. Error: the crust could not be computed, or it has no chains
+  /// there.
   Expected<std::optional<std::string>> follow();
 
  private:

@@ -45,7 +45,7 @@ const char* explanation_of(AnnotationKind kind) {
   return "";
 }
 
-/// Kinds of as many places: one can become the other.
+/// Draws the kinds with the same number of anchors, which can replace each other.
 void draw_kinds(const Gui& gui, Annotation& annotation) {
   bool is_first = true;
   for (std::size_t i = 0; i < kAnnotationKinds; ++i) {
@@ -65,13 +65,13 @@ void draw_kinds(const Gui& gui, Annotation& annotation) {
 
 bool AnnotationCard::draw_words(const Gui& gui, Annotation& annotation, bool is_new) {
   const float unit = gui.unit();
-  // What shows something by itself may need no words, and a key pressed next is one of the tools'.
+  // A shape may need no text, and the next key may be meant for a tool.
   if (is_new && !shows_without_words(annotation.kind)) ImGui::SetKeyboardFocusHere();
   const std::string before = annotation.text;
   const bool is_entered = ImGui::InputTextMultiline(
       "##words", &annotation.text, {kAnnotationWidth * unit, 2.6F * ImGui::GetTextLineHeight()},
       ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CtrlEnterForNewLine);
-  // Dear ImGui puts back what the field began with: Esc ends the writing here, and undo takes words away.
+  // Dear ImGui restores the initial text on Esc, but here Esc ends the writing, and undo removes text.
   const bool is_left = ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   if (is_left) annotation.text = before;
   if (annotation.text.size() > kMostAnnotationBytes) annotation.text.resize(kMostAnnotationBytes);
@@ -122,7 +122,7 @@ void AnnotationCard::draw(const Gui& gui, AnnotationDesk& desk, ImVec2 beside, c
   choice_number_ = desk.choice_number();
   const ImVec2 size{(kAnnotationWidth + 24) * unit, 150 * unit};
   if (is_new) {
-    // Below the words, or above them if it would not fit below.
+    // Below the text, or above it if there is no room below.
     const float below = beside.y + 30 * unit;
     at_ = {beside.x, below + size.y <= room[1].y ? below : beside.y - size.y - 40 * unit};
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "Something else has written to this file": the question before that is overwritten.
+// "Something else has written to this file": the question before overwriting such a file.
 #pragma once
 
 #include <functional>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "This file is code that will run": the question before a dropped experiment does.
+// "This file is code that will run": the question before a dropped experiment runs.
 #pragma once
 
 #include <filesystem>

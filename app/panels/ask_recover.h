@@ -11,16 +11,16 @@
 
 namespace mes {
 
-/// Asks about the newest work while there is one; it stays open until the work is taken or removed. Cancelled, it asks
-/// again at the next start.
+/// Asks about the newest work while there is any; stays open until the work is taken or removed. If cancelled, it
+/// asks again at the next start.
 class AskRecover final : public Dialog {
  public:
-  /// `recover` is to `take` the work, now or when there is room for it.
+  /// `recover` must `take` the work, now or when there is room for it.
   void offer(std::vector<LeftWork> works, std::function<void()> recover);
-  /// The work that was asked about; none if it was refused meanwhile.
+  /// The work in question; nothing if it was refused meanwhile.
   std::optional<LeftWork> take();
 
-  /// Not open while it waits: the work before is being recovered.
+  /// Hides the dialog while the previous work is being recovered.
   void set_waits(bool waits) { waits_ = waits; }
 
   bool is_open() const override { return !works_.empty() && !waits_; }

@@ -27,7 +27,7 @@ void AskUnsaved::draw(const Gui& gui) {
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * unit, 16 * unit});
   std::function<void()> answer;
   if (Gui::begin_dialog(kUnsavedTitle, is_open_, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
-    // Names of files may be long.
+    // File names may be long.
     ImGui::PushTextWrapPos(0.6F * screen.x);
     ImGui::PushFont(gui.bold());
     ImGui::Text("%s has changes that are not saved", title_.c_str());

@@ -15,7 +15,7 @@ class AskUnsaved final : public Dialog {
     std::function<void()> save;
     std::function<void()> discard;
   };
-  /// `reason` is why it is asked now; empty: because of what the user did.
+  /// `reason` explains the question; empty: the user caused it.
   void ask(std::string title, Answers answers, std::string reason = {});
 
   bool is_open() const override { return is_open_; }

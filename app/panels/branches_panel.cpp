@@ -74,7 +74,7 @@ void BranchesPanel::draw() {
     return;
   }
   pointed_at_.reset();
-  // In a low panel the table keeps some rows, and histogram and table are scrolled together.
+  // In a low panel the table keeps some rows, and histogram and table scroll together.
   if (ImGui::BeginChild("##branches")) {
     draw_histogram();
     draw_table();
@@ -126,7 +126,7 @@ void BranchesPanel::draw_choices() {
       "much longer than the table");
 }
 
-// Bars are lengths of the axis. The limit of lambda is a line that can be dragged.
+// Bar heights show lengths of the axis. The limit of lambda is a line that can be dragged.
 void BranchesPanel::draw_histogram() {
   const float unit = uses_.gui.unit();
   const BranchTable& table = *uses_.desk.table();
@@ -154,7 +154,7 @@ void BranchesPanel::draw_histogram() {
   const double bin = histogram_.high / static_cast<double>(histogram_.lengths.size());
   for (std::size_t i = 0; i < histogram_.lengths.size(); ++i) {
     if (!(histogram_.lengths[i] > 0.0)) continue;
-    // Roots: short parts, as those of hairs are, stay visible beside long ones.
+    // Square roots keep short parts, such as spurious branches, visible beside long ones.
     const float height = std::max(unit, size.y * static_cast<float>(std::sqrt(histogram_.lengths[i] / most)));
     const float left = at.x + step * static_cast<float>(i);
     const bool is_below = shows_lambda_ && bin * static_cast<double>(i + 1) <= limit;
@@ -228,7 +228,7 @@ void BranchesPanel::draw_table() {
       specs->SpecsDirty = false;
       refresh_rows();
     }
-    // A branch that was chosen on the canvas comes into view.
+    // Scrolls to a branch that was chosen on the canvas.
     const auto chosen = uses_.desk.chosen();
     if (chosen != shown_chosen_) {
       shown_chosen_ = chosen;
@@ -259,7 +259,7 @@ void BranchesPanel::draw_row(std::size_t row) {
       continue;
     }
     const bool is_chosen = uses_.desk.chosen() == row;
-    // Below the pointer, too, it is the chosen one.
+    // Keeps the look of the chosen row even under the pointer.
     if (is_chosen) ImGui::PushStyleColor(ImGuiCol_HeaderHovered, uses_.gui.colors().accent_soft);
     const bool is_clicked = ImGui::Selectable(
         text.c_str(), is_chosen, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick);
@@ -285,7 +285,7 @@ void BranchesPanel::draw_branch(std::size_t row, bool is_chosen) const {
   const ShapePen pen(
       uses_.gui, {uses_.canvas.view().camera()}, uses_.canvas.content_scale(),
       {to_imgui(palette::blue, is_chosen ? 1.0 : 0.55), (is_chosen ? 5.0F : 4.0F) * unit, PenMark::ring});
-  // A longer one is drawn with every other place, or fewer.
+  // Draws a longer branch with every other point, or fewer.
   const std::size_t stride = line.size() / kMostBranchSegments + 1;
   Vec2 from = line.front();
   for (std::size_t i = 1; i < line.size(); ++i) {

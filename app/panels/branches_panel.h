@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The branches of the axis as a table, and histograms of radius and lambda with the limit to be dragged.
+// The branches of the axis as a table, and histograms of radius and lambda whose limit can be dragged.
 #pragma once
 
 #include <functional>
@@ -14,8 +14,8 @@
 
 namespace mes {
 
-/// What it guarantees: a row and a branch on the canvas are chosen together. While a table is not that of what is shown it
-/// is dimmed and says so, and nothing of it is drawn over the picture. Threads: the window's.
+/// Guarantees: a row and its branch on the canvas are chosen together. While the table does not match the display, it
+/// is dimmed and says so, and none of it is drawn over the picture. Threads: the window's.
 class BranchesPanel {
  public:
   struct Uses {
@@ -24,7 +24,7 @@ class BranchesPanel {
     Canvas& canvas;
     const Editor& editor;
     ComputationControl& computation;
-    std::function<void(std::string)> export_csv{};  ///< asks for a file for the text
+    std::function<void(std::string)> export_csv{};  ///< asks for a file for the CSV text
   };
   explicit BranchesPanel(Uses uses) : uses_(std::move(uses)) {}
 
@@ -47,9 +47,9 @@ class BranchesPanel {
   std::string filter_problem_;
   BranchColumn sorted_by_ = BranchColumn::length;
   bool is_descending_ = true;
-  const BranchTable* rows_of_ = nullptr;  // whose rows those below are
+  const BranchTable* rows_of_ = nullptr;  // the table of these rows
   std::vector<std::size_t> rows_;
-  std::optional<std::size_t> shown_chosen_;  // it was scrolled to
+  std::optional<std::size_t> shown_chosen_;  // last row that the table scrolled to
   std::optional<std::size_t> pointed_at_;
   const BranchTable* histogram_table_ = nullptr;
   bool histogram_is_of_lambda_ = false;

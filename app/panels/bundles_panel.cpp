@@ -34,7 +34,7 @@ void menu_item(const Gui& gui, const ActionBindings& actions, ActionId id) {
   tooltip(gui, std::string(action.tooltip));
 }
 
-// Whether a key or a click has asked for the next popup, it opens where the eye is.
+// Opens the next popup beside the panel, whether a key or a click asked for it.
 void place_beside_panel(const Gui& gui) {
   const ImVec2 panel = ImGui::GetWindowPos();
   const float gap = 8 * gui.unit();
@@ -59,7 +59,7 @@ void end_roomy_popup() {
   ImGui::PopStyleVar(2);
 }
 
-/// A field for a name and a button with a verb. True: it was meant.
+/// Draws a name field and a button with a verb. Returns true when the user confirms.
 bool draw_name_field(const Gui& gui, NameField& field, std::string& name, const char* verb) {
   const float unit = gui.unit();
   ImGui::SetNextItemWidth(200 * unit);
@@ -233,7 +233,7 @@ void BundlesPanel::draw_row(std::size_t index) {
   list.PopClipRect();
   if (is_changed) list.AddCircleFilled({end.x - 8 * unit, at.y + 0.5F * height}, 3 * unit, uses_.gui.colors().accent);
   if (is_current && shown_current_ != index) ImGui::SetScrollHereY();
-  // The list is changed last: what was drawn was the one before.
+  // The list is changed last, because the rows drawn so far show the old one.
   if (clicked) uses_.choose(index);
   if (dropped) tell(uses_.bundles.move(*dropped, index));
   draw_context_menu(index);

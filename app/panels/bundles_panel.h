@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The bundles: one click or digit shows the layers as they were saved under a name.
+// The list of bundles: a click or a digit shows the layers saved under a name.
 #pragma once
 
 #include <functional>
@@ -27,10 +27,10 @@ class BundlesPanel {
   };
   explicit BundlesPanel(Uses uses) : uses_(std::move(uses)) {}
 
-  /// What it would like to have, of at most `most`.
+  /// The height that the panel would like, up to `most`.
   float height(float most) const;
   void draw(const PanelArea& area);
-  /// Asks for a name to save the layers under, when drawn next.
+  /// Asks for a name for the present layers at the next drawing.
   void ask_name() { asks_name_ = true; }
 
  private:

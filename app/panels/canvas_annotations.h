@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Annotations on the canvas, with a frame around the words of those that are pointed at or chosen.
+// Annotations on the canvas, with a frame around the text of a pointed or chosen one.
 #pragma once
 
 #include <optional>
@@ -14,16 +14,16 @@ namespace mes {
 struct CanvasAnnotations {
   const Gui& gui;
   double content_scale = 1.0;  ///< framebuffer pixels per logical pixel
-  const Document& document;    ///< that the pane shows
+  const Document& document;    ///< the document of the pane
   const AnnotationDesk& desk;
   Rgb background;
   PanePart pane;
 
-  /// As they are now, in logical pixels from the upper left corner of the window with the pane in the place of the main
-  /// one.
+  /// The present layout, in logical pixels from the upper left corner of a window in which the pane has the position
+  /// of the main pane.
   AnnotationDrawing layout() const;
   void draw(const AnnotationDrawing& drawn) const;
-  /// `pointed_at`: the tool would take it.
+  /// `pointed_at`: the annotation that the tool would take.
   void draw_frames(const AnnotationDrawing& drawn, std::optional<std::size_t> pointed_at) const;
 };
 

@@ -18,7 +18,7 @@ std::optional<Box2> CanvasLegend::draw(const std::optional<PaperPlace>& place, I
                    {.room = marks.room, .bar = marks.longest_bar, .place = place}, picture.canvas());
   if (legend.drawing.is_empty()) return std::nullopt;
   const float unit = gui.unit();
-  // On whole pixels, or its frame would be blurred.
+  // Rounded to whole pixels, because a frame between pixels is blurred.
   paint_on_canvas(gui, legend.drawing,
                   {std::round(origin.x + static_cast<float>(legend.corner.x) * unit),
                    std::round(origin.y + static_cast<float>(legend.corner.y) * unit)});

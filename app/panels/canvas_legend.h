@@ -18,8 +18,8 @@ struct CanvasLegend {
   const LayerStack& layers;
   LegendScope scope;
 
-  /// At its place, or in the lower right corner, beside the marks, whose origin is there in screen coordinates. Where it
-  /// is; nothing while it has no entries, or no room.
+  /// Draws the legend at its position, or in the lower right corner beside the marks; `origin` is the origin of
+  /// positions in screen coordinates. Returns its box; nothing if it has no entries or no room.
   std::optional<Box2> draw(const std::optional<PaperPlace>& place, ImVec2 origin, const MarksPlace& marks) const;
 };
 

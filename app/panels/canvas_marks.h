@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scale bar and axes of what the canvas shows between the panels.
+// Scale bar and axes for the part of the canvas between the panels.
 #pragma once
 
 #include "app/panels/pane_part.h"
@@ -14,8 +14,8 @@ struct CanvasMarks {
   const Picture& picture;
   PanePart pane;
 
-  /// In the pane that lies where the main one does from `low` to `high`, in screen coordinates, each `pixel_ratio` pixels
-  /// wide. Where they are, from `low`.
+  /// Draws in the pane that lies where the main one is, from `low` to `high` in screen coordinates, each unit of
+  /// which is `pixel_ratio` pixels wide. Returns the positions of the marks relative to `low`.
   MarksPlace draw(const ScaleMarks& marks, ImVec2 low, ImVec2 high, double pixel_ratio) const;
 };
 

@@ -11,7 +11,7 @@
 namespace mes {
 namespace {
 
-// Logical pixels.
+// Sizes in logical pixels.
 constexpr float kChipGap = 6;
 constexpr float kGapAfter = 16;
 constexpr float kChipPadding = 7;
@@ -99,7 +99,7 @@ void ChangedChips::draw_rest(std::size_t shown) const {
   tooltip(gui_, "More parameters that are not at their defaults");
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 8 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {8 * unit, 7 * unit});
-  // Above the bar, towards the middle of the window.
+  // The popup opens above the bar, towards the middle of the window.
   const bool is_right = at.x > 0.5F * ImGui::GetIO().DisplaySize.x;
   ImGui::SetNextWindowPos({at.x, at.y - 9 * unit}, ImGuiCond_Always, {is_right ? 1.0F : 0.0F, 1.0F});
   if (ImGui::BeginPopup("##changed")) {

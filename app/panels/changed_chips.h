@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Chips in the status bar: each a parameter that is not at its default, which a click gives back to it.
+// Chips in the status bar: one per parameter that is not at its default; a click resets it.
 #pragma once
 
 #include "app/insight/computation_control.h"
@@ -9,7 +9,7 @@
 
 namespace mes {
 
-/// What it guarantees: with any parameter changed there is something to see, if only "+3", whose popup has them all.
+/// Guarantees: a changed parameter is always visible, if only in "+3", whose popup lists all of them.
 ///
 /// Smallest use:
 ///     const ChangedChips chips(gui, computation, messages);
@@ -22,11 +22,11 @@ class ChangedChips {
   ChangedChips(const Gui& gui, ComputationControl& computation, Messages& messages);
 
   bool is_empty() const { return changed_.empty(); }
-  /// Of all of them, with the gap before what follows.
+  /// Width of all chips, with the gap after them.
   float full_width() const;
-  /// Of those that fit into the room and the button of the rest; at least of that button.
+  /// Width of the chips that fit into the room, and of the button for the others; at least the width of that button.
   float width_in(float room) const;
-  /// From the cursor on, those of `width_in`.
+  /// Draws the chips of `width_in`, from the cursor on.
   void draw(float room) const;
 
  private:

@@ -106,7 +106,7 @@ void ColorMapControls::draw_selection(LayerIndex layer) {
   const float unit = gui_.unit();
   const render::ScalarRange now = picture_.scene().scalar_range(layer);
   if (!select_ || now.is_empty()) return;
-  // Of another document, if no element has such a value any more.
+  // Such values are from another document if no element has them any more.
   std::erase_if(wanted_, [&](const auto& typed) {
     return typed.first == layer && (typed.second.low > now.high || typed.second.high < now.low);
   });

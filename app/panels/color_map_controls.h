@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of a layer's style that is about its colour map.
+// The colour map in the style of a layer.
 #pragma once
 
 #include <functional>
@@ -14,7 +14,7 @@
 
 namespace mes {
 
-/// A bar in the colours of the map; categories side by side.
+/// Draws a bar in the colours of the map; categories are side by side.
 void draw_color_map(ImDrawList& list, const render::ColorMap& map, ImVec2 at, ImVec2 size, double opacity = 1.0);
 
 class ColorMapControls {
@@ -22,9 +22,9 @@ class ColorMapControls {
   ColorMapControls(const Gui& gui, const LayerStack& layers, const Picture& picture)
       : gui_(gui), layers_(layers), picture_(picture) {}
 
-  /// What is to be done when elements with values in a range are wanted selected.
+  /// Sets the function that selects the elements with values in a range.
   void set_select(std::function<void(LayerIndex, double low, double high)> select) { select_ = std::move(select); }
-  /// Draws choice of the map and range, and changes the style by them; nothing for a layer without scalar.
+  /// Draws the choice of map and range, and changes the style accordingly; draws nothing for a layer without scalar.
   void draw(LayerIndex layer, LayerStyle& style);
 
  private:
@@ -37,7 +37,7 @@ class ColorMapControls {
   const Picture& picture_;
   std::optional<render::ScalarRange> copied_;
   std::function<void(LayerIndex, double, double)> select_;
-  std::map<LayerIndex, render::ScalarRange> wanted_;  // values to be selected, where they were typed
+  std::map<LayerIndex, render::ScalarRange> wanted_;  // typed values to be selected
 };
 
 }  // namespace mes

@@ -15,7 +15,7 @@ constexpr float kRow = 28.0F;
 constexpr float kMostRows = 13.0F;
 constexpr float kKindWidth = 92.0F;
 
-// Letters that matched are bold and in the accent colour. What does not fit before `end` ends with dots.
+// Matching letters are bold and in the accent colour. A name that does not fit before `end` ends in dots.
 void draw_action_name(const Gui& gui, const PaletteEntry& entry, const std::vector<std::size_t>& letters, ImVec2 at,
                       float end, ImU32 color) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -24,7 +24,7 @@ void draw_action_name(const Gui& gui, const PaletteEntry& entry, const std::vect
   std::size_t from = 0;
   while (from < name.size()) {
     const bool is_match = std::ranges::binary_search(letters, from);
-    // Bytes that continue a letter belong to it.
+    // Continuation bytes belong to the letter before them.
     std::size_t to = from + 1;
     while (to < name.size() && ((static_cast<unsigned char>(name[to]) & 0xC0U) == 0x80U ||
                                 std::ranges::binary_search(letters, to) == is_match))
@@ -150,7 +150,7 @@ std::optional<std::size_t> CommandPalette::draw_rows(const Gui& gui, float heigh
   return clicked;
 }
 
-// What the marked row would do.
+// Describes the action of the marked row.
 void CommandPalette::draw_foot(const Gui& gui) const {
   std::string text = " ";
   if (list_.marked() < list_.hits().size()) {

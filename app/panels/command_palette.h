@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A field and what fits to it: everything that can be done, by some letters of its name.
+// The palette: finds every possible action by some letters of its name.
 #pragma once
 
 #include <functional>
@@ -12,13 +12,13 @@
 
 namespace mes {
 
-/// Arrows, page keys and Tab move the mark, Enter or a click does what is marked, Esc or a click beside it closes. What
-/// cannot be done now is listed in grey and stays in the list. It is closed before anything is done.
+/// Arrows, page keys and Tab move the mark, Enter or a click runs the marked entry, Esc or a click beside it closes.
+/// Entries that are not possible now stay in the list, in grey. The palette closes before an entry runs.
 class CommandPalette final : public Dialog {
  public:
   using Source = std::function<std::vector<PaletteEntry>()>;
 
-  /// Where the entries come from, asked each time it opens.
+  /// Sets the source of the entries, which is called each time the palette opens.
   void set_source(Source source) { source_ = std::move(source); }
   void toggle();
 
@@ -29,7 +29,7 @@ class CommandPalette final : public Dialog {
 
  private:
   void draw_field(const Gui& gui);
-  /// The row that was clicked, or nothing.
+  /// Returns the row that was clicked, or nothing.
   std::optional<std::size_t> draw_rows(const Gui& gui, float height);
   bool draw_row(const Gui& gui, std::size_t row);
   void draw_foot(const Gui& gui) const;
@@ -40,7 +40,7 @@ class CommandPalette final : public Dialog {
   std::string query_;
   bool is_open_ = false;
   bool is_accepted_ = false;
-  bool follows_mark_ = false;  // by keys: it is scrolled to
+  bool follows_mark_ = false;  // the mark was moved by keys: scroll to it
 };
 
 }  // namespace mes

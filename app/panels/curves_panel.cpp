@@ -59,7 +59,7 @@ void CurvesPanel::measure() {
 void CurvesPanel::draw() {
   if (!sampler_.source()) return draw_none();
   measure();
-  // Shorter than the panel at a large scale, it scrolls below its head.
+  // At a large scale the content is longer than the panel and scrolls below its header.
   if (ImGui::BeginChild("##curves")) {
     const std::size_t curves = sampler_.source()->curves->curves.size();
     const std::size_t corners = sampler_.corners().size();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The curves that the samples were taken from: by which rule, how densely, what becomes of corners.
+// The curves from which the samples were taken: sampling rule, density, and treatment of corners.
 #pragma once
 
 #include <optional>
@@ -10,7 +10,7 @@
 
 namespace mes {
 
-/// The samples follow each slider while it is dragged. Threads: the window's.
+/// The samples follow a slider while it is dragged. Threads: the window's.
 class CurvesPanel {
  public:
   CurvesPanel(const Gui& gui, const ActionBindings& actions, CurveSampler& sampler)
@@ -25,11 +25,11 @@ class CurvesPanel {
   void draw_corners(SamplingRequest& request);
   void draw_jitter(SamplingRequest& request);
   void draw_facts();
-  /// A slider below its name.
+  /// Draws a slider below its name.
   void number(const char* label, double& value, double low, double high, const char* format, bool is_logarithmic,
               const char* explanation);
   void count(SamplingRequest& request, const char* explanation);
-  /// Length and extent of the curves, measured once for each.
+  /// Measures length and extent of the curves, once per set of curves.
   void measure();
 
   const Gui& gui_;

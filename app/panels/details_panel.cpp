@@ -28,7 +28,7 @@ constexpr std::array<Page, 10> kPages{{{DetailsPage::statistics, "Statistics", A
                                        {DetailsPage::lesson, "Lesson", ActionId::toggle_lesson},
                                        {DetailsPage::experiments, "Experiments", ActionId::toggle_experiments}}};
 
-/// The widths of columns that titles in so many rows need.
+/// The column widths that the titles need in this many rows.
 std::vector<float> column_widths(std::size_t rows, float around) {
   std::vector<float> out((kPages.size() + rows - 1) / rows, 0.0F);
   for (std::size_t i = 0; i < kPages.size(); ++i) {
@@ -40,7 +40,7 @@ std::vector<float> column_widths(std::size_t rows, float around) {
 
 }  // namespace
 
-// In columns, in as few rows as hold them; what room is left is shared by the columns.
+// Draws the titles in as few rows as possible; the columns share the remaining width.
 void DetailsPanel::draw_titles() {
   const float unit = gui_.unit();
   const float gap = 2 * unit;

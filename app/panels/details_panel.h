@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The lower right panel, with a page at a time: statistics, parameters, log, lesson, selection, curves, sampling,
-// branches, persistence, experiments.
+// The lower right panel, which shows one page at a time: statistics, parameters, log, lesson, selection, curves,
+// sampling, branches, persistence, experiments.
 #pragma once
 
 #include "app/actions/action_bindings.h"
@@ -21,7 +21,7 @@ namespace mes {
 
 class DetailsPanel {
  public:
-  /// Which page is shown is in `shown`.
+  /// `shown` holds the page that is shown.
   DetailsPanel(const Gui& gui, const ActionBindings& actions, DetailsPage& shown, StatisticsPanel statistics,
                ParametersPanel parameters, LogPanel log, LessonPanel lesson, SelectionPanel selection,
                CurvesPanel curves, BranchesPanel branches, PersistencePanel persistence,

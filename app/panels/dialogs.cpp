@@ -24,7 +24,7 @@ bool Dialogs::take_key(const KeyChord& chord, bool repeated) {
 }
 
 void Dialogs::draw(const Gui& gui) {
-  // Of two open popups at one level each closes the other, and neither is ever seen.
+  // Two popups open at one level would close each other, and neither would be seen.
   const std::vector<const Dialog*> shown = open();
   const Dialog* const top = shown.empty() ? nullptr : shown.back();
   for (Dialog* dialog : all_)

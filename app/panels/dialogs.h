@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window asks or shows over everything else.
+// The dialogs of the window, which lie over everything else.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@
 
 namespace mes {
 
-/// What it guarantees: all keys go to the topmost of those that are open. Threads: the window's.
+/// Guarantees: all keys are sent to the topmost open dialog. Threads: the window's.
 class Dialogs {
  public:
   AskUnsaved unsaved;
@@ -34,15 +34,15 @@ class Dialogs {
   HelpPage help;
   CommandPalette palette;
 
-  /// Those that are open, topmost last.
+  /// The open dialogs, topmost last.
   std::vector<const Dialog*> open() const;
-  /// True when one is open: it has taken the key. Enter that is held down answers one question, not the next as well.
+  /// Returns true if a dialog is open and has taken the key. Holding Enter answers one question only.
   bool take_key(const KeyChord& chord, bool repeated);
-  /// Once a turn.
+  /// Called once per turn.
   void follow() {
     for (Dialog* dialog : all_) dialog->follow();
   }
-  /// The topmost; those below it are seen when it is closed.
+  /// Draws the topmost one; those below appear when it is closed.
   void draw(const Gui& gui);
 
  private:

@@ -29,7 +29,7 @@ void EmptyHint::draw(ImVec2 middle) const {
   const float unit = gui.unit();
   const float size = ImGui::GetFontSize();
   const float line = 1.7F * size;
-  // Right of the key and left of the text.
+  // The gap between the keys on the left and the text on the right.
   const float gap = 14.0F * unit;
   const ImU32 color = to_imgui(mark_color(picture.canvas()), 0.55);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What to do with an empty canvas.
+// Suggestions on an empty canvas.
 #pragma once
 
 #include "app/actions/action_bindings.h"
@@ -18,8 +18,8 @@ struct EmptyHint {
   const Picture& picture;
   const Canvas& canvas;
 
-  /// Some lines about `middle`, with the keys of their actions; nothing once the document holds anything, above a
-  /// picture to trace, or while the pointer is drawing.
+  /// Draws some lines around `middle`, with the keys of their actions; draws nothing if the document holds anything,
+  /// above a picture to trace, or while the pointer is drawing.
   void draw(ImVec2 middle) const;
 };
 

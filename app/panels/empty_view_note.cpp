@@ -12,7 +12,7 @@ bool EmptyViewNote::draw(ImVec2 middle, float width) const {
   const EngineStatus status = engine.status();
   if (status.busy || status.cancelled || picture.document_revision() != editor.document().revision()) return false;
   const auto shows = [this](LayerIndex layer) {
-    // What failed has its own message, and what is not there yet may come.
+    // A failed layer has its own message, and an unfinished one may still show something.
     if (picture.state(layer) != NodeState::up_to_date) return true;
     return std::ranges::any_of(layers.descriptor(layer).kinds,
                                [&](PrimitiveKind kind) { return picture.scene().instances(layer, kind) != 0; });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Says on the canvas why nothing is seen, and offers what would show something.
+// Explains on the canvas why nothing is visible, and offers a remedy.
 #pragma once
 
 #include "app/editing/editor.h"
@@ -17,7 +17,7 @@ struct EmptyViewNote {
   const Picture& picture;
   const Engine& engine;
 
-  /// About `middle`; nothing while anything is computed or seen. Whether it is there.
+  /// Draws the note around `middle`, unless anything is computed or visible. Returns whether it was drawn.
   bool draw(ImVec2 middle, float width) const;
 };
 

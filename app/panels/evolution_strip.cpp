@@ -23,7 +23,7 @@ namespace {
 
 constexpr float kChooserWidth = 186;  // logical pixels
 
-/// Puts things side by side while there is room, and then on the next line.
+/// Puts items side by side while there is room, then on the next line.
 class Row {
  public:
   Row(float width, float gap) : end_(ImGui::GetCursorScreenPos().x + width), gap_(gap) {}
@@ -86,7 +86,7 @@ std::string meaning_of_step(const EvolutionPlayer& player) {
   return out;
 }
 
-/// Below the slider, `width` wide, which shows steps up to `end`.
+/// Draws marks below the slider, which is `width` wide and shows steps up to `end`.
 void step_marks(const EvolutionStrip& strip, float width) {
   const StepEvents& events = strip.events;
   const float unit = strip.gui.unit();
@@ -225,7 +225,7 @@ void parameter_field(const EvolutionStrip& strip, const Parameter& parameter) {
   ImGui::Spacing();
 }
 
-// Its popup stands above the strip, whose numbers one watches while changing these.
+// The popup opens above the strip, because the user watches its numbers while changing parameters.
 void parameters(const EvolutionStrip& strip, float size) {
   EvolutionPlayer& player = strip.evolution;
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -241,7 +241,7 @@ void parameters(const EvolutionStrip& strip, float size) {
   ImGui::EndPopup();
 }
 
-// An evolution that nothing on the canvas shows is offered its layers.
+// Offers the layers of an evolution that nothing on the canvas shows.
 void hidden_layers(const EvolutionStrip& strip, Row& row) {
   const std::vector<LayerIndex> wanted =
       layers_to_show(*strip.evolution.choice().evolution, strip.layers, strip.editor.document());
@@ -255,7 +255,7 @@ void hidden_layers(const EvolutionStrip& strip, Row& row) {
   tooltip(strip.gui, "No layer is shown that this evolution changes");
 }
 
-// Far steps only: for near ones it would flicker.
+// Shown for far steps only: for near ones it would flicker.
 void draw_progress(const EvolutionStrip& strip, float width) {
   const EvolutionPlayer& player = strip.evolution;
   const bool is_far = player.is_waiting() && player.progress() > 0.0 && player.target() > player.position() + 10;

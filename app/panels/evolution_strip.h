@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The slider of evolutions, in a strip over the canvas.
+// The slider for evolutions, in a strip over the canvas.
 #pragma once
 
 #include "app/actions/action_bindings.h"
@@ -19,7 +19,7 @@ struct EvolutionStrip {
   const StepEvents& events;
   Messages& messages;
 
-  /// Its lower left corner stands at `at`. Gives the height it takes.
+  /// Draws with the lower left corner at `at`. Returns the height used.
   float draw(ImVec2 at, float width) const;
 };
 

@@ -15,7 +15,7 @@
 namespace mes {
 namespace {
 
-/// "1 structure, 2 layers".
+/// Counts the contents: "1 structure, 2 layers".
 std::string contents_in_words(const ExperimentContents& contents) {
   std::string out;
   const auto add = [&out](std::size_t count, const char* one, const char* several) {

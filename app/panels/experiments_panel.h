@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The experiments of the user: what they add, what the compiler says of them, and how to get more.
+// The user's experiments: their contents, the compiler's messages, and buttons to add more.
 #pragma once
 
 #include <filesystem>
@@ -15,12 +15,12 @@ namespace mes {
 struct ExperimentsPanel {
   const Gui& gui;
   ExperimentDesk& desk;
-  std::vector<std::filesystem::path> examples;  ///< that come with the program
+  std::vector<std::filesystem::path> examples;  ///< examples that come with the program
   const std::vector<std::string>& recent;
-  std::string& compiler;  ///< of the settings
+  std::string& compiler;  ///< the compiler in the settings
   std::function<void()> ask_file;
   std::function<void(const std::filesystem::path& file)> add;
-  /// Shows a place in a file where one edits it.
+  /// Opens a file at a line in the user's editor.
   std::function<void(const std::filesystem::path& file, std::uint64_t line)> edit;
 
   void draw() const;

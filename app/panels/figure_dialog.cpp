@@ -42,7 +42,7 @@ void row_title(const Gui& gui, const char* text) {
   ImGui::SameLine(kTitleWidth * gui.unit());
 }
 
-/// On the same line as the last item where `label` fits there; otherwise below it, beside the titles.
+/// Continues on the same line if `label` fits there, otherwise below, beside the titles.
 void go_on(const Gui& gui, const std::string& label) {
   const ImGuiStyle& style = ImGui::GetStyle();
   const float width = ImGui::CalcTextSize(label.c_str(), nullptr, true).x + 2 * style.FramePadding.x;
@@ -53,7 +53,7 @@ void go_on(const Gui& gui, const std::string& label) {
     ImGui::SetCursorPosX(kTitleWidth * gui.unit());
 }
 
-/// One of several words; `chosen` is its place.
+/// Draws a choice between several words; `chosen` is the index of the current one.
 template <class Choice>
 void choice(const Gui& gui, std::span<const std::pair<const char*, const char*>> words, Choice& chosen) {
   for (std::size_t i = 0; i < words.size(); ++i) {
@@ -63,7 +63,7 @@ void choice(const Gui& gui, std::span<const std::pair<const char*, const char*>>
   }
 }
 
-/// "SVG", "PS", "TikZ".
+/// The short name of a format: "SVG", "PS", "TikZ".
 std::string short_name(const figure::Format& format) {
   constexpr std::size_t kShort = 4;
   if (format.name.size() <= kShort) return std::string(format.name);
@@ -77,7 +77,7 @@ double unit_mm(const FigureSettings& settings) {
   return settings.in_inches ? figure::kMillimetersPerInch : 1.0;
 }
 
-/// A length on paper. True when it was changed.
+/// Draws a field for a length on paper. Returns true when the length has changed.
 bool length_field(const Gui& gui, const char* label, const FigureSettings& settings, double& mm) {
   double value = mm / unit_mm(settings);
   ImGui::SetNextItemWidth(62 * gui.unit());
@@ -176,7 +176,7 @@ void FigureDialog::draw_size(const Gui& gui) const {
   tooltip(gui, "The height follows from the width");
 }
 
-// Nothing while the window shows one alone.
+// Draws nothing if the window shows only one pane.
 void FigureDialog::draw_panes(const Gui& gui) const {
   if (!uses_->desk.has_panes()) return;
   FigureSettings& settings = uses_->settings;
@@ -197,7 +197,7 @@ void FigureDialog::draw_look(const Gui& gui) const {
   FigureSettings& settings = uses_->settings;
   draw_panes(gui);
   row_title(gui, "Show");
-  // Panes have one size, so none is cut to what it draws.
+  // Panes have one size, so none can be cut to its drawing.
   const bool is_sheet = uses_->desk.has_panes() && settings.all_panes;
   FigureExtent extent = is_sheet && settings.extent == FigureExtent::ink ? FigureExtent::view : settings.extent;
   const FigureExtent before = extent;
@@ -288,7 +288,7 @@ void FigureDialog::draw_layers(const Gui& gui) {
   if (number_field("dpi", dots, "%.0f", NumberRange{kLeastDotsPerInch, kMostDotsPerInch}))
     settings.dots_per_inch = dots;
   tooltip(gui, "Dots an inch of these pictures");
-  const float foot = 92 * unit;  // what is said below
+  const float foot = 92 * unit;  // height of the messages below
   ImGui::BeginChild("layers", {0, std::max(96 * unit, ImGui::GetContentRegionAvail().y - foot)}, true);
   for (auto layer = preview->layers.rbegin(); layer != preview->layers.rend(); ++layer) {
     const auto chosen = std::ranges::find(rasterized_, layer->id);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "Export a figure": its settings, with the figure as it will be beside them.
+// "Export a figure": the settings, with a preview of the figure beside them.
 #pragma once
 
 #include <functional>
@@ -14,19 +14,19 @@ namespace mes {
 /// Threads: the window's.
 class FigureDialog final : public Dialog {
  public:
-  /// All of them outlive the dialog.
+  /// All members must outlive the dialog.
   struct Uses {
     FigureDesk& desk;
     FigureSettings& settings;
-    std::function<void()> ask_file;          ///< where the figure goes
-    std::function<ImTextureID()> texture{};  ///< of the preview; null while there is none
-    std::function<void()> closed;            ///< cancelled, or done
+    std::function<void()> ask_file;          ///< asks for the file of the figure
+    std::function<ImTextureID()> texture{};  ///< texture of the preview; null while there is none
+    std::function<void()> closed;            ///< called when cancelled or done
   };
   void set_uses(Uses uses) { uses_.emplace(std::move(uses)); }
 
   void open();
   void close();
-  /// Another dialog lies over it: it is not seen until that is answered.
+  /// Hides the dialog while another one lies over it.
   void set_covered(bool is_covered) { is_covered_ = is_covered; }
 
   bool is_open() const override { return is_open_; }
@@ -49,7 +49,7 @@ class FigureDialog final : public Dialog {
   bool is_open_ = false;
   bool is_covered_ = false;
   bool is_accepted_ = false;
-  std::vector<std::string> rasterized_;  // ids of layers; of this figure alone
+  std::vector<std::string> rasterized_;  // ids of layers; for this figure only
 };
 
 }  // namespace mes

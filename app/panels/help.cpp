@@ -31,7 +31,7 @@ void heading(const Gui& gui, std::string_view text) {
   ImGui::PopFont();
 }
 
-/// Keys that differ only in which one of many it is are one line.
+/// Actions whose keys differ only by a number are listed in one line.
 struct Series {
   ActionId first;
   ActionId last;
@@ -103,11 +103,11 @@ void draw_gesture(const Gui& gui, const GestureDescriptor& gesture) {
   ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3 * unit);
 }
 
-/// Groups in the order of reading, in columns of about the same height.
+/// Draws the groups in reading order, in columns of about the same height.
 void draw_columns(const Gui& gui, const Keymap& keymap, float width) {
   constexpr std::array<ActionGroup, 6> kOrder{ActionGroup::file, ActionGroup::tools,   ActionGroup::edit,
                                               ActionGroup::view, ActionGroup::compute, ActionGroup::help};
-  constexpr float kColumnWidth = 285.0F;  // logical pixels; less, and lines are broken
+  constexpr float kColumnWidth = 285.0F;  // logical pixels; in narrower columns lines would break
   const int columns = std::clamp(static_cast<int>(width / (kColumnWidth * gui.unit())), 1, 4);
   if (!ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) return;
   constexpr std::size_t kHeading = 2;
@@ -118,7 +118,7 @@ void draw_columns(const Gui& gui, const Keymap& keymap, float width) {
   ImGui::TableNextColumn();
   std::size_t filled = 0;
   const auto next = [&](std::size_t lines) {
-    // It may stick out by less than it would leave empty.
+    // A group may exceed the column by less than it would otherwise leave empty.
     const bool is_better_below = filled + lines <= most || filled + lines - most < most - std::min(filled, most);
     if (filled > 0 && !is_better_below && ImGui::TableGetColumnIndex() + 1 < columns) {
       ImGui::TableNextColumn();

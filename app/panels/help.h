@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every key and gesture on one page, from the action table.
+// One page with every key and gesture, from the action table.
 #pragma once
 
 #include <string>
@@ -10,10 +10,10 @@
 
 namespace mes {
 
-/// A click beside it or on its cross closes it, and so do the keys that open it.
+/// A click beside the page or on its cross closes it, and so do the keys that open it.
 class HelpPage final : public Dialog {
  public:
-  /// The keys to show, which outlive the page, and the file that changes them.
+  /// Sets the keys to show, which must outlive the page, and the file that changes them.
   void set_keys(const Keymap& keymap, std::string keys_file) {
     keymap_ = &keymap;
     keys_file_ = std::move(keys_file);

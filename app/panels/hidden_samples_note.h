@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Says that what was added is not seen, and offers to show it.
+// Reports that added samples are hidden, and offers to show them.
 #pragma once
 
 #include "app/editing/editor.h"

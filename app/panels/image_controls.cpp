@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kImageFieldWidth = 150.0F;
 
-/// True when a number was typed that a document can hold; `is_length` ones are above 0.
+/// Returns true when the user has typed a number that a document can hold; a length must be above 0.
 bool place_field(const Gui& gui, const char* label, double& value, bool is_length, const char* explanation) {
   ImGui::SetNextItemWidth(kImageFieldWidth * gui.unit());
   const bool is_new = number_field(label, value, "%.6g", [&](double typed) -> std::optional<std::string> {

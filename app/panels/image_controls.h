@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What can be done with the picture to trace: which one it is, where it lies and how large it is.
+// Controls for the picture to trace: its file, position and size.
 #pragma once
 
 #include "app/actions/action_bindings.h"

@@ -28,7 +28,7 @@ void InsertionPreview::follow(Engine& engine, const Canvas& canvas, const Editor
     lines_.clear();
     return;
   }
-  // Where a sample would be put: on what the place snaps to.
+  // The sample would be put at the snapped position.
   const ToolFeedback feedback = canvas.tool().feedback();
   const Place place{feedback.snap ? feedback.snap->place : canvas.pointer().world, editor.document().revision()};
   if (asked_ == place) return;
@@ -52,7 +52,7 @@ bool InsertionPreview::take(const Provenance& answer) {
 }
 
 void InsertionPreview::draw(const Gui& gui, const PanePart& pane, double content_scale) const {
-  // Below what comes lies what goes.
+  // Draws removed elements below added ones.
   for (const ProvenanceRole role : {ProvenanceRole::origin, ProvenanceRole::itself, ProvenanceRole::product})
     for (const ProvenanceLine& line : lines_) {
       if (line.role != role) continue;
@@ -74,7 +74,7 @@ void InsertionPreview::draw_words(const Gui& gui, const PanePart& pane, const Ca
   const float height = static_cast<float>(lines_.size() - 1) * step;
   const Insets& panels = canvas.view().insets();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  // On the other side of the place where this one has too little room.
+  // Uses the other side of the point if there is too little room on this side.
   const auto beside = [&](float from, float size, float end) {
     return from + kBeside * unit + size <= end ? from + kBeside * unit : from - kBeside * unit - size;
   };

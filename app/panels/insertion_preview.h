@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a sample at the cursor would change, before it is inserted.
+// Previews the changes that a sample at the pointer would cause, before it is inserted.
 #pragma once
 
 #include <cstdint>
@@ -15,17 +15,17 @@
 
 namespace mes {
 
-/// What it guarantees: at most one question is under way, and none while the engine computes, the view moves or a
-/// gesture has the pointer; so it may trail a fast pointer, and nothing waits for it. What is shown is of the document
-/// that is on screen, or gone. Threads: the window's.
+/// Guarantees: at most one question is under way, and none while the engine computes, the view moves or a gesture has
+/// the pointer; so it may trail a fast pointer, and nothing waits for it. The preview belongs to the document on
+/// screen, or is hidden. Threads: the window's.
 class InsertionPreview {
  public:
-  /// Once a frame. `is_wanted`: it is to be shown, the pointer is over the canvas, and the tool inserts.
+  /// Call it once per frame. `is_wanted`: the preview is on, the pointer is over the canvas, and the tool inserts.
   void follow(Engine& engine, const Canvas& canvas, const Editor& editor, bool is_wanted);
-  /// True when the answer was to a question of this object.
+  /// Returns true if the answer was to a question of this object.
   bool take(const Provenance& answer);
   void draw(const Gui& gui, const PanePart& pane, double content_scale) const;
-  /// What goes and what comes, as lines beside the place, clear of the panels.
+  /// Draws the removals and additions as lines of text beside the point, clear of the panels.
   void draw_words(const Gui& gui, const PanePart& pane, const Canvas& canvas) const;
 
  private:
@@ -35,7 +35,7 @@ class InsertionPreview {
     friend bool operator==(const Place&, const Place&) = default;
   };
 
-  // Between those of cards and those of pointed elements.
+  // Between the tickets of cards and those of pointed elements.
   static constexpr std::uint64_t kFirstTicket = std::uint64_t{1} << 62U;
   std::uint64_t ticket_ = kFirstTicket;
   bool is_asking_ = false;

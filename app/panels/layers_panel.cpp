@@ -38,7 +38,7 @@ bool is_failed(NodeState state) {
   return state == NodeState::failed || state == NodeState::blocked;
 }
 
-// Rows lie close together; what opens from them does not.
+// Rows are close together; popups opened from them have more spacing.
 class PopupSpacing {
  public:
   explicit PopupSpacing(float unit) {
@@ -50,7 +50,7 @@ class PopupSpacing {
   PopupSpacing& operator=(const PopupSpacing&) = delete;
 };
 
-// From the palette, or any.
+// Chooses a colour from the palette, or any other.
 void draw_color_choice(float unit, LayerStyle& style) {
   constexpr std::array<Rgb, 9> kPalette{palette::black,     palette::orange, palette::sky,
                                         palette::green,     palette::yellow, palette::blue,
@@ -64,7 +64,7 @@ void draw_color_choice(float unit, LayerStyle& style) {
     ImGui::PopID();
   }
   glm::vec3 rgb = render::to_vec3(style.color);
-  // In a low window the sliders below it shall have room, too.
+  // In a low window the sliders below it need room, too.
   ImGui::SetNextItemWidth(std::min(230 * unit, 0.3F * ImGui::GetIO().DisplaySize.y));
   if (ImGui::ColorPicker3(
           "##picker", glm::value_ptr(rgb),
@@ -81,7 +81,7 @@ std::string milliseconds(double ms) {
 std::string LayersPanel::explanation(LayerIndex layer) const {
   const LayerDescriptor& descriptor = layers_.descriptor(layer);
   std::string out = std::string(descriptor.name) + '\n' + std::string(descriptor.tooltip);
-  // Nothing is computed for the picture to trace.
+  // The picture to trace has no computed content.
   if (layers_.descriptor(layer).kinds.empty()) return out;
   const LayerReport* report = picture_.report(layer);
   if (report == nullptr || !layers_.is_visible(layer)) return out;
@@ -91,7 +91,7 @@ std::string LayersPanel::explanation(LayerIndex layer) const {
   return out + "\n\nUp to date; drawn from the structures in " + milliseconds(report->emit_ms);
 }
 
-// Up to date, and with nothing to draw.
+// True if the layer is up to date and has nothing to draw.
 bool LayersPanel::is_without_content(LayerIndex layer) const {
   const auto& kinds = layers_.descriptor(layer).kinds;
   if (kinds.empty() || !layers_.is_visible(layer) || picture_.state(layer) != NodeState::up_to_date) return false;
@@ -128,7 +128,7 @@ void LayersPanel::draw_search() {
   const float check = ImGui::CalcTextSize("Only shown").x + button + ImGui::GetStyle().ItemInnerSpacing.x;
   ImGui::SetNextItemWidth(std::max(40 * unit, ImGui::GetContentRegionAvail().x - check - button - 12 * unit));
   ImGui::InputTextWithHint("##search", "Search", &options_.search);
-  // The library gives the text back that was there before; what is meant is none.
+  // ImGui restores the old text on Esc; we want it empty.
   if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) options_.search.clear();
   ImGui::SameLine(0, 2 * unit);
   if (options_.search.empty()) {
@@ -173,7 +173,7 @@ void LayersPanel::draw_swatch(LayerIndex layer, ImVec2 at, ImVec2 size) const {
   const ImVec2 middle(0.5F * (at.x + end.x), 0.5F * (at.y + end.y));
   const float width = std::clamp(static_cast<float>(style.line_width_px) * unit, 1.0F, 0.6F * size.y);
   if (descriptor.kinds.empty()) {
-    // A sun above a hill.
+    // Draws a sun above a hill.
     const ImU32 ink = to_imgui(palette::grey, layers_.image().file.empty() ? 0.5 : 1.0);
     list.AddCircleFilled({at.x + 0.3F * size.x, at.y + 0.35F * size.y}, 0.14F * size.y, ink);
     list.AddTriangleFilled({at.x + 0.25F * size.x, end.y - 3 * unit}, {at.x + 0.6F * size.x, at.y + 0.3F * size.y},
@@ -184,7 +184,7 @@ void LayersPanel::draw_swatch(LayerIndex layer, ImVec2 at, ImVec2 size) const {
     list.AddText(ImGui::GetFont(), letters, {middle.x - 0.5F * extent.x, middle.y - 0.5F * extent.y}, color,
                  kSampleText);
   } else if (is_mapped) {
-    // Its colours say enough.
+    // A layer with a colour map shows its colours; that is enough.
   } else if (has_kind(descriptor, {PrimitiveKind::disk, PrimitiveKind::triangle}))
     list.AddRectFilled(at, end, color, 3 * unit);
   else if (has_kind(descriptor, {PrimitiveKind::circle, PrimitiveKind::arc}))
@@ -211,7 +211,7 @@ void LayersPanel::draw_style_popup(LayerIndex layer) {
   const bool is_picture = descriptor.kinds.empty();
   if (is_picture) image_.draw();
   color_maps_.draw(layer, style);
-  // The plain colour counts only without a map.
+  // The plain colour counts only without a colour map.
   if (style.color_map.empty() && !is_picture) draw_color_choice(unit, style);
   const float width = 230 * unit;
   double percent = 100.0 * style.opacity;
@@ -230,7 +230,7 @@ void LayersPanel::draw_style_popup(LayerIndex layer) {
             "Where samples stand closer than two pixels, dots and lines are drawn finer than these numbers, so that "
             "they do not run together; dots of samples, as large as they are at first, are kept apart before");
   }
-  // Letters do not overlap.
+  // Letters do not overlap, so they have no such option.
   const bool may_overlap = !is_picture && descriptor.points_as == PointsAs::dots;
   if (may_overlap) ImGui::Checkbox("Flat", &style.flat);
   if (may_overlap)
@@ -320,7 +320,7 @@ void LayersPanel::draw_row(LayerIndex layer, const LayerSection& section) {
   const ImVec2 swatch_size(30 * unit, 18 * unit);
   const ImVec2 swatch_at(at.x + width - swatch_size.x - 2 * unit, at.y + 0.5F * (height - swatch_size.y));
 
-  // The swatch lies on the row and is asked first.
+  // The swatch lies on the row, so it is tested first.
   ImGui::SetCursorScreenPos(swatch_at);
   if (hit_area("swatch", swatch_size)) ImGui::OpenPopup("style");
   tooltip(gui_, descriptor.scalar.empty() ? "Colour, opacity, sizes" : "Colour, colour map, opacity, sizes");
@@ -338,7 +338,7 @@ void LayersPanel::draw_row(LayerIndex layer, const LayerSection& section) {
     ImGui::TextUnformatted(descriptor.name.data(), descriptor.name.data() + descriptor.name.size());
     ImGui::EndDragDropSource();
   }
-  // Elsewhere the rows do not lie in drawing order, and a place between two of them means nothing.
+  // In other sections the rows are not in drawing order, so dropping between two of them is meaningless.
   if (!section.group) draw_drop_target(layer, at, {at.x + width, at.y + height});
   draw_row_text(layer, section, at, {swatch_at.x - 6 * unit, at.y + height});
   draw_swatch(layer, swatch_at, swatch_size);
@@ -349,7 +349,7 @@ void LayersPanel::draw_row(LayerIndex layer, const LayerSection& section) {
   clicked_at_ = layers_.revision();
 }
 
-// Hides what is shown of the group, and shows it again.
+// Hides the visible layers of the group, or shows them again.
 void LayersPanel::toggle_group(const LayerSection& section) {
   std::vector<LayerIndex>& hidden = hidden_[*section.group];
   if (section.shown == 0) {
@@ -375,7 +375,7 @@ bool LayersPanel::draw_heading(std::size_t index) {
   const bool is_folded = folded_.contains(section.title);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 eye_at(at.x + width - eye - 8 * unit, at.y + 0.5F * (height - eye));
-  // Counted anew, for the list may be that of before a click.
+  // Counted again, because the list may be older than the last click.
   std::size_t shown = 0;
   for (const LayerIndex layer : layers_.visible_layers())
     shown += !section.group || layers_.descriptor(layer).group == *section.group ? 1U : 0U;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of layers: what is drawn, in which order, in which style.
+// The list of layers: their visibility, drawing order and style.
 #pragma once
 
 #include <functional>
@@ -30,11 +30,11 @@ class LayersPanel {
         color_maps_(gui, layers, picture) {}
 
   void draw(const PanelArea& area);
-  /// Selects what elements of a layer with values in a range come from.
+  /// Sets the function that selects the sources of a layer's elements with values in a range.
   void set_select(std::function<void(LayerIndex, double, double)> select) {
     color_maps_.set_select(std::move(select));
   }
-  /// Asks for a file for the geometry of a layer.
+  /// Sets the function that asks for a file for the geometry of a layer.
   void set_export(std::function<void(LayerIndex, const LayerTextFormat&)> ask) { ask_export_ = std::move(ask); }
 
  private:
@@ -42,7 +42,7 @@ class LayersPanel {
   void draw_search();
   void draw_families() const;
   void draw_section(std::size_t index);
-  /// False: its rows are folded away.
+  /// Returns false if the rows of the section are folded.
   bool draw_heading(std::size_t index);
   void toggle_group(const LayerSection& section);
   void draw_row(LayerIndex layer, const LayerSection& section);
@@ -69,8 +69,8 @@ class LayersPanel {
   // While the pointer is on the rows, a click on one of them does not move the others.
   bool is_pointer_on_rows_ = false;
   std::uint64_t clicked_at_ = 0;                          // revision of the layers after the last click on a row
-  std::set<std::string> folded_;                          // headings
-  std::map<LayerGroup, std::vector<LayerIndex>> hidden_;  // by the eye of their group
+  std::set<std::string> folded_;                          // headings of folded sections
+  std::map<LayerGroup, std::vector<LayerIndex>> hidden_;  // layers hidden by the eye of their group
   struct CopiedStyle {
     LayerIndex layer;
     LayerStyle style;

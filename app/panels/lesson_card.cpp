@@ -12,7 +12,7 @@
 namespace mes {
 namespace {
 
-constexpr float kShare = 0.3F;    // of the room
+constexpr float kShare = 0.3F;    // share of the available width
 constexpr float kLeast = 220.0F;  // logical pixels
 constexpr float kMost = 520.0F;
 constexpr float kLessonMargin = 22.0F;
@@ -24,11 +24,11 @@ float LessonCard::width(float room) const {
   return std::min(std::clamp(kShare * room, kLeast * unit, kMost * unit), 0.5F * room);
 }
 
-// On the ground of the canvas, so that the words are readable where the drawing comes beneath them.
+// Draws on the background of the canvas, so that the text is readable if the drawing extends below it.
 void LessonCard::draw_caption(const PanelArea& area) const {
   constexpr double kLettersInAColumn = 17.0;
   constexpr double kLargest = 26.0;
-  constexpr double kFoot = 90.0;  // of the buttons
+  constexpr double kFoot = 90.0;  // height of the buttons
   const float unit = gui.unit();
   const double column = static_cast<double>(area.size.x / unit) - 2.0 * static_cast<double>(kLessonMargin);
   const double height = static_cast<double>(area.size.y / unit) - 2.0 * static_cast<double>(kLessonMargin) - kFoot;

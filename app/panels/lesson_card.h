@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Beside the drawing while a lesson is presented: the caption of the step, and the buttons that lead on.
+// The card beside the drawing during the presentation of a lesson: caption of the step, and buttons to move on.
 #pragma once
 
 #include <cstdint>
@@ -16,12 +16,12 @@ struct LessonCard {
   const Gui& gui;
   const ActionBindings& actions;
   LessonPresenter& presenter;
-  Rgb canvas;  ///< what it is drawn on
+  Rgb canvas;  ///< background colour
 
   enum class Wish : std::uint8_t { none, back, on, restore, end };
-  /// How wide it would like to be in a room of this width.
+  /// The preferred width if this much is available.
   float width(float room) const;
-  /// What was clicked.
+  /// Draws the card; returns the button that was clicked.
   Wish draw(const PanelArea& area) const;
 
  private:

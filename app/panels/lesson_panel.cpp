@@ -25,7 +25,7 @@ std::string name_of_step(const LessonStep& step) {
 
 }  // namespace
 
-// What is typed goes into the lesson when its field is left, so that it is one change.
+// Typed text enters the lesson when its field is left, so that it is one change.
 void LessonPanel::draw() {
   if (actions_.is_checked(ActionId::present_lesson)) {
     ImGui::TextDisabled("The lesson is being presented");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steps of the lesson: marked, put in order, with their captions.
+// The steps of the lesson: set, ordered and captioned here.
 #pragma once
 
 #include <cstddef>
@@ -28,7 +28,7 @@ class LessonPanel {
   const Gui& gui_;
   const ActionBindings& actions_;
   LessonDesk& desk_;
-  // What is being typed, and the step that it is about.
+  // The text being typed, and the step that it belongs to.
   std::string caption_;
   std::string title_;
   std::optional<std::size_t> caption_of_;

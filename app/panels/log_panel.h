@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the program has said since it was started.
+// The program's messages since it was started.
 #pragma once
 
 #include "app/model/messages.h"

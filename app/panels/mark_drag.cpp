@@ -9,7 +9,7 @@ namespace mes {
 namespace {
 
 constexpr double kSnapPx = 8.0;      // logical pixels
-constexpr float kUnsteadyPx = 3.0F;  // of a hand that clicks
+constexpr float kUnsteadyPx = 3.0F;  // movement of a hand that clicks
 
 ImVec2 corner_on_screen(const MarkDrag::Mark& mark, Vec2 px, float unit) {
   return {std::round(mark.origin.x + static_cast<float>(px.x) * unit),
@@ -35,7 +35,7 @@ bool MarkDrag::follow(const Gui& gui, const Mark& mark, std::optional<PaperPlace
     place = held_->before;
     return true;
   }
-  // From where the button was pressed: a late frame may have missed some of the way.
+  // Measured from where the button was pressed, because a late frame may have missed a part of the movement.
   const ImVec2 way = ImGui::GetMouseDragDelta(ImGuiMouseButton_Left, kUnsteadyPx * unit);
   if (way.x == 0.0F && way.y == 0.0F) return true;
   const Vec2 moved{static_cast<double>(way.x / unit), static_cast<double>(way.y / unit)};
@@ -43,7 +43,7 @@ bool MarkDrag::follow(const Gui& gui, const Mark& mark, std::optional<PaperPlace
   return true;
 }
 
-// What is no longer drawn is no longer held either.
+// A mark that is no longer drawn is no longer held either.
 void MarkDrag::end_frame() {
   if (held_ && !held_->is_drawn) held_.reset();
   if (held_) held_->is_drawn = false;

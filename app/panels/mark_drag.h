@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The legend and the scale bar on the canvas, dragged to other places with the mouse.
+// Moves the legend and the scale bar on the canvas with the mouse.
 #pragma once
 
 #include <optional>
@@ -9,35 +9,35 @@
 
 namespace mes {
 
-/// What it guarantees: a press without a move changes nothing; what is dragged follows the pointer, stays in its room,
-/// and takes the usual margin near to it; a cancelled drag leaves the place as it was before. Threads: the window's.
+/// Guarantees: a press without a movement changes nothing; a dragged mark follows the pointer, stays in its room, and
+/// snaps to the usual margin; cancelling a drag restores the position. Threads: the window's.
 class MarkDrag {
  public:
-  /// What can be dragged, where it is drawn in this frame.
+  /// A mark that can be dragged, where it is drawn in this frame.
   struct Mark {
     const char* id;
     const char* explanation;
-    ImVec2 origin;  ///< of its room, in screen coordinates
+    ImVec2 origin;  ///< origin of its room, in screen coordinates
     Box2 box;       ///< in logical pixels from there
-    Box2 room;      ///< likewise
+    Box2 room;      ///< in logical pixels from there, too
   };
-  /// Once a frame for each mark that is drawn. Changes its place while it is dragged, and takes it away by a double
-  /// click or from the menu of the right button. True while it is dragged.
+  /// Call it once per frame for each drawn mark. Changes its position during a drag, and resets it on a double click
+  /// or from the menu of the right button. Returns true while the mark is dragged.
   bool follow(const Gui& gui, const Mark& mark, std::optional<PaperPlace>& place);
-  /// After all of them.
+  /// Call it after all marks.
   void end_frame();
 
   bool is_under_way() const { return held_ && !held_->is_cancelled; }
-  /// False when nothing was dragged.
+  /// Returns false if nothing was dragged.
   bool cancel();
 
  private:
   struct Held {
     const char* id;
-    Vec2 corner;  // the upper left one, when it was taken
+    Vec2 corner;  // upper left corner at the beginning of the drag
     std::optional<PaperPlace> before;
     bool is_cancelled = false;
-    bool is_drawn = true;  // in this frame
+    bool is_drawn = true;  // drawn in this frame
   };
   std::optional<Held> held_;
 };

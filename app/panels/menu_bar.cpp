@@ -27,7 +27,7 @@ void action_item(const MenuBar& menu, ActionId id, const std::string& label = {}
 }
 
 void recent_files_menu(const MenuBar& menu) {
-  const auto recent = menu.settings.recent_files;  // opening one changes the list
+  const auto recent = menu.settings.recent_files;  // a copy, because opening a file changes the list
   if (!ImGui::BeginMenu("Recent files", !recent.empty())) return;
   for (const std::string& file : recent) {
     const std::filesystem::path path(file);
@@ -41,7 +41,7 @@ void recent_files_menu(const MenuBar& menu) {
   ImGui::EndMenu();
 }
 
-// All that is shown in one file.
+// Exports all visible layers in one file.
 void geometry_menu(const MenuBar& menu) {
   if (!ImGui::BeginMenu("Export geometry")) return;
   for (const LayerTextFormat& format : layer_text_formats()) {
@@ -172,7 +172,7 @@ void view_menu(const MenuBar& menu) {
     ImGui::EndMenu();
   }
   action_item(menu, ActionId::toggle_panels);
-  // Rows in menus of their own, because at twice the size no other row of this one fits a screen of 800 pixels.
+  // A menu of its own, because at twice the size this one has no room for another row on a screen of 800 pixels.
   if (ImGui::BeginMenu("Legend and scale")) {
     for (const ActionId id : {ActionId::toggle_legend, ActionId::toggle_key, ActionId::toggle_scale_bar,
                               ActionId::toggle_axes, ActionId::toggle_grid, ActionId::toggle_annotations})

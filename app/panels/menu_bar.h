@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// File, Edit, View, Shapes, Tools, Help: every action of the table, and what has no key.
+// File, Edit, View, Shapes, Tools, Help: every action of the table, and functions without a key.
 #pragma once
 
 #include <functional>
@@ -30,9 +30,9 @@ struct MenuBar {
   std::function<void(const SampleShape&)> open_shape;  ///< the same
   std::span<const ShippedLesson> lessons;
   std::function<void(const ShippedLesson&)> open_lesson;        ///< the same
-  std::function<void(const LayerTextFormat&)> export_geometry;  ///< of what is shown
+  std::function<void(const LayerTextFormat&)> export_geometry;  ///< of the visible layers
 
-  /// Across the window; its height in screen coordinates.
+  /// Draws across the window; returns its height in screen coordinates.
   float draw() const;
 };
 

@@ -32,7 +32,7 @@ void PaneHeaders::draw(const PanePlaces& places) const {
                  frame_on_screen(place.left + place.width, place.top + place.height, pixel_ratio),
                  gui.colors().border);
     draw_header(i, place);
-    // The places are of the panes as they were.
+    // `places` belongs to the panes before the change.
     if (panes.panes().size() != before) return;
   }
 }
@@ -66,14 +66,14 @@ void PaneHeaders::draw_header(std::size_t pane, const PanePlace& place) const {
   ImGui::PopStyleVar(2);
 }
 
-// A slider for the value of a parameter.
+// Draws a slider for the value of a parameter.
 void PaneHeaders::draw_value(std::size_t pane) const {
   const auto* const chosen = std::get_if<ParameterChoice>(&panes.panes()[pane]);
   if (chosen == nullptr || !std::isfinite(chosen->parameter.high)) return;
   const Parameter& descriptor = chosen->parameter;
   double value = chosen->value;
   if (descriptor.is_length) {
-    // Its range is that of all coordinates.
+    // Its range is that of all coordinates, too wide for a slider.
     ImGui::SetNextItemWidth(230 * gui.unit());
     if (number_field("##value", value, "%.6g", NumberRange{descriptor.low, descriptor.high}))
       panes.change(pane, ParameterChoice{chosen->parameter, value});
@@ -85,7 +85,7 @@ void PaneHeaders::draw_value(std::size_t pane) const {
     panes.change(pane, ParameterChoice{chosen->parameter, value});
 }
 
-// A slider for the state of the evolution.
+// Draws a slider for the state of the evolution.
 void PaneHeaders::draw_step(std::size_t pane) const {
   const auto* const chosen = std::get_if<EvolvedChoice>(&panes.panes()[pane]);
   if (chosen == nullptr) return;

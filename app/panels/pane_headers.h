@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What each of several panes shows, in its lower left corner, with a menu to show something else; and a line around
-// each.
+// The header in the lower left corner of each pane: its contents, with a menu to change them; and the frames around
+// the panes.
 #pragma once
 
 #include <span>
@@ -21,13 +21,13 @@ struct PaneHeaders {
   const ActionBindings& actions;
   PaneList& panes;
   const BundleDesk& bundles;
-  std::span<const Parameter> parameters;  ///< all that there are
+  std::span<const Parameter> parameters;  ///< all existing parameters
   const ComputationSettings& settings;
-  const std::vector<std::string>& words;  ///< of each pane, the main one first
+  const std::vector<std::string>& words;  ///< description of each pane, the main one first
   const EvolutionPlayer& evolution;
   double pixel_ratio = 1.0;  ///< framebuffer pixels per unit of screen coordinates
 
-  /// Nothing while there is only the main pane.
+  /// Draws nothing if there is only the main pane.
   void draw(const PanePlaces& places) const;
 
  private:

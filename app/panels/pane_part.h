@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pane that marks are drawn into.
+// The pane in which marks are drawn.
 #pragma once
 
 #include "app/ui/gui.h"
@@ -8,7 +8,7 @@
 namespace mes {
 
 struct PanePart {
-  const render::Camera& camera;  ///< as Canvas has it: of a window in which the pane lies where the main one does
+  const render::Camera& camera;  ///< as in Canvas: for a window in which the pane has the position of the main pane
   ImVec2 shift{};                ///< from the main pane to this one, in screen coordinates
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drawings of rectangles, dots and text, above the canvas and below the panels.
+// Draws rectangles, dots and text above the canvas and below the panels.
 #pragma once
 
 #include "app/picture/paper_drawing.h"
@@ -7,7 +7,7 @@
 
 namespace mes {
 
-/// In the fonts of the window.
+/// Measures text in the fonts of the window.
 MeasureText measure_on_canvas(const Gui& gui);
 
 /// `corner` is in screen coordinates.

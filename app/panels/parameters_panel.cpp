@@ -144,7 +144,7 @@ void ParametersPanel::draw_value(const Parameter& descriptor, double& value) con
   tooltip(gui_, parameter_explanation(descriptor));
 }
 
-// As wide as the slider above it is without its number.
+// As wide as the slider above it without its number.
 MarkBand ParametersPanel::band(const char* id) const {
   return {gui_, id, slider_rail(gui_, ImGui::GetContentRegionAvail().x), 12 * gui_.unit()};
 }
@@ -209,7 +209,7 @@ void ParametersPanel::draw_critical_values(double& limit) {
       const float x = x_of(value);
       if (value > end) break;
       const bool is_first = &value == &values->front();
-      // One line a pixel is enough.
+      // One line per pixel is enough.
       if (!is_first && x - drawn < 1.0F) continue;
       drawn = x;
       if (marks.mark(x, is_first ? palette::green : palette::purple, is_first ? 3.0F : 1.0F)) nearest = &value;
@@ -248,9 +248,9 @@ void ParametersPanel::draw_alpha_events(double& radius) {
     std::optional<double> nearest;
     const char* what = "";
     const auto draw_all = [&](const std::vector<GrowthEvent>& events, Rgb color, const char* happens) {
-      // What is joined by balls as they are lies before the slider.
+      // Events that unscaled balls have already passed lie before the beginning of the slider.
       const auto last = std::ranges::upper_bound(events, end, {}, &GrowthEvent::radius);
-      // One line a pixel is enough.
+      // One line per pixel is enough.
       for (auto i = std::ranges::lower_bound(events, 0.0, {}, &GrowthEvent::radius); i < last;) {
         const float x = x_of(i->radius);
         if (marks.mark(x, color)) {
@@ -338,7 +338,8 @@ void ParametersPanel::draw() {
       draw_parameter(parameter);
     }
   };
-  // Those of experiments follow those of the program in the registry. They are what the user works on.
+  // Parameters of experiments follow the program's in the registry. They come first here, because the user works on
+  // them.
   const std::size_t own = std::min(computation_parameters().size(), computation_.parameters().size());
   draw_those(computation_.parameters().subspan(own));
   draw_those(computation_.parameters().first(own));

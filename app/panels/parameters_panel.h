@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every number that steers what is computed, with its meaning, its range and a way to let it run.
+// All parameters of the computation, with their meaning, range and animation.
 #pragma once
 
 #include <string>
@@ -39,21 +39,22 @@ class ParametersPanel {
 
  private:
   void draw_parameter(const Parameter& parameter);
-  /// A number that was typed: one out of range becomes the nearest within, and that is said.
+  /// Clamps a typed number to the range, and reports if it was outside.
   void take_within(const Parameter& descriptor, double& value) const;
   void draw_value(const Parameter& descriptor, double& value) const;
   void draw_animation(const Parameter& parameter);
-  /// Begins or gives up the table of what is shown for the values of the animation.
+  /// Begins or gives up the table of the visible layers for the values of the animation.
   void draw_sweep(const Parameter& parameter);
-  /// Below a slider.
+  /// The band below a slider.
   MarkBand band(const char* id) const;
-  /// Where the grown union changes its topology, while the scale axis is shown; a click sets the factor.
+  /// Marks the factors where the grown union changes its topology, while the scale axis is shown; a click sets the
+  /// factor.
   void draw_scale_events(double& factor);
-  /// Critical values of lambda, while a layer of it is shown; a click sets the limit.
+  /// Marks critical values of lambda while one of its layers is shown; a click sets the limit.
   void draw_critical_values(double& limit);
-  /// Births and deaths while a layer of the alpha complex is shown; a click sets the radius.
+  /// Marks births and deaths while a layer of the alpha complex is shown; a click sets the radius.
   void draw_alpha_events(double& radius);
-  /// A length that no radius of what is drawn exceeds by much.
+  /// A length that no radius in the drawing exceeds by much.
   double longest() const;
 
   const Gui& gui_;

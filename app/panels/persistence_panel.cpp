@@ -55,7 +55,7 @@ void PersistencePanel::draw() {
 
 void PersistencePanel::draw_growths() {
   const Document& document = uses_.editor.document();
-  // Without samples only balls of one's own can grow.
+  // Without samples only own balls can grow.
   const bool has_only_balls = document.sample_count() == 0 && document.ball_count() != 0;
   if (has_only_balls != had_only_balls_) uses_.desk.choose_growth(has_only_balls ? GrowthOf::own : GrowthOf::samples);
   had_only_balls_ = has_only_balls;
@@ -108,13 +108,13 @@ void PersistencePanel::draw_words() {
   ImGui::PopTextWrapPos();
 }
 
-// Below the diagram, which would move under the pointer where they take another line.
+// Drawn below the diagram, which would otherwise move under the pointer when the text takes another line.
 void PersistencePanel::draw_chosen() {
   const auto chosen = uses_.desk.chosen();
   const std::string words =
       chosen ? in_words(uses_.desk.table()->rows[*chosen]) : std::string("Click on a point, or on its place");
   ImGui::PushTextWrapPos(0.0F);
-  // The library would break a line within a number, after its point.
+  // Dear ImGui would break a line within a number, after its point.
   for (std::size_t from = 0; from < words.size();) {
     const std::size_t comma = words.find(", ", from);
     const bool is_last = comma == std::string::npos;
@@ -153,7 +153,7 @@ void PersistencePanel::draw_diagram() {
   const float unit = uses_.gui.unit();
   const PersistenceTable& table = *uses_.desk.table();
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  // Below it are its ends and the words about what is chosen.
+  // Room for the numbers at the ends and the text about the chosen pair below.
   const float below = (1 + kLinesOfWords) * ImGui::GetTextLineHeightWithSpacing();
   const float size = std::max(kLeastDiagram * unit, std::min(room.x, room.y - below));
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -164,7 +164,7 @@ void PersistencePanel::draw_diagram() {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   list.AddRectFilled(at, {at.x + size, at.y + size}, ImGui::GetColorU32(ImGuiCol_FrameBg), 3 * unit);
 
-  // Deaths that never come stand on the upper edge.
+  // Pairs that never die are on the upper edge.
   const float margin = 7 * unit;
   const float inner = size - 2 * margin;
   const double begin = 1.05 * table.least_birth;
@@ -177,7 +177,7 @@ void PersistencePanel::draw_diagram() {
   };
   ComputationSettings settings = uses_.computation.settings();
   double& radius = settings[Parameter::alpha_radius];
-  // What is alive at the radius is to the left of it and above it.
+  // The area left of and above the radius contains the pairs alive at it.
   list.AddRectFilled({at.x, at.y}, {x_of(radius), y_of(radius)}, ImGui::GetColorU32(ImGuiCol_Text, 0.07F));
   const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
   list.AddLine({x_of(begin), y_of(begin)}, {x_of(end), y_of(end)}, faint, unit);
@@ -190,7 +190,7 @@ void PersistencePanel::draw_diagram() {
   float nearest = kReach * unit;
   place_dots({uses_.desk.shared_table(), inner, begin, end, shows_components_, shows_holes_});
   const double opacity = uses_.desk.is_current() ? 0.9 : 0.4;
-  // The longest come first, and lie on top.
+  // Drawn in reverse, because the longest are first and must be on top.
   for (const Dot& dot : dots_ | std::views::reverse) {
     const ImVec2 p{at.x + margin + dot.x, at.y + margin + inner - dot.y};
     const float away = std::hypot(p.x - mouse.x, p.y - mouse.y);

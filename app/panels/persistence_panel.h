@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The persistence diagram of the alpha complexes of the samples or of the balls of a family, with their radius as a line
-// that can be dragged.
+// The persistence diagram of the alpha complexes of the samples or of the balls of a family, with their radius as a
+// line that can be dragged.
 #pragma once
 
 #include <array>
@@ -19,9 +19,9 @@
 
 namespace mes {
 
-/// What it guarantees: a point of the diagram and its place on the canvas are chosen together. While the table is not that
-/// of what is shown it is dimmed, and nothing of it is drawn over the picture. A frame costs O(points that can be told
-/// apart on screen); what changes them, O(rows). Threads: the window's.
+/// Guarantees: a point of the diagram and its position on the canvas are chosen together. While the table does not
+/// match the display, it is dimmed, and none of it is drawn over the picture. Cost: per frame O(points that can be
+/// distinguished on screen); when they change, O(rows). Threads: the window's.
 class PersistencePanel {
  public:
   struct Uses {
@@ -30,7 +30,7 @@ class PersistencePanel {
     Canvas& canvas;
     const Editor& editor;
     ComputationControl& computation;
-    std::function<void(std::string)> export_csv{};  ///< asks for a file for the text
+    std::function<void(std::string)> export_csv{};  ///< asks for a file for the CSV text
   };
   explicit PersistencePanel(Uses uses) : uses_(std::move(uses)) {}
 
@@ -42,17 +42,17 @@ class PersistencePanel {
   void draw_words();
   void draw_diagram();
   void draw_chosen();
-  /// What is drawn of one or more rows in one pixel; the longest of them is meant.
+  /// The dot for one or more rows in one pixel; it stands for the longest of them.
   struct Dot {
-    float x = 0.0F;  ///< to the right of the point for 0, in pixels
-    float y = 0.0F;  ///< above it
+    float x = 0.0F;  ///< pixels to the right of the point for 0
+    float y = 0.0F;  ///< pixels above it
     std::size_t row = 0;
     bool is_hole = false;
   };
   struct Scale {
     std::shared_ptr<const PersistenceTable> table;
     float length = 0.0F;  ///< in pixels
-    double begin = 0.0;   ///< the radius at its beginning, and at its end
+    double begin = 0.0;   ///< the radius at the beginning of the scale, and at its end
     double end = 0.0;
     bool has_components = false;
     bool has_holes = false;
@@ -66,11 +66,11 @@ class PersistencePanel {
   bool had_only_balls_ = false;
   bool shows_components_ = true;
   bool shows_holes_ = true;
-  bool is_dragging_ = false;  // the radius
+  bool is_dragging_ = false;  // the radius is being dragged
   std::optional<std::size_t> pointed_at_;
-  Scale scale_;            // of the dots
+  Scale scale_;            // scale of the dots
   std::vector<Dot> dots_;  // the longest first
-  /// How many are alive.
+  /// The number of pairs alive.
   struct Alive {
     std::shared_ptr<const PersistenceTable> table;
     double radius = 0.0;
@@ -78,7 +78,7 @@ class PersistencePanel {
     std::size_t holes = 0;
   };
   Alive alive_;
-  std::shared_ptr<const PersistenceTable> outline_of_;  // whose hole that below is of
+  std::shared_ptr<const PersistenceTable> outline_of_;  // the table of the hole below
   std::size_t outline_row_ = 0;
   std::vector<std::array<Vec2, 2>> outline_;
 };

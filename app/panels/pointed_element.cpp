@@ -37,7 +37,7 @@ bool PointedElement::take(const Provenance& answer) {
 
 void PointedElement::draw(const Gui& gui, const PanePart& pane, double content_scale) const {
   if (!shape_) return;
-  // In the middle of the drawing there is always some area under the pointer.
+  // Areas are drawn lightly: in the middle of the drawing there is always one under the pointer.
   const bool is_area = shape_->kind == PrimitiveKind::disk || shape_->kind == PrimitiveKind::triangle;
   const ImU32 color = to_imgui(palette::vermilion, is_area ? 0.4 : 0.65);
   ShapePen(gui, pane, content_scale, {color, (is_area ? 1.5F : 4.0F) * gui.unit(), PenMark::dot}).draw(*shape_);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a click on the canvas would ask about lights up under the pointer.
+// Highlights the element under the pointer that a click on the canvas would ask about.
 #pragma once
 
 #include <cstdint>
@@ -15,9 +15,9 @@
 
 namespace mes {
 
-/// What it guarantees: at most one question is under way, and none while the engine computes, the view moves or a
-/// gesture has the pointer; so the mark may trail a fast pointer, and nothing waits for it. It is of the document and
-/// the layers that are on screen, or gone. Threads: the window's.
+/// Guarantees: at most one question is under way, and none while the engine computes, the view moves or a gesture has
+/// the pointer; so the mark may trail a fast pointer, and nothing waits for it. It belongs to the document and the
+/// layers on screen, or is hidden. Threads: the window's.
 class PointedElement {
  public:
   struct Scene {
@@ -25,12 +25,12 @@ class PointedElement {
     const Editor& editor;
     const LayerStack& layers;
     bool is_over_canvas = false;
-    bool may_ask = false;  ///< not while a click waits for its answer
+    bool may_ask = false;  ///< false while a click waits for its answer
   };
 
-  /// Once a frame: asks about what lies under the pointer if it has moved.
+  /// Call it once per frame: asks about the element under the pointer if it has moved.
   void follow(Engine& engine, const Scene& scene);
-  /// True when the answer was to a question of this object.
+  /// Returns true if the answer was to a question of this object.
   bool take(const Provenance& answer);
   void draw(const Gui& gui, const PanePart& pane, double content_scale) const;
 
@@ -43,7 +43,7 @@ class PointedElement {
     friend bool operator==(const Place&, const Place&) = default;
   };
 
-  // Cards count theirs from one.
+  // Tickets of cards begin at one.
   static constexpr std::uint64_t kFirstTicket = std::uint64_t{1} << 63U;
   std::uint64_t ticket_ = kFirstTicket;
   bool is_asking_ = false;

@@ -13,11 +13,11 @@
 namespace mes {
 namespace {
 
-// ImGui draws circles as polygons of corners all around; a far too large one is left to its layer.
+// ImGui draws circles as polygons with corners all around; a far too large one is left to its layer.
 constexpr double kLargestMarkPx = 10'000.0;
 constexpr float kRing = 9.0F;
 
-/// Draws marks at places of the world and of the canvas.
+/// Draws marks at positions in the world and on the canvas.
 class Pen {
  public:
   explicit Pen(const PointerMarks& marks)
@@ -51,7 +51,7 @@ class Pen {
     list_.AddRect({a.x, b.y}, {b.x, a.y}, to_imgui(color_, 0.5), 0.0F, 0, unit_);
   }
   void hairline(Vec2 a, Vec2 b) const { list_.AddLine(at(to_px(a)), at(to_px(b)), to_imgui(color_, 0.5), unit_); }
-  /// A square, or a disk; filled where it is taken.
+  /// Draws a square or a disk, filled if it is taken.
   void handle(Vec2 world, bool is_round, bool is_taken) const {
     const ImVec2 p = at(to_px(world));
     const float r = 4.0F * unit_;
@@ -70,7 +70,7 @@ class Pen {
     list_.AddLine({p.x - arm, p.y - arm}, {p.x + arm, p.y + arm}, ink_, 1.5F * unit_);
     list_.AddLine({p.x - arm, p.y + arm}, {p.x + arm, p.y - arm}, ink_, 1.5F * unit_);
   }
-  /// A cross with what it is on.
+  /// Draws a cross and the kind of the snap target.
   void snap(const Snap& snap) const {
     const ImVec2 p = at(to_px(snap.place));
     const float arm = 8.0F * unit_;
@@ -96,7 +96,7 @@ class Pen {
 
  private:
   const render::Camera& pointed() const { return canvas_.view_at_pointer().camera(); }
-  /// What lies at a place in the pane of the pointer, in this one.
+  /// Converts a position in the pane of the pointer to this pane.
   Vec2 here(Vec2 px) const {
     return pointed() == camera_ ? px : to_px(pointed().to_world(canvas_.content_scale() * px));
   }
@@ -115,7 +115,7 @@ class Pen {
   ImU32 ink_;
 };
 
-/// What of the pane no panel covers.
+/// The part of the pane that no panel covers.
 struct FreePart {
   ImVec2 begin;
   ImVec2 end;
@@ -172,7 +172,7 @@ void PointerMarks::draw_measurement() const {
   const ImVec2 end = free_part(*this).end;
   const ImVec2 at = pen.on_screen(places.back());
   constexpr float kBeside = 16.0F;
-  // On the other side of the place if this one has too little room.
+  // Uses the other side of the point if there is too little room on this side.
   const auto beside = [&](float from, float size, float last) {
     const float after = from + kBeside * unit;
     return after + size <= last ? after : from - kBeside * unit - size;
@@ -196,7 +196,7 @@ void PointerMarks::draw_frame() const {
     if (frame.has(handle)) pen.handle(frame.at(handle), handle == Handle::turn, mark->taken == handle);
   }
   if (mark->words.empty()) return;
-  // Below the lower right corner, or as near to it as can be seen.
+  // Below the lower right corner, or as near to it as is visible.
   const float unit = gui.unit();
   const FreePart part = free_part(*this);
   const ImVec2 corner = pen.on_screen({outline.high.x, outline.low.y});

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tool in use shows over the drawing: the sample under the pointer, a box, a ball being drawn, a measurement.
+// Marks of the current tool over the drawing: the sample under the pointer, a box, a ball being drawn, a measurement.
 #pragma once
 
 #include <optional>
@@ -21,13 +21,13 @@ struct PointerMarks {
   std::optional<Rgb> background;
   PanePart pane;
 
-  /// Behind all panels.
+  /// Draws behind all panels.
   void draw() const;
-  /// The places that the tool measures between, lines, the circle, and the numbers.
+  /// Draws the points, lines, circle and numbers of a measurement.
   void draw_measurement() const;
-  /// The frame around what is selected, with its handles.
+  /// Draws the frame around the selection, with its handles.
   void draw_frame() const;
-  /// Dots where samples were put whose structures are behind, crosses where others were taken away.
+  /// Draws dots at inserted samples that the structures lack so far, and crosses at removed ones.
   void draw_waiting(const UpdateHold& hold) const;
 };
 

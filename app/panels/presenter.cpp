@@ -17,7 +17,7 @@ struct Span {
 constexpr Span kPointer{1.5, 0.5};
 constexpr Span kKey{2.5, 0.6};
 
-// From 1 to 0.
+// Fades from 1 to 0.
 double strength(const std::optional<double>& at, Span span, double now) {
   return at ? std::clamp(1.0 - (now - *at - span.full) / span.fades, 0.0, 1.0) : 0.0;
 }
@@ -65,7 +65,7 @@ void Presenter::draw(const Gui& gui, const std::string& bundle, double now) {
   if (!is_on_) return;
   const float unit = gui.unit();
   ImDrawList& list = *ImGui::GetForegroundDrawList();
-  // The arrow would lie within the circle, and stay when that has faded. Dialogs and menus have theirs.
+  // The arrow would lie within the circle, and stay after it has faded. Dialogs and menus keep their pointer.
   if (!ImGui::GetIO().WantCaptureMouse) ImGui::SetMouseCursor(ImGuiMouseCursor_None);
   if (const double shown = strength(pointer_at_, kPointer, now); shown > 0.0) {
     const ImVec2 at = ImGui::GetIO().MousePos;

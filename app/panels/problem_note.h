@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The last problem, over the canvas until it is closed.
+// Shows the last problem over the canvas until it is closed.
 #pragma once
 
 #include "app/model/messages.h"
@@ -11,7 +11,7 @@ struct ProblemNote {
   const Gui& gui;
   Messages& messages;
 
-  /// Across the middle of `width`, with its upper edge at `at`.
+  /// Draws in the middle of `width`, with the upper edge at `at`.
   void draw(ImVec2 at, float width) const;
 };
 

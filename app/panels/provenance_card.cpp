@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kReachPx = 7.0;
 constexpr std::size_t kMostShapes = 4000;
-constexpr double kMarginPx = 160.0;  // around what is shown by a click on its row
+constexpr double kMarginPx = 160.0;  // margin around an element shown by a click on its row
 
 struct Look {
   Rgb color;
@@ -31,7 +31,7 @@ Look look_of(ProvenanceRole role) {
   return {color, 1.0F, ""};
 }
 
-// Of what has no end, its beginning.
+// For an unbounded shape, the box of its beginning.
 Box2 box_of(const ProvenanceShape& shape) {
   const auto& v = shape.values;
   Box2 out;
@@ -108,14 +108,14 @@ void ProvenanceCard::ask_beneath(Engine& engine) {
 }
 
 bool ProvenanceCard::clear() {
-  ++ticket_;  // an answer on its way comes too late
+  ++ticket_;  // makes an answer under way outdated
   is_asking_ = false;
   return std::exchange(answer_, {}).has_value();
 }
 
 void ProvenanceCard::draw_shapes(const Gui& gui, const Canvas& canvas) const {
   std::size_t shapes = 0;
-  // The thing itself last, on top of the others.
+  // Draws the element itself last, on top of the others.
   for (std::size_t i = answer_->lines.size(); i-- > 0;) {
     const ProvenanceLine& line = answer_->lines[i];
     const ShapePen pen(gui, {canvas.view().camera()}, canvas.content_scale(),
@@ -250,7 +250,7 @@ std::optional<ProvenanceCard::Keep> ProvenanceCard::draw(const Gui& gui, Canvas&
   const float unit = gui.unit();
   const float width = std::min(390 * unit, room.x);
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  // Its head stays in the window.
+  // The header must stay in the window.
   moved_.x = std::clamp(moved_.x, -corner.x, std::max(-corner.x, screen.x - width - corner.x));
   moved_.y = std::clamp(moved_.y, 60 * unit - corner.y, std::max(60 * unit - corner.y, screen.y - corner.y));
   ImGui::SetNextWindowPos({corner.x + moved_.x, corner.y + moved_.y}, ImGuiCond_Always, {0.0F, 1.0F});

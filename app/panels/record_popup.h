@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How frames and snapshots are made: a button, and what opens from it.
+// The options for frames and snapshots: a button and its popup.
 #pragma once
 
 #include "app/actions/action_bindings.h"

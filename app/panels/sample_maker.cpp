@@ -38,7 +38,7 @@ bool SampleMaker::draw_buttons(const Gui& gui, const std::string& name, const ch
   const float spacing = ImGui::GetStyle().ItemSpacing.x;
   const ImVec2 size(0.5F * (ImGui::GetContentRegionAvail().x - spacing), 0);
   ImGui::BeginDisabled(!making_->is_possible() || making_->is_accepted());
-  // Not with the number before one that is refused, which stays said.
+  // A click after a refused number has no effect: the previous number is not used and the message stays.
   if (default_button(gui, "Make", size, true) && refused_number().empty()) making_->accept();
   ImGui::EndDisabled();
   tooltip(gui, explanation);

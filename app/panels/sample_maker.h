@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the dialogs that make samples have in common: what the samples are, how they look, and the answer.
+// The common part of the dialogs that make samples: facts, preview and buttons.
 #pragma once
 
 #include <functional>
@@ -22,21 +22,21 @@ namespace mes {
 /// Threads: the window's.
 class SampleMaker {
  public:
-  /// What is done with the samples: called with a name for the step.
+  /// Receives the samples with a name for the step.
   using Make = std::function<void(const SampleData&, const std::string& name)>;
 
-  /// Before all else.
+  /// Must be called before any other member.
   void set_uses(Make make, Waker wake);
 
-  /// Takes what was made.
+  /// Takes finished samples.
   void follow() { making_->follow(); }
   void want(SampleMaking::Call call) { making_->want(std::move(call)); }
-  /// The key Enter, say.
+  /// Same as the button, e.g. for the key Enter.
   void accept() { making_->accept(); }
   void stop() { making_->stop(); }
 
   void draw_facts(const Gui& gui) const;
-  /// True when the dialog is to be closed: samples were made, or it was cancelled.
+  /// Returns true when the dialog should close: samples were made, or it was cancelled.
   bool draw_buttons(const Gui& gui, const std::string& name, const char* explanation);
   void draw_preview(const Gui& gui) const;
 

@@ -13,7 +13,7 @@
 namespace mes {
 namespace {
 
-constexpr double kMostSamples = 20'000.0;  // more are for the command line
+constexpr double kMostSamples = 20'000.0;  // for more there is the command line
 constexpr double kMostSeed = 9999.0;
 
 Box2 extent_of(const SampleData& data) {

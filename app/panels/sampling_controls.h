@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the dialogs that make samples of curves have in common: how they are sampled, and how they look.
+// The common part of the dialogs that sample curves: sampling options and preview.
 #pragma once
 
 #include "app/ui/gui.h"
@@ -15,12 +15,12 @@ class SamplingControls {
 
  private:
   double samples_ = 400.0;
-  bool has_samples_ = false;  // else as many as is usual
+  bool has_samples_ = false;  // false: the default number
   double jitter_ = 0.0;
   double seed_ = 1.0;
 };
 
-/// Samples, contours and balls, fitted into what is left of the window.
+/// Draws samples, contours and balls, fitted into the remaining area of the window.
 void draw_sample_preview(const Gui& gui, const SampleData* data);
 
 }  // namespace mes

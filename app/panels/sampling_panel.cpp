@@ -51,7 +51,7 @@ void SamplingPanel::draw_wishes() {
        {std::pair{ActionId::repair_sampling, "Repair"}, {ActionId::decimate_sampling, "Decimate"}}) {
     ImGui::SameLine(0, 4 * unit);
     ImGui::BeginDisabled(!uses_.actions.is_enabled(id));
-    // Not with the epsilon before one that is refused, which stays said.
+    // A click after a refused number has no effect: the previous epsilon is not used and the message stays.
     if (ImGui::Button(label) && refused_number().empty()) uses_.actions.run(id);
     ImGui::EndDisabled();
     tooltip(uses_.gui, uses_.actions.tooltip_of(id));
@@ -74,7 +74,7 @@ void SamplingPanel::draw_places(std::span<const Vec2> places, std::int64_t count
   if (count > static_cast<std::int64_t>(places.size()) && !places.empty()) ImGui::TextDisabled("and more");
 }
 
-// What the theorem asks for and does not find.
+// Draws the conditions of the theorem that fail.
 void SamplingPanel::draw_findings() {
   bool any = false;
   for (const NodeReport& node : uses_.picture.nodes()) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Is the sample dense enough: what speaks against it and where, and samples inserted or taken away until it is.
+// Sampling density: its problems and their locations, and buttons that insert or remove samples until it is
+// sufficient.
 #pragma once
 
 #include "app/actions/action_bindings.h"
@@ -11,7 +12,7 @@
 
 namespace mes {
 
-/// Every place is a button that shows it. Threads: the window's.
+/// Every location is a button that shows it. Threads: the window's.
 class SamplingPanel {
  public:
   struct Uses {
@@ -31,7 +32,7 @@ class SamplingPanel {
   void draw_wishes();
   void draw_findings();
   void draw_report();
-  /// Buttons in lines, as many as there is room for.
+  /// Draws buttons in lines, as many as there is room for.
   void draw_places(std::span<const Vec2> places, std::int64_t count);
 
   Uses uses_;

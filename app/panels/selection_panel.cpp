@@ -47,7 +47,7 @@ void SelectionPanel::number(const char* label, double value, float width, const 
     const auto number = number_of(text);
     enter(text, number ? use(*number) : std::unexpected(number.error()));
   } else if (ImGui::IsItemDeactivated()) {
-    refusal_.forget();  // what was refused is given up
+    refusal_.forget();  // the refused number is given up
   }
   const bool has_room = ImGui::CalcTextSize(text.c_str()).x <= width - 2 * ImGui::GetStyle().FramePadding.x;
   tooltip(gui_, has_room ? explanation : text + '\n' + explanation);
@@ -85,7 +85,7 @@ void SelectionPanel::draw() {
     ImGui::PopTextWrapPos();
     return;
   }
-  // Shorter than the panel at a large scale, it scrolls below its head.
+  // At a large scale the content is longer than the panel and scrolls below its header.
   if (ImGui::BeginChild("##selection")) {
     ImGui::TextUnformatted(counted(numbers.samples, numbers.balls).c_str());
     draw_place();

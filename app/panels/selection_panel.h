@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is selected, in numbers: coordinates and radius to be set, steps, turns, alignment, exact degeneracy.
+// The selection in numbers: editable coordinates and radius, steps, turns, alignment, exact degeneracy.
 #pragma once
 
 #include <functional>
@@ -14,8 +14,8 @@
 
 namespace mes {
 
-/// Every field takes an expression (core/formula/formula.h). What is refused is said until something of the panel is done;
-/// what is put outside the view is said to be there. Threads: the window's.
+/// Every field takes an expression (core/formula/formula.h). An error message stays until the panel is used again;
+/// another message reports points that were moved outside the view. Threads: the window's.
 class SelectionPanel {
  public:
   SelectionPanel(const Gui& gui, const ActionBindings& actions, SelectionDesk& desk, const Canvas& canvas,
@@ -25,10 +25,10 @@ class SelectionPanel {
   void draw();
 
  private:
-  /// A field that shows a number and calls `use` with another one.
+  /// Draws a field with a number, and calls `use` when the user enters another one.
   void number(const char* label, double value, float width, const char* explanation,
               const std::function<Expected<void>(double)>& use);
-  /// A field for what is done when its button, or Enter in it, is pressed.
+  /// Draws a field and a button; the button, or Enter in the field, calls `use`.
   void wish(const char* label, const char* hint, std::string& text, const char* button, const char* explanation,
             const std::function<Expected<void>(double)>& use);
   void draw_place();
@@ -36,9 +36,9 @@ class SelectionPanel {
   void draw_arrangement();
   void draw_formulas();
   void action_button(ActionId id, const char* label);
-  /// Whether it was done.
+  /// Reports an error; returns whether the operation succeeded.
   bool report(const Expected<void>& done);
-  /// Right after the field that Enter has left: it is done, or the keyboard stays there.
+  /// Call it right after Enter has left the field: keeps the keyboard there if the operation failed.
   void enter(const std::string& typed, const Expected<void>& done);
 
   const Gui& gui_;

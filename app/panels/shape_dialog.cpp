@@ -20,7 +20,7 @@ constexpr float kShapeListWidth = 190.0F;
 constexpr float kShapeSettingsWidth = 300.0F;
 constexpr const char* kShapeDialogId = "##shape";
 
-/// Ranges of a slider: around the default where the parameter may be anything.
+/// The range of a slider: around the default if the parameter may be anything.
 struct SliderRange {
   double low;
   double high;
@@ -50,7 +50,7 @@ bool ShapeDialog::follow_registry() {
   chosen_id_ = shape->id;
   chosen_ = &choices_[chosen_id_];
   if (chosen_->shape == shape) return true;
-  // Numbers are kept, as far as the shape that takes the place of another has these parameters.
+  // Keeps the values of parameters that the replacing shape has, too.
   ShapeValues values = values_of(*shape);
   if (chosen_->shape)
     for (const Parameter& parameter : shape->parameters)

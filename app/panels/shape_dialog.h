@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "Make a shape": which one, its parameters, and what it will be.
+// "Make a shape": choice of the shape, its parameters, and a preview.
 #pragma once
 
 #include <functional>
@@ -22,13 +22,13 @@ namespace mes {
 /// Threads: the window's.
 class ShapeDialog final : public Dialog {
  public:
-  /// The registry, whose shapes are listed; what is done with the samples, and what wakes the window.
+  /// Sets the registry, whose shapes are listed, the receiver of the samples, and the waker of the window.
   void set_uses(LiveRegistry registry, SampleMaker::Make make, Waker wake) {
     registry_ = std::move(registry);
     maker_.set_uses(std::move(make), std::move(wake));
   }
 
-  /// As it was when it was closed. Stays closed where there are no shapes.
+  /// Opens in the state in which it was closed. Stays closed if there are no shapes.
   void open();
 
   bool is_open() const override { return is_open_; }
@@ -39,16 +39,16 @@ class ShapeDialog final : public Dialog {
   }
   void follow() override { maker_.follow(); }
   void draw(const Gui& gui) override;
-  /// Enter makes the shape, unless something is being typed.
+  /// Enter makes the shape, unless the user is typing.
   void press(const KeyChord& chord) override;
 
  private:
   void draw_list(const Gui& gui);
   void draw_parameters(const Gui& gui);
-  /// Wishes for it again if a parameter is another than before.
+  /// Requests the samples again if a parameter has changed.
   void follow_wish();
   std::span<const std::shared_ptr<const ShapeDescriptor>> shapes() const { return registry_->now().shapes().all(); }
-  /// Takes the shape of the chosen id from the present registry, or its first one. False: there is none.
+  /// Takes the shape of the chosen id from the present registry, or its first one. Returns false if there is none.
   bool follow_registry();
 
   struct Choice {
@@ -57,9 +57,9 @@ class ShapeDialog final : public Dialog {
   };
   std::optional<LiveRegistry> registry_;
   bool is_open_ = false;
-  std::string chosen_id_;                  // of a shape
-  std::map<std::string, Choice> choices_;  // by the ids of shapes
-  Choice* chosen_ = nullptr;               // of these; null before the first
+  std::string chosen_id_;                  // id of a shape
+  std::map<std::string, Choice> choices_;  // by id of the shape
+  Choice* chosen_ = nullptr;               // points into `choices_`; null before the first choice
   SamplingControls sampling_;
   SampleMaker maker_;
   std::optional<ShapeRequest> wished_for_;

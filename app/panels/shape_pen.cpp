@@ -9,10 +9,10 @@
 namespace mes {
 namespace {
 
-// ImGui draws circles as polygons of corners all around; a far too large one is left out.
+// ImGui draws circles as polygons with corners all around; far too large ones are left out.
 constexpr double kLargestPenCirclePx = 2.0e4;
 
-/// The part of a + t d, low <= t <= high, within the rectangle from (0, 0) to `size` and somewhat more.
+/// The part of a + t d, low <= t <= high, within the rectangle from (0, 0) to `size`, enlarged by a margin.
 struct PenPiece {
   Vec2 a, b;
 };
@@ -96,7 +96,7 @@ void ShapePen::circle(Vec2 center, double radius) const {
 void ShapePen::arc(const Arc& arc) const {
   const double r = arc.radius / camera_.units_per_pixel() * to_screen_;
   if (!(r < kLargestPenCirclePx)) return line(arc.from, arc.to);
-  // Angles of the screen run the other way.
+  // Angles on the screen run the other way.
   const Vec2 start = arc.from - arc.center;
   const auto from = static_cast<float>(-std::atan2(start.y, start.x));
   list_.PathArcTo(to_im(on_screen(arc.center)), static_cast<float>(r), from - static_cast<float>(sweep_of(arc)), from,

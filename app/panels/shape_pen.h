@@ -9,17 +9,17 @@
 
 namespace mes {
 
-/// How a point is marked; each is distinguishable from the others without colours.
+/// The mark of a point; each can be distinguished from the others without colours.
 enum class PenMark : std::uint8_t { dot, ring, square };
 
 struct PenLook {
   ImU32 color = 0;
-  float width = 1.0F;  ///< of lines, in screen coordinates
+  float width = 1.0F;  ///< width of lines, in screen coordinates
   PenMark mark = PenMark::dot;
 };
 
-/// What it guarantees: what lies outside the window is cut off before it is rounded to single precision. Areas are drawn
-/// as their outlines. Lives for one frame.
+/// Guarantees: shapes are clipped to the window before they are rounded to single precision. Areas are drawn as
+/// outlines. Lives for one frame.
 class ShapePen {
  public:
   /// `content_scale`: framebuffer pixels per logical pixel.
@@ -38,7 +38,7 @@ class ShapePen {
   const render::Camera& camera_;
   Vec2 shift_;
   float unit_;
-  double to_screen_;  ///< screen coordinates for each framebuffer pixel
+  double to_screen_;  ///< screen coordinates per framebuffer pixel
   PenLook look_;
   Vec2 size_;
   ImDrawList& list_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Counts and times of every structure that is in use.
+// Counts and times of every active structure.
 #pragma once
 
 #include "app/picture/picture.h"

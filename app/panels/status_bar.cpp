@@ -15,7 +15,7 @@ namespace {
 constexpr float kCoordinatesWidth = 190.0F;  // logical pixels
 constexpr float kLeastRemark = 120.0F;
 
-// As many digits as one pixel of the view can tell apart.
+// Formats with as many digits as one pixel of the view can distinguish.
 std::string coordinate(double value, double units_per_px) {
   const double magnitude = std::max(std::abs(value), units_per_px);
   const int digits = std::clamp(static_cast<int>(std::ceil(std::log10(magnitude / units_per_px))) + 1, 3, 17);
@@ -37,14 +37,14 @@ std::string counts(const Editor& editor, double units_per_px) {
   }
   const Selection& selection = editor.selection();
   if (!selection.is_empty()) out += ", " + grouped(selection.size()) + " selected";
-  // Of one ball its radius is what one wants to know while it is being changed.
+  // The radius of a single ball is what the user watches while changing it.
   BallSlot ball;
   if (selection.size() == 1 && selection.ball_count() == 1) ball = selection.ball_slots().front();
   if (ball != kNoSlot) out += ", radius " + coordinate(document.disk(ball).radius, units_per_px);
   return out;
 }
 
-// "Drawing every 2nd disk"; empty: all are drawn.
+// "Drawing every 2nd disk"; empty if all are drawn.
 std::string share_text(std::uint32_t every) {
   if (every <= 1) return {};
   const bool is_teen = every % 100 >= 11 && every % 100 <= 13;
@@ -81,12 +81,12 @@ void StatusBar::draw(const PanelArea& area) const {
     const float end = ImGui::GetContentRegionMax().x;
     const float verdict_at = end - verdict.width();
     const float before_verdict = verdict_at - 14 * unit - count_width;
-    // As wide as they are deep in a zoom; else the same for all, so that nothing moves with the pointer.
+    // Wide enough for the digits of a deep zoom; otherwise constant, so that nothing moves with the pointer.
     const float coordinates_width =
         std::max(kCoordinatesWidth * unit, ImGui::CalcTextSize(right_text.c_str()).x + 24 * unit);
     const ChangedChips chips(gui, computation, messages);
-    // Where all has no room, what is being done or can be done says more than where the pointer is, and what changes
-    // the picture unseen says more than either.
+    // If there is not enough room, the present task or the hint is more important than the coordinates, and invisible
+    // changes of the picture are more important than both.
     const bool has_room = before_verdict > coordinates_width + kLeastRemark * unit + chips.full_width();
     const bool has_counts = before_verdict > chips.width_in(0.0F);
     const float counts_at =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One line at the foot of the window: what to do or what happened, what is being computed, counts, coordinates.
+// A line at the bottom of the window: hint or last message, work in progress, counts, coordinates.
 #pragma once
 
 #include "app/canvas/canvas.h"
@@ -23,7 +23,7 @@ struct StatusBar {
   WorkInProgress work;
   Verdict verdict;
 
-  /// In screen coordinates.
+  /// Height in screen coordinates.
   float height() const;
   void draw(const PanelArea& area) const;
 };

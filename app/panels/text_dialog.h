@@ -19,14 +19,14 @@ namespace mes {
 /// Threads: the window's.
 class TextDialog final : public Dialog {
  public:
-  /// What is done with the samples, and what wakes the window.
+  /// Sets the receiver of the samples, and the waker of the window.
   void set_uses(SampleMaker::Make make, Waker wake) {
     maker_.set_uses(std::move(make), std::move(wake));
   }
-  /// The font of the program, first in the list; it has none where this is not set.
+  /// Sets the font of the program, which is first in the list; without it the list has only the system's fonts.
   void set_own_font(FontFile font) { own_font_ = std::move(font); }
 
-  /// As it was when it was closed.
+  /// Opens in the state in which it was closed.
   void open();
 
   bool is_open() const override { return is_open_; }
@@ -37,17 +37,17 @@ class TextDialog final : public Dialog {
   }
   void follow() override { maker_.follow(); }
   void draw(const Gui& gui) override;
-  /// Enter makes the samples, unless something is being typed.
+  /// Enter makes the samples, unless the user is typing.
   void press(const KeyChord& chord) override;
 
  private:
   void draw_fonts(const Gui& gui);
   void draw_settings(const Gui& gui);
-  /// Wishes for it again if something is another than before.
+  /// Requests the samples again if something has changed.
   void follow_wish();
 
   struct Wish {
-    std::string family;  // empty: the program's own
+    std::string family;  // empty: the program's own font
     bool is_bold = false;
     bool is_italic = false;
     TextRequest request{};

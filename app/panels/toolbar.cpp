@@ -14,7 +14,7 @@ namespace {
 
 constexpr float kToolbarPadding = 5.0F;
 constexpr float kButtonGap = 2.0F;
-constexpr float kLine = 4 * kButtonGap;  // with what is around it
+constexpr float kLine = 4 * kButtonGap;  // height of a line, including its surroundings
 
 void action_button(const Toolbar& toolbar, ActionId id, Icon icon, float size) {
   const bool enabled = toolbar.actions.is_enabled(id);
@@ -48,7 +48,7 @@ constexpr std::array<Button, 17> kButtons{{{ActionId::tool_select, Icon::select}
                                            {ActionId::snapshot, Icon::snapshot, true},
                                            {ActionId::record, Icon::record}}};
 
-// Smaller ones, all in logical pixels, before there are two columns, and again before there are three.
+// Buttons become smaller (sizes in logical pixels) before there are two columns, and again before there are three.
 float button_size(float room) {
   constexpr float kLargest = 34.0F;
   constexpr float kSmallInOne = 28.0F;
@@ -60,7 +60,8 @@ float button_size(float room) {
   return std::clamp((free - 2 * kLine) / std::ceil(0.5F * kCount) - kButtonGap, kSmallest, kLargest);
 }
 
-/// Places one button below the other, and beside them what has no room below; lines between groups.
+/// Places buttons below each other, continues in another column if there is no room below, and draws lines between
+/// groups.
 class Columns {
  public:
   Columns(float size, float unit, float room)

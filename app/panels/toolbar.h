@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The tools, and what one reaches for while drawing, as a strip of icons on the canvas.
+// The tools, and other frequent actions, as a strip of icons on the canvas.
 #pragma once
 
 #include "app/actions/action_bindings.h"
@@ -17,8 +17,8 @@ struct Toolbar {
   Settings& settings;
   RecordPopup record;
 
-  /// Draws the strip with its upper left corner at `at`, in as many columns as it needs to be no higher than `room`;
-  /// its width in screen coordinates.
+  /// Draws the strip with its upper left corner at `at`, in as many columns as it needs to be no higher than `room`.
+  /// Returns its width in screen coordinates.
   float draw(ImVec2 at, float room) const;
 
  private:

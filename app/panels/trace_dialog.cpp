@@ -37,7 +37,7 @@ std::string count_with_noun(std::size_t count, const char* one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
-/// Where a picture of so many pixels lies, as large as it can be within the room.
+/// The position of a picture with this many pixels, as large as fits the room.
 struct Placed {
   ImVec2 at;
   float scale;
@@ -58,7 +58,7 @@ void draw_outlines(const CurveSet& curves, const Placed& place, int height, ImU3
                           place.at.y + place.scale * static_cast<float>(height - p.y));
     };
     curve.for_each_piece([&](const Piece& piece) {
-      // Arcs are half an ellipse, cubics turn little.
+      // Arcs are up to half an ellipse; cubics bend little.
       const int parts = piece.kind == PieceKind::arc ? 64 : piece.kind == PieceKind::line ? 1 : 2;
       for (int i = 1; i < parts; ++i) add(piece.at(static_cast<double>(i) / parts));
       add(piece.to());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// "Trace a picture": what of it becomes samples, with the outlines as they will be.
+// "Trace a picture": the choice of what becomes samples, with a preview of the outlines.
 #pragma once
 
 #include <functional>
@@ -13,18 +13,18 @@ namespace mes {
 /// Threads: the window's.
 class TraceDialog final : public Dialog {
  public:
-  /// All of them outlive the dialog.
+  /// All members must outlive the dialog.
   struct Uses {
     TraceDesk& desk;
-    std::function<ImTextureID()> texture;            ///< of the picture; null while there is none
-    std::function<void(const TraceRequest&)> trace;  ///< into samples
+    std::function<ImTextureID()> texture;            ///< texture of the picture; null while there is none
+    std::function<void(const TraceRequest&)> trace;  ///< traces the picture into samples
     std::function<void()> lay_underneath;
-    std::function<void()> closed;  ///< without an answer
+    std::function<void()> closed;  ///< called when closed without an answer
   };
   void set_uses(Uses uses) { uses_.emplace(std::move(uses)); }
 
   void open();
-  /// After an answer.
+  /// Closes the dialog after an answer.
   void close() { is_open_ = false; }
 
   bool is_open() const override { return is_open_; }
@@ -34,7 +34,7 @@ class TraceDialog final : public Dialog {
   void press(const KeyChord& chord) override;
 
  private:
-  /// Takes what the picture suggests, once it is there.
+  /// Takes the defaults that the picture suggests once it has been read.
   void begin_choices();
   TraceRequest request() const;
   void draw_choices(const Gui& gui);

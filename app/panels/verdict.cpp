@@ -41,8 +41,8 @@ VerdictWord word_of(const Verdict& verdict) {
 
 constexpr float kChoiceWidth = 118;
 constexpr float kLightWidth = 134;
-// Of what a note puts beside the word, such as "epsilon 0.0123" or "epsilon 0.241 (4 corners exempt)", the width is a
-// multiple of this, so that nothing moves while the number changes.
+// The width of a summary, such as "epsilon 0.0123" or "epsilon 0.241 (4 corners exempt)", is rounded up to a multiple
+// of this, so that nothing moves while the number changes.
 constexpr float kSummaryWidth = 104;
 
 float summary_width(const Gui& gui, std::string_view summary) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Number type and theorem light: always in view, at the end of the status bar.
+// Number type and theorem light, always visible at the end of the status bar.
 #pragma once
 
 #include "app/actions/action_bindings.h"
@@ -22,8 +22,8 @@ struct Verdict {
 
   /// Width that `draw` takes.
   float width() const;
-  /// Draws in the present window at the present place: a choice of number types, and the light, with the summary of a
-  /// note beside it. The light opens the list of reasons; a click on a reason shows its place.
+  /// Draws in the present window at the present position: a choice of number types, and the light with the summary of
+  /// a note beside it. The light opens the list of reasons; a click on a reason shows its location.
   void draw() const;
 };
 

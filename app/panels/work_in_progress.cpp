@@ -28,7 +28,7 @@ void progress_bar(const Gui& gui, const std::string& what, double fraction) {
     list.AddRectFilled({at.x, y}, {at.x + width * static_cast<float>(std::min(fraction, 1.0)), y + height},
                        gui.colors().accent, 3 * unit);
   } else {
-    // Unknown: a piece that wanders.
+    // Unknown progress: a moving piece.
     const float phase = static_cast<float>(0.5 - 0.5 * std::cos(3.0 * ImGui::GetTime()));
     list.AddRectFilled({at.x + 0.7F * width * phase, y}, {at.x + width * (0.7F * phase + 0.3F), y + height},
                        gui.colors().accent, 3 * unit);
@@ -101,7 +101,7 @@ bool WorkInProgress::draw() const {
     return true;
   }
   if (!status.busy || status.busy_ms < kShownAfterMs) {
-    // What it begins with may lie behind other panels by now.
+    // The dialog or panel that began it may lie behind others by now.
     if (!sweep.is_under_way()) return draw_compilation();
     progress_bar(gui, "Making a table", sweep.progress());
     if (ImGui::SmallButton("Cancel")) sweep.give_up();

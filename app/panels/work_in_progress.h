@@ -13,7 +13,7 @@
 
 namespace mes {
 
-/// Progress of shorter work would only flicker; until then what was shown before stays.
+/// Progress of shorter work would only flicker; until then the previous display stays.
 inline constexpr double kShownAfterMs = 100.0;
 
 struct WorkInProgress {
@@ -26,11 +26,11 @@ struct WorkInProgress {
   SweepDesk& sweep;
   const ExperimentDesk& experiments;
 
-  /// A red dot and how many frames there are, while recording.
+  /// Draws a red dot and the number of frames during a recording.
   void draw_recording() const;
-  /// What is being done, with a way to stop it; false when nothing is.
+  /// Draws the present task with a way to stop it; returns false if there is none.
   bool draw() const;
-  /// The experiment that is being compiled or tried; false if there is none.
+  /// Draws the experiment that is being compiled or tried; returns false if there is none.
   bool draw_compilation() const;
 };
 
