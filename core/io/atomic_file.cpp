@@ -24,7 +24,7 @@ std::unexpected<Error> cannot_write(const fs::path& path, int code) {
       Error{ErrorCode::cannot_write, "cannot be written: " + std::generic_category().message(code), path.string()});
 }
 
-// 0 or the reason.
+// Returns 0 or errno.
 int write_all(int descriptor, std::string_view bytes) {
   while (!bytes.empty()) {
     const ssize_t written = ::write(descriptor, bytes.data(), bytes.size());
@@ -46,7 +46,7 @@ Expected<void> write_directly(const fs::path& path, std::string_view bytes) {
   return {};
 }
 
-/// What stands at the target now.
+/// The file that is at the target path now.
 struct Target {
   fs::path path;  ///< links followed
   bool exists = false;
@@ -58,7 +58,7 @@ Expected<Target> found_target(const fs::path& path) {
   Target target{path};
   if (path.empty()) return cannot_write(path, ENOENT);
   std::error_code error;
-  // A chain of links that leads nowhere yet is followed as well; the limit is the system's usual one.
+  // Follows even a chain of links that ends at no file yet; the limit is the system's usual one.
   for (int links = 0; fs::is_symlink(target.path, error); ++links) {
     if (links == 40) return cannot_write(path, ELOOP);
     const fs::path next = fs::read_symlink(target.path, error);
@@ -79,7 +79,7 @@ Expected<Target> found_target(const fs::path& path) {
   return target;
 }
 
-/// Which file a path names, and when it was last touched.
+/// Identity of the file that a path names, and its last modification.
 struct Identity {
   bool exists = false;
   dev_t device = 0;
@@ -102,14 +102,14 @@ struct Identity {
   }
 };
 
-/// Guards what a file is expected to hold.
+/// Checks that a file still has the expected content.
 class Expectation {
  public:
-  /// Without a fingerprint anything is as expected.
+  /// A null fingerprint expects nothing: any content is fine.
   Expectation(fs::path path, const FileFingerprint* fingerprint)
       : path_(std::move(path)), fingerprint_(fingerprint) {}
 
-  /// Reads the file, unless it is the one that was read the last time.
+  /// Reads the file only if its identity has changed since the last read.
   bool holds() {
     if (fingerprint_ == nullptr) return true;
     const Identity now = Identity::of(path_);
@@ -129,7 +129,7 @@ int keep_mode(const PartFile& part, const Target& target) {
   return !target.exists || ::fchmod(part.descriptor(), target.mode) == 0 ? 0 : errno;
 }
 
-// The new name is as durable as the folder; some file systems cannot sync one, and that is not an error.
+// Makes the new name as durable as the folder. Some file systems cannot sync a folder; that is not an error.
 void sync_folder(const fs::path& path) {
   const int folder = ::open(folder_with(path).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (folder < 0) return;
@@ -194,7 +194,7 @@ Expected<OutsideWriting> OutsideWriting::begin(const fs::path& path) {
 }
 
 Expected<void> OutsideWriting::finish() {
-  // The program may have made another file under the name; what is not the one that was locked is not trusted.
+  // The outside program may have replaced the file under this name; only the locked file is trusted.
   if (!is_named(part_.path(), part_.descriptor())) return cannot_write(path_, ENOENT);
   if (const int reason = part_.sync(); reason != 0) return cannot_write(path_, reason);
   if (const int reason = part_.rename_to(target_); reason != 0) return cannot_write(path_, reason);

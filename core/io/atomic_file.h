@@ -11,34 +11,34 @@
 
 namespace mes {
 
-/// Writes beside the target, fsyncs, renames over it. On any failure the old file, if any, is untouched and nothing
-/// is left behind. Error: `cannot_write`, naming the file and the reason.
+/// Writes beside the target, calls fsync, and renames over the target. On any failure the old file, if any, is
+/// untouched and no partial file remains. Error: `cannot_write`, with the file and the reason.
 ///
-/// A symbolic link stays, and the file it names is replaced; a file keeps its permissions; a target that is not a
-/// regular file (a device, a pipe) is written to directly.
+/// A symbolic link stays, and its target file is replaced; a file keeps its permissions; a target that is not a regular
+/// file (a device, a pipe) is written directly.
 Expected<void> write_file_atomically(const std::filesystem::path& path, std::string_view bytes);
 
 enum class Replaced : std::uint8_t { done, changed };
 
-/// Whether the file holds what is expected, links followed. True as well when the file no longer exists: writing it
-/// anew loses nothing.
+/// Whether the file has the expected content; links are followed. Also true if the file no longer exists: writing it
+/// again loses nothing.
 bool is_as_expected(const std::filesystem::path& path, const FileFingerprint& expected);
 
-/// The same as `write_file_atomically`, but leaves a file that is not as expected alone. Checks before anything is
-/// written, and again when everything is on the disk and only the renaming is left.
+/// Like `write_file_atomically`, but does not replace a file with unexpected content. Checks before anything is
+/// written, and again when everything is on disk and only the rename remains.
 Expected<Replaced> replace_file(const std::filesystem::path& path, std::string_view bytes,
                                 const FileFingerprint& expected);
 
-/// Whether the above can be expected to succeed, to refuse before long work rather than after it. Creates a file
+/// Predicts whether the functions above will succeed, so that a caller can refuse before long work. Creates a file
 /// beside the target and removes it.
 Expected<void> check_writable(const std::filesystem::path& path);
 
-/// A target that another program is to write: it makes the file beside, and `finish` puts it in its place.
+/// A target that an outside program writes: the program writes a file beside it, which `finish` renames to the target.
 class OutsideWriting {
  public:
-  /// Error: as `check_writable`, and for a target that is not a regular file.
+  /// Error: as `check_writable`, or the target is not a regular file.
   static Expected<OutsideWriting> begin(const std::filesystem::path& path);
-  /// Empty, and to be written to under this name.
+  /// The path that the program writes to; an empty file at first.
   const std::filesystem::path& part() const { return part_.path(); }
   Expected<void> finish();
 
@@ -46,7 +46,7 @@ class OutsideWriting {
   OutsideWriting(std::filesystem::path path, std::filesystem::path target, PartFile part)
       : path_(std::move(path)), target_(std::move(target)), part_(std::move(part)) {}
 
-  std::filesystem::path path_;    // as it was asked for
+  std::filesystem::path path_;    // as requested
   std::filesystem::path target_;  // links followed
   PartFile part_;
 };

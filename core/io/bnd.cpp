@@ -34,7 +34,7 @@ struct Fault {
 template <class T>
 using Read = std::expected<T, Fault>;
 
-/// Hands out the bytes from first to last and knows where in the file it is.
+/// Reads the bytes of a range in order and knows their position in the file.
 class Stream {
  public:
   Stream(std::string_view bytes, std::size_t offset) : bytes_(bytes), offset_(offset) {}
@@ -128,7 +128,7 @@ class Stream {
   std::size_t at_ = 0;
 };
 
-/// Most names became our ids word by word; these did not.
+/// Most names map to our ids word by word; these are the exceptions.
 struct Alias {
   std::string_view was;
   std::string_view id;
@@ -185,7 +185,7 @@ Read<void> read_color(Stream& stream, LayerStyle& style) {
   return {};
 }
 
-/// The name of a map, not of its file.
+/// The map's name, without the path and the extension of its file.
 std::string map_name(std::string text) {
   if (const std::size_t slash = text.find_last_of("/\\"); slash != std::string::npos) text.erase(0, slash + 1);
   if (text.ends_with(".map")) text.resize(text.size() - 4);
@@ -211,7 +211,7 @@ Read<LayerConfiguration::Entry> read_state(Stream stream, std::size_t bytes_of_r
   if (!map) return std::unexpected(map.error());
   out.style.color_map = map_name(std::move(*map));
   if (stream.is_at_end()) return out;
-  // The tail tells of pictures on disks of long ago: read over, but it must be one.
+  // The tail refers to pictures on old disks: it is skipped, but must be well-formed.
   if (const auto image = stream.block(); !image) return std::unexpected(image.error());
   if (const auto rescale = stream.number(1); !rescale) return std::unexpected(rescale.error());
   if (!stream.is_at_end()) return stream.fail("the state of a layer is too long");
@@ -246,7 +246,7 @@ class BundleReader {
     return out;
   }
 
-  /// Names of layers that are not here.
+  /// Names of layers that this program does not have.
   const std::set<std::string>& left_out() const { return left_out_; }
 
  private:
@@ -256,10 +256,10 @@ class BundleReader {
       left_out_.insert(name);
       return;
     }
-    // The program of then had neither.
+    // The old program had neither option.
     entry.style.dashed = layer->style.dashed;
     entry.style.flat = layer->style.flat;
-    // Two layers of then can be one of ours, which looks as the first of them that was shown.
+    // Two old layers can map to one of ours, which takes the style of the first one that was shown.
     const auto twin = std::ranges::find(to.layers, entry.layer, &LayerConfiguration::Entry::layer);
     if (twin != to.layers.end()) {
       if (twin->visible || !entry.visible) return;
@@ -268,7 +268,7 @@ class BundleReader {
     to.layers.push_back(std::move(entry));
   }
 
-  // "A power diagram" was that of all Voronoi balls in 2007, beside "A regular triangulation", and that of the inner
+  // "A power diagram" meant that of all Voronoi balls in 2007, beside "A regular triangulation", and that of the inner
   // balls in 2009.
   void tell_power_diagrams_apart(LayerConfiguration& out) const {
     constexpr std::string_view kOfInnerBalls = "a-ball-power-diagram";

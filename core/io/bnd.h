@@ -9,8 +9,8 @@ namespace mes {
 
 bool looks_like_bnd(std::string_view bytes);
 
-/// Layers go by their names of 2007 and 2009; those without a counterpart among `known` are left out and counted
-/// in one warning. Never takes more memory than a small multiple of the bytes, whatever lengths they announce.
+/// Maps the layer names of 2007 and 2009 to ids; layers without a counterpart among `known` are left out and counted in
+/// one warning. Memory stays below a small multiple of the file size, whatever lengths the file announces.
 Expected<LoadedBundles> read_bnd(std::string_view bytes, const std::string& file, std::span<const KnownLayer> known);
 
 }  // namespace mes

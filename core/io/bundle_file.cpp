@@ -27,7 +27,7 @@ std::unexpected<Error> refuse(std::string text, const std::string& file) {
   return std::unexpected(Error{ErrorCode::bad_input, std::move(text), file});
 }
 
-/// 0: not a version at all.
+/// Schema number of the file; 0 if there is no valid one.
 std::uint64_t bundle_schema(JsonView object) {
   const JsonView schema = object.find("schema");
   const auto version = schema.is_number() ? schema.count() : std::nullopt;
@@ -91,7 +91,7 @@ std::string write_bundles(std::span<const Bundle> bundles) {
     if (!bundle.description.empty()) object["description"] = bundle.description;
     list.push_back(std::move(object));
   }
-  // The key that tells what it is comes first, where it is looked for.
+  // The identifying key must be first: the detection looks for it there.
   nlohmann::ordered_json out = {{"mesecina", "bundles"}, {"schema", kSchema}, {"bundles", std::move(list)}};
   return out.dump(1, ' ', false, json::error_handler_t::replace) + '\n';
 }

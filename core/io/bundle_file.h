@@ -17,7 +17,7 @@ namespace mes {
 /// The largest number of bundles in a file.
 inline constexpr std::size_t kMostBundles = 1000;
 
-/// A layer that there is, with the style it has by itself.
+/// A known layer with its default style.
 struct KnownLayer {
   std::string_view id{};
   LayerStyle style{};
@@ -25,27 +25,27 @@ struct KnownLayer {
 
 struct LoadedBundles {
   std::vector<Bundle> bundles{};
-  std::vector<std::string> warnings{};  ///< one line each, with the file
+  std::vector<std::string> warnings{};  ///< one line each, with the file name
 };
 
-/// JSON; everything reads back as it was. Names that are not UTF-8 are made so.
+/// Writes JSON that reads back exactly. Invalid UTF-8 in names is replaced.
 std::string write_bundles(std::span<const Bundle> bundles);
 
-/// Of the first few kilobytes: whether they begin a file of bundles of either kind.
+/// Whether the bytes, the first few kilobytes of a file, begin a bundle file of either kind.
 bool looks_like_bundles(std::string_view bytes);
-/// The same for a file, and true by the name alone for .bnd; one that cannot be read is none.
+/// The same for a file; true by the name alone for .bnd, and false for a file that cannot be read.
 bool is_bundle_file(const std::filesystem::path& path);
 
-/// JSON is recognised by its first key and BND by its token; unknown keys and unknown layers of JSON are let through,
-/// layers of BND that are not among `known` are left out with a warning. What a style does not say is the layer's own
-/// (BND says neither dashed nor flat). Error: `bad_input`, for JSON with line
-/// and column, for BND with the byte.
+/// JSON is recognised by its first key and BND by its token. Unknown keys and unknown layers of JSON are accepted;
+/// layers of BND outside `known` are left out with a warning. Properties that a style omits come from the layer's
+/// default style (BND has neither dashed nor flat). Error: `bad_input`, for JSON with line and column, for BND with the
+/// byte.
 Expected<LoadedBundles> read_bundles(std::string_view bytes, const std::string& file,
                                      std::span<const KnownLayer> known);
-/// Files of more than 16 MiB are refused unread.
+/// Refuses files of more than 16 MiB without reading them.
 Expected<LoadedBundles> read_bundle_file(const std::filesystem::path& path, std::span<const KnownLayer> known);
 
-/// Whether the JSON is of a later version of the program than this one: not broken, but not ours to overwrite.
+/// Whether a later version of the program wrote the JSON: the file is not broken, but must not be overwritten.
 bool are_bundles_of_the_future(std::string_view bytes);
 
 }  // namespace mes

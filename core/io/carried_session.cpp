@@ -33,7 +33,7 @@ std::uint32_t big_endian(std::string_view bytes) {
   return out;
 }
 
-/// Source: PNG (ISO/IEC 15948), 5.3 and 11.3.4.5. Checksums are left to those who look at the picture.
+/// Source: PNG (ISO/IEC 15948), 5.3 and 11.3.4.5. Checksums are not verified: viewers do that.
 Expected<std::optional<std::string>> in_png(std::string_view bytes, const std::string& file) {
   constexpr std::size_t kFrame = 12;  // length, kind and checksum
   for (std::size_t at = kPngBeginning.size(); at + kFrame <= bytes.size();) {
@@ -45,7 +45,7 @@ Expected<std::optional<std::string>> in_png(std::string_view bytes, const std::s
     if (is_ours) {
       if (length > rest.size()) return damaged("the file is cut", file);
       std::string_view body = rest.substr(0, length);
-      // Keyword, zero, whether it is compressed, how, language, zero, keyword in that language, zero.
+      // Keyword, zero, compression flag, compression method, language, zero, translated keyword, zero.
       body.remove_prefix(kCarriedSession.size() + 1);
       if (body.size() < 4 || body[0] != 1 || body[1] != 0)
         return damaged("it is not compressed as it should be", file);
@@ -63,15 +63,15 @@ Expected<std::optional<std::string>> in_png(std::string_view bytes, const std::s
   return std::nullopt;
 }
 
-/// The content of an element, or the value of an attribute. In a text the name would stand without its bracket, or
-/// without its quotation mark.
+/// The content of an element, or the value of an attribute. The same name inside a text would lack the bracket or the
+/// quotation mark, so it cannot match.
 Expected<std::optional<std::string>> in_xml(std::string_view bytes, const std::string& file) {
   struct Place {
     char before, begin, end;
     std::size_t at = std::string_view::npos;
   };
   std::array<Place, 2> places{{{'<', '>', '<'}, {'"', ':', '"'}}};
-  // By parts that stay in a near cache, for most drawings carry none.
+  // Searches in chunks that fit a near cache, because most drawings carry no session.
   constexpr std::size_t kPart = std::size_t{1} << 16U;
   for (std::size_t begin = 0; begin < bytes.size() && places[0].at == std::string_view::npos; begin += kPart)
     for (Place& place : places) {
@@ -101,7 +101,7 @@ Expected<std::optional<std::string>> in_pdf(std::string_view bytes, const std::s
   return expanded(bytes.substr(begin + kStream.size()), file);
 }
 
-/// The value of a key; in a text its quotation marks would be escaped.
+/// The value of a key. Inside a text its quotation marks would be escaped, so the search cannot match there.
 Expected<std::optional<std::string>> in_manifest(std::string_view bytes, const std::string& file) {
   const std::string key = '"' + std::string(kCarriedSession) + '"';
   const std::size_t at = bytes.find(key);
@@ -123,7 +123,7 @@ bool is_xml(std::string_view bytes) {
 std::optional<std::string> packed_session(const Session& session) {
   const std::string text = write_session(session);
   if (text.size() > kMostCarriedBytes) return std::nullopt;
-  // Digits have little to be found by a longer search, and a snapshot is waited for.
+  // A longer search would compress digits hardly better, and the user waits for a snapshot.
   return zlib_compressed(text, ZlibEffort::fast);
 }
 

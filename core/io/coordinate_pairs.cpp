@@ -21,14 +21,14 @@ namespace mes {
 namespace {
 
 constexpr unsigned kWindow = 64;
-constexpr unsigned kWord = 8;  // bytes that are read for a number at once, and may lie beyond the window
+constexpr unsigned kWord = 8;  // bytes that are read at once for a number; may lie beyond the window
 
-/// Of 64 bytes, the first one the lowest bit.
+/// Bit masks of 64 bytes; the lowest bit is the first byte.
 struct Signs {
   std::uint64_t digits = 0;
   std::uint64_t points = 0;
   std::uint64_t minuses = 0;
-  std::uint64_t separators = 0;  // the usual ones: a space, a comma, the letter
+  std::uint64_t separators = 0;  // the usual separators: a space, a comma, the letter
 };
 
 Signs signs_of(const char* at, char letter) {
@@ -47,18 +47,19 @@ Signs signs_of(const char* at, char letter) {
   return out;
 }
 
-/// Where numbers begin and end, and points; and the first byte that makes it unusual: up to there a number has at most
-/// one point, and digits, and between two stands one separator, or a minus sign, or both.
+/// Masks of the first bytes, ends and points of the numbers, and the index of the first unusual byte. Before that byte
+/// each number has only digits and at most one point, and two numbers are separated by one separator, a minus sign, or
+/// both.
 struct Window {
   std::uint64_t begins, ends, points;
   unsigned unusual;
 };
 
-/// The bytes begin with a number, or right after one.
+/// The bytes must begin with a number, or right after one.
 Window window_at(const char* at, char letter) {
   const Signs s = signs_of(at, letter);
   const std::uint64_t numeric = s.digits | s.points;
-  // Digits after a point, and what comes after them, if that is a point again.
+  // The carry runs past the digits after a point; a point at its end is a second one.
   const std::uint64_t second_points = (s.digits + (s.points << 1U)) & ~s.digits & s.points;
   const std::uint64_t lone_points = s.points & ~(s.digits << 1U) & ~(s.digits >> 1U);
   const std::uint64_t others = ~(numeric | s.minuses | s.separators);
@@ -72,7 +73,7 @@ bool is_numeric(char c) {
   return c == '.' || (c >= '0' && c <= '9');
 }
 
-/// Blanks, with at most one separator among them.
+/// Whether the bytes are blanks with at most one separator among them.
 bool is_gap(const char* at, const char* end, char letter) {
   bool is_separated = false;
   for (; at != end; ++at) {
@@ -83,7 +84,7 @@ bool is_gap(const char* at, const char* end, char letter) {
   return true;
 }
 
-/// Digits as the numbers that they are, the first in the lowest of `count` bytes, 0 to 8 of them.
+/// Converts 0 to 8 digits to their values, one a byte; the first digit is in the lowest of `count` bytes.
 std::uint64_t digits_of(const char* at, unsigned count) {
   std::uint64_t bytes = 0;
   std::memcpy(&bytes, at, kWord);
@@ -95,7 +96,7 @@ constexpr std::array<double, 9> kPowers{1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 
 constexpr std::array<std::uint64_t, 9> kWholePowers{1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
 constexpr std::uint64_t kMostExact = std::uint64_t{1} << 53U;
 
-/// A number without a sign of `size` digits and points, with these points; false where it takes more.
+/// Reads an unsigned number of `size` digits and points; `points` is their mask. False if this takes more than that.
 bool to_number(const char* at, unsigned size, std::uint64_t points, double& value) {
   if ((points & (points - 1)) != 0) return false;
   if (points == 0) {
@@ -106,7 +107,7 @@ bool to_number(const char* at, unsigned size, std::uint64_t points, double& valu
   const auto whole = static_cast<unsigned>(std::countr_zero(points));
   const unsigned decimals = size - 1 - whole;
   if (size == 1) return false;
-  // Both sides of each quotient are doubles without rounding, so that it is rounded once.
+  // Numerator and denominator are exact doubles, so the quotient is rounded only once.
   if (size <= kWord) {
     std::uint64_t bytes = 0;
     std::memcpy(&bytes, at, kWord);
@@ -122,7 +123,8 @@ bool to_number(const char* at, unsigned size, std::uint64_t points, double& valu
   return all <= kMostExact;
 }
 
-/// Any number from one byte to another, without its sign, after a gap since another one. False where it takes more.
+/// Reads any number in the bytes `from` to `to`, without its sign, after the gap since byte `last`. False if this takes
+/// more than that.
 bool number_at(const char* here, unsigned last, unsigned from, unsigned to, std::uint64_t points, char letter,
                bool is_first, double& value) {
   const bool is_negative = from > last && here[from - 1] == '-';
@@ -138,8 +140,8 @@ bool number_at(const char* here, unsigned last, unsigned from, unsigned to, std:
   return true;
 }
 
-/// For numbers of up to eight bytes whose point is so many bytes before the highest one, 7 - i, or that have none (the
-/// last): which bytes come before it and after, and by what their digits are to be divided.
+/// For numbers of up to eight bytes, by the distance 7 - i of the point from the highest byte (the last entry: no
+/// point): masks of the bytes before and after the point, and the divisor of the digits.
 struct Points {
   std::array<std::uint64_t, kWord + 1> before{};
   std::array<std::uint64_t, kWord + 1> after{};
@@ -158,13 +160,13 @@ constexpr Points kPoints = [] {
   return out;
 }();
 
-/// A number without a sign, of one byte to eight, which has digits, and a point or none.
+/// An unsigned number of one to eight bytes, with digits and at most one point.
 struct ShortNumber {
-  std::uint64_t bytes = 0;  // its last one the highest; digits as the numbers that they are, zeros in front
-  unsigned point = 0;       // in kPoints
+  std::uint64_t bytes = 0;  // last character in the highest byte; digits as values, zeros in front
+  unsigned point = 0;       // index into kPoints
 
   ShortNumber(const char* at, unsigned size) {
-    constexpr std::uint64_t kAllPoints = 0x1010101010101010;  // what a point has and a digit has not
+    constexpr std::uint64_t kAllPoints = 0x1010101010101010;  // bit that a point has and a digit lacks
     std::memcpy(&bytes, at, kWord);
     bytes = (bytes ^ 0x3030303030303030) << (-(8 * size) & 63U);
     const std::uint64_t points = bytes & kAllPoints;
@@ -181,14 +183,14 @@ __m128i two(const std::uint64_t& low, const std::uint64_t& high) {
                             _mm_loadl_epi64(reinterpret_cast<const __m128i*>(&high)));
 }
 
-/// Both at once. Both sides of each quotient are doubles without rounding, so that it is rounded once.
+/// Computes both values at once. Numerators and denominators are exact doubles, so each quotient is rounded only once.
 __m128d values_of(const ShortNumber& x, const ShortNumber& y) {
   const auto constant = [](int high, int low) { return _mm_set1_epi32(high | low << 16); };
   const __m128i bytes = two(x.bytes, y.bytes);
   const __m128i before = _mm_and_si128(bytes, two(kPoints.before[x.point], kPoints.before[y.point]));
   const __m128i after = _mm_and_si128(bytes, two(kPoints.after[x.point], kPoints.after[y.point]));
   const __m128i digits = _mm_or_si128(_mm_slli_epi64(before, 8), after);
-  // Of two digits in 16 bits each, then of four in 32, then of eight.
+  // Combines digits into pairs of 16 bits, then fours of 32, then eights.
   const __m128i tens = _mm_and_si128(digits, _mm_set1_epi16(0x00ff));
   const __m128i twos = _mm_add_epi16(_mm_mullo_epi16(tens, _mm_set1_epi16(10)), _mm_srli_epi16(digits, 8));
   const __m128i fours = _mm_madd_epi16(twos, constant(100, 1));
@@ -196,7 +198,7 @@ __m128d values_of(const ShortNumber& x, const ShortNumber& y) {
   return _mm_div_pd(_mm_cvtepi32_pd(eights), two(kPoints.powers[x.point], kPoints.powers[y.point]));
 }
 
-/// By the byte before a number: what changes its sign.
+/// Sign mask of a number, indexed by the byte before it.
 constexpr std::array<double, 256> kSigns = [] {
   std::array<double, 256> out{};
   out['-'] = -0.0;
@@ -215,17 +217,17 @@ PairRun read_coordinate_pairs(std::string_view text, char letter, std::span<Vec2
   std::size_t count = 0;
   bool is_first = !follows_a_pair;
   if (!is_first && !text.empty() && is_numeric(*at)) return {};
-  // Pairs that are taken of a window: as many as the fullest ones have is a number that changes, and each change makes the
-  // processor go back.
+  // Number of pairs taken from each window, the least number found so far. Taking all pairs would be a changing number,
+  // and each change would cost a branch misprediction.
   std::size_t most = kWindow;
   std::array<char, kWindow + kWord> last_bytes{};
   while (at != end && count < out.size()) {
     const bool is_last = end - at < static_cast<std::ptrdiff_t>(last_bytes.size());
     if (is_last) std::copy(at, end, last_bytes.begin());
     const char* const here = is_last ? last_bytes.data() : at;
-    // Locals all: these are what the processor works ahead with.
+    // Only local variables are used, so that the processor can work ahead.
     auto [begins, ends, points, unusual] = window_at(here, letter != '\0' ? letter : ',');
-    unsigned done = 0;  // end of the last pair
+    unsigned done = 0;  // end of the last complete pair
     const auto take = [](std::uint64_t& bits) {
       if (bits == 0) __builtin_unreachable();
       const auto first = static_cast<unsigned>(std::countr_zero(bits));
@@ -244,7 +246,7 @@ PairRun read_coordinate_pairs(std::string_view text, char letter, std::span<Vec2
         done = y_to;
         continue;
       }
-      if ((here[y_to] | 0x20) == 'e') break;  // of x it is none of what may follow
+      if ((here[y_to] | 0x20) == 'e') break;  // an exponent; after x the gap check rejects it
       const bool is_good = number_at(here, done, x_from, x_to, points, letter, is_first, pair.x) &&
                            number_at(here, x_to, y_from, y_to, points, '\0', false, pair.y);
       if (!is_good) break;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said once about all things of a kind that a file has. Private to core/io.
+// Remarks about a file, one for all things of a kind. Private to core/io.
 #pragma once
 
 #include <fmt/core.h>
@@ -19,8 +19,8 @@ namespace mes {
 ///     remarks.for_each([&](const std::string& text, std::size_t at) { warn(text, at); });
 class CountedRemarks {
  public:
-  /// `one` follows "1", `many` any other number. The place said is the first. Kinds after the first two dozen, which a
-  /// file may make up, are one.
+  /// `one` follows "1", `many` any other number. The remark gives the first position. A file can invent kinds, so all
+  /// kinds after the first two dozen are merged into one.
   void add(std::string one, std::string many, std::size_t place) {
     constexpr std::size_t kMostKinds = 24;
     auto known = std::ranges::find(kinds_, one, &Kind::one);
@@ -37,8 +37,8 @@ class CountedRemarks {
     }
   }
 
-  /// Calls `use(text, place)` for each kind, in the order in which they came. Whatever words of the file are in it, a text
-  /// is printable.
+  /// Calls `use(text, place)` for each kind, in the order of addition. The text is printable even if it quotes the
+  /// file.
   template <class Use>
   void for_each(Use use) const {
     for (const Kind& kind : kinds_)

@@ -15,7 +15,7 @@ namespace {
 using Kind = CssCondition::Kind;
 
 constexpr std::size_t kMostCompounds = 64;
-constexpr int kDeepestSelector = 4;  // of selectors within selectors
+constexpr int kDeepestSelector = 4;  // nesting limit of selectors
 
 class SelectorReader {
  public:
@@ -79,7 +79,7 @@ class SelectorReader {
     }
   }
 
-  /// A type or "*", with or without a prefix, which says nothing new: elements of other vocabularies are not read.
+  /// Reads a type or "*". A prefix is ignored: elements of other vocabularies are not read.
   bool read_type(CssCompound& out, CssSpecificity& weight) {
     const auto part = [&](std::string& name) {
       if (text_.take("*")) return true;
@@ -128,7 +128,7 @@ class SelectorReader {
     const std::string_view words = has_words ? text_.enclosed() : std::string_view();
     CssCondition condition;
     if (is_element) {
-      ++weight.types;  // a part that is made beside the element
+      ++weight.types;  // a pseudo-element
       out.conditions.push_back(std::move(condition));
       return true;
     }

@@ -61,7 +61,7 @@ std::string without_css_comments(std::string_view text) {
     if (c == '\\' && i + 1 < text.size()) {
       out += text[++i];
     } else if (quote != '\0') {
-      if (c == quote || c == '\n') quote = '\0';  // a string ends with its line
+      if (c == quote || c == '\n') quote = '\0';  // a string ends at the end of its line
     } else if (c == '"' || c == '\'') {
       quote = c;
     }
@@ -126,7 +126,7 @@ void CssText::skip_string() {
 
 std::string_view CssText::up_to(std::string_view signs) {
   const std::size_t begin = at_;
-  std::string open;  // what closes the brackets that are open
+  std::string open;  // closing signs of the open brackets
   while (!is_at_end()) {
     const char c = sign();
     if (open.empty() && signs.find(c) != std::string_view::npos) break;

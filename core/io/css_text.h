@@ -17,7 +17,7 @@ std::string_view css_trimmed(std::string_view text);
 /// Comments become blanks, except in strings.
 std::string without_css_comments(std::string_view text);
 
-/// Goes through text without comments.
+/// A cursor over text without comments.
 class CssText {
  public:
   explicit CssText(std::string_view text) : text_(text) {}
@@ -32,18 +32,19 @@ class CssText {
   void skip_blanks() {
     while (!is_at_end() && is_css_blank(text_[at_])) ++at_;
   }
-  /// A name with its escapes resolved; empty, and nothing is taken, where none begins.
+  /// Takes a name, with its escapes resolved; empty, and takes nothing, if no name begins here.
   std::string name();
-  /// A string in quotation marks, or a name; empty where neither begins.
+  /// Takes a string in quotation marks, or a name; empty if neither begins here.
   std::string string_or_name();
-  /// All up to the first of these signs that is in no string, bracket or block; the sign stays.
+  /// Takes the text up to the first of these signs outside strings, brackets and blocks; the sign stays.
   std::string_view up_to(std::string_view signs);
-  /// What a bracket that begins here encloses; both brackets are taken, or all to the end where the second is missing.
+  /// Takes the bracket that begins here and returns its content; takes the rest of the text if the bracket is not
+  /// closed.
   std::string_view enclosed();
 
  private:
   void skip_string();
-  /// Of a backslash, which is here.
+  /// Resolves the escape of the backslash at the cursor.
   void take_escape(std::string& out);
 
   std::string_view text_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// CSV: columns between commas, or between semicolons where the comma is the decimal sign.
+// CSV: columns separated by commas, or by semicolons if the comma is the decimal sign.
 #include "core/io/format_spec.h"
 #include "core/io/xy_table.h"
 

@@ -26,7 +26,7 @@ void remove_cuts(CurveSet& curves, const std::function<bool(Vec2)>& on_cut, Read
   curves.curves = without_cuts(std::move(curves.curves), curves.resolution, on_cut, job.control());
 }
 
-/// The samples of curves without cuts.
+/// Samples curves without cutting them.
 Expected<LoadedFile> samples_of(CurveSet curves, const SamplingRequest& wanted, const std::string& name,
                                 ReadJob& job) {
   const SamplingRequest request = job.keeps_vertices() ? SamplingRequest{.rule = SamplingRule::vertices} : wanted;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // DXF as text (AutoCAD's reference of group codes, R12 to 2018): LINE, LWPOLYLINE and POLYLINE with bulges as arcs,
-// CIRCLE, ARC, ELLIPSE, SPLINE, POINT, and what blocks hold where INSERT puts it. Lines and arcs that meet end to end
-// are one curve. Left out are paper space, what is invisible or on a layer that is off or frozen, and whatever else
-// there is.
+// CIRCLE, ARC, ELLIPSE, SPLINE, POINT, and the content of blocks wherever INSERT puts it. Lines and arcs that meet end
+// to end form one curve. Left out are paper space, invisible entities, those on layers that are off or frozen, and all
+// other kinds of entities.
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
@@ -28,9 +28,9 @@ namespace {
 constexpr double kTurn = 2.0 * std::numbers::pi;
 constexpr double kDegree = std::numbers::pi / 180.0;
 constexpr std::size_t kDeepestBlock = 32;
-constexpr std::size_t kMostEntities = 1'000'000;  // those of blocks counted each time
+constexpr std::size_t kMostEntities = 1'000'000;  // entities of a block count at each insertion
 constexpr std::size_t kMostDxfPieces = 1'000'000;
-constexpr std::size_t kMostPairs = 50'000'000;  // lines of entities, those of blocks counted each time
+constexpr std::size_t kMostPairs = 50'000'000;  // lines of entities; those of a block count at each insertion
 constexpr std::string_view kBinary = "AutoCAD Binary DXF";
 
 struct Block {
@@ -73,7 +73,7 @@ class DxfReader {
     remarks_.add(fmt::format("{} is left out", one), fmt::format("{} are left out", many), entity.front().line);
   }
 
-  /// The entity that begins at a pair with code 0.
+  /// The entity that begins at index `begin`, a pair with code 0.
   DxfEntity entity_at(std::size_t begin) const {
     std::size_t end = begin + 1;
     while (end < pairs_.size() && pairs_[end].code != 0) ++end;
@@ -132,7 +132,7 @@ class DxfReader {
     if (const auto value = parse_number(pair.value)) return *value;
     return refuse(pair, fmt::format("expected a number for group {}, found {}", pair.code, in_quotes(pair.value)));
   }
-  /// The first value of a code, or the default.
+  /// The first value of a code, or `otherwise`.
   Expected<double> number(DxfEntity entity, int code, double otherwise) const {
     const auto found = std::ranges::find(entity, code, &DxfPair::code);
     return found == entity.end() ? Expected<double>(otherwise) : number(*found);
@@ -159,7 +159,7 @@ class DxfReader {
     for (std::size_t i = 0; i < out.size(); ++i) out[i] = {(*x)[i], (*y)[i]};
     return out;
   }
-  /// The rounding error that a written angle may have.
+  /// The rounding error of an angle as it is written.
   static double rounding_of(DxfEntity entity, int code) {
     return half_last_digit(dxf_text(entity, code).value_or(""));
   }
@@ -226,7 +226,7 @@ class DxfReader {
     if (kind == "LINE") return draw_line(entity, map);
     if (kind == "POINT") return draw_point(entity, map);
     if (kind == "SPLINE") return draw_spline(entity, map);
-    // Coordinates of the others are those of a plane of their own, which may be seen from below.
+    // Other entities have coordinates in a plane of their own, which may be seen from below.
     const auto nz = number(entity, 230, 1.0);
     if (!nz) return std::unexpected(nz.error());
     const auto normal = point(entity, 210);
@@ -282,8 +282,8 @@ class DxfReader {
     return {};
   }
 
-  /// From one angle to another, in radians, counter-clockwise; all around where they are equal, or a turn apart, up to
-  /// their last digits, which are `rounding` radians together.
+  /// Adds an arc between two angles in radians, counter-clockwise. If these are equal, or a full turn apart, up to
+  /// their last digits (`rounding` radians together), the arc is the whole ellipse.
   void add_arc(const EllipticArc& ellipse, double from, double to, double rounding, const Affine& map) {
     constexpr double kLeastRounding = 1e-9;
     const double turns = std::round((to - from) / kTurn);
@@ -352,11 +352,12 @@ class DxfReader {
     double bulge = 0.0;
   };
 
-  /// A bulge is the tangent of a quarter of the angle of the arc to the next corner, positive to the right of the way.
+  /// A bulge is the tangent of a quarter of the arc's angle to the next corner; positive if the arc lies to the right
+  /// of the segment.
   static void add_side(PlaneCurve& curve, double bulge, Vec2 to) {
     const Vec2 from = curve.end();
     if (from == to) return;
-    // The centre of a flatter arc is so far that rounding moves it by more than the arc is high.
+    // For a flatter arc the centre is so far away that rounding moves it by more than the arc's height.
     constexpr double kFlat = 1e-8;
     if (std::abs(bulge) <= kFlat) return curve.line_to(to);
     const double shift = (1.0 - bulge * bulge) / (4.0 * bulge);
@@ -432,7 +433,7 @@ class DxfReader {
                    .knots = *std::move(knots),
                    .controls = *std::move(controls),
                    .weights = *std::move(weights)};
-    // Of a high degree a span may become as many pieces.
+    // A span of high degree can become this many pieces.
     constexpr std::size_t kPiecesOfASpan = 32;
     if (spline.controls.size() * kPiecesOfASpan > kMostDxfPieces)
       return refuse(entity.front(),
@@ -498,8 +499,8 @@ class DxfReader {
     return {};
   }
 
-  /// Ends that differ by what is lost when coordinates of a drawing of a hundred units are written with four digits
-  /// after the point, or as many as this file has.
+  /// Joins ends that differ by at most a rounding error: that of a drawing of a hundred units written with four
+  /// decimals, or of the decimals in this file.
   void join_curves() {
     Box2 box;
     for (const PlaneCurve& curve : set_.curves) {
@@ -527,20 +528,20 @@ class DxfReader {
   std::vector<DxfEntity> entities_;
   std::size_t drawn_ = 0;
   std::size_t pieces_ = 0;
-  std::size_t looked_at_ = 0;  // pairs of a code and a value
-  WrittenDecimals decimals_;   // of lengths
-  double end_rounding_ = 0.0;  // of ends of arcs, by that of their angles
+  std::size_t looked_at_ = 0;  // number of pairs of code and value
+  WrittenDecimals decimals_;   // decimals of lengths
+  double end_rounding_ = 0.0;  // rounding error of arc ends, from that of their angles
   CountedRemarks remarks_;
   CurveSet set_;
 };
 
-/// "0", "SECTION", perhaps after comments.
+/// Recognises "0", "SECTION", perhaps after comments.
 Match match_dxf(std::string_view bytes) {
   if (bytes.starts_with(kBinary)) return Match::surely;
   static const std::string kNoName;
   constexpr std::size_t kLookedAt = std::size_t{1} << 12U;
   const std::string_view begin = bytes.substr(0, kLookedAt);
-  // Up to the end of the first value of code 2: "SECTION", then its name.
+  // Reads to the end of the first value of code 2: "SECTION", then its name.
   const std::size_t word = begin.find("SECTION");
   if (word == std::string_view::npos) return Match::no;
   const std::size_t end = begin.find_first_of("\r\n", word);

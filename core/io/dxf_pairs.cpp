@@ -19,7 +19,7 @@ std::string_view trimmed_line(std::string_view text) {
   return last == std::string_view::npos ? std::string_view{} : text.substr(0, last + 1);
 }
 
-/// Goes through all lines, empty ones too.
+/// Iterates over all lines, including empty ones.
 class DxfLines {
  public:
   explicit DxfLines(std::string_view bytes) : rest_(bytes) {}
@@ -52,7 +52,7 @@ Expected<std::vector<DxfPair>> read_dxf_pairs(std::string_view bytes, const std:
     const auto [end, fault] = std::from_chars(word.data(), word.data() + word.size(), code);
     if (fault != std::errc{} || end != word.data() + word.size()) {
       const std::uint32_t line = lines.number();
-      // An empty line at the end is no pair.
+      // An empty line at the end of the file does not begin a pair.
       if (word.empty() && !lines.next()) break;
       return bad_input("expected a group code, found " + in_quotes(word), name, line, 1);
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Segments as the demonstrations of CGAL keep them: their number, then "x1 y1 x2 y2" for each, a line each. Ends at
-// equal places are one vertex.
+// Segments in the format of the CGAL demos: the number of segments, then a line "x1 y1 x2 y2" for each. Ends at equal
+// positions become one vertex.
 #include <fmt/core.h>
 
 #include "core/io/format_spec.h"
@@ -20,7 +20,7 @@ Match match_edg(std::string_view bytes) {
   if (!lines.next() || lines.count() != kNumbers) return Match::no;
   for (const std::string_view word : lines.words())
     if (!parse_number(word)) return Match::no;
-  // A number of rows may stand above other tables as well.
+  // Other tables may begin with a number of rows as well.
   return Match::maybe;
 }
 

@@ -15,10 +15,10 @@ namespace {
 
 constexpr std::size_t kHashWord = sizeof(std::uint64_t);
 
-/// Each step is a bijection of the state for a given word, and of the word for a given state.
+/// Each step is a bijection of the state for a fixed word, and of the word for a fixed state.
 class Hash {
  public:
-  /// A multiple of eight bytes, except for the last call.
+  /// The size must be a multiple of eight bytes, except in the last call.
   void add(std::string_view bytes) {
     size_ += bytes.size();
     for (; bytes.size() >= kHashWord; bytes.remove_prefix(kHashWord)) {
@@ -52,7 +52,7 @@ FileFingerprint fingerprint_of(std::string_view bytes) {
 
 std::optional<FileFingerprint> fingerprint_of_file(const std::filesystem::path& path) {
   struct stat status {};
-  // Opening anything but a regular file might wait, or have effects of its own.
+  // Opening anything but a regular file might block or have side effects.
   if (::stat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode)) return std::nullopt;
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return std::nullopt;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tells whether a file still holds what it held.
+// Detects whether the content of a file has changed.
 #pragma once
 
 #include <cstdint>
@@ -9,22 +9,22 @@
 
 namespace mes {
 
-/// Size and hash of the bytes. Times do not count: a file that was only touched has not changed, and one that was
-/// written twice within a tick of the clock has.
+/// Size and hash of the bytes. Times do not count: touching a file does not change it, and a file that is written twice
+/// within a clock tick has changed.
 struct FileFingerprint {
   std::uint64_t size = 0;
   std::uint64_t hash = 0;
   friend bool operator==(const FileFingerprint&, const FileFingerprint&) = default;
 };
 
-/// Two texts of equal size that differ in a single word of eight bytes never have the same fingerprint; others do by
-/// a chance of 2^-64.
+/// Two texts of equal size that differ in a single word of eight bytes never have the same fingerprint; other texts
+/// collide with probability 2^-64.
 FileFingerprint fingerprint_of(std::string_view bytes);
 
-/// Of a regular file, links followed, as it is now; nothing if there is none that can be read.
+/// Fingerprint of the current content of a regular file, links followed; nothing if there is no readable one.
 std::optional<FileFingerprint> fingerprint_of_file(const std::filesystem::path& path);
 
-/// A file that was read, and what it held then.
+/// A file that was read, and its content then.
 struct SourceFile {
   std::filesystem::path path;
   FileFingerprint fingerprint{};

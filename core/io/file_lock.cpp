@@ -30,7 +30,7 @@ std::expected<LockedFile, int> create_locked(const std::filesystem::path& path, 
   const int descriptor = ::open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
   if (descriptor < 0) return std::unexpected(errno);
   const LockTry lock = try_lock(descriptor);
-  // Another process may have found it unlocked, and removed it.
+  // Another process may have found the file unlocked and removed it.
   const bool is_ours = lock != LockTry::taken && is_named(path, descriptor);
   if (is_ours) return LockedFile{descriptor, lock == LockTry::locked};
   if (lock == LockTry::taken && is_named(path, descriptor)) ::unlink(path.c_str());
@@ -38,7 +38,7 @@ std::expected<LockedFile, int> create_locked(const std::filesystem::path& path, 
   return std::unexpected(EEXIST);
 }
 
-// The system's own waiting has no end that could be set.
+// The blocking lock call of the system takes no timeout.
 UpdateLock::UpdateLock(const std::filesystem::path& path, std::chrono::milliseconds patience)
     : descriptor_(::open((path.string() + ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0600)) {
   constexpr std::chrono::milliseconds kPause{2};

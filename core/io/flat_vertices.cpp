@@ -50,7 +50,7 @@ class Vertices {
   std::size_t count() const { return positions_.size(); }
   Vec3 at(std::size_t i) const { return {positions_[i].x, positions_[i].y, heights_[i]}; }
 
-  /// The vertex of the largest value.
+  /// The vertex with the largest value.
   template <class Value>
   Vec3 farthest(Value value) const {
     Vec3 out = at(0);
@@ -69,8 +69,8 @@ class Vertices {
   std::span<const double> heights_;
 };
 
-/// The normal of the plane through three vertices that are far from each other, if all others are near it. Of vertices on
-/// a line that of the plane through it that is nearest to level.
+/// The normal of the plane through three distant vertices, if all others are near this plane. For vertices on a line,
+/// the normal of the plane through the line that is nearest to level.
 std::optional<Vec3> common_normal(const Vertices& vertices, double tolerance) {
   const Vec3 first = vertices.at(0);
   const Vec3 second = vertices.farthest([&](Vec3 p) { return length(p - first); });
@@ -99,7 +99,7 @@ Frame frame_of(Vec3 normal) {
     const Vec3 right = unit(Vec3{1.0, 0.0, 0.0} - toward.x * toward);
     return {right, cross(toward, right)};
   }
-  // Seen from the side on which x points to the right, or y where it points away.
+  // Choose the side from which x points to the right, or y where x points along the normal.
   constexpr double kAway = 1e-9;
   Vec3 right = unit({-normal.y, normal.x, 0.0});
   if (right.x < -kAway || (right.x <= kAway && right.y < 0.0)) right = -1.0 * right;
@@ -124,10 +124,10 @@ std::string bring_into_plane(std::span<Vec2> positions, std::span<const double> 
     z.add(heights[i]);
   }
   if (z.width() == 0.0) return {};
-  // The first is the resolution of single precision; the second, a part of the extent, is too small to be seen.
+  // The first is the resolution of single precision; the second, relative to the extent, is too small to be seen.
   constexpr double kSingle = 0x1p-24;
   constexpr double kUnseen = 1e-6;
-  constexpr double kNormalToo = 8.0;  // the plane is one through rounded vertices
+  constexpr double kNormalToo = 8.0;  // the plane itself goes through rounded vertices
   double largest = 0.0;
   for (const Extent& extent : {x, y, z}) largest = std::max({largest, std::abs(extent.low), std::abs(extent.high)});
   const double size = std::max({x.width(), y.width(), z.width()});

@@ -9,10 +9,10 @@
 
 namespace mes {
 
-/// From above, unless all vertices lie in one plane that is not level: their coordinates are then replaced by those in
-/// that plane. Of a plane through two axes they are numbers of the file; of others what is up stays up where the plane is steep, and x
-/// points to the right where it is not. `rounding` is how much a number may be off. One line that says what was
-/// done; empty where all heights are equal. O(n).
+/// Projects from above, unless all vertices lie in one plane that is not level: then replaces their coordinates by
+/// those in this plane. For a plane through two axes, these are numbers of the file; for other planes, up stays up if
+/// the plane is steep, and otherwise x points to the right. `rounding` is the largest error of a number. Returns one
+/// line about the change; empty if all heights are equal. O(n).
 std::string bring_into_plane(std::span<Vec2> positions, std::span<const double> heights, double rounding);
 
 }  // namespace mes

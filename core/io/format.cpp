@@ -20,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Of the progress of reading a file: until its bytes are here.
+// Share of the progress until the bytes of the file are read.
 constexpr double kFileShare = 0.2;
 
 using Formats = NamedList<Format>;
@@ -52,7 +52,7 @@ const Format* format_by_extension(const Formats& formats, const std::string& nam
   return nullptr;
 }
 
-/// What people try, for the beginning of a message.
+/// Names a familiar kind of file that is not supported, for the beginning of a message.
 std::string_view known_text(std::string_view bytes) {
   constexpr std::size_t kLookedAt = 8192;
   std::string_view text = without_bom(bytes).substr(0, kLookedAt);
@@ -63,8 +63,8 @@ std::string_view known_text(std::string_view bytes) {
   return {};
 }
 
-// By content when the content is sure, then by extension, then by what the content might be. Nothing for what is known to be
-// something else.
+// Finds the format by certain content first, then by extension, then by possible content. Returns nothing for files
+// known to be something else.
 const Format* find_format(const Formats& formats, std::string_view bytes, const std::string& name) {
   const Format* possible = nullptr;
   for (const auto& format : formats.all()) {
@@ -101,7 +101,7 @@ Expected<LoadedFile> read_carried(const Format& session, std::string_view text, 
   job.begin(text);
   auto file = session.read(text, name, job);
   if (!file) {
-    // Lines and columns would be those of a text that cannot be looked at.
+    // The line and column would refer to the compressed text, which nobody can look at.
     Error error = std::move(file.error());
     return bad_input("the session that it carries: " + error.text, name, 0, 0);
   }
@@ -114,14 +114,14 @@ Expected<LoadedFile> untraceable(const std::string& name) {
   return std::unexpected(Error{ErrorCode::usage, "only pictures are traced, and this is none", name});
 }
 
-/// Whether a format of XML or binary files knows them for its own.
+/// Whether a format of XML or binary files recognises the bytes.
 bool is_known_all_the_same(const Formats& formats, std::string_view bytes) {
   return std::ranges::any_of(formats.all(), [&](const auto& format) {
     return format->may_look_foreign && format->match(bytes) == Match::surely;
   });
 }
 
-/// " (gml:FeatureCollection)" of XML; nothing of anything else.
+/// The root element of XML, as " (gml:FeatureCollection)"; empty for anything else.
 std::string root_of(std::string_view bytes) {
   constexpr std::size_t kLongest = 40;
   const std::string_view name = xml_root_name(bytes).substr(0, kLongest);
@@ -175,8 +175,8 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
   }
 }
 
-// A file that begins like no text (a disk image, say) is not read to its end, unless it may carry a session or a
-// format knows it.
+// A file whose beginning is not text (a disk image, say) is not read to its end, unless it may carry a session or a
+// format recognises it.
 ReadOptions what_may_be_read(const Formats& formats, JobControl* job) {
   constexpr std::size_t kLargest = std::size_t{1} << 30U;
   return {.is_enough =

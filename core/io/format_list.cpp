@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of file formats, in the order in which contents are tried. A new one is a file that defines its function, and
-// two lines here.
+// The list of file formats, in the order in which contents are tried. A new format is a file that defines its function,
+// and two lines here.
 #include <memory>
 #include <utility>
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GeoJSON (RFC 7946), alone or one text after the other (newline-delimited, or with the record separators of RFC 8142),
-// and plain lists of rings or points in JSON.
+// GeoJSON (RFC 7946), as one text or several in sequence (newline-delimited, or with the record separators of RFC
+// 8142), and plain lists of rings or points in JSON.
 //
-// Positions are longitude and latitude, projected or kept (core/io/map_shapes.h). They are coordinates of the plane in
-// lists, where a member `crs` names another system, and in what this program has exported of the plane, which has no
-// `crs`.
+// Positions are longitude and latitude, projected or kept (core/io/map_shapes.h). They are plane coordinates in plain
+// lists, if a member `crs` names another system, and in exports of plane data by this program, which have no `crs`.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -23,7 +22,7 @@ namespace {
 
 enum class GeoJsonShape : std::uint8_t { point, line, ring };
 
-/// `depth` lists around a position.
+/// The coordinates are `depth` lists around a position.
 struct GeoJsonType {
   std::string_view name;
   int depth;
@@ -68,7 +67,7 @@ class GeoJsonReader {
     return bad_json(text_, at ? at.offset_in(text_) : 0, std::move(text), name_);
   }
 
-  /// What the member of earlier versions of GeoJSON says.
+  /// The `crs` member of earlier versions of GeoJSON.
   enum class Crs : std::uint8_t { not_said, degrees, other };
   static Crs crs_of(JsonView whole) {
     const JsonView system = whole.find("crs").find("properties").find("name");
@@ -105,14 +104,14 @@ class GeoJsonReader {
   }
 
   Expected<void> read_feature(JsonView geometry, JsonView properties) {
-    // This program writes layers of the plane so.
+    // This program exports layers of the plane in this form.
     if (!says_degrees_ && properties.find("layer").is_text() && properties.find("kind").is_text())
       unit_ = MapShapes::Unit::plane;
     const bool is_null = geometry && !geometry.is_object();
     return !geometry || is_null ? Expected<void>{} : read_object(geometry);
   }
 
-  /// A list around `depth` lists around positions. An empty one is a geometry without positions.
+  /// Reads `depth` nested lists around a list of positions. An empty list is a geometry without positions.
   Expected<void> read_coordinates(JsonView list, int depth, GeoJsonShape shape) {
     if (depth == 0) {
       if (list.size() == 0) return {};
@@ -156,7 +155,7 @@ class GeoJsonReader {
     return {};
   }
 
-  /// Lists around lists of positions are around rings; one list of positions is a set of points.
+  /// Lists of lists of positions are rings; one list of positions is a set of points.
   Expected<void> read_list(JsonView list) {
     const auto first_of = [](JsonView view) -> JsonView {
       for (const JsonView element : view.elements()) return element;
@@ -180,7 +179,7 @@ class GeoJsonReader {
   JsonView first_height_;
 };
 
-/// Whether a key "type" near the beginning has a value that GeoJSON knows.
+/// Whether a key "type" near the beginning has a value of GeoJSON.
 bool names_a_type(std::string_view bytes) {
   constexpr std::size_t kLookedAt = std::size_t{1} << 16U;
   constexpr std::string_view kKey = "\"type\"";
@@ -207,7 +206,7 @@ Match match_geojson(std::string_view bytes) {
   return is_list_of_lists ? Match::surely : Match::no;
 }
 
-/// The whole, or each of several objects that follow each other.
+/// Checks the whole text, or each of several objects in sequence.
 Expected<void> check_texts(std::string_view text, const std::string& name, ReadJob& job) {
   std::string_view rest = text;
   const std::string_view first = take_json_text(rest);
@@ -230,7 +229,7 @@ Expected<void> check_texts(std::string_view text, const std::string& name, ReadJ
 Expected<LoadedFile> read_geojson(std::string_view bytes, const std::string& name, MapDegrees degrees,
                                   const std::filesystem::path*, ReadJob& job) {
   const std::string_view text = without_bom(bytes);
-  constexpr double kChecked = 0.4;  // of the time that reading takes
+  constexpr double kChecked = 0.4;  // share of the reading time
   job.begin(text, kChecked);
   if (auto good = check_texts(text, name, job); !good) return std::unexpected(good.error());
   job.begin(text);

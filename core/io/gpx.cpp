@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// GPX (GPX 1.1 schema documentation): segments of tracks and routes as lines, waypoints as points, in longitude and
+// GPX (GPX 1.1 schema documentation): track segments and routes as lines, waypoints as points, in longitude and
 // latitude, projected or kept (core/io/map_shapes.h). Heights and times are left out.
 #include <fmt/core.h>
 #include <array>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Drawings of Ipe as XML (.ipe), as its manual describes them: paths and groups with their matrices, in points, y up.
-// Marks are points. Pages lie over each other. Text and pictures are left out, and so are spiro and cardinal splines and
-// the splines of Ipe 6.
+// Marks become points. All pages lie over each other. Text, pictures, spiro and cardinal splines, and the splines of
+// Ipe 6 are left out.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ using pugi::xml_node;
 constexpr std::size_t kDeepestGroup = 200;
 constexpr std::size_t kMostIpePieces = 4'000'000;
 
-/// Words between blanks, with their places.
+/// Words between blanks, with their positions.
 class PathWords {
  public:
   explicit PathWords(std::string_view text) : text_(text) {}
@@ -62,7 +62,7 @@ Affine affine_of(const double* v) {
   return {v[0], v[1], v[2], v[3], v[4], v[5]};
 }
 
-/// From one point of an ellipse, the image of the unit circle, to another, in the direction of its matrix. Nothing where
+/// The arc of an ellipse, the image of the unit circle, between two points, in the direction of its matrix. Nothing if
 /// the matrix has no inverse.
 std::optional<EllipticArc> arc_on(const Affine& map, Vec2 from, Vec2 to) {
   const double determinant = map.a * map.d - map.b * map.c;
@@ -157,21 +157,21 @@ class IpeReader {
     return {};
   }
 
-  /// The path that is being read.
+  /// The current path.
   struct Path {
     xml_node node;
     std::string_view text;
     Affine map{};
     std::optional<PlaneCurve> curve{};
     std::vector<double> arguments{};
-    std::size_t place = 0;  // of the present word
+    std::size_t place = 0;  // position of the current word
   };
 
   std::unexpected<Error> refuse(const Path& path, std::string text) const {
     return source_.refuse(source_.place_of(path.node, path.text, path.place), std::move(text));
   }
 
-  /// A curve that misses its start by the rounding of coordinates is meant to be closed.
+  /// A curve that misses its start only by the rounding of coordinates is closed.
   static void close_what_looks_closed(PlaneCurve& curve) {
     if (curve.is_closed() || curve.piece_count() < 2) return;
     double around = 0.0;
@@ -251,7 +251,7 @@ class IpeReader {
         return {};
       default: break;
     }
-    // Splines that are not documented: their last point is where the path goes on.
+    // Undocumented splines: the path continues at their last point.
     const std::size_t ends = kind == 'C' && count % 2 == 1 ? count - 1 : count;
     if (ends < 2) return refuse(path, fmt::format("{} has no points before it", in_quotes(word)));
     source_.remarks.add("spline of a kind that is not read is left out, with what it belongs to",
@@ -292,7 +292,7 @@ class IpeReader {
     return out;
   }
 
-  /// A line, a parabola, or a cubic spline, by the number of points.
+  /// A line, a parabola, or a cubic spline, depending on the number of points.
   Expected<void> apply_spline(Path& path) {
     if (path.arguments.empty() || path.arguments.size() % 2 != 0)
       return refuse(path, "\"c\" has pairs of numbers before it");

@@ -64,10 +64,10 @@ json annotation_to_json(const Annotation& annotation) {
   return out;
 }
 
-/// Reads one; the first fault stays.
+/// Reads one annotation; keeps the first fault.
 class AnnotationReader {
  public:
-  /// Nothing where there is a fault, such as a kind that is not known.
+  /// Nothing after a fault, such as an unknown kind.
   std::optional<Annotation> read(JsonView object) {
     if (!object.is_object()) return complain("is not an object");
     const auto [kind, at, follows, balls, along, scales, text, shift, letters, color, elements] = object.pick<11>(
@@ -111,7 +111,7 @@ class AnnotationReader {
     if (fault_.empty()) fault_ = "an annotation " + std::string(what);
     return std::nullopt;
   }
-  /// Of a name that is not known.
+  /// The fault of an unknown name.
   std::nullopt_t refuse_unknown(std::string_view what, JsonView name) {
     const std::string named = name.text_length() < kLongName ? ' ' + in_quotes(name.text()) : std::string();
     return complain(fmt::format(
@@ -131,7 +131,7 @@ class AnnotationReader {
     else
       out = value.text();
   }
-  /// False where there is a fault, such as a kind or a role that is not known.
+  /// False after a fault, such as an unknown kind or role.
   bool read_elements(JsonView list, Annotation& out) {
     if (!list.is_list() || list.size() > kMostHighlighted) {
       complain(fmt::format("of the kind highlight has no list of up to {} \"elements\"", kMostHighlighted));
@@ -174,14 +174,14 @@ class AnnotationReader {
     out.anchors.resize(count);
     auto number = at.elements().begin();
     for (Anchor& anchor : out.anchors) {
-      // No negative zeros: annotations are compared by their bytes.
+      // Avoids negative zeros: annotations are compared by their bytes.
       for (double* const to : {&anchor.at.x, &anchor.at.y}) {
         *to = number_of(*number) + 0.0;
         ++number;
       }
     }
   }
-  /// `key` is a list for each place, of `most` numbers at most.
+  /// Reads `key`, a list for each anchor, of at most `most` numbers.
   void read_followed(JsonView value, std::string_view key, std::size_t most, std::vector<std::uint32_t> Anchor::*to,
                      Annotation& out) {
     if (!value) return;
@@ -207,7 +207,7 @@ class AnnotationReader {
       }
     }
   }
-  /// `key` is a number for each place.
+  /// Reads `key`, a number for each anchor.
   void read_numbers(JsonView value, std::string_view key, double Anchor::*to, Annotation& out) {
     if (!value) return;
     if (!value.is_list() || value.size() != out.anchors.size()) {

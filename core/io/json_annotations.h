@@ -12,13 +12,13 @@
 namespace mes {
 
 nlohmann::json to_json(const Annotations& annotations);
-/// The first version of sessions (`kSessionSchema`) whose readers understand them.
+/// The first version of sessions (`kSessionSchema`) whose readers understand these annotations.
 std::uint64_t schema_of(const Annotations& annotations);
 
-/// Keys that are not known are skipped; sizes and shifts out of range are brought into it. Error: `bad_input` when
-/// something is of the wrong kind, a place, a text or their number is out of range, or a kind of annotation, of element
-/// or a role is not known: without it, edits of annotations would change nothing, and undo would be counted wrongly.
-/// Whether the samples and balls that are named exist is for the document to say.
+/// Skips unknown keys; clamps sizes and shifts into their range. Error: `bad_input` when something is of the wrong
+/// kind, when an anchor, a text or their number is out of range, or for an unknown kind of annotation, element or role:
+/// if it were skipped, edits of annotations would change nothing, and undo would be counted wrongly. The document
+/// checks whether the named samples and balls exist.
 Expected<Annotations> annotations_from(JsonView value);
 
 }  // namespace mes

@@ -12,7 +12,7 @@ namespace mes {
 
 /// "#RRGGBB", capital letters.
 std::string hexadecimal(Rgb color);
-/// Of "#RRGGBB", letters of either case; nothing for anything else.
+/// Parses "#RRGGBB", in either case; nothing for anything else.
 std::optional<Rgb> color_from(std::string_view word);
 
 }  // namespace mes

@@ -49,7 +49,7 @@ json curve_to_json(const PlaneCurve& curve) {
   return out;
 }
 
-/// Numbers of a list, some for each thing: `take(next)` makes one.
+/// Splits a list of numbers into groups of `each`; `take(next)` makes a thing of each group.
 template <class Thing, class Take>
 Expected<std::vector<Thing>> things_of(JsonView list, std::size_t each, std::string_view key, Take take) {
   std::vector<Thing> out;
@@ -170,7 +170,7 @@ Expected<SamplingRequest> sampling_from(JsonView object) {
     for (const SamplingRuleDescriptor& known : sampling_rules())
       if (known.id == rule.text()) out.rule = known.rule;
   const auto take = [](JsonView value, double low, double high, double& to) {
-    // Not a negative zero: timelines are compared by their bytes.
+    // Avoids a negative zero: timelines are compared by their bytes.
     if (value.is_number()) to = std::clamp(value.number(), low, high) + 0.0;
   };
   take(spacing, 0.0, 1e300, out.spacing);

@@ -32,7 +32,7 @@ json style_to_json(const LayerStyle& style) {
 
 constexpr double kAny = std::numeric_limits<double>::max();
 
-/// Reads one object; the first thing of the wrong kind is the fault.
+/// Reads one object; the first value of the wrong kind is the fault.
 class LayerReader {
  public:
   LayerReader(JsonView object, std::string where, std::string& fault)
@@ -80,7 +80,7 @@ class LayerReader {
     to_number(*element, key, -kAny, kAny, first);
     to_number(*++element, key, -kAny, kAny, second);
   }
-  /// What lies in the plane keeps the range of the plane.
+  /// Clamps coordinates into the range of the plane.
   void coordinates(std::initializer_list<double> numbers) {
     for (const double x : numbers)
       if (const auto fault = range_fault_of(x)) complain(describe(*fault, x));
@@ -158,7 +158,7 @@ Expected<LayerConfiguration> layer_configuration_from(JsonView value, const Laye
     part.text("file", kLongestPath, out.image.file);
     part.numbers("center", out.image.center.x, out.image.center.y);
     part.number("width", 0.0, kAny, out.image.width);
-    out.image.is_upright = false;  // as earlier versions had it
+    out.image.is_upright = false;  // the behaviour of earlier versions
     part.flag("upright", out.image.is_upright);
     part.coordinates({out.image.center.x, out.image.center.y, out.image.width});
   }

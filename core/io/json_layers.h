@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is shown and how, as JSON: part of bundles and sessions.
+// JSON of the shown layers and their styles: part of bundles and sessions.
 #pragma once
 
 #include <functional>
@@ -17,12 +17,12 @@ inline constexpr std::size_t kMostLayers = 10'000;
 
 nlohmann::json to_json(const LayerConfiguration& configuration);
 
-/// The style that a layer has by itself; of a name that is not known, any.
+/// The default style of a layer; any style for an unknown name.
 using LayerStyleSource = std::function<LayerStyle(std::string_view layer)>;
 
-/// Keys that are not known are skipped; numbers out of range are brought into it; what a style does not say is as
-/// `style_of` gives it. Error: `bad_input` when something is of the wrong kind, or names are longer or layers more
-/// than anyone could mean, saying where.
+/// Skips unknown keys; clamps numbers into their range; properties that a style omits come from `style_of`. Error:
+/// `bad_input`, with the position, when something is of the wrong kind, or when names or the list of layers are
+/// absurdly long.
 Expected<LayerConfiguration> layer_configuration_from(
     JsonView value, const LayerStyleSource& style_of = [](std::string_view /*layer*/) { return LayerStyle{}; });
 

@@ -43,7 +43,7 @@ json pane_to_json(const BeforeLastEdit& /*choice*/) {
   return {{"before_last_edit", true}};
 }
 
-/// One pane of a list; nothing: it is of a kind that is not known. Throws `PaneFault`.
+/// Reads one pane of a list; nothing for an unknown kind. Throws `PaneFault`.
 class PaneReader {
  public:
   explicit PaneReader(std::size_t number) : where_(fmt::format("pane {}", number)) {}
@@ -61,7 +61,7 @@ class PaneReader {
     return std::nullopt;
   }
 
-  /// Nothing where it has none of its own; no corners: everything.
+  /// Nothing if the pane has no view of its own; an empty box (no corners) shows everything.
   std::optional<Box2> read_view(JsonView pane) const {
     const JsonView view = pane.find("view");
     if (!view) return std::nullopt;
@@ -83,7 +83,7 @@ class PaneReader {
  private:
   [[noreturn]] void fail(const std::string& text, JsonView at) const { throw PaneFault{where_ + ": " + text, at}; }
   std::string text_of(JsonView value, const char* key) const {
-    // A letter takes six bytes at most where it is escaped.
+    // An escaped letter takes at most six bytes.
     if (!value.is_text() || value.text_length() > 6 * kLongestPaneWord)
       fail(fmt::format("\"{}\" is not a short text", key), value);
     std::string out = value.text();
@@ -102,7 +102,7 @@ class PaneReader {
     if (!value.is_number()) fail("\"value\" is not a number", value);
     const auto known = std::ranges::find(computation_parameters(), id, &Parameter::id);
     if (known != computation_parameters().end()) return ParameterChoice{*known, within(*known, value.number())};
-    // It changes nothing, and is there again when the session is saved.
+    // An unknown parameter has no effect, but is written again when the session is saved.
     constexpr double kAnything = std::numeric_limits<double>::infinity();
     return ParameterChoice{{.id = id, .low = -kAnything, .high = kAnything}, value.number()};
   }

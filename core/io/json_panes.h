@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What panes show, as JSON: part of sessions.
+// JSON of panes and their content: part of sessions.
 #pragma once
 
 #include <expected>
@@ -14,20 +14,20 @@
 
 namespace mes {
 
-/// `views`: of each pane, an empty box for everything; none at all where all panes show one view.
+/// `views`: one for each pane, an empty box for everything; empty if all panes share one view.
 nlohmann::json panes_to_json(std::span<const PaneChoice> panes, std::span<const Box2> views);
 
-/// Why panes make no sense, and where.
+/// Why the panes are invalid, and where.
 struct PaneFault {
   std::string text;
   JsonView at;
 };
 struct ReadPanes {
   std::vector<PaneChoice> panes;
-  std::vector<Box2> views;  ///< of each; none where no pane has one
+  std::vector<Box2> views;  ///< one for each pane; empty if no pane has its own
 };
-/// Panes of kinds, number types, parameters and families that are not known are skipped; values of parameters are
-/// brought into their range. A fault: something of the wrong kind, more panes or steps than there can be.
+/// Skips panes with unknown kinds, number types, parameters and families; clamps parameter values into their range. A
+/// fault: something of the wrong kind, or too many panes or steps.
 std::expected<ReadPanes, PaneFault> panes_from(JsonView list);
 
 }  // namespace mes

@@ -15,8 +15,8 @@ using nlohmann::json;
 
 constexpr int kDeepestJson = 64;
 
-// Where it gets too deep, or the end. Looked for beforehand: a parser that asks at each value looks at all brothers
-// of a value each time, which takes hours for a long list.
+// Offset of the first value nested too deep, or the end. Checked before parsing: a parser that asks at each value looks
+// at all siblings each time, which takes hours for a long list.
 std::size_t too_deep(std::string_view text, const ReadJob* job) {
   constexpr std::size_t kOften = std::size_t{1} << 20U;
   int depth = 0;
@@ -40,7 +40,7 @@ std::size_t too_deep(std::string_view text, const ReadJob* job) {
   return text.size();
 }
 
-/// Hears what the parser finds and keeps nothing but the place of the first fault.
+/// Listens to the parser and keeps only the position of the first fault.
 struct Listener {
   std::size_t bytes_read = 0;
   bool is_syntax = true;
@@ -64,7 +64,7 @@ struct Listener {
   }
 };
 
-/// Bytes for the parser, which says now and then how far it is.
+/// An iterator of bytes for the parser; reports progress now and then.
 class Watched {
  public:
   using iterator_category = std::input_iterator_tag;
@@ -90,7 +90,7 @@ class Watched {
 
   const char* at_;
   const char* end_;
-  const char* watched_ = nullptr;  // where to look next
+  const char* watched_ = nullptr;  // next position of a progress report
   ReadJob* job_;
 };
 
@@ -113,12 +113,12 @@ Expected<void> check_json(std::string_view text, const std::string& file, ReadJo
   const char* const end = begin + text.size();
   if (json::sax_parse(Watched(begin, end, job), Watched(end, end, nullptr), &listener)) return {};
   if (!listener.is_syntax) {
-    // The parser has read the number and no more.
+    // The parser stops right after the number.
     std::size_t at = std::min(listener.bytes_read, text.size());
     while (at > 0 && std::string_view("+-.0123456789Ee").contains(text[at - 1])) --at;
     return bad_json(text, at, "a number in this JSON is too large", file);
   }
-  // The number of bytes read, the offending one included.
+  // Number of bytes read, including the offending one.
   return bad_json(text, listener.bytes_read == 0 ? 0 : listener.bytes_read - 1, "this is not JSON", file);
 }
 

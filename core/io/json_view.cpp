@@ -10,7 +10,7 @@
 namespace mes {
 namespace {
 
-// What may stand between values. Whether it does so in the right places was checked before.
+// Characters that may separate values. Their correct order was checked before.
 bool is_between(char c) {
   return c == ' ' || c == ',' || c == ':' || c == '\n' || c == '\t' || c == '\r';
 }
@@ -85,7 +85,7 @@ std::string JsonView::text() const {
 bool JsonView::is_text(std::string_view wanted) const {
   const std::string_view inner = text_.substr(1, text_.size() - 2);
   if (inner.find('\\') == std::string_view::npos) return inner == wanted;
-  // Six bytes a character at most: a long text is not worth resolving.
+  // A character takes at most six bytes: a longer text need not be resolved.
   return inner.size() <= 6 * wanted.size() && text() == wanted;
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON read where it stands: values are pieces of the text, and only what is asked for is built.
+// Reads JSON in place: values are pieces of the text, and only requested ones are built.
 #pragma once
 
 #include <array>
@@ -13,11 +13,11 @@
 
 namespace mes {
 
-/// A value of a JSON text, or none.
+/// A value of a JSON text, or no value.
 ///
-/// The text has passed `check_json`, and outlives its views. Nothing is kept but where the value begins and ends, so
-/// memory does not depend on what the text holds. Asking costs a pass over the value: O(its length) for `find`,
-/// `members` and `elements`; ask once for each large object, by `pick`.
+/// The text has passed `check_json` and outlives its views. A view keeps only the begin and the end of the value, so
+/// memory does not depend on the text. A query costs a pass over the value: O(its length) for `find`, `members` and
+/// `elements`; ask once for each large object, by `pick`.
 ///
 /// Smallest use:
 ///     if (auto good = check_json(text, file); !good) return std::unexpected(good.error());
@@ -25,7 +25,7 @@ namespace mes {
 class JsonView {
  public:
   JsonView() = default;
-  /// The value that the text consists of.
+  /// The single value of the text.
   static JsonView whole(std::string_view text);
 
   explicit operator bool() const { return !text_.empty(); }
@@ -38,29 +38,29 @@ class JsonView {
   /// A number without fraction and exponent.
   bool is_whole() const { return is_number() && text_.find_first_of(".eE") == std::string_view::npos; }
 
-  /// Of a flag.
+  /// Value of a flag.
   bool flag() const { return begins_with('t'); }
-  /// Of a number; zero when it is too small for a double.
+  /// Value of a number; zero when it is too small for a double.
   double number() const;
-  /// Of a number without sign, fraction and exponent that 64 bits can hold; otherwise nothing.
+  /// Value of a number without sign, fraction and exponent that fits 64 bits; otherwise nothing.
   std::optional<std::uint64_t> count() const;
-  /// Of a text, escapes resolved.
+  /// Value of a text, escapes resolved.
   std::string text() const;
-  /// Bytes that `text` has at most.
+  /// Upper bound on the bytes of `text`.
   std::size_t text_length() const { return text_.size() - 2; }
 
-  /// Of its first byte, in the text of which it is a piece.
+  /// Offset of its first byte in `text`, which contains it.
   std::size_t offset_in(std::string_view text) const { return static_cast<std::size_t>(text_.data() - text.data()); }
 
   class Elements;
   class Members;
-  /// Of a list; empty for anything else.
+  /// Elements of a list; empty for anything else.
   Elements elements() const;
-  /// Keys and values of an object; empty for anything else. A key may come twice.
+  /// Keys and values of an object; empty for anything else. A key may occur twice.
   Members members() const;
   /// Number of elements.
   std::size_t size() const;
-  /// The value of a key of an object, the last one if there are several; none for anything else.
+  /// The value of a key of an object, the last one if it occurs repeatedly; no value for anything else.
   JsonView find(std::string_view key) const { return pick(std::array{key})[0]; }
   /// The same for several keys, in one pass.
   template <std::size_t N>
@@ -79,7 +79,7 @@ class JsonView {
 class JsonCursor {
  public:
   explicit JsonCursor(std::string_view inner) : rest_(inner) {}
-  /// The next value; none at the end.
+  /// The next value; no value at the end.
   JsonView next();
 
  private:

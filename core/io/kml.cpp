@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // KML (OGC 12-007r2): points, lines, rings and tracks in longitude and latitude, projected or kept
-// (core/io/map_shapes.h). Heights are left out, and so is what has no geometry of its own: overlays, links and models.
+// (core/io/map_shapes.h). Heights are left out, and elements without their own geometry: overlays, links and models.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -27,7 +27,7 @@ class KmlReader {
     const auto root = source_.parse(job_);
     if (!root) return std::unexpected(root.error());
     job_.begin(source_.bytes());
-    // In the order of the document, without a call for each level.
+    // Visits the nodes in document order, without recursion.
     for (xml_node node = *root; node; node = next_of(node, *root)) {
       if (node.type() != pugi::node_element) continue;
       if (auto done = read_element(node); !done) return std::unexpected(done.error());
@@ -79,7 +79,7 @@ class KmlReader {
     shapes_.end_line();
   }
 
-  /// "longitude,latitude,height" between blanks; a blank after a comma, as some write it, separates nothing.
+  /// "longitude,latitude,height" between blanks. Some files have a blank after a comma; it separates nothing.
   Expected<void> read_tuples(xml_node node) {
     const std::string_view text = node.child_value();
     for (std::size_t at = text.find_first_not_of(kBlanks); at != std::string_view::npos;
@@ -97,7 +97,7 @@ class KmlReader {
     return {};
   }
 
-  /// Two or three numbers with any of the separators between them.
+  /// Reads two or three numbers, separated by any of `separators`.
   Expected<void> read_numbers(xml_node node, std::string_view text, std::string_view separators) {
     std::array<double, 2> numbers{};
     std::size_t count = 0;

@@ -9,14 +9,14 @@
 
 namespace mes {
 
-/// Where the first line of a text ends: at a line feed, a carriage return or the end of the text. One look at each
-/// eight bytes; `find_first_of` of the standard library calls a function for each.
+/// The end of the first line of a text: a line feed, a carriage return or the end of the text. Tests eight bytes at
+/// once; `find_first_of` of the standard library calls a function for each byte.
 inline std::size_t end_of_line(std::string_view text) {
   constexpr unsigned kBytes = 8;
   constexpr std::uint64_t kOnes = 0x0101010101010101;
   std::size_t end = 0;
   if constexpr (std::endian::native == std::endian::little) {
-    // The lowest high bit that is set is that of the first byte that is zero.
+    // The lowest set high bit belongs to the first zero byte.
     const auto zero_bytes = [](std::uint64_t bytes) { return (bytes - kOnes) & ~bytes & (0x80 * kOnes); };
     for (; end + kBytes <= text.size(); end += kBytes) {
       std::uint64_t bytes = 0;

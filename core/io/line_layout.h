@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the numbers of a text lie on its lines. Private to core/io.
+// Tracks the layout of numbers on lines. Private to core/io.
 #pragma once
 
 #include <cstddef>
@@ -8,8 +8,8 @@
 
 namespace mes {
 
-/// White space is free in POFF and WPOFF, so pairs can be made of any numbers; a file whose lines all have three
-/// numbers holds no points all the same. This notes where numbers stand and says which line contradicts the reading.
+/// White space is free in POFF and WPOFF, so any numbers can be read as pairs; but a file with three numbers on every
+/// line does not hold points. This class records positions of numbers and finds lines that contradict the reading.
 ///
 /// Smallest use:
 ///     LineLayout layout(2, header_line);
@@ -20,36 +20,37 @@ namespace mes {
 /// Cost: constant time a number, constant memory.
 class LineLayout {
  public:
-  /// Numbers on the line of the header are part of no layout: such a file spreads its numbers freely.
+  /// Numbers on the header line belong to no layout: such a file distributes its numbers freely.
   LineLayout(std::size_t numbers_each, std::uint64_t header_line) : each_(numbers_each), header_line_(header_line) {}
 
-  /// The next number of the file.
+  /// Adds the next number of the file.
   void add(std::uint64_t line, std::uint64_t column, std::size_t length) {
     if (line != line_) begin_line(line);
     ++numbers_;
     if (++columns_ == each_ + 1) extra_ = {line, column};
     end_of_line_ = {line, column + length};
   }
-  /// The file ends here.
+  /// Marks the end of the file.
   void end() { end_line(); }
 
   struct Place {
     std::uint64_t line = 0;
     std::uint64_t column = 0;
   };
-  /// A line that holds something other than `numbers_each` numbers: the first number too many, or the end of the
-  /// line.
+  /// A line with a number of columns other than `numbers_each`; its position is the first surplus number, or the end of
+  /// the line.
   struct OddLine {
     Place place;
     std::size_t columns = 0;
-    bool are_all_alike = false;  ///< every line has that many; else this one stands out
+    bool are_all_alike = false;  ///< every line has this many columns; else this line stands out
   };
   /// Lines contradict free reading in two cases:
-  ///  1. All, and two at least, have the same number of columns, which is neither one nor makes whole things. The
-  ///     last may be shorter, unless the numbers are exactly as many as announced.
-  ///  2. There are as many lines as things, not as many numbers as announced, and a line before the last differs.
+  ///  1. All lines, at least two, have the same number of columns, which is neither one nor a multiple of
+  ///     `numbers_each`. The last line may be shorter, unless the count of numbers is exactly as announced.
+  ///  2. There are as many lines as things, the count of numbers is not as announced, and a line before the last is
+  ///     odd.
   std::optional<OddLine> contradiction(std::uint64_t announced_things) const;
-  /// No further number can bring about the first case.
+  /// Whether no further number can cause the first case.
   bool is_free() const { return is_free_ || !is_steady_; }
 
  private:
@@ -60,15 +61,15 @@ class LineLayout {
   std::uint64_t header_line_;
   std::uint64_t numbers_ = 0;
   bool is_free_ = false;
-  // Of the present line.
+  // State of the current line.
   std::uint64_t line_ = 0;
   std::size_t columns_ = 0;
   Place extra_{};
   Place end_of_line_{};
-  // Of those that have ended.
+  // State of all complete lines.
   std::uint64_t lines_ = 0;
   OddLine first_{};
-  bool is_steady_ = true;  ///< as many numbers as in the first line; the last may have fewer
+  bool is_steady_ = true;  ///< all lines have as many numbers as the first; the last may have fewer
   bool last_is_shorter_ = false;
   std::optional<OddLine> odd_;
   std::uint64_t odd_index_ = 0;

@@ -30,7 +30,7 @@ LineWords::LineWords(std::string_view bytes, const std::string& name, ReadJob* j
 
 bool LineWords::next() {
   words_.clear();
-  const char* begin = nullptr;  // of a line that goes on
+  const char* begin = nullptr;  // start of a continued line
   while (!rest_.empty()) {
     if (job_ != nullptr) job_->passed(rest_.data());
     const std::size_t end = end_of_line(rest_);
@@ -55,7 +55,7 @@ bool LineWords::next() {
 std::unexpected<Error> LineWords::refuse(std::size_t i, std::string text) const {
   std::string_view before = text_;
   if (i < words_.size()) before = {text_.data(), words_[i].data()};
-  // A line that goes on has others within.
+  // A continued line has line ends within.
   std::uint64_t line = line_;
   for (std::string_view after = text_.substr(before.size()); end_of_line(after) < after.size(); --line)
     after.remove_prefix(end_of_line(after) + (after.substr(end_of_line(after)).starts_with("\r\n") ? 2 : 1));

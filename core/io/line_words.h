@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Texts whose lines mean something: the words of a line, and messages with their place. Private to core/io.
+// Line-based texts: the words of a line, and messages with positions. Private to core/io.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@
 
 namespace mes {
 
-/// Goes through the lines that hold words. Words stand between blanks; `#` begins a comment up to the end of its line.
-/// Lines end at LF, CR LF or a lone CR. With `Lines::continued` a line that ends with a backslash goes on in the next.
+/// Iterates over the lines that contain words. Words are separated by blanks; `#` begins a comment up to the end of its
+/// line. Lines end at LF, CR LF or a lone CR. With `Lines::continued`, a backslash at its end continues a line.
 ///
 /// Smallest use:
 ///     LineWords lines(bytes, name);
@@ -30,31 +30,31 @@ namespace mes {
 class LineWords {
  public:
   enum class Lines : std::uint8_t { as_they_are, continued };
-  /// `job`, which may be null, goes through the bytes.
+  /// `job`, which may be null, follows the bytes.
   LineWords(std::string_view bytes, const std::string& name, ReadJob* job = nullptr,
             Lines lines = Lines::as_they_are);
 
-  /// Goes to the next line with a word; false at the end, where the place is that of the end. Throws `Cancelled`.
+  /// Advances to the next line with a word; false at the end, and the position is then the end. Throws `Cancelled`.
   bool next();
   std::span<const std::string_view> words() const { return words_; }
   std::size_t count() const { return words_.size(); }
   /// A word of the line, or nothing.
   std::string_view word(std::size_t i) const { return i < words_.size() ? words_[i] : std::string_view{}; }
-  /// The last one that it goes on in.
+  /// Number of the line; for a continued line, of its last one.
   std::uint64_t line() const { return line_; }
   /// The bytes after this line.
   std::string_view rest() const { return rest_; }
 
-  /// At a word, or at the end of the line where there is none.
+  /// Makes an error at a word, or at the end of the line if there is no such word.
   std::unexpected<Error> refuse(std::size_t i, std::string text) const;
-  /// A remark at a word, as one line.
+  /// Makes a one-line remark at a word.
   std::string remark(std::size_t i, std::string text) const { return refuse(i, std::move(text)).error().message(); }
 
-  /// A decimal integer without sign. `what` is what it counts or names, for messages.
+  /// Parses a decimal integer without sign. `what` names the quantity in messages.
   Expected<std::uint64_t> whole(std::size_t i, std::string_view what) const;
-  /// A finite number that is not a coordinate of the document, such as a height.
+  /// Parses a finite number that is not a coordinate of the document, such as a height.
   Expected<double> number(std::size_t i, std::string_view what) const;
-  /// Two words from `i` on as x and y, in range with all positions before.
+  /// Parses two words from `i` on as x and y, in range together with all previous positions.
   Expected<Vec2> position(std::size_t i);
 
  private:

@@ -28,7 +28,7 @@ Box2 box_of(std::span<const Vec2> positions) {
   return box;
 }
 
-/// West of the 180th meridian becomes east of it where the map is narrower so.
+/// Shifts positions west of the 180th meridian to the east of it, if this makes the map narrower.
 void join_across_the_antimeridian(std::vector<Vec2>& positions) {
   const auto eastern = [](Vec2 p) { return p.x < 0.0 ? Vec2{p.x + 360.0, p.y} : p; };
   const Box2 box = box_of(positions);
@@ -49,7 +49,7 @@ std::string remark_of(const MapPlane& plane) {
                      in_degrees(plane.latitude, 'N', 'S'));
 }
 
-/// Along the circle through three places. Nothing where they lie in a line.
+/// The arc along the circle through three points. Nothing if they are collinear.
 std::optional<EllipticArc> arc_through(Vec2 from, Vec2 through, Vec2 to) {
   constexpr double kTurn = 2.0 * std::numbers::pi;
   const auto about = [](Vec2 center, Vec2 start, double sweep) {
@@ -68,7 +68,7 @@ std::optional<EllipticArc> arc_through(Vec2 from, Vec2 through, Vec2 to) {
   if (turn == 0.0 || !is_finite(center)) return std::nullopt;
   const Vec2 u = from - center;
   const Vec2 v = to - center;
-  // The centre of a flatter arc is so far that rounding moves it by more than the arc is high.
+  // For a flatter arc the centre is so far away that rounding moves it by more than the arc's height.
   constexpr double kFlat = 1e7;
   if (length(u) > kFlat * distance(from, to)) return std::nullopt;
   double sweep = std::atan2(cross(u, v), dot(u, v));
@@ -100,7 +100,7 @@ bool MapShapes::is_on_earth() const {
   return !positions_.empty() && std::ranges::all_of(positions_, is_position);
 }
 
-/// About the middle of the map.
+/// Projects about the middle of the map.
 MapPlane MapShapes::project() {
   join_across_the_antimeridian(positions_);
   const Box2 box = box_of(positions_);
@@ -133,7 +133,7 @@ CurveSet MapShapes::curves(const MapPlane& plane, ReadJob& job) {
       }
       ++arc;
       ++i;
-      // A circle in the coordinates of the file, which becomes an ellipse with them.
+      // A circle in file coordinates; the projection makes it an ellipse.
       auto along = arc_through(positions_[i - 2], positions_[i - 1], positions_[i]);
       if (!along) {
         if (positions_[i - 1] != positions_[i - 2]) curve.line_to(placed(positions_[i - 1]));
@@ -153,11 +153,11 @@ CurveSet MapShapes::curves(const MapPlane& plane, ReadJob& job) {
   return out;
 }
 
-// A curve that repeats another one in the same direction says the same again, and is left out; in the other direction it
-// is the border of both.
+// A hole that repeats an outer ring in the same direction would be dropped as a duplicate; in the other direction it is
+// the border of both.
 void MapShapes::turn_filled_holes(std::vector<PlaneCurve>& curves) const {
   if (std::ranges::none_of(parts_, &Part::is_hole)) return;
-  using Key = std::array<double, 6>;  // of rings that are equal but for their direction and beginning
+  using Key = std::array<double, 6>;  // equal for rings that differ only in direction and start
   const auto key_of = [](const PlaneCurve& curve) {
     const Box2 box = box_of(curve.points());
     double twice_area = 0.0;
@@ -191,7 +191,7 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegr
   if (unit == Unit::degrees && is_on_earth())
     map = degrees == MapDegrees::projected ? project() : MapPlane{.degrees = MapDegrees::kept};
   const MapPlane plane = map.value_or(MapPlane{.degrees = MapDegrees::kept});
-  // Polygons end there that go on beyond.
+  // Polygons that cross the antimeridian are cut there.
   constexpr double kAntimeridian = 180.0;
   const bool is_projected = plane.degrees == MapDegrees::projected;
   const double end =
@@ -200,7 +200,7 @@ Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegr
   if (file && map) {
     file->data.map = map;
     file->degrees = degrees;
-    // First, for the window says there how to leave the degrees.
+    // This is the first warning because the window offers there to change the treatment of degrees.
     file->warnings.insert(file->warnings.begin(), Error{ErrorCode::bad_input, remark_of(*map), name}.message());
   }
   return file;

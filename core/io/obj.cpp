@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OBJ of Wavefront, seen from above or in the plane of all vertices: vertices (v), lines (l), outlines of faces (f), points (p).
+// OBJ of Wavefront, seen from above or in the common plane of the vertices: vertices (v), lines (l), outlines of faces
+// (f), points (p).
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -14,11 +15,11 @@
 namespace mes {
 namespace {
 
-// What says nothing about places, so that nothing is lost without it.
+// Statements without positions, which can be ignored without loss.
 constexpr std::array<std::string_view, 18> kSilent{
     "vt",     "vn",  "g",     "o",        "s",        "mg",         "usemtl",    "mtllib", "usemap",
     "maplib", "lod", "bevel", "c_interp", "d_interp", "shadow_obj", "trace_obj", "ctech",  "stech"};
-// Curves and surfaces by their control points.
+// Curves and surfaces given by control points.
 constexpr std::array<std::string_view, 15> kFreeForm{"vp",   "cstype", "deg",  "bmat", "step",
                                                      "curv", "curv2",  "surf", "parm", "trim",
                                                      "hole", "scrv",   "sp",   "end",  "con"};
@@ -58,7 +59,7 @@ class ObjReader {
     const auto position = lines_.position(1);
     if (!position) return std::unexpected(position.error());
     if (graph_.vertex_count() == 0) first_vertex_ = lines_.refuse(0, {}).error();
-    // Without a height it lies at 0.
+    // A vertex without a height has height 0.
     const auto height = lines_.count() > 3 ? lines_.number(3, "a coordinate") : Expected<double>(0.0);
     if (!height) return std::unexpected(height.error());
     decimals_.add(lines_.words().subspan(1, std::min<std::size_t>(lines_.count() - 1, 3)));
@@ -113,7 +114,7 @@ class ObjReader {
   bool has_free_form_ = false;
 };
 
-/// Words of OBJ only, with a vertex among the first lines.
+/// Whether there are only words of OBJ, with a vertex among the first lines.
 Match match_obj(std::string_view bytes) {
   static const std::string kNoName;
   constexpr std::size_t kLookedAt = std::size_t{1} << 16U;

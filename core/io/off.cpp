@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// OFF of Geomview, seen from above or in the plane of all vertices: "OFF", "vertices faces edges", then a line for each vertex and each face. Normals,
-// colours and positions in textures (NOFF, COFF, STOFF) are left out; two corners are a segment.
+// OFF of Geomview, seen from above or in the common plane of the vertices: "OFF", "vertices faces edges", then a line
+// for each vertex and each face. Normals, colours and texture coordinates (NOFF, COFF, STOFF) are left out; a face of
+// two corners is a segment.
 #include <fmt/core.h>
 
 #include "core/io/format_spec.h"
@@ -11,7 +12,7 @@
 namespace mes {
 namespace {
 
-/// OFF with any of the prefixes ST, C and N.
+/// Whether the word is OFF with any of the prefixes ST, C and N.
 bool is_magic(std::string_view word) {
   if (word.starts_with("ST")) word.remove_prefix(2);
   if (word.starts_with('C')) word.remove_prefix(1);
@@ -50,7 +51,7 @@ class OffMeshReader {
  private:
   Expected<void> read_header() {
     lines_.next();
-    // The word is optional.
+    // The magic word is optional.
     const bool has_magic = !parse_count(lines_.word(0));
     if (has_magic && !is_magic(lines_.word(0)))
       return lines_.refuse(0, fmt::format("expected OFF, found {}", in_quotes(lines_.word(0))));

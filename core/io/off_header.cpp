@@ -88,7 +88,7 @@ std::optional<Error> OffReader::contradiction(const LineLayout& layout) const {
 }
 
 std::size_t OffReader::likely_count() const {
-  // A digit and its white space at least for each number: more than that many things cannot follow.
+  // Each number takes at least a digit and a white space, which bounds the number of things that can follow.
   return static_cast<std::size_t>(std::min<std::uint64_t>(count_, bytes_.size() / (2 * kind_.numbers_each) + 1));
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The header that POFF and WPOFF share: a magic word, a count and two integers without meaning. Private to core/io.
+// The common header of POFF and WPOFF: a magic word, a count and two meaningless integers. Private to core/io.
 #pragma once
 
 #include <cstdint>
@@ -16,46 +16,44 @@
 
 namespace mes {
 
-/// What differs between the two.
+/// The differences between the two formats.
 struct OffKind {
   std::string_view magic;    ///< "POFF"
-  std::string_view things;   ///< what is counted, in the plural
-  std::string_view numbers;  ///< what one of them consists of, in the plural
+  std::string_view things;   ///< name of the counted things, in the plural
+  std::string_view numbers;  ///< name of their numbers, in the plural
   std::size_t numbers_each = 2;
-  /// What a file with this many numbers a line probably is; empty: unknown.
+  /// Guesses the kind of a file with this many numbers a line; empty: unknown.
   std::string_view (*guess)(std::size_t columns) = nullptr;
 };
 
 /// Whether the first word is the magic one.
 bool has_off_magic(std::string_view bytes, const OffKind& kind);
 
-/// Reads header and numbers in the order of the file; no more memory than the bytes deserve, whatever the header
-/// says. White space is free, but lines that contradict such a reading are an error (`LineLayout`). Errors have line
-/// and column.
+/// Reads header and numbers in file order; memory is bounded by the size of the file, whatever the header says. White
+/// space is free, but lines that contradict such a reading are an error (`LineLayout`). Errors have line and column.
 class OffReader {
  public:
-  /// The scanner stands at the beginning; `bytes` is all it reads, `name` stands for the file in messages,
-  /// `job` goes through the bytes.
+  /// The scanner is at the beginning of `bytes`; `name` stands for the file in messages; `job` follows the bytes.
   OffReader(const OffKind& kind, Scanner& scanner, std::string_view bytes, const std::string& name, ReadJob& job)
       : kind_(kind), scanner_(scanner), bytes_(bytes), name_(name), job_(job) {}
 
   /// The number of things announced.
   Expected<std::uint64_t> read_header();
-  /// As many things as one may prepare memory for.
+  /// A safe number of things to reserve memory for.
   std::size_t likely_count() const;
-  /// The numbers of the next thing. The scanner stands at the last of them afterwards. Throws `Cancelled`.
+  /// Reads the numbers of the next thing; the scanner is then at the last of them. Throws `Cancelled`.
   Expected<void> read_next(std::span<double> numbers);
-  /// An error where the scanner stands.
+  /// Makes an error at the position of the scanner.
   std::unexpected<Error> fail(std::string text) const;
-  /// A remark where the scanner stands, as one line.
+  /// Makes a one-line remark at the position of the scanner.
   std::string warning(std::string text) const;
-  /// Reads on to the end of the file; a remark if there is something.
+  /// Reads to the end of the file; returns a remark if anything follows.
   Expected<std::vector<std::string>> finish();
 
  private:
-  /// Goes to the next number.
+  /// Advances to the next number.
   bool next();
-  /// Looks at the lines ahead, as far as their layout is in doubt.
+  /// Checks the lines ahead while their layout is in doubt.
   Expected<void> survey() const;
   std::optional<Error> contradiction(const LineLayout& layout) const;
   const OffKind& kind_;
@@ -65,7 +63,7 @@ class OffReader {
   ReadJob& job_;
   std::uint64_t count_ = 0;
   std::uint64_t numbers_read_ = 0;
-  LineLayout layout_{0, 0};  // of the numbers seen so far
+  LineLayout layout_{0, 0};  // layout of the numbers read so far
   CoordinateReader coordinates_;
 };
 

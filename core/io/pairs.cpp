@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pairs of numbers between blanks, one pair a line.
+// Pairs of numbers separated by blanks, one pair a line.
 #include "core/io/format_spec.h"
 #include "core/io/xy_table.h"
 

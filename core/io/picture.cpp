@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PNG, JPEG, BMP, PBM, PGM, PPM and PAM: samples of the outlines of what a picture shows. A picture of this program that carries a
-// session is that session instead (core/io/carried_session.h).
+// PNG, JPEG, BMP, PBM, PGM, PPM and PAM: samples of the outlines of objects in a picture. A picture of this program
+// that carries a session is read as that session (core/io/carried_session.h).
 #include <span>
 #include <string>
 #include <utility>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PLY of Stanford, seen from above or in the plane of all vertices, as text and in both binary orders: the elements vertex (x, y, z), face
-// (vertex_indices) and edge (vertex1, vertex2).
+// PLY of Stanford, seen from above or in the common plane of the vertices, as text and in both binary orders: the
+// elements vertex (x, y, z), face (vertex_indices) and edge (vertex1, vertex2).
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -44,7 +44,7 @@ std::optional<PlyType> ply_type_named(std::string_view word) {
 struct Property {
   std::string name;
   PlyType type = PlyType::f32;
-  std::optional<PlyType> count_type{};  // of a list
+  std::optional<PlyType> count_type{};  // type of the length of a list
 };
 
 struct Element {
@@ -88,7 +88,7 @@ Expected<Property> read_property(const LineWords& lines) {
   return out;
 }
 
-/// Leaves the lines at "end_header".
+/// Leaves `lines` at "end_header".
 Expected<PlyHeader> read_header(LineWords& lines) {
   PlyHeader out;
   if (!lines.next() || lines.word(0) != "ply") return expected_word(lines, 0, "ply");
@@ -123,7 +123,7 @@ Expected<PlyHeader> read_header(LineWords& lines) {
   return lines.refuse(0, "the header has no end");
 }
 
-/// The values of the body, one after the other.
+/// Reads the values of the body in order.
 class Values {
  public:
   Values(LineWords& lines, Encoding encoding, const std::string& name, std::size_t size, ReadJob& job)
@@ -131,7 +131,7 @@ class Values {
     if (encoding_ == Encoding::text) word_ = lines_.count();
   }
 
-  /// What is read, for messages. Throws `Cancelled`.
+  /// Sets the current element, for messages. Throws `Cancelled`.
   void set_place(std::string_view element, std::uint64_t index) {
     element_ = element;
     index_ = index;
@@ -140,7 +140,7 @@ class Values {
     if (encoding_ != Encoding::text) job_.passed(bytes_.data());
   }
 
-  /// Nothing is refused but what is no number, or missing.
+  /// Refuses only a missing value or one that is not a number.
   Expected<double> next(PlyType type) {
     if (encoding_ == Encoding::text) return next_word();
     constexpr std::array<std::size_t, 8> kSizes{1, 1, 2, 2, 4, 4, 4, 8};
@@ -161,21 +161,21 @@ class Values {
     return 0.0;
   }
 
-  /// How much a number of the text may be off.
+  /// The largest rounding error of a coordinate in text.
   double rounding() const { return decimals_.rounding(); }
-  /// Of a text, a remark if there is more of it; after all elements.
+  /// Call after all elements: a remark if more text follows.
   std::optional<std::string> remark_on_rest() {
     if (encoding_ != Encoding::text || (word_ >= lines_.count() && !next_line())) return std::nullopt;
     return lines_.remark(word_, "everything after the announced elements is ignored");
   }
 
-  /// In text at the value that was read last, in bytes at the next one.
+  /// Error at the last value read in text, at the next value in bytes.
   std::unexpected<Error> refuse(std::string text) const { return refuse_at(size_ - bytes_.size(), std::move(text)); }
-  /// In bytes where the element begins.
+  /// Error at the beginning of the element in bytes.
   std::unexpected<Error> refuse_value(const std::string& text) const {
     return refuse_at(begin_, fmt::format("{} {}: {}", printable(element_), index_, text));
   }
-  /// The same; of a text, a value that is not finite is refused at its place and as it stands there.
+  /// The same; in text, a value that is not finite is refused at its own position, quoted as written.
   std::unexpected<Error> refuse_value(double value, const std::string& text) const {
     return !std::isfinite(value) && fault_ ? std::unexpected(*fault_) : refuse_value(text);
   }
@@ -196,7 +196,7 @@ class Values {
       if (!next_line())
         return lines_.refuse(0, fmt::format("the file ends within {} {}", printable(element_), index_));
     }
-    // Numbers that are not finite are judged where their meaning is known.
+    // The meaning of the number decides later whether it may be infinite.
     const std::string_view word = lines_.word(word_++);
     const auto value = parse_number(word);
     decimals_.add({&word, 1});
@@ -224,8 +224,8 @@ class Values {
   std::string_view element_;
   std::uint64_t index_ = 0;
   VertexDecimals decimals_;
-  std::size_t begin_ = 0;         // of the element, in bytes
-  std::optional<Error> fault_{};  // of the first value of the element that is not finite, as it stands in the text
+  std::size_t begin_ = 0;         // start of the element in bytes
+  std::optional<Error> fault_{};  // the first value of the element that is not finite, quoted as written
 };
 
 class PlyReader {
@@ -255,7 +255,7 @@ class PlyReader {
  private:
   void remark(std::string text) { remarks_.push_back(Error{ErrorCode::bad_input, std::move(text), name_}.message()); }
 
-  /// The values of one property; a list has its length first, which is checked.
+  /// Number of values of a property; reads and checks the length of a list.
   Expected<std::size_t> length_of(const Property& property, Values& values) {
     if (!property.count_type) return 1;
     const auto count = values.next(*property.count_type);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // POFF: "POFF n 0 0" and n pairs of numbers, white space anywhere unless the lines contradict pairs.
 //
-// Two ways to say how the points follow each other on curves: lines `# loop closed i0 i1 ...` (or `open`), which old
-// readers skip as comments, and a file `x.contours` beside `x.poff` with the number of points of each closed contour,
-// in file order. The lines in the file win.
+// Two notations give the order of the points on curves: lines `# loop closed i0 i1 ...` (or `open`), which old readers
+// skip as comments, and a file `x.contours` beside `x.poff` with the number of points of each closed contour, in file
+// order. The lines in the file take precedence.
 //
-// A line `# map kilometres about LONGITUDE LATITUDE`, or `# map degrees`, says where on the Earth the points lie that
-// were a map in degrees.
+// A line `# map kilometres about LONGITUDE LATITUDE`, or `# map degrees`, gives the location on the Earth of points
+// that were a map in degrees.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -31,7 +31,7 @@ std::string_view other_than_points(std::size_t columns) {
 constexpr OffKind kPoffPoints{
     .magic = "POFF", .things = "points", .numbers = "coordinates", .numbers_each = 2, .guess = other_than_points};
 
-/// Takes words off the front of a text.
+/// Takes a word off the front of a text.
 std::string_view take_word(std::string_view& text) {
   constexpr std::string_view kBlanks = " \t\v\f";
   text.remove_prefix(std::min(text.find_first_not_of(kBlanks), text.size()));
@@ -40,7 +40,7 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
-/// Nothing where the comment is just a comment.
+/// Nothing if the comment is not a map line.
 std::optional<MapPlane> read_map(std::string_view rest) {
   take_word(rest);
   const std::string_view unit = take_word(rest);
@@ -53,7 +53,7 @@ std::optional<MapPlane> read_map(std::string_view rest) {
   return MapPlane{.longitude = *longitude, .latitude = *latitude};
 }
 
-/// Notes the comments that speak of loops, which cannot be judged before the points are known, and of a map.
+/// Records the comments about loops, which can be checked only after the points, and about a map.
 class PoffScanner final : public Scanner {
  public:
   using Scanner::Scanner;
@@ -77,7 +77,7 @@ class PoffScanner final : public Scanner {
   std::optional<MapPlane> map_;
 };
 
-/// A loop, nothing when the comment is just a comment, or (as an error) what is wrong with it.
+/// A loop, nothing if the comment is not one, or an error that tells what is wrong with it.
 Expected<std::optional<SampleData::Contour>> read_loop(const PoffScanner::Note& note, std::size_t points,
                                                        const std::string& name) {
   std::string_view rest = note.text;
@@ -96,7 +96,7 @@ Expected<std::optional<SampleData::Contour>> read_loop(const PoffScanner::Note& 
                                  in_quotes(word), points),
                      name, note.line, column);
   }
-  // Said twice in a row, also around the end of a closed loop, a point is one corner.
+  // A point that is repeated in succession, also across the end of a closed loop, is one corner.
   contour.points.erase(std::ranges::unique(contour.points).begin(), contour.points.end());
   if (contour.closed && contour.points.size() > 1 && contour.points.front() == contour.points.back())
     contour.points.pop_back();

@@ -18,9 +18,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t kPiece = std::size_t{64} * 1024;
-constexpr int kLookInterval = 50;  // milliseconds between two looks at the stop token
+constexpr int kLookInterval = 50;  // milliseconds between checks of the stop token
 
-/// Closes the descriptor. Opening never waits, not even for a pipe without a writer.
+/// A descriptor, closed by the destructor. Opening never blocks, not even for a pipe without a writer.
 struct OpenFile {
   int descriptor;
   explicit OpenFile(const fs::path& path) : descriptor(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC)) {}
@@ -64,7 +64,7 @@ void note_progress(const ReadOptions& options, std::size_t done, std::size_t all
   options.job->checkpoint(static_cast<std::uint64_t>(share * static_cast<double>(kSteps)), kSteps);
 }
 
-// Until there is something, or the end, or a stop.
+// Waits for data, the end, or a stop.
 void wait_for_data(int descriptor, const JobControl* job) {
   pollfd waited{descriptor, POLLIN, 0};
   const int most = job != nullptr ? kLookInterval : -1;
@@ -89,7 +89,7 @@ Expected<std::string> read_whole(int descriptor, const std::string& name, const 
       while (filled < bytes.size()) {
         if (may_wait) wait_for_data(descriptor, options.job);
         if (is_stopped(options.job)) return cancelled(name);
-        // A disk may take its time.
+        // A slow disk must not delay a stop for long.
         constexpr std::size_t kMostAtOnce = std::size_t{1} << 20U;
         const ssize_t got = ::read(descriptor, bytes.data() + filled, std::min(bytes.size() - filled, kMostAtOnce));
         if (got < 0 && (errno == EINTR || errno == EAGAIN)) continue;
@@ -105,9 +105,9 @@ Expected<std::string> read_whole(int descriptor, const std::string& name, const 
       if (filled < next_look) continue;
       next_look = 2 * filled;
       if (options.is_enough && options.is_enough(bytes)) return bytes;
-      // The size that the system tells is a hint: devices and pipes have none, and files grow. Where there is one, memory
-      // is asked for once, for each move to a larger place would touch as much again; and a piece that is filled with
-      // zeros before it is read is still in a cache.
+      // The size from the system is a hint: devices and pipes have none, and files grow. If there is one, memory is
+      // reserved once, because each reallocation would touch as much again; a piece that is zero-filled just before it
+      // is read is still in a cache.
       const auto expected =
           S_ISREG(status.st_mode) ? static_cast<std::uint64_t>(std::max<off_t>(status.st_size, 0)) : 0;
       if (has_room || expected < filled || expected > options.most_bytes) continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How far a reader is, and whether it is to go on. Private to core/io.
+// Progress and cancellation of a reader. Private to core/io.
 #pragma once
 
 #include <cstddef>
@@ -11,25 +11,25 @@
 
 namespace mes {
 
-/// A reader goes through texts, each of which is a part of its work, and says where it is in them.
+/// A reader goes through texts, each a part of its work, and reports its position in them.
 ///
 /// Smallest use:
 ///     ReadJob job(&control);
 ///     job.begin(text);
 ///     for (const char& c : text) job.passed(&c);
 ///
-/// Cost: a comparison for each place; a look at the control for each 64 KiB.
-/// Threads: one. The control is looked at from others.
+/// Cost: a comparison for each position; a check of the control every 64 KiB.
+/// Threads: one; others may use the control.
 class ReadJob {
  public:
-  /// Without a control it never ends early. `done` is what share of the whole is behind it.
+  /// A null control never cancels. `done` is the completed share of the whole.
   explicit ReadJob(JobControl* control = nullptr, double done = 0.0, bool keeps_vertices = false)
       : control_(control), done_(done), keeps_vertices_(keeps_vertices) {}
 
-  /// As `ReadRequest` has it.
+  /// The option of `ReadRequest`.
   bool keeps_vertices() const { return keeps_vertices_; }
 
-  /// Goes through this text next, which is so large a share of what is left to read. Throws `Cancelled`.
+  /// Begins the next text, which is this share of the remaining work. Throws `Cancelled`.
   void begin(std::string_view text, double share = 1.0) {
     text_ = text;
     from_ = done_;
@@ -37,7 +37,7 @@ class ReadJob {
     next_ = std::numeric_limits<std::size_t>::max();
     look(0);
   }
-  /// All before this place of the text is read. Throws `Cancelled`.
+  /// Reports that the text before `at` is read. Throws `Cancelled`.
   void passed(const char* at) {
     if (const auto done = static_cast<std::size_t>(at - text_.data()); done >= next_) look(done);
   }
@@ -45,13 +45,13 @@ class ReadJob {
   void checkpoint() const {
     if (control_ != nullptr) control_->checkpoint();
   }
-  /// What share of the whole is behind it.
+  /// Completed share of the whole.
   double done() const { return done_; }
-  /// Null where nothing stops it.
+  /// Null if nothing can cancel the reading.
   JobControl* control() const { return control_; }
 
  private:
-  static constexpr double kRead = 0.9;  // what follows takes a share too
+  static constexpr double kRead = 0.9;  // the work after reading takes a share too
 
   void look(std::size_t done) {
     if (control_ == nullptr) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples at which a contour of a file crosses or touches itself. Private to core/io.
+// Finds samples at which a contour of a file crosses or touches itself. Private to core/io.
 #pragma once
 
 #include <fmt/core.h>
@@ -14,7 +14,7 @@
 
 namespace mes {
 
-/// Said in one remark, with the line of the first such contour. Readers have made one of a corner twice in a row before.
+/// One remark reports all, with the line of the first such contour. Readers have already merged repeated corners.
 ///
 /// Smallest use:
 ///     RepeatedCorners repeated;
@@ -24,7 +24,7 @@ namespace mes {
 /// Cost: O(n log n).
 class RepeatedCorners {
  public:
-  /// `line`: 0 where there is none to be said.
+  /// `line`: 0 if unknown.
   void add(const SampleData::Contour& contour, std::uint64_t line = 0) {
     std::vector<std::uint32_t> sorted = contour.points;
     std::ranges::sort(sorted);

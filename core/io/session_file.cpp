@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sessions as a source of samples and balls: their last state.
+// Reads samples and balls from a session: its last state.
 #include "core/document/commands.h"
 #include "core/io/format_spec.h"
 #include "core/io/repeated_corners.h"

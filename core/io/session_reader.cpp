@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sessions from text.
+// Reads sessions from text.
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,7 @@
 namespace mes {
 namespace {
 
-// A contour without points is none.
+// Drops contours without points.
 std::vector<SampleData::Contour> contours_of(JsonView list, const std::string& where) {
   if (!list.is_list()) complain(where, "not a list");
   const auto read = [&where](JsonView entry) {
@@ -102,7 +102,7 @@ SampleData data_of(JsonView object) {
   return out;
 }
 
-// Values of a later version, which may allow more, are brought into range, and parameters that are not known are kept.
+// Clamps values of a later version, which may allow more, and keeps unknown parameters.
 ComputationSettings settings_from(JsonView object) {
   const auto [precision, parameters] = object.pick<2>({"precision", "parameters"});
   ComputationSettings out;
@@ -151,7 +151,7 @@ LayerConfiguration layers_from(JsonView value) {
   return std::move(*out);
 }
 
-// What is looked at may be any place, however small or far.
+// A view may be anywhere, however small or far away.
 Box2 view_from(JsonView value) {
   if (value.size() != 4) complain("view", "not two corners");
   Box2 out;
@@ -209,7 +209,7 @@ LayersChanged layers_entry_from(JsonView object, JsonView layers) {
   return out;
 }
 
-/// Nothing for a kind that is not known.
+/// Nothing for an unknown kind.
 std::optional<TimelineEntry> entry_from(JsonView object) {
   if (!object.is_object()) complain("entry", "not an object");
   const auto [edit, begin, end, undo, redo, layers, settings, view, caption, seconds] =
@@ -225,7 +225,7 @@ std::optional<TimelineEntry> entry_from(JsonView object) {
   if (caption) {
     constexpr double kLongest = 600.0;
     const double shown = seconds ? number_of(seconds, "caption") : 0.0;
-    // Not a clamp, which would keep a negative zero: entries are compared by their bytes.
+    // A clamp would keep a negative zero, but entries are compared by their bytes.
     return Captioned{text_from(caption, "caption", "caption"), shown > 0.0 ? std::min(shown, kLongest) : 0.0};
   }
   return std::nullopt;
@@ -235,14 +235,14 @@ std::string entry_name(std::size_t i) {
   return fmt::format("entry {} of the timeline", i + 1);
 }
 
-/// A position on the timeline as the text has it, and where to put it.
+/// A position on the timeline as written, and the variable to store it in.
 struct WrittenPosition {
   std::uint64_t entries = 0;
   JsonView number{};
   std::size_t* to = nullptr;
 };
 
-// Entries that are not known do not count: positions are those among the ones that are kept.
+// Unknown entries do not count: positions refer to the kept entries.
 void read_timeline(JsonView timeline, std::vector<WrittenPosition> positions, TimelineLog& out) {
   if (timeline && !timeline.is_list()) complain("timeline", "not a list");
   std::ranges::sort(positions, {}, &WrittenPosition::entries);
@@ -287,13 +287,13 @@ LessonStep lesson_step_from(JsonView object, const std::string& where, WrittenPo
   if (view) out.view = read_at(view, where, view_from);
   if (seconds) {
     if (!seconds.is_number()) throw Nonsense{where + ": \"seconds\" is not a number", seconds};
-    // Not a clamp, which would keep a negative zero.
+    // A clamp would keep a negative zero.
     out.seconds = seconds.number() > 0.0 ? std::min(seconds.number(), kLongestLessonStep) : 0.0;
   }
   return out;
 }
 
-// Positions are still to be set.
+// The positions of the steps are set later.
 std::vector<WrittenPosition> read_lesson(JsonView object, Lesson& out) {
   if (!object) return {};
   if (!object.is_object()) throw Nonsense{"lesson: not an object", object};
@@ -321,7 +321,7 @@ bool is_of_a_later_version(JsonView schema) {
   complain("session", "it does not say its version");
 }
 
-/// The entries of a journal follow on lines of their own.
+/// The entries of a journal follow the session on separate lines.
 enum class Timelines : std::uint8_t { within, following };
 
 Session session_from(JsonView object, Timelines where) {
@@ -454,7 +454,7 @@ Expected<Journaled> read_journal(std::string_view text, const std::string& file,
     if (const auto* view = std::get_if<ViewChanged>(&entry)) out.session.view = view->visible;
   }
   out.session.layers = std::move(layers_now).take();
-  // What was to come may be torn off.
+  // Entries that a lesson refers to may be torn off.
   for (LessonStep& step : out.session.lesson.steps)
     step.position = std::min(step.position, out.session.entries.size());
   return out;

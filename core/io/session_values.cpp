@@ -10,7 +10,7 @@
 namespace mes {
 namespace {
 
-/// The numbers of a list, one after the other.
+/// Iterates over the numbers of a list.
 struct Numbers {
   JsonView::Elements::Iterator at;
   const std::string& where;
@@ -40,7 +40,7 @@ void take(Numbers& from, std::pair<std::uint32_t, Place>& out) {
   take(from, out.first);
   take(from, out.second);
 }
-/// The first of the numbers that no document can hold, and why; counted within the thing.
+/// The first number that no document can hold, and why; `index` counts within the thing.
 struct BadNumber {
   std::size_t index = 0;
   std::string why;
@@ -65,7 +65,7 @@ std::optional<BadNumber> bad_number_of(const std::pair<std::uint32_t, Place>& th
   return out;
 }
 
-/// The element of a list.
+/// An element of a list.
 JsonView element_of(JsonView list, std::size_t index) {
   auto at = list.elements().begin();
   while (index-- > 0) ++at;

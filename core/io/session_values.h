@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the reader of sessions takes out of JSON values: texts, numbers, and lists of numbers as places and balls.
+// Typed values from the JSON of sessions: texts, numbers, and lists of numbers as points and balls.
 //
-// Whatever a value holds instead of what is asked for, `Nonsense` is thrown, which says where and why. So the reader
-// of a session is a list of what it wants, and turns what is thrown into an error in one place.
+// A value of any other type throws `Nonsense`, with its position and the reason. So the reader of a session is a list
+// of its fields, and converts the exception into an error in one place.
 //
 // Smallest use:
 //     std::vector<Vec2> samples;
@@ -23,27 +23,27 @@
 
 namespace mes {
 
-/// Why something in a session makes no sense, beginning with where it stands.
+/// Why something in a session is invalid, beginning with its name.
 struct Nonsense {
   std::string text;
-  JsonView at{};  ///< the value at fault; none: its place in the text is not known
+  JsonView at{};  ///< the invalid value; none: its position in the text is unknown
 };
-/// Throws "where: what", without a place in the text.
+/// Throws "where: what", without a position in the text.
 [[noreturn]] void complain(const std::string& where, const std::string& what);
 
-/// Of no value: empty.
+/// The text of a value; empty if there is no value.
 std::string text_from(JsonView value, const char* key, const std::string& where);
-/// The same of at most so many bytes; what is thrown has its place.
+/// The same with at most `longest` bytes; the exception has the position.
 std::string short_text_from(JsonView value, const char* key, std::size_t longest, const std::string& where);
 double number_of(JsonView value, const std::string& where);
-/// Of a whole number of 32 bits.
+/// A whole number of 32 bits.
 std::uint32_t count_of(JsonView value, const std::string& where);
-/// Of a list with two numbers for each place, which may be out of the range of documents.
+/// A list of points, two numbers each, possibly out of the range of documents.
 std::vector<Vec2> places_of(JsonView list, const std::string& where);
 
-/// The things of a list that has the numbers of one after those of the other: a count, a place (2), a ball (3), or a
-/// count with one of these. Nothing is done without a list. Throws, with its place, at the first number that no
-/// document can hold. It is counted before it is read, so that a list takes no more room than what it says.
+/// Reads the things of a flat list of numbers: counts, points (2), balls (3), or a count with one of these. Does
+/// nothing without a list. Throws, with the position, at the first number that no document can hold. Counts the numbers
+/// first, so that a list takes no more memory than needed.
 template <class T>
 void read_flat(JsonView list, const char* key, std::vector<T>& out, const std::string& where);
 extern template void read_flat(JsonView, const char*, std::vector<std::uint32_t>&, const std::string&);
@@ -54,8 +54,8 @@ extern template void read_flat(JsonView, const char*, std::vector<std::pair<std:
 extern template void read_flat(JsonView, const char*, std::vector<std::pair<std::uint32_t, Disk>>&,
                                const std::string&);
 
-/// Throws, with its place, at the first number of `things`, read from `list`, that no document can hold together with
-/// those before it and those in `seen`, to which all are added.
+/// Throws, with the position, at the first number of `things`, read from `list`, that no document can hold together
+/// with the earlier ones and those in `seen`; adds all of them to `seen`.
 template <class T>
 void require_together(const std::vector<T>& things, JsonView list, const char* key, const std::string& where,
                       Magnitudes& seen);
@@ -64,7 +64,7 @@ extern template void require_together(const std::vector<Vec2>&, JsonView, const 
 extern template void require_together(const std::vector<Disk>&, JsonView, const char*, const std::string&,
                                       Magnitudes&);
 
-/// What `read` makes of the value. What it throws gets `where` before it, and `value` for a place if it has none.
+/// The result of `read` for the value. Puts `where` before its exception, and adds `value` as a missing position.
 template <class Read>
 auto read_at(JsonView value, const std::string& where, Read read) {
   try {

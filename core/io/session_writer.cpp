@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sessions as text.
+// Writes sessions as text.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -54,7 +54,7 @@ json to_json(const std::vector<SampleData::Contour>& contours) {
   return out;
 }
 
-/// Without curves: those before.
+/// The previous curves apply if `curves` is null.
 json source_to_json(const CurveSet* curves, const SamplingRequest& sampling, std::uint32_t first,
                     std::uint32_t count) {
   json out = {{"sampling", to_json(sampling)}, {"first", first}, {"count", count}};
@@ -193,7 +193,7 @@ std::string text_of(const json& value) {
   return value.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 
-// One step on each line if `is_spread`; empty without a lesson. Begins with a comma, as it follows another key.
+// One step a line if `is_spread`; empty without a lesson. Begins with a comma because it follows another key.
 std::string lesson_text(const Lesson& lesson, bool is_spread) {
   if (lesson == Lesson{}) return {};
   const std::string_view line = is_spread ? "\n" : "";
@@ -208,7 +208,7 @@ std::string lesson_text(const Lesson& lesson, bool is_spread) {
   return out + "]}";
 }
 
-// Keys are sorted; the one that tells what this is comes first all the same.
+// Other keys are sorted; the identifying key is first nevertheless.
 constexpr std::string_view kHeadBegin = R"({"mesecina":"session","schema":)";
 std::string head_text(const Session& session, std::uint64_t schema) {
   return fmt::format("{}{},", kHeadBegin, schema) + text_of(head_of(session)).substr(1);
@@ -222,7 +222,7 @@ std::uint64_t entry_schema(const TimelineEntry& entry) {
 }  // namespace
 
 std::string write_session(const Session& session) {
-  // One entry a line: files of sessions are compared and kept under version control.
+  // One entry a line, because session files are compared and kept under version control.
   std::uint64_t schema = schema_of(session.data->annotations);
   std::string out = head_text(session, 0);
   out.pop_back();
@@ -234,7 +234,7 @@ std::string write_session(const Session& session) {
     out += i == 0 ? "\n" : ",\n";
     out += text_of(to_json(entry));
   }
-  // Known only now, and one digit, as the zero in its place.
+  // The schema is known only now; it is one digit, like the zero that it replaces.
   static_assert(kSessionSchema < 10);
   out[kHeadBegin.size()] = static_cast<char>('0' + schema);
   return out + "\n]}\n";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapefiles of ESRI (technical description of July 1998): the geometry, which is the .shp file. Polygons, lines, points
-// and sets of points, with heights and measures left out. The .prj file beside it says whether positions are longitude
-// and latitude, projected or kept (core/io/map_shapes.h); without one they are coordinates of the plane.
+// Shapefiles of ESRI (technical description of July 1998): only the geometry, the .shp file. Polygons, lines, points
+// and sets of points; heights and measures are left out. The .prj file beside it tells whether positions are longitude
+// and latitude, projected or kept (core/io/map_shapes.h); without it they are coordinates of the plane.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -39,7 +39,7 @@ std::uint32_t big(std::string_view bytes, std::size_t at) {
   return bits_at<std::uint32_t>(bytes, at, std::endian::big);
 }
 
-/// One that is cut within its header, too.
+/// Also recognises a file that is cut off within its header.
 Match match_shapefile(std::string_view bytes) {
   constexpr std::size_t kVersionPlace = 28;
   const bool has_code = bytes.size() >= 4 && big(bytes, 0) == kCode;
@@ -48,7 +48,7 @@ Match match_shapefile(std::string_view bytes) {
   return is_shape_file ? Match::surely : Match::no;
 }
 
-/// What the numbers of types mean: with a height 10 more, with a measure 20 more.
+/// Type numbers; with a height they are 10 more, with a measure 20 more.
 enum class ShapeType : std::uint32_t { null = 0, point = 1, lines = 3, rings = 5, points = 8, patches = 31 };
 
 class ShapeFileReader {
@@ -56,7 +56,7 @@ class ShapeFileReader {
   ShapeFileReader(std::string_view bytes, const std::string& name, ReadJob& job)
       : bytes_(bytes), name_(name), job_(job) {}
 
-  /// `unit` is what is known of the numbers.
+  /// `unit`: the unit of the numbers, if known.
   Expected<LoadedFile> read(std::optional<MapShapes::Unit> unit, MapDegrees degrees) {
     if (bytes_.size() < kFileHeader)
       return fail(fmt::format("the file ends at byte {}, within its header", bytes_.size()));
@@ -84,7 +84,7 @@ class ShapeFileReader {
   }
   std::unexpected<Error> fail_here(const std::string& text) const { return fail_at(at_, text); }
 
-  /// What is there can be a record: it has room, and a type that there is.
+  /// Whether a record can be at `at`: it has room, and a known type.
   bool may_be_record(std::size_t at) const {
     constexpr std::array<std::uint32_t, 14> kTypes{0, 1, 3, 5, 8, 11, 13, 15, 18, 21, 23, 25, 28, 31};
     if (bytes_.size() - at < kRecordHeader + 4) return false;
@@ -93,7 +93,7 @@ class ShapeFileReader {
            std::ranges::find(kTypes, little(bytes_, at + kRecordHeader)) != kTypes.end();
   }
 
-  /// Records follow each other, but some programs fill up with zeros.
+  /// Skips zeros between records, which some programs write.
   void pass_over_padding() {
     const std::size_t begin = at_;
     std::size_t at = at_;
@@ -212,13 +212,13 @@ class ShapeFileReader {
   bool is_on_earth_ = true;
 };
 
-/// Of a reference system as text (WKT of OGC or ESRI): geographic ones have degrees, unless they say otherwise.
+/// Unit of a reference system as text (WKT of OGC or ESRI): geographic systems have degrees, unless they name another.
 MapShapes::Unit unit_of(std::string_view system) {
   constexpr std::size_t kLookedAt = 65536;
   const std::string text = lower_case(system.substr(0, kLookedAt));
   const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
   const std::string_view kind = std::string_view(text).substr(begin);
-  // With heights, it is one of two systems.
+  // A compound system with heights consists of two systems.
   const bool is_compound = kind.starts_with("compd_cs") || kind.starts_with("compoundcrs");
   const bool is_projected = text.contains("projcs") || text.contains("projcrs") || text.contains("geoccs");
   const bool is_geographic = kind.starts_with("geogcs") || kind.starts_with("geogcrs") ||

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// SVG: samples of the curves of a drawing. A figure of this program that carries a session is that session instead
+// SVG: samples of the curves of a drawing. A figure of this program that carries a session is read as that session
 // (core/io/carried_session.h).
 #include <utility>
 
@@ -15,7 +15,7 @@ Match match_svg(std::string_view bytes) {
   return looks_like_svg(bytes) ? Match::surely : Match::no;
 }
 
-/// "; left out: ..." is what may explain an empty drawing.
+/// Appends "; left out: ...", which may explain an empty drawing.
 std::string with_reasons(std::string text, const std::vector<std::string>& warnings, const std::string& name) {
   for (const std::string& warning : warnings) {
     const std::size_t place = warning.starts_with(name) ? name.size() : 0;

@@ -14,7 +14,7 @@ namespace {
 
 using P = SvgProperty;
 
-/// The first value that an element or one around it has of an inherited property; empty for none.
+/// The value of an inherited property, from the element or its nearest ancestor that has one; empty for none.
 std::string_view inherited(SvgStyles& styles, pugi::xml_node node, SvgProperty property) {
   for (; node.type() == pugi::node_element; node = node.parent()) {
     const SvgStyle style = styles.of(node);
@@ -130,7 +130,7 @@ void SvgClipPaths::add_child(pugi::xml_node node, SvgContext context, std::vecto
                      elements_.length(node, style, P::y, SvgAxis::y, context.viewport).value_or(0.0)};
     inner.map = inner.map * Affine::translation(shift.x, shift.y);
     const std::string_view target = local_name(found->second.name());
-    if (target == "use" || !(is_svg_shape(target) || target == "text")) return;  // as SVG has it
+    if (target == "use" || !(is_svg_shape(target) || target == "text")) return;  // SVG allows no other target
     add_child(found->second, inner, parts, depth + 1);
   } else if (context.is_visible) {
     SvgGeometry shape = elements_.shape(node, kind, style, context.viewport);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The elements `clipPath` of a drawing as parts of the plane. Private to core/io.
+// The `clipPath` elements of a drawing as regions of the plane. Private to core/io.
 //
-// Source: CSS Masking Module Level 1. Shapes and `use` of shapes are read, with their transforms, rules and clip paths of
-// their own; text in a clip path is left out, and said. So are clip paths that are given as basic shapes of CSS.
+// Source: CSS Masking Module Level 1. Supports shapes and `use` of shapes, with their transforms, rules and own clip
+// paths. Text in a clip path is left out with a remark, and so are clip paths given as basic shapes of CSS.
 #pragma once
 
 #include <cstddef>
@@ -23,7 +23,7 @@ namespace mes {
 /// Threads: one.
 class SvgClipPaths {
  public:
-  /// What is counted towards the bounds of a drawing.
+  /// Work that counts towards the bounds of a drawing.
   struct Spent {
     std::size_t elements = 0;
     std::size_t pieces = 0;
@@ -33,17 +33,17 @@ class SvgClipPaths {
                const JobControl* job)
       : source_(source), names_(names), styles_(styles), elements_(elements), job_(job) {}
 
-  /// How finely clip paths are taken apart: of a drawing of about this extent. The first clip path says it else.
+  /// Sets the precision of clip paths, for a drawing of about this extent. Without a call the first clip path sets it.
   void set_extent(double extent);
   double grid() const { return grid_; }
   const Spent& spent() const { return spent_; }
   void set_most(Spent most) { most_ = most; }
 
-  /// Where the element is seen by its `clip-path`; the plane where it has none, or none that is applied. `box` gives its
-  /// bounding box in its own coordinates, and is asked where units are those of that box. Throws `Cancelled`.
+  /// The region where the element is visible by its `clip-path`; the whole plane without a valid one. `box` returns its
+  /// bounding box in its own coordinates, and is called if units refer to that box. Throws `Cancelled`.
   ClipRegion of(pugi::xml_node node, const SvgStyle& style, const SvgContext& context,
                 const std::function<Box2()>& box);
-  /// A rectangle from the origin on.
+  /// A rectangle with one corner at the origin.
   ClipRegion viewport(const SvgViewport& size, const Affine& map);
 
  private:
@@ -68,9 +68,9 @@ class SvgClipPaths {
   double grid_ = 0.0;
   Spent spent_{};
   Spent most_{};
-  std::vector<pugi::xml_node> around_{};  // clip paths that are being read
-  std::vector<Known> known_{};            // the last ones
-  ClipRegion viewport_{};                 // the last one
+  std::vector<pugi::xml_node> around_{};  // clip paths being read now
+  std::vector<Known> known_{};            // the latest ones
+  ClipRegion viewport_{};                 // the latest one
   SvgViewport viewport_size_{};
   Affine viewport_map_{};
 };

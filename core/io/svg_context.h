@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an element of a drawing has from those around it. Private to core/io.
+// Inherited state of an element of a drawing. Private to core/io.
 #pragma once
 
 #include <pugixml.hpp>
@@ -12,7 +12,7 @@
 
 namespace mes {
 
-/// Elements by their id; the first counts.
+/// Elements by id; the first one with an id counts.
 using SvgNames = std::unordered_map<std::string_view, pugi::xml_node>;
 
 struct SvgContext {
@@ -27,7 +27,7 @@ struct SvgContext {
   double fill_opacity = 1.0;
   double stroke_opacity = 1.0;
   double stroke_width = 1.0;
-  bool has_pattern = false;  ///< within what is filled
+  bool has_pattern = false;  ///< in the filled area
   bool has_marker = false;
 
   bool is_filled() const { return has_fill && fill_opacity > 0.0; }

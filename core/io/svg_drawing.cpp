@@ -27,7 +27,7 @@ namespace {
 
 constexpr std::size_t kMostElements = 1'000'000;
 constexpr std::size_t kMostClipElements = 100'000;  // a clip path takes longer than a shape
-constexpr std::size_t kMostSvgPieces = 4'000'000;   // or as many as the file has bytes
+constexpr std::size_t kMostSvgPieces = 4'000'000;   // or the file's number of bytes, if larger
 constexpr std::size_t kDeepestElement = 200;
 
 using pugi::xml_node;
@@ -48,7 +48,7 @@ bool is_drawn(std::string_view kind) {
   return is_one_of(kind, kGroups) || is_left_out(kind) || is_svg_shape(kind);
 }
 
-/// Whether the conditions of an element hold: extensions are not known, and of languages English is read.
+/// Whether the conditions of an element hold: no extensions are supported, and the language is English.
 bool is_chosen(xml_node node) {
   if (node.attribute("requiredExtensions")) return false;
   const pugi::xml_attribute languages = node.attribute("systemLanguage");
@@ -61,7 +61,7 @@ bool is_chosen(xml_node node) {
   return false;
 }
 
-/// Colours that nothing is seen of.
+/// Whether a colour is invisible.
 bool is_clear(std::string_view color) {
   if (color == "none" || color == "transparent") return true;
   if (color.starts_with('#'))
@@ -90,7 +90,7 @@ class DrawingReader {
         queue_(source_, job, most_pieces_) {}
 
   Expected<SvgDrawing> read() {
-    constexpr double kParsed = 0.2;  // of the time that reading takes
+    constexpr double kParsed = 0.2;  // share of the reading time
     job_.begin(source_.bytes(), kParsed);
     const auto parsed = source_.parse(job_, {"d", "points"});
     if (!parsed) return std::unexpected(parsed.error());
@@ -122,7 +122,7 @@ class DrawingReader {
   }
   void remark_hidden(xml_node node) { remark("hidden element is left out", "hidden elements are left out", node); }
 
-  /// Without recursion, for it comes before depth is checked.
+  /// Avoids recursion because the depth has not been checked yet.
   void note_names(xml_node root) {
     for (xml_node node = root; node;) {
       if (const pugi::xml_attribute id = node.attribute("id")) names_.try_emplace(id.value(), node);
@@ -169,7 +169,7 @@ class DrawingReader {
                                length(node, style, P::y, SvgAxis::y, context).value_or(0.0));
   }
 
-  /// Whether a paint leaves something to see.
+  /// Whether a paint is visible.
   bool is_paint(std::string_view value, bool& has_pattern) {
     has_pattern = false;
     const auto link = svg_link(value);
@@ -204,11 +204,11 @@ class DrawingReader {
     }
   }
 
-  /// The context within an element; nothing for one that is not displayed.
+  /// The context within an element; nothing if the element is not displayed.
   std::optional<SvgContext> context_of(xml_node node, std::string_view kind, const SvgStyle& style,
                                        SvgContext context) {
     const std::string_view display = style[P::display];
-    // Without its box a shape has nothing left; a group has its children.
+    // `contents` removes the box of an element: a shape vanishes, a group keeps its children.
     const bool is_gone = display == "none" || (display == "contents" && (is_svg_shape(kind) || is_left_out(kind)));
     if (is_gone || svg_share(style[P::opacity]).value_or(1.0) <= 0.0) {
       remark_hidden(node);
@@ -237,7 +237,7 @@ class DrawingReader {
     is_measuring_ = true;
     box_ = {};
     const auto path = path_;
-    // What is refused here is refused again where it is read.
+    // Any error here occurs again when the content is read.
     static_cast<void>(read_content(node, kind, style, context));
     path_ = path;
     is_measuring_ = false;
@@ -262,7 +262,7 @@ class DrawingReader {
     return inner ? read_viewport(root, *inner, size) : Expected<void>{};
   }
 
-  /// The content of an `svg` or `symbol` that is so large.
+  /// Reads the content of an `svg` or `symbol` of this size.
   Expected<void> read_viewport(xml_node node, SvgContext context, const SvgViewport& size) {
     const std::string_view text = node.attribute("viewBox").value();
     const auto box = svg_view_box(text);
@@ -275,7 +275,7 @@ class DrawingReader {
     return read_children(node, context);
   }
 
-  /// The same of one within the drawing, which cuts what goes beyond it.
+  /// The same for one within the drawing, which clips its content.
   Expected<void> read_inner_viewport(xml_node node, const SvgStyle& style, SvgContext context,
                                      const SvgViewport& size) {
     const std::string_view overflow = style[P::overflow];
@@ -294,14 +294,14 @@ class DrawingReader {
           is_switch && prefix_of(child.name()) == prefix_ && is_drawn(local_name(child.name())) && is_chosen(child);
       if (is_switch && !is_taken) continue;
       if (auto done = read_element(child, context); !done) return done;
-      if (is_taken) break;  // the first one of the alternatives
+      if (is_taken) break;  // only the first alternative that applies
     }
     path_.pop_back();
     return {};
   }
 
   Expected<void> read_element(xml_node node, const SvgContext& outer) {
-    if (prefix_of(node.name()) != prefix_) return {};  // of another vocabulary
+    if (prefix_of(node.name()) != prefix_) return {};  // an element of another vocabulary
     ++elements_read_;
     if (auto good = check_bounds(node); !good) return good;
     if (path_.size() > kDeepestElement) return refuse(place_of(node), "elements are nested too deeply");
@@ -362,7 +362,7 @@ class DrawingReader {
     if ((kind != "symbol" && kind != "svg") || target.parent().type() != pugi::node_element)
       return read_element(target, context);
     const SvgStyle style = styles_->of(target);
-    // A size in the `use` outweighs that of what it refers to.
+    // A size in the `use` overrides that of the referenced element.
     const auto size = [&](P side, SvgAxis axis, double otherwise) {
       if (const auto here = length(use, style_of_use, side, axis, context)) return *here;
       return length(target, style, side, axis, context).value_or(otherwise);
@@ -408,7 +408,7 @@ class DrawingReader {
   ReadJob& job_;
   std::string_view prefix_;
   SvgNames names_;
-  std::vector<xml_node> path_;  // elements around the present one, through `use` too
+  std::vector<xml_node> path_;  // path of elements to the current one, also through `use`
   std::size_t elements_read_ = 0;
   std::size_t most_pieces_;
   SvgElements elements_;
@@ -416,7 +416,7 @@ class DrawingReader {
   std::optional<SvgClipPaths> clip_paths_;
   SvgShapeQueue queue_;
   bool is_measuring_ = false;
-  Box2 box_;  // of what is measured
+  Box2 box_;  // bounding box of the measured content
 };
 
 }  // namespace

@@ -68,7 +68,7 @@ Affine SvgElements::transform(pugi::xml_node node, const SvgStyle& style) {
   }
   const std::string_view origin = style[SvgProperty::transform_origin];
   if (origin.empty()) return *map;
-  // Two lengths; percentages and words are of boxes that are not known here.
+  // Only two lengths are supported; percentages and words refer to boxes that are unknown here.
   SvgText rest(origin);
   const auto pixels = [&rest]() -> std::optional<double> {
     rest.skip_blanks();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Paths and basic shapes of SVG from their elements. Private to core/io.
+// Reads paths and basic shapes from SVG elements. Private to core/io.
 #pragma once
 
 #include <cstdint>
@@ -17,13 +17,13 @@ namespace mes {
 struct SvgGeometry {
   enum class Kind : std::uint8_t { path, polyline, polygon, other };
   Kind kind = Kind::other;
-  std::string_view data{};  ///< of all kinds but `other`, still to be read
+  std::string_view data{};  ///< for all kinds but `other`; not yet read
   SvgPath path{};
   /// Reads `data`. Any thread.
   void finish(const JobControl* job);
 };
 
-/// The id that a `use` refers to; empty for none in this file.
+/// The id that a `use` refers to; empty if it is not in this file.
 inline std::string_view svg_link_of_use(pugi::xml_node node) {
   const pugi::xml_attribute plain = node.attribute("href");
   const std::string_view link = plain ? plain.value() : node.attribute("xlink:href").value();
@@ -38,12 +38,12 @@ class SvgElements {
  public:
   explicit SvgElements(XmlSource& source) : source_(source) {}
 
-  /// Nothing where none is given, or `auto`.
+  /// Nothing if the length is missing or `auto`.
   std::optional<double> length(pugi::xml_node node, const SvgStyle& style, SvgProperty property, SvgAxis axis,
                                const SvgViewport& viewport);
-  /// In the coordinates of the element.
+  /// The shape in the coordinates of the element.
   SvgGeometry shape(pugi::xml_node node, std::string_view kind, const SvgStyle& style, const SvgViewport& viewport);
-  /// The identity where none is given.
+  /// The identity if the element has no transform.
   Affine transform(pugi::xml_node node, const SvgStyle& style);
 
   void remark(std::string one, std::string many, std::size_t place) {

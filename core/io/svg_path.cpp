@@ -33,7 +33,7 @@ void look_at(const JobControl* job) {
   if (job != nullptr && job->stop_requested()) throw Cancelled{};
 }
 
-/// Many vertices at a time, where they are of the usual kind.
+/// Reads runs of vertices at once while they have the usual form.
 class VertexRuns {
  public:
   /// Takes pairs from the beginning of the text and hands them to `use(std::span<const Vec2>)`. Throws `Cancelled`.
@@ -55,11 +55,11 @@ class VertexRuns {
   }
 
  private:
-  static constexpr std::size_t kPatience = 8;  // where one vertex is unusual, the next ones may be
+  static constexpr std::size_t kPatience = 8;  // after one unusual vertex, more are likely
   static constexpr std::size_t kAtOnce = 1024;
 
-  /// Of this thread: to make it anew would take as long as a short path. As large as what is near to the processor, so
-  /// that most curves get the memory for all their vertices at once.
+  /// A buffer of this thread, because a new one would take as long as a short path. It fits a near cache, and most
+  /// curves get memory for all their vertices at once.
   static std::span<Vec2> room() {
     thread_local std::vector<Vec2> pairs(kAtOnce);
     return pairs;
@@ -93,7 +93,7 @@ class PathReader {
   }
 
  private:
-  /// The command with all its sets of numbers. What follows a set of M is a set of L.
+  /// Reads the command with all its argument sets. After the first set of M, further sets are those of L.
   void read_command(char command) {
     const char kind = lower_case(command);
     is_relative_ = command == kind;
@@ -112,7 +112,7 @@ class PathReader {
 
   void look() const { look_at(job_); }
 
-  /// As many sets of lines as can be read together; false for none.
+  /// Reads as many sets of lines as possible together; false for none.
   bool read_lines() {
     bool is_any = false;
     SvgText after_comma = text_;
@@ -247,7 +247,7 @@ class PathReader {
     forget_controls();
   }
 
-  /// The curve of this subpath. After a closed one the next begins where it began.
+  /// The curve of this subpath. After a closed subpath the next one begins at the same point.
   PlaneCurve& curve() {
     if (!curve_) curve_.emplace(at_);
     return *curve_;
@@ -272,8 +272,8 @@ class PathReader {
   std::optional<PlaneCurve> curve_;
   Vec2 at_{};
   Vec2 start_{};
-  std::optional<Vec2> cubic_control_;      // the last one, if a cubic came last
-  std::optional<Vec2> quadratic_control_;  // the same for quadratics
+  std::optional<Vec2> cubic_control_;      // the last control point, if the last command was a cubic
+  std::optional<Vec2> quadratic_control_;  // the same for a quadratic
   bool is_relative_ = false;
   bool has_begun_ = false;
 };

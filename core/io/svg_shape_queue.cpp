@@ -12,7 +12,7 @@ namespace {
 
 using Seen = ClippedCurves::Seen;
 
-/// Filling closes what is open, and what misses its start by the rounding of coordinates is meant to be closed.
+/// Filling closes open curves; a curve that misses its start only by the rounding of coordinates is closed, too.
 void close_what_looks_closed(PlaneCurve& curve, const SvgContext& context) {
   if (curve.is_closed() || curve.piece_count() < 2) return;
   if (context.is_filled() && !context.is_stroked()) return curve.close();
@@ -45,8 +45,9 @@ Expected<void> SvgShapeQueue::add(SvgShape shape) {
 
 Expected<void> SvgShapeQueue::finish() {
   constexpr std::size_t kBytesEach = std::size_t{1} << 16U;
-  constexpr std::size_t kBytesOfClipping = std::size_t{1} << 12U;  // takes about as long as reading so many
-  std::vector<std::size_t> ends;                                   // of runs of shapes, each with some work
+  constexpr std::size_t kBytesOfClipping = std::size_t{1}
+                                           << 12U;  // clipping takes about as long as reading this many
+  std::vector<std::size_t> ends;                    // ends of runs of shapes with enough work each
   std::size_t bytes = 0;
   for (std::size_t i = 0; i < waiting_.size(); ++i) {
     bytes += waiting_[i].geometry.data.size() + (waiting_[i].context.clip.is_plane() ? 0 : kBytesOfClipping);
@@ -77,7 +78,7 @@ Expected<void> SvgShapeQueue::finish() {
   return {};
 }
 
-/// Any thread.
+/// Finishes one shape, on any thread.
 void SvgShapeQueue::finish(SvgShape& shape) const {
   if (job_.control() != nullptr && job_.control()->stop_requested()) throw Cancelled{};
   shape.geometry.finish(job_.control());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes of a drawing on their way to curves, many at a time. Private to core/io.
+// Converts shapes of a drawing to curves, many at a time. Private to core/io.
 #pragma once
 
 #include <cstddef>
@@ -15,27 +15,27 @@
 
 namespace mes {
 
-/// What a path or a basic shape becomes.
+/// A path or a basic shape, and its curves.
 struct SvgShape {
   pugi::xml_node node;
   SvgContext context;
   SvgGeometry geometry;
   ClippedCurves::Seen seen = ClippedCurves::Seen::whole;
   bool is_off_page = false;
-  bool is_too_far = false;  ///< for its clip path
+  bool is_too_far = false;  ///< too far away for its clip path
 };
 
-/// Shapes wait until there is work for several threads. With `use`, they may be far more than the file has bytes.
+/// Collects shapes until several threads have work. Through `use`, shapes may far outnumber the bytes of the file.
 ///
-/// What is left out or cut is told to the source. Throws `Cancelled`.
+/// Reports omitted or clipped shapes to the source. Throws `Cancelled`.
 class SvgShapeQueue {
  public:
-  /// `page` may be empty: it is not known.
+  /// An empty `page` is unknown.
   SvgShapeQueue(XmlSource& source, ReadJob& job, std::size_t most_pieces)
       : source_(source), job_(job), most_pieces_(most_pieces) {}
 
   void set_page(const Box2& page) { page_ = page; }
-  /// Of clip paths; asked for when shapes are finished.
+  /// Precision of clip paths; used when shapes are finished.
   void set_grid(double grid) { grid_ = grid; }
   /// Error: `bad_input` for too many pieces.
   Expected<void> add(SvgShape shape);

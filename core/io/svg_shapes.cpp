@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-/// A quarter turn to the right, as SVG sees it: from x towards y.
+/// A clockwise quarter turn on screen: from x towards y.
 void add_quarter(PlaneCurve& curve, Vec2 center, Vec2 radii, double start, Vec2 to) {
   curve.arc_to({center, {radii.x, 0.0}, {0.0, radii.y}, start, 0.5 * kPi}, to);
 }

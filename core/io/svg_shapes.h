@@ -8,7 +8,7 @@
 
 namespace mes {
 
-/// Radii are cut to half the sides; a rectangle without extent is none.
+/// Radii are clamped to half the sides; nothing for a rectangle without extent.
 std::optional<PlaneCurve> svg_rect(Vec2 corner, Vec2 size, Vec2 radii);
 /// Nothing for a radius that is not positive.
 std::optional<PlaneCurve> svg_ellipse(Vec2 center, Vec2 radii);

@@ -17,7 +17,7 @@ namespace {
 using P = SvgProperty;
 using Named = std::pair<std::string_view, SvgProperty>;
 
-/// In the order of their names.
+/// Sorted by name.
 constexpr std::array<Named, kSvgPropertyCount> kProperties{{
     {"clip-path", P::clip_path},
     {"clip-rule", P::clip_rule},
@@ -56,7 +56,7 @@ std::optional<SvgProperty> property_named(std::string_view name) {
 
 constexpr std::array<std::string_view, 5> kWide{"inherit", "initial", "unset", "revert", "revert-layer"};
 
-/// A value that is none for its property is no declaration, and what it would outweigh stays.
+/// Whether a value is valid for its property: an invalid declaration is ignored and overrides nothing.
 bool is_value_of(SvgProperty property, const std::string& lower) {
   constexpr std::array<std::string_view, 12> kDisplays{"none",      "inline", "block",    "inline-block",
                                                        "list-item", "run-in", "flow",     "flow-root",
@@ -81,7 +81,7 @@ bool is_value_of(SvgProperty property, const std::string& lower) {
   }
 }
 
-/// Words are told apart without regard to case, and have one case here.
+/// Keywords ignore case; this gives them one case.
 std::string_view word_in_lower_case(std::string_view value, const std::string& lower) {
   constexpr std::array<std::string_view, 17> kWords{
       "none",  "hidden", "visible",      "collapse",    "inherit",     "initial",
@@ -91,7 +91,7 @@ std::string_view word_in_lower_case(std::string_view value, const std::string& l
   return found == kWords.end() ? value : *found;
 }
 
-/// Later and more exact declarations weigh more, those of `style` more than all rules, important ones more than others.
+/// Later and more specific declarations weigh more, those of `style` more than all rules, important ones most.
 constexpr std::uint64_t kImportant = std::uint64_t{1} << 62U;
 constexpr std::uint64_t kOfElement = std::uint64_t{1} << 61U;
 constexpr std::uint64_t kOfAttribute = 1;
@@ -147,7 +147,7 @@ bool says_something(std::string_view declarations) {
 
 enum class Answer : std::uint8_t { no, yes, unknown };
 
-/// Whether a list of media has the screen.
+/// Whether a list of media includes the screen.
 Answer is_for_screen(std::string_view media) {
   media = css_trimmed(media);
   if (media.empty()) return Answer::yes;
@@ -166,7 +166,7 @@ Answer is_for_screen(std::string_view media) {
 }  // namespace
 
 SvgStyles::SvgStyles(pugi::xml_node root, XmlSource& source) : source_(source) {
-  // Without recursion, for it comes before depth is checked.
+  // Avoids recursion because the depth has not been checked yet.
   for (pugi::xml_node node = root; node;) {
     if (node.type() == pugi::node_element && local_name(node.name()) == "style") add_sheet(node);
     if (pugi::xml_attribute style = node.attribute("style"))
@@ -241,7 +241,7 @@ void SvgStyles::read_at_rule(std::string_view name, std::string_view words, std:
   if (holds != Answer::no) remark_unread(name, block, node);
 }
 
-/// Said where a rule within would be of effect.
+/// Adds a remark if the unread block contains a rule that would have an effect.
 void SvgStyles::remark_unread(std::string_view name, std::string_view block, pugi::xml_node node) {
   CssText rest(block);
   for (rest.skip_blanks(); !rest.is_at_end(); rest.skip_blanks()) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What elements of SVG say about how they are drawn: attributes, style sheets, the attribute `style`. Private to core/io.
+// The style of SVG elements: attributes, style sheets, the attribute `style`. Private to core/io.
 //
-// Source: CSS Cascading and Inheritance Level 3; SVG 2, chapter 6. Elements that `use` draws have the style that they
-// have where they stand. Inheritance is the reader's.
+// Source: CSS Cascading and Inheritance Level 3; SVG 2, chapter 6. Elements drawn through `use` have the style of their
+// original position. Inheritance is left to the reader.
 #pragma once
 
 #include <array>
@@ -20,7 +20,7 @@
 
 namespace mes {
 
-/// What is asked for. Those from `x` on are geometry, which style sheets may have too.
+/// The supported properties. Those from `x` on are geometry, which style sheets may set too.
 enum class SvgProperty : std::uint8_t {
   display,
   visibility,
@@ -52,10 +52,10 @@ enum class SvgProperty : std::uint8_t {
 };
 inline constexpr std::size_t kSvgPropertyCount = static_cast<std::size_t>(SvgProperty::ry) + 1;
 
-/// The values of one element that win over others. They live as long as styles and drawing.
+/// The winning values of one element. They live as long as the styles and the drawing.
 class SvgStyle {
  public:
-  /// Empty where nothing is said. Of `inherit` and its like the word itself, in lower case.
+  /// Empty if there is no value. For `inherit` and similar keywords, the keyword in lower case.
   std::string_view operator[](SvgProperty property) const { return values_[static_cast<std::size_t>(property)]; }
 
  private:
@@ -64,16 +64,16 @@ class SvgStyle {
   std::array<std::uint64_t, kSvgPropertyCount> weights_{};
 };
 
-/// Style sheets of a drawing, and what they make of an element.
+/// The style sheets of a drawing; computes the style of elements.
 ///
-/// Cost: an element is compared with the rules that end in its type, id or classes, or in none of these. Threads: one.
+/// Cost: an element is compared with rules that end in its type, id or classes, or in none of these. Threads: one.
 class SvgStyles {
  public:
-  /// Reads all elements `style`. Parts of sheets that would matter and are left out are told to `source`.
+  /// Reads all `style` elements. Reports omitted parts of sheets that could matter to `source`.
   SvgStyles(pugi::xml_node root, XmlSource& source);
 
   SvgStyle of(pugi::xml_node node);
-  /// Whether rules are too involved for so many elements: what was said since may be wrong.
+  /// Whether the rules are too complex for this many elements: styles computed since then may be wrong.
   bool has_given_up() const { return matcher_.has_given_up(); }
 
  private:
@@ -85,7 +85,7 @@ class SvgStyles {
   struct Rule {
     CssSelector selector;
     std::uint64_t weight;
-    std::size_t first;  // of its declarations
+    std::size_t first;  // index of its first declaration
     std::size_t count;
   };
 
@@ -99,10 +99,10 @@ class SvgStyles {
   void take_rules(const std::vector<std::size_t>& rules, pugi::xml_node node, SvgStyle& out);
 
   XmlSource& source_;
-  std::deque<std::string> texts_{};  // of the sheets, without comments
+  std::deque<std::string> texts_{};  // texts of the sheets, without comments
   std::vector<Declaration> declarations_{};
   std::vector<Rule> rules_{};
-  // Rules by what they ask of the element itself: its id, else a class, else its type, else nothing.
+  // Rules by their condition on the element itself: its id, else a class, else its type, else nothing.
   using RulesByName = std::unordered_map<std::string_view, std::vector<std::size_t>>;
   RulesByName by_id_{};
   RulesByName by_class_{};

@@ -14,7 +14,7 @@
 namespace mes {
 namespace {
 
-/// How many bytes from the beginning are a number.
+/// Length of the number at the beginning.
 std::size_t number_length(std::string_view text) {
   std::size_t at = 0;
   const auto here = [&] { return at < text.size() ? text[at] : '\0'; };
@@ -34,7 +34,7 @@ std::size_t number_length(std::string_view text) {
   if (here() != 'e' && here() != 'E') return mantissa;
   ++at;
   if (here() == '-' || here() == '+') ++at;
-  return skip_digits() == 0 ? mantissa : at;  // the e of "2em" is a unit's
+  return skip_digits() == 0 ? mantissa : at;  // in "2em", the e belongs to the unit
 }
 
 }  // namespace
@@ -47,7 +47,7 @@ bool SvgText::any_number(double& value) {
   double found = 0.0;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), found);
   if (error == std::errc::invalid_argument) return false;
-  // Numbers too near to zero come as out of range too, and are left as zero.
+  // Numbers too near to zero are reported as out of range too; they stay zero.
   constexpr double kLargest = 1e300;
   const bool is_negative_power = token.find("e-") != token.npos || token.find("E-") != token.npos;
   if (error == std::errc::result_out_of_range && !is_negative_power) return false;
@@ -104,7 +104,7 @@ namespace {
 
 constexpr double kRadian = std::numbers::pi / 180.0;
 
-/// One transform of a list, with the numbers it has.
+/// One transform of a list, with its numbers.
 std::optional<Affine> transform_named(std::string_view name, const std::array<double, 6>& n, std::size_t count) {
   if (name == "matrix" && count == 6) return Affine{n[0], n[1], n[2], n[3], n[4], n[5]};
   if (name == "translate" && (count == 1 || count == 2)) return Affine::translation(n[0], n[1]);
@@ -125,7 +125,7 @@ std::optional<Affine> transform_named(std::string_view name, const std::array<do
 
 namespace {
 
-/// What a unit of lengths or angles is of a pixel or a degree; nothing for what is none.
+/// Value of a unit of lengths or angles in pixels or degrees; nothing for an unknown unit.
 std::optional<double> unit_of_transform(std::string_view unit) {
   if (unit.empty() || unit == "px" || unit == "deg") return 1.0;
   if (unit == "rad") return 1.0 / kRadian;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Values of attributes of SVG: numbers, lengths, transforms, viewports. Private to core/io.
+// Values of SVG attributes: numbers, lengths, transforms, viewports. Private to core/io.
 //
 // Source: SVG 2 (W3C Candidate Recommendation of 2018), and SVG 1.1 where it has more.
 #pragma once
@@ -15,7 +15,7 @@
 
 namespace mes {
 
-/// Reads numbers that may follow each other without anything between, as in "1-2.5.5".
+/// Reads numbers, even without separators, as in "1-2.5.5".
 class SvgText {
  public:
   explicit SvgText(std::string_view text) : begin_(text.data()), at_(begin_), end_(begin_ + text.size()) {}
@@ -23,7 +23,7 @@ class SvgText {
   void skip_blanks() {
     while (at_ != end_ && (*at_ == ' ' || (*at_ >= '\t' && *at_ <= '\r'))) ++at_;
   }
-  /// Blanks with at most one comma among them.
+  /// Skips blanks with at most one comma among them.
   void skip_comma() {
     skip_blanks();
     if (take(',')) skip_blanks();
@@ -35,24 +35,24 @@ class SvgText {
     ++at_;
     return true;
   }
-  /// A finite number right here; nothing, and nothing is taken, where none is.
+  /// Takes a finite number at the cursor; nothing, and takes nothing, if there is none.
   std::optional<double> number() {
     double value = 0.0;
     return number(value) ? std::optional(value) : std::nullopt;
   }
-  /// The same; false, and `value` as it was, where none is.
+  /// The same; false, and leaves `value` alone, if there is none.
   bool number(double& value) {
     const std::size_t size = short_decimal({at_, end_}, value);
     if (size == 0) return any_number(value);
     at_ += size;
     return true;
   }
-  /// One character, 0 or 1, for nothing need follow it.
+  /// Takes one character, 0 or 1; no separator need follow it.
   std::optional<bool> flag();
-  /// Letters right here; may be empty.
+  /// Takes letters at the cursor; may be empty.
   std::string_view word();
   std::string_view rest() const { return {at_, end_}; }
-  /// No more than there are.
+  /// Skips bytes; there must be that many.
   void skip(std::size_t bytes) { at_ += bytes; }
   std::size_t place() const { return static_cast<std::size_t>(at_ - begin_); }
 
@@ -64,39 +64,39 @@ class SvgText {
   const char* end_;
 };
 
-/// What a percentage is of.
+/// The reference length of a percentage.
 enum class SvgAxis : std::uint8_t { x, y, both };
 
-/// The size in which lengths in percent are measured.
+/// The size to which lengths in percent refer.
 struct SvgViewport {
   double width = 0.0;
   double height = 0.0;
   double reference(SvgAxis axis) const;
 };
 
-/// In pixels of 1/96 inch; a letter "m" of a font has 16. Nothing for text that is not a length.
+/// A length in pixels of 1/96 inch; the font size is 16. Nothing for text that is not a length.
 std::optional<double> svg_length(std::string_view text, SvgAxis axis, const SvgViewport& viewport);
 
-/// The product of a list of transforms, also as style sheets have them, with units; nothing for what is none.
+/// The product of a list of transforms, also in style sheet form with units; nothing for invalid text.
 std::optional<Affine> svg_transform(std::string_view text);
 
 /// Least x and y, width and height.
 using SvgViewBox = std::array<double, 4>;
-/// Nothing for what is none or has no extent.
+/// Nothing for invalid text or a box without extent.
 std::optional<SvgViewBox> svg_view_box(std::string_view text);
 
-/// From the coordinates of a view box to those of a viewport of this size, as `preserveAspectRatio` says.
+/// Maps the coordinates of a view box to those of a viewport of this size, by `preserveAspectRatio`.
 Affine svg_fit(const SvgViewBox& box, const SvgViewport& size, std::string_view preserve_aspect_ratio);
 
-/// What "url(#id)" refers to.
+/// The target of "url(#id)".
 struct SvgLink {
-  std::string_view id{};    ///< empty: nothing in this file
-  std::string_view rest{};  ///< what follows
+  std::string_view id{};    ///< empty: not in this file
+  std::string_view rest{};  ///< the text after it
 };
-/// Nothing for text that begins otherwise.
+/// Nothing for any other text.
 std::optional<SvgLink> svg_link(std::string_view text);
 
-/// A number, or a percentage of 1; nothing for what is none.
+/// A number, or a percentage of 1; nothing for invalid text.
 std::optional<double> svg_share(std::string_view text);
 
 }  // namespace mes

@@ -33,11 +33,11 @@ constexpr std::string_view kPartBegin = ".mesecina-";
 constexpr std::string_view kPartEnd = ".part";
 constexpr std::size_t kPartDigits = 16;
 constexpr std::string_view kScratchBegin = "mesecina-film-";
-constexpr const char* kScratchEnd = "XXXXXX";  // as mkdtemp wants it
+constexpr const char* kScratchEnd = "XXXXXX";  // required by mkdtemp
 constexpr const char* kOwner = ".mesecina-owner";
 constexpr int kAttempts = 100;
 
-/// What this process owns. It is never destroyed: threads may outlive `main`.
+/// The temporary files of this process. Never destroyed: threads may outlive `main`.
 struct Owned {
   std::timed_mutex mutex;
   bool is_closed = false;
@@ -62,7 +62,7 @@ bool is_scratch_name(std::string_view name) {
 
 std::string part_name() {
   std::uint64_t number = 0;
-  // Where the system gives no randomness the names are still new, as EEXIST says otherwise.
+  // If the system gives no randomness, EEXIST still keeps the names unique.
   if (::getrandom(&number, sizeof number, GRND_NONBLOCK) != sizeof number)
     number = static_cast<std::uint64_t>(Clock::now().time_since_epoch().count()) ^
              (static_cast<std::uint64_t>(::getpid()) << 32U);
@@ -83,7 +83,7 @@ struct CloseFolder {
 };
 using Folder = std::unique_ptr<DIR, CloseFolder>;
 
-// Not through a link.
+// Does not follow a link.
 Folder open_folder(const fs::path& path) {
   const int descriptor = ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
   if (descriptor < 0) return nullptr;
@@ -92,12 +92,12 @@ Folder open_folder(const fs::path& path) {
   return Folder(folder);
 }
 
-// The files in it, and then itself. What holds folders was not made by this program and stays.
+// Removes the files in it, and then the folder. A folder with subfolders was not made by this program and stays.
 void remove_folder(const fs::path& path, Clock::time_point until) {
   const Folder folder = open_folder(path);
   if (!folder) return;
   std::vector<std::string> names = names_in(folder.get());
-  // The mark of the owner last: what cannot be finished now can be by another process.
+  // The owner's mark is removed last, so that another process can finish an incomplete removal.
   std::ranges::partition(names, [](const std::string& name) { return name != kOwner; });
   for (const std::string& name : names) {
     if (Clock::now() > until) return;
@@ -106,10 +106,10 @@ void remove_folder(const fs::path& path, Clock::time_point until) {
   ::rmdir(path.c_str());
 }
 
-/// A regular file of this user that no living process has a lock on, locked now; -1: it is not such a file.
+/// Opens and locks a regular file of this user that no living process has locked; -1: it is not such a file.
 int lock_abandoned(const fs::path& path) {
   struct stat status {};
-  // Opening anything else might wait, or have effects of its own.
+  // Opening anything else might block or have side effects.
   if (::lstat(path.c_str(), &status) != 0 || !S_ISREG(status.st_mode) || status.st_uid != ::geteuid()) return -1;
   const int descriptor = ::open(path.c_str(), O_RDWR | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
   if (descriptor < 0) return -1;
@@ -163,7 +163,7 @@ PartFile::~PartFile() {
 
 int PartFile::sync() {
   if (::fsync(descriptor_) != 0) return errno;
-  // Some file systems report what could not be written when a descriptor is closed. The lock stays with the other.
+  // Some file systems report write errors only when a descriptor is closed. The other descriptor keeps the lock.
   const int twin = ::fcntl(descriptor_, F_DUPFD_CLOEXEC, 0);
   if (twin < 0) return errno;
   return ::close(twin) == 0 ? 0 : errno;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files and folders that exist while something is being made.
+// Temporary files and folders for unfinished output.
 //
 // What it guarantees:
 //  1. Each has a new name that cannot be guessed, and is made without following a link.
 //  2. Its owner removes it in the destructor, or, when a signal ends the process, by `remove_own_temporaries`.
-//  3. What a killed process left is removed by a later one, which tells it by a lock: the owner holds it for as long
-//     as it lives. Nothing is removed that is locked, that belongs to another user, that is a link or that has
-//     another name; where the file system has no locks, nothing is removed.
+//  3. A later process removes the remains of a killed one. It recognises them by a lock, which the owner holds while it
+//     lives. Files that are locked, belong to another user, are links or have another name are never removed; if the
+//     file system has no locks, nothing is removed.
 //
 // Threads: any.
 #pragma once
@@ -19,12 +19,12 @@
 
 namespace mes {
 
-/// The folder that the file lies in; "." for a mere name.
+/// The folder of the file; "." for a mere name.
 inline std::filesystem::path folder_with(const std::filesystem::path& file) {
   return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
 
-/// A file beside the one it will become. The first one in a folder removes what killed processes left there.
+/// A file beside its future name. The first one in a folder removes the remains of killed processes there.
 class PartFile {
  public:
   /// Error: errno.
@@ -35,22 +35,22 @@ class PartFile {
 
   int descriptor() const { return descriptor_; }
   const std::filesystem::path& path() const { return path_; }
-  /// Everything is on the disk. 0 or errno.
+  /// Writes everything to the disk. Returns 0 or errno.
   int sync();
-  /// 0 or errno. Afterwards there is nothing left to remove.
+  /// Returns 0 or errno. After it nothing remains to be removed.
   int rename_to(const std::filesystem::path& target);
 
  private:
   PartFile(int descriptor, std::filesystem::path path) : descriptor_(descriptor), path_(std::move(path)) {}
 
   int descriptor_;
-  std::filesystem::path path_;  // empty: it has become the target
+  std::filesystem::path path_;  // empty: already renamed to the target
 };
 
-/// A folder for files that only this process needs, `mesecina-film-...` in the folder for temporary files.
+/// A private folder of this process, `mesecina-film-...` in the folder for temporary files.
 class ScratchFolder {
  public:
-  /// Also removes those that killed processes left.
+  /// Also removes the remains of killed processes.
   static Expected<ScratchFolder> make();
   ~ScratchFolder();
   ScratchFolder(ScratchFolder&& other) noexcept;
@@ -60,17 +60,17 @@ class ScratchFolder {
  private:
   ScratchFolder(int owner, std::filesystem::path path) : owner_(owner), path_(std::move(path)) {}
 
-  int owner_;  // the locked file in it
+  int owner_;  // descriptor of the locked file in it
   std::filesystem::path path_;
 };
 
-/// Removes `.mesecina-....part` files that killed processes left in the folder.
+/// Removes `.mesecina-....part` files of killed processes from the folder.
 void remove_abandoned_parts(const std::filesystem::path& folder);
-/// Removes scratch folders that killed processes left.
+/// Removes scratch folders of killed processes.
 void remove_abandoned_scratch();
 
-/// For a process that ends without destructors: removes what it owns, as far as the time allows, and lets nothing new
-/// be made, nor become a target.
+/// For a process that ends without destructors: removes its files, as far as the time allows, and blocks the creation
+/// of new ones and their renaming to a target.
 void remove_own_temporaries(std::chrono::steady_clock::time_point until);
 
 }  // namespace mes

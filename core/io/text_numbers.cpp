@@ -17,8 +17,8 @@ namespace {
 
 constexpr std::size_t kQuotedLength = 40;
 
-// Whether an out-of-range number is too near zero rather than too large: the position of its first digit that is not
-// zero, plus its exponent. Exponents saturate, so that their own size does not matter.
+// Whether an out-of-range number is too near zero rather than too large: adds the exponent to the position of the first
+// nonzero digit. Exponents saturate, so that their own size does not matter.
 bool is_tiny(std::string_view token) {
   std::size_t mantissa_end = token.find_first_of("eE");
   long long exponent = 0;
@@ -38,7 +38,7 @@ bool is_tiny(std::string_view token) {
   return static_cast<long long>(dot) - static_cast<long long>(first) + exponent < 0;
 }
 
-// A byte sequence of UTF-8 that starts at `i`: its length, or 0 when it is none or stands for a control character.
+// Length of a UTF-8 sequence that starts at `i`; 0 if it is invalid or stands for a control character.
 std::size_t utf8_length(std::string_view text, std::size_t i) {
   const auto byte = [&](std::size_t k) { return static_cast<unsigned char>(text[k]); };
   const unsigned char lead = byte(i);
@@ -49,8 +49,8 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   if (length == 0 || i + length > text.size()) return 0;
   for (std::size_t k = 1; k < length; ++k)
     if ((byte(i + k) & 0xC0U) != 0x80) return 0;
-  // C1 controls; surrogates, overlong forms and what lies beyond Unicode; line and paragraph separators, and the
-  // marks that turn the direction of writing.
+  // C1 controls; surrogates, overlong forms and codes beyond Unicode; line and paragraph separators, and marks that
+  // change the direction of writing.
   if (lead == 0xC2 && byte(i + 1) < 0xA0) return 0;
   if (lead == 0xE0 && byte(i + 1) < 0xA0) return 0;
   if (lead == 0xED && byte(i + 1) >= 0xA0) return 0;
@@ -89,8 +89,8 @@ std::expected<double, NumberFault> parse_number(std::string_view token, bool dec
   }
   if (token.starts_with('+') && token.size() > 1 && token[1] != '-' && token[1] != '+') token.remove_prefix(1);
   double value = 0.0;
-  // With more bytes than this the digits are together mostly above 2^53: looking at them twice would be slower than
-  // `from_chars` alone.
+  // For more bytes than this the digits are mostly above 2^53: reading them twice would be slower than `from_chars`
+  // alone.
   constexpr std::size_t kMostShort = 18;
   if (!token.empty() && token.size() <= kMostShort && short_decimal(token, value) == token.size()) return value;
   const auto [end, error] = std::from_chars(token.data(), token.data() + token.size(), value);
@@ -106,7 +106,7 @@ std::expected<double, NumberFault> parse_number(std::string_view token, bool dec
     return std::unexpected(NumberFault::too_large);
   }
   if (!std::isfinite(value)) {
-    // Some libraries give infinity instead of an error for what is out of range.
+    // Some libraries return infinity instead of an error for numbers out of range.
     const bool has_digits = std::ranges::any_of(token, is_digit) && !token.contains('n') && !token.contains('N');
     return std::unexpected(has_digits ? NumberFault::too_large : NumberFault::not_finite);
   }
@@ -119,7 +119,7 @@ std::expected<double, std::string> CoordinateReader::read(std::string_view token
     return std::unexpected(describe(RangeFault::too_large, in_quotes(token)));
   if (!value) return std::unexpected(describe(value.error(), token));
   auto fault = seen_.fault_of(*value);
-  // What is nearer to zero than any double is not zero.
+  // A number nearer to zero than any double is not zero.
   if (*value == 0.0 && token.substr(0, token.find_first_of("eE")).find_first_of("123456789") != token.npos)
     fault = RangeFault::too_small;
   if (fault) return std::unexpected(describe(*fault, in_quotes(token), seen_));
@@ -216,7 +216,7 @@ std::string_view without_bom(std::string_view bytes) {
 
 namespace {
 
-/// The letters that samples are written with have a zero byte each.
+/// In UTF-16, each character of a sample file has a zero byte.
 bool is_utf16_without_mark(std::string_view bytes) {
   constexpr std::size_t kLookedAt = 64;
   const std::string_view beginning = bytes.substr(0, std::min(kLookedAt, bytes.size() & ~std::size_t{1}));
@@ -232,7 +232,7 @@ bool is_utf16_without_mark(std::string_view bytes) {
 
 namespace {
 
-/// Maps, drawings and pictures that people try.
+/// Formats of maps, drawings and pictures that users may try.
 std::string_view binary_kind(std::string_view bytes) {
   using namespace std::string_view_literals;
   using Entry = std::pair<std::string_view, std::string_view>;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers in text, whatever the locale, and words for what is wrong with them.
+// Numbers in text, independent of the locale, and error texts for them.
 #pragma once
 
 #include <cstdint>
@@ -14,14 +14,15 @@ namespace mes {
 
 enum class NumberFault : std::uint8_t { not_a_number, not_finite, too_large };
 
-/// A finite double that takes up the whole token. A leading plus and the D of Fortran for an exponent are allowed, hexadecimal and infinity are not;
-/// numbers too small for a double become zero. Cost: about 50 ns, no allocation unless a decimal comma is replaced.
+/// A finite double that takes up the whole token. A leading plus and a Fortran D exponent are allowed, hexadecimal and
+/// infinity are not; numbers too small for a double become zero. Cost: about 50 ns, no allocation unless a decimal
+/// comma is replaced.
 std::expected<double, NumberFault> parse_number(std::string_view token, bool decimal_comma = false);
 
-/// Reads the coordinates and radii of one document, which are in range each and all together.
+/// Reads the coordinates and radii of one document, whose range limits each of them and all of them together.
 class CoordinateReader {
  public:
-  /// The number, or one line that says why it is none. Cost: as `parse_number`.
+  /// The number, or a one-line reason why it is invalid. Cost: as `parse_number`.
   std::expected<double, std::string> read(std::string_view token, bool decimal_comma = false);
 
  private:
@@ -31,7 +32,7 @@ class CoordinateReader {
 /// A decimal integer without sign that takes up the whole token.
 std::expected<std::uint64_t, NumberFault> parse_count(std::string_view token);
 
-/// One line that says why the token is not the number it should be.
+/// One line that tells why the token is not a valid number.
 std::string describe(NumberFault fault, std::string_view token);
 
 /// The token between double quotes for a message: at most about 40 characters, nothing unprintable.
@@ -48,9 +49,9 @@ inline std::unexpected<Error> bad_input(std::string text, const std::string& fil
   return std::unexpected(Error{ErrorCode::bad_input, std::move(text), file, line, column});
 }
 
-/// Reads words between white space, `#` comments left out, and knows where it is.
+/// Iterates over words between white space, without `#` comments, and knows its position.
 ///
-/// Lines end at LF, CR LF or a lone CR. Cost: one look at each byte.
+/// Lines end at LF, CR LF or a lone CR. Cost: reads each byte once.
 ///
 /// Smallest use:
 ///     Scanner scanner(bytes);
@@ -60,14 +61,14 @@ class Scanner {
   explicit Scanner(std::string_view bytes);
   virtual ~Scanner() = default;
 
-  /// Goes to the next word; false at the end, where line and column are those of the end.
+  /// Advances to the next word; false at the end, where line and column are those of the end.
   bool next();
   std::string_view token() const { return token_; }
   std::uint64_t line() const { return line_; }
   std::uint64_t column() const { return column_of(token_.data()); }
 
  protected:
-  /// Column of a byte of the present line.
+  /// Column of a byte of the current line.
   std::uint64_t column_of(const char* at) const { return static_cast<std::uint64_t>(at - line_start_) + 1; }
   /// Called with the text after the `#`, up to the end of its line.
   virtual void on_comment(std::string_view /*text*/) {}
@@ -85,8 +86,8 @@ std::string_view without_bom(std::string_view bytes);
 
 inline constexpr std::string_view kUtf16Text = "UTF-16 text";
 
-/// What the bytes are when they are clearly no text of samples ("a PNG picture", "binary data"); empty otherwise.
-/// Looks at the first few kilobytes only.
+/// Name of the format if the bytes are clearly not a text of samples ("a PNG picture", "binary data"); empty otherwise.
+/// Reads only the first few kilobytes.
 std::string_view foreign_kind(std::string_view bytes);
 
 }  // namespace mes

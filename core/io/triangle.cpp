@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vertices (.node) and planar straight line graphs (.poly) of Triangle, as its documentation describes them:
-// "n 2 attributes markers", then "number x y ..." for each vertex; "segments markers", then "number from to ..." for
-// each segment; "holes", then places in holes. A .poly file that announces no vertices has them in the .node file beside
-// it. `#` begins a comment.
+// The vertices (.node) and planar straight line graphs (.poly) of Triangle, as its documentation describes them: "n 2
+// attributes markers", then "number x y ..." for each vertex; "segments markers", then "number from to ..." for each
+// segment; "holes", then points in holes. If a .poly file announces no vertices, they are in the .node file beside it.
+// `#` begins a comment.
 #include <fmt/core.h>
 #include <system_error>
 
@@ -14,7 +14,7 @@
 namespace mes {
 namespace {
 
-/// "12 of 30 vertices".
+/// Error text with "12 of 30 vertices".
 std::unexpected<Error> ends_early(const LineWords& lines, std::uint64_t read, std::uint64_t announced,
                                   std::string_view things) {
   return lines.refuse(lines.count(), fmt::format("the file ends after {} of {} {}", read, announced, things));
@@ -30,7 +30,7 @@ class TriangleReader {
   TriangleReader(std::string_view bytes, const std::string& name, ReadJob& job)
       : lines_(bytes, name, &job), name_(name), job_(job) {}
 
-  /// `beside` has the vertices of a file without any; null where there can be none.
+  /// `beside`: the file with the vertices if this one has none; null if there can be no such file.
   Expected<LoadedFile> read(const std::filesystem::path* beside) {
     const auto header = read_header(lines_);
     if (!header) return std::unexpected(header.error());
@@ -116,7 +116,7 @@ class TriangleReader {
     return lines_.refuse(word, fmt::format("there is no vertex {}", *number));
   }
 
-  /// From the line that announces them.
+  /// Reads on from the line that announces the segments.
   Expected<void> read_segments() {
     const auto count = lines_.whole(0, "the number of segments");
     if (!count) return std::unexpected(count.error());
@@ -153,7 +153,7 @@ class TriangleReader {
   std::vector<std::string> remarks_;
 };
 
-/// "n 2 a m", and the first two vertices with as many numbers as that says.
+/// Recognises "n 2 a m", and two vertices with the announced number of columns.
 Match match_triangle(std::string_view bytes) {
   static const std::string kNoName;
   constexpr std::size_t kLookedAt = std::size_t{1} << 16U;

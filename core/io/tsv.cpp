@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TSV: columns between tabulators.
+// TSV: columns separated by tabs.
 #include "core/io/format_spec.h"
 #include "core/io/xy_table.h"
 

@@ -13,8 +13,7 @@
 namespace mes {
 namespace {
 
-/// Chains between vertices at each of which an even number of them ends, put together so that each result comes back to
-/// its start and meets no vertex between twice.
+/// Joins chains to closed curves that meet no vertex twice. An even number of chains must end at each vertex.
 std::vector<PlaneCurve> closed_chains(std::vector<PlaneCurve> chains) {
   struct Before {
     bool operator()(Vec2 a, Vec2 b) const { return a.x != b.x ? a.x < b.x : a.y < b.y; }
@@ -27,7 +26,7 @@ std::vector<PlaneCurve> closed_chains(std::vector<PlaneCurve> chains) {
   for (std::size_t first = 0; first < chains.size(); ++first) {
     if (is_used[first]) continue;
     std::vector<PlaneCurve> path;
-    std::map<Vec2, std::size_t, Before> met{{chains[first].start(), 0}};  // how many chains lead there
+    std::map<Vec2, std::size_t, Before> met{{chains[first].start(), 0}};  // number of chains up to there
     for (Vec2 place = chains[first].start();;) {
       std::vector<std::size_t>& ways = at[place];
       while (!ways.empty() && is_used[ways.back()]) ways.pop_back();
@@ -56,7 +55,7 @@ std::string counted(std::size_t count, std::string_view one, std::string_view ma
 }  // namespace
 
 std::uint32_t VertexGraph::vertex_at(Vec2 position) {
-  // The two zeros are one place.
+  // Merges positive and negative zero.
   const Vec2 key{position.x + 0.0, position.y + 0.0};
   const auto [found, is_new] = vertex_at_.try_emplace(key, static_cast<std::uint32_t>(positions_.size()));
   if (is_new) positions_.push_back(position);
@@ -95,7 +94,7 @@ void VertexGraph::add_outlines_of_faces() {
 
 void VertexGraph::drop_repeated_segments() {
   std::erase_if(segments_, [](const Segment& s) { return s.from == s.to; });
-  // Of equal ones the first is kept, and the order of the others.
+  // Keeps the first of equal segments, and the order of the rest.
   std::vector<std::uint32_t> order(segments_.size());
   for (std::uint32_t i = 0; i < order.size(); ++i) order[i] = i;
   const auto key = [&](std::uint32_t i) {
@@ -124,7 +123,7 @@ CurveSet VertexGraph::curves(std::vector<std::string>& remarks) && {
 
   const auto count = static_cast<std::uint32_t>(positions_.size());
   is_on_face_.resize(count);
-  // Of each vertex, its segments in the order of the file.
+  // For each vertex, its segments in file order.
   std::vector<std::uint32_t> begin(count + std::size_t{1}, 0);
   for (const Segment& s : segments_)
     for (const std::uint32_t v : {s.from, s.to}) ++begin[v + std::size_t{1}];
@@ -142,7 +141,7 @@ CurveSet VertexGraph::curves(std::vector<std::string>& remarks) && {
   CurveSet out;
   std::size_t inside = 0;
   std::vector<bool> is_done(segments_.size());
-  // To the next vertex that is no simple one, or around to the start.
+  // Follows segments to the next vertex that does not have degree 2, or around to the start.
   const auto follow = [&](std::uint32_t start, std::uint32_t segment) {
     PlaneCurve& curve = out.curves.emplace_back(positions_[start]);
     for (std::uint32_t v = start;;) {
@@ -154,7 +153,7 @@ CurveSet VertexGraph::curves(std::vector<std::string>& remarks) && {
       segment = at[begin[v]] == segment ? at[begin[v] + 1] : at[begin[v]];
     }
   };
-  // Open ones from their ends, in the direction of the file where it has one; what is left then are circles.
+  // First open curves from their ends, in the direction of the file if there is one; the remaining ones are circles.
   const auto follow_all = [&](auto can_begin, bool along_file) {
     for (std::uint32_t v = 0; v < count; ++v) {
       if (!can_begin(v)) continue;
@@ -166,7 +165,7 @@ CurveSet VertexGraph::curves(std::vector<std::string>& remarks) && {
     follow_all([&](std::uint32_t v) { return degree(v) == 1; }, along_file);
     follow_all([&](std::uint32_t v) { return degree(v) > 2; }, along_file);
   }
-  // What encloses faces comes back to where it started. What was drawn as segments may have any ends.
+  // Outlines of faces are closed curves. Explicit segments may have any ends.
   if (own_segments == 0) out.curves = closed_chains(std::move(out.curves));
   for (std::uint32_t v = 0; v < count; ++v) {
     if (degree(v) != 2) continue;

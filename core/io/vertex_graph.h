@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Vertices with segments and faces between them, as meshes and planar straight line graphs have them, on their way to
-// curves. Private to core/io.
+// Vertices with segments and faces, as in meshes and planar straight line graphs, converted to curves. Private to
+// core/io.
 #pragma once
 
 #include <cstddef>
@@ -18,16 +18,16 @@
 
 namespace mes {
 
-/// What becomes of the vertices:
+/// The rules for vertices:
 ///
-///  1. Segments that follow each other, never more than two at a vertex, are a curve: closed, if they come back to where
-///     they start; in the direction of a segment at its beginning. Where more than two meet, curves end; what they enclose
+///  1. Successive segments, at most two at each vertex, form a curve: closed if it returns to its start; its direction
+///     is that of a segment at its beginning. Where more than two segments meet, curves end; areas that they enclose
 ///     are regions (core/curves/line_regions.h).
-///  2. An edge of exactly one face is a segment. Vertices of faces that lie on no such edge are inside the outlines of
-///     these faces, and left out, unless there is no outline at all (a closed surface).
+///  2. An edge of exactly one face is a segment. Vertices of faces without such an edge are inside the outlines of
+///     these faces, and are left out, unless there is no outline at all (a closed surface).
 ///  3. All other vertices are points.
 ///
-/// Segments that join a vertex to itself or repeat another one count for nothing.
+/// Segments from a vertex to itself, and repeated segments, are ignored.
 ///
 /// Smallest use:
 ///     VertexGraph graph;
@@ -40,24 +40,25 @@ class VertexGraph {
  public:
   std::size_t vertex_count() const { return positions_.size(); }
   void add_vertex(Vec2 position) { positions_.push_back(position); }
-  /// The same in space. All vertices have a height, or none has.
+  /// The same in space. Either all vertices have a height or none has.
   void add_vertex(Vec2 position, double height) {
     positions_.push_back(position);
     heights_.push_back(height);
   }
-  /// Leaves the heights out: vertices are seen from above. If all lie in one plane that is not level, they are taken in that
-  /// plane instead, upright, without a change of lengths. `rounding` is how much their coordinates may be off; what is
-  /// less than a millionth of the extent counts as flat. One line that says what was done; empty where heights are equal.
+  /// Drops the heights: vertices are seen from above. If all lie in one plane that is not level, that plane is used
+  /// instead, upright, with lengths unchanged. `rounding` is the largest error of their coordinates; less than a
+  /// millionth of the extent counts as flat. Returns one line about the change; empty if all heights are equal.
   std::string leave_heights_out(double rounding);
-  /// The vertex that was found at this place before, or a new one. Not to be mixed with `add_vertex`.
+  /// The vertex of an earlier call at this position, or a new one. Do not mix with `add_vertex`.
   std::uint32_t vertex_at(Vec2 position);
-  /// Of vertices that there are.
+  /// Both vertices must exist.
   void add_segment(std::uint32_t from, std::uint32_t to) { segments_.push_back({from, to}); }
   void add_face(std::span<const std::uint32_t> corners);
 
-  /// Open curves, then closed ones, each in the order of their first vertices, then points. `remarks` gets one line a kind of what was left out.
+  /// Open curves, then closed ones, each ordered by first vertex, then points. `remarks` gets a line a kind of
+  /// omission.
   CurveSet curves(std::vector<std::string>& remarks) &&;
-  /// Their samples by `default_sampling`, which keeps the vertices. Error: as `load_samples`, and `Cancelled` is thrown as there.
+  /// Their samples by `default_sampling`, which keeps the vertices. Error: as `load_samples`. Throws `Cancelled`.
   Expected<LoadedFile> load(const std::string& name, ReadJob& job) &&;
 
  private:
@@ -76,10 +77,10 @@ class VertexGraph {
   std::map<Vec2, std::uint32_t, Before> vertex_at_;
   std::vector<Segment> segments_;
   std::vector<Segment> face_edges_;
-  std::vector<bool> is_on_face_;  // of the first vertices; no more are
+  std::vector<bool> is_on_face_;  // for the first vertices; later ones are on no face
 };
 
-/// The most vertices of a document, as many as its ids allow.
+/// The largest number of vertices in a document, given by the width of its ids.
 inline constexpr std::uint64_t kMostVertices = 0xfffffffe;
 
 }  // namespace mes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// WKB, well-known binary (OGC 06-103r4, section 8, with the curves of SQL/MM), and EWKB as PostGIS has it: the bytes, or
-// one geometry a line in hexadecimal digits. Heights and measures are left out. A reference system in degrees makes
-// degrees of all positions; without one they are coordinates of the plane.
+// WKB, well-known binary (OGC 06-103r4, section 8, with the curves of SQL/MM), and EWKB of PostGIS: the bytes, or one
+// geometry a line in hexadecimal digits. Heights and measures are left out. If a reference system is in degrees, all
+// positions are degrees; without one they are coordinates of the plane.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -19,7 +19,7 @@ namespace mes {
 namespace {
 
 constexpr int kDeepestWkb = 64;
-constexpr std::size_t kGeometryHeader = 5;  // the order of bytes and the type
+constexpr std::size_t kGeometryHeader = 5;  // byte order and type
 
 enum class WkbType : std::uint32_t {
   point = 1,
@@ -39,10 +39,10 @@ enum class WkbType : std::uint32_t {
   triangle = 17,
 };
 
-/// What the bytes of a type say.
+/// The meaning of the bytes of a type.
 struct WkbKind {
   WkbType type = WkbType::point;
-  std::size_t numbers = 2;  ///< of a position
+  std::size_t numbers = 2;  ///< numbers of a position
   bool has_system = false;
 };
 
@@ -58,7 +58,7 @@ std::optional<WkbKind> kind_of(std::uint32_t code) {
   constexpr std::uint32_t kBoth = 3;
   constexpr std::array<std::size_t, 4> kMore{0, 1, 1, 2};
   const std::uint32_t type = number % kThousand;
-  constexpr std::uint32_t kNoTypes[]{0, 13, 14};  // abstract ones
+  constexpr std::uint32_t kNoTypes[]{0, 13, 14};  // abstract types
   if (number / kThousand > kBoth || type > static_cast<std::uint32_t>(WkbType::triangle) ||
       std::ranges::find(kNoTypes, type) != std::end(kNoTypes))
     return std::nullopt;
@@ -72,7 +72,7 @@ class WkbReader {
  public:
   WkbReader(const std::string& name, ReadJob& job) : name_(name), job_(job) {}
 
-  /// One geometry, and what follows it. `line` is that of its text, 0 of bytes.
+  /// Reads one geometry and everything after it. `line` is its line in text, 0 for bytes.
   Expected<void> read(std::string_view bytes, std::uint64_t line) {
     bytes_ = bytes;
     line_ = line;
@@ -123,7 +123,7 @@ class WkbReader {
     return *kind;
   }
 
-  /// Of things that take so many bytes at least.
+  /// Reads a count of things that take at least `least` bytes each.
   Expected<std::uint32_t> read_count(std::size_t least) {
     if (left() < 4) return ends_early();
     const std::uint32_t count = take<std::uint32_t>();
@@ -131,7 +131,7 @@ class WkbReader {
     return count;
   }
 
-  /// Nothing for an empty point, whose numbers are none.
+  /// Nothing for an empty point, whose coordinates are NaN.
   Expected<std::optional<Vec2>> read_position(const WkbKind& kind, bool may_be_empty = false) {
     if (left() < 8 * kind.numbers) return ends_early();
     job_.checkpoint();
@@ -181,7 +181,7 @@ class WkbReader {
     return {};
   }
 
-  /// A line, arcs or several of these, which is not ended.
+  /// Reads a line, arcs or several of these, without ending the curve.
   Expected<void> read_curve(int depth) {
     const auto kind = read_header();
     if (!kind) return std::unexpected(kind.error());
@@ -269,7 +269,7 @@ int digit_of(char c) {
   return -1;
 }
 
-/// The digits of a line, without blanks, quotes and the prefixes that databases write.
+/// The digits of a line, without blanks, quotes and the prefixes of databases.
 std::string_view hex_digits_of(std::string_view line) {
   constexpr std::string_view kAround = " \t\v\f\"'";
   line.remove_prefix(std::min(line.find_first_not_of(kAround), line.size()));
@@ -279,7 +279,7 @@ std::string_view hex_digits_of(std::string_view line) {
   return line;
 }
 
-/// A header that makes sense at the beginning, with room for what it announces.
+/// Whether there is a valid header at the beginning, with room for the announced content.
 bool begins_geometry(std::string_view bytes, std::size_t size) {
   if (bytes.size() < kGeometryHeader || static_cast<unsigned char>(bytes[0]) > 1) return false;
   std::uint32_t code = 0;

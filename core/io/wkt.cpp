@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // WKT, well-known text (OGC 06-103r4, section 7, with the curves of ISO 19125-2 and SQL/MM): any number of geometries
-// after each other, with line breaks, commas or semicolons between them or not. Heights and measures (Z, M) are left
-// out. `SRID=4326;` before one, as PostGIS writes it, or another code of degrees, makes degrees of all positions;
-// without it they are coordinates of the plane.
+// in sequence, optionally separated by line breaks, commas or semicolons. Heights and measures (Z, M) are left out. If
+// `SRID=4326;` (the PostGIS notation), or another code of degrees, precedes one, all positions are degrees; otherwise
+// they are coordinates of the plane.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -23,7 +23,7 @@ constexpr int kDeepestWkt = 64;
 
 enum class WktShape : std::uint8_t { point, line, ring, curve, curved_ring, surface, any };
 
-/// `depth` pairs of parentheses around the list that holds positions.
+/// `depth` is the number of parentheses around the list of positions.
 struct WktType {
   std::string_view name;
   int depth;
@@ -45,7 +45,7 @@ constexpr std::array<WktType, 15> kWktTypes{{{"point", 0, WktShape::point},
                                              {"multisurface", 1, WktShape::surface},
                                              {"geometrycollection", 0, WktShape::any}}};
 
-/// Goes through parentheses, commas and words.
+/// Iterates over parentheses, commas and words.
 class Words {
  public:
   explicit Words(std::string_view text) : text_(text) { skip_blanks(); }
@@ -59,7 +59,7 @@ class Words {
     skip_blanks();
     return true;
   }
-  /// Up to the next blank or sign; empty at a sign and at the end.
+  /// The text up to the next blank or sign; empty at a sign and at the end.
   std::string_view word() const {
     const std::string_view rest = text_.substr(at_);
     const auto end = std::ranges::find_if(
@@ -89,7 +89,7 @@ const WktType* wkt_type_named(std::string_view word) {
     return found == kWktTypes.end() ? nullptr : &*found;
   };
   if (const WktType* found = find(name)) return found;
-  // "POINTZ" is written as well.
+  // "POINTZ" is also a valid spelling.
   for (int i = 0; i < 2 && (name.ends_with('z') || name.ends_with('m')); ++i) name.pop_back();
   return find(name);
 }
@@ -164,7 +164,7 @@ class WktReader {
     }
   }
 
-  /// The name, and the letters of its dimensions.
+  /// Skips the name and the letters of its dimensions.
   void skip_type() {
     words_.skip_word();
     for (std::string word = word_in_lower_case(); word == "z" || word == "m" || word == "zm";
@@ -181,13 +181,13 @@ class WktReader {
     return {};
   }
 
-  /// A polygon of a set, which may be without a name.
+  /// Reads a polygon of a set, with or without its name.
   Expected<void> read_surface(int depth) {
     constexpr WktType kPolygon{"polygon", 1, WktShape::ring};
     return words_.sign() == '(' ? read_lists(kPolygon, kPolygon.depth) : read_geometry(depth);
   }
 
-  /// A line, which may be without a name, arcs, or several of these that follow each other.
+  /// Reads a line (with or without its name), arcs, or several of these in sequence.
   Expected<void> read_curve() {
     const std::string_view name = words_.word();
     if (name.empty()) return read_list([&] { return read_position(); });
@@ -209,7 +209,7 @@ class WktReader {
     return done;
   }
 
-  /// Each through one position to another.
+  /// Reads arcs, each through one position to another.
   Expected<void> read_arcs() {
     std::optional<Vec2> through;
     const std::size_t before = shapes_.length();
@@ -238,7 +238,7 @@ class WktReader {
     return lower_case(words_.word().substr(0, kLongest));
   }
 
-  /// "EMPTY", or elements with commas between them, in parentheses.
+  /// "EMPTY", or a list of elements in parentheses, separated by commas.
   template <class ReadElement>
   Expected<void> read_list(ReadElement read_element) {
     if (word_in_lower_case() == "empty") {
@@ -266,13 +266,13 @@ class WktReader {
     return {};
   }
 
-  /// In a MULTIPOINT points are in parentheses or not, and may be EMPTY.
+  /// Points of a MULTIPOINT may have parentheses, and may be EMPTY.
   Expected<void> read_point() {
     if (words_.sign() == '(' || word_in_lower_case() == "empty") return read_list([&] { return read_position(); });
     return read_position();
   }
 
-  /// The first position of a part of a curve is where the part before ends.
+  /// The first position of a curve part is the end of the previous part.
   Expected<void> read_position() {
     const auto position = parse_position();
     if (!position) return std::unexpected(position.error());
@@ -310,10 +310,10 @@ class WktReader {
   MapShapes::Unit unit_ = MapShapes::Unit::plane;
   CoordinateReader coordinates_;
   std::optional<std::size_t> first_height_;
-  bool joins_ = false;  // parts of a curve, which have an end in common
+  bool joins_ = false;  // the parts of a curve share their ends
 };
 
-/// A geometry's name, and what can follow it.
+/// Recognises the name of a geometry and the text that can follow it.
 Match match_wkt(std::string_view bytes) {
   Words words(without_bom(bytes));
   if (lower_case(words.word().substr(0, 5)) == "srid") {

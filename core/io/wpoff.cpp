@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// WPOFF: "WPOFF n 0 0" and n times "x y radius", white space anywhere unless the lines say otherwise. Radii are taken
-// as they stand.
+// WPOFF: "WPOFF n 0 0" and n times "x y radius", white space anywhere unless the lines contradict this. Radii are used
+// unchanged.
 #include <fmt/core.h>
 #include <array>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How finely the numbers of a file are written, so that what differs by their last digits is taken for equal. Private to
+// Precision of the written numbers of a file: numbers that differ only in their last digits are equal. Private to
 // core/io.
 #pragma once
 
@@ -12,13 +12,13 @@
 
 namespace mes {
 
-/// A decimal number as it is written.
+/// The digits of a decimal number as written.
 struct WrittenNumber {
-  int decimals = 0;     ///< digits after the point; more by a negative exponent, less by a positive one
-  int significant = 0;  ///< digits from the first that is not zero
+  int decimals = 0;     ///< digits after the point; a negative exponent adds some, a positive one subtracts some
+  int significant = 0;  ///< digits from the first nonzero one
 };
 
-/// The digits of a number as it is written.
+/// Counts the digits of a number as written.
 inline WrittenNumber written_number(std::string_view token) {
   WrittenNumber out;
   bool is_after_point = false;
@@ -41,15 +41,15 @@ inline WrittenNumber written_number(std::string_view token) {
   return out;
 }
 
-/// Half a unit of the last digit: what rounding to it may have taken away. Zero for a number of less than `least`
-/// decimals, which is taken for exact.
+/// Half a unit of the last digit: the largest error of rounding to it. Zero for a number with less than `least`
+/// decimals, which counts as exact.
 inline double half_last_digit(std::string_view token, int least = 2) {
   const int decimals = written_number(token).decimals;
   return decimals < least ? 0.0 : 0.5 * std::pow(10.0, -decimals);
 }
 
-/// The decimals of all numbers of a kind in a file, by their magnitude: programs write as many after the point for all
-/// numbers, or as many that are significant, and may leave zeros at the end away.
+/// The decimals of all numbers of a kind in a file, by magnitude: programs write all numbers either with the same
+/// number of decimals or of significant digits, and may drop trailing zeros.
 ///
 /// Smallest use:
 ///     WrittenDecimals decimals;
@@ -63,8 +63,9 @@ class WrittenDecimals {
     int& most = most_[index_of(number.significant - number.decimals)];
     most = std::max(most, number.decimals);
   }
-  /// How much a number of this magnitude may be off by rounding: half a unit of the last decimal of numbers that are as
-  /// large, or else the largest below. Zero where these have less than three decimals, and are taken for exact.
+  /// Largest rounding error of a number of this magnitude: half a unit of the last decimal of numbers of this or a
+  /// greater magnitude, or else of the largest smaller ones. Zero if these have less than three decimals, which count
+  /// as exact.
   double error_of(double magnitude) const {
     constexpr int kLeast = 3;
     const std::size_t own = index_of(magnitude > 0.0 ? static_cast<int>(std::floor(std::log10(magnitude))) + 1 : 0);
@@ -76,7 +77,7 @@ class WrittenDecimals {
  private:
   static constexpr int kLow = -20;
   static constexpr int kHigh = 20;
-  /// The index is the number of digits before the point, less the zeros that follow it.
+  /// The index is the number of digits before the point, or minus the number of zeros after it.
   static std::size_t index_of(int leading) {
     return static_cast<std::size_t>(std::clamp(leading, kLow, kHigh) - kLow);
   }
@@ -84,7 +85,7 @@ class WrittenDecimals {
   std::array<int, kHigh - kLow + 1> most_{};
 };
 
-/// The decimals of vertex coordinates; the first few thousand stand for all.
+/// The decimals of vertex coordinates; the first few thousand represent all.
 class VertexDecimals {
  public:
   void add(std::span<const std::string_view> coordinates) {
@@ -96,7 +97,7 @@ class VertexDecimals {
       leading_ = std::max(leading_, number.significant - number.decimals);
     }
   }
-  /// How much the largest of them may be off.
+  /// Largest rounding error of the vertex coordinates.
   double rounding() const { return decimals_.error_of(0.5 * std::pow(10.0, leading_)); }
 
  private:

@@ -42,7 +42,7 @@ class Finder {
     return true;
   }
 
-  /// Those with declarations have a grammar of their own.
+  /// Document types with declarations have their own grammar.
   bool go_past_document_type() {
     for (; at_ < bytes_.size(); ++at_) {
       const char c = bytes_[at_];
@@ -67,7 +67,7 @@ class Finder {
     return false;
   }
 
-  /// The value from `begin` to here.
+  /// Considers the value from `begin` to the current position.
   void consider(std::size_t tag, std::size_t begin) {
     const std::string_view value = bytes_.substr(begin, at_ - begin);
     job_.passed(bytes_.data() + at_);
@@ -79,7 +79,7 @@ class Finder {
     copied_ = at_;
   }
 
-  /// Of the attribute whose value has this quotation mark; empty where none is.
+  /// Name of the attribute whose value has this quotation mark; empty if there is none.
   std::string_view name_before(std::size_t tag, std::size_t quote) const {
     const auto skip_blanks = [&](std::size_t at) {
       while (at > tag && is_xml_blank(bytes_[at - 1])) --at;
@@ -90,7 +90,7 @@ class Finder {
     end = skip_blanks(end - 1);
     std::size_t begin = end;
     for (; begin > tag && !is_xml_blank(bytes_[begin - 1]); --begin)
-      if (bytes_[begin - 1] == '"' || bytes_[begin - 1] == '\'') return {};  // no blank after the value before
+      if (bytes_[begin - 1] == '"' || bytes_[begin - 1] == '\'') return {};  // no blank after the previous value
     return bytes_.substr(begin, end - begin);
   }
 
@@ -102,7 +102,7 @@ class Finder {
   ReadJob& job_;
   std::vector<LongValue> found_;
   std::size_t at_ = 0;
-  std::size_t copied_ = 0;  // to the rest, but for long values
+  std::size_t copied_ = 0;  // end of the part already copied to the rest, except long values
 };
 
 }  // namespace

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Long values of attributes, taken out of XML before it is parsed. Private to core/io.
+// Takes long attribute values out of XML before parsing. Private to core/io.
 //
-// A parser goes through every byte of the outline of a coast, to find its closing quotation mark, and needs it in a copy
-// of the file. Here the mark is found some ten times as fast, and the value stays where it is.
+// A parser reads every byte of the outline of a coast to find its closing quotation mark, and needs it in a copy of the
+// file. Here the mark is found about ten times as fast, and the value is not copied.
 //
 // Smallest use:
 //     std::string rest;
@@ -21,14 +21,14 @@
 namespace mes {
 
 struct LongValue {
-  std::size_t place = 0;     ///< in the rest, of the character that stands for it
+  std::size_t place = 0;     ///< position in the rest of the character that replaces it
   std::string_view value{};  ///< a piece of the bytes, without its quotation marks
 };
 
-/// `rest` becomes the bytes, with one character in place of each value of these attributes that is of some length and
-/// has no reference ("&") in it. Comments, CDATA sections and processing instructions
-/// are not changed, nor is anything after a document type that has declarations of its own. Where the bytes are not XML, a parser finds in the
-/// rest what it finds in them. Throws `Cancelled`. Cost: linear, for long values a fraction of a nanosecond a byte.
+/// `rest` becomes the bytes, with one character in place of each long value of these attributes that has no reference
+/// ("&") in it. Comments, CDATA sections and processing instructions stay, and so does everything after a document type
+/// with its own declarations. If the bytes are not XML, a parser finds the same fault in the rest. Throws `Cancelled`.
+/// Cost: linear, for long values a fraction of a nanosecond a byte.
 std::vector<LongValue> take_long_values(std::string_view bytes, std::initializer_list<std::string_view> attributes,
                                         std::string& rest, ReadJob& job);
 

@@ -36,10 +36,10 @@ std::string_view without_prolog(std::string_view text) {
   }
 }
 
-/// Whose parsing this thread is at; null: none that can be stopped.
+/// The job whose parsing runs on this thread; null: none that can be stopped.
 thread_local const JobControl* parsing = nullptr;
 
-/// Returning null makes the parser stop with an error and free its memory. So a request to stop returns null.
+/// A null result makes the parser stop with an error and free its memory; so a request to stop returns null.
 void* memory_for_xml(std::size_t size) {
   if (parsing != nullptr && parsing->stop_requested()) return nullptr;
   return std::malloc(size);
@@ -51,7 +51,7 @@ pugi::xml_parse_result parse_in_place(pugi::xml_document& document, std::string&
     return true;
   }();
   parsing = control;
-  // In place, so that values know where they stand.
+  // Parses in place, so that values know their positions.
   const pugi::xml_parse_result parsed =
       document.load_buffer_inplace(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
   parsing = nullptr;
@@ -99,7 +99,7 @@ std::string_view XmlSource::value(pugi::xml_node node, const char* attribute) co
   return found != long_values_.end() && found->place == place ? found->value : value;
 }
 
-/// Of a place in the buffer.
+/// Maps a position in the buffer to one in the file.
 std::size_t XmlSource::place_in_bytes(std::size_t place) const {
   const auto next = std::ranges::lower_bound(long_values_, place, {}, &LongValue::place);
   if (next == long_values_.begin()) return place;

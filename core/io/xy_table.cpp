@@ -16,13 +16,13 @@
 namespace mes {
 namespace {
 
-// Columns beyond this are not looked for in a header: a line of a million words costs no memory.
+// A header is searched only up to this column, so that a line of a million words costs no memory.
 constexpr std::size_t kMostColumns = 256;
 constexpr std::size_t kMostSamples = 0xfffffffe;
 
 using Fields = std::vector<std::string_view>;
 
-/// Goes through the lines that say something.
+/// Iterates over the lines with content.
 class TableLines {
  public:
   explicit TableLines(std::string_view bytes) : rest_(without_bom(bytes)) {}
@@ -63,7 +63,7 @@ void split_at_blanks(std::string_view line, std::size_t most, Fields& out) {
   }
 }
 
-// Between separators; a field in quotes may hold them.
+// Splits at separators; a quoted field may contain them.
 void split_at(char separator, std::string_view line, std::size_t most, Fields& out) {
   while (out.size() < most) {
     const std::size_t skipped = std::min(line.find_first_not_of(separator == '\t' ? " " : " \t"), line.size());
@@ -94,12 +94,12 @@ void split(const TableKind& kind, std::string_view line, std::size_t most, Field
   }
 }
 
-/// Which columns mean what.
+/// The meaning of the columns.
 struct Columns {
   std::size_t x = 0;
   std::size_t y = 1;
   std::vector<std::size_t> groups;
-  bool groups_are_closed = false;  ///< contours that do not repeat their first point are closed all the same
+  bool groups_are_closed = false;  ///< contours that do not repeat their first point are closed nevertheless
 
   std::size_t count() const {
     std::size_t last = std::max(x, y);
@@ -108,7 +108,7 @@ struct Columns {
   }
 };
 
-// No word of a header that is known is as long.
+// No known word of a header is longer than this.
 std::string word_of(std::string_view field) {
   return lower_case(field.substr(0, 64));
 }
@@ -158,7 +158,7 @@ bool holds_a_point(const Fields& fields, const Columns& columns, bool decimal_co
          is_number(fields[columns.y], decimal_comma);
 }
 
-// "nan" and numbers beyond the range of doubles count: a line of such things is bad data and no header.
+// "nan" and numbers beyond the range of doubles count: a line of these is bad data and not a header.
 bool holds_a_number(const Fields& fields, bool decimal_comma) {
   return std::ranges::any_of(fields, [=](std::string_view field) {
     const auto value = parse_number(field, decimal_comma);
@@ -166,16 +166,16 @@ bool holds_a_number(const Fields& fields, bool decimal_comma) {
   });
 }
 
-/// How the table is written and which line its rows begin at.
+/// The format of the table, and the first line of its rows.
 struct Plan {
   TableKind kind;
   Columns columns;
   bool has_header = false;
   bool has_count_line = false;
-  bool is_sure = false;  ///< the lines looked at fit
+  bool is_sure = false;  ///< the inspected lines fit
 };
 
-// A comma that separates is a decimal sign only within quotes.
+// If commas separate columns, a comma is a decimal sign only within quotes.
 constexpr std::array<TableKind, 6> kKinds{{{TableSeparator::semicolon, true},
                                            {TableSeparator::tabulator, true},
                                            {TableSeparator::comma, false},
@@ -208,7 +208,7 @@ Plan make_plan(std::string_view bytes) {
     plan.has_header = false;
   }
   if (parse_count(trimmed(first))) {
-    // "n", then n rows.
+    // A line "n", then n rows.
     for (const TableKind& kind : kKinds) {
       plan.kind = kind;
       plan.columns = {};
@@ -219,7 +219,7 @@ Plan make_plan(std::string_view bytes) {
     }
   }
 
-  // Nothing fits. Take what comes nearest, so that the reader stops at the field that is to blame.
+  // Nothing fits. Choose the nearest format, so that the reader stops at the faulty field.
   plan.is_sure = false;
   plan.columns = {};
   for (const TableKind& kind : kKinds) {
@@ -242,7 +242,7 @@ Plan make_plan(std::string_view bytes) {
   return plan;
 }
 
-/// Puts rows of equal value on one contour.
+/// Puts rows with the same value on one contour.
 class Grouping {
  public:
   explicit Grouping(const Columns& columns) : columns_(columns) {}
@@ -263,7 +263,7 @@ class Grouping {
     contours_[last_].push_back(point);
   }
 
-  /// Contours of a finished table. A column that numbers its rows groups nothing.
+  /// Makes the contours of the finished table. A column that numbers the rows groups nothing.
   void finish(SampleData& data) && {
     if (columns_.groups.empty()) {
       contours_.emplace_back(data.positions.size());
@@ -319,7 +319,7 @@ class Grouping {
   std::vector<std::vector<std::uint32_t>> contours_;
 };
 
-// For all rows of a long table, by the bytes that those so far took: memory that is moved is touched twice.
+// Reserves memory for all rows of a long table, by the size of the rows so far: reallocated memory is touched twice.
 void make_room(std::vector<Vec2>& positions, std::size_t bytes_so_far, std::size_t bytes) {
   constexpr std::size_t kMany = 4096;
   const std::size_t count = positions.size();
@@ -331,7 +331,7 @@ void make_room(std::vector<Vec2>& positions, std::size_t bytes_so_far, std::size
 }  // namespace
 
 std::optional<TableKind> recognise_table(std::string_view bytes) {
-  // A longer first line is not that of a table.
+  // A longer first line is not part of a table.
   constexpr std::size_t kLookedAt = std::size_t{1} << 20U;
   const Plan plan = make_plan(bytes.substr(0, kLookedAt));
   if (!plan.is_sure) return std::nullopt;
@@ -363,7 +363,7 @@ Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& na
       const std::size_t column = is_x ? columns.x : columns.y;
       const char which = is_x ? 'x' : 'y';
       if (column >= fields.size()) {
-        // For a single word that is not a number, that is the error, and not that it is alone.
+        // A lone word that is not a number: report the word, not the missing column.
         if (!is_x || fields.empty() || is_number(fields.back(), plan.kind.decimal_comma))
           return bad_input(fmt::format("expected a number for {}, found the end of the line", which), name,
                            lines.number(), lines.text().size() + 1);

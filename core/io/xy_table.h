@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables of coordinates as people keep them: csv, tsv, xyz, plain pairs. One reader finds out how a table is written;
-// the formats differ in their names only.
+// Tables of coordinates in common formats: csv, tsv, xyz, plain pairs. One reader detects the layout of a table; the
+// formats differ only in their names.
 #pragma once
 
 #include <cstdint>
@@ -14,28 +14,28 @@
 
 namespace mes {
 
-/// How the columns of a table are kept apart.
+/// The separator between columns.
 enum class TableSeparator : std::uint8_t { semicolon, tabulator, comma, blanks };
 
 struct TableKind {
   TableSeparator separator = TableSeparator::blanks;
   bool decimal_comma = false;
-  std::size_t columns = 0;  ///< of the first row of numbers
+  std::size_t columns = 0;  ///< number of columns in the first row of numbers
 };
 
-/// What the table is, judged by its first two lines; nothing when they hold no two columns of numbers.
+/// The layout of the table, from its first two lines; nothing if they do not contain two columns of numbers.
 std::optional<TableKind> recognise_table(std::string_view bytes);
 
-/// Reads a table: one sample a row, `#` lines and blank lines left out.
+/// Reads a table: one sample a row, without `#` lines and blank lines.
 ///
-///  1. A first line without any number is a header. Columns called x and y (or lon and lat, easting and northing)
-///     are taken if there are such, else the first two that do not number something.
-///  2. Columns called contour, ring, polygon, part, path, id ... put the rows of equal value on one contour. A
-///     contour whose last point repeats its first is closed, and the repetition is dropped; without repetitions in
-///     the whole file the name of the column decides. Without such columns a repetition of the first row by the last
-///     closes the one contour that all rows make.
-///  3. Further columns are ignored. With `;` or tabulators between columns a decimal comma is understood; so it is
-///     between blanks when the first row has one in both columns.
+///  1. A first line without any number is a header. Columns called x and y (or lon and lat, easting and northing) are
+///     used if present, else the first two that are not row numbers.
+///  2. Columns called contour, ring, polygon, part, path, id ... put rows with the same value on one contour. A contour
+///     whose last point repeats its first is closed, and the repetition is dropped; if the whole file has no
+///     repetitions, the name of the column decides. Without such columns, if the last row repeats the first, all rows
+///     are one closed contour.
+///  3. Further columns are ignored. With `;` or tabs between columns, decimal commas are recognised; with blanks, only
+///     if the first row has one in both columns.
 ///
 /// Cost: linear; 10^6 rows well below a second. Error: `bad_input` with line and column of the field.
 Expected<LoadedFile> read_xy_table(std::string_view bytes, const std::string& name, ReadJob& job);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// XYZ: three columns or more between blanks; the third, a height, is left out.
+// XYZ: three or more columns separated by blanks; the third, a height, is left out.
 #include "core/io/format_spec.h"
 #include "core/io/xy_table.h"
 
