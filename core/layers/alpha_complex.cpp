@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The alpha complex of the samples, the disks it belongs to, and the components and holes that are alive.
+// The alpha complex of the samples, its disks, and the live components and holes.
 #include "core/structures/alpha/alpha_complex.h"
 #include "core/layers/parts/helpers.h"
 
@@ -18,7 +18,7 @@ LayerDescriptor descriptor_of(const char* id, const char* name, const char* tool
           .kinds = std::move(kinds)};
 }
 
-/// Part over the classes that are alive: `emit(class, instance)`.
+/// Part over the live persistence pairs: `emit(class, instance)`.
 template <class Emit>
 auto classes_part(PrimitiveKind kind, const AlphaFiltration& filtration, const AlphaComplex& complex, Emit emit) {
   return table_part(

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lambda, object angle and cover date leave of the one-step axis, with its disks, circles and their union, and what
-// they take away.
+// The parts of the one-step axis that lambda, object angle and cover date keep, with disks, circles and their union,
+// and the parts that they remove.
 #include <string_view>
 #include <vector>
 
@@ -131,7 +131,7 @@ Layer kept_boundary(const KeptUnion& balls, const FilterLayers& layers) {
                  }));
 }
 
-/// `make(filter, layers)` for each filter.
+/// Calls `make(filter, layers)` for each filter.
 template <class Make>
 std::vector<Layer> for_each_filter(const StructureSet& set, Make make) {
   std::vector<Layer> out;

@@ -3,7 +3,7 @@
 
 namespace mes {
 
-// The picture is not geometry: the program that draws the layers draws it in the place of this one.
+// The picture is not geometry: the program that draws the layers draws it at the position of this layer.
 Layer make_image_layer(const StructureSet& /*set*/) {
   return make_layer({.id = "image",
                      .name = "Image",

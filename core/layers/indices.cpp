@@ -4,7 +4,7 @@
 
 namespace mes {
 
-// The program that draws the layers writes the numbers: how many have room depends on the view.
+// The program that draws the layers writes the numbers, because the space for them depends on the view.
 Layer make_indices_layer(const StructureSet& set) {
   const auto& samples = set.get<Samples>();
   return make_layer({.id = "indices",

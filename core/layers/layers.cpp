@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The list of layers, in default stacking order: first = bottom. A new one is a file that defines its `make` function,
-// and two lines here.
+// The list of layers, in default stacking order: first = bottom. A new layer is a file that defines its `make`
+// function, and two lines here.
 #include "core/layers/layers.h"
 
 #include <functional>
@@ -105,7 +105,7 @@ namespace {
 
 using FamilyOf = std::function<UnionFamily(const StructureSet&)>;
 
-/// The layers of a union of balls. One's own balls have others beside the union.
+/// Adds the layers of a union of balls. User balls have their own disk and circle layers elsewhere.
 void add_union_layers(Registry& registry, const FamilyOf& family_of, bool is_from_samples) {
   const auto add = [&](Layer (*make)(const UnionFamily&)) {
     registry.add_layer([family_of, make](const StructureSet& set) { return make(family_of(set)); });

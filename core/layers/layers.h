@@ -6,7 +6,7 @@
 
 namespace mes {
 
-/// After all structures.
+/// Call after all structures are added.
 void add_layers(Registry& registry);
 
 }  // namespace mes

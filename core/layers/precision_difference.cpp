@@ -5,7 +5,7 @@
 namespace mes {
 namespace {
 
-// Those of A, then those of B: a layer has one part of a kind.
+// First the rows of A, then those of B: a layer has one part of a kind.
 using DifferenceSlot = Slot<struct DifferenceTag>;
 
 void emit_face(const PrecisionDifference& difference, std::size_t row, Instance& out) {

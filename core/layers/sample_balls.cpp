@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Voronoi balls and polar balls of the samples, as disks, circles and centres: one row of a table a layer.
+// Voronoi balls and polar balls of the samples, as disks, circles and centres; each row of a table makes one layer.
 #include <span>
 #include <string_view>
 #include <vector>
@@ -25,7 +25,7 @@ enum class BallSet : std::uint8_t {
 struct BallSetLook {
   LayerGroup group;
   Rgb color;
-  bool is_interior;  ///< in the paper, and not arbitrarily large
+  bool is_interior;  ///< belongs to the paper, and is not arbitrarily large
 };
 constexpr BallSetLook kLooks[] = {
     {LayerGroup::delaunay_voronoi, palette::grey, false},  // voronoi
@@ -47,7 +47,7 @@ struct BallLayer {
   bool visible_at_start = false;
 };
 
-// Bottom first.
+// Bottom layer first.
 constexpr BallLayer kDisks[] = {
     {BallSet::voronoi, "voronoi-disks", "Voronoi disks", "Circumdisks of all Delaunay triangles", 0.1},
     {BallSet::exterior_voronoi, "exterior-voronoi-disks", "Exterior Voronoi disks",
@@ -107,7 +107,7 @@ LayerDescriptor descriptor_of(const BallLayer& layer, PrimitiveKind kind) {
           .kinds = {kind}};
 }
 
-/// Calls `use(structures read, changes, holds)`, where `holds(face)` says whether a finite face is a ball of the set.
+/// Calls `use(input structures, changes, holds)`, where `holds(face)` tells whether a finite face is a ball of the set.
 template <class Use>
 Layer with_balls(BallSet balls, const StructureSet& set, const Use& use) {
   const auto& delaunay = set.get<Delaunay>();
@@ -133,7 +133,7 @@ Layer with_balls(BallSet balls, const StructureSet& set, const Use& use) {
   assertion_failed("every set of balls has its layers", __FILE_NAME__, __LINE__);
 }
 
-/// `draw(instance, centre, radius)`.
+/// Draws each ball with `draw(instance, centre, radius)`.
 template <class Draw>
 std::vector<Layer> ball_layers(std::span<const BallLayer> layers, PrimitiveKind kind, const StructureSet& set,
                                Draw draw) {

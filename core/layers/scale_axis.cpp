@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The scale axis with its balls, and the union of grown balls that it is taken of.
+// The scale axis with its balls, and the underlying union of grown balls.
 #include <vector>
 
 #include "core/layers/parts/family.h"

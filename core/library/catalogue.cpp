@@ -86,7 +86,7 @@ ShapeInfo info_of(const mes::ShapeDescriptor& shape) {
 
 }  // namespace
 
-// Kinds are converted by their numbers.
+// Kinds are converted by numeric value.
 static_assert([] {
   for (const mes::PrimitiveKind kind : mes::kAllPrimitiveKinds) {
     const auto same = static_cast<PrimitiveKind>(kind);

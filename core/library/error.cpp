@@ -32,7 +32,7 @@ ErrorCode outer(mes::ErrorCode code) {
   return ErrorCode::internal;
 }
 
-/// There may be no room to make it when it is needed.
+/// Made in advance, because there may be no memory for it later.
 const Error& lack_of_memory() {
   static const Error error(ErrorCode::out_of_memory, "there is not enough memory");
   return error;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What experiments add to a registry.
+// Adds the content of experiments to a registry.
 #include <mesecina/experiment.h>
 
 #include <fmt/core.h>
@@ -71,7 +71,7 @@ void check_structure(const mes::Registry& registry, std::string_view id) {
   if (registry.find_structure(id) == nullptr) refuse_unknown("structure", id);
 }
 
-/// The structure of a table, which has to be there.
+/// The structure of a table, which must exist.
 std::string structure_of(const mes::StructureSet& structures, const std::string& table) {
   const std::string id = table.substr(0, table.find('/'));
   const mes::Structure* const structure = structures.find(id);
@@ -145,7 +145,7 @@ mes::SampleMove inner(std::shared_ptr<const MoveSamples> move, std::vector<mes::
   };
 }
 
-/// A step whose call throws has the value NaN, which is out of every range.
+/// A step whose call throws gets the value NaN, which is out of every range.
 std::function<double(double, std::uint64_t, const mes::ParameterValues&)> inner(
     MoveParameter move, std::vector<mes::Parameter> parameters) {
   return [move = std::move(move), parameters = std::move(parameters)](double first, std::uint64_t step,
@@ -190,7 +190,7 @@ mes::Expected<mes::MadeShape> made(const MakeShape& make, const mes::ShapeArgume
   return out;
 }
 
-/// What a reader of an experiment gives, if it makes sense.
+/// The result of an experiment's reader, if it is valid.
 mes::Expected<mes::LoadedFile> read_by(const ReadBytes& read, std::string_view bytes, const std::string& name) {
   const auto failure = [&name](std::string text, std::uint64_t line = 0, std::uint64_t column = 0) {
     return std::unexpected(mes::Error{mes::ErrorCode::bad_input, std::move(text), name, line, column});

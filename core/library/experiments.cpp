@@ -30,7 +30,7 @@ std::unexpected<Error> failure(const std::filesystem::path& file, std::string_vi
       Error{.code = ErrorCode::bad_input, .text = mesecina::one_line(text), .file = file.string()});
 }
 
-/// What the loader says, without the file that stands before it.
+/// The loader's message, without the file name in front of it.
 std::string loader_error(const std::filesystem::path& file) {
   const char* const said = dlerror();
   std::string text = said == nullptr ? "it cannot be loaded" : said;
@@ -38,8 +38,8 @@ std::string loader_error(const std::filesystem::path& file) {
   return text.starts_with(prefix) ? text.substr(prefix.size()) : text;
 }
 
-/// The library that keeps an interpreter: beside the program in a build, in its prefix, or in Debian's folder. Empty:
-/// there is none.
+/// The library with a Python interpreter: beside the program in a build, in its prefix, or in Debian's folder. Empty if
+/// there is no such library.
 std::filesystem::path find_python_library() {
   namespace fs = std::filesystem;
   std::vector<fs::path> candidates;
@@ -49,7 +49,7 @@ std::filesystem::path find_python_library() {
     const fs::path folder = self.parent_path();
     candidates.push_back(folder / "python/mesecina");                        // in a build
     candidates.push_back(folder / "../..");                                  // in a wheel
-    candidates.push_back(folder / "../lib/python3/dist-packages/mesecina");  // as Debian has it
+    candidates.push_back(folder / "../lib/python3/dist-packages/mesecina");  // in a Debian package
   }
   for (const fs::path& one : candidates)
     if (fs::exists(one / "embedded.so", error)) return fs::weakly_canonical(one / "embedded.so", error);
@@ -73,7 +73,7 @@ bool is_kebab_case(std::string_view id) {
 
 Expected<ExperimentLibrary> ExperimentLibrary::load(const std::filesystem::path& file) {
   std::error_code failed;
-  // Without a slash the loader would look elsewhere.
+  // The loader searches other folders for a name without a slash.
   std::filesystem::path full = std::filesystem::absolute(file, failed);
   if (failed) return failure(file, failed.message());
   if (!std::filesystem::is_regular_file(full, failed)) return failure(file, "there is no such file");

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Experiments for the program: what a shared library adds to a registry, and how it is taken away again.
+// Experiments for the program: adds the content of a shared library to a registry, and removes it again.
 #pragma once
 
 #include <filesystem>
@@ -14,10 +14,10 @@ namespace mes {
 
 class Registry;
 
-/// Small letters and digits in words with a hyphen between them, as in "beta-skeleton"; the first is a letter.
+/// Lower-case letters and digits in words joined by hyphens, as in "beta-skeleton"; the first character is a letter.
 bool is_kebab_case(std::string_view id);
 
-/// Ids of what an experiment has added, in this order.
+/// Ids of everything that an experiment has added, in this order.
 struct ExperimentContents {
   std::vector<std::string> parameters{};
   std::vector<std::string> structures{};
@@ -33,24 +33,24 @@ struct ExperimentContents {
 
 bool is_python_file(const std::filesystem::path& file);
 
-/// A shared library with experiments, or a file of Python. It stays loaded until the program ends, so whatever refers to its
-/// code may.
+/// A shared library with experiments, or a Python file. It stays loaded until the program ends, so pointers to its code
+/// stay valid.
 class ExperimentLibrary {
  public:
-  /// Error: `bad_input` if it cannot be loaded, or was made for another ABI. Runs its static initialisers. A file of
-  /// Python is loaded by the library of the Python module, and read when it is added.
+  /// Runs the static initialisers of the library. A Python file is loaded by the library of the Python module, and read
+  /// when it is added. Error: `bad_input` if it cannot be loaded, or was made for another ABI.
   static Expected<ExperimentLibrary> load(const std::filesystem::path& file);
-  /// Adds all that it has, or nothing. Error: `bad_input` with the reason, which the file stands before; registry as
-  /// before.
+  /// Adds all of its content, or nothing. Error: `bad_input` with the file and the reason; the registry is then
+  /// unchanged.
   Expected<ExperimentContents> add_to(Registry& registry) const;
 
  private:
   ExperimentLibrary(std::filesystem::path file, void* entry) : file_(std::move(file)), entry_(entry) {}
   std::filesystem::path file_;
-  void* entry_;  // the function that adds, of a file of Python if that is one
+  void* entry_;  // the function that adds the content, for a Python file that of the Python module
 };
 
-/// Takes away what was added, and whatever was computed from it.
+/// Removes everything that was added, and everything computed from it.
 void remove_experiment(const ExperimentContents& contents, Registry& registry);
 
 }  // namespace mes

@@ -13,10 +13,10 @@ namespace {
 /// A row of the table that a layer draws.
 using DrawnRow = mes::Slot<struct DrawnRowTag>;
 
-/// Draws the rows of one table by what the experiment prepared.
+/// Draws the rows of one table by the function that the experiment prepared.
 ///
-/// What it guarantees: an experiment that leaves out changes draws something outdated, or fails. Rows beyond the end of
-/// the table are never written.
+/// What it guarantees: an experiment that omits changes draws outdated things, or fails, but rows beyond the end of the
+/// table are never written.
 class ExternalPart final : public mes::LayerPart {
  public:
   ExternalPart(std::shared_ptr<const ExternalLayerSpec> spec, const mes::StructureSet& set)
@@ -53,7 +53,7 @@ class ExternalPart final : public mes::LayerPart {
   void expect_update() const override {}
   std::size_t lost() const override { return part_->lost(); }
   void for_each_instance(const Visit& visit) const override {
-    // It changes nothing that is seen from outside.
+    // The visible state of the layer does not change.
     auto& self = const_cast<ExternalPart&>(*this);
     try {
       self.prepare();
@@ -62,7 +62,7 @@ class ExternalPart final : public mes::LayerPart {
         visit(what, values, {{kind, nullptr}, element.row});
       });
     } catch (const std::exception&) {
-      // What cannot be drawn cannot be pointed at.
+      // An element that cannot be drawn cannot be picked.
     }
     self.release();
   }
@@ -83,7 +83,7 @@ class ExternalPart final : public mes::LayerPart {
     read_.end();
   }
 
-  /// False: changes are not known row by row.
+  /// Returns false if the changed rows are unknown.
   bool take_changes(std::size_t rows_before) {
     changes_.clear();
     std::vector<const mes::TableColumns*> followed{table_};
@@ -128,11 +128,11 @@ class ExternalPart final : public mes::LayerPart {
   std::unique_ptr<Inputs> inputs_;
   std::unique_ptr<Drawer> drawer_;
   Drawn drawn_;
-  const mes::TableColumns* table_ = nullptr;  // while it draws
-  std::size_t rows_ = 0;                      // of the table, at the last drawing
+  const mes::TableColumns* table_ = nullptr;  // valid while it draws
+  std::size_t rows_ = 0;                      // row count of the table at the last drawing
   mes::ChangeSet<DrawnRow> changes_;
   mes::SlotMarks<DrawnRow> marks_;
-  std::unique_ptr<mes::LayerPart> part_;  // reads what stands above
+  std::unique_ptr<mes::LayerPart> part_;  // refers to the members above
 };
 
 }  // namespace

@@ -10,7 +10,7 @@ namespace mesecina {
 inline namespace v1 {
 namespace {
 
-/// The table of the program whose rows are those of a table of the experiment; null: there is none.
+/// The program's table with the same rows as a table of the experiment; null if there is no such table.
 std::shared_ptr<mes::TableColumns> rows_behind(Inputs::Impl& read, const mes::TableColumns& table) {
   if (table.rows_of.empty()) return nullptr;
   try {
@@ -67,7 +67,7 @@ bool ExternalStructure::update(mes::JobControl& job) {
   if (!may_update()) return false;
   has_changes_ = false;
   touched_ = 0;
-  // The settings have changed where it does not look.
+  // Only settings that it does not read have changed.
   if (std::ranges::all_of(
           inputs(), [this](const mes::Structure* input) { return input == settings_ || input->touched() == 0; }))
     return true;
@@ -102,14 +102,14 @@ mes::StatList ExternalStructure::statistics() const {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (...) {
-    out.clear();  // what it cannot say is left out
+    out.clear();  // a failing experiment has no statistics
   }
   return out;
 }
 
 std::vector<mes::TableColumns> ExternalStructure::table_columns() const {
   std::vector<mes::TableColumns> out;
-  // Layers that are drawn side by side ask for them.
+  // Layers that are drawn in parallel call this.
   Inputs::Impl read;
   read.structures = read_.structures;
   try {
@@ -126,7 +126,7 @@ std::vector<mes::TableColumns> ExternalStructure::table_columns() const {
         table.is_alive = [](mes::RowNumber) { return true; };
       const auto refresh = [this, impl, behind](mes::TableColumns& to) {
         impl->refresh(to, has_changes_);
-        // Rows that are alive by another table are rows there.
+        // The rows that are alive in the other table are those alive here.
         if (!behind || impl->alive != nullptr) return;
         if (behind->refresh) behind->refresh(*behind);
         to.rows = std::min(to.rows, behind->rows);
@@ -162,7 +162,7 @@ void ExternalStructure::find(std::vector<mes::Finding>& out) const {
   } catch (const std::bad_alloc&) {
     throw;
   } catch (...) {
-    // What it cannot say is left out.
+    // A failing experiment has no further findings.
   }
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What experiments read, and the tables that they describe.
+// The inputs of experiments, and the tables that they describe.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -25,7 +25,7 @@ void read_computed(const void* column, Row row, void* out) {
 
 }  // namespace
 
-// Types of columns are converted by their numbers.
+// Column types are converted by numeric value.
 static_assert(static_cast<int>(ColumnType::float64) == static_cast<int>(mes::ColumnType::float64) &&
               static_cast<int>(ColumnType::uint32) == static_cast<int>(mes::ColumnType::uint32) &&
               static_cast<int>(ColumnType::uint8) == static_cast<int>(mes::ColumnType::uint8) &&

@@ -13,7 +13,7 @@ struct Job::Impl {
   std::stop_source source;
   mes::JobControl control{source.get_token()};
   std::optional<std::stop_callback<std::function<void()>>> outer_stop;
-  std::mutex mutex;  // of the task
+  std::mutex mutex;  // guards the task
   std::string task;
 };
 

@@ -70,7 +70,7 @@ Finding outer(const mes::Finding& finding, const std::string& structure) {
           .places = all_outer(finding.places)};
 }
 
-/// The error of a run or of a result, with the structure to blame and its witnesses.
+/// Throws the error of a run or a result, with the failed structure and its witnesses.
 [[noreturn]] void raise_of(const mes::Error& error, std::span<const mes::NodeReport> nodes,
                            const std::set<std::string, std::less<>>& blamed) {
   if (error.code != mes::ErrorCode::cannot_compute) raise(error);
@@ -86,7 +86,7 @@ Finding outer(const mes::Finding& finding, const std::string& structure) {
   throw Error(std::move(details));
 }
 
-/// Structures by their ids, and all that they are computed from.
+/// Adds the ids of a structure and of everything it is computed from.
 void add_with_inputs(const mes::Registry& registry, std::string_view structure,
                      std::set<std::string, std::less<>>& to) {
   const mes::StructureSpec* const spec = registry.find_structure(structure);
@@ -108,7 +108,7 @@ std::set<std::string, std::less<>> with_inputs(const mes::Registry& registry, st
   return out;
 }
 
-/// Tells the job what is being computed, as long as it lives.
+/// While it lives, tells the job the current task.
 class TaskWatch {
  public:
   TaskWatch(mes::Workbench& bench, Job& job) : bench_(bench) {
@@ -171,10 +171,10 @@ void Workbench::run() {
 void Workbench::run(Job& job) {
   Impl& to = impl();
   to.clock->begin_run();
-  // Tables of what the run did not compute are where they were.
+  // Tables of structures that the run did not compute have not moved.
   const auto count_computed = [&to] {
     const std::span<const mes::NodeReport> nodes = to.bench.nodes();
-    if (nodes.empty()) return;  // there was no room for them
+    if (nodes.empty()) return;  // the run had no memory for them
     for (std::size_t i = 0; i < to.registry().structures().size(); ++i) to.clock->set_computed(i, nodes[i].computed);
     to.clock->open();
   };

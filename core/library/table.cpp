@@ -38,7 +38,7 @@ ColumnInfo info_of(const mes::TableColumn& column) {
           .is_followed = column.is_followed};
 }
 
-/// What a callback of the caller threw, on its way past the code that called it.
+/// Carries an exception of the caller's callback past the code that called it.
 struct ThrownByCaller {
   std::exception_ptr exception;
 };

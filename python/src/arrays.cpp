@@ -93,7 +93,7 @@ py::array view_of(const void* data, mesecina::ColumnType type, std::size_t rows,
   auto kept = std::make_unique<std::shared_ptr<const void>>(std::move(owner));
   const py::capsule base(kept.get(), [](void* of) { delete static_cast<std::shared_ptr<const void>*>(of); });
   kept.release();
-  static constexpr double kNothing = 0.0;  // NumPy allocates memory for an array over null
+  static constexpr double kNothing = 0.0;  // NumPy allocates memory for an array over a null pointer
   py::array out(dtype_of(type), shape_of(rows, width), strides, data == nullptr ? &kNothing : data, base);
   make_read_only(out);
   return out;

@@ -12,7 +12,7 @@
 
 namespace mes_python {
 
-/// Guards a call, so that there is one at a time. The caller holds the interpreter lock at both ends.
+/// Guards a call, so that calls do not overlap. The caller holds the interpreter lock at construction and destruction.
 class Bench::Use {
  public:
   explicit Use(Bench& of) : of_(of) {
@@ -141,7 +141,7 @@ py::tuple Bench::data() {
   return arrays_of(without_lock([](const auto& bench) { return bench.data(); }));
 }
 
-// An edit of nothing changes nothing, so arrays stay valid.
+// An empty edit changes nothing, so arrays stay valid.
 Numbers Bench::insert(const Doubles& points) {
   if (points.size() == 0) return Numbers(0);
   return change([&](auto& bench) { return array_of_ids(bench.insert(points_of(points))); });
@@ -280,11 +280,11 @@ void Bench::bring_up_to_date() {
         "copies (array.copy()), before the session is read again; a notebook keeps what it displays.";
     throw py::buffer_error(text);
   }
-  // A stopped run leaves `is_changed` as it is. A run that follows no change outdates no array.
+  // A stopped run does not reset `is_changed`. A run without changes outdates no array.
   try {
     interruptible([](auto& bench, auto& job) { bench.run(job); });
   } catch (const mesecina::Error& error) {
-    // All that does not depend on the failed structures is up to date. A reader of those gets the error.
+    // Everything independent of the failed structures is up to date. A reader of the failed ones gets the error.
     if (error.code() != mesecina::ErrorCode::cannot_compute) throw;
   }
   state_->is_changed = false;

@@ -18,13 +18,13 @@ namespace mes_python {
 /// Keeps a workbench, brings it up to date when results are read, and guards the arrays that show its memory.
 ///
 /// What it guarantees:
-///  1. An array over a table or over instances shows the values that it showed when it was made, as long as it lives, also
-///     after the session: as long as such arrays live, a run that could move memory throws `BufferError`, and nothing is
-///     changed. Edits and settings wait for the next reading, so they are never refused for that.
-///  2. Reading more than before makes no array invalid.
+///  1. An array over a table or over instances keeps its values while it lives, also after the session: while such
+///     arrays live, a run that could move memory throws `BufferError` and changes nothing. Edits and settings take
+///     effect at the next reading, so live arrays never block them.
+///  2. Reading more results never invalidates an array.
 ///  3. A call while another thread is in one throws `RuntimeError`.
 ///
-/// Threads: calls hold the interpreter lock, and give it away while they read, compute or write.
+/// Threads: calls hold the interpreter lock, and release it while they read, compute or write.
 class Bench {
  public:
   Bench(const mesecina::Catalogue& catalogue, bool keeps_history);
@@ -65,13 +65,13 @@ class Bench {
   std::string precision();
   void reset_settings();
 
-  /// Brings everything that was read so far up to date.
+  /// Brings all results read so far up to date.
   void run();
-  /// Tables are named by their id, as in "delaunay/faces".
+  /// Tables are named by id, as in "delaunay/faces".
   py::array column(const std::string& table, const std::string& column);
   Numbers live_rows(const std::string& table);
   std::size_t rows(const std::string& table);
-  /// Two arrays of row numbers, touched and removed ones. It has no value if any row may differ.
+  /// Two arrays of row numbers, touched and removed ones. No value if any row may differ.
   std::optional<py::tuple> changes(const std::string& table);
   py::dict statistics(const std::string& structure);
   py::array instances(const std::string& layer, mesecina::PrimitiveKind kind);
@@ -79,7 +79,7 @@ class Bench {
   std::vector<mesecina::StructureReport> reports();
   std::vector<mesecina::Finding> findings();
   mesecina::Light light();
-  /// The number of arrays that show its memory now.
+  /// The number of live arrays over its memory.
   long views() const { return state_.use_count() - 1; }
 
  private:
@@ -110,7 +110,7 @@ class Bench {
   std::set<std::string, std::less<>> structures_;  ///< ids of needed structures
   std::set<std::string, std::less<>> layers_;      ///< ids of shown layers
   bool wants_findings_ = false;
-  bool has_more_demand_ = true;  ///< more is asked for than at the last run
+  bool has_more_demand_ = true;  ///< more results are needed than at the last run
 };
 
 }  // namespace mes_python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps an interpreter of Python for the program, which loads this library when the first experiment in Python is loaded.
+// Keeps a Python interpreter for the program, which loads this library with the first Python experiment.
 #include <Python.h>
 #include <dlfcn.h>
 
@@ -13,7 +13,7 @@ namespace {
 
 using AddFile = void (*)(mesecina::Experiment& to, const char* file);
 
-/// The text of the exception that was raised.
+/// The text of the current exception.
 std::string raised() {
   PyObject *type = nullptr, *value = nullptr, *trace = nullptr;
   PyErr_Fetch(&type, &value, &trace);
@@ -29,7 +29,7 @@ std::string raised() {
   return out;
 }
 
-/// The folder that has the package, which has this library.
+/// The folder of the package that contains this library.
 std::string folder_of_package() {
   Dl_info info{};
   if (dladdr(reinterpret_cast<const void*>(&folder_of_package), &info) == 0) return {};
@@ -39,14 +39,14 @@ std::string folder_of_package() {
   return folder == std::string::npos ? std::string() : self.substr(0, folder);
 }
 
-/// Starts the interpreter and finds the function of the package. The calling thread does not keep the interpreter lock.
+/// Starts the interpreter and finds the function of the package. The calling thread releases the interpreter lock.
 AddFile begin() {
   // Extension modules need the symbols of the interpreter, and this library was loaded with RTLD_LOCAL.
   Dl_info info{};
   if (dladdr(reinterpret_cast<const void*>(&Py_InitializeEx), &info) != 0)
     dlopen(info.dli_fname, RTLD_NOW | RTLD_GLOBAL | RTLD_NOLOAD);
   if (!Py_IsInitialized()) {
-    Py_InitializeEx(0);  // signals stay the program's
+    Py_InitializeEx(0);  // leaves signals to the program
     PyEval_SaveThread();
   }
   const PyGILState_STATE lock = PyGILState_Ensure();
@@ -71,8 +71,8 @@ AddFile begin() {
 
 }  // namespace
 
-/// Adds the structures, layers and evolutions that a file of Python defines. It throws an exception with the reason if
-/// that fails.
+/// Adds the structures, layers and evolutions that a Python file defines. Throws an exception with the reason on
+/// failure.
 extern "C" MESECINA_API void mesecina_python_experiment_of_abi_1(mesecina::Experiment& to, const char* file) {
   static std::mutex mutex;
   static AddFile add = nullptr;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The error of the library as exceptions of Python.
+// Converts errors of the library to Python exceptions.
 #include <new>
 #include <string>
 #include <string_view>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Structures and layers that are functions of Python over arrays.
+// Structures and layers whose functions are Python functions over arrays.
 #include <pybind11/stl.h>
 
 #include <array>
@@ -18,12 +18,12 @@
 namespace mes_python {
 namespace {
 
-/// A function of Python that threads without the interpreter lock may copy, call and destroy.
+/// A Python function that threads without the interpreter lock may copy, call and destroy.
 class Function {
  public:
   explicit Function(py::object function)
       : function_(new py::object(std::move(function)), [](py::object* of) {
-          if (!Py_IsInitialized()) return;  // nothing of the interpreter can be touched any more
+          if (!Py_IsInitialized()) return;  // the interpreter is gone and must not be touched
           const Locked locked;
           delete of;
         }) {}
@@ -40,13 +40,13 @@ class Function {
   std::shared_ptr<py::object> function_;
 };
 
-/// The inputs of a function of Python, which can be read while it is at work.
+/// The inputs of a Python function; they can be read during its call.
 class PyInputs {
  public:
   explicit PyInputs(const mesecina::Inputs& inputs) : inputs_(&inputs) {}
   void close() { inputs_ = nullptr; }
 
-  /// A copy, in which rows that are not alive are 0, so that they can be used as indices.
+  /// A copy in which dead rows are 0, so that they can be used as indices.
   py::array column(const std::string& id, const std::string& name) const {
     const mesecina::Table table = now().table(id);
     py::array out = copy_of(table.column(name));
@@ -71,7 +71,7 @@ class PyInputs {
   const mesecina::Inputs* inputs_;
 };
 
-/// Calls `work` with the interpreter lock, and turns exceptions of Python into one that threads without it may hold.
+/// Calls `work` with the interpreter lock, and converts Python exceptions to one that threads without it may hold.
 template <class Work>
 void locked(Work work) {
   const Locked lock;
@@ -79,9 +79,9 @@ void locked(Work work) {
   try {
     return work();
   } catch (const py::error_already_set& error) {
-    // Ctrl-C stops the whole run, and no structure has failed.
+    // Ctrl-C stops the whole run; this is not a failure of the structure.
     if (error.matches(PyExc_KeyboardInterrupt)) throw mesecina::Error(mesecina::ErrorCode::cancelled, "stopped");
-    // Without its traceback the exception would not name the line.
+    // The traceback gives the line of the exception.
     text = py::module_::import("mesecina._experiments")
                .attr("described")(error.value(), error.trace())
                .cast<std::string>();
@@ -91,7 +91,7 @@ void locked(Work work) {
   throw std::runtime_error(text);
 }
 
-/// Calls a function with inputs.
+/// Calls a Python function with inputs.
 template <class Use>
 void call(const Function& function, const mesecina::Inputs& inputs, Use use) {
   locked([&] {
@@ -193,7 +193,7 @@ class PyStructure final : public mesecina::Structure {
     std::vector<Values> columns;
     std::vector<std::uint8_t> alive;
   };
-  // Rows of another table are as many as there.
+  // A table over rows of another table must have as many rows.
   static void check_rows(const TablePlan& plan, const py::list& columns, const mesecina::Inputs& inputs) {
     if (plan.rows_of.empty() || columns.empty()) return;
     const std::size_t own = py::len(columns[0]);
@@ -253,7 +253,7 @@ class PyDrawer final : public mesecina::Drawer {
   std::vector<double> values_;
 };
 
-// The Python part describes an experiment by dicts.
+// The Python part passes descriptions of experiments as dicts.
 
 mesecina::ParameterInfo parameter_of(const py::handle& one) {
   return {.id = one["id"].cast<std::string>(),
@@ -351,7 +351,7 @@ void add(mesecina::Experiment& to, const py::dict& spec) {
     add_evolution(to, spec);
 }
 
-/// Adds all that a file of Python defines. The program calls this through embedded.cpp.
+/// Adds everything that a Python file defines. The program calls this through embedded.cpp.
 void add_file(mesecina::Experiment& to, const char* file) {
   locked([&] {
     for (const auto& spec : py::module_::import("mesecina._experiments").attr("specs_of")(file))

@@ -8,10 +8,10 @@
 namespace mes_python {
 namespace {
 
-// The innermost call of the main thread that Ctrl-C stops.
+// The innermost call on the main thread that Ctrl-C can stop.
 std::atomic<const StopsAtInterrupt*> innermost{nullptr};
 static_assert(std::atomic<const StopsAtInterrupt*>::is_always_lock_free);
-// The handler of before. Only the main thread changes it, while our handler is not installed.
+// The previous handler. Only the main thread changes it, while our handler is not installed.
 struct sigaction before;
 
 void stop_and_hand_on(int number, siginfo_t* info, void* context) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ctrl-C stops the computation that goes on.
+// Lets Ctrl-C stop a running computation.
 #pragma once
 
 #include <csignal>
@@ -8,9 +8,9 @@
 
 namespace mes_python {
 
-/// While it lives, SIGINT stops a job and is then handled as before, so that Python raises `KeyboardInterrupt`
-/// afterwards. It does nothing on other threads than the main one of Python, where no such exception is raised, and
-/// where SIGINT has no handler. Within a structure of Python another session may compute: Ctrl-C then stops both.
+/// While it lives, SIGINT stops a job and then runs the previous handler, so that Python raises `KeyboardInterrupt`
+/// afterwards. Does nothing on threads other than Python's main thread, where no such exception is raised, and if
+/// SIGINT has no handler. If a Python structure computes another session inside, Ctrl-C stops both.
 ///
 /// Cost: two system calls.
 class StopsAtInterrupt {
@@ -21,16 +21,16 @@ class StopsAtInterrupt {
   StopsAtInterrupt(const StopsAtInterrupt&) = delete;
   StopsAtInterrupt& operator=(const StopsAtInterrupt&) = delete;
 
-  /// Stops the job and those of the calls around it. A signal handler may call this.
+  /// Stops the job and those of the enclosing calls. A signal handler may call this.
   void stop_all() const noexcept;
 
  private:
   mesecina::Job& job_;
-  const StopsAtInterrupt* outer_ = nullptr;  ///< the call within which this one is made
+  const StopsAtInterrupt* outer_ = nullptr;  ///< the enclosing call
   bool is_listed_ = false;
 };
 
-/// Is this the thread on which Python handles signals? The first call imports a module.
+/// Whether this is the thread on which Python handles signals. The first call imports a module.
 bool is_main_thread();
 
 }  // namespace mes_python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The interpreter lock, given away and taken back.
+// Releases and acquires the interpreter lock.
 #pragma once
 
 #include <Python.h>
@@ -8,11 +8,11 @@
 
 namespace mes_python {
 
-/// Calls a function of Python that may take the interpreter lock.
+/// Calls a function of Python that may acquire the interpreter lock.
 ///
-/// When the interpreter ends while other threads are at work, Python unwinds the stack of each thread that takes the
-/// lock. Destructors on that stack would then touch objects without the lock. So the thread stops here until the
-/// process has ended, as threads of Python itself do from 3.14 on.
+/// When the interpreter ends while other threads are at work, Python unwinds the stack of each thread that acquires the
+/// lock. Destructors on that stack would then touch objects without the lock. So the thread blocks here until the
+/// process has ended, like threads of Python itself from 3.14 on.
 template <class Work>
 auto may_take_lock(Work work) {
   try {
@@ -22,7 +22,7 @@ auto may_take_lock(Work work) {
   }
 }
 
-/// Gives the lock away while it lives.
+/// Releases the lock while it lives.
 class Unlocked {
  public:
   Unlocked() : thread_(PyEval_SaveThread()) {}
@@ -36,7 +36,7 @@ class Unlocked {
   PyThreadState* thread_;
 };
 
-/// Holds the lock while it lives, on any thread. It does nothing if the thread holds the lock already.
+/// Holds the lock while it lives, on any thread. Does nothing if the thread already holds the lock.
 class Locked {
  public:
   Locked() : state_(may_take_lock([] { return PyGILState_Ensure(); })) {}

@@ -240,8 +240,8 @@ mesecina::PrimitiveKind kind_of(std::string_view name) {
 }  // namespace mes_python
 
 PYBIND11_MODULE(_mesecina, module) {
-  // These calls initialise static variables. Two threads that did so together could wait for each other, one of them
-  // with the interpreter lock.
+  // These calls initialise static variables. Two threads doing this at once could deadlock, one of them with the
+  // interpreter lock.
   (void)pybind11::dtype::of<double>();
   (void)mes_python::is_main_thread();
   mes_python::add_errors();

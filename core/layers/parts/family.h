@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the layers of a union of balls have in common: each exists once for every family of balls.
+// Common code for the layers of a union of balls: each exists once for every family of balls.
 //
-// A file in core/layers/union defines `Layer make_union_name_layer(const UnionFamily&)`; core/layers/layers.cpp lists it,
-// and adds a layer of it for each family, with the family's letter before its id and the
-// family's name before its own.
+// A file in core/layers/union defines `Layer make_union_name_layer(const UnionFamily&)`; core/layers/layers.cpp lists
+// it and adds one layer for each family, prefixing its id with the family's letter and its name with the family's name.
 #pragma once
 
 #include <string>
@@ -42,7 +41,7 @@ Layer union_layer_of(const UnionFamily& family, const Structure& read, LayerDesc
   descriptor.in_paper = descriptor.in_paper && family.in_paper;
   return make_layer(std::move(descriptor), {&family.balls, &read}, std::move(parts)...);
 }
-/// A layer of the grown balls, which needs no union.
+/// A layer of the grown balls, which does not need the union.
 template <class... Parts>
 Layer grown_layer(const UnionFamily& family, LayerDescriptor descriptor, Parts... parts) {
   Layer layer = union_layer_of(family, family.grown.filtration(), std::move(descriptor), std::move(parts)...);
@@ -50,7 +49,7 @@ Layer grown_layer(const UnionFamily& family, LayerDescriptor descriptor, Parts..
   layer.descriptor.structures.front() = family.grown.id();
   return layer;
 }
-/// A layer of the balls along the axis that have grown.
+/// A layer of the grown balls along the axis.
 template <class... Parts>
 Layer scale_layer(const UnionFamily& family, const AxisBallUnion& grown, LayerDescriptor descriptor, Parts... parts) {
   Layer layer = union_layer_of(family, grown, std::move(descriptor), std::move(parts)...);
@@ -85,8 +84,8 @@ inline constexpr ElementKind kElementOf<VEdge> = ElementKind::v_edge;
 template <>
 inline constexpr ElementKind kElementOf<BoundaryArc> = ElementKind::boundary_arc;
 
-/// Part over a table of the union: `emit(row of the table, instance)`. The change set is that of the table, or of the
-/// one whose rows are its rows (`UnionChanges`).
+/// Part over a table of the union: `emit(row of the table, instance)`. Its change set is that of the table, or of a
+/// table with the same rows (`UnionChanges`).
 template <class Row, class Value, class ChangedRow, class Emit>
 auto union_part(std::vector<PrimitiveKind> kinds, const BallUnion& balls, Table<Row, Value> UnionTables::*table,
                 const ChangeSet<ChangedRow>& changes, Emit emit) {
@@ -110,7 +109,7 @@ auto ball_part(PrimitiveKind kind, const BallUnion& balls, Emit emit) {
       ElementType{ElementKind::ball, &balls});
 }
 
-/// The axis of a union of grown balls, with radii divided by the factor again: its pieces, and the balls without one.
+/// The axis of a union of grown balls, with radii divided by the factor: its pieces, and the balls without a piece.
 inline auto scale_axis_pieces(const BallUnion& balls) {
   return union_part({PrimitiveKind::segment}, balls, &UnionTables::axis, balls.changes().dual_edges,
                     [&balls](const AxisPiece& piece, Instance& out) {
@@ -140,7 +139,7 @@ auto power_part(std::vector<PrimitiveKind> kinds, const PowerDiagram& diagram, E
       ElementType{ElementKind::power_edge, &diagram});
 }
 
-/// Edge of the power diagram.
+/// Draws an edge of the power diagram.
 inline void emit_power_edge(const PowerEdge& edge, Instance& out) {
   switch (edge.kind) {
     case PowerEdge::Kind::segment: out.segment(edge.from, edge.to); break;
@@ -148,7 +147,7 @@ inline void emit_power_edge(const PowerEdge& edge, Instance& out) {
     case PowerEdge::Kind::line: out.line(edge.from, edge.to); break;
   }
 }
-/// Its dual, edge of the regular triangulation.
+/// Draws its dual edge of the regular triangulation.
 inline void emit_centers(const PowerDiagram& diagram, const PowerEdge& edge, Instance& out) {
   out.segment(diagram.family().disk(edge.ball[0]).center, diagram.family().disk(edge.ball[1]).center);
 }
@@ -162,7 +161,7 @@ auto v_part(std::vector<PrimitiveKind> kinds, const VDiagram& diagram, Table<Row
       ElementType{kElementOf<Value>, &diagram});
 }
 
-/// Part over sampled balls: `emit(disk, instance)`. `owner` explains them.
+/// Part over sampled balls: `emit(disk, instance)`. `owner` explains the balls.
 template <class Emit>
 auto sampled_part(std::vector<PrimitiveKind> kinds, const SampledBalls& balls, Emit emit,
                   const Structure* owner = nullptr) {
@@ -174,7 +173,7 @@ auto sampled_part(std::vector<PrimitiveKind> kinds, const SampledBalls& balls, E
       owner == nullptr ? ElementType{} : ElementType{ElementKind::sampled_ball, owner});
 }
 
-/// Voronoi edge of two v-points.
+/// Draws the Voronoi edge between two v-points.
 inline void emit_v_dual(const UnionTables& t, const VEdge& edge, Instance& out) {
   const Vec2 a = t.v_points[edge.v[0]].position;
   const Vec2 b = t.v_points[edge.v[1]].position;

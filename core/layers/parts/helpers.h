@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What several layers need: parts over the common tables, and the duals of edges.
+// Common code for several layers: parts over the common tables, and the duals of edges.
 #pragma once
 
 #include <initializer_list>
@@ -19,7 +19,7 @@ Layer make_layer(LayerDescriptor descriptor, std::vector<const Structure*> struc
   return layer;
 }
 
-/// `emit(edge, instance)` for live Delaunay edges.
+/// Calls `emit(edge, instance)` for live Delaunay edges.
 template <class Emit>
 struct EdgeEmit {
   const Delaunay& delaunay;
@@ -45,7 +45,7 @@ auto edges_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, cons
       ElementType{ElementKind::delaunay_edge});
 }
 
-/// `emit(face, instance)` for live finite faces.
+/// Calls `emit(face, instance)` for live finite faces.
 template <class Emit>
 struct FaceEmit {
   const Delaunay& delaunay;
@@ -78,14 +78,14 @@ auto sites_part(std::vector<PrimitiveKind> kinds, const Delaunay& delaunay, cons
       ElementType{ElementKind::site});
 }
 
-/// The Delaunay edge itself.
+/// Draws the Delaunay edge.
 inline void emit_edge(const Delaunay& delaunay, EdgeSlot edge, Instance& out, double scalar = 0.0) {
   const EdgeRow& row = delaunay.edge(edge);
   out.segment(delaunay.site_position(row.v[0]), delaunay.site_position(row.v[1]), scalar);
 }
 
-/// The Voronoi edge dual to a Delaunay edge: a segment, a ray for a hull edge, a line when all sites are collinear. A
-/// dual of length exactly zero comes out with equal ends.
+/// Draws the Voronoi edge dual to a Delaunay edge: a segment, a ray for a hull edge, a line when all sites are
+/// collinear. A dual of length exactly zero has equal ends.
 inline void emit_dual(const Delaunay& delaunay, const OneStepCrust& crust, EdgeSlot edge, Instance& out,
                       double scalar = 0.0) {
   const EdgeRow& row = delaunay.edge(edge);
@@ -101,7 +101,7 @@ inline void emit_dual(const Delaunay& delaunay, const OneStepCrust& crust, EdgeS
   const Vec2 right = delaunay.circumcenter(row.f[1]);
   if (left_finite && right_finite) {
     if (crust.is_cocircular(edge)) {
-      // One point, rounded differently for either face; which of them is the left one depends on history.
+      // Both faces have the same point, rounded differently; which face is the left one depends on history.
       const Vec2 middle = lexicographically_less(right, left) ? right : left;
       out.segment(middle, middle, scalar);
     } else {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Between the public types and those of the program: errors, jobs, catalogues, plain values.
+// Conversions between the public types and those of the program: errors, jobs, catalogues, plain values.
 #pragma once
 
 #include <memory>
@@ -25,14 +25,14 @@
 namespace mesecina {
 inline namespace v1 {
 
-/// Throws the public error for one of the program.
+/// Throws the public error that corresponds to one of the program.
 [[noreturn]] void raise(const mes::Error& error);
 [[noreturn]] void refuse(std::string text);
 [[noreturn]] void refuse_unknown(std::string_view what, std::string_view id);
-/// Throws the public error for the exception that is being handled.
+/// Throws the public error that corresponds to the exception being handled.
 [[noreturn]] void raise_current();
 
-/// Calls `work`, which lets no exception of the program out.
+/// Calls `work` and converts exceptions of the program to public errors.
 template <class Work>
 decltype(auto) guarded(Work&& work) {
   try {

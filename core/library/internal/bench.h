@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The workbench of the program behind the public one.
+// The program's workbench behind the public one.
 #pragma once
 
 #include <memory>
@@ -27,8 +27,8 @@ struct Workbench::Impl {
 
   Catalogue catalogue;  // outlives the workbench
   std::shared_ptr<RunClock> clock = std::make_shared<RunClock>(registry().structures().size());
-  bool was_stopped = false;     // the last run, or it found no room
-  bool has_gap_before = false;  // the run before it was: changes of tables were forgotten
+  bool was_stopped = false;     // the last run was stopped or ran out of memory
+  bool has_gap_before = false;  // the same for the run before it: changes of tables were lost
   mes::Workbench bench;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an experiment adds to a registry, behind the public `Experiment`.
+// Registry additions of an experiment, behind the public `Experiment`.
 #pragma once
 
 #include <mesecina/experiment.h>

@@ -14,17 +14,17 @@
 namespace mesecina {
 inline namespace v1 {
 
-/// What all layers that are made of one specification have in common.
+/// Shared by all layers made from one specification.
 struct ExternalLayerSpec {
   mes::LayerDescriptor descriptor;
   std::string rows;                        ///< id of a table
   std::vector<std::string> follows;        ///< ids of tables
-  std::vector<std::string> structures;     ///< all that it reads, without the settings
-  std::vector<mes::Parameter> parameters;  ///< that it reads
+  std::vector<std::string> structures;     ///< all structures that it reads, without the settings
+  std::vector<mes::Parameter> parameters;  ///< parameters that it reads
   Experiment::MakeDrawer make;
 };
 
-/// Over structures that have been added before.
+/// All structures that it reads must have been added to `set`.
 mes::Layer make_external_layer(const std::shared_ptr<const ExternalLayerSpec>& spec, const mes::StructureSet& set);
 
 }  // namespace v1

@@ -16,16 +16,16 @@
 namespace mesecina {
 inline namespace v1 {
 
-/// What all that are made of one specification have in common.
+/// Shared by all structures made from one specification.
 struct ExternalStructureSpec {
   std::string id;
   std::vector<std::string> inputs;         ///< without the settings
-  std::vector<mes::Parameter> parameters;  ///< that it reads
+  std::vector<mes::Parameter> parameters;  ///< parameters that it reads
   std::function<std::unique_ptr<Structure>()> make;
 };
 
-/// What it guarantees: what mes::Structure promises, as far as the experiment's `update` names the rows that it changed.
-/// Nothing but `mes::GeometryError`, `mes::Cancelled` and `std::bad_alloc` leaves it.
+/// What it guarantees: everything that mes::Structure promises, provided that the experiment's `update` reports all
+/// rows that it changed. Throws only `mes::GeometryError`, `mes::Cancelled` and `std::bad_alloc`.
 class ExternalStructure final : public mes::Structure {
  public:
   ExternalStructure(std::shared_ptr<const ExternalStructureSpec> spec, const mes::StructureSet& set);
@@ -47,13 +47,13 @@ class ExternalStructure final : public mes::Structure {
   const mes::SettingsSource* settings_ = nullptr;
   std::unique_ptr<v1::Structure> theirs_;
   Inputs::Impl read_;
-  std::vector<double> values_;          // of the parameters, at the last computation
-  std::size_t touched_ = 0;             // rows
-  std::vector<mes::TableColumns> own_;  // as they were after the last update
-  bool has_changes_ = false;            // an update made some, which its tables name
+  std::vector<double> values_;          // parameter values at the last computation
+  std::size_t touched_ = 0;             // number of touched rows
+  std::vector<mes::TableColumns> own_;  // as of the last update
+  bool has_changes_ = false;            // the last update made changes, reported by its tables
 };
 
-/// The inputs of a structure or a layer, and the settings among them if there are parameters.
+/// The inputs of a structure or a layer, including the settings if it has parameters.
 std::vector<mes::Structure*> inputs_in(const mes::StructureSet& set, const std::vector<std::string>& ids,
                                        bool with_settings);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an experiment reads, behind the public `Inputs` and `OwnTable`.
+// The inputs of an experiment, behind the public `Inputs` and `OwnTable`.
 #pragma once
 
 #include <deque>
@@ -23,10 +23,10 @@
 namespace mesecina {
 inline namespace v1 {
 
-/// Tables of some structures, looked up by their ids, as they are since the last `begin`.
+/// Tables of some structures by id, as of the last `begin`.
 struct Inputs::Impl {
   std::vector<const mes::Structure*> structures;
-  const mes::SettingsSource* settings = nullptr;  ///< null: no parameter is read
+  const mes::SettingsSource* settings = nullptr;  ///< null if no parameter is read
   std::vector<mes::Parameter> parameters;
 
   Impl() = default;
@@ -34,13 +34,13 @@ struct Inputs::Impl {
   Impl& operator=(const Impl&) = delete;
   ~Impl() { end(); }
 
-  /// What was read before is outdated. A job of null cannot be stopped.
+  /// Outdates everything read before. A null job cannot be stopped.
   void begin(mes::JobControl* its_job) {
     end();
     job = its_job;
     for (Known& one : known) one.is_fresh = false;
   }
-  /// Tables that were given out are outdated.
+  /// Outdates all tables returned so far.
   void end();
   /// Error: `usage`.
   const mes::TableColumns& find(std::string_view table);
@@ -51,18 +51,18 @@ struct Inputs::Impl {
     std::vector<mes::TableColumns> tables;
     bool is_fresh = true;
   };
-  std::deque<Known> known{};  // columns that were given out stay where they are
+  std::deque<Known> known{};  // a deque, because returned columns must not move
   std::shared_ptr<RunClock> clock{};
 };
 
 struct OwnTable::Impl {
   mes::TableColumns table{};
-  std::vector<std::function<Place()>> places{};  ///< of its columns
+  std::vector<std::function<Place()>> places{};  ///< one for each of its columns
   const std::vector<std::uint8_t>* alive = nullptr;
-  const std::vector<Row>* touched = nullptr;  ///< null: it does not say which rows differ
+  const std::vector<Row>* touched = nullptr;  ///< null if the changed rows are unknown
   const std::vector<Row>* removed = nullptr;
 
-  /// Addresses, rows and changes as they are now.
+  /// Updates addresses, rows and changes.
   void refresh(mes::TableColumns& out, bool has_changes) const;
 };
 
@@ -70,10 +70,10 @@ struct OwnTableAccess {
   static std::shared_ptr<OwnTable::Impl> take(OwnTable& table) { return std::move(table.impl_); }
 };
 
-/// Words of what an experiment threw, in one line.
+/// The text of an experiment's exception as one line.
 std::string one_line(std::string_view text);
 
-/// Calls a function of an experiment. What it throws becomes what a structure of the program throws.
+/// Calls a function of an experiment and converts its exceptions to those of a structure of the program.
 template <class Work>
 decltype(auto) shielded(Work&& work) {
   try {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A table of a structure behind a public one.
+// The program's table behind a public one.
 #pragma once
 
 #include <atomic>
@@ -15,17 +15,17 @@
 namespace mesecina {
 inline namespace v1 {
 
-/// What a workbench and its tables share: which runs there were, and which structures they computed.
+/// Shared by a workbench and its tables: counts runs, and records the structures that each run computed.
 class RunClock {
  public:
   explicit RunClock(std::size_t structures) : computed_(structures) {}
 
-  /// No table can be read until `open`.
+  /// Closes all tables to readers until `open`.
   void begin_run() noexcept {
     close();
     run_.fetch_add(1, std::memory_order_acq_rel);
   }
-  /// The tables of the structure may have moved in that run, but not since.
+  /// Records that the tables of the structure may have moved in that run, but not since.
   void set_computed(std::size_t structure, std::uint64_t run) noexcept {
     computed_[structure].store(run, std::memory_order_relaxed);
   }
@@ -50,9 +50,9 @@ struct TableAccess {
   TableInfo info;
   mes::TableColumns table;
   std::shared_ptr<const RunClock> clock;
-  std::size_t structure = 0;   ///< its number in the clock
-  std::uint64_t computed = 0;  ///< run in which its structure was computed
-  std::uint64_t run = 0;       ///< run after which the table was made
+  std::size_t structure = 0;   ///< its index in the clock
+  std::uint64_t computed = 0;  ///< the run that computed its structure
+  std::uint64_t run = 0;       ///< the run after which the table was made
   bool is_rebuilt = false;     ///< every row may be new
 
   bool is_current() const noexcept { return clock->is_open() && clock->computed(structure) == computed; }

@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What there is: structures, layers, parameters, evolutions, shapes, file formats and number types, with their public
-// ids.
+// The catalogue: available structures, layers, parameters, evolutions, shapes, file formats and number types, with
+// their public ids.
 //
 // What it guarantees:
-//  1. Ids are those of the command line (`mesecina list`) and of files. They are added to, and not renamed within a
-//     major version.
-//  2. Descriptions are values: they stay as they are, whatever happens to the catalogue afterwards.
+//  1. Ids are those of the command line (`mesecina list`) and of files. New ones may be added, but none is renamed
+//     within a major version.
+//  2. Descriptions are values: later changes of the catalogue do not affect them.
 //  3. A workbench keeps its catalogue alive. A copy of a catalogue is the same catalogue.
 //
 // Smallest use:
 //     for (const mesecina::LayerInfo& layer : mesecina::Catalogue::builtin().layers())
 //       if (layer.is_visible_at_start) std::puts(layer.id.c_str());
 //
-// Cost: each list is made when it is asked for, in O(its size); `structures` makes every structure once, without data,
-// which takes about a millisecond.
+// Cost: each list is made on request, in O(its size); `structures` makes every structure once, without data, which
+// takes about a millisecond.
 // Threads: several threads may read a catalogue.
 #pragma once
 
@@ -36,19 +36,19 @@ inline namespace v1 {
 struct StructureInfo {
   std::string id{};                       ///< kebab case, as in "one-step-crust"
   std::vector<std::string> inputs{};      ///< ids of the structures it is computed from
-  std::vector<std::string> parameters{};  ///< ids of those that it reads itself
+  std::vector<std::string> parameters{};  ///< ids of the parameters it reads itself
   std::vector<TableInfo> tables{};
 };
 
 struct LayerInfo {
   std::string id{};           ///< kebab case, as in "medial-axis"
-  std::string name{};         ///< as the window shows it
+  std::string name{};         ///< name shown in the window
   std::string description{};  ///< one sentence, no full stop
   std::string group{};        ///< heading in the window's list
   std::vector<PrimitiveKind> kinds{};
   std::vector<std::string> structures{};  ///< ids of the structures it reads
-  std::vector<std::string> parameters{};  ///< ids of those that have a say in it
-  std::string scalar{};                   ///< the meaning of an instance's scalar; empty: it has none
+  std::vector<std::string> parameters{};  ///< ids of the parameters that affect it
+  std::string scalar{};                   ///< the meaning of an instance's scalar; empty: no scalar
   bool is_visible_at_start = false;
   bool follows_settings = false;  ///< it depends on the number type or on parameters
   std::array<double, 3> color{};  ///< default style: red, green, blue, from 0 to 1
@@ -57,7 +57,7 @@ struct LayerInfo {
   double point_size = 5.0;  ///< diameter in pixels
 };
 
-/// A number that steers structures, an evolution or a shape.
+/// A number that controls structures, an evolution or a shape.
 struct ParameterInfo {
   std::string id{};           ///< kebab case
   std::string description{};  ///< one sentence, no full stop
@@ -66,7 +66,7 @@ struct ParameterInfo {
   double high = 1.0;
   double default_value = 0.0;
   bool is_whole = false;               ///< it takes whole numbers only
-  bool is_limit = false;               ///< a value beyond the range is set to its end, not refused
+  bool is_limit = false;               ///< a value beyond the range is clamped, not refused
   bool is_length = false;              ///< in units of the document
   std::vector<std::string> choices{};  ///< meanings of its whole numbers, from `low`; empty: plain numbers
 };
@@ -94,7 +94,7 @@ struct ShapeInfo {
   std::string description{};
   std::vector<ParameterInfo> parameters{};
   std::vector<FormulaInfo> formulas{};
-  std::size_t points = 0;  ///< usual number of points of a set; 0: it is made of curves
+  std::size_t points = 0;  ///< default number of points of a set; 0: it consists of curves
 };
 
 struct FormatInfo {
@@ -114,7 +114,7 @@ struct PrecisionInfo {
 /// A set of structures, layers, parameters, evolutions and shapes that a workbench computes with.
 class MESECINA_API Catalogue {
  public:
-  /// Everything that the program has.
+  /// The catalogue of the program.
   static Catalogue builtin();
 
   ~Catalogue();

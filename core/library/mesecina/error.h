@@ -2,8 +2,8 @@
 // The one exception of the library.
 //
 // What it guarantees:
-//  1. Functions of the library throw `Error`, or `std::bad_alloc` if there is no memory for an `Error`.
-//     What a callback of the caller throws passes through unchanged.
+//  1. Functions of the library throw `Error`, or `std::bad_alloc` if there is no memory for an `Error`. An exception of
+//     the caller's callback passes through unchanged.
 //  2. `what()` is one printable line, with file, line and column where they are known.
 //  3. Copying an error neither throws nor allocates.
 //
@@ -31,13 +31,13 @@ namespace mesecina {
 inline namespace v1 {
 
 enum class ErrorCode : std::uint8_t {
-  usage = 0,           ///< the call makes no sense: an unknown id, a value out of range, an outdated table
+  usage = 0,           ///< an invalid call: an unknown id, a value out of range, an outdated table
   bad_input = 1,       ///< data cannot be read or parsed
   cannot_write = 2,    ///< a file cannot be written
-  cannot_compute = 3,  ///< a structure failed; `structure()` says which, and `witnesses()` where
+  cannot_compute = 3,  ///< a structure failed; `structure()` is its id, and `witnesses()` are the culprits
   out_of_memory = 4,
   cancelled = 5,  ///< stopped through a `Job`
-  internal = 6,   ///< a mistake of the library; please report it
+  internal = 6,   ///< a bug of the library; please report it
 };
 
 /// "usage", "bad input", ...

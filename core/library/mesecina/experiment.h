@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Experiments: structures, layers, parameters, evolutions, shapes and formats of one's own, beside the program's.
+// Experiments: custom structures, layers, parameters, evolutions, shapes and formats, beside the program's.
 //
 // An experiment is one source file. `mesecina FILE --with gabriel.cpp` compiles it and shows it in the window, where
 // it is styled, recorded, exported and undone like everything else; `compute`, `render`, `play` and `list` take the
@@ -7,8 +7,8 @@
 //
 // What it guarantees:
 //  1. An experiment reads the results of its inputs after they have been brought up to date, never half of a change.
-//  2. What it throws makes its structure, or the layer, a failed one with the text of the exception. Everything that
-//     does not depend on it goes on.
+//  2. If it throws, its structure or layer fails with the text of the exception. Everything that does not depend on it
+//     continues.
 //  3. Names are checked when something is added; an experiment with a mistake there adds nothing at all.
 //
 // Smallest use:
@@ -29,9 +29,9 @@
 //                            });
 //     }
 //
-// Cost: a layer is drawn by one virtual call for each row that changed. Inputs are read in place.
-// Threads: functions of a structure and of an evolution are called on one thread at a time. Layers are drawn on several
-// threads side by side, each layer on one; what they share may only be read.
+// Cost: drawing a layer takes one virtual call for each changed row. Inputs are read in place.
+// Threads: functions of a structure and of an evolution are called on one thread at a time. Several threads draw layers
+// in parallel, each layer on one thread; data that they share must only be read.
 // Source: the registry, tables and patches behind it are those of the program (docs/architecture.md).
 #pragma once
 
@@ -58,7 +58,7 @@ namespace mesecina {
 inline namespace v1 {
 
 /// The values of a column of an input, stored or computed. A copy reads the same column. It is valid as long as the
-/// `Inputs` that gave it; an index is not checked.
+/// `Inputs` that returned it; indices are not checked.
 template <class T>
 class InputColumn {
  public:
@@ -80,8 +80,8 @@ class InputColumn {
   Read read_ = nullptr;
 };
 
-/// The results that an experiment may read: tables of its inputs, and its parameters. It is valid while the function is
-/// at work that was given it, and for a layer until the layer is drawn anew.
+/// The results that an experiment may read: tables of its inputs, and its parameters. It is valid during the call that
+/// received it, and for a layer until the next drawing of the layer.
 class MESECINA_API Inputs {
  public:
   struct Impl;
@@ -91,12 +91,13 @@ class MESECINA_API Inputs {
 
   /// A table of an input, by its id as in "delaunay/faces". Error: `usage` if no input has it.
   Table table(std::string_view id) const;
-  /// All rows of a table, dead ones included. Error, here and below: as `table`.
+  /// Number of all rows of a table, including dead ones. Error, here and below: as `table`.
   std::size_t rows(std::string_view table) const;
-  /// By increasing number. O(rows).
+  /// Live rows by increasing number. O(rows).
   std::vector<Row> live_rows(std::string_view table) const;
   bool is_alive(std::string_view table, Row row) const;
-  /// The rows of a table that differ from the call before. Error: `usage` if the table does not say which.
+  /// The rows of a table that have changed since the previous call of the experiment's function. Error: `usage` if the
+  /// table does not track changes.
   RowChanges changes(std::string_view table) const;
   /// A column of a table, by its path as in "delaunay/faces/circumcenter". Error: `usage` if no input has it, or if its
   /// values are of another type or number.
@@ -108,8 +109,8 @@ class MESECINA_API Inputs {
   /// The value of a parameter that the structure or the layer names. Error: `usage` for another one.
   double parameter(std::string_view id) const;
 
-  /// Ends the computation if the user has stopped it, and says how far it is. Loops that may take longer than a moment
-  /// call it every thousand rows or so.
+  /// Throws if the user has stopped the computation, and reports progress. Loops that may take longer than a moment
+  /// should call it about every thousand rows.
   void checkpoint(std::uint64_t done = 0, std::uint64_t total = 0) const;
 
  private:
@@ -124,8 +125,8 @@ class MESECINA_API Inputs {
   Impl& impl_;
 };
 
-/// Describes a table of one's own, whose columns are vectors. Nothing is copied: the vectors are members of the structure,
-/// which may grow, shrink and take other memory, but stay themselves as long as the structure lives.
+/// Describes a custom table whose columns are vectors. Nothing is copied: the vectors are members of the structure;
+/// they may grow, shrink and reallocate, but the vector objects must live as long as the structure.
 class MESECINA_API OwnTable {
  public:
   OwnTable(std::string name, std::string description);
@@ -135,11 +136,11 @@ class MESECINA_API OwnTable {
 
   /// The rows are those of another table, as in "delaunay/edges": a row of the same number is the same element.
   OwnTable& rows_of(std::string table);
-  /// Rows with 0 are dead. Without this, every row is alive that is alive in the table of `rows_of`.
+  /// Marks rows with 0 as dead. Without this call, the live rows are those of the table of `rows_of`.
   OwnTable& alive(const std::vector<std::uint8_t>& flags);
-  /// The rows that `update` changed. Without this, layers of the table are drawn as a whole after each update.
+  /// The rows that `update` changed. Without this call, each update redraws all of the layers of the table.
   OwnTable& changes(const std::vector<Row>& touched, const std::vector<Row>& removed);
-  /// A column of values that lie side by side. Error of all columns: `usage` for more than three values in a row.
+  /// Adds a column of contiguous values. Error of all columns: `usage` for more than three values in a row.
   template <class T>
   OwnTable& column(std::string name, std::string description, const std::vector<T>& values) {
     static_assert(!std::is_same_v<T, bool>, "bits have no address; use std::uint8_t");
@@ -148,13 +149,13 @@ class MESECINA_API OwnTable {
                  return Place{values.data(), values.size()};
                });
   }
-  /// A column of bytes that are 0 or 1.
+  /// Adds a column of bytes that are 0 or 1.
   OwnTable& flag(std::string name, std::string description, const std::vector<std::uint8_t>& values) {
     return add(std::move(name), std::move(description), ColumnType::boolean, 1, 1, [&values] {
       return Place{values.data(), values.size()};
     });
   }
-  /// A column that is a member of each row.
+  /// Adds a column that is a member of each row.
   template <class S, class T>
   OwnTable& column(std::string name, std::string description, const std::vector<S>& rows, T S::*member) {
     return add(std::move(name), std::move(description), ColumnValue<T>::type, ColumnValue<T>::width, sizeof(S),
@@ -162,14 +163,14 @@ class MESECINA_API OwnTable {
                  return Place{rows.empty() ? nullptr : std::addressof(rows.front().*member), rows.size()};
                });
   }
-  /// The column that was added last holds row numbers of a table, as in "delaunay/sites".
+  /// Declares that the last added column holds row numbers of a table, as in "delaunay/sites".
   OwnTable& refers_to(std::string table);
 
   struct Impl;
 
  private:
   friend struct OwnTableAccess;
-  /// Where the values of a column are now.
+  /// Current location of the values of a column.
   struct Place {
     const void* data;
     std::size_t rows;
@@ -179,8 +180,8 @@ class MESECINA_API OwnTable {
   std::unique_ptr<Impl> impl_;
 };
 
-/// A structure: tables that are a function of the tables of its inputs and of its parameters. It is made anew for each
-/// computation that shows it, so that panes side by side have one each.
+/// A structure: tables that are a function of the tables of its inputs and of its parameters. Each computation that
+/// shows it makes its own instance, so panes side by side have one each.
 class MESECINA_API Structure {
  public:
   Structure() = default;
@@ -188,21 +189,21 @@ class MESECINA_API Structure {
   Structure(const Structure&) = delete;
   Structure& operator=(const Structure&) = delete;
 
-  /// Computes everything anew.
+  /// Computes everything from scratch.
   virtual void rebuild(const Inputs& inputs) = 0;
-  /// Follows the changes of the inputs (`Inputs::changes`). False: it asks for `rebuild` instead. It is called only if
-  /// the call before succeeded, no input was computed as a whole, and no parameter of the structure changed.
+  /// Follows the changes of the inputs (`Inputs::changes`). Returns false to request `rebuild` instead. Called only if
+  /// the last call succeeded, no input was rebuilt, and no parameter of the structure changed.
   virtual bool update(const Inputs& inputs);
-  /// Its tables. Called before anything is computed, too: then they have no rows.
+  /// Its tables. Also called before anything is computed: they then have no rows.
   virtual std::vector<OwnTable> tables() const;
   /// Counters and measures, for the window's list and for `mesecina compute`. They may cost O(n).
   virtual std::vector<Statistic> statistics() const;
-  /// What the reader of the result should know; `structure` of a finding is not used.
+  /// Remarks for the reader of the result; `structure` of a finding is not used.
   virtual std::vector<Finding> findings() const;
 };
 
-/// What one row of a layer draws: one primitive, or nothing. Coordinates that are not finite draw nothing, and are
-/// counted as lost.
+/// The output of one row of a layer: one primitive, or nothing. A primitive with a coordinate that is not finite is not
+/// drawn, and is counted as lost.
 class Drawn {
  public:
   void point(Point p, double scalar = 0.0) { set<PrimitiveKind::point>({p.x, p.y, scalar}); }
@@ -213,7 +214,7 @@ class Drawn {
     set<PrimitiveKind::circle>({b.center.x, b.center.y, b.radius, scalar});
   }
   void segment(Point a, Point b, double scalar = 0.0) { set<PrimitiveKind::segment>({a.x, a.y, b.x, b.y, scalar}); }
-  /// A direction of length zero makes nothing, here and below.
+  /// A direction of length zero draws nothing, here and below.
   void ray(Point from, Point direction, double scalar = 0.0) {
     if (direction != Point{}) set<PrimitiveKind::ray>({from.x, from.y, direction.x, direction.y, scalar});
   }
@@ -223,7 +224,7 @@ class Drawn {
   void triangle(Point a, Point b, Point c, double scalar = 0.0) {
     set<PrimitiveKind::triangle>({a.x, a.y, b.x, b.y, c.x, c.y, scalar});
   }
-  /// Counter-clockwise along the circle.
+  /// Runs counter-clockwise along the circle.
   void arc(const Ball& circle, Point from, Point to, double scalar = 0.0) {
     set<PrimitiveKind::arc>({circle.center.x, circle.center.y, circle.radius, from.x, from.y, to.x, to.y, scalar});
   }
@@ -245,7 +246,7 @@ class Drawn {
   bool is_set_ = false;
 };
 
-/// Draws the rows of a layer, those that are alive.
+/// Draws the live rows of a layer.
 class MESECINA_API Drawer {
  public:
   virtual ~Drawer();
@@ -255,21 +256,21 @@ class MESECINA_API Drawer {
 struct StructureSpec {
   std::string id{};                       ///< kebab case, new
   std::vector<std::string> inputs{};      ///< ids of structures, of the program or added before
-  std::vector<std::string> parameters{};  ///< ids of those that it reads
+  std::vector<std::string> parameters{};  ///< ids of the parameters that it reads
 };
 
 struct LayerSpec {
   std::string id{};           ///< kebab case, new
-  std::string name{};         ///< as the window shows it
+  std::string name{};         ///< name shown in the window
   std::string description{};  ///< one sentence, no full stop
   std::string rows{};         ///< the table whose rows are drawn, one primitive each, as in "delaunay/edges"
-  /// Other tables of the same rows, whose changes change the picture, too, as "one-step-crust/edges" here. What it reads
-  /// elsewhere has to be named in `structures`; the layer is drawn as a whole after a change there.
+  /// Other tables of the same rows whose changes also change the picture, as "one-step-crust/edges" here. All other
+  /// structures that it reads must be named in `structures`; a change there redraws the whole layer.
   std::vector<std::string> follows{};
   std::vector<std::string> structures{};
   std::vector<std::string> parameters{};
-  std::vector<PrimitiveKind> kinds{};            ///< what it may draw, bottom first
-  std::string scalar{};                          ///< what the scalars mean, with the unit; empty: it has none
+  std::vector<PrimitiveKind> kinds{};            ///< kinds that it may draw, bottom first
+  std::string scalar{};                          ///< the meaning of the scalars, with the unit; empty: no scalar
   std::array<double, 3> color{0.85, 0.33, 0.1};  ///< red, green, blue, from 0 to 1
   double opacity = 1.0;
   double line_width = 1.5;  ///< in pixels
@@ -283,50 +284,51 @@ struct MovingSamples {
   std::span<const Point> positions{};
   std::span<const Contour> curves{};         ///< chains of samples: contours of the document, or those of the crust
   std::span<const std::uint8_t> may_move{};  ///< for each sample, 1 if it is an inner sample of one chain
-  std::uint64_t step = 0;                    ///< of the state it starts from
+  std::uint64_t step = 0;                    ///< number of the starting state
   std::uint64_t seed = 1;
 };
 
 struct EvolutionSpec {
   std::string id{};           ///< kebab case, new
-  std::string name{};         ///< as the window shows it
+  std::string name{};         ///< name shown in the window
   std::string description{};  ///< one sentence, no full stop
   bool is_random = false;     ///< the seed matters
   std::vector<ParameterInfo> parameters{};
-  std::string moved_parameter{};  ///< id of the parameter of a structure that it moves; empty: it moves samples
+  std::string moved_parameter{};  ///< id of the structure parameter that it moves; empty: it moves samples
 };
 
 /// A shape: curves through given points. `numbers` has the values of its parameters in their order.
 struct ShapeSpec {
   std::string id{};           ///< kebab case, new
-  std::string name{};         ///< as the window shows it
+  std::string name{};         ///< name shown in the window
   std::string description{};  ///< one sentence, no full stop
   std::vector<ParameterInfo> parameters{};
 };
 
 struct FormatSpec {
   std::string id{};                       ///< kebab case, new
-  std::string name{};                     ///< as file dialogs show it
+  std::string name{};                     ///< name shown in file dialogs
   std::vector<std::string> extensions{};  ///< with the dot, lower case
 };
 
-/// The next positions of all samples, in their order. Ends of open curves and samples where curves meet stay in the
-/// evolutions of the program (`may_move`); these may move them. `values` has the values of the evolution's parameters in their order.
+/// Returns the next positions of all samples, in their order. The program's evolutions do not move ends of open curves
+/// and samples where curves meet (`may_move`); these may. `values` has the values of the evolution's parameters in
+/// their order.
 using MoveSamples = std::function<std::vector<Point>(const MovingSamples& samples, std::span<const double> values)>;
 /// Returns the value of the moved parameter in state `step`, from its value in state 0. The evolution ends before the
 /// first step whose value is out of range or whose call throws.
 using MoveParameter = std::function<double(double first, std::uint64_t step, std::span<const double> values)>;
-/// Closed polygons without repeated first corner, outer ones and holes in any order and direction.
+/// Returns closed polygons without repeated first corner, outer ones and holes in any order and direction.
 using MakeShape = std::function<std::vector<std::vector<Point>>(std::span<const double> values)>;
 
-/// Samples, contours and balls from the bytes of a file. What it throws says why there are none; an `Error` may say the
-/// line and the column.
+/// Returns samples, contours and balls from the bytes of a file. Throws with the reason if there are none; an `Error`
+/// may carry line and column.
 using ReadBytes = std::function<Data(std::string_view bytes)>;
-/// True if the bytes say themselves that they are of the format, whatever the file is called.
+/// Returns true if the bytes identify themselves as this format, whatever the name of the file.
 using RecognizeBytes = std::function<bool(std::string_view bytes)>;
 
 /// Adds to a catalogue. Error of all functions: `usage` for an id that is not kebab case or not new, for an unknown
-/// structure, table or parameter, and for numbers that make no sense; the text is one line.
+/// structure, table or parameter, and for invalid numbers; the text is one line.
 class MESECINA_API Experiment {
  public:
   struct Impl;
@@ -334,7 +336,7 @@ class MESECINA_API Experiment {
   Experiment(const Experiment&) = delete;
   Experiment& operator=(const Experiment&) = delete;
 
-  /// A number that the user sets, with a slider or `--set id=value`.
+  /// Adds a number that the user sets, with a slider or `--set id=value`.
   void add_parameter(const ParameterInfo& parameter);
 
   void add_structure(const StructureSpec& spec, std::function<std::unique_ptr<Structure>()> make);
@@ -346,7 +348,7 @@ class MESECINA_API Experiment {
 
   using MakeDrawer = std::function<std::unique_ptr<Drawer>(const Inputs& inputs)>;
   void add_layer(const LayerSpec& spec, MakeDrawer make);
-  /// `prepare` is called before the layer is drawn, and returns the function that draws a row:
+  /// Calls `prepare` before the layer is drawn; it returns the function that draws a row:
   /// `[...](Row row, Drawn& out) { ... }`.
   template <class Prepare>
   requires std::is_invocable_v < std::invoke_result_t<Prepare&, const Inputs&>
@@ -365,21 +367,21 @@ class MESECINA_API Experiment {
               }));
   }
 
-  /// Of samples, or of the parameter that `spec.moved_parameter` names.
+  /// Adds an evolution of samples, or of the parameter named by `spec.moved_parameter`.
   void add_evolution(const EvolutionSpec& spec, MoveSamples move);
   void add_evolution(const EvolutionSpec& spec, MoveParameter move);
   void add_shape(const ShapeSpec& spec, MakeShape make);
-  /// A format that files are read in. Without `recognize` a file is known by its extension alone.
+  /// Adds a format for reading files. Without `recognize` a file is known by its extension alone.
   void add_format(const FormatSpec& spec, ReadBytes read, RecognizeBytes recognize = {});
 
  private:
   Impl& impl_;
 };
 
-/// The catalogue with what a function adds to it. Error: that of the function, which then adds nothing.
+/// The catalogue with the additions of a function. Error: that of the function, which then adds nothing.
 MESECINA_API Catalogue with_experiment(const Catalogue& catalogue, const std::function<void(Experiment&)>& add);
-/// The same for a shared library that was compiled from a source with `MESECINA_EXPERIMENT`. It stays loaded until the
-/// program ends. Error: `bad_input` if it cannot be loaded or is made for another ABI.
+/// The same for a shared library compiled from a source with `MESECINA_EXPERIMENT`. It stays loaded until the program
+/// ends. Error: `bad_input` if it cannot be loaded or is made for another ABI.
 MESECINA_API Catalogue load_experiment(const Catalogue& catalogue, const std::string& shared_library);
 
 }  // namespace v1
@@ -389,5 +391,5 @@ MESECINA_API Catalogue load_experiment(const Catalogue& catalogue, const std::st
 #define MESECINA_JOINED(a, b) MESECINA_JOINED_(a, b)
 /// The name of the function that a shared library with experiments exports.
 #define MESECINA_EXPERIMENT_ENTRY MESECINA_JOINED(mesecina_experiment_of_abi_, MESECINA_ABI)
-/// Begins the function of a source file that adds what the experiment has: `MESECINA_EXPERIMENT(experiment) { ... }`.
+/// Begins the function of a source file that adds the experiment's content: `MESECINA_EXPERIMENT(experiment) { ... }`.
 #define MESECINA_EXPERIMENT(name) extern "C" MESECINA_API void MESECINA_EXPERIMENT_ENTRY(::mesecina::Experiment& name)

@@ -2,9 +2,9 @@
 // Points, balls, their ids, exact predicates, and the primitives that layers draw. Plain values without invariants.
 //
 // What it guarantees:
-//  1. The types are trivially copyable and have no padding that matters: a `Point` is two doubles, a `Ball` three.
-//  2. An id names the same sample or ball of a workbench, through undo and redo, and is never given twice by it.
-//     `Workbench::load` and `open` give new ids.
+//  1. The types are trivially copyable and have no significant padding: a `Point` is two doubles, a `Ball` three.
+//  2. Within a workbench, an id names the same sample or ball through undo and redo, and is never reused.
+//     `Workbench::load` and `open` assign new ids.
 //
 // Coordinates are doubles in the unit of the document. Accepted numbers are 0 and those from 2^-500 to 2^500 in
 // magnitude; the largest of a document may be 2^100 times the smallest.
@@ -62,21 +62,21 @@ struct ChangedBall {
   Ball to{};
 };
 
-// Exact predicates return the sign of what they ask, -1, 0 or 1, without any rounding. Numbers are finite. O(1).
+// Exact predicates return the sign of a quantity, -1, 0 or 1, without any rounding. Numbers must be finite. O(1).
 
-/// 1: a, b, c turn counter-clockwise; 0: they lie on a line.
+/// 1: a, b, c turn counter-clockwise; 0: they are collinear.
 MESECINA_API int orientation(Point a, Point b, Point c);
 /// 1: d lies inside the circle through a, b, c; 0: on it; if a, b, c turn clockwise, the other sign.
 MESECINA_API int side_of_circle(Point a, Point b, Point c, Point d);
 /// 1: c lies inside the circle with the diameter ab; 0: on it.
 MESECINA_API int side_of_diametral_circle(Point a, Point b, Point c);
-/// 1: the power of d to the orthogonal circle of a, b, c is less than its squared radius, so that their triangle is not regular;
-/// if the centres of a, b, c turn clockwise, the other sign.
+/// 1: the power of d to the orthogonal circle of a, b, c is less than its squared radius, so that their triangle is not
+/// regular; if the centres of a, b, c turn clockwise, the other sign.
 MESECINA_API int side_of_power_circle(const Ball& a, const Ball& b, const Ball& c, const Ball& d);
-/// The order of the lengths of ab and cd.
+/// The sign of |ab| - |cd|.
 MESECINA_API int compare_distances(Point a, Point b, Point c, Point d);
-/// The order of the radii of the circles through a, b, c and d, e, f. Through points on a line there is a circle that is
-/// larger than any other.
+/// The sign of the difference of the circumradii of a, b, c and d, e, f. Collinear points have a circle that is larger
+/// than any other.
 MESECINA_API int compare_circumradii(Point a, Point b, Point c, Point d, Point e, Point f);
 
 /// A known curve through the samples, for data whose order is known.
@@ -86,7 +86,7 @@ struct Contour {
   friend bool operator==(const Contour&, const Contour&) = default;
 };
 
-/// A set of samples and balls, as a file has it.
+/// A set of samples and balls, as in a file.
 struct Data {
   std::vector<Point> samples{};
   std::vector<Contour> contours{};
@@ -128,8 +128,8 @@ constexpr std::string_view name_of(PrimitiveKind kind) noexcept {
   return kNames[static_cast<std::size_t>(kind)];
 }
 
-/// The instances of one kind of one layer, in place. Valid until a run of their workbench follows an edit, a setting or the
-/// end of the layer's being shown.
+/// The instances of one kind of one layer, in place. Valid until the first run after an edit, a change of settings, or
+/// the end of the layer's display.
 struct Instances {
   PrimitiveKind kind = PrimitiveKind::point;
   std::span<const double> values{};  ///< `stride_of(kind)` doubles for each instance

@@ -2,18 +2,18 @@
 // Tables of structures: typed columns that are read in place.
 //
 // A structure, such as the Delaunay triangulation, publishes one table for each kind of its elements. A row is one
-// element and keeps its number while the element lives; rows of dead elements are used again, so a table has rows that
-// are not alive. `Catalogue::structures` lists the tables and their columns.
+// element and keeps its number while the element lives; rows of dead elements are reused, so some rows of a table are
+// not alive. `Catalogue::structures` lists the tables and their columns.
 //
 // What it guarantees:
-//  1. `Column::values` copies nothing: it views the memory of the structure. Values come out by copy, so the view has
-//     no aliasing rules of its own.
+//  1. `Column::values` copies nothing: it views the memory of the structure. Values are returned by copy, so the view
+//     has no aliasing rules of its own.
 //  2. Every column can be read for each row below `rows()`. Values of rows that are not alive mean nothing.
-//  3. A row number in a column that refers to a table is a row that is alive there, or `kNoRow`, or the column's
-//     `infinity`. Where a computed column has no value for a living row, a double is NaN and a row number `kNoRow`.
-//  4. A table is valid until a run computes its structure, or a structure behind it, and as long as the structure is needed.
-//     Edits without a run, and runs for which nothing changed, leave it where it is. Reading it afterwards throws `usage`;
-//     `is_current` asks beforehand. Pointers and `Values` taken earlier dangle then, as iterators do.
+//  3. A row number in a column that refers to a table is a live row there, or `kNoRow`, or the column's `infinity`. If
+//     a computed column has no value for a live row, a double is NaN and a row number `kNoRow`.
+//  4. A table is valid until a run computes its structure, or one of its inputs, and while the structure is needed.
+//     Edits without a run, and runs without changes, do not move it. Reading it afterwards throws `usage`; `is_current`
+//     tells in advance. Pointers and `Values` taken earlier then dangle, as iterators do.
 //  5. A table stays safe to destroy and to ask `is_current` after its workbench is gone.
 //
 // Smallest use:
@@ -23,9 +23,8 @@
 //     for (const mesecina::Row row : faces.live_rows())
 //       if (is_finite[row]) sum += radius[row];
 //
-// Cost: a table O(its columns) and a view O(1). Reading a stored value costs a load; a value of a computed column, a
-// call.
-// Threads: several threads may read tables of one workbench while no run goes on.
+// Cost: a table O(its columns) and a view O(1). Reading a stored value costs a load; a computed value, a call.
+// Threads: several threads may read tables of one workbench while no run is in progress.
 #pragma once
 
 #include <array>
@@ -51,31 +50,31 @@ inline namespace v1 {
 
 /// Number of a row of a table.
 using Row = std::uint32_t;
-/// The number of no row, in a column of row numbers.
+/// Stands for no row in a column of row numbers.
 inline constexpr Row kNoRow = 0xffffffffU;
 
 /// A boolean is one byte, 0 or 1.
 enum class ColumnType : std::uint8_t { float64 = 0, uint32 = 1, uint8 = 2, int8 = 3, boolean = 4 };
-/// "float64", ..., "bool": the names that NumPy has for them.
+/// "float64", ..., "bool": the names of NumPy.
 MESECINA_API std::string_view name_of(ColumnType type) noexcept;
 /// Bytes of one value.
 MESECINA_API std::size_t size_of(ColumnType type) noexcept;
 
-/// What there is to know of a column without its values.
+/// The description of a column.
 struct ColumnInfo {
   std::string name{};         ///< in snake case
   std::string description{};  ///< one line without a full stop, with the unit
   ColumnType type = ColumnType::float64;
   unsigned width = 1;                ///< values in a row
   std::vector<std::string> parts{};  ///< names of these values, as in x and y; empty for a width of 1
-  bool is_stored = false;            ///< the values lie in memory; else each is computed when it is read
+  bool is_stored = false;            ///< the values are in memory; else each is computed when it is read
   bool is_reference = false;         ///< values are rows of the table `refers_to`
-  std::string refers_to{};           ///< as in "delaunay/sites"; empty where that table has no columns
+  std::string refers_to{};           ///< as in "delaunay/sites"; empty if that table has no columns
   std::optional<Row> infinity{};     ///< the row that stands for the vertex at infinity, if it occurs
   bool is_followed = true;           ///< `Table::changes` covers this column
 };
 
-/// What there is to know of a table without its rows.
+/// The description of a table.
 struct TableInfo {
   std::string id{};           ///< as in "delaunay/faces"
   std::string structure{};    ///< id of the structure
@@ -85,8 +84,8 @@ struct TableInfo {
   std::vector<ColumnInfo> columns{};
 };
 
-/// Says which C++ type a column can be read as: its values for a width of 1, `std::array` or `Point` for more. It is
-/// not to be specialized elsewhere.
+/// Defines the C++ types as which a column can be read: its values for a width of 1, `std::array` or `Point` for more.
+/// Must not be specialized elsewhere.
 template <class T>
 struct ColumnValue;
 template <>
@@ -128,8 +127,8 @@ struct ColumnValue<std::array<T, N>> {
   static constexpr unsigned width = N;
 };
 
-/// The values of a stored column, a random access range over all rows, dead ones included. A copy of it views the same
-/// memory. An index is not checked.
+/// The values of a stored column, a random access range over all rows, including dead ones. A copy views the same
+/// memory. Indices are not checked.
 template <class T>
 class Values {
   static_assert(std::is_trivially_copyable_v<T>);
@@ -207,7 +206,7 @@ class Values {
 
 struct TableAccess;
 
-/// One column of a table. It keeps the description alive, but not the values.
+/// One column of a table. Keeps the description alive, but not the values.
 class MESECINA_API Column {
  public:
   ~Column();
@@ -239,7 +238,7 @@ class MESECINA_API Column {
     require(ColumnValue<T>::type, ColumnValue<T>::width);
     return Values<T>(data(), rows(), stride());
   }
-  /// Copies all rows of a stored or a computed column, dead ones included. Error: as `value`.
+  /// Copies all rows of a stored or a computed column, including dead ones. Error: as `value`.
   template <class T>
   std::vector<T> copy() const {
     require(ColumnValue<T>::type, ColumnValue<T>::width);
@@ -276,24 +275,24 @@ class MESECINA_API Table {
 
   const TableInfo& info() const noexcept;
   const std::string& id() const noexcept { return info().id; }
-  /// All rows, dead ones included. Error, here and below: `usage` for an outdated table.
+  /// Number of all rows, including dead ones. Error, here and below: `usage` for an outdated table.
   std::size_t rows() const;
   /// Error: `usage` for a row that the table does not have.
   bool is_alive(Row row) const;
-  /// By increasing number. O(rows).
+  /// Live rows by increasing number. O(rows).
   std::vector<Row> live_rows() const;
   std::vector<Column> columns() const;
   /// Error: `usage` for an unknown name.
   Column column(std::string_view name) const;
-  /// Rows that the last run changed; empty lists: none. Nothing: any row may differ, since the structure was computed
-  /// as a whole or does not follow its rows, or the run before was stopped. Who leaves out a run misses its changes.
-  /// Error: `usage` if there was a run since the table was made.
+  /// Rows that the last run changed; empty lists: none. Nothing: any row may differ, because the structure was rebuilt
+  /// or does not track its rows, or the previous run was stopped. Each run replaces the changes of the last one. Error:
+  /// `usage` if there was a run since the table was made.
   std::optional<RowChanges> changes() const;
-  /// The table can be read: guarantee 4 holds for it, no run goes on, and its workbench lives.
+  /// Whether the table can be read: guarantee 4 holds for it, no run is in progress, and its workbench lives.
   bool is_current() const noexcept;
 
-  /// Hands the table out as a file, piece by piece: "csv" with the living rows after a line of names, or "npy", an array
-  /// of records for NumPy with all rows. Error: `usage` for another format.
+  /// Writes the table as a file, piece by piece: "csv" with the live rows after a line of names, or "npy", a NumPy
+  /// array of records with all rows. Error: `usage` for another format.
   void write(std::string_view format, const std::function<void(std::string_view bytes)>& sink) const;
 
  private:
