@@ -16,7 +16,7 @@ namespace {
 using Word = std::uint64_t;
 constexpr int kWordBits = 64;
 
-/// A pixel by column and row from below, or a step between pixels.
+/// A pixel by column and row, counted from below, or a step between pixels.
 struct Cell {
   int x = 0;
   int y = 0;
@@ -29,7 +29,7 @@ constexpr Cell turned_left(Cell step) {
   return {-step.y, step.x};
 }
 
-/// A bit a pixel, rows from below, with a margin of a pixel on all sides.
+/// One bit a pixel, rows from below, with a margin of one pixel on all sides.
 class BitPlane {
  public:
   BitPlane(int width, int height)
@@ -51,7 +51,7 @@ class BitPlane {
   std::vector<Word> bits_;
 };
 
-/// The bits of 64 bytes that are 0 or 1.
+/// Packs 64 bytes of value 0 or 1 into bits.
 Word packed(const std::uint8_t* flags) {
   constexpr Word kGather = 0x0102040810204080;
   Word out = 0;
@@ -66,7 +66,7 @@ Word packed(const std::uint8_t* flags) {
 BitPlane figure_of(const GrayImage& image, const ContourRequest& request) {
   BitPlane out(image.width, image.height);
   const auto below = static_cast<std::uint8_t>(request.level.below);
-  // One more for the margin; zeros behind the row, whichever side the figure is.
+  // One more for the margin; the bits behind the row are zeros, whichever side the figure is.
   std::vector<std::uint8_t> flags(out.words() * kWordBits, 0);
   for (int y = 0; y < image.height; ++y) {
     const std::uint8_t* const values =
@@ -94,8 +94,8 @@ class Tracer {
         dark_enough_(request.dark + kFaint * (request.light - request.dark)),
         light_enough_(request.light - kFaint * (request.light - request.dark)) {}
 
-  /// Calls `use` for the contour through each step from outside to inside, rows from below, but once a contour. Every
-  /// contour has such a step: a row of pixels that it encloses passes into the figure on one side of it.
+  /// Calls `use` once for each contour. Contours are found by steps from outside to inside, rows from below; every
+  /// contour has such a step, because each row of pixels that it encloses enters the figure on one side.
   template <class Use>
   void for_each(Use use) {
     constexpr int kRows = 16;
@@ -119,9 +119,9 @@ class Tracer {
  private:
   static constexpr std::size_t kOften = std::size_t{1} << 16U;  // points
   static constexpr int kLongestTransition = 4;                  // pixels on each side of the threshold
-  static constexpr double kFaint = 0.25;                        // of the contrast
+  static constexpr double kFaint = 0.25;                        // share of the contrast
   static constexpr double kClear =
-      0.15;  // of the contrast: values so near to the mean of a side are those of the side
+      0.15;  // share of the contrast: a value this near to the mean of a side belongs to the side
 
   void look() const {
     if (job_ != nullptr && job_->stop_requested()) throw Cancelled{};
@@ -133,9 +133,9 @@ class Tracer {
   /// Twice the distance of a value from the threshold: never zero.
   int excess(Cell cell) const { return std::abs(2 * value(cell) - level_twice_); }
 
-  /// Where the values stop changing, on the line from the threshold on; and what they add up to.
+  /// The end of a transition, on one side of the threshold.
   struct Side {
-    int value = 0;  // the last
+    int value = 0;  // last value of the transition
     int pixels = 1;
   };
   Side side_from(Cell cell, Cell step) const {
@@ -149,11 +149,11 @@ class Tracer {
     }
     return out;
   }
-  /// A side of a transition is no fainter than its side of the picture, but for a part of the contrast.
+  /// Whether a value is as dark or light as its side of the picture, up to a part of the contrast.
   bool is_plateau(int value) const { return value <= dark_enough_ || value >= light_enough_; }
 
-  /// Between a pixel inside and its neighbour outside. Where the values change from one side of the picture to the other,
-  /// their sum says where the edge is: exactly, for a straight edge and pixels that are means of what they cover.
+  /// The crossing between a pixel inside and its neighbour outside. If the values change from one side of the picture
+  /// to the other, their sum gives the edge: exactly, for a straight edge and pixels that are means of their areas.
   Vec2 crossing(Cell inside, Cell step) {
     double share = 0.5;
     if (!is_in_picture(inside + step)) {
@@ -163,10 +163,10 @@ class Tracer {
       const Side in = side_from(inside, -step);
       const Side out = side_from(outside, step);
       if (is_plateau(in.value) && is_plateau(out.value)) {
-        // Both sums change their sign with light and dark, so the quotient is the same.
+        // Both sums change sign when light and dark are exchanged, so the quotient stays.
         const int contrast = in.value - out.value;
         int sum = 0;
-        int moment = 0;  // of the steps of the values, about the border of the two pixels
+        int moment = 0;  // moment of the value steps about the border of the two pixels
         int second = 0;
         Cell at = inside;
         for (int i = 1; i < in.pixels; ++i) at = at + -step;
@@ -197,8 +197,8 @@ class Tracer {
     return low <= dark_below_ && high >= light_above_;
   }
 
-  /// Of a cell whose corners `a` and `b`, which lie opposite, are inside and the others outside: whether the bilinear
-  /// function of its values is on the side of the figure at its saddle. All four are in the picture.
+  /// For a cell with opposite corners `a` and `b` inside and the others outside: whether the bilinear function of its
+  /// values is on the side of the figure at its saddle. All four are in the picture.
   bool is_joined(Cell a, Cell b, Cell c, Cell d) const {
     return std::int64_t{excess(a)} * excess(b) >= std::int64_t{excess(c)} * excess(d);
   }
@@ -210,7 +210,7 @@ class Tracer {
     contour_.sharp = 0;
     const Cell first_step{-1, 0};
     Cell inside = first;
-    Cell step = first_step;  // from inside to outside: to the right of where the contour goes
+    Cell step = first_step;  // from inside to outside: to the right of the contour's direction
     double area = 0.0;
     do {
       const Vec2 point = crossing(inside, step);
@@ -242,7 +242,7 @@ class Tracer {
   const JobControl* job_;
   int level_twice_;
   BitPlane figure_;
-  BitPlane passed_;  // pixels inside whose neighbour to the left is outside
+  BitPlane passed_;  // pixels inside whose left neighbour is outside
   double dark_below_;
   double light_above_;
   double dark_enough_;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the grey values of a picture pass a threshold: closed curves between pixels.
+// Contours of the grey values of a picture at a threshold: closed curves between pixels.
 //
 // The plane has a unit of one pixel, y up, and the lower left corner of the picture at the origin, so the pixel of
-// column x and row y has its centre at (x + 1/2, height - y - 1/2). Between two pixels that are neighbours on different
-// sides, the curve passes where the straight line between their values meets the threshold; around what reaches the
-// edge of the picture it runs along the edge.
+// column x and row y has its centre at (x + 1/2, height - y - 1/2). Between two neighbouring pixels on different sides,
+// the curve crosses where linear interpolation of their values meets the threshold; figures that reach the edge of the
+// picture have their contour along the edge.
 //
-// Source: marching squares (Lorensen and Cline 1987, in the plane); where opposite corners of a cell are on one side,
-// the asymptotic decider (Nielson and Hamann 1991).
+// Source: marching squares (Lorensen and Cline 1987, in the plane); for cells with opposite corners on one side, the
+// asymptotic decider (Nielson and Hamann 1991).
 //
 // Smallest use:
 //     const auto contours = contours_of(image, {.level = Level{127}, .is_figure_light = true});
@@ -35,34 +35,34 @@ struct Level {
 struct PixelContour {
   std::vector<Vec2>
       points{};  ///< the figure lies to the left: counter-clockwise around it, clockwise around its holes
-  std::vector<std::uint8_t> is_along_y{};  ///< of each point: it lies between pixels of one column
-  double area = 0.0;                       ///< within, in square pixels; negative for holes
-  std::size_t sharp = 0;                   ///< points between pixels of which neither has a value in between
-  /// Of each point: the variance of the transition that it was placed by, from value to value along its line, in square
-  /// pixels; negative where it was placed between two values.
+  std::vector<std::uint8_t> is_along_y{};  ///< for each point: it lies between pixels of one column
+  double area = 0.0;                       ///< enclosed area in square pixels; negative for holes
+  std::size_t sharp = 0;                   ///< points between two pixels without intermediate values
+  /// For each point: the variance of the transition that determined it, from value to value along its line, in square
+  /// pixels; negative for a point determined by two values only.
   std::vector<float> variance{};
 };
 
 struct ContourRequest {
   Level level{};
   bool is_figure_light = true;
-  double least_area = 0.0;  ///< contours around less are left out, of figures and holes alike
+  double least_area = 0.0;  ///< contours around less area are left out, of figures and holes alike
   /// The means of the two sides, for `PixelContour::sharp`.
   double dark = 0.0;
   double light = 255.0;
 };
 
 struct PixelContours {
-  std::vector<PixelContour> kept{};  ///< in the order of their lowest rows
-  std::size_t specks = 0;            ///< figures left out
-  std::size_t pinholes = 0;          ///< holes left out
-  double largest_speck = 0.0;        ///< square pixels
+  std::vector<PixelContour> kept{};  ///< ordered by lowest row
+  std::size_t specks = 0;            ///< figures that were left out
+  std::size_t pinholes = 0;          ///< holes that were left out
+  double largest_speck = 0.0;        ///< area in square pixels
 };
 
-/// The picture with light and dark exchanged, and the other side as the figure, gives the same contours bit for bit.
-/// Where a cell could be joined either way, the values decide, and for equal claims the figure stays in one piece.
-/// Cost: O(pixels), a few operations for 64 of them, and about ten nanoseconds a point; memory for a bit a pixel and
-/// what is kept. Any thread. Throws `Cancelled` if there is a job, which is looked at every few rows and thousand points.
+/// Exchanging light and dark, and making the other side the figure, gives the same contours bit for bit. If a cell
+/// could be joined either way, the values decide, and if they tie, the figure stays in one piece. Cost: O(pixels), a
+/// few operations for 64 of them, and about ten nanoseconds a point; memory for one bit a pixel and the kept contours.
+/// Any thread. Throws `Cancelled` if there is a job, which is polled every few rows and thousand points.
 PixelContours contours_of(const GrayImage& image, const ContourRequest& request, const JobControl* job = nullptr);
 
 }  // namespace mes

@@ -20,7 +20,7 @@ struct GrayImage {
   friend bool operator==(const GrayImage&, const GrayImage&) = default;
 };
 
-/// Two by two pixels become their mean; the last row or column of an odd size counts twice.
+/// Replaces two by two pixels by their mean; the last row or column of an odd size counts twice.
 GrayImage halved(const GrayImage& image);
 
 }  // namespace mes

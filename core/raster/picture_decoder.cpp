@@ -30,14 +30,14 @@
 namespace {
 
 /// stb_image 2.27 decodes with the Huffman tables of a JPEG whether or not the file has defined them. Zeros are a table
-/// in which each code is the symbol 0; uninitialized memory is one whose symbols lie outside it.
+/// in which each code is the symbol 0; uninitialized memory would be a table with symbols out of range.
 void* allocate_zeros(std::size_t bytes) {
   return std::calloc(1, bytes);
 }
 
 }  // namespace
 
-// A macro of ours that ends in a call lets the compiler take the old casts of the library for ours.
+// If one of our macros ended in a call, the compiler would blame us for the old-style casts of the library.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #include <stb_image.h>
@@ -59,7 +59,7 @@ unsigned product(unsigned a, unsigned b) {
   return (a * b + 127) / 255;
 }
 
-/// Weights of Rec. 709 in parts of 256, rounded so that white stays white.
+/// Weights of Rec. 709 in units of 1/256, rounded so that white stays white.
 unsigned luma(const std::uint8_t* rgb) {
   return (54U * rgb[0] + 183U * rgb[1] + 19U * rgb[2] + 128U) / 256U;
 }
@@ -71,7 +71,7 @@ bool is_silhouette_in_alpha(const Pixels& pixels) {
   return 100 * clear >= pixels.values.size() / each;
 }
 
-/// Grey is the same in red, green and blue; what has no alpha is opaque.
+/// Grey is the same in red, green and blue; pixels without alpha are opaque.
 Pixels with_channels(Pixels pixels, int channels) {
   if (pixels.channels == channels) return pixels;
   const auto from = static_cast<std::size_t>(pixels.channels);
@@ -94,11 +94,11 @@ Pixels with_channels(Pixels pixels, int channels) {
   return pixels;
 }
 
-/// A decoder that lacks data takes what follows for it. So a picture that comes out the same whatever follows is complete.
+/// A decoder that lacks data reads beyond the end. So a picture is complete if it does not depend on what is there.
 Expected<Pixels> decode_without_end(std::span<const std::byte> bytes, const std::string& name, int channels,
                                     std::size_t most_pixels, PictureTurn turn) {
   const auto followed_by = [&](std::byte what) {
-    constexpr std::size_t kLookedAhead = 64;  // more than a decoder reads before it is to use it
+    constexpr std::size_t kLookedAhead = 64;  // more than a decoder reads ahead
     std::vector<std::byte> all(bytes.begin(), bytes.end());
     while (all.back() == std::byte{0xFF}) all.pop_back();  // half a marker
     all.insert(all.end(), kLookedAhead, what);
@@ -106,7 +106,7 @@ Expected<Pixels> decode_without_end(std::span<const std::byte> bytes, const std:
     return decode_pixels(all, name, channels, most_pixels, turn);
   };
   try {
-    // Runs of zeros and ones of several lengths, and one that hardly any table of codes has.
+    // Runs of zeros and ones of several lengths, and a pattern that is in hardly any code table.
     auto out = followed_by(std::byte{0});
     for (const unsigned what : {0x55U, 0xAAU, 0x33U, 0xFEU}) {
       if (!out && out.error().code != ErrorCode::bad_input) return out;
@@ -132,7 +132,7 @@ bool looks_like_picture(std::string_view bytes) {
   for (const std::string_view beginning : kBeginnings)
     if (bytes.starts_with(beginning)) return true;
   if (looks_like_netpbm(bytes)) return true;
-  // "BM", a size of four bytes, four that are zero, and the place of the pixels, which is below 65536.
+  // "BM", a size of four bytes, four zero bytes, and the offset of the pixels, which is below 65536.
   return bytes.size() >= 14 && bytes.starts_with("BM") && bytes.substr(6, 4) == "\0\0\0\0"sv &&
          bytes.substr(12, 2) == "\0\0"sv;
 }

@@ -15,7 +15,7 @@
 namespace mes {
 namespace {
 
-/// Where a part of the file begins.
+/// Offset of a part of the file.
 std::size_t place_of(Bytes part, Bytes whole) {
   return static_cast<std::size_t>(part.data() - whole.data());
 }
@@ -33,7 +33,7 @@ std::size_t number(Bytes bytes, std::size_t count) {
 constexpr std::byte kMarker{0xFF};
 
 bool stands_alone(unsigned marker) {
-  return (marker >= 0xD0 && marker <= 0xD9) || marker == 0x01;  // restarts, begin and end of the picture
+  return (marker >= 0xD0 && marker <= 0xD9) || marker == 0x01;  // restart markers, begin and end of the picture
 }
 
 /// A table is a byte of class and number, the counts of symbols by code length, and the symbols. The decoder reads
@@ -50,7 +50,7 @@ bool are_tables_sound(Bytes from_segment, std::size_t segment) {
   return true;
 }
 
-/// What the scans of a JPEG have had of its coefficients. Source: ITU-T T.81, B.2.2, B.2.3 and G.1.1.
+/// Tracks the coefficients covered by the scans of a JPEG. Source: ITU-T T.81, B.2.2, B.2.3 and G.1.1.
 class ScannedCoefficients {
  public:
   void add_frame(Bytes contents, bool is_progressive) {
@@ -99,7 +99,7 @@ struct JpegMarkers {
   bool may_lack_only_end = false;
 };
 
-/// Walks from marker to marker: 0xFF and a byte that is neither zero, which means data, nor 0xFF, which is a filler.
+/// Walks from marker to marker. A marker is 0xFF followed by a byte that is neither zero (data) nor 0xFF (fill byte).
 /// The decoder finds the same markers between segments, or it fails earlier.
 JpegMarkers jpeg_markers(Bytes bytes) {
   constexpr unsigned kTables = 0xC4;
@@ -117,8 +117,8 @@ JpegMarkers jpeg_markers(Bytes bytes) {
     while (rest.size() >= 2 && (rest[0] != kMarker || rest[1] == kMarker || rest[1] == std::byte{0}))
       rest = rest.subspan(1);
     if (rest.size() < 2) {
-      if (!has_scan) return {};  // the decoder notices
-      // Where a part between two restarts ends, the decoder does not look whether another follows.
+      if (!has_scan) return {};  // the decoder reports this
+      // After the part between two restarts, the decoder does not check whether another follows.
       if (!is_cut && !has_restarts && scanned.are_all()) return {.may_lack_only_end = true};
       return {.hazard = fmt::format("the file ends at byte {}, before the marker that ends a picture", bytes.size())};
     }
@@ -147,7 +147,7 @@ constexpr std::size_t kBeforeContents = 8;
 constexpr std::size_t kChecksum = 4;
 constexpr std::size_t kEnd = 0x49454E44;
 
-/// Chunks: length, name, contents, checksum.
+/// Chunks consist of length, name, contents and checksum.
 std::string png_hazard(Bytes bytes) {
   Bytes rest = without_first(bytes, kSignature);
   while (rest.size() >= kBeforeContents) {
@@ -161,7 +161,7 @@ std::string png_hazard(Bytes bytes) {
   return {};
 }
 
-/// The first chunk that is cut, or whose checksum is not that of its contents.
+/// Describes the first chunk that is truncated or has a wrong checksum.
 std::string png_damage(Bytes bytes) {
   Bytes rest = without_first(bytes, kSignature);
   while (!rest.empty()) {
@@ -187,7 +187,7 @@ std::size_t little_endian(Bytes bytes, std::size_t count) {
   return out;
 }
 
-/// The first byte that holds a number of so many bits that is not below `end`.
+/// The first byte with a number of `bits` bits that is at least `end`.
 std::optional<std::size_t> first_index_from(std::size_t end, Bytes bytes, unsigned bits) {
   for (std::size_t i = 0; i < bytes.size(); ++i)
     for (unsigned shift = 0; shift < 8; shift += bits)
@@ -199,11 +199,11 @@ std::string ends_in_row(std::size_t row, std::size_t rows) {
   return fmt::format("the file ends in row {} of {}", row + 1, rows);
 }
 
-/// The decoder takes what lies between header and pixels for the palette, reads colours beyond its end from memory that
-/// was never written, and zeros beyond the end of the file.
+/// The decoder reads everything between header and pixels as the palette. It reads colours beyond the palette's end
+/// from uninitialized memory, and zeros beyond the end of the file.
 std::string bmp_hazard(Bytes bytes) {
   constexpr std::size_t kFileHeader = 14;
-  constexpr std::size_t kOldHeader = 12;  // of OS/2, which the decoder takes for longer
+  constexpr std::size_t kOldHeader = 12;  // header size of OS/2; the decoder assumes a longer one
   constexpr std::size_t kMostSide = std::size_t{1} << 16U;
   const std::size_t offset = little_endian(without_first(bytes, 10), 4);
   const std::size_t header = little_endian(without_first(bytes, kFileHeader), 4);
@@ -213,7 +213,7 @@ std::string bmp_hazard(Bytes bytes) {
   std::size_t height = little_endian(without_first(rest, is_old ? 2 : 4), is_old ? 2 : 4);
   if (height > 0x7FFFFFFFU) height = 0x100000000U - height;  // negative: rows from the top
   const std::size_t bits = little_endian(without_first(rest, is_old ? 6 : 10), 2);
-  if (width >= kMostSide || height >= kMostSide || bits == 0 || bits > 32) return {};  // refused anyway
+  if (width >= kMostSide || height >= kMostSide || bits == 0 || bits > 32) return {};  // refused by the decoder
   const std::size_t row = (width * bits + 31) / 32 * 4;
   if (offset < kFileHeader + header || offset > bytes.size())
     return fmt::format("at byte 10: its pixels cannot begin at byte {}", offset);

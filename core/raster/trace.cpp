@@ -15,7 +15,7 @@
 namespace mes {
 namespace {
 
-// Of the points of all contours, so many between values of the two sides make a picture of two values.
+// If at least this share of all contour points lies between values of the two sides, the picture is two-valued.
 constexpr double kShareOfSharp = 0.6;
 
 std::unexpected<Error> refused(ErrorCode code, std::string text) {
@@ -27,7 +27,7 @@ std::string number_of(std::size_t count, std::string_view one) {
 }
 
 struct Sides {
-  std::size_t dark = 0;  // pixels
+  std::size_t dark = 0;  // number of dark pixels
   std::size_t light = 0;
   double dark_mean = 0.0;
   double light_mean = 255.0;
@@ -48,7 +48,7 @@ Sides sides_of(const Histogram& histogram, Level level) {
   return out;
 }
 
-/// A threshold that was asked for, or the best.
+/// The requested threshold, or the best one.
 Expected<Level> chosen_level(const Histogram& histogram, const TraceRequest& request) {
   if (request.threshold) {
     if (*request.threshold < 0 || *request.threshold > 254)
@@ -61,7 +61,7 @@ Expected<Level> chosen_level(const Histogram& histogram, const TraceRequest& req
                  fmt::format("no figure stands out: every pixel has the grey value {}", only - histogram.begin()));
 }
 
-/// By how many pixels a noisy picture is blurred; 0: it is not noisy, or the grains are the picture.
+/// Blur in pixels for a noisy picture; 0 if it is not noisy, or if the grains are the picture.
 double blur_for(const GrayImage& picture, const Sides& sides) {
   constexpr double kLeastBlur = 0.8;
   constexpr double kPerNoise = 24.0;
@@ -75,7 +75,7 @@ std::size_t light_pixels(const GrayImage& image, Level level) {
       std::ranges::count_if(image.values, [&](std::uint8_t value) { return value > level.below; }));
 }
 
-/// Blurring spreads what is thin and closes what is narrow. Grains cancel out.
+/// Whether blurring keeps the area of the sides: it would spread thin figures and close narrow gaps. Grains cancel out.
 bool keeps_area(const GrayImage& picture, const GrayImage& smooth, Level level) {
   constexpr double kMostChange = 0.05;
   const auto before = static_cast<double>(light_pixels(picture, level));
@@ -101,7 +101,7 @@ EdgeNoise noise_of_edges(const PixelContour& contour, double blur) {
   return {.one = kSoftNoise, .is_blurred = true, .least_stiffness = 1.0};
 }
 
-/// Contours at the level, and the tracing but for its curves.
+/// Contours at the level, and the tracing without its curves.
 struct Outlined {
   Tracing tracing{};
   PixelContours contours{};
@@ -145,7 +145,7 @@ Expected<Outlined> outlined(const GrayImage& image, const TraceRequest& request,
   return counted(std::move(out));
 }
 
-/// Several threads, each with some contours of many points together.
+/// Fits the contours on several threads, each with a batch of many points.
 std::vector<PlaneCurve> outlines_of(const std::vector<PixelContour>& contours, double blur, const Box2& picture,
                                     const JobControl* job) {
   constexpr std::size_t kPointsEach = std::size_t{1} << 14U;
@@ -167,7 +167,7 @@ std::vector<PlaneCurve> outlines_of(const std::vector<PixelContour>& contours, d
   return out;
 }
 
-/// With the curves of its contours.
+/// Completes a tracing with the curves of its contours.
 Expected<Tracing> traced(Expected<Outlined> found, const GrayImage& image, const TraceRequest& request,
                          const JobControl* job) {
   if (!found) return std::unexpected(std::move(found.error()));
@@ -190,7 +190,7 @@ Expected<Tracing> traced(Expected<Outlined> found, const GrayImage& image, const
 }  // namespace
 
 Histogram histogram_of(const GrayImage& image) {
-  // Most of a silhouette is runs of one value. Elsewhere two tables, since equal neighbours would wait for each other.
+  // Most of a silhouette is runs of one value. Elsewhere two tables keep equal neighbours from waiting for each other.
   constexpr std::size_t kRun = 8;
   constexpr std::uint64_t kEach = 0x0101010101010101;
   Histogram out{};
@@ -251,7 +251,7 @@ double default_specks(const GrayImage& image) {
 
 bool is_figure_light(const GrayImage& image, Level level, FigureSide side) {
   if (side != FigureSide::found) return side == FigureSide::light;
-  std::int64_t excess = 0;  // of light pixels over dark ones
+  std::int64_t excess = 0;  // number of light pixels minus dark ones
   const auto count = [&](int x, int y) { excess += image.at(x, y) > level.below ? 1 : -1; };
   for (int x = 0; x < image.width; ++x) {
     count(x, 0);

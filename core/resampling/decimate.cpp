@@ -12,10 +12,10 @@
 namespace mes {
 namespace {
 
-/// A loop keeps as many at least.
+/// The fewest samples that a thinned loop keeps.
 constexpr std::size_t kSmallestLoop = 4;
 
-/// A chain of which some places are left out.
+/// A chain with some of its samples left out.
 class ThinnedChain {
  public:
   ThinnedChain(const MovingCurve::Chain& chain, std::vector<bool> must_stay)
@@ -26,7 +26,7 @@ class ThinnedChain {
   bool is_kept(std::size_t i) const { return is_kept_[i % size()]; }
   void keep(std::size_t i) { is_kept_[i % size()] = true; }
 
-  /// From each kept place on as far as half the distance allows.
+  /// Walks from each kept sample to the farthest next one that half the distance allows, and drops those between.
   void thin(std::span<const Vec2> positions, const std::vector<double>& sizes, double epsilon) {
     const std::size_t n = size();
     if (n <= kSmallestLoop) return;
@@ -46,7 +46,7 @@ class ThinnedChain {
     for (std::size_t i = 0; i < kSmallestLoop; ++i) keep(first + i * n / kSmallestLoop);
   }
 
-  /// `visit(i, j)` for kept places that follow each other; j may be beyond the end of a loop.
+  /// Calls `visit(i, j)` for each two successive kept indices; j may lie beyond the end of a loop.
   template <class Visit>
   void for_each_edge(const Visit& visit) const {
     const auto begin = static_cast<std::size_t>(std::ranges::find(is_kept_, true) - is_kept_.begin());
@@ -60,7 +60,7 @@ class ThinnedChain {
   }
 
  private:
-  /// Where a loop begins: at a place that stays, or where the curve needs the most samples.
+  /// Start index in a loop: a sample that must stay, or else the one with the smallest feature size.
   std::size_t start(const std::vector<double>& sizes) const {
     if (!chain_->closed) return 0;
     const auto stays = std::ranges::find(must_stay_, true);
@@ -94,14 +94,14 @@ SampleData without(const SampleData& data, const std::vector<bool>& is_gone, std
   return out;
 }
 
-/// What the samples are after some were left out.
+/// The samples after thinning, and the verdict on them.
 struct Thinned {
   SampleData data;
-  double epsilon = 0.0;  // the largest
+  double epsilon = 0.0;  // largest of all curve edges
   TheoremLight light = TheoremLight::none;
   bool has_same_axis = false;
-  std::vector<std::pair<std::size_t, std::size_t>> wanted_back;  // chain, and place on it
-  std::vector<std::pair<std::size_t, std::size_t>> thinned;      // a place of each edge that leaves some out
+  std::vector<std::pair<std::size_t, std::size_t>> wanted_back;  // chain, and index on it
+  std::vector<std::pair<std::size_t, std::size_t>> thinned;      // one index of each edge that skips samples
 };
 
 class Decimator {
@@ -117,7 +117,7 @@ class Decimator {
     const std::vector<bool> is_corner = corners_of(curve, data.positions, epsilon);
     std::vector<bool> may_go = curve.may_move;
     for (std::size_t i = 0; i < may_go.size(); ++i) may_go[i] = may_go[i] && !is_corner[i];
-    // Samples at one place are one for the structures.
+    // The structures merge samples at equal positions into one.
     for (const auto& [follower, leader] : curve.followers) may_go[follower] = may_go[leader] = false;
     for (const MovingCurve::Chain& chain : curve.chains) {
       if (chain.points.size() < 2) continue;
@@ -189,8 +189,8 @@ Expected<Decimation> decimate(const Registry& registry, const SampleData& data, 
   if (!before) return std::unexpected(before.error());
   const MovingCurve curve = curve_of(data, job);
   Decimator decimator(registry, data, curve, *before, epsilon);
-  // An edge that is no curve edge, or too long now, gets the sample in its middle back; where the axis is another one, all
-  // do. At the latest it is that of all samples.
+  // An edge that is not a curve edge, or is too long now, gets its middle sample back; if the axis has changed, all
+  // such edges do. In the worst case the loop ends with all samples back.
   for (;;) {
     job.checkpoint();
     auto now = decimator.judge(job);

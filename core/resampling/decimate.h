@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples that can go without the curve and the topology of the axis changing.
+// Removes samples while the curve and the topology of the axis stay the same.
 #pragma once
 
 #include <cstdint>
@@ -15,31 +15,32 @@ namespace mes {
 class Registry;
 
 struct Decimation {
-  std::vector<std::uint32_t> removed;  ///< numbers of samples, rising
-  SampleData data;                     ///< what is left, with the loops and balls
-  double epsilon_before = 0.0;         ///< the largest of all curve edges
+  std::vector<std::uint32_t> removed;  ///< sample numbers, increasing
+  SampleData data;                     ///< the remaining samples, with loops and balls
+  double epsilon_before = 0.0;         ///< largest of all curve edges
   double epsilon_after = 0.0;
   TheoremLight light_before = TheoremLight::none;
   TheoremLight light_after = TheoremLight::none;
-  std::string no_axis{};        ///< why there is none, and nothing is measured; empty if there is one
-  std::int64_t components = 0;  ///< of the one-step axis, before and after
+  std::string no_axis{};        ///< why the axis is missing and nothing is measured; empty if there is an axis
+  std::int64_t components = 0;  ///< components of the one-step axis, before and after
   std::int64_t cycles = 0;
 
-  /// One sentence, without a full stop.
+  /// Describes the result in one sentence, without a full stop.
   std::string words() const;
 };
 
-/// Takes samples away as long as the rest is an epsilon-sample by the estimate (FeatureSize).
+/// Removes samples while the remaining ones are an epsilon-sample by the estimate (FeatureSize).
 ///
 /// What it guarantees:
-///  1. Of samples that follow each other on the curve of the rest, half the distance is at most `epsilon` times the least
-///     size that they, and all samples taken away between them, had at first; and by the estimate from the rest the
-///     epsilon of that curve edge is at most `epsilon`, too. This is not said of samples that followed each other before.
-///  2. The curve of the rest goes through it in the same order: each such pair is a crust edge.
-///  3. The one-step axis has as many components and cycles as before, and the theorem light is not worse.
+///  1. Let two remaining samples be neighbours on the curve with removed samples between them. Half their distance is
+///     at most `epsilon` times the least original feature size of the two and of the removed ones; and the epsilon of
+///     their curve edge, estimated from the remaining samples, is at most `epsilon` too. Pairs that were neighbours
+///     before have no such guarantee.
+///  2. The curve of the remaining samples visits them in the same order: each such pair is a crust edge.
+///  3. The one-step axis keeps its numbers of components and cycles, and the theorem light does not get worse.
 ///  4. Corners, ends of the curve and samples on no curve stay.
 ///
-/// How many go is not the largest possible number. Throws `Cancelled`. Error: a structure failed.
+/// The number of removed samples is not the largest possible. Throws `Cancelled`. Error: a structure failed.
 /// Cost: O(n log n), a few times.
 Expected<Decimation> decimate(const Registry& registry, const SampleData& data, double epsilon, JobControl& job);
 

@@ -20,7 +20,7 @@ namespace {
 constexpr int kMostHalvings = 20;
 constexpr int kMostRounds = 200;
 constexpr int kMostDoubts = 6;
-/// Where curves meet, as in a lattice, no number is enough.
+/// Limits the number of samples: where curves meet, as in a lattice, no number would be enough.
 std::size_t most_samples(std::size_t given) {
   constexpr std::size_t kForEach = 64;
   constexpr std::size_t kMostNew = 200'000;
@@ -30,7 +30,7 @@ std::size_t most_samples(std::size_t given) {
 /// A cubic through two samples with the tangents of the curve there.
 struct SplinePiece {
   Vec2 a{}, b{};
-  Vec2 tangent_a{}, tangent_b{};  // over the parameter from 0 to 1
+  Vec2 tangent_a{}, tangent_b{};  // derivatives by the parameter, which runs from 0 to 1
 
   Vec2 at(double u) const {
     const double v = 1.0 - u;
@@ -39,8 +39,8 @@ struct SplinePiece {
   }
 };
 
-// Of the centripetal Catmull-Rom spline through three places at the middle one, times the parameter's way to a place next
-// to it.
+// Tangent of the centripetal Catmull-Rom spline through three points at the middle one, scaled by the parameter step to
+// the neighbour `next`.
 Vec2 tangent_at(Vec2 p, Vec2 q, Vec2 r, Vec2 next) {
   const double before = std::sqrt(distance(p, q));
   const double after = std::sqrt(distance(q, r));
@@ -49,18 +49,18 @@ Vec2 tangent_at(Vec2 p, Vec2 q, Vec2 r, Vec2 next) {
   return before > 0.0 && after > 0.0 && is_finite(slope) ? slope : Vec2{};
 }
 
-/// A sample of the curve.
+/// A sample on the curve.
 struct Knot {
   std::uint32_t sample = 0;
-  std::size_t piece = 0;  ///< of the spline on which it lies
-  double u = 0.0;         ///< where
+  std::size_t piece = 0;  ///< index of its spline piece
+  double u = 0.0;         ///< parameter on that piece
 };
 
 class RepairedChain {
  public:
   RepairedChain(const MovingCurve::Chain& chain, std::span<const Vec2> positions, const std::vector<bool>& is_corner)
       : is_closed_(chain.closed && chain.points.size() > 2) {
-    // A place that is named twice in a row is one; between its two samples there is nothing to halve.
+    // Consecutive samples at the same position become one: there is no edge between them to halve.
     std::vector<std::uint32_t> points;
     for (const std::uint32_t sample : chain.points)
       if (points.empty() || positions[points.back()] != positions[sample]) points.push_back(sample);
@@ -86,7 +86,7 @@ class RepairedChain {
   std::uint32_t from(std::size_t edge) const { return knots_[edge].sample; }
   std::uint32_t to(std::size_t edge) const { return knots_[(edge + 1) % knots_.size()].sample; }
 
-  /// In the middle of an edge, by the parameter; false when it was halved too often.
+  /// The parameter middle of an edge; false if the edge was already halved too often.
   bool middle(std::size_t edge, Knot& out) const {
     const Knot& knot = knots_[edge];
     const Knot& next = knots_[(edge + 1) % knots_.size()];
@@ -95,7 +95,7 @@ class RepairedChain {
     return end - knot.u > std::ldexp(1.0, -kMostHalvings);
   }
   Vec2 place_of(const Knot& knot) const { return pieces_[knot.piece].at(knot.u); }
-  /// Each after the knot of that number, which rises.
+  /// Inserts each knot after the knot with the given index; the indices increase.
   void insert(const std::vector<std::pair<std::size_t, Knot>>& added) {
     std::vector<Knot> knots;
     knots.reserve(knots_.size() + added.size());
@@ -139,7 +139,7 @@ class Repairer {
       }
       if (!chain.closed && !chain.points.empty()) is_end_[chain.points.front()] = is_end_[chain.points.back()] = true;
     }
-    // The spline is interrupted where a loop goes back the way it came, as at a corner.
+    // The spline breaks where a loop returns along itself, as at a corner.
     std::vector<bool> is_interrupted = is_corner_;
     for (std::size_t i = 0; i < first_at_.size(); ++i)
       if (neighbours[first_at_[i]].size() == 1) is_interrupted[i] = true;
@@ -150,7 +150,7 @@ class Repairer {
     for (std::size_t i = 0; i < first_at_.size(); ++i) {
       const std::size_t count = neighbours[first_at_[i]].size();
       is_crossing_[i] = count > 2;
-      // Where a loop goes back the way it came, it ends.
+      // A loop that returns along itself has an end there.
       is_end_[i] = count > 2 || count == 1 || is_end_[first_at_[i]];
     }
   }
@@ -173,8 +173,8 @@ class Repairer {
     const auto doubted = [this](const RepairedChain& chain, std::size_t i) { return is_doubted(chain, i); };
     if (auto good = halve_all(too_long, kMostRounds, job); !good) return good;
     if (samples_.light() != TheoremLight::yellow) return {};
-    // Dense enough by the estimate; where the theorem's conditions fail all the same, the estimate may have been too good.
-    // Where that does not help, as beside a crust edge that is none of the curve, it is taken back.
+    // The edges are short enough by the estimate. Where the theorem's conditions still fail, the estimate may have been
+    // too large, so more edges are halved. If that does not help, as beside a crust edge off the curve, this is undone.
     const std::vector<RepairedChain> chains = chains_;
     const SampleData before{.positions = {samples_.positions().begin(), samples_.positions().end()}};
     for (int i = 0; i < kMostDoubts && samples_.light() == TheoremLight::yellow; ++i) {
@@ -192,11 +192,11 @@ class Repairer {
 
   void report(const MovingCurve& curve, Repair& out) const {
     const auto positions = samples_.positions();
-    std::map<std::uint32_t, std::size_t> corner_at;  // by the first sample at its place
+    std::map<std::uint32_t, std::size_t> corner_at;  // by the first sample at the same position
     for_each_moving(curve, [&](std::uint32_t before, std::uint32_t at, std::uint32_t after) {
       if (!is_corner_[at] || is_end_[at]) return;
       const double degrees = 180.0 - turn_at(positions[before], positions[at], positions[after]);
-      // What the curve passes twice is one corner.
+      // A corner that the curve passes twice counts once.
       const auto [known, is_new] = corner_at.try_emplace(first_at_[at], out.corners.size());
       if (is_new) {
         out.corners.push_back({positions[at], degrees});
@@ -217,7 +217,7 @@ class Repairer {
     }
   }
 
-  /// Loops with the new samples, in the order of the chains that were given.
+  /// Loops with the new samples, in the order of the given chains.
   std::vector<SampleData::Contour> contours(const std::vector<SampleData::Contour>& given) const {
     std::vector<SampleData::Contour> out;
     auto next = chains_.begin();
@@ -231,19 +231,20 @@ class Repairer {
   }
 
  private:
-  /// Of an edge: the first samples at its two places, the smaller number first.
+  /// The first samples at the two end positions of an edge, the smaller number first.
   std::pair<std::uint32_t, std::uint32_t> places_of(const RepairedChain& chain, std::size_t i) const {
     return std::minmax(std::uint32_t{first_at_[chain.from(i)]}, std::uint32_t{first_at_[chain.to(i)]});
   }
   bool is_crossing(std::uint32_t sample) const { return sample < is_crossing_.size() && is_crossing_[sample]; }
-  /// A corner, or an end or junction of the curve: there its estimate says nothing.
+  /// Whether the sample is a corner, or an end or junction of the curve: the estimate is meaningless there.
   bool is_corner(std::uint32_t sample) const {
     return sample < is_corner_.size() && (is_corner_[sample] || is_end_[sample]);
   }
   bool ends_at_corner(const RepairedChain& chain, std::size_t i) const {
     return is_corner(chain.from(i)) || is_corner(chain.to(i));
   }
-  // At a corner the ratio stays as it is however short the edge becomes, and so does the crust where the curve meets itself.
+  // At a corner the ratio stays the same however short the edge becomes; where the curve meets itself, so does the
+  // crust.
   bool is_too_long(const RepairedChain& chain, std::size_t i) const {
     if (is_crossing(chain.from(i)) || is_crossing(chain.to(i))) return false;
     const auto verdict = samples_.judge(chain.from(i), chain.to(i));
@@ -264,14 +265,14 @@ class Repairer {
     return {};
   }
 
-  /// Halves the edges for which `wants(chain, edge)` holds; whether there was one.
+  /// Halves the edges for which `wants(chain, edge)` holds; returns whether there was such an edge.
   template <class Wants>
   Expected<bool> halve(const Wants& wants, JobControl& job) {
     std::vector<Vec2> places;
     std::vector<std::vector<std::pair<std::size_t, Knot>>> added(chains_.size());
     const auto positions = samples_.positions();
     auto next = static_cast<std::uint32_t>(positions.size());
-    // What the curve passes twice is halved once: the second pass shares the sample of the first.
+    // An edge that the curve passes twice is halved once: the second pass shares the sample of the first.
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> halved;
     for (std::size_t c = 0; c < chains_.size(); ++c) {
       const RepairedChain& chain = chains_[c];
@@ -300,11 +301,11 @@ class Repairer {
   const Registry& registry_;
   JudgedSamples& samples_;
   double epsilon_;
-  std::size_t most_;  // samples
+  std::size_t most_;  // largest number of samples
   std::vector<bool> is_corner_;
-  std::vector<bool> is_end_;             // of the curve, or a crossing
-  std::vector<bool> is_crossing_;        // a place from which more than two edges go
-  std::vector<std::uint32_t> first_at_;  // by sample: the first one at its place
+  std::vector<bool> is_end_;             // an end of the curve, or a crossing
+  std::vector<bool> is_crossing_;        // a sample at which more than two edges meet
+  std::vector<std::uint32_t> first_at_;  // by sample: the first sample at the same position
   std::vector<RepairedChain> chains_;
 };
 
@@ -348,7 +349,7 @@ std::vector<std::string> Repair::words() const {
   std::vector<std::string> out;
   const std::string exempt_words =
       exempt == 0 ? std::string() : " (" + count_text(exempt, "corner", "corners") + " exempt)";
-  // As the light says it.
+  // The same words as the theorem light uses.
   constexpr std::size_t kWord = std::string_view("epsilon ").size();
   const std::string epsilons = is_on_curves ? epsilon_text(epsilon_before, 0) + " before, " +
                                                   epsilon_text(epsilon_after, 0).substr(kWord) + " now"

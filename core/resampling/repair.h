@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples inserted where the curve has too few of them.
+// Inserts samples where the curve has too few of them.
 #pragma once
 
 #include <cstdint>
@@ -14,51 +14,52 @@ namespace mes {
 
 class Registry;
 
-/// A place where the curve turns at once.
+/// A sample at which the curve has a corner.
 struct SampledCorner {
   Vec2 place{};
-  double degrees = 180.0;  ///< between its two edges
+  double degrees = 180.0;  ///< angle between its two edges
 };
 
 struct Repair {
-  SampleData data;           ///< the samples as they were, then the new ones; loops if there were some
-  std::size_t inserted = 0;  ///< how many are new
-  /// The largest of the curve edges that do not end at a corner, end or junction; infinite where one of these is missing.
+  SampleData data;           ///< the old samples, then the new ones; loops if the data had some
+  std::size_t inserted = 0;  ///< number of new samples
+  /// Largest epsilon of the curve edges away from corners, ends and junctions; infinite where one of these edges is
+  /// missing.
   double epsilon_before = 0.0;
   double epsilon_after = 0.0;
   TheoremLight light_before = TheoremLight::none;
   TheoremLight light_after = TheoremLight::none;
-  bool is_on_curves =
-      false;  ///< new samples lie on the curves that the others were taken from, and epsilons are by these
-  std::size_t exempt = 0;              ///< corners and meetings of curves that the epsilons leave out
-  std::size_t off_curve = 0;           ///< samples that lie on none of these
-  std::string no_axis{};               ///< why there is none, and nothing is measured; empty if there is one
-  std::vector<SampledCorner> corners;  ///< at which edges are too long however short they are
-  std::vector<Vec2> open_ends;         ///< ends and junctions of the curve: edges there stay as they are
-  std::vector<Vec2> left;              ///< middles of other edges that are too long still, or doubted by the theorem
+  bool is_on_curves = false;  ///< new samples lie on the curves of the old ones, and epsilons refer to these curves
+  std::size_t exempt = 0;     ///< corners and meetings of curves, excluded from the epsilons
+  std::size_t off_curve = 0;  ///< samples on none of these curves
+  std::string no_axis{};      ///< why the axis is missing and nothing is measured; empty if there is an axis
+  std::vector<SampledCorner> corners;  ///< corners: no density satisfies epsilon at their edges
+  std::vector<Vec2> open_ends;         ///< ends and junctions of the curve; edges there are not halved
+  std::vector<Vec2> left;              ///< middles of other edges that are still too long, or that fail the theorem
 
-  /// What was done and what could not be, one sentence each, without a full stop.
+  /// Lists the changes and the remaining problems, one sentence each, without a full stop.
   std::vector<std::string> words() const;
 };
 
-/// Halves curve edges until none has half its length over the feature size of its ends (FeatureSize) above `epsilon`, and
-/// the theorem's light is not yellow; or until no edge that is in the way can be halved any more. What is inserted for the
-/// light alone is taken back if that stays yellow.
+/// Halves curve edges until half the length of each is at most `epsilon` times the feature size of its ends
+/// (FeatureSize) and the theorem light is not yellow, or until no offending edge can be halved further. Samples
+/// inserted only for the light are removed again if it stays yellow.
 ///
-/// Where the data know the curves that the samples were taken from, and at least half of the samples lie on them, new
-/// ones are put exactly on these curves, until the samples stand for them with that epsilon (core/curves/feature_field.h)
-/// away from corners; and nearer to the corners and denser while the light is yellow, if that helps. Otherwise:
+/// If the data know the curves of the samples, and at least half of the samples lie on them, new samples lie exactly on
+/// these curves, until the samples stand for them with that epsilon (core/curves/feature_field.h) away from corners.
+/// While the light is yellow, samples nearer to the corners, and denser ones, are tried too, and kept if they help.
+/// Otherwise:
 ///
 /// What it guarantees:
-///  1. Samples stay where they are. New ones lie on the curve through the old ones: centripetal Catmull-Rom splines,
-///     interrupted at corners and ends, so straight between two corners.
-///  2. The curve is that of the loops given, or the one-step crust of the samples as they were.
-///  3. An edge that the curve passes twice is halved once. Edges at a place where it meets itself are left alone; where it
-///     goes back the way it came, it ends.
-///  4. It ends: an edge is halved at most twenty times, and no more than 64 samples are inserted for each, or 200,000
-///     together; what is left is listed.
+///  1. Old samples stay. New ones lie on the curve through the old ones: centripetal Catmull-Rom splines, interrupted
+///     at corners and ends, and therefore straight between two corners.
+///  2. The curve is that of the given loops, or else the one-step crust of the old samples.
+///  3. An edge that the curve passes twice is halved once. Edges where the curve meets itself stay. Where the curve
+///     returns along itself, it has an end.
+///  4. The repair terminates: an edge is halved at most twenty times, and at most 64 samples are inserted for each old
+///     one, and at most 200,000 in all; the result lists the remaining edges.
 ///
-/// Then feature sizes are estimates from the samples of each moment. Throws `Cancelled`. Error: a structure failed.
+/// In this case feature sizes are estimated from the current samples. Throws `Cancelled`. Error: a structure failed.
 /// Cost: O(n) and a few local updates for each round of halving.
 /// Source of the spline: Yuksel, Schaefer and Keyser, "Parameterization and applications of Catmull-Rom curves", 2011.
 Expected<Repair> repair(const Registry& registry, const SampleData& data, double epsilon, JobControl& job);

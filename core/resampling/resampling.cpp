@@ -27,20 +27,19 @@
 namespace mes {
 namespace {
 
-/// Neighbours along a curve, by the numbers of their samples.
+/// Two samples that are neighbours along a curve, by number.
 struct SampleLink {
   std::uint32_t a = 0;
   std::uint32_t b = 0;
 };
 
-/// An edge of the crust between samples of curves that are not neighbours along them, and how far apart such neighbours
-/// are there.
+/// A crust edge between samples that are not neighbours along the curves, and the local spacing of such neighbours.
 struct Rung {
   Vec2 a{}, b{};
   double spacing = 0.0;
 };
 
-/// Crust, axis and what is said of samples.
+/// Crust, axis and verdict of a set of samples.
 class Measured {
  public:
   Measured() { certificate_.forgo_updates(); }
@@ -54,8 +53,8 @@ class Measured {
     out->make(job, {&out->samples_, &out->delaunay_, &out->crust_});
     return out;
   }
-  /// What the theorem light has of these samples, and of the curves that they stand for so. The certificate is asked only
-  /// where nothing else makes the light yellow: its search is long where the crust is not the curve.
+  /// Reports behind the theorem light, for these samples and for the curves that they stand for. The certificate is
+  /// asked only if nothing else makes the light yellow: its search is long where the crust is not the curve.
   std::vector<NodeReport> judged(const CurveStanding& standing, JobControl& job) {
     std::vector<SampleSlot> slots;
     for (std::size_t i = 0; i < document_.sample_count(); ++i) slots.emplace_back(i);
@@ -73,7 +72,7 @@ class Measured {
     }
     return out;
   }
-  /// Where parts of the curves are nearer to each other than their samples: there the crust is not the curves.
+  /// Finds where parts of the curves are nearer to each other than their samples: there the crust is not the curves.
   std::vector<Rung> rungs(std::span<const SampleLink> links) const;
 
  private:
@@ -96,7 +95,7 @@ class Measured {
 
 std::vector<Rung> Measured::rungs(std::span<const SampleLink> links) const {
   const auto site = [&](std::uint32_t sample) { return delaunay_.site_of_sample(SampleSlot(sample)); };
-  // Curves that meet in a sample have more than two neighbours there, which are looked for among the rest.
+  // Curves that meet in a sample have more than two neighbours there; the further ones are kept in `rest`.
   Table<SiteSlot, std::array<SiteSlot, 2>> beside;
   beside.resize(delaunay_.site_rows(), {kNoSlot, kNoSlot});
   std::unordered_multimap<SiteSlot, SiteSlot> rest;
@@ -126,7 +125,7 @@ std::vector<Rung> Measured::rungs(std::span<const SampleLink> links) const {
   return out;
 }
 
-/// Places, numbered as they come, and which of them is nearest. Cost: O(log n) typically, a place and a question.
+/// Positions numbered in the order of insertion, with nearest-neighbour search. Cost: typically O(log n) for each call.
 class PlaceTree {
  public:
   void add(Vec2 at) {
@@ -137,11 +136,11 @@ class PlaceTree {
       tree_.insert(places_.back(), bounds_of, [](const Place&, std::uint32_t) {});
   }
 
-  /// Of those nearer than `reach`, the nearest; of equal ones the first.
+  /// The nearest position within `reach`; of equally near ones the first.
   std::optional<std::uint32_t> nearest(Vec2 to, double reach) const {
     std::optional<std::uint32_t> out;
     double away = reach;
-    double bound = reach * reach;  // of squares; a little more than what is asked for does no harm
+    double bound = reach * reach;  // of squared distances; slightly too large does no harm
     tree_.visit_near(to, bound, [&](const Place& place) {
       const double d = distance(place.at, to);
       if (!(d < away || (d == away && out && place.number < *out))) return;
@@ -163,7 +162,7 @@ class PlaceTree {
   std::vector<Place> places_;
 };
 
-/// Neighbours along the contours.
+/// Pairs of neighbours along the contours.
 std::vector<SampleLink> links_of(std::span<const SampleData::Contour> contours) {
   std::vector<SampleLink> out;
   for (const SampleData::Contour& contour : contours) {
@@ -186,8 +185,8 @@ std::unexpected<Error> too_near(std::vector<Rung> rungs) {
                         at.x, at.y, distance(middle->a, middle->b), middle->spacing)});
 }
 
-/// What the samples of the data give. Error: samples that are as near as they may be, and of which most are too far
-/// apart for the crust to be the curves.
+/// Judges the samples of the data. Error: the samples are as dense as allowed, and most are still too far apart for the
+/// crust to be the curves.
 Expected<void> judge(TakenSamples& taken, const CurveSet& curves, const SamplingRequest& request,
                      const FeatureField& field, JobControl& job) {
   const auto measured = Measured::of(taken.data.positions, job);
@@ -195,12 +194,12 @@ Expected<void> judge(TakenSamples& taken, const CurveSet& curves, const Sampling
   taken.standing = field.standing(taken.data.positions, &job);
   const std::vector<SampleLink> links = links_of(taken.data.contours);
   const std::vector<Rung> rungs = (*measured)->rungs(links);
-  // At crossings and corners there are some. Many are a ladder between two sides of something thin: then a proof would
-  // be of another curve, and arcs that pass along a ladder are what the certificate takes longest to search.
+  // Crossings and corners have a few rungs. Many rungs are a ladder between two sides of something thin: a proof would
+  // then concern another curve, and the certificate takes longest to search arcs that pass along a ladder.
   constexpr std::size_t kFew = 10;
   std::vector<Vec2> failures;
   if (kFew * rungs.size() > links.size()) {
-    // Where all samples are as near as they may be, there are so many.
+    // The number of links when all samples are as dense as allowed.
     const double most = kFinestFeature * static_cast<double>(request.count);
     if (2.0 * static_cast<double>(links.size()) > most) return too_near(rungs);
     taken.light = TheoremLight::yellow;
@@ -215,7 +214,7 @@ Expected<void> judge(TakenSamples& taken, const CurveSet& curves, const Sampling
         if (finding.level != FindingLevel::note)
           failures.insert(failures.end(), finding.places.begin(), finding.places.end());
   }
-  // A failure belongs to the nearest corner if that is within a few of the spacings that are usual.
+  // A failure belongs to the nearest corner within a few typical spacings.
   const double reach = [&] {
     Box2 extent;
     for (const Vec2 p : taken.data.positions) extent.add(p);
@@ -230,7 +229,7 @@ Expected<void> judge(TakenSamples& taken, const CurveSet& curves, const Sampling
   PlaceTree other_tree;
   for (const Vec2 place : failures) {
     job.checkpoint();
-    // Failures side by side are one place.
+    // Adjacent failures count as one.
     constexpr double kBeside = 0.1;
     if (const auto nearest = corner_tree.nearest(place, reach)) {
       is_named[*nearest] = true;
@@ -244,7 +243,7 @@ Expected<void> judge(TakenSamples& taken, const CurveSet& curves, const Sampling
   return {};
 }
 
-/// `asked` stays with the samples as the way in which they were taken.
+/// Keeps `asked` with the samples as their sampling method.
 Expected<TakenSamples> taken_as(Expected<SampledCurves> samples, const std::shared_ptr<const CurveSet>& curves,
                                 const SamplingRequest& asked) {
   if (!samples) return std::unexpected(samples.error());
@@ -265,26 +264,26 @@ Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curve
       *curves, request, [&sizes](std::span<const Vec2> positions) { return sizes.of(positions); }, &job,
       request.most);
   if (!field) return std::unexpected(field.error());
-  // A jitter is what is not on the curve: there is nothing to prove by being denser.
+  // Jittered samples lie off the curve, so a denser sampling cannot prove anything.
   const int tries = request.jitter > 0.0 ? 1 : 4;
-  constexpr double kFiner = 0.63;  // three times make a quarter
+  constexpr double kFiner = 0.63;  // three steps make about a quarter
   std::optional<TakenSamples> first;
   SamplingRequest finer = request;
   for (int i = 0; i < tries; ++i, finer.epsilon = std::max(kLeastEpsilon, kFiner * finer.epsilon)) {
     auto taken = taken_as(sample_by_field(*curves, finer, *field, &job), curves, request);
-    if (!taken && first) break;  // more samples than there may be
+    if (!taken && first) break;  // more samples than allowed
     if (!taken) return taken;
     if (auto done = judge(*taken, *curves, finer, *field, job); !done) return std::unexpected(done.error());
     if (taken->is_proved()) return taken;
     if (!first) first = *std::move(taken);
-    // More samples do not help where nothing but corners is in the way.
+    // More samples do not help if all failures are at corners.
     if (first->other_places.empty()) break;
   }
   return *std::move(first);
 }
 
 CurveSet curves_through(const std::vector<Vec2>& positions, JobControl& job) {
-  // Where a polygon through samples turns by more, it is taken to have a corner.
+  // A polygon through samples that turns by more than this has a corner there.
   constexpr double kCorner = 0.9;
   const MovingCurve crust = crust_curve(positions, job);
   CurveSet out;

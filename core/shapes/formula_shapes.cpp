@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Curves of a function: spirals, epicycloids, superellipses, and what is typed.
+// Curves of a function: spirals, epicycloids, superellipses, and typed formulas.
 #include <array>
 #include <cmath>
 
@@ -18,7 +18,7 @@ Expected<MadeShape> of_function(const PointOf& at, double from, double to, std::
   return MadeShape{.curves = {{*std::move(curve)}, {}}};
 }
 
-/// Of Archimedes: turns lie at one distance from each other.
+/// Archimedean spiral: successive turns have a constant distance.
 Expected<MadeShape> spiral(const ShapeArguments& values) {
   const double inner = values.numbers[1];
   const double gap = values.numbers[2];
@@ -26,7 +26,8 @@ Expected<MadeShape> spiral(const ShapeArguments& values) {
                      static_cast<std::size_t>(std::ceil(kPiecesATurn * values.numbers[0])), false);
 }
 
-/// A point of a circle that rolls around another, `cusps` times as large; `reach` of its radius from its centre.
+/// Path of a point fixed to a circle that rolls around another circle, which is `cusps` times as large. `reach`:
+/// distance of the point from the centre of the rolling circle, in radii.
 Expected<MadeShape> epicycloid(const ShapeArguments& values) {
   const double cusps = values.numbers[0];
   const double radius = values.numbers[1];
@@ -38,7 +39,7 @@ Expected<MadeShape> epicycloid(const ShapeArguments& values) {
       0.0, kTurn, static_cast<std::size_t>(cusps * kPiecesATurn), true);
 }
 
-/// |x/a|^n + |y/b|^n = 1, by the angle, so that it is smooth for n above one.
+///x/a|^n + |y/b|^n = 1, parametrized by the angle, which makes it smooth for n above one.
 Expected<MadeShape> superellipse(const ShapeArguments& values) {
   const auto [a, b, power] = std::array{values.numbers[0], values.numbers[1], values.numbers[2]};
   return of_function(

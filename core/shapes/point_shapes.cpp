@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sets of points: random, lattices, degenerate and almost so; balls along a curve.
+// Point sets (random, lattices, degenerate, nearly degenerate), and balls along a curve.
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -56,12 +56,12 @@ Expected<MadeShape> clustered(const ShapeArguments& values) {
   return of_points(std::move(out));
 }
 
-/// Darts into the unit square; those too near to an earlier one are thrown again. The square of the least distance is
-/// `share` squared of an equal part of the area, well below where darts no longer find room (0.83).
+/// Throws darts into the unit square and repeats those too near to an earlier one. The square of the least distance is
+/// `share` squared of an equal part of the area, well below the share at which darts no longer find room (0.83).
 Expected<MadeShape> poisson_disk(const ShapeArguments& values) {
   Rng random(values.seed);
   const double least = values.numbers[0] / std::sqrt(static_cast<double>(values.samples));
-  // Cells are not smaller than the distance, and no more than points.
+  // The cells are at least as wide as the distance, and there are at most as many as points.
   const double most = std::ceil(std::sqrt(static_cast<double>(values.samples)));
   const auto side = static_cast<std::size_t>(std::max(1.0, std::min(most, std::floor(1.0 / least))));
   std::vector<std::vector<Vec2>> cells(side * side);
@@ -88,7 +88,7 @@ Expected<MadeShape> poisson_disk(const ShapeArguments& values) {
   return of_points(std::move(out));
 }
 
-/// Rows of a square number of points, the last perhaps shorter.
+/// A lattice with as many rows as columns, if the count is a square; the last row may be shorter.
 template <class At>
 Expected<MadeShape> lattice(std::size_t count, At at) {
   const auto columns = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(count))));
@@ -109,9 +109,9 @@ Expected<MadeShape> hexagonal_lattice(const ShapeArguments& values) {
   });
 }
 
-/// All pairs of integers on the circle of radius 5 * 13 * 17 * 29 * 37 * 41 about the origin, by angle. Each of the
-/// primes is a product (a + bi)(a - bi), so of the squares of all of them the factors can go to a point and its mirror
-/// image in three ways each.
+/// All pairs of integers on the circle of radius 5 * 13 * 17 * 29 * 37 * 41 about the origin, by angle. Each of these
+/// primes is a product (a + bi)(a - bi), so its squared factors can be divided between a point and its mirror image in
+/// three ways.
 std::vector<Vec2> integers_on_circle() {
   using Pair = std::array<std::int64_t, 2>;
   const auto times = [](Pair a, Pair b) { return Pair{a[0] * b[0] - a[1] * b[1], a[0] * b[1] + a[1] * b[0]}; };
@@ -133,7 +133,7 @@ std::vector<Vec2> integers_on_circle() {
   return out;
 }
 
-/// Scaled by a power of two, which changes nothing of it.
+/// Scales by a power of two, which keeps the points exactly cocircular.
 Expected<MadeShape> cocircular(const ShapeArguments& values) {
   const std::vector<Vec2> all = integers_on_circle();
   if (values.samples > all.size())
@@ -154,7 +154,7 @@ Expected<MadeShape> almost_cocircular(const ShapeArguments& values) {
   return of_points(std::move(out));
 }
 
-/// Multiples of a step of whole numbers, which are exact.
+/// Multiples of an integer step, which are exact.
 Expected<MadeShape> collinear(const ShapeArguments& values) {
   const Vec2 step{values.numbers[0], values.numbers[1]};
   if (step == Vec2{}) return impossible("dx and dy must not both be zero");

@@ -15,7 +15,7 @@ Expected<MadeShape> ellipse(const ShapeArguments& values) {
   return MadeShape{.curves = {{ellipse_curve({}, values.numbers[0], values.numbers[1])}, {}}};
 }
 
-/// A rectangle about the origin whose corners are quarters of circles.
+/// A rectangle about the origin with quarter circles as corners.
 PlaneCurve rounded(double half_width, double half_height, double radius) {
   const double x = half_width - radius;
   const double y = half_height - radius;

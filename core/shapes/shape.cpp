@@ -16,7 +16,7 @@
 namespace mes {
 namespace {
 
-/// Evenly, by their number or spacing, or more densely where it is narrow.
+/// Even sampling by number or spacing, or by default one that is denser where the shape is narrow.
 SamplingRequest sampling_of(const ShapeSampling& wish) {
   constexpr std::size_t kSamples = 400;
   constexpr std::size_t kLeastEach = 8;
@@ -103,7 +103,7 @@ Expected<SampleData> make_shape(const ShapeDescriptor& shape, const ShapeRequest
   for (std::size_t i = 0; i < made->balls.size(); ++i) made->balls[i].center = centers.positions[i];
   auto out = taken_from(std::make_shared<const CurveSet>(std::move(made->curves)), *std::move(samples), sampling);
   if (!out) return out;
-  // Points are what they are: there is nothing to take others from.
+  // Point sets are their own samples: no curve exists to resample.
   if (shape.points != 0) out->source.reset();
   out->balls = std::move(made->balls);
   return out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shapes made of parameters: curves with a formula, point sets, balls.
+// Parametric shapes: curves with a formula, point sets, balls.
 //
 // What they guarantee: equal requests give equal samples, whatever was made before. Random numbers come from
 // core/base/rng.h; sine, cosine and powers from libm.
@@ -26,31 +26,31 @@
 
 namespace mes {
 
-/// A parameter that is a formula of t.
+/// A parameter whose value is a formula of t.
 struct FormulaParameter {
   std::string id;
   std::string explanation;
   std::string default_text;
 };
 
-/// The values that a caller chooses for a shape.
+/// Parameter values that a caller chooses for a shape.
 struct ShapeValues {
   ParameterValues numbers{};
-  std::vector<std::string> formulas{};  ///< in the order of its formulas
-  std::size_t samples = 0;              ///< of a set of points or balls: how many
+  std::vector<std::string> formulas{};  ///< in the order of the shape's formulas
+  std::size_t samples = 0;              ///< number of points or balls of a set
   std::uint64_t seed = 1;
   friend bool operator==(const ShapeValues&, const ShapeValues&) = default;
 };
 
-/// The same for whoever makes the shape.
+/// The same values as seen by the code that makes the shape.
 struct ShapeArguments {
-  std::vector<double> numbers;  ///< in the order of its parameters
+  std::vector<double> numbers;  ///< in the order of the shape's parameters
   std::vector<std::string> formulas;
   std::size_t samples = 0;
   std::uint64_t seed = 1;
 };
 
-/// What a shape consists of before it is sampled.
+/// The curves, points or balls of a shape before sampling.
 struct MadeShape {
   CurveSet curves{};
   std::vector<Disk> balls{};
@@ -58,11 +58,11 @@ struct MadeShape {
 
 struct ShapeDescriptor {
   std::string id;    ///< public name, kebab case
-  std::string name;  ///< as shown
+  std::string name;  ///< shown name
   std::string explanation;
   std::vector<Parameter> parameters;
   std::vector<FormulaParameter> formulas;
-  std::size_t points = 0;  ///< of a set of points or balls: how many there are unless asked for; 0: curves
+  std::size_t points = 0;  ///< default number of points or balls of a set; 0: curves
   std::function<Expected<MadeShape>(const ShapeArguments& arguments)> make;
 };
 
@@ -70,16 +70,16 @@ struct ShapeDescriptor {
 std::span<const ShapeDescriptor> shapes();
 const ShapeDescriptor* find_shape(std::string_view id);
 
-/// Its defaults.
+/// Default values of the shape.
 ShapeValues values_of(const ShapeDescriptor& shape);
 
-/// How a shape becomes samples. At most one of `samples` and `spacing`; neither: some 400 of curves, more where these
-/// are near to each other, and as many as is usual of a set of points.
+/// Sampling of a shape. At most one of `samples` and `spacing` is given; with neither, curves get about 400 samples,
+/// more where they are near to each other, and point sets their default number.
 struct ShapeSampling {
   std::optional<std::size_t> samples{};
-  std::optional<double> spacing{};  ///< along curves; of a set of points it makes no sense
-  double jitter = 0.0;              ///< each sample is moved by up to so many mean spacings, in any direction
-  std::uint64_t seed = 1;           ///< of jitter and of random points
+  std::optional<double> spacing{};  ///< along curves; meaningless for a set of points
+  double jitter = 0.0;              ///< each sample moves by up to this many mean spacings, in any direction
+  std::uint64_t seed = 1;           ///< for jitter and random points
   friend bool operator==(const ShapeSampling&, const ShapeSampling&) = default;
 };
 
@@ -92,12 +92,12 @@ struct ShapeRequest {
 inline constexpr std::size_t kMostShapeSamples = 10'000'000;
 
 /// Samples with their contours, or balls. Error: `usage` for parameters that contradict each other, for a formula that
-/// cannot be understood (with its place), and for a wish that makes no sense; `bad_input` for a formula whose values are
-/// no numbers, and for more than `kMostShapeSamples`. Throws `Cancelled` if there is a job, which is looked at while
-/// curves are sampled. Cost: O(samples), but for the Poisson disk, O(samples) on average.
+/// cannot be parsed (with the position), and for a meaningless sampling; `bad_input` for a formula whose values are not
+/// numbers, and for more than `kMostShapeSamples`. Throws `Cancelled` if there is a job; the job is polled while curves
+/// are sampled. Cost: O(samples); for the Poisson disk, O(samples) on average.
 Expected<SampleData> make_shape(const ShapeDescriptor& shape, const ShapeRequest& request, JobControl* job = nullptr);
 
-/// Other curves, sampled as shapes are. Error: as `make_shape`.
+/// Samples other curves in the same way as shapes. Error: as `make_shape`.
 Expected<SampleData> sample_curves(const CurveSet& curves, const ShapeSampling& sampling, JobControl* job = nullptr);
 
 }  // namespace mes

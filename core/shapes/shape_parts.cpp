@@ -38,7 +38,7 @@ Expected<PlaneCurve> curve_of_function(const PointOf& at, double from, double to
   }
   constexpr double kRounding = 1e-9;
   if (may_close && distance(ends.front(), ends.back()) <= kRounding * extent) ends.back() = ends.front();
-  // Derivatives from within the piece, to second order, so that a corner between pieces is one.
+  // Second-order derivatives from inside the piece only, so that a corner between pieces stays a corner.
   const auto derivative = [&](double t, Vec2 here, double h) {
     const Vec2 out = (0.5 / h) * (4.0 * at(t + h) - at(t + 2.0 * h) - 3.0 * here);
     return is_finite(out) ? out : Vec2{};

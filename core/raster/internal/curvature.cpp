@@ -11,21 +11,21 @@
 namespace mes {
 namespace {
 
-// The curvature changes by this share from one end of a level part to the other, unless that moves the curve too far.
+// A level part gets this relative change of curvature between its ends, unless that moves the curve too far.
 constexpr double kTilt = 2e-3;
 constexpr double kMoved = 0.02;  // pixels; the curve moves by about a tenth of it
 
-/// A row of values at places, from its first extreme to its last.
+/// Values at positions, from the first extreme to the last.
 struct Profile {
   std::vector<double> value;
   std::vector<double> place;
 };
 
-/// Returns the first place, the last, and those where the values turn.
+/// Returns the first index, the last, and those where the values turn.
 std::vector<std::size_t> extremes_of(const std::vector<double>& values) {
   std::vector<std::size_t> out{0};
   double direction = 0.0;
-  std::size_t last = 0;  // where the last different value begins
+  std::size_t last = 0;  // start of the last different value
   for (std::size_t i = 1; i < values.size(); ++i) {
     const double step = values[i] - values[i - 1];
     if (step == 0.0) continue;
@@ -81,7 +81,7 @@ std::vector<std::size_t> significant(const Profile& row, std::vector<std::size_t
   return out;
 }
 
-/// Returns monotone values from the first place to the last, and marks places that have the value of the next one.
+/// Returns monotone values from the first index to the last, and marks those that share the value of the next one.
 std::vector<double> monotone(const Profile& row, std::size_t first, std::size_t last, std::vector<char>& is_level) {
   const double sign = row.value[last] >= row.value[first] ? 1.0 : -1.0;
   struct Block {
@@ -128,7 +128,7 @@ CalmCurvature calmed(std::span<const double> curvature, std::span<const double> 
                      const std::function<double(double)>& tolerance) {
   const std::size_t count = curvature.size();
   if (count < 3) return {{curvature.begin(), curvature.end()}, std::vector<char>(count, 0)};
-  // A closed curve begins, and ends, where it is largest.
+  // A closed curve is cut at its largest curvature.
   const std::size_t start =
       is_closed ? static_cast<std::size_t>(std::ranges::max_element(curvature) - curvature.begin()) : 0;
   Profile row;
@@ -139,7 +139,7 @@ CalmCurvature calmed(std::span<const double> curvature, std::span<const double> 
     row.place.push_back(passed);
     if (k < lengths.size()) passed += lengths[k];
   }
-  constexpr std::size_t kOfClosed = 5;  // four, of which the first comes again
+  constexpr std::size_t kOfClosed = 5;  // four, and the first one again at the end
   const auto extremes = significant(row, extremes_of(row.value), is_closed ? kOfClosed : 2, tolerance);
   std::vector<double> out(row.value.size());
   std::vector<char> is_level(row.value.size(), 0);

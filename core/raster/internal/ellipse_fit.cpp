@@ -14,12 +14,12 @@ namespace mes {
 namespace {
 
 constexpr std::size_t kParameters = 5;
-// Pixels. Of a circle up to rounding each sample could be an end of the axis.
+// In pixels. On a nearly exact circle any sample could become an end of the axis.
 constexpr double kLeastDifference = 1e-3;
 using Row = std::array<double, kParameters>;
 using Matrix = std::array<Row, kParameters>;
 
-/// Where a quadratic form of what is beside the centre is one.
+/// The points where a quadratic form of the offset from the centre is one.
 struct Conic {
   Vec2 center{};
   double xx = 0.0;
@@ -31,7 +31,7 @@ struct Conic {
   Vec2 half_gradient(Vec2 d) const { return {xx * d.x + xy * d.y, xy * d.x + yy * d.y}; }
 };
 
-/// By the moments of the polygon, which are those of an ellipse if it is one.
+/// The conic with the moments of the polygon, which is the ellipse if the points lie on one.
 std::optional<Conic> by_moments(std::span<const Edge> edges) {
   const Vec2 origin = edges.front().at;
   double area = 0.0;
@@ -60,12 +60,12 @@ std::optional<Conic> by_moments(std::span<const Edge> edges) {
   return Conic{origin + mean, var_y / determinant, -both / determinant, var_x / determinant};
 }
 
-/// Of an edge: how far it is from the conic, to first order, and how that changes with its parameters.
+/// The distance of an edge from the conic, to first order, and its derivatives by the parameters.
 struct Beside {
   Residual residual{};
   Row derivative{};
   double curvature = 0.0;
-  double across = 0.0;  // how much of the normal is along the line of pixels
+  double across = 0.0;  // share of the normal along the line of pixels
 };
 
 Beside beside(const Conic& conic, const Edge& edge) {
@@ -113,7 +113,7 @@ class EllipseFit {
     const auto begin = by_moments(edges_);
     if (!begin) return std::nullopt;
     conic_ = *begin;
-    constexpr double kFarOff = 3.0;  // pixels: no step would bring what is farther from noise
+    constexpr double kFarOff = 3.0;  // pixels: no step would bring a farther edge into the noise
     constexpr int kSteps = 5;
     for (int step = 0; step < kSteps; ++step) {
       if (!conic_.is_ellipse()) return std::nullopt;
@@ -145,7 +145,7 @@ class EllipseFit {
     farthest_ = 0.0;
     for (Beside& row : rows_) {
       const double across = std::max(row.across, kLeastAcross);
-      // What was measured lies nearer to the centre of curvature.
+      // Blur moves the measured edge towards the centre of curvature.
       if (noise_.is_blurred) row.residual.left += 0.5 * row.curvature * blur / (across * across);
       farthest_ = std::max(farthest_, row.residual.weight * std::abs(row.residual.left));
       residuals_.push_back(row.residual);
@@ -158,7 +158,7 @@ class EllipseFit {
   bool move() {
     Matrix squares{};
     Row right{};
-    // The parameters of the form are far smaller than pixels.
+    // The parameters of the form are far smaller than pixels, so they are scaled.
     Row scale{1.0, 1.0, conic_.xx, std::sqrt(conic_.xx * conic_.yy), conic_.yy};
     for (const Beside& row : rows_)
       for (std::size_t i = 0; i < kParameters; ++i) {
@@ -179,7 +179,7 @@ class EllipseFit {
     const double mean = 0.5 * (conic_.xx + conic_.yy);
     const double half = 0.5 * (conic_.xx - conic_.yy);
     const double away = std::hypot(half, conic_.xy);
-    // The smaller eigenvalue has the longer axis.
+    // The smaller eigenvalue belongs to the longer axis.
     const double angle = 0.5 * std::atan2(-conic_.xy, -half);
     const Vec2 along{std::cos(angle), std::sin(angle)};
     double longer = 1.0 / std::sqrt(mean - away);

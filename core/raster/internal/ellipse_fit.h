@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The ellipse that edges of pixels lie on, if they do. Private to core/raster.
+// Fits an ellipse to pixel edges. Private to core/raster.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,18 @@
 
 namespace mes {
 
-/// Half of its axes, at right angles; `v` lies to the left of `u`. They differ by a thousandth of a pixel at least, which no
-/// picture tells from a circle: of a circle up to rounding each sample could be an end of the axis.
+/// An ellipse by its half axes, at right angles; `v` lies to the left of `u`. The half axes differ by at least a
+/// thousandth of a pixel, invisible in any picture: on a nearly exact circle any sample could become an end of the
+/// axis.
 struct Ellipse {
   Vec2 center{};
   Vec2 u{};
   Vec2 v{};
 };
 
-/// By least squares, from edges in their order along a closed contour. Nothing where what is left of them is more than
-/// noise (core/raster/internal/residual_windows.h), which a few steps of Gauss and Newton show. O(edges log edges) where it
-/// is one, mostly O(edges) elsewhere.
+/// Fits by least squares to edges in their order along a closed contour. Returns nothing if the residuals are more than
+/// noise (core/raster/internal/residual_windows.h), which a few Gauss-Newton steps show. O(edges log edges) for an
+/// ellipse, mostly O(edges) otherwise.
 std::optional<Ellipse> ellipse_of(std::span<const Edge> edges, const EdgeNoise& noise);
 
 }  // namespace mes

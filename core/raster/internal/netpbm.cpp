@@ -17,7 +17,7 @@ bool is_digit(char c) {
   return c >= '0' && c <= '9';
 }
 
-/// White space and comments.
+/// Skips white space and comments.
 void skip_blanks(std::string_view& rest) {
   while (!rest.empty() && (is_blank(rest.front()) || rest.front() == '#')) {
     const std::size_t size = rest.front() == '#' ? std::min(rest.find_first_of("\r\n"), rest.size()) : 1;
@@ -25,7 +25,7 @@ void skip_blanks(std::string_view& rest) {
   }
 }
 
-/// Nothing for no number, or for one of many digits.
+/// Takes a number; nothing if there is none or it has many digits.
 std::optional<std::uint32_t> take_number(std::string_view& rest) {
   constexpr std::size_t kMostDigits = 6;
   skip_blanks(rest);
@@ -49,7 +49,7 @@ struct Layout {
   std::size_t bytes_of_a_row() const { return has_bits ? (width + 7) / 8 : row() * (most > 255 ? 2U : 1U); }
 };
 
-/// Takes the header off the front, with the one blank after it. Nothing for another one.
+/// Takes the header off the front, with the one blank after it. Nothing for an invalid header.
 std::optional<Layout> take_header(std::string_view& rest) {
   const char kind = rest[1];
   rest.remove_prefix(2);
@@ -69,7 +69,7 @@ std::optional<Layout> take_header(std::string_view& rest) {
                 .one_is_black = is_bitmap};
 }
 
-/// The lines of a PAM, up to ENDHDR.
+/// Takes the header lines of a PAM, up to ENDHDR.
 std::optional<Layout> take_pam_header(std::string_view& rest) {
   Layout out{.channels = 0, .most = 0};
   rest.remove_prefix(2);
@@ -99,13 +99,13 @@ std::optional<Layout> take_pam_header(std::string_view& rest) {
   return out;
 }
 
-/// As 8 bits; of 16 the upper ones, as other pictures have them.
+/// Scales to 8 bits; of 16 bits takes the upper ones, like other formats.
 std::uint8_t scaled(std::uint32_t value, std::uint32_t most) {
   if (most == kMostValue) return static_cast<std::uint8_t>(value >> 8U);
   return static_cast<std::uint8_t>((std::min(value, most) * 255U + most / 2) / most);
 }
 
-/// The values of a plain picture, as many as there are; `fault` where one is none.
+/// The values of a plain picture, as many as are valid; `fault` tells of an invalid one.
 std::vector<std::uint8_t> plain_values(std::string_view rest, const Layout& layout, std::string& fault) {
   const std::size_t count = layout.row() * layout.height;
   std::vector<std::uint8_t> out;
@@ -113,7 +113,7 @@ std::vector<std::uint8_t> plain_values(std::string_view rest, const Layout& layo
   while (out.size() < count) {
     skip_blanks(rest);
     if (rest.empty()) break;
-    // Bits may follow each other without a blank.
+    // Bits need no blank between them.
     std::string_view number = layout.has_bits ? rest.substr(0, 1) : rest;
     const std::size_t before = number.size();
     const auto value = take_number(number);

@@ -12,11 +12,12 @@
 
 namespace mes {
 
-/// Whether bytes begin as one of these: a plain one with its width and height, for any text may begin with two letters.
+/// Whether the bytes begin like one of these; a plain one needs width and height, as any text may begin with 2 letters.
 bool looks_like_netpbm(std::string_view bytes);
 
-/// The first picture of the file. Values are scaled so that the largest possible one is 255. `name` is that of the file in messages. Error: `bad_input`,
-/// also for more than `most_pixels`. Takes no more memory than the file and as many values as it has. O(bytes).
+/// Decodes the first picture of the file. Values are scaled so that the largest possible one is 255. `name` stands for
+/// the file in messages. Error: `bad_input`, also for more than `most_pixels`. Needs memory only for the file and its
+/// values. O(bytes).
 Expected<Pixels> decode_netpbm(std::string_view bytes, const std::string& name, std::size_t most_pixels);
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A curve by nodes, and circles between them. Private to core/raster.
+// A curve through nodes, with circular arcs between them. Private to core/raster.
 #pragma once
 
 #include <cmath>
@@ -12,24 +12,24 @@
 namespace mes {
 
 inline double size_of(Vec2 v) {
-  return std::sqrt(dot(v, v));  // pixels neither overflow nor vanish
+  return std::sqrt(dot(v, v));  // pixel coordinates neither overflow nor underflow
 }
 
 /// The parabola between two nodes that is nearest to the circle with their mean curvature.
 struct Chord {
   Vec2 from{};
-  Vec2 along{};  // of length one
+  Vec2 along{};  // unit vector
   double size = 0.0;
-  double bulge = 0.0;  // the tangent of a quarter of the turn, to the left
+  double bulge = 0.0;  // tangent of a quarter of the turn, to the left
   double bend = 0.0;   // curvature at both ends
   double next_bend = 0.0;
 
-  /// How far the curve lies to the left of the chord.
+  /// Distance of the curve to the left of the chord.
   double beside(double t) const { return -2.0 * t * (1.0 - t) * size * bulge; }
   Vec2 at(double t) const { return from + (t * size) * along + beside(t) * perpendicular(along); }
 };
 
-/// All chords, with what a circle through each node and its neighbours says.
+/// All chords, with the curvature of the circle through each node and its neighbours.
 class NodeCurve {
  public:
   NodeCurve() = default;
@@ -42,7 +42,7 @@ class NodeCurve {
     renew(nodes, 0, nodes.size());
   }
 
-  /// After so many nodes in a row have moved, around if it is closed.
+  /// Updates the curve after `moved` successive nodes have moved, cyclically if it is closed.
   void renew(std::span<const Vec2> nodes, std::size_t first, std::size_t moved);
 
   const std::vector<Chord>& chords() const { return chords_; }
@@ -60,7 +60,7 @@ class NodeCurve {
 
 double length_of(std::span<const Vec2> nodes, bool is_closed);
 
-/// The same curve by so many nodes at equal distances.
+/// Resamples the curve to `count` equally spaced nodes.
 std::vector<Vec2> respaced(std::span<const Vec2> nodes, bool is_closed, std::size_t count);
 
 }  // namespace mes

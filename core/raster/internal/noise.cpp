@@ -12,12 +12,12 @@ namespace mes {
 
 namespace {
 
-/// If each pixel has noise of its own.
+/// Noise, assuming that it is independent from pixel to pixel.
 double noise_of_pixels(const GrayImage& image) {
   if (image.width < 3 || image.height < 3) return 0.0;
   constexpr double kLooks = 1e5;
   const double pixels = static_cast<double>(image.width) * image.height;
-  // Odd, so that not all looks fall on the same place of the blocks of a JPEG.
+  // An odd step avoids sampling always the same position in the blocks of a JPEG.
   const int step = std::max(1, static_cast<int>(std::sqrt(pixels / kLooks))) | 1;
   // Magnitudes are at most 8 * 255.
   std::array<std::size_t, 2041> counts{};
@@ -31,14 +31,14 @@ double noise_of_pixels(const GrayImage& image) {
   std::size_t passed = 0;
   std::size_t median = 0;
   while (2 * (passed += counts[median]) < all) ++median;
-  // Of Gaussian noise the mask has six times the deviation, and the median of magnitudes is 0.6745 of a deviation.
+  // For Gaussian noise the mask has six times the deviation, and the median magnitude is 0.6745 deviations.
   return static_cast<double>(median) / (6.0 * 0.6745);
 }
 
 }  // namespace
 
 double noise_of(const GrayImage& image) {
-  // Compression takes the finest noise away, and leaves what is wider. Halving a picture halves noise of single pixels.
+  // Compression removes the finest noise and leaves wider noise. Halving a picture halves noise of single pixels.
   constexpr int kHalvings = 2;
   double out = noise_of_pixels(image);
   if (out == 0.0) return 0.0;

@@ -41,11 +41,11 @@ class Tiff {
   bool is_little_;
 };
 
-/// Of the first directory, which is that of the picture; those that follow are of thumbnails.
+/// The orientation in the first directory, which describes the picture; later ones describe thumbnails.
 std::optional<int> orientation_in_tiff(Bytes bytes) {
   constexpr std::size_t kTag = 0x0112;
   constexpr std::size_t kEntry = 12;
-  constexpr std::size_t kValue = 8;  // within an entry
+  constexpr std::size_t kValue = 8;  // offset in an entry
   const auto tiff = Tiff::of(bytes);
   if (!tiff) return std::nullopt;
   const auto directory = tiff->number(4, 4);
@@ -56,7 +56,7 @@ std::optional<int> orientation_in_tiff(Bytes bytes) {
     const auto tag = tiff->number(entry, 2);
     if (!tag) return std::nullopt;
     if (*tag != kTag) continue;
-    constexpr std::array<std::size_t, 5> kSizes{0, 1, 0, 2, 4};  // of bytes, shorts and longs by their type
+    constexpr std::array<std::size_t, 5> kSizes{0, 1, 0, 2, 4};  // bytes of byte, short and long values, by type
     const std::size_t type = tiff->number(entry + 2, 2).value_or(0);
     const std::size_t size = type < kSizes.size() ? kSizes[type] : 0;
     const std::size_t value = size == 0 ? 0 : tiff->number(entry + kValue, size).value_or(0);
@@ -72,7 +72,7 @@ std::size_t big_endian(Bytes bytes, std::size_t count) {
   return out;
 }
 
-constexpr std::string_view kExif("Exif\0", 5);  // and a filler
+constexpr std::string_view kExif("Exif\0", 5);  // followed by a fill byte
 
 std::optional<int> orientation_in_jpeg(Bytes bytes) {
   constexpr unsigned kApplication = 0xE1;
@@ -82,12 +82,12 @@ std::optional<int> orientation_in_jpeg(Bytes bytes) {
   while (rest.size() >= 4) {
     if (rest[0] != std::byte{0xFF}) return std::nullopt;
     const auto marker = std::to_integer<unsigned>(rest[1]);
-    if (marker == 0xFF) {  // a filler
+    if (marker == 0xFF) {  // a fill byte
       rest = rest.subspan(1);
       continue;
     }
     if (marker == kScan || marker == kEnd) return std::nullopt;
-    if (marker == 0x01 || (marker >= 0xD0 && marker <= 0xD8)) {  // they stand alone
+    if (marker == 0x01 || (marker >= 0xD0 && marker <= 0xD8)) {  // markers without a segment
       rest = rest.subspan(2);
       continue;
     }
@@ -101,7 +101,7 @@ std::optional<int> orientation_in_jpeg(Bytes bytes) {
   return std::nullopt;
 }
 
-/// A chunk that does not fit its checksum is none.
+/// A chunk with a wrong checksum is ignored.
 std::optional<int> orientation_in_png(Bytes bytes) {
   constexpr std::size_t kSignature = 8;
   constexpr std::size_t kBeforeContents = 8;
@@ -116,7 +116,7 @@ std::optional<int> orientation_in_png(Bytes bytes) {
       const Bytes checked = name.first(4 + length);
       const std::size_t checksum = big_endian(rest.subspan(kBeforeContents + length), kChecksum);
       Bytes contents = rest.subspan(kBeforeContents, length);
-      if (begins_with(contents, kExif)) contents = without_first(contents, kExif.size() + 1);  // as some write it
+      if (begins_with(contents, kExif)) contents = without_first(contents, kExif.size() + 1);  // some add it
       if (crc32_of({reinterpret_cast<const char*>(checked.data()), checked.size()}) == checksum)
         if (const auto found = orientation_in_tiff(contents)) return found;
     }
@@ -125,7 +125,7 @@ std::optional<int> orientation_in_png(Bytes bytes) {
   return std::nullopt;
 }
 
-/// Where a pixel of the upright picture is stored: the first one, and the way to the next in a row and in a column.
+/// Storage order of the upright picture: offset of its first pixel, and steps to the next one in a row and in a column.
 struct Way {
   std::ptrdiff_t first = 0;
   std::ptrdiff_t along_row = 0;
@@ -147,7 +147,7 @@ Way way_of(std::ptrdiff_t width, std::ptrdiff_t height, int orientation) {
   }
 }
 
-/// In squares, so that rows and columns are both near to the processor.
+/// Copies square by square, so that rows and columns both stay in the cache.
 template <std::ptrdiff_t kChannels>
 void turn(const std::uint8_t* from, std::uint8_t* to, std::ptrdiff_t width, std::ptrdiff_t height, const Way& way) {
   constexpr std::ptrdiff_t kSquare = 64;

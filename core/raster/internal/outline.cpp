@@ -18,14 +18,14 @@
 namespace mes {
 namespace {
 
-// In pixels.
-constexpr double kTurnReach = 2.5;     // on both sides of a corner, for its turn
-constexpr double kCornerReach = 3.0;   // what a corner has rounded before it is known
+// All in pixels.
+constexpr double kTurnReach = 2.5;     // on both sides of a corner, to measure its turn
+constexpr double kCornerReach = 3.0;   // the fit before corners are known rounds the curve this far around one
 constexpr double kBesideCorner = 1.2;  // edges nearer to a corner see both of its sides
-constexpr double kJudged = 7.0;        // from a corner, edges that tell whether it is one
+constexpr double kJudged = 7.0;        // edges up to this distance decide whether it is a corner
 constexpr double kFarthestCorner = 4.0;
-constexpr double kClear = 32.0;     // from a corner the curve without it is as stiff as with it
-constexpr double kStraight = 0.03;  // a run that leaves its chord by less is a line
+constexpr double kClear = 32.0;     // at this distance from a corner, the curve without it is as stiff as with it
+constexpr double kStraight = 0.03;  // a run that deviates less from its chord is a line
 constexpr std::size_t kLeastNodes = 16;
 constexpr std::size_t kLeastRunNodes = 6;
 
@@ -38,7 +38,7 @@ double turn_between(Vec2 a, Vec2 b) {
   return std::atan2(cross(a, b), dot(a, b));
 }
 
-/// Of a closed row of nodes: how the curve turns at each, to the left.
+/// For a closed row of nodes: the turn of the curve at each, to the left.
 std::vector<double> turns_of(std::span<const Vec2> nodes) {
   const std::size_t count = nodes.size();
   std::vector<double> out(count);
@@ -53,15 +53,15 @@ double spacing_of(std::span<const Vec2> nodes) {
   return out / static_cast<double>(nodes.size());
 }
 
-/// Nodes where corners may be: where the largest turn within reach is.
+/// Nodes that may be corners: those with the largest turn within reach.
 std::vector<std::size_t> sharp_bends(const Run& run, double spacing, double least_stiffness) {
   std::vector<std::size_t> out;
   const std::size_t count = run.nodes.size();
-  // Where twice the least stiffness was too much, or four times.
+  // Nodes at which even two or four times the least stiffness did not fit.
   constexpr double kTight = 2.02;
   const auto reach = static_cast<std::size_t>(std::max(1L, std::lround(kTurnReach / spacing)));
   if (2 * reach + 1 >= count) return out;
-  // For each node, how many nodes that are held so are among it and those before.
+  // For each node, the number of such held nodes up to it.
   std::vector<std::size_t> tight(count + 1, 0);
   for (std::size_t k = 0; k < count; ++k) {
     const bool is_tight = run.is_held[k] && run.stiffness[k] <= kTight * least_stiffness;
@@ -90,7 +90,7 @@ std::vector<std::size_t> sharp_bends(const Run& run, double spacing, double leas
   return out;
 }
 
-/// Straight on from both ends of what lies clear of the corners, to where the corners were and a little farther.
+/// Extends the nodes between two corners, without those near the corners, straight to slightly beyond the corners.
 std::vector<Vec2> stretched(std::span<const Vec2> nodes, double spacing, std::size_t from, std::size_t count) {
   const std::size_t all = nodes.size();
   const auto at = [&](std::size_t i) { return nodes[(from + i) % all]; };
@@ -111,7 +111,7 @@ std::vector<Vec2> stretched(std::span<const Vec2> nodes, double spacing, std::si
   return respaced(out, false, std::max(kLeastRunNodes, static_cast<std::size_t>(std::lround(length / spacing)) + 1));
 }
 
-/// Where the lines through the last two nodes of a run and the first two of the next meet.
+/// The intersection of the lines through the last two nodes of a run and the first two of the next.
 std::optional<Vec2> meeting(const std::vector<Vec2>& before, const std::vector<Vec2>& after) {
   const Vec2 p = before[before.size() - 2];
   const Vec2 on = unit(before.back() - p);
@@ -124,18 +124,18 @@ std::optional<Vec2> meeting(const std::vector<Vec2>& before, const std::vector<V
 }
 
 struct Corner {
-  std::size_t node = 0;  // of the closed run
+  std::size_t node = 0;  // index in the closed run
   Vec2 at{};
 };
 
-/// A contour in runs from corner to corner.
+/// A contour divided into runs at its corners.
 struct Cut {
   std::vector<Corner> corners;
   std::vector<Run> runs;  // from each corner to the next
 };
 
 void end_at(std::vector<Vec2>& nodes, std::vector<double>& stiffness, Vec2 corner) {
-  // A node beside the corner would be a piece of no length, and one beyond it a loop.
+  // A node beside the corner would make a piece of no length, and one beyond it a loop.
   constexpr double kLeastPiece = 0.4;
   while (nodes.size() > 1) {
     const Vec2 on = unit(nodes.back() - nodes[nodes.size() - 2]);
@@ -147,7 +147,7 @@ void end_at(std::vector<Vec2>& nodes, std::vector<double>& stiffness, Vec2 corne
   stiffness.push_back(stiffness.back());
 }
 
-/// Where the corner of each two runs is; nothing where they do not meet near the node.
+/// Computes the corner between each two successive runs; a corner is bad if they do not meet near its node.
 bool join(Cut& cut, std::span<const Vec2> nodes, std::vector<bool>& is_good) {
   const std::size_t count = cut.corners.size();
   bool are_all = true;
@@ -184,7 +184,7 @@ double square_to(Vec2 p, std::span<const Vec2> nodes) {
   return out;
 }
 
-/// Up to half a pixel.
+/// Whether the curve lies in the picture, up to half a pixel.
 bool lies_in(const Box2& picture, const PlaneCurve& curve) {
   constexpr double kBeside = 0.5;
   return std::ranges::all_of(curve.points(), [&](Vec2 p) {
@@ -204,7 +204,7 @@ class Outliner {
     if (ellipse_ && is_as_much((is_hole_ ? -2.0 : 2.0) * std::numbers::pi * cross(ellipse_->u, ellipse_->v))) return;
     ellipse_.reset();
     whole_ = fitted(softened(contour.points, noise.least_stiffness), true, edges_, noise_, job_);
-    // What is thinner than a pixel, or winds within a few, may have no smooth curve near it.
+    // Figures thinner than a pixel, or that wind within a few pixels, may have no smooth curve near them.
     if (whole_.farthest <= kMostAway) return;
     use_plain();
   }
@@ -217,7 +217,7 @@ class Outliner {
       spacing_ = spacing_of(fine_.nodes);
       bends = sharp_bends(fine_, spacing_, noise_.least_stiffness);
     }
-    // Each round takes out what is no corner.
+    // Each round removes false corners.
     while (!bends.empty()) {
       Cut cut;
       std::vector<bool> is_good(bends.size(), true);
@@ -240,7 +240,7 @@ class Outliner {
     if (!is_plain_ && !is_as_much(twice_area(whole_.nodes))) use_plain();
     return smooth_curve();
   }
-  /// The contour, softened.
+  /// The contour after mere softening.
   PlaneCurve plain_curve() {
     use_plain();
     return smooth_curve();
@@ -259,7 +259,7 @@ class Outliner {
   }
 
   void use_plain() {
-    // Half the least stiffness apart.
+    // Spacing is half the least stiffness.
     const double apart = 0.5 * noise_.least_stiffness;
     const std::vector<Vec2> soft = softened(contour_.points, noise_.least_stiffness);
     const auto wanted = static_cast<std::size_t>(std::lround(static_cast<double>(soft.size()) / apart));
@@ -269,13 +269,13 @@ class Outliner {
     is_plain_ = true;
   }
 
-  /// From the first node to the last, and back to the origin of the plane.
+  /// Twice the area of the polygon of nodes; an open one is closed through the origin.
   static double twice_area(std::span<const Vec2> nodes, bool is_closed = true) {
     double out = is_closed ? cross(nodes.back(), nodes.front()) : 0.0;
     for (std::size_t k = 1; k < nodes.size(); ++k) out += cross(nodes[k - 1], nodes[k]);
     return out;
   }
-  /// A curve that winds around itself encloses something else than the contour.
+  /// Whether the curve encloses about the area of the contour; a curve that winds around itself does not.
   bool is_as_much(double twice_area) const {
     constexpr double kMostBeside = 0.1;  // pixels, in the mean along the contour
     constexpr double kOfCorners = 2.0;   // square pixels
@@ -294,7 +294,7 @@ class Outliner {
     const double all = static_cast<double>(count);
     const double beside = kBesideCorner / spacing_;
     for (const std::size_t node : bends) cut.corners.push_back({node, {}});
-    // Edges are in the order of the nodes: from the first corner on.
+    // The edges have the order of the nodes and start at the first corner.
     const auto from_first = [&](std::size_t i) {
       const double away = along_[i] - static_cast<double>(bends.front());
       return away >= 0.0 ? away : away + all;
@@ -333,7 +333,7 @@ class Outliner {
     return join(cut, fine_.nodes, is_good);
   }
 
-  /// The same corners between runs with few extremes of curvature; false: these do not meet there.
+  /// Fits runs with few extremes of curvature between the same corners; false if these do not meet there.
   bool is_calmed(const Cut& cut, Cut& calm) const {
     calm.corners = cut.corners;
     calm.runs.resize(fitted_.size());
@@ -344,11 +344,11 @@ class Outliner {
            join(calm, fine_.nodes, is_good) && encloses_as_much(calm);
   }
 
-  /// The run from one corner to the next, both of which are nodes of the closed run.
+  /// The run between two successive corners, both nodes of the closed run.
   struct Fitted {
     std::size_t from = 0;
     std::size_t to = 0;
-    Run run{};  // without nodes: there are too few edges
+    Run run{};  // no nodes if there are too few edges
   };
 
   Fitted fitted_between(std::size_t from, std::size_t to, std::span<const Edge> edges) const {
@@ -363,7 +363,7 @@ class Outliner {
     return out;
   }
 
-  /// The run between the corners around a place on the closed run.
+  /// Index of the run that contains a position on the closed run.
   static std::size_t run_at(const std::vector<std::size_t>& bends, double along) {
     const auto after =
         std::ranges::upper_bound(bends, along, {}, [](std::size_t node) { return static_cast<double>(node); });
@@ -371,13 +371,13 @@ class Outliner {
   }
 
   struct Verdict {
-    double with = 0.0;  // squares of distances
+    double with = 0.0;  // sum of squared distances
     double without = 0.0;
     double edges = 0.0;
   };
 
-  /// Whether the edges beside each corner lie no farther from the runs than from the curve without corners, or as near as
-  /// their noise.
+  /// Whether the edges beside each corner lie within their noise of the runs, or about as near to them as to the curve
+  /// without corners.
   bool judge(const Cut& cut, std::vector<bool>& is_good) const {
     const std::size_t count = fine_.nodes.size();
     const std::size_t corners = cut.corners.size();
@@ -421,7 +421,7 @@ class Outliner {
     return are_all;
   }
 
-  /// In two halves.
+  /// The ellipse as two halves.
   PlaneCurve in_arcs(const Ellipse& ellipse) const {
     constexpr double kHalf = std::numbers::pi;
     EllipticArc arc{ellipse.center, ellipse.u, is_hole_ ? -ellipse.v : ellipse.v, 0.0, kHalf};
@@ -440,14 +440,14 @@ class Outliner {
     return out;
   }
 
-  /// From the first node, where the curve ends, to the last.
+  /// Adds pieces from the first node, where `out` ends, to the last.
   static void add_pieces(const std::vector<Vec2>& nodes, const std::vector<double>& stiffness, bool is_closed,
                          PlaneCurve& out) {
     const std::size_t last = nodes.size() - 1;
     if (!is_closed && is_straight(nodes)) return out.line_to(nodes.back());
     std::vector<Vec2> tangents(nodes.size());
     const NodeCurve curve(std::span<const Vec2>(nodes).first(is_closed ? last : last + 1), is_closed);
-    // The tangent of the circle through three nodes is corrected for the change of curvature along them. Without that, the
+    // The tangent of the circle through three nodes is corrected for the change of curvature along them. Otherwise the
     // curvature within each piece would change in the opposite direction.
     const auto through = [&](std::size_t before, std::size_t at, std::size_t after) {
       const Vec2 in = nodes[at] - nodes[before], on = nodes[after] - nodes[at];
@@ -461,7 +461,7 @@ class Outliner {
     if (is_closed) {
       tangents.front() = tangents.back() = through(last - 1, 0, 1);
     } else {
-      // As on a circle.
+      // End tangents mirror the next ones, as on a circle.
       const auto mirrored = [](Vec2 tangent, Vec2 chord) {
         const Vec2 on = unit(chord);
         return 2.0 * dot(on, tangent) * on - tangent;
@@ -472,7 +472,7 @@ class Outliner {
     double length = 0.0;
     for (std::size_t k = 1; k <= last; ++k) length += distance(nodes[k - 1], nodes[k]);
     const double most_turned = most_turn(length);
-    constexpr double kShare = 0.5;  // of the stiffness
+    constexpr double kShare = 0.5;  // share of the stiffness
     std::size_t from = 0;
     while (from < last) {
       std::size_t to = from + 1;
@@ -512,9 +512,9 @@ class Outliner {
   std::optional<Ellipse> ellipse_;
   bool is_plain_ = false;
   Run whole_;
-  Run fine_;  // with nodes at equal distances
+  Run fine_;  // nodes at equal distances
   double spacing_ = 0.0;
-  std::vector<Fitted> fitted_;  // of the last round
+  std::vector<Fitted> fitted_;  // runs of the last round
   std::vector<std::vector<Edge>> of_run_;
   std::vector<double> along_;
 };

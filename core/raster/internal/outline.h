@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From a contour of pixels to a curve. Private to core/raster.
+// Converts a contour of pixels to a curve. Private to core/raster.
 #pragma once
 
 #include "core/base/box2.h"
@@ -10,13 +10,14 @@
 
 namespace mes {
 
-/// The stiffest curve that the edges allow (core/raster/internal/run_fit.h), in cubic pieces that go on with the same
-/// tangent, each as long as its stiffness and its turn allow.
+/// The stiffest curve that the edges allow (core/raster/internal/run_fit.h), in cubic pieces with continuous tangents,
+/// each as long as its stiffness and its turn allow.
 ///
-/// A corner is where even two pixels of stiffness do not fit, or four would not, the direction turns by more than
-/// `kLeastCorner` within five pixels, and two runs that end there, fitted each by itself, say where the edges are no worse
-/// than the curve without a corner. It lies where the two runs meet, so that sides stay straight up to it. What would leave
-/// the picture by more than half a pixel is the contour, softened. Cost and exception as of `fitted`.
+/// A corner is a point that meets three conditions: a stiffness of two or four pixels does not fit, the direction turns
+/// by more than `kLeastCorner` within five pixels, and two runs that end there, fitted separately, fit the edges no
+/// worse than the curve without a corner. It lies where the two runs meet, so that sides stay straight up to it. A
+/// curve that leaves the picture by more than half a pixel is replaced by the softened contour. Cost and exception as
+/// for `fitted`.
 PlaneCurve outline_of(const PixelContour& contour, const EdgeNoise& noise, const Box2& picture,
                       const JobControl* job = nullptr);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a curve leaves of the edges it was fitted to: whether it could be noise. Private to core/raster.
+// Decides whether the residuals of a fitted curve could be noise. Private to core/raster.
 #pragma once
 
 #include <algorithm>
@@ -10,15 +10,15 @@
 
 namespace mes {
 
-/// Of one edge.
+/// The residual of one edge.
 struct Residual {
-  double left = 0.0;    ///< beside the curve, pixels
-  double weight = 0.0;  ///< length of the curve that it stands for, pixels
-  double jumps = 0.0;   ///< pixel borders or diagonals that a pixel of the curve passes
-  bool is_new = true;   ///< it has changed since windows were looked at
+  double left = 0.0;    ///< distance from the curve to the edge, pixels
+  double weight = 0.0;  ///< length of the curve that it represents, pixels
+  double jumps = 0.0;   ///< pixel borders or diagonals that the curve crosses for each pixel of length
+  bool is_new = true;   ///< it has changed since the last check of windows
 };
 
-/// Sums over the edges before one.
+/// Sums over all edges before one.
 struct ResidualSum {
   double left = 0.0;
   double weight = 0.0;
@@ -26,16 +26,16 @@ struct ResidualSum {
   std::size_t fresh = 0;
 };
 
-/// What stands alone: so many edges at most, that enclose so little beside the curve.
+/// Limits of an isolated deviation: the number of its edges, and the area between them and the curve.
 inline constexpr std::size_t kMostAlone = 3;
 inline constexpr double kMostAloneArea = 1.6;  ///< square pixels
 inline constexpr double kAlone = 0.35;         ///< pixels beyond the noise
-/// The mean over a window may be off by the first share of what a single edge may be off by, plus the second share divided by
-/// the square root of the length.
+/// The mean over a window may be off by this factor times the error of a single edge: the first share, plus the second
+/// share divided by the square root of the length.
 inline constexpr double kSystematic = 0.3;
 inline constexpr double kIndependent = 0.8;
 
-/// Calls `use(first, end, are_alone)` for edges in a row that are farther from the curve than noise, and for each other edge.
+/// Calls `use(first, end, are_alone)` for each run of edges farther from the curve than noise, and for each other edge.
 template <class Use>
 void for_each_stray(std::span<const Residual> residuals, double one, Use use) {
   const double limit = one + kAlone;
@@ -52,10 +52,10 @@ void for_each_stray(std::span<const Residual> residuals, double one, Use use) {
   }
 }
 
-/// Calls `use(first, count)` for windows of 4, 8, 16 ... edges, around if they are closed, of which any is new and whose mean
-/// is more than noise
-/// where single edges are off by `one` at most: what independent ones leave of that, or what the grid does to a straight
-/// line that passes so many borders, whichever is more, and 0.3 of it that is the same all along. `sums` is memory to work in. O(n log n).
+/// Calls `use(first, count)` for windows of 4, 8, 16 ... edges (cyclic if closed) that contain a new edge and whose
+/// mean exceeds the noise. Single edges are off by at most `one`. The allowed mean is 0.3 of that as a systematic part,
+/// plus the larger of the mean of independent errors and the effect of the grid on a straight line that crosses as many
+/// borders. `sums` is scratch memory. O(n log n).
 template <class Use>
 void for_each_misfit(std::span<const Residual> residuals, bool is_closed, double one, std::vector<ResidualSum>& sums,
                      Use use) {

@@ -67,7 +67,7 @@ class Fit : private Settling {
       apart *= 2;
     begin_evenly(apart);
     if (run_.is_closed) return;
-    // What comes after a corner is asked of the ends.
+    // The ends need fine nodes, because corners follow there.
     for (; apart > 1; apart /= 2) {
       std::vector<char> split(chord_count(), 0);
       split.front() = split.back() = 1;
@@ -75,11 +75,11 @@ class Fit : private Settling {
     }
   }
 
-  /// What a single edge may be off by, from what is left at the least stiffness, of long curves in some parts. Corners leave
-  /// much more, so that the quarter of the edges that lie best is asked.
+  /// Measures the error of a single edge from the residuals at the least stiffness, for long curves in some parts.
+  /// Corners leave much larger residuals, so the smallest quarter of the residuals counts.
   void measure_noise() {
     constexpr double kPerDeviation = 5.0;
-    constexpr double kNormal = 1.0 / 0.3186;  // from that quarter of magnitudes to the deviation
+    constexpr double kNormal = 1.0 / 0.3186;  // from that quartile of magnitudes to the deviation
     constexpr double kMost = 0.45;
     if (noise_.one >= kMost) return;
     std::vector<double> sizes;
@@ -91,7 +91,7 @@ class Fit : private Settling {
       for (std::size_t part = 0; part < kParts; ++part) {
         const std::size_t from = part * cells_ / kParts;
         const auto is_before = [](std::size_t end) { return [end](std::uint32_t cell) { return cell < end; }; };
-        // A closed one begins in some cell.
+        // The edges of a closed curve begin in some cell.
         const auto begin = home_.begin() + (std::ranges::min_element(home_) - home_.begin());
         const auto first = std::partition_point(begin, home_.end(), is_before(from));
         const auto last = std::partition_point(first, home_.end(), is_before(from + kPart));
@@ -108,7 +108,7 @@ class Fit : private Settling {
     noise_.one = std::clamp(kPerDeviation * kNormal * *quarter, noise_.one, kMost);
   }
 
-  /// Half as stiff where that does not fit, with nodes half that apart, until it fits or is the least.
+  /// Halves stiffness and node distance where the curve does not fit, until it fits or the stiffness is the least.
   void descend() {
     for (;;) {
       settle();
@@ -134,7 +134,7 @@ class Fit : private Settling {
     }
   }
 
-  /// The stiffness that the nodes would have, where those that are held allow it.
+  /// The doubled stiffness at the nodes, except at held ones.
   std::vector<double> doubled() const {
     std::vector<double> out = run_.stiffness;
     for (std::size_t k = 0; k < out.size(); ++k)
@@ -144,8 +144,8 @@ class Fit : private Settling {
     return out;
   }
 
-  /// As many nodes, twice as stiff where that fits, until it fits nowhere. Each stretch that becomes stiffer is judged by
-  /// itself: what is left over beside places that are held already says nothing against it.
+  /// Keeps the nodes and doubles the stiffness wherever that fits, until it fits nowhere. Each stretch that becomes
+  /// stiffer is judged separately: residuals beside nodes that are already held do not count against it.
   void stiffen() {
     constexpr int kRounds = 16;
     const std::size_t count = run_.nodes.size();
@@ -153,7 +153,7 @@ class Fit : private Settling {
       std::vector<double> before = doubled();
       std::swap(before, run_.stiffness);
       const auto is_stiffer = [&](std::size_t k) { return run_.stiffness[k] > 1.01 * before[k]; };
-      std::size_t first = 0;  // where no stretch goes on
+      std::size_t first = 0;  // start where no stretch continues
       while (first < count && run_.is_closed && is_stiffer(first)) ++first;
       bool is_more = first == count;
       for (std::size_t k = 0; k < count && !is_more; ++k) is_more = is_stiffer(k);
@@ -181,8 +181,8 @@ class Fit : private Settling {
     settle_all();
   }
 
-  /// Reduces the extremes of curvature as far as the edges allow. At first only level parts become stiff, so that the rest can
-  /// follow; then the whole curve becomes stiffer step by step, as long as no more edges misfit than before.
+  /// Reduces the extremes of curvature as far as the edges allow. At first only level parts become stiff, so that the
+  /// rest can follow; then the whole curve becomes stiffer in steps, as long as the number of misfits does not grow.
   void calm() {
     constexpr double kLeastShare = 0.2;
     constexpr int kLooseRounds = 5;
@@ -209,7 +209,7 @@ class Fit : private Settling {
     curve_.reset(run_.nodes, run_.is_closed);
   }
 
-  /// Calms the curvature, with a share of the noise as tolerance, and fits again, so many times as stiff.
+  /// Calms the curvature, with a share of the noise as tolerance, and fits again with `factor` times the stiffness.
   void settle_calmly(double share, double factor) {
     std::vector<double> curvature, lengths;
     for (std::size_t k = 0; k < run_.nodes.size(); ++k) curvature.push_back(curve_.curvature(k));
@@ -221,8 +221,8 @@ class Fit : private Settling {
     settle_all();
   }
 
-  /// Nodes as near to each other as pieces of cubics need them that lie on a circle: what they are off by grows with the
-  /// fourth power of the turn from node to node. Whether they stay near to where they were.
+  /// Makes nodes as dense as cubic pieces on a circle need: their error grows with the fourth power of the turn from
+  /// node to node. Returns whether the nodes stay near their old positions.
   bool refine() {
     constexpr std::size_t kFew = 32;
     const double most = most_turn(length_);
@@ -256,10 +256,10 @@ class Fit : private Settling {
 Run fitted(std::span<const Vec2> start, bool is_closed, std::span<const Edge> edges, const EdgeNoise& noise,
            const JobControl* job) {
   const std::size_t least = is_closed ? kLeastChordsClosed : kLeastChordsOpen;
-  // Where a curve is short, its ends and corners are much of it, and its nodes cost little.
+  // In a short curve, ends and corners are a large part, and nodes cost little.
   constexpr double kShort = 512.0;  // pixels
   const double apart = (length_of(start, is_closed) < kShort ? 0.5 : 0.75) * noise.least_stiffness;
-  // A multiple of a power of two, so that nodes can be halved and halved again.
+  // A multiple of a power of two, so that node distances can be halved repeatedly.
   auto cells = std::max(least, static_cast<std::size_t>(std::lround(length_of(start, is_closed) / apart)));
   std::size_t together = 1;
   while (cells / (2 * together) >= least && apart * static_cast<double>(2 * together) <= kCoarsest) together *= 2;
@@ -269,7 +269,7 @@ Run fitted(std::span<const Vec2> start, bool is_closed, std::span<const Edge> ed
 }
 
 double most_turn(double length) {
-  constexpr double kWaves = 0.12;  // a thousandth of a pixel of what the edges are off by, in parts that are left
+  constexpr double kWaves = 0.12;  // allows for a remaining edge error of a thousandth of a pixel
   constexpr double kMost = 0.3;
   return std::min(kMost, std::sqrt(std::sqrt(kWaves / std::max(length, 1.0))));
 }

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The stiffest curve that a row of measured edges allows. Private to core/raster.
+// Fits the stiffest curve that a row of measured edges allows. Private to core/raster.
 //
-// A run is a closed contour, or what lies between two of its corners. The curve is given by nodes, and found by steps of
-// Gauss and Newton: along the normals of the nodes move offsets u that minimise the squares of what is measured minus u,
-// weighted by how much of a pixel's side an edge takes, plus the sixth power of a length, the stiffness, times the square of
-// the change of curvature along the curve. Lines and circles cost nothing, so they stay where they are whatever the
-// stiffness. What is left over is compared with noise: the mean over each window of 4, 8, 16 ... edges with what pixels can
-// hide there. It begins with nodes some 16 pixels apart and twice that as the stiffness; where that does not fit, both are
-// halved, down to a stiffness of one or two pixels. So long smooth stretches have few nodes, and only corners and narrow
-// bends have many. After that the stiffness is doubled where it can be, with the same nodes, as long as what is left over
-// could be noise. Where it is more, the stiffness stays as it was, and grows beside that place by no more than the way.
+// A run is a closed contour, or the part between two of its corners. The curve is given by nodes and found by
+// Gauss-Newton steps: nodes move along their normals by offsets u that minimise the sum of squares of (measured
+// distance minus u), weighted by the edge's share of a pixel's side, plus a penalty. The penalty is the sixth power of
+// a length, the stiffness, times the square of the change of curvature along the curve. Lines and circles have no
+// penalty, so they stay whatever the stiffness. The residuals are compared with noise: the mean over each window of 4,
+// 8, 16 ... edges with the error that pixels can hide there. The fit begins with nodes about 16 pixels apart and twice
+// that as the stiffness; where this does not fit, both are halved, down to a stiffness of one or two pixels. So long
+// smooth stretches have few nodes, and only corners and narrow bends have many. Then, with the same nodes, the
+// stiffness is doubled wherever the residuals could still be noise. Elsewhere it stays, and from there it grows along
+// the curve by at most the distance.
 //
 // The idea of testing residuals in all windows: Davies and Kovac, "Local extremes, runs, strings and multiresolution",
 // 2001. The penalty: Moreton and Sequin, "Functional optimization for fair surface design", 1992.
@@ -24,52 +25,53 @@
 
 namespace mes {
 
-/// Where an edge crosses a row or column of pixel centres: the place along that line is measured.
+/// The crossing of an edge with a row or column of pixel centres; its position along that line is measured.
 struct Edge {
   Vec2 at{};
-  bool is_along_y = false;  ///< of a column
-  float variance = -1.0F;   ///< of its transition from value to value, square pixels; negative: not known
+  bool is_along_y = false;  ///< the line is a column
+  float variance = -1.0F;   ///< variance of its transition from value to value, square pixels; negative: unknown
 };
 
-/// Edges that lie more nearly along their line of pixels say little, and what they say is uncertain.
+/// Edges nearly parallel to their line of pixels tell little, and that is uncertain; edges below this share are
+/// ignored.
 inline constexpr double kLeastShare = 0.35;
-/// Those that tell how blurred a picture is, and how much that matters to them, lie at most so.
+/// Edges above this share serve to estimate the blur of the picture; its effect on others is limited by it.
 inline constexpr double kLeastAcross = 0.5;
-inline constexpr double kVarianceOfPixel = 1.0 / 12.0;  ///< of a square one, in square pixels
+inline constexpr double kVarianceOfPixel = 1.0 / 12.0;  ///< for a square pixel, in square pixels
 
 struct EdgeNoise {
-  /// Pixels: how far a single edge may be off. What windows may be off by goes down with the pixel borders that the curve
-  /// passes in them.
+  /// Largest error of a single edge, in pixels. The error of a window decreases with the number of pixel borders that
+  /// the curve crosses in it.
   double one = 0.45;
-  /// The edge is the mean over what a pixel covers, and what the picture is blurred by, which is nearer to the centre of
-  /// curvature than the edge itself: that is made good. Otherwise edges are taken for points.
+  /// Measured edges are means over the area of a pixel and the blur of the picture, which lie nearer to the centre of
+  /// curvature than the edge itself; if true, the fit corrects this. Otherwise edges count as points.
   bool is_blurred = false;
   double least_stiffness = 2.0;  ///< pixels
 };
 
 struct Run {
-  std::vector<Vec2> nodes{};        ///< of an open run both ends
-  std::vector<std::size_t> at{};    ///< where the nodes are, in the finest distances, from the first
-  std::size_t cells = 0;            ///< of the whole run, in the same
+  std::vector<Vec2> nodes{};        ///< for an open run including both ends
+  std::vector<std::size_t> at{};    ///< positions of the nodes, in units of the finest distance, from the first
+  std::size_t cells = 0;            ///< length of the whole run in the same unit
   std::vector<double> stiffness{};  ///< at the nodes, pixels
-  std::vector<bool> is_held{};      ///< a larger stiffness was tried there, and did not fit
+  std::vector<bool> is_held{};      ///< a larger stiffness was tried there and did not fit
   bool is_closed = false;
-  double farthest = 0.0;  ///< of all edges from the curve, pixels; not a number where the fit went wrong
+  double farthest = 0.0;  ///< largest distance of an edge from the curve, pixels; NaN if the fit failed
 };
 
-/// The fit to edges in the order of the curve, from a curve near to it of nodes about a pixel apart. The finest distance of
-/// its nodes is half the least stiffness, or three quarters of it along a curve of more than 512 pixels. Cost: O(edges +
-/// nodes) a round, of which there are a few for each doubling of the stiffness; equations are solved only for nodes near to
-/// a change. Throws `Cancelled` if there is a job.
+/// Fits a curve to edges in the order of the curve, starting from a nearby curve of nodes about a pixel apart. The
+/// finest node distance is half the least stiffness, or three quarters of it for a curve longer than 512 pixels. Cost:
+/// O(edges + nodes) for each round, of which there are a few for each doubling of the stiffness; equations are solved
+/// only for nodes near a change. Throws `Cancelled` if there is a job.
 Run fitted(std::span<const Vec2> start, bool is_closed, std::span<const Edge> edges, const EdgeNoise& noise,
            const JobControl* job = nullptr);
 
-/// How much a piece of a cubic may turn. It leaves a circle by waves whose curvature is 0.003 times the fourth power of the
-/// turn, relative to that of the circle; they should be less than what the edges leave of a circle with that circumference.
+/// Largest turn of a cubic piece. It deviates from a circle by waves whose curvature is 0.003 times the fourth power of
+/// the turn, relative to that of the circle; they should be smaller than the residuals on a circle with that
+/// circumference.
 double most_turn(double length);
 
-/// The same fit with nodes so near to each other that the curve turns by at most that between two of them, as far as there
-/// are edges for them.
+/// Refits with denser nodes, between which the curve turns by at most that angle, as far as there are enough edges.
 Run refined(Run run, std::span<const Edge> edges, const EdgeNoise& noise, const JobControl* job = nullptr);
 
 /// Fits again with as few extremes of curvature as the edges allow (core/raster/internal/curvature.h).
@@ -78,7 +80,7 @@ Run with_few_extremes(Run run, std::span<const Edge> edges, const EdgeNoise& noi
 /// The same curve with all nodes at the finest distance.
 Run evened(const Run& run);
 
-/// Where the edges are along a closed run, in nodes from 0 to their number. O(edges + nodes).
+/// Positions of the edges along a closed run, in nodes from 0 to their number. O(edges + nodes).
 std::vector<double> places_along(const Run& run, std::span<const Edge> edges);
 
 }  // namespace mes

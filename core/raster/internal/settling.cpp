@@ -9,8 +9,8 @@
 namespace mes {
 namespace {
 
-constexpr int kTimes = 3;  // the curve, and twice what it has left out
-// Pixels: what is farther from the curve that the fit starts from has lost its edges.
+constexpr int kTimes = 3;  // the curve, and two corrections of its bias
+// In pixels: a node farther from the starting curve has lost its edges.
 constexpr double kMostAstray = 2.0;
 
 }  // namespace
@@ -100,7 +100,7 @@ bool Settling::place() {
     has_changed_[i] = 1;
     const double weight = placed_[i].weight;
     if (edges_[i].variance < 0.0F || weight < kLeastAcross) continue;
-    // A pixel counts twice in what is seen of a transition: as the mean of what it covers, and as a step.
+    // A pixel widens a transition twice: as the mean over its area, and as a step.
     blurs += weight * (edges_[i].variance - kVarianceOfPixel) * weight * weight;
     weights += weight;
   }
@@ -155,7 +155,7 @@ double Settling::farthest() {
   for (std::size_t i = 0; i < placed_.size(); ++i) {
     const Chord& chord = curve_.chords()[placed_[i].chord];
     const double away = size_of(chord.from + (placed_[i].t * chord.size) * chord.along - edges_[i].at);
-    // Not a number stays so.
+    // NaN stays NaN.
     if (!(away <= out)) out = away;
   }
   return out;
@@ -182,7 +182,7 @@ void Settling::step(int times) {
   }
   offsets_.assign(count, 0.0);
   for (const Stretch& stretch : stretches) solve(stretch, times);
-  // A step of more than a few pixels is beyond what is linear.
+  // A step of more than a few pixels is outside the linear range.
   constexpr double kMostStep = 4.0;
   for (double& offset : offsets_) offset = std::clamp(offset, -kMostStep, kMostStep);
   for (std::size_t i = 0; i < placed_.size(); ++i) {
@@ -192,13 +192,13 @@ void Settling::step(int times) {
     edge.offset -= (1.0 - edge.t) * offsets_[edge.chord] + edge.t * offsets_[there];
     has_changed_[i] = 1;
   }
-  // Beside what has moved by more than a part of the noise, edges are placed again.
+  // Edges are placed again beside nodes that moved by more than a part of the noise.
   constexpr double kMoved = 0.25;
   for (const Stretch& stretch : stretches) {
     for (std::size_t i = 0, k = stretch.first; i < stretch.count; ++i, k = next(k)) {
       run_.nodes[k] = run_.nodes[k] + offsets_[k] * curve_.normal(k);
       solved_[k] = run_.stiffness[k];
-      // Not a number has moved.
+      // NaN counts as moved.
       if (!(std::abs(offsets_[k]) <= kMoved * noise_.one)) make_stale(k);
     }
   }
@@ -280,7 +280,7 @@ void Settling::solve(const Stretch& stretch, int times) {
       break;
     add_penalty(system_, i, node(i));
   }
-  // Where no edge says anything, nodes stay.
+  // Nodes stay where no edge determines them.
   constexpr double kHold = 1e-6;
   for (std::ptrdiff_t i = 0; i < size; ++i) system_.add(i, std::array{1.0}, 0.0, kHold);
   system_.factor();
@@ -332,7 +332,7 @@ void Settling::add_penalty(StiffSystem& system, std::ptrdiff_t first, std::size_
     stiffness = calm_.is_level[here] != 0 ? most : std::min(calm_.factor * stiffness, most);
   }
   const double square = stiffness * stiffness;
-  // Of three nodes the curvature is that in their mean.
+  // The curvature of three nodes is that at their mean.
   const double weight = square * square * square * 3.0 / (a + b + c);
   system.add(first,
              std::array{-in / a, on / b + 2.0 / (a * b) - bend * bend, next_bend * next_bend - 2.0 / (b * c) - in / b,
@@ -341,15 +341,15 @@ void Settling::add_penalty(StiffSystem& system, std::ptrdiff_t first, std::size_
 }
 
 void Settling::settle() {
-  // What does not come to rest, as a corner at the least stiffness, is left until its surroundings change.
+  // An oscillating part, such as a corner at the least stiffness, is left until its surroundings change.
   place();
   was_stale_.assign(chord_count(), 0);
   // New nodes may move far.
   const bool is_first = std::exchange(is_remeshed_, false);
   step(is_first ? 1 : kTimes);
-  // What the parabolas between the nodes have wrong.
+  // Correct the error of the parabolas between the nodes.
   if (place() || is_first) step(kTimes);
-  // Another without what stands alone, if there is anything.
+  // If there are isolated deviations, step again without them.
   was_stale_.assign(chord_count(), 0);
   if (find_alone()) step(kTimes);
 }
@@ -412,7 +412,7 @@ bool Settling::find_misfits() {
     const std::size_t to = placed_[(first + window - 1) % count].chord;
     const std::size_t chords = misfits_.size();
     const std::size_t all = (to >= from ? to - from : to + chords - from) + 1;
-    // What a smaller window has found already.
+    // A smaller window has already found this misfit.
     for (std::size_t i = 0; i < all; ++i)
       if (misfits_[(from + i) % chords] != 0) return;
     for (std::size_t i = 0; i < all; ++i) misfits_[(from + i) % chords] = 1;
@@ -496,7 +496,7 @@ std::vector<double> walked(std::span<const Vec2> nodes, bool is_closed, std::spa
   const auto to_first = [&](Vec2 q) { return dot(q - edges.front().at, q - edges.front().at); };
   std::size_t chord = 0;
   if (is_closed) chord = static_cast<std::size_t>(std::ranges::min_element(nodes, {}, to_first) - nodes.begin());
-  // The next edge is about a share of a chord farther.
+  // The next edge is about this share of a chord farther.
   const double share = static_cast<double>(chords) / static_cast<double>(edges.size());
   const int most = static_cast<int>(std::ceil(share)) + 3;
   for (const Edge& edge : edges) {

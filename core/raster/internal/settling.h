@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nodes that move to where edges pull them, at a given stiffness. Private to core/raster.
+// Moves nodes to their equilibrium between edges and a given stiffness. Private to core/raster.
 //
-// What has not changed since it came to rest is left alone: edges are placed again beside chords that have moved, equations
-// are solved for nodes near to a change, and windows of edges are looked at where any edge has changed.
+// Settled parts stay untouched: edges are placed again only beside chords that have moved, equations are solved only
+// for nodes near a change, and windows of edges are checked only if any edge in them has changed.
 #pragma once
 
 #include <algorithm>
@@ -19,22 +19,22 @@
 
 namespace mes {
 
-/// An edge beside a curve of nodes.
+/// The position of an edge relative to the curve.
 struct Placed {
   double t = 0.0;
-  double offset = 0.0;  // from the curve to the edge
+  double offset = 0.0;  // distance from the curve to the edge
   double weight = 0.0;
-  double jumps = 0.0;  // pixel borders that the curve passes for each pixel of its length, or diagonals of them
+  double jumps = 0.0;  // pixel borders, or diagonals, that the curve crosses for each pixel of its length
   std::uint32_t chord = 0;
 };
 
-/// A run, its edges, and what is known of both from round to round.
+/// A run, its edges, and cached state between rounds.
 class Settling {
  public:
-  /// From nodes at the finest distance, of which `begin_evenly` takes some.
+  /// Starts from nodes at the finest distance; `begin_evenly` selects some of them.
   Settling(std::vector<Vec2> fine, bool is_closed, double blur, std::span<const Edge> edges, const EdgeNoise& noise,
            const JobControl* job);
-  /// From a run that was fitted.
+  /// Starts from a fitted run.
   Settling(Run run, std::span<const Edge> edges, const EdgeNoise& noise, const JobControl* job);
 
  protected:
@@ -45,52 +45,52 @@ class Settling {
   double apart(std::size_t chord) const { return cell_size() * static_cast<double>(cells_of(chord)); }
   /// The length of the shorter chord at a node.
   double least_apart(std::size_t k) const;
-  /// Of a closed run nine tenths of the radius that it would have as a circle: it may still be an ellipse. Were it a circle
-  /// up to rounding, each of its samples could be an end of the axis.
+  /// Largest stiffness. For a closed run, nine tenths of its radius as a circle: it may still be an ellipse. On a
+  /// nearly exact circle any sample could become an end of the axis.
   double stiffest() const { return run_.is_closed ? length_ / 7.0 : 2.0 * length_; }
-  /// Stiffness grows by no more than the way.
+  /// Limits the growth of the stiffness along the curve to the distance.
   void limit_growth(std::vector<double>& stiffness) const;
-  /// Nodes so many cells apart.
+  /// Selects nodes `apart` cells apart.
   void begin_evenly(std::size_t apart);
-  /// Where the edges are beside the chords that have changed; whether any have.
+  /// Places the edges beside changed chords; returns whether there were any.
   bool place();
-  /// One step of Gauss and Newton; and so often again what it has left out: so a bend loses little of itself, and waves
-  /// little more are let through. Offsets are small, so that all of it is linear. Nodes that are not active stay.
+  /// Makes one Gauss-Newton step, and repeats it `times` - 1 times for the residual: so bends shrink less, and only few
+  /// more waves pass. Offsets are small, so all of this is linear. Inactive nodes stay.
   void step(int times);
-  /// The fit at the stiffness that the nodes have.
+  /// Fits at the current stiffness of the nodes.
   void settle();
-  /// Settles from all edges anew.
+  /// Fits again from all edges.
   void settle_all();
-  /// Chords within windows whose mean is more than noise, and beside nodes that went astray, which begin again.
+  /// Marks chords in windows whose mean exceeds the noise, and beside stray nodes, which restart.
   bool find_misfits();
-  /// Far from the curve that the fit starts from, or nowhere.
+  /// Whether a node is far from the starting curve, or NaN.
   bool is_astray(std::size_t node) const;
-  /// Nodes half as far from each other where that is said, and beside it so that no two chords are followed by one of more
-  /// than twice their length.
+  /// Halves the node distance at the given chords, and beside them so that a chord and each of the next two differ in
+  /// length by at most a factor of two.
   void remesh(std::vector<char> split, bool are_fine);
   /// The largest distance of an edge from its chord, pixels.
   double farthest();
 
-  // Doubles do not distinguish stiffnesses of more than so many distances between nodes.
+  // Doubles do not distinguish stiffnesses beyond this many node distances.
   static constexpr double kMostNodes = 32.0;
 
   Run run_;
-  std::vector<Vec2> fine_;  // nodes at the finest distance, of the curve that the fit starts from
-  std::size_t cells_ = 0;   // finest distances
+  std::vector<Vec2> fine_;  // nodes of the starting curve at the finest distance
+  std::size_t cells_ = 0;   // length in finest distances
   std::span<const Edge> edges_;
   EdgeNoise noise_;
   const JobControl* job_;
   double length_ = 0.0;
-  double blur_ = 0.0;                // square pixels, of edges that are blurred
-  std::vector<std::uint32_t> home_;  // of edges: the cell beside which they are
+  double blur_ = 0.0;                // in square pixels, for blurred edges
+  std::vector<std::uint32_t> home_;  // by edge: its cell
   NodeCurve curve_;
-  std::vector<char> is_stale_;  // of chords: they have changed since edges were placed beside them
-  std::vector<char> misfits_;   // of chords: beside them is more than noise
+  std::vector<char> is_stale_;  // by chord: it has changed since edges were placed beside it
+  std::vector<char> misfits_;   // by chord: the residuals beside it exceed noise
   std::vector<Placed> placed_;
-  CalmCurvature calm_;  // its changes cost nothing; others cost most where it is level; empty: no change is free
+  CalmCurvature calm_;  // target; deviations cost, most at level nodes; empty: any change costs
 
  private:
-  /// Squares of what edges beside a chord are off by, as a form of the offsets of its two nodes.
+  /// Squared distances of the edges beside a chord, as a quadratic form of the offsets of its two nodes.
   struct Sums {
     double here = 0.0;
     double both = 0.0;
@@ -98,7 +98,7 @@ class Settling {
     double right = 0.0;
     double next_right = 0.0;
   };
-  /// Nodes in a row, around if the run is closed.
+  /// Successive nodes, cyclic if the run is closed.
   struct Stretch {
     std::size_t first = 0;
     std::size_t count = 0;
@@ -113,25 +113,25 @@ class Settling {
   void begin();
   void note_chords();
   Placed beside(const Edge& edge, std::size_t at) const;
-  /// Nodes near to what has changed: farther away than so many times the stiffness nothing moves.
+  /// Finds nodes near a change: nothing moves farther away than a multiple of the stiffness.
   std::vector<Stretch> find_active();
   void solve(const Stretch& stretch, int times);
-  /// The chords that bend otherwise when a node moves.
+  /// Marks the chords that change when a node moves.
   void make_stale(std::size_t node);
-  /// From the curvature at the node after `before` to that at the next, of unknowns that begin with `before` as `first`.
+  /// Adds the penalty between the node after `before` and the next; `first` is the unknown of `before`.
   void add_penalty(StiffSystem& system, std::ptrdiff_t first, std::size_t before) const;
-  /// Moves nodes that went astray to where they began; true if there were any.
+  /// Moves stray nodes back to their start; true if there were any.
   bool call_back();
-  /// Edges of single pixels that stand out from the curve or into it.
+  /// Finds isolated edges of single pixels that deviate from the curve.
   bool find_alone();
 
-  std::vector<std::uint32_t> chord_of_;  // of cells
+  std::vector<std::uint32_t> chord_of_;  // by cell
   bool is_remeshed_ = true;
-  std::vector<char> was_stale_;    // of chords: edges were placed beside them anew
-  std::vector<double> solved_;     // the stiffness of nodes when they were moved last
-  std::vector<char> is_active_;    // of nodes: they are moved
-  std::vector<double> offsets_;    // of nodes
-  std::vector<char> has_changed_;  // of edges, since windows were looked at
+  std::vector<char> was_stale_;    // by chord: edges were placed beside it again
+  std::vector<double> solved_;     // by node: stiffness at its last move
+  std::vector<char> is_active_;    // by node: it moves now
+  std::vector<double> offsets_;    // offsets by node
+  std::vector<char> has_changed_;  // by edge, since the last check of windows
   std::vector<Sums> sums_;
   std::vector<char> is_alone_;
   std::vector<Residual> residuals_;
@@ -140,7 +140,7 @@ class Settling {
   StiffSystem system_;
 };
 
-/// Where edges in the order of a curve are along it, in nodes.
+/// Positions, in nodes, of edges given in the order of the curve.
 std::vector<double> walked(std::span<const Vec2> nodes, bool is_closed, std::span<const Edge> edges);
 
 }  // namespace mes

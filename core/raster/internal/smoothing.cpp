@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::size_t kLeastPoints = 8;
 
-/// Pixels are neither huge nor tiny, so nothing overflows.
+/// Pixel coordinates are neither huge nor tiny, so nothing overflows.
 double length_between(Vec2 a, Vec2 b) {
   return std::sqrt(dot(b - a, b - a));
 }
@@ -67,7 +67,7 @@ class Spline {
   }
 
  private:
-  /// The beginning is what has come around so often that nothing is left of how it began.
+  /// Starts the filter after so many turns around the curve that its initial state has decayed.
   void pass(std::vector<Vec2>& points) const {
     const std::size_t count = points.size();
     std::size_t i = (count - memory_ % count) % count;
@@ -95,7 +95,7 @@ class Spline {
 }  // namespace
 
 std::vector<Vec2> softened(std::span<const Vec2> contour, double scale) {
-  constexpr double kLeastTurns = 16.0;  // a curve of fewer points than so many scales would shrink
+  constexpr double kLeastTurns = 16.0;  // a curve with fewer points than this many scales would shrink
   std::vector<Vec2> out = at_equal_distances(contour);
   Spline(std::min(scale, static_cast<double>(out.size()) / kLeastTurns)).apply(out);
   return out;

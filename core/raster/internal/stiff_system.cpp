@@ -24,7 +24,7 @@ std::array<double, kReach> solved_small(std::array<std::array<double, kReach>, k
   return b;
 }
 
-/// Both substitutions for the first unknowns, of which each is a number or a row of numbers. Diagonals are inverted.
+/// Both substitutions for the first `count` unknowns, each a number or a row of numbers. Diagonals are inverted.
 template <class Value, class Subtract, class Scale>
 void substitute(const std::vector<std::array<double, 4>>& rows, std::vector<Value>& x, std::size_t count,
                 Subtract subtract, Scale scale) {
@@ -77,7 +77,7 @@ void StiffSystem::factor() {
       [](Row& x, double factor) {
         for (double& value : x) value *= factor;
       });
-  // Only the first and the last rows meet the border.
+  // Only the first and the last rows touch the border.
   for (std::size_t k = 0; k < inner; ++k) {
     if (k == kReach && inner > 2 * kReach) k = inner - kReach;
     for (std::size_t i = 0; i < kReach; ++i)

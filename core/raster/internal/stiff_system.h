@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Linear equations of which each unknown meets the three before and after it, around if they are closed. Private to
+// Linear equations in which each unknown is coupled to the three before and after it, cyclically if closed. Private to
 // core/raster.
 #pragma once
 
@@ -9,11 +9,11 @@
 
 namespace mes {
 
-/// Symmetric and positive definite, built up as a sum of squares. At least eight unknowns if closed. Factored once, it is
-/// solved for any number of right sides.
+/// A symmetric positive definite system, built as a sum of squares. At least eight unknowns if closed. After one
+/// factorization it can be solved for any number of right sides.
 class StiffSystem {
  public:
-  /// Begins again with nothing added, in the same memory.
+  /// Removes all equations and keeps the memory.
   void clear(std::size_t count, bool is_closed) {
     rows_.assign(count, {});
     right_.assign(count, 0.0);
@@ -21,8 +21,8 @@ class StiffSystem {
     is_closed_ = is_closed;
   }
 
-  /// Adds weight * (sum of coefficient[i] * unknown[first + i] - value)^2, at most four unknowns in a row: around if they
-  /// are closed, otherwise those that are none are zero.
+  /// Adds weight * (sum of coefficient[i] * unknown[first + i] - value)^2, for at most four successive unknowns: cyclic
+  /// if closed; otherwise unknowns out of range are zero.
   template <std::size_t N>
   void add(std::ptrdiff_t first, const std::array<double, N>& coefficients, double value, double weight) {
     static_assert(N <= 4);
@@ -36,7 +36,7 @@ class StiffSystem {
       for (std::size_t k = i; k < N; ++k) rows_[at][k - i] += weight * coefficients[i] * coefficients[k];
     }
   }
-  /// Adds a sum of squares of two unknowns in a row by its matrix.
+  /// Adds a quadratic form of two successive unknowns by its matrix.
   void add_pair(std::ptrdiff_t first, double diagonal, double beside, double next_diagonal) {
     const auto count = static_cast<std::ptrdiff_t>(rows_.size());
     if (first >= 0) {
@@ -47,12 +47,12 @@ class StiffSystem {
     if (first + 1 == count && is_closed_) rows_[0][0] += next_diagonal;
   }
 
-  /// The right side: of what was added with values, until it is solved for.
+  /// The right side: the sum of the added values, and after `solve` the solution.
   std::vector<double>& right() { return right_; }
 
-  /// O(unknowns). After it nothing can be added.
+  /// O(unknowns). Nothing can be added after it.
   void factor();
-  /// Makes the right side the unknowns. O(unknowns). After `factor`.
+  /// Replaces the right side by the solution. O(unknowns). Call after `factor`.
   void solve();
 
  private:
@@ -62,12 +62,12 @@ class StiffSystem {
   void factor_first(std::size_t count);
 
   std::vector<std::array<double, 4>>
-      rows_;  // of the matrix, from the diagonal to the right, around; factored: of that
+      rows_;  // matrix rows from the diagonal to the right, cyclic; after `factor` those of the factor
   std::vector<double> right_;
   bool is_closed_ = false;
-  // The last three unknowns of a closed system join its ends: the others are solved for them first.
-  std::vector<Row> border_;   // columns of the last, in the rows of the others
-  std::vector<Row> reduced_;  // what the others are for each of the last
+  // The last three unknowns of a closed system couple to its ends, so the others are solved for in terms of them first.
+  std::vector<Row> border_;   // columns of these three in the rows of the others
+  std::vector<Row> reduced_;  // the others in terms of these three
   std::array<Row, kReach> corner_{};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How an epsilon has changed, in words.
+// Describes the change of an epsilon in words.
 #pragma once
 
 #include <cmath>
@@ -9,7 +9,7 @@
 
 namespace mes {
 
-/// "epsilon 0.9 before, 0.2 now"; infinite ones once, with their reason.
+/// "epsilon 0.9 before, 0.2 now"; if both are infinite, one word with the reason.
 inline std::string epsilon_words(double before, double now) {
   constexpr const char* kInfinite = "infinite (curve edges are missing)";
   const auto text = [](double epsilon) { return std::isfinite(epsilon) ? number_text(epsilon) : kInfinite; };

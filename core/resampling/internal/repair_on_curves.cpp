@@ -18,7 +18,7 @@
 namespace mes {
 namespace {
 
-/// Samples that grow in number, and loops that follow.
+/// A growing list of samples with its loops.
 class GrowingLoops {
  public:
   GrowingLoops(std::vector<Vec2> positions, std::vector<SampleData::Contour> contours)
@@ -29,9 +29,9 @@ class GrowingLoops {
   const std::vector<Vec2>& positions() const { return positions_; }
   const std::vector<SampleData::Contour>& contours() const { return contours_; }
 
-  /// Error: what `bring_into_range` says.
+  /// Inserts the new samples into the loops. Error: the text of `bring_into_range`.
   std::string insert(const std::vector<FilledInterval>& intervals) {
-    std::map<Pair, std::vector<std::uint32_t>> between;  // in the order from the first of the pair
+    std::map<Pair, std::vector<std::uint32_t>> between;  // ordered from the first of the pair
     const std::size_t first = positions_.size();
     for (const FilledInterval& interval : intervals) {
       const std::uint32_t from = first_at_[interval.from];
@@ -78,11 +78,11 @@ class GrowingLoops {
 
   std::vector<Vec2> positions_;
   std::vector<SampleData::Contour> contours_;
-  std::vector<std::uint32_t> first_at_;  // by sample: the first one at its place
+  std::vector<std::uint32_t> first_at_;  // by sample: the first sample at the same position
   std::map<std::pair<double, double>, std::uint32_t> at_place_;
 };
 
-/// What is known after samples were inserted.
+/// The samples after one step of insertion, and their standing.
 struct Step {
   std::vector<Vec2> positions;
   std::vector<SampleData::Contour> contours;
@@ -99,7 +99,7 @@ Expected<std::optional<Repair>> repair_on_curves(const Registry& registry, const
   if (!samples) return std::unexpected(samples.error());
   SamplingRequest request = data.source->sampling;
   if (request.count == 0) request.count = kUsualSamples;
-  // Of curves that are too many for the light, too.
+  // The feature field is needed even where the theorem light gives up on too many curves.
   std::optional<FeatureField> own;
   if (samples->curves().field() != nullptr) {
     own = *samples->curves().field();
@@ -121,7 +121,7 @@ Expected<std::optional<Repair>> repair_on_curves(const Registry& registry, const
   out->exempt = before.exempt;
   out->is_on_curves = true;
   if (!own->has_axis()) out->no_axis = "the curves have no axis";
-  // Away from corners first; where the theorem asks for more, ever nearer to them, and denser.
+  // First only edges away from corners; if the theorem asks for more, then ever nearer to the corners, and denser.
   struct Try {
     double epsilon;
     bool is_strict;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples inserted on the curves that others were taken from.
+// Inserts samples on the curves from which the others were taken.
 #pragma once
 
 #include <optional>
@@ -8,8 +8,8 @@
 
 namespace mes {
 
-/// Where the data know the curves of their samples, and at least half of these lie on them: what `repair` gives. Nothing
-/// otherwise. The same errors.
+/// The result of `repair`, if the data know the curves of their samples and at least half of the samples lie on them;
+/// otherwise nothing. Error: as `repair`.
 Expected<std::optional<Repair>> repair_on_curves(const Registry& registry, const SampleData& data, double epsilon,
                                                  JobControl& job);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A curve through samples that change, and what the graph of structures says of its edges.
+// A curve through changing samples, and the verdict of the graph of structures on its edges.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +15,22 @@
 
 namespace mes {
 
-/// The loops of the data, or the chains of the crust where there are none.
+/// The loops of the data, or the chains of the crust if the data have no loops.
 MovingCurve curve_of(const SampleData& data, JobControl& job);
 
-/// By how much the curve turns at a place, in degrees: 0 = straight on. 0 where places coincide.
+/// Angle by which the curve turns at `at`, in degrees: 0 = straight on. 0 if positions coincide.
 double turn_at(Vec2 before, Vec2 at, Vec2 after);
 
-/// By sample: the curve has a corner there that no density repairs. It turns by more than twice the arc sine of epsilon,
-/// which half an edge over the distance to the axis beside a corner comes to however short the edge is; and by more than
-/// four times as much as at its two neighbours together, which a smooth curve with too few samples does not.
+/// For each sample: whether the curve has a corner there that no density repairs. The curve turns there by more than
+/// twice the arc sine of epsilon (beside a corner, half an edge over the distance to the axis tends to this ratio
+/// however short the edge is) and by more than four times the turn of both neighbours together, unlike a smooth curve
+/// with few samples.
 std::vector<bool> corners_of(const MovingCurve& curve, std::span<const Vec2> positions, double epsilon);
 
-/// Samples and the structures of a registry that judge them, following each change locally.
+/// Samples and the structures of a registry that judge them. Each change updates the structures locally.
 class JudgedSamples {
  public:
-  /// With the curves that they were taken from, or without. Error: of `replace_all`, or a structure that failed. Throws
+  /// `has_curves`: also keeps the curves of the samples. Error: as `replace_all`, or a structure failed. Throws
   /// `Cancelled`.
   static Expected<JudgedSamples> of(const Registry& registry, const SampleData& data, JobControl& job,
                                     bool has_curves = false);
@@ -37,20 +38,20 @@ class JudgedSamples {
   Expected<void> insert(std::span<const Vec2> positions, JobControl& job);
   std::span<const Vec2> positions() const { return positions_; }
 
-  /// What an edge from one sample to another is. Numbers of samples are those of the data, then in the order of insertion.
+  /// Verdict on an edge between two samples. Sample numbers are those of the data, then in the order of insertion.
   struct EdgeVerdict {
-    bool is_curve = false;    ///< a crust edge, or both samples lie at one place
-    double epsilon = 0.0;     ///< of a crust edge; 0 where there is no axis
-    bool is_doubted = false;  ///< what the theorem asks for does not hold at one of its ends
+    bool is_curve = false;    ///< a crust edge, or both samples have the same position
+    double epsilon = 0.0;     ///< epsilon of a crust edge; 0 if there is no axis
+    bool is_doubted = false;  ///< the theorem's condition fails at one of its ends
   };
   EdgeVerdict judge(std::uint32_t a, std::uint32_t b) const;
   /// Distance to the axis; infinite without one.
   double size(std::uint32_t sample) const;
   TheoremLight light() const { return bench_.light(); }
-  /// The reason for an axis that is missing, as a sentence without a full stop; empty if there is an axis.
+  /// Why the axis is missing, as a sentence without a full stop; empty if there is an axis.
   std::string why_no_axis() const { return std::string(bench_.get<FeatureSize>().reason()); }
   const CurveSampling& curves() const { return bench_.get<CurveSampling>(); }
-  /// Of the one-step axis.
+  /// Number of components of the one-step axis.
   std::int64_t components() const { return count("components"); }
   std::int64_t cycles() const { return count("cycles"); }
 

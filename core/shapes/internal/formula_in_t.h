@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Formulas of shapes, in one variable. Private to core/shapes.
+// Shape formulas in one variable. Private to core/shapes.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace mes {
 
 class FormulaInT {
  public:
-  /// `name` stands for the formula in messages. Error: `usage`, with what is wrong.
+  /// `name` is the formula's name in messages. Error: `usage`, with the fault.
   static Expected<FormulaInT> parse(const std::string& text, const std::string& name) {
     auto formula = Formula::parse(text, {"t"});
     if (!formula)
@@ -19,7 +19,7 @@ class FormulaInT {
     return FormulaInT(*std::move(formula));
   }
 
-  /// Not a number where it has no value.
+  /// Value at t; NaN where the formula has no value.
   double at(double t) const {
     const double values[]{t};
     return formula_.value(values);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the shapes are made of. Private to core/shapes.
+// Building blocks of the shapes. Private to core/shapes.
 #pragma once
 
 #include <cmath>
@@ -22,23 +22,23 @@ inline Parameter length_parameter(const char* id, const char* explanation, doubl
   return {id, explanation, "", 1e-6, 1e6, value};
 }
 
-/// The point at this distance from the origin, counter-clockwise from the right.
+/// The point at this distance from the origin; the angle is counter-clockwise from the positive x axis.
 inline Vec2 at_angle(double radius, double angle) {
   return {radius * std::cos(angle), radius * std::sin(angle)};
 }
 
-/// Counter-clockwise from the right; a hole goes the other way.
+/// Starts at the right and runs counter-clockwise; a hole runs clockwise.
 PlaneCurve ellipse_curve(Vec2 center, double a, double b, bool is_hole = false);
 PlaneCurve polygon_curve(std::span<const Vec2> corners);
 
-/// The curve of a function of a parameter, of cubic pieces whose ends and tangents there are those of the function:
-/// within some 1e-9 of its size where it is smooth. A piece ends at each multiple of the range over `pieces`, where it
-/// may have corners. Closed where both ends are equal up to rounding and `may_close`. Error: `bad_input` where a value
-/// is not finite.
+/// The curve of a function of a parameter, as cubic pieces that share ends and end tangents with the function: within
+/// about 1e-9 of its size where it is smooth. A piece ends at each multiple of range / `pieces`, where the curve may
+/// have corners. Closed if both ends are equal up to rounding and `may_close`. Error: `bad_input` for a value that is
+/// not finite.
 using PointOf = std::function<Vec2(double)>;
 Expected<PlaneCurve> curve_of_function(const PointOf& at, double from, double to, std::size_t pieces, bool may_close);
 
-// The families, each a file.
+// The families, one file each.
 std::vector<ShapeDescriptor> round_shapes();
 std::vector<ShapeDescriptor> cornered_shapes();
 std::vector<ShapeDescriptor> formula_shapes();
