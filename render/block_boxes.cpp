@@ -21,7 +21,7 @@ bool meet(const Box2& a, const Box2& b) {
   return !(a.high.x < b.low.x || a.low.x > b.high.x || a.high.y < b.low.y || a.low.y > b.high.y);
 }
 
-/// At most half a circle lies in the disk above its chord; ends may be off their circle by some bits.
+/// The part of the disk above a chord is at most half of it; ends may be off their circle by some bits.
 Box2 box_of_arc(std::span<const double> encoded) {
   const Vec2 center{encoded[0], encoded[1]};
   const Vec2 from{encoded[2], encoded[3]};
@@ -42,7 +42,7 @@ Box2 box_of_instance(PrimitiveKind kind, std::span<const double> encoded) {
     case PrimitiveKind::disk:
     case PrimitiveKind::circle: return encoded[2] >= 0.0 ? around(first, encoded[2]) : Box2{};
     case PrimitiveKind::segment: {
-      // A long one may be cut at the very corner that is the place of what is invisible.
+      // A long segment may be cut at exactly the corner that stands for invisible ones.
       const Vec2 second{encoded[2], encoded[3]};
       if (is_invisible(first) && is_invisible(second)) return {};
       Box2 out{first, first};
@@ -76,7 +76,7 @@ std::span<const BlockBoxes::Run> BlockBoxes::runs(std::uint32_t count, const Box
     if (block >= boxes_.size()) break;
     if (boxes_[block].is_empty() || !meet(boxes_[block], view)) continue;
     const std::uint32_t end = std::min(count, first + kBlock);
-    // One draw call more costs about as much as a block of instances that are out of view.
+    // Another draw call costs about as much as a block of invisible instances.
     if (!runs_.empty() && first - (runs_.back().first + runs_.back().count) <= kBlock)
       runs_.back().count = end - runs_.back().first;
     else

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where blocks of consecutive instances lie, so that those out of view are not drawn. Private to render.
+// Bounding boxes of blocks of consecutive instances, so that blocks out of view are not drawn. Private to render.
 //
-// What it guarantees: an instance that meets a box is in one of the runs of that box. Boxes only grow until `clear`, as
-// nothing keeps what was there before: after many edits all over the plane more is drawn than need be.
+// What it guarantees: an instance that meets a box is in one of the runs of that box. Boxes only grow until `clear`,
+// because old extents are not kept: after many edits all over the plane more is drawn than necessary.
 //
 // Smallest use:
 //     boxes.add(i, box_of_instance(kind, encoded));
@@ -21,13 +21,13 @@
 
 namespace mes::render {
 
-/// Where an encoded instance is drawn, but for the width of strokes and the size of points; empty for what is
-/// invisible, everywhere for what has no end.
+/// The extent of an encoded instance, without the width of strokes and the size of points; empty for an invisible
+/// instance, everywhere for an unbounded one.
 Box2 box_of_instance(PrimitiveKind kind, std::span<const double> encoded);
 
 class BlockBoxes {
  public:
-  /// Rows of structures that were triangulated at once lie near each other when their numbers do.
+  /// Rows of structures that were triangulated in one batch lie near each other if their numbers are close.
   static constexpr std::uint32_t kBlock = 2048;
 
   struct Run {
@@ -38,7 +38,7 @@ class BlockBoxes {
 
   void add(std::size_t instance, const Box2& box);
   void clear() { boxes_.clear(); }
-  /// Of the first `count` instances, those whose blocks meet the box, in order. Valid until the next call.
+  /// The runs of the first `count` instances whose blocks meet the box, in order. Valid until the next call.
   std::span<const Run> runs(std::uint32_t count, const Box2& view);
 
  private:

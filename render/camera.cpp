@@ -8,7 +8,7 @@
 namespace mes::render {
 namespace {
 
-// Far inside the range of doubles, so that centre, scale and view size multiply to something finite.
+// Far inside the range of doubles, so that products of centre, scale and view size stay finite.
 constexpr double kMaxCenter = 1e300;
 constexpr double kMinUnitsPerPixel = 1e-290;
 constexpr double kMaxUnitsPerPixel = 1e290;

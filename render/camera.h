@@ -3,7 +3,7 @@
 //
 // What it guarantees:
 //  1. Every result is finite: arguments that are not finite are ignored, all others are clamped.
-//  2. `zoom_at` keeps the world point under the cursor where it is, to a small fraction of a pixel, at every scale.
+//  2. `zoom_at` keeps the world point under the cursor fixed, to a small fraction of a pixel, at every scale.
 //  3. Moving by n pixels and back by n pixels shows the same picture: the centre has twice the bits of a double, so
 //     the view does not jump between representable numbers, neither in deep zoom nor at coordinate 10^15.
 //

@@ -12,7 +12,7 @@
 namespace mes::render {
 namespace {
 
-// Shaders compute in single precision, which has no halves beyond this number.
+// Shaders compute in single precision, which cannot represent halves beyond this number.
 constexpr double kMostCategories = 0x1p22;
 
 MapColor from_hue(double hue, double saturation, double value) {
@@ -70,7 +70,7 @@ ColorMap categorical_map(std::uint64_t seed, std::size_t count) {
       out.colors.push_back(to_vec3(kFirst[i]));
       continue;
     }
-    // Steps of the golden ratio keep any number of hues apart.
+    // Steps of the golden ratio keep any number of hues distinct.
     constexpr double kGolden = 0.6180339887498949;
     const double hue = std::fmod(start + kGolden * static_cast<double>(i), 1.0);
     out.colors.push_back(from_hue(hue, random.uniform(0.55, 0.9), random.uniform(0.55, 0.95)));

@@ -2,11 +2,11 @@
 // Colour maps: the colour of a scalar. Plain data and arithmetic.
 //
 // What it guarantees:
-//  1. A graded map interpolates its colours linearly over a range. Scalars beyond an end of the range, infinite ones
-//     too, have the colour of that end. NaN has no colour.
+//  1. A graded map interpolates its colours linearly over a range. Scalars beyond an end of the range, including
+//     infinite ones, have the colour of that end. NaN has no colour.
 //  2. A categorical map rounds the scalar to a whole number and gives each number a colour, whatever the range; numbers
-//     whose difference is a multiple of the map's size share one. Scalars beyond some millions, infinite ones too, have
-//     the first or the last colour.
+//     whose difference is a multiple of the map's size share a colour. Scalars beyond some millions, including infinite
+//     ones, have the first or the last colour.
 //
 // Smallest use:
 //     const ColorMap map = grey_map();
@@ -56,16 +56,16 @@ struct ColorMap {
 
   /// The colour at `t` in [0, 1], interpolated linearly.
   Rgb at(double t) const;
-  /// No colour for NaN. In an empty range, and in one of a single value for that value, the middle colour.
+  /// No colour for NaN. The middle colour for any scalar in an empty range, and for the value of a single-value range.
   std::optional<Rgb> color_of(double scalar, const ScalarRange& range) const;
 };
 
-/// The place of a value in a range, from 0 at its low end to 1 at its high end. Does not overflow for any range.
+/// Position of a value in a range, from 0 at its low end to 1 at its high end. Does not overflow for any range.
 double place_in(double value, const ScalarRange& range);
 
 /// From a dark grey to a light one, both visible on white.
 ColorMap grey_map();
-/// `count` different colours, neighbours most different of all. Another seed gives other colours.
+/// `count` different colours, with the largest differences between neighbours. Another seed gives other colours.
 ColorMap categorical_map(std::uint64_t seed = 0, std::size_t count = 64);
 /// The maps that need no file: grey and categories.
 std::vector<ColorMap> builtin_color_maps();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one place that converts between core's colours and points and those of GLM.
+// Conversions between core's colours and points and those of GLM; no other file converts them.
 //
 // Core computes with `Vec2` and knows colours as `Rgb`; drawing computes with GLM. Cost: a few operations each.
 // Threads: any.
@@ -40,7 +40,7 @@ inline PremultipliedColor premultiplied(Rgb color, double opacity) {
   return PremultipliedColor(glm::dvec4(alpha * (glm::dvec3(color.r, color.g, color.b) / 255.0), alpha));
 }
 
-/// What a picture is filled with before anything is drawn; without a background, nothing.
+/// The initial fill of a picture; transparent without a background.
 inline PremultipliedColor clear_color(const std::optional<Rgb>& background) {
   return background ? premultiplied(*background, 1.0) : PremultipliedColor(0.0F);
 }

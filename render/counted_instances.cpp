@@ -20,21 +20,21 @@
 namespace mes::render {
 namespace {
 
-// Nanoseconds as measured: of a disk in a row of pixels, with its rim; of a short stroke; and of a pixel of the mask
+// Measured nanoseconds: for each row of pixels of a disk, with its rim; for a short stroke; and for each mask pixel,
 // from sum to screen.
 constexpr double kRowNs = 25.0;
 constexpr double kStrokeNs = 60.0;
 constexpr double kMaskPixelNs = 8.0;
-constexpr double kUsualPixels = 2e6;  // of a view
+constexpr double kUsualPixels = 2e6;  // pixels of a usual view
 
-/// So many instances are merged in a preview.
+/// A preview merges instances from this number on.
 constexpr std::size_t kMany = 20000;
 
 double overlap(double center, double radius, int size) {
   return std::max(0.0, std::min(center + radius, static_cast<double>(size)) - std::max(center - radius, 0.0));
 }
 
-/// The coordinates of an instance in drawing space, and how often it is there. Those that a kind lacks are zero.
+/// The coordinates of an instance in drawing space, and its multiplicity. Coordinates that a kind lacks are zero.
 struct Placed {
   std::array<double, 4> at{};
   std::int32_t times = 1;
@@ -51,7 +51,7 @@ PixelDisk disk_of(const std::array<double, 4>& at, const PixelFrame& frame) {
   return {center.x, center.y, at[2] * frame.scale, 1};
 }
 
-// How instances become shapes of a field, and fields begin.
+// For each kind: the conversion of instances to shapes of a field, and the initial state of the field.
 struct DiskCounting {
   using Field = DiskField;
   static constexpr bool can_count(PrimitiveKind kind) { return kind == PrimitiveKind::disk; }
@@ -65,9 +65,9 @@ struct DiskCounting {
     out.times = disk.times;
     return out;
   }
-  /// Merging is worth while if it leaves this part of the instances. A disk takes far longer to count than to merge.
+  /// Merging pays off if at most this share of instances remains. Counting a disk takes far longer than merging it.
   static constexpr double kWorth = 0.9;
-  static constexpr double kCoarsePx = 2.0;  ///< between the lines of a coarse grid, at most
+  static constexpr double kCoarsePx = 2.0;  ///< largest spacing of a coarse grid
 };
 
 struct StrokeCounting {
@@ -90,14 +90,14 @@ struct StrokeCounting {
   static constexpr double kCoarsePx = 0.5;
 };
 
-/// A grid of drawing space; the distance of its lines is a power of two. Instances on it that are equal are merged.
+/// A grid of drawing space whose spacing is a power of two. Equal instances on it are merged.
 class Grid {
  public:
   explicit Grid(int exponent) : cell_(std::ldexp(1.0, exponent)), lines_(std::ldexp(1.0, -exponent)) {}
 
-  /// The nearest place on the grid, or the same where doubles are no finer than the grid.
+  /// The nearest position on the grid, or the same position if doubles are no finer than the grid.
   Placed snapped(const Placed& instance) const {
-    // Adding rounds to whole numbers.
+    // Adding this number rounds to whole numbers.
     constexpr double kWhole = 0x1.8p52;
     Placed out = instance;
     for (double& x : out.at) {
@@ -107,7 +107,7 @@ class Grid {
     return out;
   }
 
-  /// Appends instances on the grid, equal ones as one.
+  /// Appends instances on the grid, with equal ones merged.
   static void merge(std::span<const Placed> instances, std::vector<Placed>& out) {
     constexpr std::uint32_t kFree = ~std::uint32_t{0};
     const std::size_t slots = std::bit_ceil(2 * instances.size() + 1);
@@ -140,7 +140,7 @@ class Grid {
   double lines_;
 };
 
-/// The distance of a grid's lines, which is at most so many pixels, as an exponent of two.
+/// The spacing of a grid, at most `pixels` pixels, as an exponent of two.
 int exponent_of(double pixels, double scale) {
   return std::ilogb(pixels / scale);
 }
@@ -181,9 +181,9 @@ class Counted final : public CountedInstances {
   }
 
  private:
-  /// Few instances that stand for all; empty if they would not be few.
+  /// A few instances that represent all; empty if they would not be few.
   struct Set {
-    std::optional<int> exponent;  ///< of the grid; none: not made yet
+    std::optional<int> exponent;  ///< spacing of the grid; none: not yet made
     std::vector<Placed> instances;
   };
 
@@ -233,7 +233,7 @@ class Counted final : public CountedInstances {
   template <class Instance>
   void count(std::size_t count, PrimitiveKind kind, Instance instance) {
     if (shapes_.size() < count) shapes_.resize(count);
-    // Each thread puts its shapes where its instances begin; then they move together.
+    // Each thread writes its shapes at the position of its instances; then they are compacted.
     std::vector<std::pair<std::size_t, std::size_t>> parts(chunk_count(count));
     parallel_for(count, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
       std::size_t next = begin;
@@ -249,7 +249,7 @@ class Counted final : public CountedInstances {
     field_->add(std::span<const Shape>(shapes_).first(drawn));
   }
 
-  // Null if the instances themselves are to be counted.
+  // Returns null if the original instances should be counted.
   const Set* preview_of(const InstanceBuffer& buffer) {
     if (look_.preview == Preview::none || buffer.count() < kMany) return nullptr;
     constexpr double kFinePx = 0.125;
@@ -279,7 +279,7 @@ class Counted final : public CountedInstances {
     return out;
   }
 
-  // Those of a part, which are neighbours as a rule, stand for all.
+  // A sample of consecutive instances, usually neighbours, represents all.
   static bool is_worth_merging(const InstanceBuffer& buffer, const Grid& grid) {
     constexpr std::size_t kPart = 4096;
     const std::size_t begin = (buffer.count() - kPart) / 2;
@@ -322,11 +322,11 @@ class Counted final : public CountedInstances {
   Device& device_;
   PixelFrame frame_;
   CountedLook look_;
-  std::optional<Grid> grid_;  ///< on which what is counted lies; none: it lies where it should
+  std::optional<Grid> grid_;  ///< grid of the counted instances; none: they have their exact positions
   Set fine_;
-  std::array<Set, 2> coarse_;  ///< of even and odd exponents: a view that is zoomed to and fro finds both made
+  std::array<Set, 2> coarse_;  ///< for even and odd exponents: zooming to and fro finds both ready
   std::optional<typename Counting::Field> field_;
-  std::vector<Shape> shapes_;  ///< room for those of one pass
+  std::vector<Shape> shapes_;  ///< buffer for one pass
   TextureId mask_{};
   std::vector<PixelRect> parts_;
 };
@@ -342,7 +342,7 @@ std::unique_ptr<CountedInstances> CountedInstances::create(PrimitiveKind kind, D
 bool CountedInstances::is_cheaper(const InstanceBuffer& buffer, const PixelFrame& frame, const Device& device) {
   if (buffer.kept().empty()) return false;
   const auto workers = static_cast<double>(worker_count());
-  // What painting and counting cost a pixel of a stroke is about the same. Tiles of one picture must be drawn in the
+  // Painting and counting cost about the same for each pixel of a stroke. All tiles of a picture must be drawn in the
   // same way, so their size does not matter.
   if (StrokeCounting::can_count(buffer.kind()))
     return kStrokeNs * buffer.count() / workers + kMaskPixelNs * kUsualPixels <

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The disks, segments or points of one layer as a mask: counted by the processor where painting them would take longer
+// The disks, segments or points of one layer as a mask. The processor counts them where painting would take longer
 // (`DiskField`, `StrokeField`).
 //
 // What it guarantees:
-//  1. The mask is that of the instances, the view and the look of the last `show`. If only instances changed since,
-//     only the rows of these are counted and uploaded again. A preview keeps its grid meanwhile.
-//  2. `is_cheaper` is a function of the instances, the view and the device, for segments and points of their number and
-//     the device alone: the same drawing is always drawn the same way.
+//  1. The mask is that of the instances, the view and the look of the last `show`. If only instances have changed
+//     since, only their rows are counted and uploaded again. A preview keeps its grid meanwhile.
+//  2. `is_cheaper` depends only on the instances, the view and the device (for segments and points, only on their
+//     number and the device): the same drawing is always drawn the same way.
 //
 // Smallest use:
 //     if (CountedInstances::is_cheaper(buffer, frame, device)) {
@@ -29,7 +29,7 @@
 
 namespace mes::render {
 
-/// How drawing space is mapped to the pixels of a view: of x, ((x - center) - center_low) scale + width / 2.
+/// The map from drawing space to the pixels of a view: for x, ((x - center) - center_low) scale + width / 2.
 struct PixelFrame {
   double center_x = 0.0;
   double center_low_x = 0.0;
@@ -46,17 +46,16 @@ struct PixelFrame {
   }
 };
 
-/// How far coordinates and radii of very many instances may be off, so that those which then are equal are counted
-/// together.
+/// Allowed error of coordinates and radii of very many instances; instances that become equal are counted together.
 enum class Preview : std::uint8_t {
   none,
   fine,    ///< up to 1/16 of a pixel: for a window
-  coarse,  ///< up to 1/4 of a pixel, of disks a pixel: for a view that moves
+  coarse,  ///< up to 1/4 of a pixel, for disks 1 pixel: for a moving view
 };
 
-/// How instances of one kind look.
+/// The look of instances of one kind.
 struct CountedLook {
-  double opacity = 1.0;     ///< of one instance
+  double opacity = 1.0;     ///< opacity of one instance
   double half_width = 0.5;  ///< of segments and points, as in `StrokeField`; disks have their own size
   Preview preview = Preview::none;
   friend bool operator==(const CountedLook&, const CountedLook&) = default;
@@ -72,12 +71,12 @@ class CountedInstances {
 
   static bool is_cheaper(const InstanceBuffer& buffer, const PixelFrame& frame, const Device& device);
 
-  /// Throws std::bad_alloc, and is empty then.
+  /// On std::bad_alloc the mask is empty.
   virtual void show(InstanceBuffer& buffer, const PixelFrame& frame, const CountedLook& look) = 0;
   virtual TextureId mask() const = 0;
-  /// The parts of the mask that are to be painted; the rest of it is undefined.
+  /// The defined parts of the mask, to be painted; the rest of it is undefined.
   virtual std::span<const PixelRect> parts() const = 0;
-  /// True if a finer preview may differ.
+  /// Whether a finer preview may differ.
   virtual bool is_coarse() const = 0;
 
  protected:

@@ -9,12 +9,12 @@
 namespace mes::render {
 namespace {
 
-/// Radii for `change_steep_rows`, in pixels; of larger disks single precision would lose the rim.
+/// Radii for `change_steep_rows`, in pixels; single precision would lose the rim of larger disks.
 constexpr double kLeastPlain = 16.0;
 constexpr double kMostPlain = 4096.0;
 constexpr double kLeastLarge = 32.0;
 
-/// Of a part of a pixel.
+/// Clamps to the range of a pixel.
 float within_pixel(float x) {
   const float above = x > 0.0F ? x : 0.0F;
   return above < 1.0F ? above : 1.0F;
@@ -22,13 +22,13 @@ float within_pixel(float x) {
 
 }  // namespace
 
-// As `soft_radius` and `soft_alpha` of shaders/uniforms.glsl have it.
+// Matches `soft_radius` and `soft_alpha` of shaders/uniforms.glsl.
 struct DiskField::Rim {
   double x = 0.0;
   double y = 0.0;
-  double radius = 0.0;    ///< where half of a pixel is covered
-  double strength = 0.0;  ///< of a disk too small for its ramp
-  double inner = 0.0;     ///< whole pixels are covered up to here; negative: nowhere
+  double radius = 0.0;    ///< half of a pixel is covered at this radius
+  double strength = 0.0;  ///< strength of a disk too small for its ramp
+  double inner = 0.0;     ///< whole pixels are covered up to this radius; negative: nowhere
   double outer = 0.0;
   RowRange rows;
   std::int32_t times = 0;
@@ -57,7 +57,7 @@ void DiskField::change(std::span<const PixelDisk> disks, int sign) {
 }
 
 void DiskField::change_rows(const Rim& rim, std::int32_t times, RowRange rows) {
-  // Nothing of it may lie between the left and the right edge.
+  // Skip disks entirely left or right of the view.
   if (rim.x + rim.outer < 0.0 || rim.x - rim.outer > static_cast<double>(width())) return;
   const bool is_plain = rim.radius >= kLeastPlain && rim.radius <= kMostPlain && rim.x - rim.outer >= 1.0 &&
                         rim.x + rim.outer <= width() - 1.0;
@@ -74,30 +74,29 @@ void DiskField::change_rows(const Rim& rim, std::int32_t times, RowRange rows) {
   mark(rows);
 }
 
-// Up to 0.8 radii from the middle a rim is at most 1 / 0.6 pixels wide, and so covers the middles of at most two. Most
-// rows of large disks are such, and take a quarter of the time of `change_row`: two pixels an end, counted as rim even if
-// one of them is covered, and four rows at a time in loops without branches, whose number of turns compilers know and
-// which they turn into vector instructions. Rows past the last one are computed and not counted.
+// Up to 0.8 radii from the middle, a rim is at most 1 / 0.6 pixels wide, and so covers the centres of at most two
+// pixels. Most rows of large disks are such rows, and take a quarter of the time of `change_row`: each end counts two
+// pixels as rim even if one of them is covered, and four rows at a time run in loops without branches and with a
+// constant count, which compilers vectorise. Rows past the last one are computed but not counted.
 void DiskField::change_steep_rows(const Rim& rim, std::int32_t times, RowRange rows) {
   constexpr int kRows = 4;
   using Rows = std::array<float, kRows>;
   const double outer_square = rim.outer * rim.outer;
   const double radius_square = rim.radius * rim.radius;
-  // Single precision has a ten thousandth of a pixel to spare here.
+  // Single precision suffices with a margin of a ten-thousandth of a pixel.
   const auto half_inverse = static_cast<float>(0.5 / rim.radius);
-  // Both ends are inside the view, so that cutting decimals off is rounding down: of what lies right of the left end,
-  // too. If an end that is nearly a whole number goes to the wrong side of it, a pixel is counted of which nothing is
-  // covered.
+  // Both ends are inside the view, so truncation rounds down, also for pixels right of the left end. If an end that is
+  // nearly a whole number goes to the wrong side of it, an uncovered pixel is counted.
   const double x = rim.x - 0.5;
-  const double beside = width();  // of the view, on its right
+  const double beside = width();  // index of the view's right border
   const std::int64_t whole = times * factor(kSteps);
   for (int first = rows.first; first < rows.end; first += kRows) {
-    std::array<double, kRows> square;  // of the distance between row and middle
+    std::array<double, kRows> square;  // squared distance between row and middle
     Rows half;
     std::array<std::int32_t, kRows> left;
     std::array<std::int32_t, kRows> right;
     Rows offset;
-    std::array<Rows, 4> across;  // from the middle to the pixels, outermost ones first and last
+    std::array<Rows, 4> across;  // offsets of pixels from the middle, outermost ones first and last
     std::array<std::array<std::int32_t, kRows>, 4> steps;
     for (std::size_t i = 0; i < kRows; ++i) {
       const double dy = static_cast<double>(first + static_cast<int>(i)) + 0.5 - rim.y;
@@ -141,7 +140,7 @@ void DiskField::change_steep_rows(const Rim& rim, std::int32_t times, RowRange r
   }
 }
 
-// Calls `take(x, steps)` for each pixel of a row up to `end`: what of it is covered. Four at a time, as above.
+// Calls `take(x, steps)` for each pixel of a row up to `end`, with its covered part. Four at a time, as above.
 template <class Take>
 void DiskField::for_each_at_rim(const Rim& rim, double dy, int begin, int end, Take take) {
   // The distance from the rim is (d^2 - q^2) / (d + q), and d + q nearly 2 q for large disks.
@@ -193,7 +192,7 @@ void DiskField::change_row(const Rim& rim, std::int32_t times, int y) {
   if (outer_square <= 0.0) return;
   const double most = width();
   const double half = std::sqrt(outer_square);
-  // The pixels from `left` to `right` are touched, from `from` to `to` covered.
+  // Pixels `left` to `right` are touched, `from` to `to` are covered.
   const int left = ceil_of(std::clamp(rim.x - half - 0.5, 0.0, most));
   const int right = floor_of(std::clamp(rim.x + half - 0.5, -1.0, most - 1.0));
   int from = right + 1;
@@ -207,7 +206,7 @@ void DiskField::change_row(const Rim& rim, std::int32_t times, int y) {
       from = first;
       to = last;
     } else {
-      // Covered pixels are beside the view: whatever is touched lies to one side of them.
+      // The covered pixels are outside the view: all touched pixels lie to one side of them.
       from = first > right ? right + 1 : std::max(first, left);
       to = from - 1;
     }

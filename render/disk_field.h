@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The opacity of many disks of one colour, pixel by pixel, without painting them (`OpacityField`).
 //
-// Where k disks of opacity a cover a pixel, the opacity there is 1 - (1 - a)^k, and k along a row of pixels is a running
-// sum of "+1 where a disk begins, -1 where it ends" (`Sums::differences`). So a disk costs its rows and the pixels of its rim instead of its
-// area. A pixel at the rim, of which a disk covers the part c, counts as the factor 1 - a c.
+// If k disks of opacity a cover a pixel, its opacity is 1 - (1 - a)^k. Along a row of pixels, k is a running sum of "+1
+// where a disk begins, -1 where it ends" (`Sums::differences`). So the cost of a disk is that of its rows and the
+// pixels of its rim instead of its area. A pixel at the rim whose part c is covered counts as the factor 1 - a c.
 //
 // What it guarantees:
 //  1. The opacity of a pixel is that of painting the disks one over the other without rounding, to 1/1000: rims are
@@ -16,7 +16,8 @@
 //     field.settle();
 //     const std::uint16_t opacity = field.row(10)[20];  // of 65535
 //
-// Cost: `add` and `remove` O(rows + pixels at the rim) a disk, on all cores when there are many. Threads: one at a time.
+// Cost: `add` and `remove` O(rows + pixels at the rim) a disk, on all cores when there are many. Threads: one at a
+// time.
 #pragma once
 
 #include <span>
@@ -30,7 +31,7 @@ struct PixelDisk {
   double x = 0.0;
   double y = 0.0;
   double radius = 0.0;
-  std::int32_t times = 1;  ///< as often it is there
+  std::int32_t times = 1;  ///< multiplicity
   friend bool operator==(const PixelDisk&, const PixelDisk&) = default;
 };
 
@@ -46,11 +47,11 @@ class DiskField : public OpacityField {
   void remove(std::span<const PixelDisk> disks) { change(disks, -1); }
 
  private:
-  /// A disk as its rows need it.
+  /// A disk in the form that its rows need.
   struct Rim;
 
   void change(std::span<const PixelDisk> disks, int sign);
-  /// Of `times` disks; fewer than none take them away.
+  /// Adds `times` disks; a negative number removes them.
   void change_rows(const Rim& rim, std::int32_t times, RowRange rows);
   void change_row(const Rim& rim, std::int32_t times, int y);
   template <class Take>

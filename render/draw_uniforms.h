@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the programs of a draw call read besides instances: one uniform block, declared in `shaders/uniforms.glsl`.
+// The uniform input of a draw call: one block, declared in `shaders/uniforms.glsl`.
 #pragma once
 
 #include <array>
@@ -14,35 +14,35 @@
 
 namespace mes::render {
 
-/// The centre of the view is given twice, in drawing space: as three floats with 21, 16 and the remaining bits, which
-/// meet the same pieces of an instance's coordinates (their differences are then exact), and as the words of two
+/// The centre of the view occurs twice, in drawing space: as three floats with 21, 16 and the remaining bits, which are
+/// subtracted from the same pieces of an instance's coordinates (these differences are exact), and as the words of two
 /// doubles a coordinate for programs that compute in double.
 struct DrawUniforms {
   glm::vec2 center_1{};
   glm::vec2 center_2{};
   glm::vec2 center_3{};
-  float pixels_per_unit = 1.0F;  ///< of drawing space
-  float half_width_px = 0.5F;    ///< of strokes; radius of points
+  float pixels_per_unit = 1.0F;  ///< pixels per unit of drawing space
+  float half_width_px = 0.5F;    ///< half the width of strokes, or the radius of points
   glm::vec2 half_view_px{};
-  float view_radius_px = 0.0F;  ///< of the circle around the view
+  float view_radius_px = 0.0F;  ///< radius of the circle around the view
   float ring_px = 0.0F;         ///< half the stroke of hollow points; 0: filled
   PremultipliedColor color{};
   float dash_px = 0.0F;
   float dash_period_px = 0.0F;
   float arc_pieces = 0.0F;  ///< quads along a circle; 0: a square around it
-  float one = 1.0F;         ///< always 1, which a shader compiler cannot know
-  // For programs with a colour map. Scalars are taken as multiples of a power of two, so that any double will do.
+  float one = 1.0F;         ///< always 1; the shader compiler must not know this
+  // For programs with a colour map. Scalars are multiples of a power of two, so that any double is possible.
   glm::vec3 map_low{};          ///< pieces, like the centre's, of the scalar at the map's first colour
-  float map_factor = 0.0F;      ///< from scalars above it to [0, 1]
-  float map_exponent = 0.0F;    ///< of that power of two, as doubles store it
-  float map_offset = 0.0F;      ///< added then; a range of one value has its colour in the middle
-  float map_row = 0.0F;         ///< of the texture
-  float map_categories = 0.0F;  ///< colours that whole numbers go around; 0: graded
+  float map_factor = 0.0F;      ///< maps scalars above map_low to [0, 1]
+  float map_exponent = 0.0F;    ///< exponent of that power of two, as doubles store it
+  float map_offset = 0.0F;      ///< added afterwards; a range of one value has its colour in the middle
+  float map_row = 0.0F;         ///< row of the texture
+  float map_categories = 0.0F;  ///< number of colours that whole numbers cycle through; 0: graded
   glm::uvec4 center_words{};    ///< low and high word of x, then of y
   glm::uvec4 center_low_words{};
 };
 
-/// The members in the order of the block, by their names there.
+/// The members in the order of the block, with their names in it.
 inline constexpr std::array kDrawUniformMembers{
     std140_member<glm::vec2>("u_center_1", offsetof(DrawUniforms, center_1)),
     std140_member<glm::vec2>("u_center_2", offsetof(DrawUniforms, center_2)),

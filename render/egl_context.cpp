@@ -21,7 +21,7 @@ bool has_library(const char* name) {
   return handle != nullptr;
 }
 
-/// The first library that epoxy would look for in vain, and end the program; empty if there is none.
+/// The first library whose absence would make epoxy end the program; empty if all are present.
 std::string missing_library() {
   if (!has_library("libEGL.so.1")) return "there is no libEGL.so.1";
   if (!has_library("libOpenGL.so.0") && !has_library("libGL.so.1")) return "there is no libGL.so.1";
@@ -32,7 +32,7 @@ bool has_client_extension(const char* name) {
   return epoxy_has_egl_extension(EGL_NO_DISPLAY, name);
 }
 
-/// The display of an attempt: first those that need no display server.
+/// The display of an attempt: displays without a display server come first.
 EGLDisplay open_display(std::size_t attempt) {
   if (attempt == 0) {
     if (!has_client_extension("EGL_MESA_platform_surfaceless")) return EGL_NO_DISPLAY;
@@ -64,19 +64,19 @@ struct EglContext::Impl {
 
   void close() {
     if (display == EGL_NO_DISPLAY) return;
-    // Another context may have become current since.
+    // Another context may be current by now.
     if (context != EGL_NO_CONTEXT && eglGetCurrentContext() == context) {
       eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
       eglReleaseThread();
     }
     if (context != EGL_NO_CONTEXT) eglDestroyContext(display, context);
-    // The display stays initialised: there is one for the whole process, other contexts may use it, and drivers leak
-    // memory when they are unloaded.
+    // The display stays initialised: the process has only one, other contexts may use it, and drivers leak memory when
+    // they are unloaded.
     display = EGL_NO_DISPLAY;
     context = EGL_NO_CONTEXT;
   }
 
-  /// Returns what failed; empty on success.
+  /// Returns the failed step; empty on success.
   std::string open(std::size_t attempt) {
     display = open_display(attempt);
     EGLint major = 0;

@@ -2,7 +2,7 @@
 // An OpenGL context without a window or a display server, for pictures from the command line and for tests.
 //
 // What it guarantees: `create` returns a current context of OpenGL 3.3 core or later, or an error `no_display` whose
-// text says what is missing. The context stays current on the thread that created it until it is destroyed.
+// text names the missing part. The context stays current on the thread that created it until it is destroyed.
 //
 // Smallest use:
 //     auto context = EglContext::create();

@@ -13,7 +13,7 @@
 namespace mes::render {
 namespace {
 
-// Copies a tile into a picture; both have their rows from the bottom.
+// Copies a tile into a picture; both have the bottom row first.
 void place(const RawImage& tile, const PixelRect& at, RawImage& picture) {
   const std::size_t row = 4 * static_cast<std::size_t>(at.width);
   for (int y = 0; y < at.height; ++y) {

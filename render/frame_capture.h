@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Captures pictures of a scene, one after the other, without waiting for the graphics card.
+// Captures successive pictures of a scene, without waiting for the graphics card.
 //
 // What it guarantees:
 //  1. A picture is the same as that of `draw_image` for the same camera. Pictures larger than the hardware can hold are
@@ -8,8 +8,8 @@
 //     window blends its edges in the same way, so a supersampled frame is as light as the window; averages of linear
 //     light would make thin dark lines paler. The factors are 1, 2 and 4: halving is exact on every card, a third is
 //     not.
-//  3. Pictures are returned in the order in which they were requested, each once and complete. One for which memory was
-//     exhausted after it was requested comes in its turn, without pixels.
+//  3. Pictures are returned in the order in which they were requested, each once and complete. If memory runs out after
+//     the request, the picture is still returned in order, without pixels.
 //
 // Smallest use:
 //     FrameCapture capture(device);
@@ -49,10 +49,10 @@ class FrameCapture {
   /// Draws the camera's whole viewport. Error `out_of_memory`: no picture was requested.
   Expected<void> draw(Scene& scene, const Camera& camera, std::span<const LayerView> views,
                       const CaptureOptions& options);
-  /// Requests the present contents of a target. Error as above.
+  /// Requests the current contents of a target. Error as above.
   Expected<void> take(FramebufferId source, const PixelRect& area);
 
-  /// The oldest picture if it has arrived.
+  /// The oldest picture, if it has arrived.
   std::optional<RawImage> poll() { return next(false); }
   /// The oldest picture; waits for it. None if no picture was requested.
   std::optional<RawImage> wait() { return next(true); }
@@ -62,10 +62,10 @@ class FrameCapture {
   struct Wanted {
     int width = 0;
     int height = 0;
-    std::deque<PixelRect> tiles;  // that have not arrived, in order
-    RawImage picture;             // of several tiles
-    bool is_given_up = false;     // memory was exhausted after some tiles were requested: it is not returned
-    bool is_lost = false;         // memory was exhausted for a tile: it is returned without pixels
+    std::deque<PixelRect> tiles;  // tiles that have not yet arrived, in order
+    RawImage picture;             // assembled from several tiles
+    bool is_given_up = false;     // memory ran out after some tiles were requested: it is not returned
+    bool is_lost = false;         // memory ran out for a tile: it is returned without pixels
   };
   struct Target {
     FramebufferId id{};

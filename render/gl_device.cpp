@@ -20,9 +20,9 @@ namespace {
 // exceeds that of waiting for the drawing in flight.
 constexpr std::size_t kMapFrom = 512;
 
-/// The most columns of any layout.
+/// The largest number of columns of any layout.
 constexpr GLuint kColumns = 5;
-/// The column of the scalar comes after all of them.
+/// The scalar's column follows all of them.
 constexpr GLuint kScalarColumn = kColumns;
 
 /// Vertices of one instance, as a triangle strip.
@@ -33,7 +33,7 @@ GLsizei vertices_of(const DrawCall& call) {
 }
 
 void throw_if_out_of_memory() {
-  // Errors of earlier calls are not reported here, but have to leave the queue.
+  // Earlier errors are not reported here, but must leave the queue.
   for (GLenum error = glGetError(); error != GL_NO_ERROR; error = glGetError()) {
     if (error == GL_OUT_OF_MEMORY) throw std::bad_alloc();
   }
@@ -54,7 +54,7 @@ GLenum internal_format(TargetFormat format) {
   return format == TargetFormat::color ? GL_RGBA8 : GL_R8;
 }
 
-/// Makes the texture bound now read one channel as white with that alpha.
+/// Makes the bound texture read as white with its one channel as alpha.
 void read_as_alpha() {
   for (const auto channel : {GL_TEXTURE_SWIZZLE_G, GL_TEXTURE_SWIZZLE_B, GL_TEXTURE_SWIZZLE_A})
     glTexParameteri(GL_TEXTURE_2D, static_cast<GLenum>(channel), GL_RED);
@@ -82,7 +82,7 @@ std::string text_of(GLenum name) {
   return bytes == nullptr ? std::string() : std::string(reinterpret_cast<const char*>(bytes));
 }
 
-/// In one draw call; composite.vert has as many.
+/// Parts painted in one draw call; composite.vert has the same number.
 constexpr std::size_t kPaintedParts = 128;
 
 bool is_software(std::string_view renderer) {
@@ -96,7 +96,7 @@ struct Costs {
   double instance_ns;
 };
 
-/// Those of a processor are measured with llvmpipe on two cores, those of graphics cards are of a slow one.
+/// Software costs were measured with llvmpipe on two cores; those of graphics cards are of a slow one.
 Costs costs_of(std::string_view renderer) {
   return is_software(renderer) ? Costs{3.0, 1000.0} : Costs{0.1, 10.0};
 }
@@ -230,7 +230,7 @@ void GlDevice::update_buffer(BufferId id, std::span<const ByteRange> ranges, std
     }
   };
   write(mapped);
-  // False: the memory was lost meanwhile, for example by a change of the video mode.
+  // False: the memory was lost, for example by a change of the video mode.
   if (mapped != nullptr && glUnmapBuffer(GL_ARRAY_BUFFER) == GL_FALSE) write(nullptr);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   counters_.bytes_uploaded += total;
@@ -402,7 +402,7 @@ void GlDevice::draw(const DrawCall& call) {
   }
 
   glBindVertexArray(vertex_array_.get());
-  // Instances `first`, `first` + `step`, ...
+  // Draws the instances `first`, `first` + `step`, ...
   const auto draw_from = [&](std::size_t first, std::size_t step, std::uint32_t count) {
     std::size_t offset = first * layout.bytes();
     const auto column = [&](GLuint location, GLint words, std::size_t stride) {
@@ -494,7 +494,7 @@ void GlDevice::paint_mask(FramebufferId target, const PixelRect& area, TextureId
   ++counters_.masks;
 }
 
-// Pixel on pixel.
+// Maps pixels one to one.
 void GlDevice::paint_texture(FramebufferId target, const PixelRect& area, const GlTexture& texture,
                              std::span<const PixelRect> parts, const PremultipliedColor& color) {
   bind_target(target, area);
@@ -533,7 +533,7 @@ void GlDevice::shrink(FramebufferId target, const PixelRect& to, FramebufferId s
   bind_for_reading(source);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_of(target).handle.get());
   glDisable(GL_SCISSOR_TEST);
-  // Halfway between four pixels a linear filter yields their mean.
+  // At the corner between four pixels a linear filter yields their mean.
   glBlitFramebuffer(from.left, from.bottom, from.left + from.width, from.bottom + from.height, to.left, to.bottom,
                     to.left + to.width, to.bottom + to.height, GL_COLOR_BUFFER_BIT, GL_LINEAR);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);

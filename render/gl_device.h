@@ -15,8 +15,8 @@ namespace mes::render {
 
 struct GlDeviceOptions {
   bool allow_double = true;   ///< false: programs use pairs of floats, as on hardware without doubles
-  bool allow_precise = true;  ///< false: programs do without `precise`, as on drivers of OpenGL 3.3 alone
-  // Instead of estimates from the name of the renderer.
+  bool allow_precise = true;  ///< false: programs avoid `precise`, as on drivers of OpenGL 3.3 alone
+  // Override the estimates from the name of the renderer.
   std::optional<double> pixel_cost_ns{};
   std::optional<double> instance_cost_ns{};
 };
@@ -54,7 +54,7 @@ class GlDevice final : public Device {
   /// Renderer and version, as the driver reports them.
   std::string description() const;
   bool uses_double() const { return uses_double_; }
-  /// The name that OpenGL has for the texture, for others that draw in the same context.
+  /// The OpenGL name of the texture, for other code that draws in the same context.
   std::uint32_t name_of(TextureId texture) { return texture_of(texture).get(); }
   /// Makes the next glReadPixels read this target, multisampled or not.
   void bind_for_reading(FramebufferId source);
@@ -70,7 +70,7 @@ class GlDevice final : public Device {
   };
   struct Framebuffer {
     GlFramebuffer handle;
-    GlTexture texture;  ///< the pixels to read; of `resolve` if multisampled
+    GlTexture texture;  ///< the pixels to read; if multisampled, those of `resolve`
     GlRenderbuffer multisampled;
     GlFramebuffer resolve;
     FramebufferSpec spec;

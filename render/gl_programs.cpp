@@ -17,7 +17,7 @@ using Sources = std::initializer_list<std::string_view>;
 std::string preamble(const ProgramKey& key, const ProgramFeatures& features) {
   std::string out = "#version 330 core\n";
   // The compiler must not reorder sums whose rounding matters. `precise` forbids it; without `precise`, each term is
-  // combined with bits that are zero, which the compiler cannot know.
+  // combined with zero bits that the compiler cannot know.
   if (features.use_precise) {
     out += "#extension GL_ARB_gpu_shader5 : enable\n#define PRECISE precise\n#define HOLD(x) (x)\n";
   } else {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Builds the programs of OpenGL from the pieces in `render/shaders/`.
+// Builds the OpenGL programs from the pieces in `render/shaders/`.
 #pragma once
 
 #include "render/device.h"

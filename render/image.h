@@ -8,7 +8,7 @@
 
 namespace mes::render {
 
-/// RGBA, 8 bits a channel, alpha not multiplied in, rows from the top, no padding.
+/// RGBA, 8 bits a channel, not premultiplied, top row first, no padding.
 struct Image {
   int width = 0;
   int height = 0;
@@ -20,7 +20,7 @@ struct Image {
   friend bool operator==(const Image&, const Image&) = default;
 };
 
-/// A picture as OpenGL returns it: RGBA, 8 bits a channel, alpha multiplied in, rows from the bottom, no padding.
+/// A picture as OpenGL returns it: RGBA, 8 bits a channel, premultiplied, bottom row first, no padding.
 struct RawImage {
   int width = 0;
   int height = 0;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t kSmallest = 32;
 
-/// Appends the range of an instance of `bytes` bytes; adjacent ranges become one.
+/// Appends the byte range of an instance; merges adjacent ranges.
 void append(std::vector<ByteRange>& ranges, std::size_t instance, std::size_t bytes) {
   const std::size_t offset = instance * bytes;
   if (!ranges.empty() && ranges.back().offset + ranges.back().size == offset) {
@@ -85,7 +85,7 @@ void InstanceBuffer::keep(std::size_t instance, std::span<const double> encoded,
   const std::size_t doubles = layout_of(kind_).doubles();
   const std::span<double> place = std::span(kept_).subspan(instance * doubles, doubles);
   if (!all_changed_) {
-    // Beyond a quarter, all at once takes no longer.
+    // Beyond a quarter, updating all at once takes no longer.
     if (added_.size() > kept_.size() / 4 + 16 * doubles) {
       note_all_changed();
     } else {
@@ -119,7 +119,7 @@ void InstanceBuffer::reserve(std::size_t instances, std::size_t keep) {
       capacity_ = room;
     }
   } catch (const std::bad_alloc&) {
-    // Later patches depend on this one, so a part of it is worse than nothing.
+    // Later patches depend on this one, so a partial patch is worse than none.
     clear();
     throw;
   }
@@ -132,7 +132,7 @@ std::uint64_t InstanceBuffer::replace(std::uint32_t count, std::span<const doubl
   const std::size_t doubles = layout_of(kind_).doubles();
   decltype(extent_) extent{};
   BlockBoxes boxes;
-  // Encoded first, so that without memory for it the present instances stay.
+  // Encodes first, so that the current instances survive a lack of memory.
   std::vector<double> encoded(count * doubles);
   for (std::size_t i = 0; i < count; ++i) {
     encode_instance(kind_, frame, data.subspan(i * stride, stride), std::span(encoded).subspan(i * doubles, doubles),
@@ -209,7 +209,7 @@ std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::s
   const std::size_t doubles = layout_of(kind_).doubles();
   const std::size_t bytes = layout_of(kind_).bytes();
 
-  // Positions in the patch by instance; of several for one instance only the last stays.
+  // Positions in the patch by instance; if an instance occurs repeatedly, only the last position stays.
   std::vector<std::uint32_t> order(index.size());
   std::iota(order.begin(), order.end(), 0U);
   if (!std::ranges::is_sorted(index)) {
@@ -223,7 +223,7 @@ std::uint64_t InstanceBuffer::write(std::span<const std::uint32_t> index, std::s
   const bool are_kept = is_kept();
   for (std::size_t i = 0; i < order.size(); ++i) {
     const std::uint32_t instance = index[order[i]];
-    // An instance that was written and dropped within one run of the graph.
+    // The instance was written and removed within one run of the graph.
     if (instance >= count_) break;
     if (i + 1 < order.size() && index[order[i + 1]] == instance) continue;
     const std::size_t end = encoded.size();

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The instances of one layer and kind on a device.
 //
-// What it guarantees: after `apply` the first `count()` instances are those of the patches. It uploads the instances
-// that the patch names, or all of them for a patch with `reset`. The buffer grows geometrically and is copied on the
+// What it guarantees: after `apply` the first `count()` instances are those of the patches. It uploads only the
+// instances in the patch, or all of them for a patch with `reset`. The buffer grows geometrically and is copied on the
 // device.
 //
 // Instances out of view can be left out, in blocks (`BlockBoxes`).
 //
-// Scalars are in a buffer of their own, so drawing without a colour map does not read them. Their range is kept up to
-// date in time proportional to the change.
+// Scalars are in a separate buffer, so drawing without a colour map does not read them. Updating their range takes
+// time proportional to the change.
 #pragma once
 
 #include <cstdint>
@@ -34,7 +34,7 @@ class InstanceBuffer {
     return *this;
   }
 
-  /// Returns the number of bytes uploaded. Without `reset`, the frame must be that of the instances already here.
+  /// Returns the number of bytes uploaded. Without `reset`, the frame must be that of the existing instances.
   std::uint64_t apply(const KindPatch& patch, const DrawingFrame& frame, bool has_scalars);
   /// Replaces all instances; `data` is as in a patch with `reset`. Returns the number of bytes uploaded.
   std::uint64_t replace(std::uint32_t count, std::span<const double> data, const DrawingFrame& frame,
@@ -50,16 +50,16 @@ class InstanceBuffer {
   const DrawingFrame& frame() const { return frame_; }
   const InstanceExtent& extent() const { return extent_; }
 
-  /// The instances that may be seen in a box of drawing space, in order. Valid until the next call.
+  /// The instances that may be visible in a box of drawing space, in order. Valid until the next call.
   std::span<const BlockBoxes::Run> runs(const Box2& view) { return boxes_.runs(count_, view); }
 
-  /// The encoded instances, `layout_of(kind()).doubles()` each, where the processor may have to draw them: disks, and
-  /// segments and points if the device takes long to place them. Else none.
+  /// The encoded instances, `layout_of(kind()).doubles()` each, if the processor may have to draw them: disks, and
+  /// segments and points if the device is slow at placing them. Otherwise empty.
   std::span<const double> kept() const { return kept_; }
-  /// What left and what came since `forget_changes`, encoded as in `kept`; an instance written twice is in both twice.
+  /// Instances removed and added since `forget_changes`, encoded as in `kept`; one written twice is in both twice.
   std::span<const double> removed() const { return removed_; }
   std::span<const double> added() const { return added_; }
-  /// True if so many changed that they are not listed.
+  /// Whether so many have changed that they are not listed.
   bool have_all_changed() const { return all_changed_; }
   bool have_changed() const { return all_changed_ || !removed_.empty() || !added_.empty(); }
   void forget_changes();
@@ -71,7 +71,7 @@ class InstanceBuffer {
   void keep(std::size_t instance, std::span<const double> encoded, bool is_new);
   void keep_count(std::uint32_t count);
   void note_all_changed();
-  /// Instances from `first_new` on were not there before.
+  /// Instances from `first_new` on are new.
   std::uint64_t write(std::span<const std::uint32_t> index, std::span<const double> data, std::uint32_t first_new);
   std::uint64_t fill(std::uint32_t count, std::span<const double> encoded, std::span<const double> data);
   std::uint64_t write_scalars(std::span<const ByteRange> ranges, std::span<const double> scalars);

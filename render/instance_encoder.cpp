@@ -15,10 +15,10 @@
 namespace mes::render {
 namespace {
 
-// The place of invisible instances: a corner of the range, about 10^18 drawings away.
+// The position of invisible instances: a corner of the range, about 10^18 drawing sizes away.
 constexpr double kNowhere = kDrawingLimit;
 
-// For huge coordinates only: mapping them overflows the exponents of a double.
+// Only for huge coordinates: mapping them would overflow the exponents of a double.
 using Wide = long double;
 struct WideVec2 {
   Wide x;
@@ -32,14 +32,14 @@ WideVec2 map_wide(const DrawingFrame& frame, double x, double y) {
   return {(Wide{x} - Wide{frame.origin.x}) * Wide{frame.scale}, (Wide{y} - Wide{frame.origin.y}) * Wide{frame.scale}};
 }
 bool in_range(Vec2 p) {
-  // False for NaN, too.
+  // NaN fails this test, too.
   return std::abs(p.x) <= kDrawingLimit && std::abs(p.y) <= kDrawingLimit;
 }
 double size_of(Vec2 p) {
   return std::max(std::abs(p.x), std::abs(p.y));
 }
 
-/// Reduces [t0, t1] to the t with p + t d inside the range; false if there are none.
+/// Reduces [t0, t1] to the t with p + t d inside the range; false if there is no such t.
 bool cut(WideVec2 p, WideVec2 d, Wide& t0, Wide& t1) {
   const Wide limit = kDrawingLimit;
   const auto slab = [&](Wide start, Wide slope) {
@@ -69,7 +69,7 @@ void encode_segment(const DrawingFrame& frame, std::span<const double> in, std::
   if (!in_range(a) || !in_range(b)) {
     const WideVec2 p = map_wide(frame, in[0], in[1]);
     const WideVec2 q = map_wide(frame, in[2], in[3]);
-    // From the nearer end: rounding errors are relative to the numbers added.
+    // Starts from the nearer end, because rounding errors are relative to the numbers added.
     const bool from_p = std::max(std::abs(p.x), std::abs(p.y)) <= std::max(std::abs(q.x), std::abs(q.y));
     const WideVec2 start = from_p ? p : q;
     const WideVec2 step = from_p ? WideVec2{q.x - p.x, q.y - p.y} : WideVec2{p.x - q.x, p.y - q.y};
@@ -87,7 +87,7 @@ void encode_segment(const DrawingFrame& frame, std::span<const double> in, std::
   store(out, 1, b);
 }
 
-/// Rays and lines: a point and a unit direction.
+/// Encodes rays and lines: a point and a unit direction.
 void encode_unbounded(PrimitiveKind kind, const DrawingFrame& frame, std::span<const double> in,
                       std::span<double> out) {
   Vec2 p = map(frame, in[0], in[1]);
@@ -125,8 +125,8 @@ void encode_arc(const DrawingFrame& frame, std::span<const double> in, std::span
   const std::array columns{arc.center, arc.from, arc.to};
   for (std::size_t i = 0; i < columns.size(); ++i) store(out, i, shown ? columns[i] : Vec2{kNowhere, kNowhere});
   out[6] = shown ? arc.radius : -1.0;
-  // Single precision cannot decide which of two very close ends comes first, so out[7] says it. Where
-  // only the frame makes the ends equal, those of the document decide which way around the arc goes.
+  // Single precision cannot decide which of two very close ends is the first, so out[7] records it. If only the frame
+  // makes the ends equal, those of the document decide the direction of the arc.
   const bool is_whole = in[3] == in[5] && in[4] == in[6];
   const Arc given{{in[0], in[1]}, in[2], {in[3], in[4]}, {in[5], in[6]}};
   const double sweep = sweep_of(!is_whole && arc.from == arc.to ? given : arc);

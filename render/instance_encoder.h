@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Encodes an instance of a patch as it is stored in the buffer.
+// Encodes an instance of a patch in the form stored in the buffer.
 //
 // What it guarantees:
 //  1. Coordinates become `(p - origin) * scale`, computed in double and not rounded further.
@@ -20,11 +20,11 @@ namespace mes::render {
 /// The range of coordinates, in sizes of the drawing. Squares of differences within it are finite as floats.
 inline constexpr double kDrawingLimit = 0x1p60;
 
-/// Bounds of a set of instances, by which programs are chosen. They only grow until the set is replaced.
+/// Bounds of a set of instances, for choosing programs. They only grow until the set is replaced.
 struct InstanceExtent {
-  double coordinate = 0.0;  ///< largest absolute value of all
+  double coordinate = 0.0;  ///< largest absolute value of all coordinates
   double radius = 0.0;
-  double length = 0.0;  ///< of arcs
+  double length = 0.0;  ///< largest length of an arc
   void add(const InstanceExtent& other) {
     coordinate = std::max(coordinate, other.coordinate);
     radius = std::max(radius, other.radius);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Words of a layer: text beside places of the plane, in the place of the layer's instances.
+// Texts of a layer: labels beside points of the plane, shown instead of the layer's instances.
 //
 // Smallest use:
 //     auto texts = std::make_shared<LayerTexts>(LayerTexts{font, 13.0, {5.0, -5.0}, {{{0.5, 0.25}, "17"}}});
@@ -20,11 +20,11 @@ struct PlacedText {
   std::string text;  ///< UTF-8, one line
 };
 
-/// Lengths are in logical pixels. Texts must not overlap: where they do, they add up.
+/// Lengths are in logical pixels. Texts should not overlap: overlaps add up.
 struct LayerTexts {
-  std::optional<Font> font{};  ///< without one nothing is shown
-  double size = 13.0;          ///< of the letters, as of `draw_text`
-  Vec2 shift{};                ///< from the place to the beginning of the baseline, y down
+  std::optional<Font> font{};  ///< required to show anything
+  double size = 13.0;          ///< size of the letters, as in `draw_text`
+  Vec2 shift{};                ///< from the point to the beginning of the baseline, y down
   std::vector<PlacedText> texts;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a style means, for whatever draws it: the scene on a screen, and a figure on paper.
+// The meaning of a style, for everything that draws it: the scene on a screen, and a figure on paper.
 //
 // Lengths are in logical pixels of 1/96 inch. Cost: a few operations each. Threads: any.
 #pragma once
@@ -22,7 +22,7 @@ inline constexpr std::array<PrimitiveKind, kPrimitiveKinds> kDrawOrder{
     PrimitiveKind::triangle, PrimitiveKind::disk,   PrimitiveKind::line, PrimitiveKind::ray,
     PrimitiveKind::segment,  PrimitiveKind::circle, PrimitiveKind::arc,  PrimitiveKind::point};
 
-/// True for the kinds that are drawn along a line, dashed if the style says so.
+/// True for kinds that are drawn along a line, and dashed if the style says so.
 constexpr bool is_stroked(PrimitiveKind kind) {
   return kind != PrimitiveKind::point && kind != PrimitiveKind::disk && kind != PrimitiveKind::triangle;
 }
@@ -41,7 +41,7 @@ inline double point_size_of(const LayerStyle& style) {
   return std::isfinite(style.point_size_px) ? std::clamp(style.point_size_px, kLeast, kMost) : kLeast;
 }
 
-/// The part of a layer's colour in what lies below it; an opacity that is not finite counts as 1.
+/// The share of a layer's colour over the layers below; an opacity that is not finite counts as 1.
 inline double opacity_of(const LayerStyle& style) {
   return std::isfinite(style.opacity) ? std::clamp(style.opacity, 0.0, 1.0) : 1.0;
 }
@@ -61,7 +61,7 @@ inline DashPattern dash_of(const LayerStyle& style) {
   return {kDash * width, (kDash + kGap) * width};
 }
 
-/// The map that colours a layer whose finite scalars span `shown`.
+/// The colour map of a layer whose finite scalars span `shown`.
 inline ShownMap chosen_map(std::span<const ColorMap> maps, const LayerStyle& style, const ScalarRange& shown) {
   if (style.color_map.empty()) return {};
   const auto found = std::ranges::find(maps, style.color_map, &ColorMap::name);

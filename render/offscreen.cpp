@@ -9,7 +9,7 @@
 namespace mes::render {
 namespace {
 
-// Writers of picture formats cannot count more bytes.
+// Writers of picture formats cannot handle more bytes.
 constexpr std::size_t kMaxPixels = std::size_t{1} << 29U;
 
 class OwnedFramebuffer {

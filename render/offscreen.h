@@ -2,8 +2,8 @@
 // Draws a scene into a picture of any size.
 //
 // What it guarantees:
-//  1. The picture is the one that a window of its size would show, whatever the limits of the graphics hardware: large
-//     pictures are drawn in tiles that meet without a seam.
+//  1. The picture is that of a window of its size, whatever the limits of the graphics hardware: large pictures are
+//     drawn in seamless tiles.
 //  2. A size that is too large for the format or for memory is an error, not a crash.
 //
 // Smallest use:
@@ -29,7 +29,7 @@ struct ImageOptions {
   std::optional<Rgb> background;  ///< none: transparent
   double content_scale = 1.0;     ///< pixels per logical pixel of styles
   bool overlays = false;
-  int samples = 1;     ///< of multisampling; 1 is none, and enough, as edges are analytic
+  int samples = 1;     ///< multisampling; 1: off, and enough, because edges are analytic
   int tile_px = 4096;  ///< largest side of a tile, at most the device's limit
 };
 
@@ -37,7 +37,7 @@ struct ImageOptions {
 Expected<Image> draw_image(Device& device, Scene& scene, const Camera& camera, std::span<const LayerView> views,
                            const ImageOptions& options);
 
-/// Reads the present contents of a target, for snapshots of the window.
+/// Reads the current contents of a target, for snapshots of the window.
 Image read_image(Device& device, FramebufferId source, const PixelRect& area);
 
 }  // namespace mes::render

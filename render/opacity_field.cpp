@@ -11,9 +11,9 @@
 namespace mes::render {
 namespace {
 
-constexpr int kFractionBits = 20;  // of logarithms
+constexpr int kFractionBits = 20;  // fraction bits of logarithms
 constexpr double kUnit = 1 << kFractionBits;
-/// Stands for the logarithm of zero: far more bits than an opacity has, and a hundred million of them do not overflow.
+/// The logarithm of zero: far more bits than an opacity has, and a hundred million of them do not overflow.
 constexpr std::int64_t kOpaque = std::int64_t{1} << 36U;
 
 /// 65535 2^-(i / size), in units of 2^-14, for the fractions of logarithms.

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The opacity of many shapes of one colour, pixel by pixel, without painting them: what fields of disks and of strokes
-// share.
+// The opacity of many shapes of one colour, pixel by pixel, without painting them: the common base of disk and stroke
+// fields.
 //
-// A shape of opacity a that covers the part c of a pixel lets the part 1 - a c of what lies below pass, and what passes
-// several shapes is the product of these factors. A field sums their logarithms, as integers: so removing a shape
-// undoes adding it, and neither the order of shapes nor the number of threads matters. Rounding happens once, at the
-// end. Rows are in bands, which are changed by different threads and brought up to date when something in them changed.
+// A shape of opacity a that covers the part c of a pixel transmits the part 1 - a c of the colours below, and several
+// shapes transmit the product of these factors. A field sums their logarithms as integers: so removing a shape undoes
+// adding it, and neither the order of shapes nor the number of threads matters. Rounding happens once, at the end. Rows
+// form bands, which different threads change, and which are updated after a change in them.
 //
 // Cost: `settle` O(pixels of the bands that changed). Memory: 10 bytes a pixel. Threads: one at a time.
 #pragma once
@@ -23,13 +23,13 @@
 
 namespace mes::render {
 
-/// Rows `first` up to, but not including, `end`.
+/// Rows `first` (inclusive) to `end` (exclusive).
 struct RowRange {
   int first = 0;
   int end = 0;
 };
 
-/// The least whole number not below x, and the largest not above it, for |x| far inside the range of an int.
+/// The least integer not below x, and the largest not above it, for |x| far inside the range of an int.
 inline int ceil_of(double x) {
   const int cut = static_cast<int>(x);
   return cut + (static_cast<double>(cut) < x ? 1 : 0);
@@ -39,7 +39,7 @@ inline int floor_of(double x) {
   return cut - (static_cast<double>(cut) > x ? 1 : 0);
 }
 
-/// Pixels from `left` up to, but not including, `right` in some rows.
+/// Pixels `left` (inclusive) to `right` (exclusive) in some rows.
 struct FieldPart {
   int left = 0;
   int right = 0;
@@ -53,13 +53,13 @@ class OpacityField {
 
   /// Removes all shapes.
   void clear();
-  /// Brings `row` and `rows` up to date. Returns ranges of rows that may differ from before, in order.
+  /// Updates `row` and `rows`. Returns ranges of rows that may have changed, in order.
   std::span<const RowRange> settle();
-  /// Parts of the field, without overlap; all pixels of other opacity than zero are in one. As of the last `settle`.
+  /// Disjoint parts of the field that contain all pixels of nonzero opacity. As of the last `settle`.
   std::vector<FieldPart> parts() const;
-  /// Opacities of 65535, from left to right; the lowest row is 0.
+  /// Opacities in units of 1/65535, from left to right; row 0 is the lowest.
   std::span<const std::uint16_t> row(int y) const { return rows({y, y + 1}); }
-  /// Row after row, without gaps.
+  /// Successive rows, without gaps.
   std::span<const std::uint16_t> rows(RowRange range) const {
     return std::span(opacity_).subspan(static_cast<std::size_t>(range.first) * columns(),
                                        static_cast<std::size_t>(range.end - range.first) * columns());
@@ -68,11 +68,11 @@ class OpacityField {
  protected:
   static constexpr int kBandRows = 16;
   static constexpr int kBlockColumns = 64;
-  static constexpr int kSteps = 1024;       ///< of the part of a pixel that is covered
-  static constexpr float kHalfStep = 0.5F;  ///< of a step: cutting decimals off then rounds what is not negative
+  static constexpr int kSteps = 1024;       ///< resolution of the covered part of a pixel
+  static constexpr float kHalfStep = 0.5F;  ///< half a step: truncation then rounds numbers that are not negative
 
-  /// What shapes add to: to the sum of each pixel, or to the differences between neighbours in a row, of which a run of
-  /// covered pixels changes those at its two ends only.
+  /// The target of shapes: the sum of each pixel, or the differences between neighbours in a row; in the latter, a run
+  /// of covered pixels changes only those at its two ends.
   enum class Sums : std::uint8_t { plain, differences };
   /// Both sizes are at least 1; `opacity` is that of one shape, in [0, 1].
   OpacityField(int width, int height, double opacity, Sums kind);
@@ -81,9 +81,9 @@ class OpacityField {
   OpacityField& operator=(OpacityField&&) = default;
 
   std::size_t columns() const { return static_cast<std::size_t>(width_); }
-  /// What a pixel adds to its sum of which a shape covers `step` of `kSteps`.
+  /// The addend of a pixel of which a shape covers `step` of `kSteps`.
   std::int64_t factor(std::size_t step) const { return factor_[step]; }
-  /// `stride` numbers a row: one a pixel, and one more of differences, after the last pixel.
+  /// `stride` numbers for each row: one a pixel, and for differences one more after the last pixel.
   std::int64_t* sums(int y) { return &sums_[static_cast<std::size_t>(y) * stride()]; }
   std::size_t stride() const { return columns() + (kind_ == Sums::differences ? 1 : 0); }
   void mark(RowRange rows) {
@@ -91,8 +91,8 @@ class OpacityField {
       is_stale_[static_cast<std::size_t>(band)] = 1;
   }
 
-  /// Calls `change(item, rows)` for all `rows_of(item)`, on all cores when there are many items; then no two calls at
-  /// a time are for the same band.
+  /// Calls `change(item, rows)` for all `rows_of(item)`, in parallel when there are many items; calls for the same band
+  /// are never concurrent.
   template <class Item, class RowsOf, class Change>
   void change_by_bands(std::span<const Item> items, RowsOf rows_of, Change change) const;
 
@@ -114,14 +114,14 @@ class OpacityField {
   std::vector<std::int64_t> sums_;
   std::vector<std::uint16_t> opacity_;
   std::vector<std::uint8_t> is_stale_;    ///< by band
-  std::vector<std::uint8_t> is_used_;     ///< by band: not empty, or was not empty since `clear`
-  std::vector<std::uint8_t> is_visible_;  ///< by block of columns in a band: some pixel is not empty
+  std::vector<std::uint8_t> is_used_;     ///< by band: not empty now, or at some time since `clear`
+  std::vector<std::uint8_t> is_visible_;  ///< by block of columns in a band: a pixel is not empty
   std::vector<RowRange> settled_;
 };
 
 template <class Item, class RowsOf, class Change>
 void OpacityField::change_by_bands(std::span<const Item> items, RowsOf rows_of, Change change) const {
-  constexpr std::size_t kFew = 64;  // without lists
+  constexpr std::size_t kFew = 64;  // handled without lists
   if (items.size() < kFew) {
     for (const Item& item : items) {
       const RowRange rows = rows_of(item);
@@ -129,9 +129,10 @@ void OpacityField::change_by_bands(std::span<const Item> items, RowsOf rows_of, 
     }
     return;
   }
-  // The items of each band, in one array: those of the first chunk, of the second, and so on.
+  // The items of each band, in one array: those of the first chunk, those of the second, and so on.
   const auto bands = static_cast<std::size_t>(this->bands());
-  std::vector<std::size_t> place(chunk_count(items.size()) * bands);  // by chunk and band; first how many, then where
+  std::vector<std::size_t> place(chunk_count(items.size()) *
+                                 bands);  // by chunk and band; first counts, then positions
   parallel_for(items.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
     std::size_t* count = &place[chunk * bands];
     for (std::size_t i = begin; i < end; ++i) {
@@ -146,7 +147,7 @@ void OpacityField::change_by_bands(std::span<const Item> items, RowsOf rows_of, 
     for (std::size_t at = band; at < place.size(); at += bands) total += std::exchange(place[at], total);
   }
   start[bands] = total;
-  // Copies of small items: threads of different bands would otherwise wait for each item.
+  // Copies small items: otherwise threads of different bands would contend for each item.
   constexpr bool kCopies = sizeof(Item) <= 3 * sizeof(double);
   std::vector<std::conditional_t<kCopies, Item, std::uint32_t>> of_band(total);
   parallel_for(items.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {

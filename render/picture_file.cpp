@@ -20,7 +20,7 @@ std::unexpected<Error> fail(std::string text, const std::string& name, ErrorCode
   return std::unexpected(Error{code, std::move(text), name});
 }
 
-/// Two by two pixels become one; the last row or column of an odd size counts twice.
+/// Replaces two by two pixels by one; the last row or column of an odd size counts twice.
 Image halved(const Image& image) {
   Image out{.width = (image.width + 1) / 2, .height = (image.height + 1) / 2, .rgba = {}};
   out.rgba.resize(4 * static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
@@ -56,7 +56,7 @@ Expected<Image> decode_picture(std::span<const std::byte> bytes, const std::stri
 Expected<Image> read_picture(const std::filesystem::path& file, PictureTurn turn) {
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return fail("there is no such file", file.string());
-  // Also keeps pipes and devices from being waited for.
+  // This also avoids blocking on pipes and devices.
   if (!std::filesystem::is_regular_file(file, error)) return fail("not a regular file", file.string());
   const std::uintmax_t size = std::filesystem::file_size(file, error);
   if (error) return fail("cannot be read: " + error.message(), file.string());

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads pictures to lay under a drawing, from files of the kinds that core/raster/picture_decoder.h knows.
+// Reads pictures that lie under a drawing, in all formats of core/raster/picture_decoder.h.
 //
-// What it guarantees: for any bytes, a picture or an error of one line. It takes no more memory than the file and
+// What it guarantees: any bytes give either a picture or a one-line error. Needs memory only for the file and
 // kMostPicturePixels pixels. Threads: any.
 #pragma once
 
@@ -15,12 +15,13 @@
 
 namespace mes::render {
 
-/// Decodes a picture, turned as asked; `name` is that of the file in messages. Error: `bad_input`, also for more than `most_pixels`.
+/// Decodes a picture in the requested orientation; `name` stands for the file in messages. Error: `bad_input`, also for
+/// more than `most_pixels`.
 Expected<Image> decode_picture(std::span<const std::byte> bytes, const std::string& name,
                                std::size_t most_pixels = kMostPicturePixels, PictureTurn turn = PictureTurn::upright);
 Expected<Image> read_picture(const std::filesystem::path& file, PictureTurn turn = PictureTurn::upright);
 
-/// True if the extension of the name is that of a picture.
+/// Whether the name has the extension of a picture.
 bool is_picture_file(const std::filesystem::path& file);
 
 /// Halves width and height until neither is larger than `limit`. Each pixel is the mean of the pixels it replaces,

@@ -23,7 +23,7 @@ struct FreeBytes {
   void operator()(unsigned char* bytes) const { std::free(bytes); }
 };
 
-/// The level of the picture that this thread writes; the writer's own setting is one variable for all threads.
+/// The compression level for this thread's picture; the writer's own setting is one variable for all threads.
 thread_local int level_now = 1;
 
 /// The PNG writer calls this instead of its own compressor, and releases the result with std::free.
@@ -63,7 +63,7 @@ void append_number(std::vector<std::byte>& out, std::uint32_t number) {
   for (const unsigned shift : {24U, 16U, 8U, 0U}) out.push_back(static_cast<std::byte>(number >> shift & 0xffU));
 }
 
-/// A compressed iTXt chunk behind the header, before all pixels. Source: PNG (ISO/IEC 15948), 5.3 and 11.3.4.5.
+/// Inserts a compressed iTXt chunk after the header, before all pixels. Source: PNG (ISO/IEC 15948), 5.3 and 11.3.4.5.
 void insert_session(std::vector<std::byte>& png, std::string_view session) {
   constexpr std::ptrdiff_t kAfterHeader = 33;
   const auto bytes_of = [](std::string_view text) {
@@ -75,7 +75,7 @@ void insert_session(std::vector<std::byte>& png, std::string_view session) {
     const auto bytes = bytes_of(text);
     chunk.insert(chunk.end(), bytes.begin(), bytes.end());
   };
-  // After the keyword: zero, compressed, by zlib, no language, no translated keyword.
+  // After the keyword: zero, compressed, method zlib, no language, no translated keyword.
   constexpr std::string_view kMarks("\0\1\0\0\0", 5);
   append_number(chunk, static_cast<std::uint32_t>(kCarriedSession.size() + kMarks.size() + session.size()));
   append("iTXt");
@@ -94,7 +94,7 @@ Expected<std::vector<std::byte>> encode_png(const Image& image, int level, std::
   if (pixels == 0 || image.rgba.size() != 4 * pixels) {
     return std::unexpected(Error{.code = ErrorCode::usage, .text = "a picture needs at least one pixel"});
   }
-  // The writer counts the bytes of raw lines and their filters in an int.
+  // The writer stores the byte count of raw lines with their filters in an int.
   if (4 * pixels + static_cast<std::size_t>(image.height) >
       static_cast<std::size_t>(std::numeric_limits<int>::max())) {
     return std::unexpected(
@@ -111,7 +111,7 @@ Expected<std::vector<std::byte>> encode_png(const Image& image, int level, std::
     const int channels = opaque ? 3 : 4;
     const std::uint8_t* source = opaque ? rgb.data() : image.rgba.data();
 
-    // Differences to the left neighbour suit lines on a plain background, and are cheap.
+    // Differences from the left neighbour suit lines on a plain background, and are cheap.
     static std::once_flag filter_chosen;
     std::call_once(filter_chosen, [] { stbi_write_force_png_filter = 1; });
     level_now = level;

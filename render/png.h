@@ -15,9 +15,9 @@ namespace mes::render {
 inline constexpr int kPngFast = 1;
 inline constexpr int kPngSmall = 9;
 
-/// 8-bit RGBA, or RGB if no pixel is transparent. The same picture and level yield the same bytes. Errors: `usage` for
-/// no pixels or too many, `out_of_memory`. Any thread. `session`: that the file carries, compressed
-/// (core/base/carried_session.h); empty: none.
+/// Writes 8-bit RGBA, or RGB if no pixel is transparent. The same picture and level yield the same bytes. `session`:
+/// the session, compressed (core/base/carried_session.h); empty: none. Errors: `usage` for no pixels or too many,
+/// `out_of_memory`. Any thread.
 Expected<std::vector<std::byte>> encode_png(const Image& image, int level = kPngFast, std::string_view session = {});
 
 }  // namespace mes::render

@@ -39,12 +39,12 @@ void Readback::ask(FramebufferId source, const PixelRect& area) {
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
   place.fence = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
-  // Without it the fence might stay in the driver's queue until a call waits for it.
+  // Otherwise the fence might stay in the driver's queue until a call waits for it.
   glFlush();
   ++used_;
 }
 
-// Whatever fails, the place is free afterwards.
+// Frees the slot even after an error.
 RawImage Readback::take_oldest() noexcept {
   Place& place = oldest();
   glClientWaitSync(place.fence, GL_SYNC_FLUSH_COMMANDS_BIT, std::numeric_limits<GLuint64>::max());
@@ -61,7 +61,7 @@ RawImage Readback::take_oldest() noexcept {
     }
     glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
   } else {
-    place.bytes = 0;  // the card may have had no memory for the buffer
+    place.bytes = 0;  // the card may have lacked memory for the buffer
   }
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
   first_ = (first_ + 1) % kPlaces;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Reads pixels from the graphics card while it goes on drawing.
+// Reads pixels from the graphics card while it continues drawing.
 //
 // What it guarantees:
 //  1. `ask` copies the contents of the target at that moment; later drawing does not change the picture.
 //  2. Pictures are returned in the order in which they were requested, each once.
-//  3. `ask` waits only if kPlaces pictures are under way already; no picture is dropped. When it throws for lack of
+//  3. `ask` waits only if kPlaces pictures are already in flight; no picture is dropped. If it throws for lack of
 //     memory, nothing was requested.
-//  4. A picture for which memory was exhausted comes in its turn, without pixels.
+//  4. If memory runs out after the request, the picture is still returned in order, without pixels.
 //
 // Smallest use:
 //     Readback readback(device);
@@ -38,7 +38,7 @@ class Readback {
   Readback& operator=(const Readback&) = delete;
 
   void ask(FramebufferId source, const PixelRect& area);
-  /// The oldest picture if it has arrived.
+  /// The oldest picture, if it has arrived.
   std::optional<RawImage> poll();
   /// The oldest picture; waits for it. None if no picture was requested.
   std::optional<RawImage> wait();
@@ -57,9 +57,9 @@ class Readback {
 
   GlDevice& device_;
   std::array<Place, kPlaces> ring_{};
-  std::size_t first_ = 0;  // the oldest picture under way
+  std::size_t first_ = 0;  // the oldest picture in flight
   std::size_t used_ = 0;
-  std::deque<RawImage> come_;  // arrived, and taken early to make room
+  std::deque<RawImage> come_;  // arrived, and taken early to free a slot
 };
 
 }  // namespace mes::render

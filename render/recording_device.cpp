@@ -14,7 +14,7 @@
 namespace mes::render {
 namespace {
 
-/// Undefined contents are filled with this; as coordinates they are no numbers that a test expects.
+/// Fills undefined contents; as coordinates, these are numbers that no test expects.
 constexpr std::byte kUndefined{0xcd};
 
 template <int N>

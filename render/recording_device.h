@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A device without a GPU: checks every call against the contract of `Device`, keeps the contents of buffers, counts.
+// A device without a GPU: checks every call against the contract of `Device`, keeps buffer contents, and counts.
 //
 // What it guarantees: a call that breaks the contract throws AssertionFailure. Among these are calls with destroyed
 // handles, ranges outside their buffer, data of another size than its ranges, more instances than the buffer holds, and
@@ -43,11 +43,11 @@ class RecordingDevice final : public Device {
                  const PremultipliedColor& color) override;
   void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask, std::span<const PixelRect> parts,
                   const PremultipliedColor& color) override;
-  /// Costs are those of no device at first, so nothing is drawn in another way because of them.
+  /// Initial costs are zero, so that they never change the way of drawing.
   double pixel_cost_ns() const override { return pixel_cost_ns_; }
   void set_pixel_cost_ns(double cost) { pixel_cost_ns_ = cost; }
   double instance_cost_ns() const override { return instance_cost_ns_; }
-  /// Before instances are uploaded: buffers keep them or not.
+  /// Call before instances are uploaded: it decides whether buffers keep them.
   void set_instance_cost_ns(double cost) { instance_cost_ns_ = cost; }
   int max_framebuffer_size() const override { return 16384; }
   const DeviceCounters& counters() const override { return counters_; }

@@ -29,14 +29,14 @@ void ScalarStore::mark(std::size_t block) {
 
 void ScalarStore::resize(std::size_t size) {
   if (size == values_.size()) return;
-  // The block with the end of the smaller size changes; all blocks beyond it appear or disappear as a whole.
+  // The block with the end of the smaller size changes; later blocks appear or disappear as a whole.
   for (std::size_t block = std::min(size, values_.size()) / kBlock; block < blocks_of(size); ++block) mark(block);
   values_.resize(size, std::numeric_limits<double>::quiet_NaN());
   std::size_t level = 0;
   for (std::size_t blocks = blocks_of(size); blocks > 0; blocks = blocks == 1 ? 0 : blocks_of(blocks)) {
     if (levels_.size() <= level) levels_.emplace_back();
     std::vector<ScalarRange>& ranges = levels_[level];
-    // A level of another length computes its last block again from the blocks below it, down to the values.
+    // A level of changed length recomputes its last block from the blocks below, down to the values.
     if (ranges.size() != blocks) mark(blocks_of(size) - 1);
     ranges.resize(blocks);
     ++level;

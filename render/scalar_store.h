@@ -9,8 +9,8 @@
 //     store.settle();
 //     use(store.range());
 //
-// Cost: O(1) for `set` and `range`, O(k log n) for `settle` after k changes, by blocks of 32 values and blocks of
-// blocks. Threads: a value; one at a time.
+// Cost: O(1) for `set` and `range`, O(k log n) for `settle` after k changes, by a tree of blocks of 32 values. Threads:
+// a value; one at a time.
 #pragma once
 
 #include <cstddef>
@@ -38,8 +38,8 @@ class ScalarStore {
   ScalarRange of_block(std::size_t level, std::size_t block) const;
 
   std::vector<double> values_;
-  std::vector<std::vector<ScalarRange>> levels_;  // [0]: of blocks of values; the last holds one range
-  std::vector<std::size_t> changed_;              // blocks of values
+  std::vector<std::vector<ScalarRange>> levels_;  // [0]: ranges of blocks of values; the last level has one range
+  std::vector<std::size_t> changed_;              // changed blocks of values
 };
 
 }  // namespace mes::render

@@ -21,18 +21,18 @@ namespace {
 // to 1/128 of a pixel there. A smaller limit would use costlier programs in ordinary views; with a larger one lines
 // would shake.
 constexpr double kNearReach = 0x1p17;
-// Up to here doubles place the rim of a disk to a millionth of a pixel.
+// Up to this coordinate, doubles place the rim of a disk to a millionth of a pixel.
 constexpr double kCountedReach = 0x1p33;
-// At these scales the drawing is far smaller than a pixel, or a pixel far smaller than the spacing of doubles.
+// At these limits the drawing is far smaller than a pixel, or a pixel far smaller than the spacing of doubles.
 constexpr double kMinScale = 0x1p-70;
 constexpr double kMaxScale = 0x1p80;
-// In pixels: beyond any picture, and what is there is kept out of view by single precision.
+// In pixels: beyond any picture; single precision keeps such positions out of view.
 constexpr double kFarCenter = 0x1p24;
 
 // The number of colours of a map in its texture.
 constexpr std::size_t kMapWidth = 256;
 
-/// One coordinate of the view's centre in the forms that programs read.
+/// One coordinate of the view's centre in the forms for programs.
 struct CenterParts {
   glm::vec3 pieces;
   glm::uvec2 words;
@@ -40,7 +40,7 @@ struct CenterParts {
 };
 
 CenterParts split(double value, double low) {
-  // As in the vertex programs, the first piece has 21 bits and the second 16; here the third has all others.
+  // Like in the vertex programs, the first piece has 21 bits and the second 16; here the third has all others.
   const glm::uvec2 words = glm::unpackDouble2x32(value);
   const double first = glm::packDouble2x32({0U, words.y});
   const double rest = glm::packDouble2x32({words.x & 0xffff0000U, words.y});
@@ -49,7 +49,7 @@ CenterParts split(double value, double low) {
           .low_words = glm::unpackDouble2x32(low)};
 }
 
-/// One coordinate of the camera's centre in a drawing frame: the sum of both.
+/// One coordinate of the camera's centre in a drawing frame: the sum of both members.
 struct FrameCenter {
   double value;
   double low;  ///< the bits that `value` cannot hold
@@ -67,18 +67,18 @@ FrameCenter center_in(double center, double center_low, double origin, double sc
   return {sum, rest - (sum - scaled)};
 }
 
-/// Where a camera sees the instances of a buffer.
+/// The view of a camera on the instances of a buffer.
 struct Placement {
   PixelFrame frame;
-  double reach;  ///< in pixels, of what is farthest from the centre of the view, at most
+  double reach;  ///< upper bound of the distance from the centre of the view, in pixels
 };
 
 Placement placement_of(const InstanceBuffer& buffer, const Camera& camera) {
   const DrawingFrame& frame = buffer.frame();
   const double wanted = 1.0 / camera.units_per_pixel() / frame.scale;
   const double scale = std::clamp(wanted, kMinScale, kMaxScale);
-  // Where all of the drawing is smaller than a pixel, it still lies as many pixels from the centre as it should: parts of
-  // a picture and panned views are far from it in units of the drawing, and few pixels.
+  // Even if the whole drawing is smaller than a pixel, its distance from the centre must be right in pixels: in parts
+  // of a picture and panned views it is large in units of the drawing, and small in pixels.
   const double unit = frame.scale * std::min(1.0, wanted / kMinScale);
   const double limit = std::max(kDrawingLimit, kFarCenter / scale);
   const FrameCenter x = center_in(camera.center().x, camera.center_low().x, frame.origin.x, unit, limit);
@@ -94,9 +94,9 @@ Placement placement_of(const InstanceBuffer& buffer, const Camera& camera) {
           .reach = (buffer.extent().coordinate + buffer.extent().radius + center_size) * scale};
 }
 
-/// What the view shows of drawing space, and `margin` pixels around it.
+/// The visible part of drawing space, and `margin` pixels around it.
 Box2 shown_box(const PixelFrame& frame, double margin) {
-  // Rims are a pixel and a half wide at most, single precision rounds to less, and some bits are for this sum.
+  // Rims are at most a pixel and a half wide, single precision rounds by less, and some bits are for this sum.
   constexpr double kBits = 0x1p-48;
   const auto reach = [&](int size, double center) {
     return (0.5 * size + margin + 2.0) / frame.scale + kBits * std::abs(center);
@@ -106,7 +106,7 @@ Box2 shown_box(const PixelFrame& frame, double margin) {
   return {center - half, center + half};
 }
 
-/// Sets the uniforms by which a program finds the colours of scalars.
+/// Sets the uniforms that map scalars to colours.
 void set_map(const ColorMap& map, const ScalarRange& range, float row, DrawUniforms& u) {
   constexpr int kBias = 1023;
   u.map_row = row;
@@ -121,13 +121,13 @@ void set_map(const ColorMap& map, const ScalarRange& range, float row, DrawUnifo
   const bool is_known = !range.is_empty() && std::isfinite(range.low) && std::isfinite(range.high);
   const ScalarRange shown = is_known ? range : ScalarRange{0.0, 1.0};
   const double size = std::max(std::abs(shown.low), std::abs(shown.high));
-  // Programs take smaller scalars for zero.
+  // Programs flush smaller scalars to zero.
   const int exponent = size > 0.0 ? std::max(std::ilogb(size), 1 - kBias) : 0;
   const double low = std::ldexp(shown.low, -exponent);
   const double width = std::ldexp(shown.high, -exponent) - low;
   u.map_low = split(low, 0.0).pieces;
   u.map_exponent = static_cast<float>(exponent + kBias);
-  // A range of one value: below it the first colour, above it the last.
+  // A range of one value: scalars below it get the first colour, those above it the last.
   constexpr float kSteep = 1e30F;
   u.map_factor = width > 0.0 ? static_cast<float>(1.0 / width) : kSteep;
   u.map_offset = width > 0.0 ? 0.0F : 0.5F;
@@ -137,11 +137,11 @@ float pixels(double logical, double content_scale) {
   return static_cast<float>(logical * content_scale);
 }
 
-/// The number of quads along a circle: more of them cost vertices, fewer cost fragments between chord and rim. Each
-/// small circle is a square (0): as measured, a square of 30 pixels costs as much as eight quads.
+/// The number of quads along a circle: more of them cost vertices, fewer cost fragments between chord and rim. A small
+/// circle is a square (0): by measurement, a square of 30 pixels costs as much as eight quads.
 float arc_pieces(PrimitiveKind kind, const InstanceExtent& extent, double scale) {
   if (extent.radius * scale < 16.0) return 0.0F;
-  // An arc deviates from its chords at most as much as a circle of its length.
+  // An arc deviates from its chords at most as much as a circle with its length.
   const double radius_px =
       (kind == PrimitiveKind::arc ? 0.5 / std::numbers::pi * extent.length : extent.radius) * scale;
   if (radius_px < 16.0) return 4.0F;
@@ -150,10 +150,10 @@ float arc_pieces(PrimitiveKind kind, const InstanceExtent& extent, double scale)
   return radius_px < 500.0 ? 20.0F : 32.0F;
 }
 
-// How counted instances look, or nothing if only painting draws them as they should be.
+// The look of counted instances, or nothing if only painting draws them correctly.
 std::optional<CountedLook> counted_look(PrimitiveKind kind, const LayerStyle& style, double opacity,
                                         double content_scale) {
-  // As `shown_half_width` and `stroke_alpha`, `soft_radius` and `soft_alpha` of shaders/uniforms.glsl have it.
+  // Matches `shown_half_width` and `stroke_alpha`, `soft_radius` and `soft_alpha` of shaders/uniforms.glsl.
   switch (kind) {
     case PrimitiveKind::disk: return CountedLook{.opacity = opacity};
     case PrimitiveKind::segment: {
@@ -179,7 +179,7 @@ struct Scene::Look {
   const ColorMap* map = nullptr;
   ScalarRange range{};
   float map_row = 0.0F;
-  std::span<std::unique_ptr<CountedInstances>> counted{};  ///< where its counts are kept, by kind
+  std::span<std::unique_ptr<CountedInstances>> counted{};  ///< storage of its counts, by kind
 };
 
 struct Scene::Pass {
@@ -187,7 +187,7 @@ struct Scene::Pass {
   double content_scale;
   FramebufferId target;
   PixelRect area;
-  std::uint32_t every = 1;  // of disks
+  std::uint32_t every = 1;  // for disks
   Preview preview = Preview::none;
 };
 
@@ -279,7 +279,7 @@ void Scene::set_color_maps(std::vector<ColorMap> maps) {
   map_texture_ = {};
 }
 
-// All maps in one texture, one a row, created at the first use of a map.
+// All maps are rows of one texture, created at the first use of a map.
 TextureId Scene::map_texture() {
   if (map_texture_ != TextureId{}) return map_texture_;
   std::vector<std::uint8_t> rgba;
@@ -351,11 +351,11 @@ void Scene::draw_picture(const Pass& pass, const LayerStyle& style) {
     const glm::dvec2 middle = scale * to_dvec2((picture_place_.center - camera.center()) - camera.center_low());
     const double half_width = 0.5 * picture_place_.width;
     const glm::dvec2 half = scale * glm::dvec2(half_width, half_width * picture_aspect_);
-    // Cut to a little more than the view, so that the numbers are small at any zoom.
+    // Cuts to slightly more than the view, so that the numbers are small at any zoom.
     const glm::dvec2 view = 0.5 * glm::dvec2(camera.width(), camera.height()) + 2.0;
     const glm::dvec2 low = glm::max(middle - half, -view);
     const glm::dvec2 high = glm::min(middle + half, view);
-    // False for NaN, too.
+    // NaN fails this test, too.
     if (!(low.x < high.x && low.y < high.y)) return;
     const glm::dvec2 from = 0.5 * (low - middle) / half;
     const glm::dvec2 to = 0.5 * (high - middle) / half;
@@ -392,7 +392,7 @@ void Scene::draw_layer(const Pass& pass, std::span<InstanceBuffer> kinds, const 
     has_triangles = has_triangles || buffer.kind() == PrimitiveKind::triangle;
   }
   if (is_empty) return;
-  // An opaque group looks the same if drawn directly, except for triangles: their coverages add up at shared edges.
+  // An opaque group looks the same when drawn directly, except for triangles: their coverages add up at shared edges.
   const bool as_group = has_triangles || (style.flat && color.a < 1.0F);
   if (as_group && style.flat) {
     draw_group(pass, kinds, look);
@@ -451,7 +451,7 @@ FramebufferId Scene::group_target(TargetFormat format, int width, int height) {
   return group.id;
 }
 
-// False if the instances are to be painted.
+// Returns false if the instances must be painted.
 bool Scene::draw_counted(const Pass& pass, InstanceBuffer& buffer, const Look& look, const PixelFrame& frame,
                          const PremultipliedColor& color) {
   if (look.counted.empty()) return false;
@@ -467,7 +467,7 @@ bool Scene::draw_counted(const Pass& pass, InstanceBuffer& buffer, const Look& l
   if (!counted) counted = CountedInstances::create(buffer.kind(), device_);
   counted->show(buffer, frame, *shown);
   is_coarse_ = is_coarse_ || counted->is_coarse();
-  // The mask has the opacity in it.
+  // The mask already contains the opacity.
   device_.paint_mask(pass.target, pass.area, counted->mask(), counted->parts(), color / color.a);
   ++draw_calls_;
   return true;
@@ -517,7 +517,7 @@ void Scene::draw_kind(const Pass& pass, InstanceBuffer& buffer, const Look& look
     call.maps = map_texture();
     set_map(*look.map, look.range, look.map_row, u);
   }
-  // What is thinned out is mostly counted from the first instance on, whatever is in view.
+  // Thinning counts from the first instance on, whatever is in view.
   const Box2 everywhere = shown_box(placement.frame, std::numeric_limits<double>::infinity());
   const double margin = static_cast<double>(u.half_width_px) + static_cast<double>(u.ring_px);
   for (const BlockBoxes::Run run : buffer.runs(call.every > 1 ? everywhere : shown_box(placement.frame, margin))) {

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The layers as instance buffers on a device, kept up to date by patches and drawn through a camera.
+// The layers as instance buffers on a device, updated by patches and drawn through a camera.
 //
 // What it guarantees:
 //  1. `apply` uploads the changed instances of a patch and nothing else. Adjacent instances are uploaded together.
 //  2. `draw` uploads no instances: camera, style, colour map and range are uniforms, and the stacking of layers is the
 //     order of draw calls.
-//  3. Layers are painted in the order given, bottom first, each above all before it.
-//  4. Finite coordinates of any size are drawn correctly: they are clipped to where they can be visible.
-//  5. If the style names a known colour map, instances have the colours of their scalars. A scalar beyond the range, an
-//     infinite one too, has the colour of that end; NaN has the plain colour. In a flat layer a later instance hides
-//     earlier ones, and the layer as a whole has the opacity of its style.
-//  6. A view with texts has these in the place of its layer's instances, in the colour and with the opacity of its
-//     style.
-//  7. Disks of one colour that would take long to paint are counted instead (`CountedInstances`), on the processor, and
-//     so are segments and points where a processor would paint them; the picture is that of painting without rounding.
+//  3. Layers are painted in the given order, bottom first, each above all earlier ones.
+//  4. Finite coordinates of any size are drawn correctly: they are clipped to the possibly visible range.
+//  5. If the style names a known colour map, instances have the colours of their scalars. A scalar beyond the range,
+//     including an infinite one, has the colour of that end; NaN has the plain colour. In a flat layer a later instance
+//     hides earlier ones, and the layer as a whole has the opacity of its style.
+//  6. A view with texts shows these instead of its layer's instances, in the colour and opacity of its style.
+//  7. Disks of one colour that would take long to paint are counted on the processor instead (`CountedInstances`), and
+//     so are segments and points if a processor would paint them; the picture is that of painting without rounding.
 //
 // Smallest use:
 //     Scene scene(device);
@@ -21,8 +20,8 @@
 //     scene.draw(camera, views, {.content_scale = 2.0});
 //
 // Cost: `apply` O(changed instances); `draw` one call a layer and kind, whatever the number of instances, and one pass
-// over the view for a layer drawn as a group. The CPU iterates over disks of one colour, and over what it counts
-// whenever the view changes. Threads: the one that owns the context.
+// over the view for a layer drawn as a group. The CPU iterates over disks of one colour in every frame, and over
+// counted instances whenever the view changes. Threads: the one that owns the context.
 //
 // Inside: coordinates are mapped to drawing space (`DrawingFrame`) in double and uploaded as the bits of doubles. The
 // vertex shader subtracts the camera's centre before it rounds to single precision.
@@ -48,7 +47,7 @@
 
 namespace mes::render {
 
-/// The colour map that a layer has now.
+/// The current colour map of a layer.
 struct ShownMap {
   const ColorMap* map = nullptr;  ///< null: the layer has its plain colour
   ScalarRange range;              ///< empty if no scalar is finite
@@ -57,30 +56,30 @@ struct ShownMap {
 struct LayerView {
   VariantLayer layer{};
   LayerStyle style;
-  /// Paints one of `every` disks only: a preview for so many overlapping large disks that all of them take too long.
-  /// Disks that are counted are all there. Pictures that are saved have 1.
+  /// Paints only one of `every` disks: a preview for large overlapping disks, too many to paint all of them. Counted
+  /// disks are complete. Saved pictures use 1.
   std::uint32_t every = 1;
-  /// Drawn instead of the instances; null: these.
+  /// Drawn instead of the instances; null: the instances are drawn.
   std::shared_ptr<const LayerTexts> texts{};
 };
 
 struct DrawOptions {
   double content_scale = 1.0;  ///< framebuffer pixels per logical pixel; sizes of styles are logical
   FramebufferId target{};      ///< default: the window
-  int left = 0;                ///< lower left corner of the view in the target; the camera has its size
+  int left = 0;                ///< lower left corner of the view in the target; the camera has the size
   int bottom = 0;
   bool overlays = true;
-  Preview preview = Preview::none;  ///< of instances that are counted; not for a picture that is kept
+  Preview preview = Preview::none;  ///< for counted instances; not for a saved picture
 };
 
-/// The place of a picture in document units; its height follows from its proportions.
+/// Position and size of a picture in document units; its height follows from its proportions.
 struct PicturePlace {
   Vec2 center{};
   double width = 0.0;  ///< 0 or less: the picture is not drawn
   friend bool operator==(const PicturePlace&, const PicturePlace&) = default;
 };
 
-/// A few primitives of the program above all layers, such as the marks of selected samples.
+/// A few primitives above all layers, such as the marks of selected samples.
 struct Overlay {
   PrimitiveKind kind = PrimitiveKind::point;
   std::span<const double> data;  ///< `stride_of(kind)` doubles a primitive, in document units; copied
@@ -95,13 +94,13 @@ class Scene {
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  /// Throws std::bad_alloc when graphics memory is exhausted. The kind concerned is empty then, and the layer must be
+  /// Throws std::bad_alloc when graphics memory is exhausted. The affected kind is then empty, and the layer must be
   /// sent again as a whole.
   void apply(const FramePatch& patch);
   /// Removes all instances of a layer and releases their memory.
   void forget(VariantLayer layer);
 
-  /// Draws a picture in the place of a layer, with the opacity of its style. Uploads it now; `place_picture` moves it
+  /// Draws a picture instead of a layer, with the opacity of its style. Uploads it now; `place_picture` moves it
   /// without another upload. Its edges are placed in double precision, at any zoom. Throws std::bad_alloc.
   void set_picture(VariantLayer layer, const Image& image);
   void place_picture(const PicturePlace& place) { picture_place_ = place; }
@@ -111,7 +110,7 @@ class Scene {
   void set_overlay(std::uint32_t slot, const Overlay& overlay);
   void clear_overlay(std::uint32_t slot);
 
-  /// Replaces the maps that styles may name; the default is `builtin_color_maps`. Of two maps with the same name the
+  /// Replaces the maps that styles may name; the default is `builtin_color_maps`. If two maps have the same name, the
   /// first counts.
   void set_color_maps(std::vector<ColorMap> maps);
   const std::vector<ColorMap>& color_maps() const { return maps_; }
@@ -121,24 +120,24 @@ class Scene {
 
   void draw(const Camera& camera, std::span<const LayerView> views, const DrawOptions& options);
 
-  /// The frame of the last patch; overlays are placed in it.
+  /// The frame of the last patch; it also maps overlays.
   const DrawingFrame& frame() const { return frame_; }
   std::uint32_t instances(VariantLayer layer, PrimitiveKind kind) const;
-  /// The number of disks of a layer that `draw` paints one by one, however long it takes; 0 if they are counted instead
-  /// when that takes less time.
+  /// The number of disks of a layer that `draw` paints one by one, however long that takes; 0 if they are counted
+  /// because counting takes less time.
   std::uint32_t painted_disks(const Camera& camera, VariantLayer layer, const LayerStyle& style) const;
-  /// Bytes of instances that `apply` and `set_overlay` have uploaded in the life of the scene.
+  /// Total bytes of instances uploaded by `apply` and `set_overlay` so far.
   std::uint64_t bytes_uploaded() const { return bytes_uploaded_; }
-  /// True if the last `draw` would have differed with a finer preview.
+  /// Whether a finer preview would have changed the last `draw`.
   bool is_coarse() const { return is_coarse_; }
   /// The number of draw calls of the last `draw`.
   std::uint32_t draw_calls() const { return draw_calls_; }
 
  private:
   struct Layer {
-    bool is_used = false;  ///< the buffers are those of the device
+    bool is_used = false;  ///< the buffers exist on the device
     std::array<InstanceBuffer, kPrimitiveKinds> kinds;
-    std::array<std::unique_ptr<CountedInstances>, kPrimitiveKinds> counted;  ///< null: those of this kind are painted
+    std::array<std::unique_ptr<CountedInstances>, kPrimitiveKinds> counted;  ///< null: this kind is painted
   };
   struct OverlaySet {
     PrimitiveKind kind = PrimitiveKind::point;
@@ -174,7 +173,7 @@ class Scene {
   TextureId map_texture_{};
   TextureId picture_{};
   VariantLayer picture_layer_ = kNoLayer;
-  double picture_aspect_ = 1.0;  // height by width
+  double picture_aspect_ = 1.0;  // height divided by width
   PicturePlace picture_place_;
   std::array<GroupTarget, 2> groups_;  // by TargetFormat
   std::uint64_t bytes_uploaded_ = 0;

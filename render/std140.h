@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layout `std140` of OpenGL (section 7.6.2.2 of its specification, 4.6), for scalars and vectors of 32-bit numbers.
 //
-// A C++ structure can be copied into a uniform block of that layout exactly if each of its members lies where the
-// block expects it. This header decides that while compiling:
+// A C++ structure can be copied into a uniform block of that layout exactly if each of its members has the offset that
+// the block expects. This header checks that at compile time:
 //
 //     struct Look { glm::vec3 color; float width; };
 //     constexpr std::array kMembers{std140_member<glm::vec3>("u_color", offsetof(Look, color)),
@@ -22,7 +22,7 @@
 
 namespace mes::render {
 
-/// A member of a uniform block: its name in the shader, and where it lies in the structure of C++.
+/// A member of a uniform block: its name in the shader, and its offset in the C++ structure.
 struct Std140Member {
   const char* name;
   std::size_t offset;
@@ -30,7 +30,7 @@ struct Std140Member {
   std::size_t alignment;
 };
 
-/// Number of 32-bit components of a type that a block may hold.
+/// Number of 32-bit components of a type allowed in a block.
 template <class T>
 inline constexpr std::size_t kComponents = 0;
 template <>
@@ -48,8 +48,8 @@ constexpr Std140Member std140_member(const char* name, std::size_t offset) {
   return {name, offset, sizeof(T), 4 * (kComponents<T> == 3 ? std::size_t{4} : kComponents<T>)};
 }
 
-/// True if `members`, in the order of the block, are all of a structure of `size` bytes and lie where `std140` puts
-/// them: each at the first multiple of its alignment behind the one before it, the end at a multiple of 16.
+/// True if `members`, in the order of the block, are all members of a structure of `size` bytes with the offsets of
+/// `std140`: each at the first multiple of its alignment after the previous one, the end at a multiple of 16.
 constexpr bool is_std140(std::span<const Std140Member> members, std::size_t size) {
   const auto aligned = [](std::size_t offset, std::size_t alignment) {
     return (offset + alignment - 1) / alignment * alignment;

@@ -8,7 +8,7 @@
 namespace mes::render {
 namespace {
 
-// Without branches, which random strokes would make mispredicted ones.
+// Branch-free, because random strokes would cause mispredicted branches.
 double smaller(double a, double b) {
   return a < b ? a : b;
 }
@@ -22,7 +22,7 @@ double between(double x, double low, double high) {
 }  // namespace
 
 std::optional<PixelStroke> StrokeField::visible(Vec2 from, Vec2 to, double width, double height, double half_width) {
-  // The ends of what is cut are outside of the view, and so are their round caps.
+  // Cut ends, including their round caps, are outside of the view.
   const double margin = half_width + 2.0;
   const Vec2 low{-margin, -margin};
   const Vec2 high{width + margin, height + margin};
@@ -30,14 +30,14 @@ std::optional<PixelStroke> StrokeField::visible(Vec2 from, Vec2 to, double width
   Vec2 a = from;
   Vec2 b = to;
   if (!is_inside(a) || !is_inside(b)) {
-    // Most of what is invisible lies to one side of the view.
+    // Most invisible strokes lie to one side of the view.
     if (std::max(a.x, b.x) < low.x || std::min(a.x, b.x) > high.x || std::max(a.y, b.y) < low.y ||
         std::min(a.y, b.y) > high.y)
       return std::nullopt;
     double t0 = 0.0;
     double t1 = 1.0;
     const Vec2 step = to - from;
-    // Between two parallel edges of the view; false for NaN, too.
+    // Cuts between two parallel edges of the view; false for NaN, too.
     const auto cut = [&](double start, double slope, double least, double most) {
       if (slope == 0.0) return start >= least && start <= most;
       const double s = (least - start) / slope;
@@ -64,20 +64,20 @@ void StrokeField::change_rows(const PixelStroke& stroke, int sign, RowRange rows
   const double dx = double{stroke.to_x} - double{stroke.x};
   const double dy = double{stroke.to_y} - double{stroke.y};
   const double size = std::sqrt(dx * dx + dy * dy);
-  // Along the stroke, of unit length.
+  // Unit vector along the stroke.
   const double ux = size > 0.0 ? dx / size : 1.0;
   const double uy = size > 0.0 ? dy / size : 0.0;
   const double low = std::min(dx, 0.0) - reach_;
   const double high = std::max(dx, 0.0) + reach_;
-  // Half of what the strip that the stroke would be without ends has of a row; more if it hardly rises.
+  // Half the width in a row of the infinite strip along the stroke; the whole range if the stroke hardly rises.
   const bool is_steep = std::abs(uy) * (high - low) > reach_;
   const double strip = is_steep ? reach_ / std::abs(uy) : high - low;
   const double slope = is_steep ? ux / uy : 0.0;
   const double first_center = 0.5 - double{stroke.x};
   const double most = width();
   const auto reach = static_cast<float>(reach_);
-  // Four pixels at a time: loops without branches, which compilers turn into vector instructions. Distances are from
-  // the first of the four in double, and from there in single precision.
+  // Four pixels at a time: loops without branches, which compilers vectorise. Distances are computed in double for the
+  // first of the four pixels, and from there in single precision.
   constexpr int kPixels = 4;
   std::array<float, kPixels> along{};
   std::array<float, kPixels> across{};
@@ -89,7 +89,7 @@ void StrokeField::change_rows(const PixelStroke& stroke, int sign, RowRange rows
   for (int y = rows.first; y < rows.end; ++y) {
     const double py = y + 0.5 - double{stroke.y};
     const double middle = py * slope;
-    // Cutting decimals off rounds down, and may leave one pixel too many: one that the stroke does not touch.
+    // Truncation rounds down, and may include one untouched pixel.
     const auto left = static_cast<int>(between(larger(low, middle - strip) - first_center, 0.0, most));
     const auto end = static_cast<int>(between(smaller(high, middle + strip) - first_center + 1.0, 0.0, most));
     std::int64_t* sum = sums(y);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The opacity of many strokes and dots of one colour, pixel by pixel, without painting them (`OpacityField`): for
-// drawings of so many short lines that a processor spends its time on placing them.
+// drawings with so many short lines that a processor spends its time on placing them.
 //
 // What it guarantees:
 //  1. The opacity of a pixel is that of painting the strokes one over the other without rounding, to 1/1000: ends are
@@ -24,13 +24,13 @@
 
 namespace mes::render {
 
-/// In pixels; the origin is the lower left corner of the view, y up. Between equal ends it is a dot.
+/// In pixels; the origin is the lower left corner of the view, y up. A stroke with equal ends is a dot.
 struct PixelStroke {
   float x = 0.0F;
   float y = 0.0F;
   float to_x = 0.0F;
   float to_y = 0.0F;
-  std::int32_t times = 1;  ///< as often it is there
+  std::int32_t times = 1;  ///< multiplicity
   friend bool operator==(const PixelStroke&, const PixelStroke&) = default;
 };
 
@@ -48,8 +48,8 @@ class StrokeField : public OpacityField {
   /// The strokes must have been added.
   void remove(std::span<const PixelStroke> strokes) { change(strokes, -1); }
 
-  /// A stroke without what is too far outside of a view of this size to be seen there, of which single precision could
-  /// lose the place; nothing if all of it is.
+  /// A stroke without the parts too far outside of a view of this size to be visible, where single precision could lose
+  /// their position; nothing if no part remains.
   static std::optional<PixelStroke> visible(Vec2 from, Vec2 to, double width, double height, double half_width);
 
  private:
@@ -65,7 +65,7 @@ class StrokeField : public OpacityField {
     return {first, end};
   }
 
-  double reach_;  ///< from a stroke to the nearest pixels that it does not touch
+  double reach_;  ///< distance from a stroke to the nearest pixels that it does not touch
 };
 
 }  // namespace mes::render

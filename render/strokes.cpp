@@ -13,7 +13,7 @@
 namespace mes::render {
 namespace {
 
-/// Its numbers have 24 bits before the point; far less is needed.
+/// The rasterizer's numbers have 24 bits before the point; far fewer are needed.
 constexpr double kFarthest = 1e6;
 
 bool is_near(double x) {
@@ -23,7 +23,7 @@ bool is_near(Vec2 p) {
   return is_near(p.x) && is_near(p.y);
 }
 
-/// Paints what `paint` covers of the box.
+/// Paints the pixels of the box that `paint` covers.
 template <class Paint>
 void paint_cover(Image& image, const Box2& box, Rgb color, Paint paint) {
   const int left = std::max(0, static_cast<int>(std::floor(box.low.x)) - 1);

@@ -18,7 +18,7 @@ namespace {
 
 constexpr int kNoLetter = 0xfffd;
 
-/// Removes the next letter from the text and returns it. Bytes that are not UTF-8 are one letter, which no font has.
+/// Takes the next letter off the text. Bytes that are not UTF-8 are one letter, which no font has.
 int next_letter(std::string_view& text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
@@ -98,7 +98,7 @@ std::span<const unsigned char> Font::bytes() const {
 }
 
 std::span<const unsigned char> Font::table(std::string_view name) const {
-  // OpenType specification, "Table directory": the number of tables, then of each its name, checksum, offset and length.
+  // OpenType specification, "Table directory": number of tables, then name, checksum, offset and length of each.
   constexpr std::size_t kHead = 12;
   constexpr std::size_t kEntry = 16;
   const std::span<const unsigned char> file = bytes();

@@ -25,30 +25,30 @@
 
 namespace mes::render {
 
-/// A letter where it stands on a line of text, in units of its font.
+/// A letter at its position on a line of text, in units of its font.
 struct Glyph {
-  int index = 0;        ///< in the font; 0 is its empty box
+  int index = 0;        ///< index in the font; 0 is its empty box
   char32_t letter = 0;  ///< U+FFFD for bytes that are not UTF-8
-  int x = 0;            ///< of its origin, kerning included
+  int x = 0;            ///< position of its origin, including kerning
   int advance = 0;
 };
 
 /// Copies share one file in memory.
 class Font {
  public:
-  /// Reads a TrueType or OpenType file, which must be trusted, as those that come with the program are: the reader does
-  /// not check it. Error: `bad_input`.
+  /// Reads a TrueType or OpenType file, which must be trusted, like those of the program: the reader does not check it.
+  /// Error: `bad_input`.
   static Expected<Font> read(const std::filesystem::path& file);
 
   /// The letters of a line, in order.
   std::vector<Glyph> glyphs(std::string_view text) const;
   int units_per_em() const;
-  /// From the ascent to the descent, which is what sizes of text are here.
+  /// Units from ascent to descent, which is the size of text here.
   int units_per_size() const;
 
-  /// The whole file.
+  /// The bytes of the whole file.
   std::span<const unsigned char> bytes() const;
-  /// One table of it, by its name of four letters; empty if it has none.
+  /// One table of the file, by its name of four letters; empty if it is missing.
   std::span<const unsigned char> table(std::string_view name) const;
 
  private:
@@ -59,15 +59,15 @@ class Font {
   friend struct GlyphPicture;
 };
 
-/// How much of each pixel a glyph covers.
+/// The coverage of each pixel by a glyph.
 struct GlyphPicture {
-  int left = 0;  ///< of its upper left pixel, from that in which the origin is; y down
+  int left = 0;  ///< position of its upper left pixel, relative to the pixel of the origin; y down
   int top = 0;
   int width = 0;
   int height = 0;
-  std::vector<unsigned char> cover;  ///< a byte a pixel, top row first
+  std::vector<unsigned char> cover;  ///< one byte a pixel, top row first
 
-  /// Of a glyph by its index; the origin is `part` beyond the upper left corner of its pixel, both in [0, 1).
+  /// The picture of a glyph by index; the origin is `part` beyond the upper left corner of its pixel, both in [0, 1).
   static GlyphPicture of(const Font& font, double size_px, int glyph, double part_x, double part_y);
 };
 
@@ -78,11 +78,11 @@ double text_width(const Font& font, double size_px, std::string_view text);
 /// the font from its ascent to its descent, as in Dear ImGui.
 void draw_text(Image& image, const Font& font, double size_px, double x, double y, Rgb color, std::string_view text);
 
-/// Fills a rectangle; its edges cover pixels in part.
+/// Fills a rectangle; its edges may cover pixels partially.
 void fill_rectangle(Image& image, double left, double top, double width, double height, Rgb color,
                     double opacity = 1.0);
 
-/// Paints a disk with a rim of one pixel that fades out. Parts outside the picture are dropped.
+/// Paints a disk with a rim that fades over one pixel. Parts outside the picture are dropped.
 void fill_disk(Image& image, double x, double y, double radius, Rgb color);
 
 }  // namespace mes::render

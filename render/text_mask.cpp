@@ -9,9 +9,9 @@
 namespace mes::render {
 namespace {
 
-// Of a pixel, in which letters are placed.
+// Letters are positioned in quarters of a pixel.
 constexpr int kQuarters = 4;
-// Beyond this no letter reaches into the view, and numbers of pixels are no integers.
+// Farther letters do not reach into the view, and pixel numbers would overflow integers.
 constexpr double kFarPx = 1e6;
 
 }  // namespace
@@ -25,7 +25,7 @@ void TextMask::forget() {
   painted_ = {};
 }
 
-// Only where letters were.
+// Clears only the pixels with letters.
 void TextMask::clear() {
   const auto width = static_cast<std::size_t>(camera_.width());
   for (int y = painted_.top; y < painted_.bottom; ++y) {
@@ -60,7 +60,7 @@ void TextMask::show(const std::shared_ptr<const LayerTexts>& texts, const Camera
     }
     for (const PlacedText& each : texts->texts) {
       const Vec2 start = camera.to_screen(each.at) + content_scale * texts->shift;
-      // False for NaN, too.
+      // NaN fails this test, too.
       if (std::abs(start.x) < kFarPx && std::abs(start.y) < kFarPx) paint(start, glyphs_of(each.text));
     }
     if (painted_.left >= painted_.right || painted_.top >= painted_.bottom) {

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The words of one layer as a mask (`Device::paint_mask`), for one view.
+// The texts of one layer as a mask (`Device::paint_mask`), for one view.
 //
 // What it guarantees:
-//  1. The mask is that of the texts, the view and the scale of the last `show`; the same ones again cost nothing.
-//  2. Places are rounded to a quarter of a pixel, letters are not: they look the same wherever they stand.
+//  1. The mask is that of the texts, the view and the scale of the last `show`; repeating these costs nothing.
+//  2. Positions are rounded to a quarter of a pixel, but not letters: they look the same at every position.
 //
 // Smallest use:
 //     mask.show(texts, camera, content_scale);
 //     if (!mask.parts().empty()) device.paint_mask(target, area, mask.mask(), mask.parts(), color);
 //
-// Cost: `show` O(pixels of the view + letters seen): two milliseconds for five thousand numbers. Threads: the one that
-// owns the context.
+// Cost: `show` O(pixels of the view + visible letters): two milliseconds for five thousand numbers. Threads: the one
+// that owns the context.
 #pragma once
 
 #include <cstdint>
@@ -34,14 +34,14 @@ class TextMask {
   TextMask(const TextMask&) = delete;
   TextMask& operator=(const TextMask&) = delete;
 
-  /// The texts have a font. Throws std::bad_alloc, and is empty then.
+  /// The texts must have a font. On std::bad_alloc the mask is empty.
   void show(const std::shared_ptr<const LayerTexts>& texts, const Camera& camera, double content_scale);
   TextureId mask() const { return mask_; }
-  /// One part, or none where no letter is seen; the rest of the mask is undefined.
+  /// One part, or none if no letter is visible; the rest of the mask is undefined.
   std::span<const PixelRect> parts() const { return parts_; }
 
  private:
-  /// Where letters were painted, in rows from the top.
+  /// The area of painted letters, in rows from the top.
   struct Painted {
     int left = 0;
     int top = 0;
@@ -60,10 +60,10 @@ class TextMask {
   Camera camera_;
   double scale_ = 0.0;
   TextureId mask_{};
-  std::vector<std::uint16_t> rows_;  // the lowest first, as masks have them
+  std::vector<std::uint16_t> rows_;  // bottom row first, as in masks
   Painted painted_;
   std::vector<PixelRect> parts_;
-  std::optional<Font> font_;  // which the two below are of, at the size
+  std::optional<Font> font_;  // font of the two members below, at this size
   double size_px_ = 0.0;
   std::unordered_map<std::string, std::vector<Glyph>> lines_;
   std::unordered_map<std::uint64_t, GlyphPicture> pictures_;

@@ -22,7 +22,7 @@ UniformRing::UniformRing() {
 }
 
 void UniformRing::bind(GLuint binding_point, const DrawUniforms& uniforms) {
-  // A driver may take every newly bound block for a change, also when it holds the same values. A zero of another sign
+  // A driver may treat every newly bound block as a change, even if it holds the same values. A zero of opposite sign
   // binds once more, which does no harm.
   // NOLINTNEXTLINE(bugprone-suspicious-memory-comparison)
   if (bound_to_ == binding_point && std::memcmp(&bound_, &uniforms, sizeof uniforms) == 0) return;

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Uniform blocks for draw calls, one after the other in one buffer of OpenGL.
+// Successive uniform blocks for draw calls, in one OpenGL buffer.
 //
 // What it guarantees: a block that was bound keeps its contents until the draw calls that read it are done, and no call
-// waits for drawing. Each block has a place of its own in the buffer; when all places are used, the driver is asked for
-// fresh memory and keeps the old one as long as draw calls need it.
+// waits for drawing. Each block has its own slot in the buffer; when all slots are used, the driver allocates fresh
+// memory and keeps the old memory while draw calls need it.
 //
 // Smallest use:
 //     UniformRing ring;
 //     ring.bind(kBindingPoint, uniforms);
 //     glDrawArraysInstanced(...);
 //
-// Cost: `bind` copies the block, 144 bytes, unless it equals the one that is bound. Threads: the one that owns the context, which must be current.
+// Cost: `bind` copies the block, 144 bytes, unless it equals the bound one. Threads: the one that owns the context,
+// which must be current.
 #pragma once
 
 #include <epoxy/gl.h>
@@ -26,7 +27,7 @@ class UniformRing {
  public:
   UniformRing();
 
-  /// The next draw call reads `uniforms` at the binding point, to which nothing else is bound.
+  /// The next draw call reads `uniforms` at the binding point, which must have no other buffer.
   void bind(GLuint binding_point, const DrawUniforms& uniforms);
 
  private:

@@ -19,14 +19,14 @@ namespace mes::figure {
 namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-// Beyond half a stroke's width: ends of what is cut stay out of sight, blurred ones too.
+// Margin beyond half a stroke's width: ends of cut strokes stay out of sight, even blurred ones.
 constexpr double kBeyond = 1.0;
 
 const LayerDescriptor& descriptor_of(const Drawing& drawing, VariantLayer layer) {
   return drawing.layers[layer.layer];
 }
 
-/// Of the finite scalars of a layer.
+/// The range of the finite scalars of a layer.
 render::ScalarRange scalar_range(const LayerMirror& mirror, VariantLayer layer) {
   render::ScalarRange out;
   for (const PrimitiveKind kind : kAllPrimitiveKinds) {
@@ -41,8 +41,8 @@ bool meet(const Box2& a, const Box2& b) {
   return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
 }
 
-/// The corners of a convex polygon that is cut by a half-plane: where `height` is positive it is kept (Sutherland and
-/// Hodgman, "Reentrant polygon clipping", 1974).
+/// Cuts a convex polygon by a half-plane, and keeps the part with positive `height` (Sutherland and Hodgman, "Reentrant
+/// polygon clipping", 1974).
 template <class Height>
 std::vector<Vec2> cut(const std::vector<Vec2>& corners, const Height& height) {
   std::vector<Vec2> out;
@@ -57,7 +57,7 @@ std::vector<Vec2> cut(const std::vector<Vec2>& corners, const Height& height) {
   return out;
 }
 
-/// Turns the instances of one layer into the shapes that are seen.
+/// Converts the instances of one layer to visible shapes.
 class LayerBuilder {
  public:
   LayerBuilder(const Drawing& drawing, const Page& page, const Grid& grid, const render::LayerView& view)
@@ -89,7 +89,7 @@ class LayerBuilder {
       add_texts(*view_.texts, out);
       return out;
     }
-    // As `Scene` does it: a flat layer is one group, and triangles are one anyway.
+    // Same as in `Scene`: a flat layer is one group, and triangles always are.
     if (style_.flat && opacity < 1.0) {
       Group all{.opacity = opacity};
       for (const PrimitiveKind kind : render::kDrawOrder) add(index, kind, 1.0, all);
@@ -161,7 +161,7 @@ class LayerBuilder {
         straight(from, to_page(v[2], v[3]) - from, {0.0, 1.0});
         break;
       }
-      // Page directions: only their angle matters, and no length of a direction of the document overflows.
+      // Page directions: only their angle matters, and no length of a document direction overflows.
       case PrimitiveKind::ray: straight(to_page(v[0], v[1]), direction(v[2], v[3]), {0.0, kEndless}); break;
       case PrimitiveKind::line: straight(to_page(v[0], v[1]), direction(v[2], v[3]), {-kEndless, kEndless}); break;
       case PrimitiveKind::triangle: triangle(v); break;
@@ -179,7 +179,7 @@ class LayerBuilder {
   void put(Shape shape, const Dashes& dashes = {}) {
     const bool filled = is_filled(shape.kind);
     for (Vec2& p : shape.p) p = grid_(p);
-    // Not zero: programs stop at a circle that is squeezed into a point.
+    // Radius zero would make some viewers stop at the circle.
     const bool is_round =
         shape.kind == ShapeKind::disk || shape.kind == ShapeKind::circle || shape.kind == ShapeKind::arc;
     if (is_round) shape.radius = std::max(grid_(shape.radius), grid_.step());
@@ -231,7 +231,7 @@ class LayerBuilder {
     on_page.add(to_page(bounds.low.x, bounds.low.y));
     on_page.add(to_page(bounds.high.x, bounds.high.y));
     if (!meet(on_page, box_)) return;
-    // Ends that come to lie on one point of the page: nearly nothing of the circle, or nearly all of it.
+    // Both ends fall on one point of the page: the arc is nearly nothing of the circle, or nearly all of it.
     if (grid_(from) == grid_(to)) {
       if (sweep > 0.5 * kTurn)
         put({.kind = ShapeKind::circle, .p = {center}, .radius = radius}, along_circle(radius, 0.0));
@@ -243,13 +243,13 @@ class LayerBuilder {
         along_circle(radius, angle(center, from)));
   }
 
-  /// Counter-clockwise as seen, from the direction to the right, in [0, 2 pi).
+  /// Angle on screen, counter-clockwise from the direction to the right, in [0, 2 pi).
   static double angle(Vec2 center, Vec2 p) {
     const double out = std::atan2(center.y - p.y, p.x - center.x);
     return out < 0.0 ? out + kTurn : out;
   }
 
-  /// Whole periods go around a circle, counted from its rightmost point.
+  /// A whole number of periods fits around a circle, counted from its rightmost point.
   Dashes along_circle(double radius, double from) const {
     if (!style_.dashed) return {};
     const double around = kTurn * radius;
@@ -258,7 +258,7 @@ class LayerBuilder {
     return {dash, period - dash, std::fmod(from * radius + 0.5 * dash, period)};
   }
 
-  /// start + t * direction for the t in `within`.
+  /// Adds start + t * direction for the t in `within`.
   void straight(Vec2 start, Vec2 direction, Stretch within) {
     if (!is_finite(start) || !is_finite(direction)) return;
     Stretch seen = stretch_in(box_, start, direction, within);
@@ -266,7 +266,7 @@ class LayerBuilder {
     Dashes dashes;
     if (style_.dashed) {
       dashes = {dash_, period_ - dash_, 0.5 * dash_};
-      // From a place where a dash is in the middle, so that all strokes of the layer share one pattern.
+      // Starts at the middle of a dash, so that all strokes of the layer share one pattern.
       const double step = period_ / std::max(length(direction), grid_.step());
       seen.low = std::max(std::floor(seen.low / step) * step, within.low);
     }
@@ -283,7 +283,7 @@ class LayerBuilder {
     }
     if (!meet(bounds, box_)) return;
     if (cross(corners[1] - corners[0], corners[2] - corners[0]) < 0.0) std::swap(corners[1], corners[2]);
-    // Corners are kept where they are as long as the numbers are of the page's size.
+    // Corners keep their positions while the numbers are of the page's size.
     const Box2 near{box_.low - Vec2{diagonal_, diagonal_}, box_.high + Vec2{diagonal_, diagonal_}};
     if (!near.contains(bounds.low) || !near.contains(bounds.high)) {
       corners = cut(corners, [&](Vec2 p) { return p.x - box_.low.x; });
@@ -327,7 +327,7 @@ Box2 around(Vec2 center, double reach) {
   return {center - Vec2{reach, reach}, center + Vec2{reach, reach}};
 }
 
-/// On the page, without the width of strokes.
+/// Bounds on the page, without the width of strokes.
 Box2 bounds_of(const Shape& shape) {
   Box2 box;
   switch (shape.kind) {
@@ -341,7 +341,7 @@ Box2 bounds_of(const Shape& shape) {
       for (std::size_t i = 0; i < 3; ++i) box.add(shape.p[i]);
       return box;
     case ShapeKind::arc: {
-      // Upside down, so that counter-clockwise is what it is for an `Arc`.
+      // Mirrored, so that counter-clockwise has the meaning of `Arc`.
       const auto flipped = [](Vec2 p) { return Vec2{p.x, -p.y}; };
       const Box2 bounds =
           bounding_box_of(Arc{flipped(shape.p[2]), shape.radius, flipped(shape.p[0]), flipped(shape.p[1])});
@@ -351,14 +351,14 @@ Box2 bounds_of(const Shape& shape) {
     }
     case ShapeKind::rim:
     case ShapeKind::curve:
-      // Beyond the page in both directions; its edge is where it ends.
+      // The curve leaves the page at both ends, so its points bound the visible part.
       for (std::size_t i = 0; i < (shape.kind == ShapeKind::rim ? 6 : 4); ++i) box.add(shape.p[i]);
       return box;
   }
   return box;
 }
 
-/// What letters cover at most, whichever they are.
+/// Adds the largest area that any letters of the texts can cover.
 void add(Box2& box, std::span<const Text> texts) {
   constexpr double kAscent = 0.8;
   constexpr double kDescent = 0.25;
@@ -385,7 +385,7 @@ Page part_of(const Page& page, const Box2& part) {
   out.width = part.width();
   out.height = part.height();
   const Vec2 moved = part.center() - Vec2{0.5 * page.width, 0.5 * page.height};
-  // The low part takes the move, which is of the page's size.
+  // The low part receives the shift, which has the page's size.
   out.center_low = out.center_low + page.units_per_point * Vec2{moved.x, -moved.y};
   return out;
 }

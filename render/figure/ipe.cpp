@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ipe 7, the XML format of the extensible drawing editor (its manual, "The Ipe file format"): a layer a layer.
+// Ipe 7, the XML format of the extensible drawing editor (its manual, "The Ipe file format"): an Ipe layer a layer.
 //
-// Ipe has no opacity of groups: each path of a flat layer that is one path has it instead, which is the same where the
-// layer has one colour. A flat layer of several colours is a picture.
+// Ipe has no group opacity. A flat layer of one colour becomes one path with the opacity of the layer, which looks the
+// same. A flat layer of several colours becomes a picture.
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -23,7 +23,7 @@
 namespace mes::figure {
 namespace {
 
-/// Its shapes hide each other and are laid on the page with one opacity.
+/// Whether its shapes hide each other and are blended onto the page with one opacity.
 bool is_flat_in_colors(const Group& group) {
   return group.opacity < 1.0 &&
          std::ranges::any_of(group.runs, [&](const Run& run) { return run.color != group.runs.front().color; });
@@ -35,7 +35,7 @@ class IpeWriter {
 
   std::string write() {
     std::string layers;
-    std::string data;  // of the layer that comes first
+    std::string data;  // data attribute of the first layer
     if (!figure_.session.empty())
       data = " data=\"" + std::string(kCarriedSession) + ':' + base64(figure_.session) + '"';
     if (has_background()) layers += "<layer name=\"background\"" + std::exchange(data, "") + "/>\n";
@@ -72,7 +72,7 @@ class IpeWriter {
     return out;
   }
   std::string pair(Vec2 p) const { return number(p.x) + ' ' + number(p.y); }
-  /// Here y grows upwards.
+  /// y grows upwards in Ipe.
   std::string text(Vec2 p) const { return pair({p.x, figure_.height - p.y}); }
   static std::string color(Rgb color) {
     std::string out;
@@ -82,7 +82,7 @@ class IpeWriter {
     }
     return out;
   }
-  /// Opacities are known by names from the style.
+  /// Ipe knows opacities by the names in its style.
   const std::string& named_opacity(double value) {
     std::string text;
     append_decimal(text, value, kColorDecimals);
@@ -120,7 +120,7 @@ class IpeWriter {
 
   void write(const PlacedImage& placed) {
     const render::Image& image = placed.image;
-    // Of each pixel the alpha comes first.
+    // The alpha is the first byte of each pixel.
     std::string bytes;
     bytes.reserve(image.rgba.size());
     for (std::size_t i = 0; i < image.rgba.size(); i += 4)
@@ -146,7 +146,7 @@ class IpeWriter {
         attributes += " dash=\"[" + pair({run.dashes.on, run.dashes.off}) + "] " + number(run.dashes.offset) + '"';
     }
     attributes += opacity(run.opacity * group_opacity);
-    // Shapes that do not darken each other are one path, where they need to be.
+    // Shapes that must not darken each other form one path.
     const bool is_together = run.opacity >= 1.0 && group_opacity < 1.0;
     const bool has_chains = run.opacity >= 1.0;
     const std::span<const Shape> shapes(run.shapes);
@@ -159,7 +159,7 @@ class IpeWriter {
     if (is_together) body_ += "</path>\n";
   }
 
-  /// The shape at `i`, or the chain that begins there; gives the number of shapes.
+  /// Writes the shape at `i`, or the chain that begins there; returns the number of shapes.
   std::size_t path(std::span<const Shape> shapes, std::size_t i, bool with_chains) {
     const Shape& shape = shapes[i];
     const auto line = [&](Vec2 p) { body_ += text(p) + " l\n"; };
@@ -213,7 +213,7 @@ class IpeWriter {
     write(figure_.legend.texts, " layer=\"legend\"");
   }
 
-  /// `layer`: the attribute that names it, with a space before; what is in a group has none.
+  /// `layer`: the attribute with the layer's name, with a leading space; empty inside a group.
   void write(std::span<const Text> texts, const std::string& layer) {
     for (const TexText& each : tex_texts(texts))
       body_ += "<text" + layer + " pos=\"" + text(each.text.start) + "\" stroke=\"" + color(each.text.color) +

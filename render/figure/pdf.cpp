@@ -2,7 +2,7 @@
 // Portable Document Format 1.5, ISO 32000-1:2008: layers as optional content groups (8.11), translucent groups as
 // transparency group XObjects (11.6.6), an outline (12.3.3), streams compressed.
 //
-// An own writer, since the library that other programs use for PDF has no optional content.
+// A custom writer, because the usual PDF library has no optional content.
 #include <algorithm>
 #include <iterator>
 #include <list>
@@ -29,7 +29,7 @@ namespace {
 
 constexpr int kSheetDecimals = 3;
 
-/// A string of PDF in UTF-16, so that any title can be said.
+/// A PDF string in UTF-16, so that any title is possible.
 std::string text_string(std::string_view utf8) {
   std::string out = "<FEFF";
   for (std::size_t i = 0; i < utf8.size();) {
@@ -61,7 +61,7 @@ class PdfBook::Writer {
   }
 
   void add(const Sheet& sheet) {
-    // Lengths of the page itself are in the decimals of its first figure.
+    // Lengths of the page have the decimals of its first figure.
     decimals_ = sheet.figures.empty() ? kSheetDecimals : sheet.figures.front().figure->decimals;
     std::string content = "1 0 0 -1 0 ";
     decimal(content, sheet.height);
@@ -119,7 +119,7 @@ class PdfBook::Writer {
     }
     out += is_fill ? "rg\n" : "RG\n";
   }
-  /// Sets the opacity of what follows.
+  /// Sets the opacity of the following content.
   void opacity(std::string& out, double value) {
     std::string text;
     append_decimal(text, value, kColorDecimals);
@@ -142,8 +142,8 @@ class PdfBook::Writer {
     legend(figure.legend, content);
   }
 
-  /// The group of the layer, by its place in `ocgs_`. `above` is the place in the order above the layer before, and
-  /// becomes that above this one.
+  /// Index in `ocgs_` of the layer's group. `above` is the position in the stacking order above the previous layer; it
+  /// moves above this one.
   std::size_t group_of(const FigureLayer& layer, std::list<std::size_t>::iterator& above) {
     const auto [found, is_new] = groups_.try_emplace(layer.id);
     if (is_new) {
@@ -182,7 +182,7 @@ class PdfBook::Writer {
     content += "Q\nEMC\n";
   }
 
-  /// What is painted together, before it is laid on the page.
+  /// A form with content that is painted as a whole before it is blended onto the page.
   std::string form(const std::string& inside) {
     std::string box;
     point(box, page_);
@@ -237,7 +237,7 @@ class PdfBook::Writer {
       content += " d\n";
     }
     paint(content, run.color, run.is_filled);
-    // Where overlaps cannot be seen, one stroke or filling does for all; disks stay apart, for those who edit them.
+    // If overlaps are invisible, one stroke or fill serves all; disks stay separate, so that they can be edited.
     const bool is_one_path = run.opacity >= 1.0;
     const char* const ending = run.is_filled ? "f\n" : "S\n";
     const std::span<const Shape> shapes(run.shapes);
@@ -259,7 +259,7 @@ class PdfBook::Writer {
     out += "c\n";
   }
 
-  /// The shape at `i`, or the chain that begins there; gives the number of shapes.
+  /// Writes the shape at `i`, or the chain that begins there; returns the number of shapes.
   std::size_t path(std::span<const Shape> shapes, std::size_t i, bool with_chains, std::string& out) const {
     const Shape& shape = shapes[i];
     const auto move = [&](Vec2 p) {
@@ -341,7 +341,7 @@ class PdfBook::Writer {
       groups += PdfObjects::reference(ocgs_[i]) + ' ';
       properties += "/L" + std::to_string(i) + ' ' + PdfObjects::reference(ocgs_[i]);
     }
-    // A viewer lists them as it draws them: the topmost first.
+    // Viewers list them in this order: the topmost first.
     std::string order;
     for (auto group = order_.rbegin(); group != order_.rend(); ++group) order += PdfObjects::reference(*group) + ' ';
     std::string externals;
@@ -361,7 +361,7 @@ class PdfBook::Writer {
                                outline() + attachment() + ">>");
   }
 
-  /// For the catalogue: the bookmarks.
+  /// Catalogue entry with the bookmarks.
   std::string outline() {
     if (bookmarks_.empty()) return {};
     const std::size_t root = objects_.reserve();
@@ -381,7 +381,7 @@ class PdfBook::Writer {
     return "/Outlines " + PdfObjects::reference(root);
   }
 
-  /// For the catalogue: the session, as a file that viewers list and save.
+  /// Catalogue entry with the session, as a file that viewers list and save.
   std::string attachment() {
     if (info_.session.empty()) return {};
     const std::string key(kCarriedSession);
@@ -393,9 +393,9 @@ class PdfBook::Writer {
     return "/Names<</EmbeddedFiles<</Names[" + name + PdfObjects::reference(file) + "]>>>>";
   }
 
-  /// A group of optional content.
+  /// An optional content group.
   struct LayerGroup {
-    std::size_t index = 0;  // in `ocgs_`
+    std::size_t index = 0;  // index in `ocgs_`
     std::list<std::size_t>::iterator in_order{};
   };
 
@@ -405,14 +405,14 @@ class PdfBook::Writer {
   std::size_t pages_ = 0;
   std::size_t resources_ = 0;
   std::vector<std::size_t> page_numbers_;
-  std::vector<std::pair<std::string, std::size_t>> bookmarks_;  // and their pages
+  std::vector<std::pair<std::string, std::size_t>> bookmarks_;  // titles and pages
   std::vector<std::size_t> ocgs_;
-  std::list<std::size_t> order_;              // the same, from below
-  std::map<std::string, LayerGroup> groups_;  // by the id of their layer
+  std::list<std::size_t> order_;              // the same in stacking order, bottom first
+  std::map<std::string, LayerGroup> groups_;  // by layer id
   std::vector<std::size_t> externals_;
   std::map<std::string, std::string> states_;  // opacity to name
   PdfFonts fonts_;
-  // Of the figure that is being written.
+  // State of the figure that is being written.
   int decimals_ = kSheetDecimals;
   Vec2 page_;
 };

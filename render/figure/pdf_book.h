@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Several pages in one file of PDF, each of figures side by side.
+// Several pages in one PDF file, each with figures side by side.
 //
-// What it guarantees beside what `render/figure/writers.h` says of all formats:
-//  1. A layer is one optional content group for all pages it is on; viewers list those of the page that is seen.
-//  2. Fonts are carried once, with the letters of all pages.
-//  3. Pages that have a bookmark are in the outline, in their order.
+// What it guarantees beside the guarantees of `render/figure/writers.h` for all formats:
+//  1. A layer is one optional content group for all its pages; viewers list the groups of the visible page.
+//  2. Fonts are embedded once, with the letters of all pages.
+//  3. Pages with a bookmark are in the outline, in their order.
 //
 // Smallest use:
 //     PdfBook book({.title = "Lesson", .fonts = fonts});
@@ -27,21 +27,21 @@ namespace mes::figure {
 
 struct PlacedFigure {
   const Figure* figure = nullptr;
-  Vec2 corner{};  ///< its upper left corner on the page, in points; what lies beyond its own page is cut
+  Vec2 corner{};  ///< position of its upper left corner, in points; content beyond its own page is cut
 };
 
 /// Lengths are in points.
 struct Sheet {
   double width = 0.0;
   double height = 0.0;
-  std::optional<Rgb> background{};      ///< below the figures and theirs
-  std::vector<PlacedFigure> figures{};  ///< the first below
+  std::optional<Rgb> background{};      ///< below all figures and their backgrounds
+  std::vector<PlacedFigure> figures{};  ///< bottom first
   std::string bookmark{};               ///< UTF-8; empty: none
 };
 
 struct BookInfo {
   std::string title{};                   ///< UTF-8; empty: none
-  std::shared_ptr<const Fonts> fonts{};  ///< of the texts of all pages; none: Helvetica, by name
+  std::shared_ptr<const Fonts> fonts{};  ///< fonts of all pages; none: Helvetica, by name
   std::string session{};                 ///< compressed (core/base/carried_session.h); empty: none
 };
 
@@ -52,9 +52,9 @@ class PdfBook {
   PdfBook(PdfBook&& other) noexcept;
   PdfBook& operator=(PdfBook&& other) noexcept;
 
-  /// The figures are not needed any more when it returns.
+  /// Does not refer to the figures after it returns.
   void add(const Sheet& sheet);
-  /// The bytes of the file; one page at least has been added.
+  /// The bytes of the file; at least one page must have been added.
   std::string file() &&;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// PostScript and encapsulated PostScript, through cairo: PostScript has no opacity, and cairo puts a picture of 300 dots
-// an inch where something is translucent, as vectors all that is not.
+// PostScript and encapsulated PostScript, through cairo: PostScript has no opacity, so cairo makes a picture of 300
+// dots an inch of translucent parts, and vectors of all others.
 #include <cairo-ps.h>
 
 #include <string>
@@ -18,7 +18,7 @@ cairo_status_t append_bytes(void* to, const unsigned char* bytes, unsigned int c
   return CAIRO_STATUS_SUCCESS;
 }
 
-/// The comment lines that say when a file was made and by which version of which library.
+/// Removes the comment lines with the date of a file and the version of the library.
 void remove_comments_that_vary(std::string& text) {
   for (const char* const name : {"%%CreationDate:", "%%Creator:"}) {
     const std::size_t at = text.find(name);
@@ -34,7 +34,7 @@ std::size_t translucent_shapes(const FigureLayer& layer) {
   return count;
 }
 
-/// The layers of which cairo would make a picture shape by shape, for minutes.
+/// Layers that cairo would rasterize shape by shape, for minutes.
 std::vector<std::string> layers_to_rasterize(const Figure& figure) {
   constexpr std::size_t kMostTranslucent = 1000;
   std::vector<std::string> out;

@@ -22,7 +22,7 @@ std::unexpected<Error> no_memory(int width, int height) {
                                fmt::format("memory is not enough for a picture of {}x{} pixels", width, height)});
 }
 
-/// Divides by alpha, which cairo has multiplied in.
+/// Divides by alpha, because cairo's pixels are premultiplied.
 render::Image unpremultiplied(cairo_surface_t* surface) {
   render::Image out{cairo_image_surface_get_width(surface), cairo_image_surface_get_height(surface), {}};
   out.rgba.resize(4 * static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
@@ -48,7 +48,7 @@ render::Image unpremultiplied(cairo_surface_t* surface) {
   return out;
 }
 
-/// What `paint` paints of the part of the page, in points.
+/// The output of `paint` for this part of the page, in points.
 template <class Paint>
 Expected<render::Image> painted(const Figure& figure, const Box2& part, double pixels_per_point, Paint&& paint) {
   const double sides[] = {part.width() * pixels_per_point, part.height() * pixels_per_point};
@@ -76,7 +76,7 @@ Expected<render::Image> painted(const Figure& figure, const Box2& part, double p
   }
 }
 
-/// The part of the page that the layer covers, with whole pixels around it.
+/// The part of the page that the layer covers, extended to whole pixels.
 Box2 part_covered(const Figure& figure, const FigureLayer& layer, double pixels_per_point) {
   const Box2 ink = ink_below_texts(layer);
   if (ink.is_empty() || ink.low.x > figure.width || ink.low.y > figure.height || ink.high.x < 0.0 || ink.high.y < 0.0)

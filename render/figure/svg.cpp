@@ -148,7 +148,7 @@ class SvgWriter {
     if (run.dashes.offset != 0.0) attribute("stroke-dashoffset", run.dashes.offset);
   }
 
-  /// Circles and disks are elements of their own; everything else is a path, one for all where overlaps cannot be seen.
+  /// Circles and disks are separate elements; everything else is a path, one for all if overlaps are invisible.
   void write(const Run& run) {
     const bool is_one_path = run.opacity >= 1.0;
     std::size_t elements = 0;
@@ -183,7 +183,7 @@ class SvgWriter {
         continue;
       }
       if (is_one_path && has_path && !in_path) {
-        // All of them here, wherever they stand in the run: it is opaque and of one colour.
+        // Writes all of them here, whatever their positions in the run: it is opaque and of one colour.
         open("path");
         out_ += " d=\"";
         for (std::size_t k = i; k < shapes.size();) k += path(shapes, k, true);
@@ -211,7 +211,7 @@ class SvgWriter {
     number_(p);
   }
 
-  /// The shape at `i`, or the chain of segments that begins there; gives the number of shapes.
+  /// Writes the shape at `i`, or the chain of segments that begins there; returns the number of shapes.
   std::size_t path(std::span<const Shape> shapes, std::size_t i, bool with_chains) {
     const Shape& shape = shapes[i];
     switch (shape.kind) {
@@ -251,7 +251,7 @@ class SvgWriter {
     return 1;
   }
 
-  /// In pieces of at most two radians: the centre of a longer one hangs on the last digit of its ends.
+  /// Writes pieces of at most two radians: the centre of a longer piece would depend on the last digit of its ends.
   void arc(const Shape& shape) {
     constexpr double kLongest = 2.0;
     const auto pieces = static_cast<int>(std::ceil(shape.sweep / kLongest));
@@ -295,7 +295,7 @@ class SvgWriter {
     if (text.is_italic) attribute("font-style", std::string("italic"));
     attribute("fill", hex(text.color));
     if (text.opacity < 1.0) fraction("fill-opacity", text.opacity);
-    // Spaces at the ends are a part of the width.
+    // Spaces at the ends are part of the width.
     if (text.text.front() == ' ' || text.text.back() == ' ') attribute("xml:space", std::string("preserve"));
     out_ += '>' + escaped_xml(text.text) + "</text>\n";
   }
@@ -303,7 +303,7 @@ class SvgWriter {
   const Figure& figure_;
   std::string out_;
   NumberWriter number_;
-  std::string prefix_;  // of ids
+  std::string prefix_;  // prefix of ids
   bool is_element_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// TikZ, with what texlive-pictures brings: a scope a layer. The file is a LaTeX document that compiles by itself, and
-// within another document, where it is read by \input, the picture alone.
+// TikZ, using only texlive-pictures: a scope for each layer. The file is a LaTeX document that compiles by itself; read
+// by \input in another document, it is only the picture.
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -18,15 +18,15 @@
 namespace mes::figure {
 namespace {
 
-// TeX has no lengths of 16384 points or more; coordinates are within six diagonals of the page.
+// Lengths in TeX are below 16384 points; coordinates are within six diagonals of the page.
 constexpr double kLongestSide = 1900.0;
-// Angles in TeX have five decimals, which place the end of an arc of this radius within a hundredth of a point.
+// Angles in TeX have five decimals, which determine the end of an arc of this radius within a hundredth of a point.
 constexpr double kLargestArc = 500.0;
 constexpr int kAngleDecimals = 5;
-// TeX reads a path piece by piece but keeps all of it.
+// TeX reads a path in pieces but keeps all of it.
 constexpr std::size_t kShapesInAPath = 200;
 // TeX keeps a page in its memory until the page is complete, 30 to 300 words for each shape, and pdflatex has five
-// million words as it is installed. A group of transparency is written out at once instead (`write`).
+// million words by default. A transparency group is output immediately instead (`write`).
 constexpr std::size_t kShapesInAGroup = 2000;
 
 class TikzWriter {
@@ -38,7 +38,7 @@ class TikzWriter {
     if (figure_.background) body_ += "\\fill[" + color(*figure_.background) + "] " + page + ";\n";
     for (const FigureLayer& layer : figure_.layers) write(layer);
     legend();
-    // LaTeX makes \@nodocument \relax where the document begins.
+    // LaTeX sets \@nodocument to \relax at the beginning of the document.
     std::string out =
         "% By itself, on a page of its size: pdflatex FILE.tex\n"
         "% In a document with \\usepackage{tikz}: \\input{FILE.tex}\n"
@@ -62,8 +62,8 @@ class TikzWriter {
       out += "\\definecolor{" + color_name(number) + "}{HTML}{" + digits + "}%\n";
     }
     out += "\\begin{tikzpicture}[x=1bp,y=1bp,line cap=round,line join=round]\n";
-    // Without \immediate pdflatex would keep each group in its memory until the page is complete, as other programs
-    // do, whose memory grows.
+    // \immediate is needed because pdflatex would otherwise keep each group in memory until the page is complete. Other
+    // engines do so, but their memory grows.
     if (has_parts_)
       out +=
           "\\ifdefined\\pdfxform\\let\\mesecinaform\\pdfxform"
@@ -85,7 +85,7 @@ class TikzWriter {
     append_decimal(out, value, decimals);
     return out;
   }
-  /// Here y grows upwards.
+  /// y grows upwards in TikZ.
   std::string text(Vec2 p) const { return '(' + number(p.x) + ',' + number(figure_.height - p.y) + ')'; }
   std::string length(double value) const { return number(value) + "bp"; }
 
@@ -105,7 +105,7 @@ class TikzWriter {
     body_ += "\\end{scope}\n";
   }
 
-  /// Many shapes are painted in parts, each a group of its own: painting is associative, so this cannot be seen.
+  /// Paints many shapes in parts, each its own group: painting is associative, so this is invisible.
   void write(const Group& group) {
     std::size_t count = 0;
     for (const Run& run : group.runs) count += run.shapes.size();
@@ -131,7 +131,7 @@ class TikzWriter {
     if (in_part != 0) body_ += "\\end{scope}\n";
   }
 
-  /// Shapes of the run.
+  /// Writes some shapes of the run.
   void write(const Run& run, std::span<const Shape> shapes) {
     const bool is_one_path = run.opacity >= 1.0;
     std::string look = color(run.color);
@@ -139,7 +139,7 @@ class TikzWriter {
     if (run.dashes != Dashes{})
       look += ",line cap=butt,dash pattern=on " + length(run.dashes.on) + " off " + length(run.dashes.off) +
               ",dash phase=" + length(run.dashes.offset);
-    // What many paths have in common is said once: TeX keeps it in its memory each time that it is said.
+    // The common look of many paths is written once: TeX stores every repetition in its memory.
     const bool has_scope = !is_one_path && shapes.size() > 1;
     if (has_scope) body_ += "\\begin{scope}[" + look + "]\n";
     const std::string command =
@@ -166,7 +166,7 @@ class TikzWriter {
                text(bezier.end);
   }
 
-  /// The shape at `i`, or the chain that begins there; gives the number of shapes.
+  /// Writes the shape at `i`, or the chain that begins there; returns the number of shapes.
   std::size_t path(std::span<const Shape> shapes, std::size_t i, bool with_chains) {
     const Shape& shape = shapes[i];
     body_ += ' ' + text(shape.p[0]);

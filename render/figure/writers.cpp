@@ -19,11 +19,11 @@ constexpr std::array kFormats{
     Format{.extension = ".tex", .name = "TikZ", .write = tikz_of, .has_images = false},
 };
 
-// Shapes that stand together, as chains of segments do, are looked at together.
+// Adjacent shapes, such as chains of segments, stay in one block.
 constexpr std::size_t kShapesOfABlock = 512;
 constexpr std::size_t kBlocks = 64;
 
-/// The shapes of one block out of `every`, and how many they are; 0: of none.
+/// The shapes of one block out of `every`, and their number; 0: no shapes.
 std::pair<Figure, std::size_t> thinned(const Figure& figure, std::size_t every) {
   Figure out{.width = figure.width, .height = figure.height, .decimals = figure.decimals};
   std::size_t place = 0;
@@ -33,7 +33,7 @@ std::pair<Figure, std::size_t> thinned(const Figure& figure, std::size_t every) 
     thin.id = layer.id;
     thin.line_width = layer.line_width;
     for (const Group& group : layer.groups) {
-      if (group.opacity < 1.0 && group.runs.size() > 1) continue;  // a picture, in some formats
+      if (group.opacity < 1.0 && group.runs.size() > 1) continue;  // some formats make a picture of it
       Group& part = thin.groups.emplace_back(Group{.opacity = group.opacity});
       for (const Run& run : group.runs) {
         Run few{run.color, run.opacity, run.is_filled, run.dashes, {}};
@@ -70,7 +70,7 @@ std::span<const Format> formats() {
 }
 
 Expected<std::string> bytes_of(const Figure& figure, const Format& format, std::size_t most) {
-  // No format has a shape in fewer bytes, so a figure that is far too large takes no memory.
+  // No format needs fewer bytes for a shape, so a figure that is far too large takes no memory.
   constexpr std::size_t kLeastOfAShape = 4;
   const auto refuse = [most] {
     return std::unexpected(Error{ErrorCode::usage,
@@ -82,7 +82,7 @@ Expected<std::string> bytes_of(const Figure& figure, const Format& format, std::
   };
   const std::size_t shapes = shape_count(figure);
   if (shapes > most / kLeastOfAShape) return refuse();
-  // Writing takes memory for all of it, and time; what is near the limit is written.
+  // Writing takes time, and memory for all of it; a figure near the limit is written.
   constexpr std::size_t kMostOfAShape = 400;
   if (format.grows && shapes > most / kMostOfAShape && shapes > kShapesOfABlock * kBlocks) {
     const auto estimated = estimated_bytes(figure, format);

@@ -48,7 +48,7 @@ class DoubledSamples final : public Structure {
 Layer make_doubled_points_layer(const StructureSet& set) {
   const auto& samples = set.get<Samples>();
   const auto& doubled = set.get<DoubledSamples>();
-  // Member by member: where an allocation in the middle of nested braces fails, GCC 12 destroys the first ones twice.
+  // Assigned member by member: if an allocation inside nested braces fails, GCC 12 destroys the first members twice.
   Layer layer;
   layer.descriptor = {.id = "doubled-points", .name = "Doubled points", .kinds = {PrimitiveKind::point}};
   layer.descriptor.tooltip = "Each sample, farther from the origin";

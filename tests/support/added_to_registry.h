@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program's own registry with one more thing of each kind, as a caller may add them:
+// The program's own registry with one more entry of each kind, added as a caller may add it:
 //   the structure `doubled-samples`, which reads the parameter `doubling-factor`,
 //   the layer `doubled-points`, which shows each sample that many times as far from the origin,
 //   the evolution `doubling`, with the parameter `doubling-times`,
@@ -10,19 +10,19 @@
 
 namespace mes::test {
 
-/// 2 by default.
+/// Default: 2.
 extern const Parameter kDoublingFactor;
-/// How many times as far from the origin a step of the evolution moves each sample; 2 by default.
+/// Factor by which a step of the evolution scales the distance of each sample from the origin; default: 2.
 extern const Parameter kDoublingTimes;
 
-/// Made at the first call.
+/// Created at the first call.
 const Registry& registry_with_additions();
-/// Adds all of that to a registry that has the program's sources.
+/// Adds all of the above to a registry that has the program's sources.
 void add_additions(Registry& registry);
-/// The same from a registry that has it.
+/// Removes the same from a registry.
 void remove_additions(Registry& registry);
 
-/// Sources and `doubled-points`, and nothing of the program beside them. Made at the first call.
+/// A registry with only the sources and `doubled-points`. Created at the first call.
 const Registry& registry_of_one_layer();
 
 }  // namespace mes::test

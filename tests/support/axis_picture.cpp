@@ -16,7 +16,7 @@ class Groups {
     while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
     return i;
   }
-  /// True when they were different.
+  /// Joins two sets; true if they were different.
   bool join(std::size_t a, std::size_t b) {
     a = of(a);
     b = of(b);
@@ -46,7 +46,7 @@ AxisPicture axis_picture(std::span<const double> segments, double merge_distance
     ends.push_back({segments[at + 2], segments[at + 3]});
     out.length += distance(ends[ends.size() - 2], ends.back());
   }
-  // Ends by x; near ones are near in this order too.
+  // Sorted by x, so that near ends are near in this order, too.
   std::vector<std::size_t> order(ends.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, [&](std::size_t i) { return ends[i].x; });

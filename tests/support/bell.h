@@ -7,17 +7,17 @@
 
 namespace mes::test {
 
-/// Jobs of other threads wake it, in place of the window.
+/// Jobs of other threads wake the test through it, instead of the window.
 class Bell {
  public:
-  /// The function that jobs call. The bell outlives them.
+  /// The function that jobs call. The bell must outlive them.
   std::function<void()> ring() {
     return [this] {
       ++rings_;
       rings_.notify_all();
     };
   }
-  /// Waits until the condition holds, which is asked at first and after each ring.
+  /// Waits until the condition holds; tests it first at once, then after each ring.
   template <class Condition>
   void wait_until(Condition condition) {
     for (std::uint64_t heard = rings_; !condition(); heard = rings_) rings_.wait(heard);

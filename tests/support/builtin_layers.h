@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program's own registry, asked for by tests that need no other one.
+// The program's own registry, for tests that need no other one.
 #pragma once
 
 #include <memory>
@@ -16,12 +16,12 @@ inline std::span<const LayerDescriptor> layer_descriptors() {
   return builtins().layers();
 }
 
-/// The position of a public id, or kNoLayer.
+/// The index of a layer by public id, or kNoLayer.
 inline LayerIndex find_layer(std::string_view id) {
   return builtins().find_layer(id);
 }
 
-/// Null: there is none with that public id.
+/// The evolution with that public id; null if there is none.
 inline std::shared_ptr<const Evolution> find_evolution(std::string_view id) {
   return builtins().evolutions().find(id);
 }

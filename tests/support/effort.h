@@ -6,7 +6,7 @@
 
 namespace mes::test {
 
-/// How many times as many random cases as usual a test tries: the environment variable MESECINA_EFFORT, or 1.
+/// Factor on the usual number of random cases of a test: the environment variable MESECINA_EFFORT, or 1.
 inline std::uint64_t effort() {
   const char* const text = std::getenv("MESECINA_EFFORT");
   const std::uint64_t found = text != nullptr ? std::strtoull(text, nullptr, 10) : 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Waiting for what no bell rings for: files, other processes, counters.
+// Waits for events without a bell: files, other processes, counters.
 #pragma once
 
 #include <chrono>
@@ -8,7 +8,7 @@
 
 namespace mes::test {
 
-/// Asks every 5 ms until the condition holds; returns false after five minutes without it.
+/// Tests the condition every 5 ms until it holds; returns false after five minutes.
 bool eventually(std::predicate auto condition) {
   using namespace std::chrono_literals;
   for (const auto end = std::chrono::steady_clock::now() + 300s; std::chrono::steady_clock::now() < end;) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The first thing anybody sees must be right: each built-in shape reads without a warning, and its one-step crust is
-// the curve its file names.
+// The first picture of a new user must be right: each built-in shape reads without a warning, and its one-step crust is
+// the curve in its file.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <fstream>
@@ -25,12 +25,12 @@ nlohmann::json read_index() {
   return nlohmann::json::parse(stream);
 }
 
-using Edge = std::pair<std::uint32_t, std::uint32_t>;  // of positions in the file, which are rows of a new document
+using Edge = std::pair<std::uint32_t, std::uint32_t>;  // indices in the file, equal to the rows of a new document
 
 struct ExpectedEdges {
   std::set<Edge> curve;
   std::set<Edge>
-      bridges;  ///< between the ends of open contours: the crust may close them, it knows nothing of openness
+      bridges;  ///< between the ends of open contours: the crust may close them, as it knows nothing of openness
 };
 
 ExpectedEdges expected_edges(const SampleData& data) {

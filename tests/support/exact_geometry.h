@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The crust test a second time, in integers of any size and from its definition: what the predicates are measured
-// against.
+// A second crust test, in integers of any size and from the definition: the reference for the predicates.
 //
-// Nothing here is shared with core/kernel. Doubles become integers by one common power of two, angles are cotangents
-// as fractions, and an edge is judged by the rule "both angles at most 90 degrees, cot(alpha) cot(beta) >= 1".
+// This shares no code with core/kernel. Doubles become integers through a common power of two, angles are cotangents as
+// fractions, and an edge is judged by the rule "both angles at most 90 degrees, cot(alpha) cot(beta) >= 1".
 //
 // Smallest use:
 //     const ExactEdge edge = exact_edge({p, q, r, s});
 //     CHECK(edge.is_crust() == classify_edge({p, q, r, s}, counts).is_crust);
 //
-// Cost: microseconds at ordinary sizes, some hundred at the ends of the range of doubles.
+// Cost: microseconds at ordinary sizes, some hundred microseconds at the ends of the range of doubles.
 #pragma once
 
 #include <gmpxx.h>
@@ -53,7 +52,7 @@ inline int common_exponent(std::span<const Vec2> points) {
   return least == std::numeric_limits<int>::max() ? 0 : least;
 }
 
-/// `value` / 2^e, which must be an integer.
+/// `value` / 2^e; the quotient must be an integer.
 inline mpz_class as_integer(double value, int e) {
   if (value == 0.0) return {};
   int exponent = 0;
@@ -63,7 +62,7 @@ inline mpz_class as_integer(double value, int e) {
   return out;
 }
 
-/// The points times one power of two.
+/// The points multiplied by one power of two.
 inline std::vector<ExactPoint> as_integers(std::span<const Vec2> points) {
   const int e = common_exponent(points);
   std::vector<ExactPoint> out;
@@ -87,12 +86,12 @@ inline int compare(const ExactCot& a, const ExactCot& b) {
   return *a < *b ? -1 : (*b < *a ? 1 : 0);
 }
 
-/// A Delaunay edge by the angles at its two apexes.
+/// A Delaunay edge with the angles at its two apexes.
 struct ExactEdge {
   mpq_class cot_left;
   ExactCot cot_right;  ///< none on the hull, where the angle is 0
 
-  /// Some circle through both ends, centred on the dual, holds neither end of the dual inside.
+  /// Whether some circle through both ends, centred on the dual, has neither end of the dual inside.
   bool is_crust() const {
     if (cot_left < 0) return false;
     return !cot_right || (*cot_right >= 0 && cot_left * *cot_right >= 1);
@@ -113,7 +112,7 @@ struct ExactEdge {
   }
 };
 
-/// Cotangent of the angle at `apex` from `from` to `to`, counter-clockwise; they must not be in line.
+/// Cotangent of the angle at `apex` from `from` to `to`, counter-clockwise; they must not be collinear.
 inline mpq_class exact_cot(const ExactPoint& apex, const ExactPoint& from, const ExactPoint& to) {
   const ExactPoint u = from - apex;
   const ExactPoint v = to - apex;

@@ -9,7 +9,7 @@
 
 namespace mes::test {
 
-/// Points drawn from a grid of size x size, some of them more than once.
+/// Draws points from a grid of size x size, some of them repeatedly.
 inline std::vector<Vec2> grid_draws(std::size_t n, std::uint64_t size, std::uint64_t seed) {
   Rng rng(seed);
   std::vector<Vec2> out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a consumer of patches holds: all instances of every layer, for comparison.
+// The data of a consumer of patches: all instances of every layer, for comparison.
 #pragma once
 
 #include <algorithm>
@@ -14,7 +14,7 @@ namespace mes::test {
 
 class LayerContents {
  public:
-  /// Applies a patch as a drawing buffer would, and requires it to be well formed.
+  /// Applies a patch like a drawing buffer, and requires it to be well formed.
   void apply(const FramePatch& patch) {
     for (std::size_t i = 0; i < patch.layer_count; ++i) {
       const LayerPatch& layer = patch.layers[i];
@@ -22,7 +22,7 @@ class LayerContents {
     }
   }
 
-  /// Instances without regard to their order; segments and lines without regard to their direction.
+  /// The sorted instances; segments and lines have no direction.
   std::vector<std::vector<double>> sorted(VariantLayer layer) const {
     std::vector<std::vector<double>> out;
     const auto found = layers_.find(layer);
@@ -44,7 +44,7 @@ class LayerContents {
           instance[4] = -instance[4];
         }
         if (kind == PrimitiveKind::triangle) {
-          // Begin at the smallest corner.
+          // Rotate the smallest corner to the front.
           while (std::min(std::pair(instance[3], instance[4]), std::pair(instance[5], instance[6])) <
                  std::pair(instance[1], instance[2]))
             std::rotate(instance.begin() + 1, instance.begin() + 3, instance.begin() + 7);

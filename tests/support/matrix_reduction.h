@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Births and deaths by the definition: the boundary matrix of a filtration, reduced column by column. An oracle for small
-// inputs; its values are rational numbers.
+// Persistence pairs by definition: reduces the boundary matrix of a filtration column by column. An oracle for small
+// inputs; its filtration values are rational numbers.
 #pragma once
 
 #include <gmpxx.h>
@@ -15,11 +15,11 @@
 
 namespace mes::test {
 
-/// Dimension, value of birth, whether it dies, value of death (0 if it does not).
+/// Dimension, value of birth, whether it dies, value of death (0 if it does not die).
 using ExactBar = std::tuple<int, mpq_class, bool, mpq_class>;
 
-/// Of the complex of all corners, edges and triangles on `corners` corners, below dimension 2; those that live for longer
-/// than one value, sorted. `value` of one, two or three corners says when they come.
+/// The bars of the complex of all corners, edges and triangles on `corners` corners, below dimension 2; only those of
+/// positive length, sorted. `value` of one, two or three corners is their filtration value.
 template <class Value>
 std::vector<ExactBar> bars_by_reduction(std::size_t corners, const Value& value) {
   using Corners = std::vector<std::size_t>;

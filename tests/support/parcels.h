@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A rectangle divided again and again: outlines that share borders, with corners of some within sides of others.
+// A repeatedly divided rectangle: outlines that share borders, where corners of some lie within sides of others.
 #pragma once
 
 #include <cmath>
@@ -14,8 +14,8 @@
 namespace mes::test {
 
 struct Parcels {
-  std::vector<Box2> boxes;           ///< before they were turned
-  std::vector<PlaneCurve> outlines;  ///< turned by the angle, coordinates rounded to so many decimals
+  std::vector<Box2> boxes;           ///< before the rotation
+  std::vector<PlaneCurve> outlines;  ///< rotated by the angle, coordinates rounded to `decimals` decimals
 };
 
 inline PlaneCurve closed_polygon(const std::vector<Vec2>& corners) {
@@ -29,8 +29,8 @@ inline Vec2 turned(Vec2 p, double angle) {
   return {std::cos(angle) * p.x - std::sin(angle) * p.y, std::sin(angle) * p.x + std::cos(angle) * p.y};
 }
 
-/// `count` rectangles in one of 100 x 60, none narrower than 4. An outline has its own corners, and none that others have
-/// on its sides. Some go around the other way.
+/// `count` rectangles in one of 100 x 60, none narrower than 4. An outline has only its own corners, not those of
+/// others on its sides. Some outlines are clockwise.
 inline Parcels parcels(std::size_t count, double angle, int decimals, std::uint64_t seed) {
   Rng rng(seed);
   Parcels out;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sessions store seeds, so the numbers behind a seed are a file format.
+// Sessions store seeds, so the numbers generated from a seed are a file format.
 #include <catch2/catch.hpp>
 #include <vector>
 
@@ -35,7 +35,7 @@ TEST_CASE("uniform numbers fill [0, 1) evenly") {
     sum += x;
     ++bins[static_cast<std::size_t>(x * 16.0)];
   }
-  // Standard deviations: 97 for a bin of 10000, 0.0007 for the mean; six of them.
+  // The standard deviation is 97 for a bin of 10000, and 0.0007 for the mean; six of them are allowed.
   for (const int count : bins) CHECK(std::abs(count - 10000) < 600);
   CHECK(sum / 160000.0 == Approx(0.5).margin(0.0045));
 }

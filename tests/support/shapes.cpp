@@ -20,7 +20,7 @@ struct ClosedCurve {
   std::function<double(double)> lfs;
 };
 
-/// Where the samples stand: i-th of n, in units of the spacing.
+/// Position of the i-th of n samples, in units of the spacing.
 double station(std::size_t i, const Sampling& sampling, Rng& random) {
   const double wobble = sampling.jitter == 0.0 ? 0.0 : random.uniform(-sampling.jitter, sampling.jitter);
   return static_cast<double>(i) + sampling.offset + wobble;
@@ -46,7 +46,7 @@ std::vector<Vec2> sample_evenly(const ClosedCurve& curve, std::size_t n, const S
   return points;
 }
 
-/// Samples at equal steps of the measure ds / lfs, so many that the result is an epsilon-sample.
+/// Samples at equal steps of the measure ds / lfs, enough for an epsilon-sample.
 std::vector<Vec2> sample_graded(const ClosedCurve& curve, double epsilon, const Sampling& sampling) {
   constexpr std::size_t kSteps = 16384;
   std::vector<double> measure(kSteps + 1, 0.0);
@@ -58,7 +58,7 @@ std::vector<Vec2> sample_graded(const ClosedCurve& curve, double epsilon, const 
     before = here;
   }
   const double total = measure.back();
-  // Jitter can pull neighbours apart by twice its size, which is made up for by more samples.
+  // Jitter can pull neighbours apart by twice its size; more samples compensate for this.
   const double step = 2.0 * std::log1p(epsilon) / (1.0 + 2.0 * sampling.jitter);
   const std::size_t n = std::max<std::size_t>(8, static_cast<std::size_t>(std::ceil(total / step)));
   Rng random(sampling.seed);
@@ -92,7 +92,7 @@ ClosedCurve ellipse_curve(Vec2 center, double a, double b) {
           }};
 }
 
-/// Boundary of the points within `q` of the box [-w, w] x [-h, h], by arc length from (w + q, 0) on.
+/// Boundary of the points within `q` of the box [-w, w] x [-h, h], by arc length, starting at (w + q, 0).
 ClosedCurve rounded_box_curve(double w, double h, double q) {
   const double arc = kPi * q / 2.0;
   const double total = 4.0 * (w + h + arc);
@@ -100,7 +100,7 @@ ClosedCurve rounded_box_curve(double w, double h, double q) {
     const double s = u * total;
     const double quarter = total / 4.0;
     const double turn = std::floor(s / quarter);
-    // Quarters alternate in proportions, but mirrored they are one path: up h, around the arc, along w.
+    // The quarters alternate in proportions, but up to mirroring they are one path: up h, around the arc, along w.
     const bool is_mirrored = static_cast<int>(turn) % 2 != 0;
     double t = s - turn * quarter;
     if (is_mirrored) t = quarter - t;
@@ -121,7 +121,7 @@ ClosedCurve rounded_box_curve(double w, double h, double q) {
   return {at, [=](double) { return q; }};
 }
 
-/// Holes and islands turn the other way round, as interior-on-the-left asks for holes.
+/// Reverses the direction for holes and islands: the interior must be on the left.
 std::vector<Vec2> clockwise(std::vector<Vec2> points) {
   std::reverse(points.begin() + 1, points.end());
   return points;
@@ -228,7 +228,7 @@ TestShape annulus_aligned(double inner_radius, double outer_radius, std::size_t 
   facts.axis_length = count * sum * std::tan(kPi / count);
   facts.axis_length_tolerance = 1e-9 * sum;
   const double node = sum / (2.0 * std::cos(kPi / count));
-  const double sample = 2.0 * kPi / count / 2.0;  // half a step: the nodes stand between the samples
+  const double sample = 2.0 * kPi / count / 2.0;  // half a step: the nodes lie between the samples
   const double radius = std::hypot(node - outer_radius * std::cos(sample), outer_radius * std::sin(sample));
   facts.min_radius = radius;
   facts.max_radius = radius;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sampled shapes whose medial axis is known by formula: what the tests measure the program against.
+// Sampled shapes with a known formula for the medial axis: the reference of the tests.
 //
 // What they guarantee:
-//  1. Samples run along each contour in order, outer contours counter-clockwise; `data.contours` says so.
+//  1. Samples run along each contour in order, outer contours counter-clockwise; `data.contours` lists them.
 //  2. `graded` shapes are epsilon-samples: every curve point x has a sample within epsilon * lfs(x), jitter included.
 //     Reason: neighbours are at most 2 ln(1 + epsilon) apart in the measure ds / lfs, and lfs is 1-Lipschitz.
 //  3. Equal arguments give equal samples. Random numbers come from core/base/rng.h; sine and cosine from libm.
@@ -11,9 +11,9 @@
 //     const TestShape shape = ellipse(2.0, 1.0, 400);
 //     CHECK(axis.length == Approx(*shape.expected.axis_length).margin(shape.expected.axis_length_tolerance));
 //
-// The formulas stand with each function: elementary geometry of offset curves and conics. The tolerances are bounds
-// c * h^2 (h = spacing) on the difference between the discrete inner axis and the smooth one. Over epsilon 0.03 ..
-// 0.5, offsets, jitters and seeds the largest error met was 0.74 of its bound (an ellipse by equal parameters),
+// Each function states its formula: elementary geometry of offset curves and conics. The tolerances are bounds c * h^2
+// (h = spacing) on the difference between the discrete inner axis and the smooth one. Over epsilon 0.03 .. 0.5,
+// offsets, jitters and seeds the largest observed error was 0.74 of its bound (an ellipse by equal parameters),
 // elsewhere 0.55.
 #pragma once
 
@@ -26,12 +26,12 @@
 
 namespace mes::test {
 
-/// What must come out. Counts are of the inner medial axis graph with nodes nearer than `merge_distance` taken as
-/// one.
+/// The expected results. Counts are those of the inner medial axis graph, with nodes nearer than `merge_distance`
+/// merged.
 struct Facts {
   std::size_t components = 1;
   std::size_t cycles = 0;
-  std::optional<std::size_t> leaves;         ///< axis ends; a component that is one point counts none
+  std::optional<std::size_t> leaves;         ///< axis ends; a component of one point has no leaves
   std::optional<std::size_t> branch_points;  ///< nodes with three or more edges
   std::optional<double> axis_length;
   double axis_length_tolerance = 0.0;
@@ -52,7 +52,7 @@ struct TestShape {
 struct Sampling {
   double offset = 0.0;     ///< shifts all samples along the curve, in spacings; breaks mirror symmetry
   double jitter = 0.0;     ///< each sample moves along the curve by up to this many spacings, 0 .. 0.25
-  std::uint64_t seed = 1;  ///< of the jitter
+  std::uint64_t seed = 1;  ///< seed of the jitter
 };
 
 /// 1. Ellipse x^2/a^2 + y^2/b^2 = 1, a > b, at `n` equal parameter steps. With c^2 = a^2 - b^2 the axis is the
@@ -61,12 +61,12 @@ TestShape ellipse(double a, double b, std::size_t n, const Sampling& sampling = 
 /// The same as an epsilon-sample: lfs(t) = distance to the axis segment (the outer axis is empty: convex).
 TestShape ellipse_graded(double a, double b, double epsilon, const Sampling& sampling = {});
 
-/// 2. Points at distance R from the segment [-L, L] x {0}: that segment is the axis, with r = R = lfs everywhere.
+/// 2. Points at distance R from the segment [-L, L] x {0}: the axis is that segment, with r = R = lfs everywhere.
 TestShape stadium(double half_length, double radius, double epsilon, const Sampling& sampling = {});
 
 /// 3. Annulus R1 < R2 with `n` samples on each circle at equal angles. By symmetry the axis is exactly the regular
-/// n-gon of inradius (R1 + R2)/2: length n (R1 + R2) tan(pi/n), nodes at (R1 + R2)/(2 cos(pi/n)); no tolerance but
-/// rounding.
+///    n-gon of inradius (R1 + R2)/2: length n (R1 + R2) tan(pi/n), nodes at (R1 + R2)/(2 cos(pi/n)); the only tolerance
+///    is for rounding.
 TestShape annulus_aligned(double inner_radius, double outer_radius, std::size_t n);
 /// The same region, each circle sampled by its own lfs: min(R1, (R2-R1)/2) inside, (R2-R1)/2 outside. The axis is the
 /// circle of radius (R1 + R2)/2, r = (R2 - R1)/2.
@@ -82,7 +82,7 @@ TestShape eccentric_hole(double hole_radius, double disk_radius, double distance
 TestShape rounded_rectangle(double half_width, double half_height, double corner_radius, double epsilon,
                             const Sampling& sampling = {});
 
-/// 6. Two equal ellipses side by side, `gap` apart: everything doubles, two components. `n` samples each.
+/// 6. Two equal ellipses side by side, `gap` apart: all counts double, two components. `n` samples each.
 TestShape two_ellipses(double a, double b, double gap, std::size_t n, const Sampling& sampling = {});
 
 /// 7. Disk R with `k` >= 2 holes of radius h, their centres at equal angles on the circle of radius d. k cycles, no
@@ -95,7 +95,7 @@ TestShape disk_with_holes(std::size_t k, double disk_radius, double hole_radius,
 TestShape island_in_hole(double a, double b, double inner_radius, double outer_radius, double epsilon,
                          const Sampling& sampling = {});
 
-/// One of each of the above in several proportions, for loops over everything. `epsilon` in (0, 0.5].
+/// One of each of the above in several proportions, for exhaustive loops. `epsilon` in (0, 0.5].
 std::vector<TestShape> oracle_shapes(double epsilon, const Sampling& sampling = {});
 
 }  // namespace mes::test

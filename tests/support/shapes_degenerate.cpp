@@ -13,7 +13,7 @@ namespace {
 
 using Count = std::optional<std::size_t>;
 
-/// Fills in what can be counted.
+/// Fills in the facts that can be counted.
 DegenerateInput input(std::string name, std::vector<Vec2> positions, Count crust_edges = {}, Count odd = {}) {
   std::vector<Vec2> sorted = positions;
   std::sort(sorted.begin(), sorted.end(), lexicographically_less);
@@ -91,13 +91,13 @@ std::vector<DegenerateInput> degenerate_inputs() {
   all.push_back(input("one point", {{3, 4}}, 0, 0));
   all.push_back(input("two points", {{0, 0}, {3, 4}}, 1, 2));
   all.push_back(input("acute triangle", {{0, 0}, {4, 0}, {2, 3}}, 3, 0));
-  // The hypotenuse sees a right angle: a tie, and ties are crust.
+  // The opposite angle of the hypotenuse is a right angle: a tie, and ties are crust.
   all.push_back(input("right triangle", {{0, 0}, {4, 0}, {0, 3}}, 3, 0));
   all.push_back(input("obtuse triangle", {{0, 0}, {4, 0}, {2, 1}}, 2, 2));
   all.push_back(input("flat triangle", {{0, 0}, {1, 0}, {0.5, 0x1p-80}}, 2, 2));
   all.push_back(input("square", {{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 4, 0));
 
-  // On a line the sides see angles of 0: neighbours are crust, the two ends are odd.
+  // On a line the sides have opposite angles of 0: neighbours are crust, and the two ends are odd.
   all.push_back(input("horizontal line", on_line({1, 0}, 9), 8, 2));
   all.push_back(input("vertical line", on_line({0, 1}, 9), 8, 2));
   all.push_back(input("slanted line", on_line({3, 2}, 9), 8, 2));
@@ -133,7 +133,7 @@ std::vector<DegenerateInput> degenerate_inputs() {
       input("the largest numbers",
             {{kLargest, kLargest}, {-kLargest, kLargest}, {-kLargest, -kLargest}, {kLargest, -kLargest}, {0, 0}}));
 
-  // Nearly cocircular: the filters cannot decide, exact arithmetic must.
+  // Nearly cocircular points, which only exact arithmetic can decide; filters cannot.
   std::vector<Vec2> nearly = lattice_circle().positions;
   for (std::size_t i = 0; i < nearly.size(); i += 2) nearly[i].x = std::nextafter(nearly[i].x, 1e9);
   all.push_back(input("circle off by a last bit", std::move(nearly), 36, 0));

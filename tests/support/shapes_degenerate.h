@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inputs on which careless geometry fails: too few points, collinear and cocircular ones, duplicates, extreme
-// numbers.
+// Inputs on which careless geometry fails: too few points, collinear and cocircular ones, duplicates, extreme numbers.
 //
-// Facts that are not set are not known by argument, and a test should only ask that nothing breaks.
+// Facts that are not set cannot be derived; a test should then only require that nothing breaks.
 #pragma once
 
 #include <cstddef>
@@ -23,18 +22,18 @@ struct DegenerateInput {
 };
 
 /// k x k integers, in rows. Every edge has alpha = beta = 45 degrees: a tie, so all 2k(k-1) unit edges are crust.
-/// Border samples that are no corner have degree 3: 4(k-2) odd ones. `k` >= 2.
+/// Border samples other than corners have degree 3: 4(k-2) odd ones. `k` >= 2.
 DegenerateInput integer_lattice(std::size_t k);
 
-/// The 36 integer points of x^2 + y^2 = 65^2, counter-clockwise. The hull is the crust; all inner balls are one, of
-/// radius 65 about the origin, and the axis is that point.
+/// The 36 integer points of x^2 + y^2 = 65^2, counter-clockwise. The crust is the hull; all inner balls are equal, of
+/// radius 65 about the origin, and the axis is the origin.
 DegenerateInput lattice_circle();
 
 /// Consistent crusts of degree 2 throughout whose inner balls nevertheless meet outside the samples: `number` 1..3.
 /// Too sparse for the theorem; the program must not call them certified. Found by random search among lattice points.
 DegenerateInput foreign_crossing(int number);
 
-/// The whole corpus, the above included.
+/// The whole corpus, including the inputs above.
 std::vector<DegenerateInput> degenerate_inputs();
 
 }  // namespace mes::test

@@ -54,7 +54,7 @@ std::vector<NodeStateOf> nodes_of(const Delaunay& delaunay, const OneStepCrust& 
   return nodes;
 }
 
-// Each site with the samples on its two polar circles; a pole at infinity counts as the site itself, none as nothing.
+// Each site with the samples on its two polar circles; a pole at infinity counts as the site, a missing one as nothing.
 std::vector<std::vector<Vec2>> poles_of(const Delaunay& delaunay, const VoronoiVertices& vertices,
                                         const Poles& poles) {
   std::vector<std::vector<Vec2>> out;
@@ -66,7 +66,7 @@ std::vector<std::vector<Vec2>> poles_of(const Delaunay& delaunay, const VoronoiV
     for (const FaceSlot pole : {poles.plus(site), poles.minus(site)}) {
       out.back().push_back(p);
       if (pole == kNoSlot || pole == kInfinitePole) continue;
-      // What counts as a pole says so, and names the circle as the others do.
+      // A row that counts as a pole must be marked as one, and name the circle by its own canonical vertex.
       if (!poles.is_pole(pole) || vertices.vertex(pole) != pole) out.back().push_back({1e99, 1e99});
       sites.clear();
       vertices.append_sites(pole, sites);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The whole state of the geometry as values that do not depend on row numbers, for comparing two ways to the same
-// samples.
+// The whole state of the geometry as values independent of row numbers, for comparing two ways to the same samples.
 #pragma once
 
 #include <array>
@@ -20,7 +19,7 @@ struct EdgeState {
   friend bool operator<(const EdgeState& x, const EdgeState& y);
 };
 
-/// A group of faces with one circumcircle: the sorted corners, whether it is a ball, and the degree as an axis node.
+/// A group of faces with one circumcircle: the sorted corners, whether it is a ball, and its degree as an axis node.
 struct NodeStateOf {
   std::vector<Vec2> corners;
   bool inside = false;
@@ -28,7 +27,7 @@ struct NodeStateOf {
   friend bool operator==(const NodeStateOf&, const NodeStateOf&) = default;
 };
 
-/// Everything the structures say, sorted.
+/// The sorted results of all structures.
 struct GeometryState {
   int dimension = -1;
   std::vector<Vec2> sites;
@@ -36,7 +35,7 @@ struct GeometryState {
   std::vector<NodeStateOf> nodes;
   std::vector<std::vector<Vec2>> chains;  ///< in their own order; closed ones repeat the first site
   std::vector<std::array<double, 4>> normals;
-  std::vector<std::array<double, 3>> balls;  ///< the document's own: centre and radius
+  std::vector<std::array<double, 3>> balls;  ///< user balls of the document: centre and radius
   std::vector<std::vector<Vec2>> poles;      ///< a sample, then all samples on its polar circles
   std::size_t odd = 0;
   std::size_t conflicts = 0;
@@ -44,10 +43,10 @@ struct GeometryState {
 
 GeometryState state_of(const Graph& graph);
 
-/// Empty when equal, otherwise what differs first.
+/// Empty if equal, otherwise the first difference.
 std::string difference(const GeometryState& a, const GeometryState& b);
 
-/// Empty when all rows refer to each other as they should, otherwise what does not.
+/// Empty if all references between rows are consistent, otherwise the first broken one.
 std::string broken_row(const Graph& graph);
 
 }  // namespace mes::test

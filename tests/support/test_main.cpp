@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Catch2's own main function ends with the number of failed assertions, and CTest would take as many as its code for
-// "skipped" for that.
+// Catch2's own main function returns the number of failed assertions, and one such number is the code that CTest takes
+// for "skipped".
 #define CATCH_CONFIG_RUNNER
 #include <catch2/catch.hpp>
 

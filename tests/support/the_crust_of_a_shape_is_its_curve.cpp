@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The generators are themselves measured, by the definition of the crust and in plain loops, so that a wrong
-// generator cannot excuse a wrong structure.
+// This checks the generators themselves, by the definition of the crust and in plain loops, so that a wrong generator
+// cannot hide a wrong structure.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -19,8 +19,8 @@ namespace {
 
 using Edge = std::pair<std::size_t, std::size_t>;
 
-/// The largest angles under which q and r are seen from either side add up to at most 90 degrees, as
-/// cot(alpha) cot(beta) >= 1; smallest cotangent = largest angle. O(n^3), in doubles.
+/// The edge qr is crust if its largest opposite angles on both sides add up to at most 90 degrees, that is cot(alpha)
+/// cot(beta) >= 1; smallest cotangent = largest angle. O(n^3), in doubles.
 std::set<Edge> crust_by_definition(const std::vector<Vec2>& points) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::set<Edge> crust;

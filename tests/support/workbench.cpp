@@ -95,7 +95,7 @@ void TestBench::check(const Expected<void>& done) {
   INFO((done ? std::string() : done.error().text));
   REQUIRE(done);
   const auto is_good = [](NodeState state) {
-    // A source that no layer reads yet is not asked for.
+    // A source that no layer reads yet is inactive.
     return state == NodeState::up_to_date || state == NodeState::inactive;
   };
   REQUIRE(std::ranges::all_of(bench_.nodes(), is_good, &NodeReport::state));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A workbench with every layer shown that is checked after each edit.
+// A workbench that shows every layer and is checked after each edit.
 #pragma once
 
 #include <cstdint>
@@ -21,9 +21,8 @@ namespace mes::test {
 /// Every layer of the registry.
 std::vector<LayerIndex> all_layers();
 
-/// What it guarantees: after each edit the graph has run completely, every structure and layer is up to date, and the
-/// patch has been taken by both a plain buffer and a `LayerMirror`, which refuse malformed ones; otherwise the test
-/// fails.
+/// What it guarantees: after each edit the graph has run completely, every structure and layer is up to date, and both
+/// a plain buffer and a `LayerMirror`, which refuse malformed patches, have taken the patch; otherwise the test fails.
 ///
 /// Smallest use:
 ///     TestBench bench(points);
@@ -34,7 +33,7 @@ class TestBench {
   TestBench();
   explicit TestBench(const std::vector<Vec2>& positions);
 
-  /// From now on only these layers.
+  /// Shows only these layers from now on.
   void show(std::initializer_list<std::string_view> layers);
   void show(std::span<const LayerIndex> layers);
   void choose(const ComputationSettings& settings);
@@ -43,7 +42,7 @@ class TestBench {
   void remove(const std::vector<SampleId>& ids);
   void move(SampleId id, Vec2 to) { move(std::vector{std::pair{id, to}}); }
   void move(const std::vector<std::pair<SampleId, Vec2>>& targets);
-  /// Another document: these samples and balls, all new.
+  /// Replaces the document: these samples and balls, all new.
   void load(const SampleData& data);
   void insert_balls(const std::vector<Disk>& disks);
   void remove_balls(const std::vector<BallId>& ids);
@@ -75,13 +74,13 @@ class TestBench {
   /// Instances of a layer, `stride_of(kind)` doubles each.
   std::span<const double> instances(std::string_view layer, PrimitiveKind kind) const;
 
-  /// What lies there in the layers, top first; up to `reach` away.
+  /// The elements at a point in the layers, top first; up to `reach` away.
   Provenance ask(Vec2 at, double reach, const std::vector<std::string_view>& layers);
-  /// Any question; its ticket is set here.
+  /// Asks any question; sets its ticket.
   Provenance ask(ProvenanceQuestion question);
 
-  /// Empty when the rows are sound and everything equals a fresh graph of the same samples and balls, given in
-  /// reverse order; otherwise what does not.
+  /// Empty if the rows are sound and everything equals a fresh graph of the same samples and balls, given in reverse
+  /// order; otherwise the first difference.
   std::string trouble() const;
 
  private:
@@ -93,14 +92,14 @@ class TestBench {
   LayerContents contents_;
 };
 
-/// A bench of what `state` says and of the axis as it is drawn. There are no unions of balls: in exact numbers they take
-/// most of the time, and are compared elsewhere.
+/// A bench for the results in `state` and the drawn axis. It has no unions of balls: in exact arithmetic they take most
+/// of the time, and other tests compare them.
 struct ComparedBench : TestBench {
   ComparedBench();
   explicit ComparedBench(const std::vector<Vec2>& positions);
 };
 
-/// An edge of the crust by the positions of its ends, the lexicographically smaller first.
+/// A crust edge by the positions of its ends, the lexicographically smaller one first.
 using PlaceEdge = std::pair<std::pair<double, double>, std::pair<double, double>>;
 PlaceEdge place_edge(Vec2 a, Vec2 b);
 std::set<PlaceEdge> crust_edges(const Graph& graph);

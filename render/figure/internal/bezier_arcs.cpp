@@ -11,8 +11,8 @@ namespace mes::figure {
 namespace {
 
 std::vector<Bezier> curves(Vec2 center, double radius, double first, double sweep, int decimals) {
-  // A curve for a quarter of a circle is off by 2.73e-4 of the radius at most, and by the sixth power of the angle for
-  // less (Goldapp, "Approximation of circular arcs by cubic polynomials", 1991).
+  // A curve for a quarter of a circle is off by at most 2.73e-4 of the radius; for smaller angles the error falls with
+  // their sixth power (Goldapp, "Approximation of circular arcs by cubic polynomials", 1991).
   constexpr double kQuarter = 0.5 * std::numbers::pi;
   constexpr double kOff = 2.73e-4;
   const double allowed = 0.5 / power_of_ten(decimals);

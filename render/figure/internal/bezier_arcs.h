@@ -9,17 +9,17 @@
 
 namespace mes::figure {
 
-/// A cubic curve from where the one before ended.
+/// A cubic curve that starts at the end of the previous one.
 struct Bezier {
   Vec2 first_handle;
   Vec2 second_handle;
   Vec2 end;
 };
 
-/// As many curves as it takes to stay within a step of the figure's grid of an arc; the last one ends at its end.
+/// The curves of an arc, enough of them for an error below a step of the figure's grid; the last one ends at its end.
 std::vector<Bezier> arc_curves(const Shape& arc, int decimals);
 
-/// The same for a circle or disk, from its rightmost point around counter-clockwise as seen.
+/// The same for a circle or disk, starting at its rightmost point, counter-clockwise on screen.
 std::vector<Bezier> circle_curves(const Shape& circle, int decimals);
 
 }  // namespace mes::figure

@@ -13,13 +13,13 @@ namespace mes::figure {
 namespace {
 
 struct KeptFace {
-  render::Font font;  // whose bytes FreeType reads as it needs them
+  render::Font font;  // FreeType reads its bytes on demand
   cairo_font_face_t* face = nullptr;
 };
 
-/// FreeType reads the font from where it is, and does not copy it.
+/// FreeType reads the font in place, without a copy.
 cairo_font_face_t* new_face(const render::Font& font) {
-  // One library a face: those of one library cannot be used by several threads.
+  // Each face has its own library: several threads must not share a library.
   FT_Library library = nullptr;
   if (FT_Init_FreeType(&library) != 0) return nullptr;
   FT_Face face = nullptr;

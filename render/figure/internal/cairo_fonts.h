@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fonts of figures as cairo has them.
+// Fonts of figures as cairo fonts.
 #pragma once
 
 #include <cairo.h>
@@ -8,9 +8,9 @@
 
 namespace mes::figure {
 
-/// The face of a font, whose glyphs have the same indices; null if FreeType cannot read the font. It is kept until the
-/// program ends, because cairo keeps faces of its own for letters painted, with those of the same file once only: there
-/// are as many as fonts come with the program. Threads: any, several at the same time.
+/// The face of a font, with the same glyph indices; null if FreeType cannot read the font. Kept until the program ends,
+/// because cairo caches faces of painted letters; only one for each file: there are as many as fonts of the program.
+/// Threads: any, several at the same time.
 cairo_font_face_t* cairo_face_of(const render::Font& font);
 
 }  // namespace mes::figure

@@ -17,7 +17,7 @@ CairoPainter::CairoPainter(cairo_t* cairo, const Figure& figure) : cairo_(cairo)
   cairo_set_line_join(cairo_, CAIRO_LINE_JOIN_ROUND);
   cairo_rectangle(cairo_, 0.0, 0.0, figure_.width, figure_.height);
   cairo_clip(cairo_);
-  // Letters stand where the layout has them, not on whole pixels.
+  // Letters keep the positions of the layout, not whole pixels.
   const std::unique_ptr<cairo_font_options_t, decltype(&cairo_font_options_destroy)> options(
       cairo_font_options_create(), cairo_font_options_destroy);
   cairo_font_options_set_hint_style(options.get(), CAIRO_HINT_STYLE_NONE);
@@ -189,7 +189,7 @@ void CairoPainter::paint(const Text& text) {
 }
 
 void CairoPainter::keep_to(double width, double measured) {
-  // The layout measured at another size, in single precision.
+  // Tolerance: the layout was measured at another size, in single precision.
   constexpr double kRounding = 1e-4;
   if (width > 0.0 && measured > (1.0 + kRounding) * width) cairo_scale(cairo_, width / measured, 1.0);
 }

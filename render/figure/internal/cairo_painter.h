@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure painted through cairo, on whichever of its surfaces.
+// Paints a figure through cairo, on any of its surfaces.
 #pragma once
 
 #include <cairo.h>
@@ -12,15 +12,15 @@
 
 namespace mes::figure {
 
-/// Whether it worked is in the status of `cairo`. Threads: one at a time.
+/// The status of `cairo` tells whether painting succeeded. Threads: one at a time.
 class CairoPainter {
  public:
-  /// Lengths are in points: the matrix of `cairo` scales them to what its surface counts in.
+  /// Lengths are in points: the matrix of `cairo` scales them to the units of its surface.
   CairoPainter(cairo_t* cairo, const Figure& figure);
 
-  /// The whole figure, cut at the edge of its page.
+  /// Paints the whole figure, cut at the edge of its page.
   void paint();
-  /// Image and shapes of one layer of it alone, without its texts.
+  /// Paints the image and shapes of one layer of it, without texts.
   void paint_shapes(const FigureLayer& layer);
 
  private:
@@ -31,11 +31,11 @@ class CairoPainter {
   void paint_layer(const FigureLayer& layer);
   void paint(const Run& run);
   void paint(const Text& text);
-  /// In a font of the figure; false if it has none, or FreeType does not read it.
+  /// Shows text in a font of the figure; false if it has no font, or FreeType cannot read it.
   bool show_glyphs(const Text& text);
-  /// In Helvetica, or in what the system has instead.
+  /// Shows text in Helvetica, or the system's substitute.
   void show_in_named_font(const Text& text);
-  /// Makes what follows narrower if it is wider than its layout measured.
+  /// Narrows the following text if it is wider than measured by its layout.
   void keep_to(double width, double measured);
   void curve(const Bezier& bezier);
   /// Adds the shape at `i`, or the chain that begins there, to the path. Returns the number of shapes.

@@ -11,7 +11,7 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xFFFFFFFFU;
 
-/// One end of a segment; both ends of segment i have the numbers 2 i and 2 i + 1.
+/// One end of a segment; the ends of segment i have the numbers 2 i and 2 i + 1.
 struct End {
   std::int64_t x = 0;
   std::int64_t y = 0;
@@ -20,7 +20,7 @@ struct End {
   friend auto operator<=>(const End&, const End&) = default;
 };
 
-/// Which segments meet where.
+/// Finds the segments that meet at a point.
 class Junctions {
  public:
   Junctions(std::span<const Shape> segments, const Grid& grid) : first_(2 * segments.size()) {
@@ -35,7 +35,7 @@ class Junctions {
     for (std::uint32_t i = 0; i < next_.size(); ++i) next_[i] = i;
   }
 
-  /// An end at the place of this one, of a segment that is not used; each place is looked through once in all.
+  /// An end of an unused segment at the same point; each point is scanned only once in all.
   std::uint32_t unused_at(std::uint32_t end, const std::vector<char>& is_used) {
     const std::uint32_t begin = first_[end];
     std::uint32_t& at = next_[begin];
@@ -47,9 +47,9 @@ class Junctions {
   }
 
  private:
-  std::vector<End> ends_;             // by place
-  std::vector<std::uint32_t> first_;  // by number of an end: the first one at its place, in `ends_`
-  std::vector<std::uint32_t> next_;   // by such a first one: where to look on
+  std::vector<End> ends_;             // sorted by position
+  std::vector<std::uint32_t> first_;  // by end number: index in `ends_` of the first end at the same position
+  std::vector<std::uint32_t> next_;   // by such an index: where to continue the scan
 };
 
 }  // namespace

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Segments that follow one another, so that writers can give them as one path.
+// Chains of segments, which writers can output as one path.
 #pragma once
 
 #include <cstddef>
@@ -11,15 +11,15 @@
 
 namespace mes::figure {
 
-/// Reorders and turns the segments, whose ends are on the grid, such that each begins where the one before ended
+/// Reorders and reverses the segments, whose ends are on the grid, such that each begins at the end of the previous one
 /// wherever that is possible without going back; other shapes follow after all segments. O(n log n).
 void chain_segments(std::vector<Shape>& shapes, const Grid& grid);
 
-/// The number of segments from `first` on of which each begins where the one before ended; 0 if the first shape is
-/// none.
+/// The length of the chain of segments from `first` on, each beginning at the end of the previous one; 0 if the first
+/// shape is not a segment.
 std::size_t chain_length(std::span<const Shape> shapes, std::size_t first);
 
-/// True if such a chain, of three segments or more, ends where it began.
+/// Whether such a chain, of at least three segments, ends at its start.
 bool is_loop(std::span<const Shape> chain);
 
 }  // namespace mes::figure

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The multiples of a power of ten that coordinates of a figure are, and their text.
+// The grid of figure coordinates, multiples of a power of ten, and their text.
 #pragma once
 
 #include <algorithm>
@@ -42,11 +42,11 @@ class Grid {
   double steps_;
 };
 
-/// Decimals of the parts of a color, and of an opacity, from 0 to 1.
+/// Decimals of colour components, and of an opacity, from 0 to 1.
 inline constexpr int kColorDecimals = 4;
 inline constexpr int kOpacityDecimals = 4;
 
-/// The number to so many decimals, without zeros at the end; the same in every locale. Takes numbers below 10^9.
+/// Appends a number below 10^9 with `decimals` decimals, without trailing zeros; the same in every locale.
 void append_decimal(std::string& out, double value, int decimals);
 
 /// Writes numbers and pairs of numbers.
@@ -54,7 +54,7 @@ class NumberWriter {
  public:
   NumberWriter(std::string& out, int decimals) : out_(out), decimals_(decimals) {}
   void operator()(double value) const { append_decimal(out_, value, decimals_); }
-  /// With a space between.
+  /// Writes a pair with a space between.
   void operator()(Vec2 p) const {
     (*this)(p.x);
     out_ += ' ';

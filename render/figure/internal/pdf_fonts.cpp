@@ -15,14 +15,14 @@
 namespace mes::figure {
 namespace {
 
-// PDF counts in thousandths of the em square of a font.
+// PDF uses thousandths of the em square of a font.
 constexpr double kThousandths = 1000.0;
 constexpr int kDecimals = 2;
 constexpr char32_t kNoLetter = 0xFFFD;
 
 using Bytes = std::span<const unsigned char>;
 
-/// A number with its first byte first; 0 where there are no bytes.
+/// A big-endian number; 0 if the bytes end before it.
 std::size_t number_at(Bytes bytes, std::size_t at, std::size_t size) {
   if (at > bytes.size() || size > bytes.size() - at) return 0;
   std::size_t out = 0;
@@ -34,10 +34,10 @@ int signed_at(Bytes bytes, std::size_t at) {
   return static_cast<std::int16_t>(number_at(bytes, at, 2));
 }
 
-/// Data of varying lengths, one after the other: "INDEX" of the Compact Font Format (Adobe Technical Note 5176).
+/// A sequence of data of varying lengths: "INDEX" of the Compact Font Format (Adobe Technical Note 5176).
 struct CffIndex {
-  std::vector<std::size_t> starts;  ///< of each, and the end of the last one
-  std::size_t end = 0;              ///< of all this
+  std::vector<std::size_t> starts;  ///< start of each, and the end of the last one
+  std::size_t end = 0;              ///< end of the whole index
 
   CffIndex(Bytes cff, std::size_t at) : end(at + 2) {
     const std::size_t count = number_at(cff, at, 2);
@@ -51,7 +51,7 @@ struct CffIndex {
   bool is_empty() const { return starts.empty(); }
 };
 
-/// Where the table says that its glyphs are; 0: it does not.
+/// Offset of the glyphs according to the table; 0 if it has none.
 std::size_t glyphs_of_cff(Bytes cff, std::size_t dictionary, std::size_t end) {
   constexpr std::size_t kGlyphs = 17;
   std::size_t operand = 0;
@@ -65,7 +65,7 @@ std::size_t glyphs_of_cff(Bytes cff, std::size_t dictionary, std::size_t end) {
       operand = number_at(cff, at, size);
       at += size;
     } else if (first == 30) {
-      // Decimal digits, two a byte, up to one that is 15.
+      // Decimal digits, two a byte, up to a digit 15.
       while (at < end && at < cff.size() && (cff[at] & 15U) != 15U && cff[at] >> 4U != 15U) ++at;
       ++at;
     } else if (first >= 247 && first <= 254) {
@@ -78,8 +78,8 @@ std::size_t glyphs_of_cff(Bytes cff, std::size_t dictionary, std::size_t end) {
   return 0;
 }
 
-/// The table of outlines with those alone that are used: others become as many commands that end a glyph as they had
-/// bytes, which leaves all places as they are, and which compression makes short.
+/// The table of outlines reduced to the used glyphs: every byte of an unused one becomes a command that ends a glyph.
+/// This keeps all offsets, and compression makes it short.
 struct ReducedCff {
   std::string name;
   std::string bytes;
@@ -102,7 +102,7 @@ ReducedCff reduced(Bytes cff, const UsedGlyphs& used) {
   return out;
 }
 
-/// Six letters that differ for different parts of a font (ISO 32000-1, 9.6.4).
+/// Six letters that identify the subset of a font (ISO 32000-1, 9.6.4).
 std::string part_tag(const UsedGlyphs& used) {
   std::uint32_t hash = 2166136261U;  // Fowler, Noll and Vo
   for (const auto& [index, glyph] : used)
@@ -113,7 +113,7 @@ std::string part_tag(const UsedGlyphs& used) {
   return out;
 }
 
-/// What the codes stand for, so that text can be searched and copied.
+/// The letters of the codes, so that text can be searched and copied.
 std::string letters_of_codes(const UsedGlyphs& used) {
   constexpr std::size_t kMostInABlock = 100;
   std::string out =
@@ -143,7 +143,7 @@ bool is_carried(const render::Font& font) {
   return !font.table("CFF ").empty();
 }
 
-/// The number of the font among the objects.
+/// Adds a font and returns its object number.
 std::size_t add_font(PdfObjects& objects, const render::Font& font, const UsedGlyphs& used) {
   const double unit = kThousandths / font.units_per_em();
   const auto number = [](double value) {
@@ -165,7 +165,7 @@ std::size_t add_font(PdfObjects& objects, const render::Font& font, const UsedGl
       signed_at(font.table("post"), 4) + static_cast<double>(number_at(font.table("post"), 6, 2)) / 65536.0;
   constexpr int kSymbolic = 4;
   constexpr int kItalic = 64;
-  // Fonts do not say how thick stems are; it grows with the weight.
+  // Fonts do not specify their stem width; it grows with the weight.
   constexpr double kStemOfWeight = 0.2;
   const double stem = kStemOfWeight * static_cast<double>(number_at(os2, 4, 2));
   const std::size_t descriptor =
@@ -191,7 +191,7 @@ std::string ascii_string(std::string_view utf8) {
   std::string out = "(";
   for (const char c : utf8) {
     const auto byte = static_cast<unsigned char>(c);
-    if (byte >= 0x80 && byte < 0xC0) continue;  // the rest of a letter
+    if (byte >= 0x80 && byte < 0xC0) continue;  // a continuation byte
     if (c == '(' || c == ')' || c == '\\') out += '\\';
     out += byte >= 0x20 && byte < 0x7F ? c : '?';
   }

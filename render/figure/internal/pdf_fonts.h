@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text in PDF: in the fonts of the figure, which the file then carries, or in Helvetica by name.
+// Text in PDF: in the fonts of the figure, embedded in the file, or in Helvetica by name.
 //
-// Fonts are composite fonts (ISO 32000-1, 9.7) whose codes are the indices of their glyphs. A file carries the tables of
-// outlines of fonts that occur, with the letters that occur.
+// Fonts are composite fonts (ISO 32000-1, 9.7) whose codes are glyph indices. A file embeds the outline tables of the
+// fonts that occur, with the letters that occur.
 #pragma once
 
 #include <map>
@@ -17,28 +17,28 @@
 namespace mes::figure {
 
 struct UsedGlyph {
-  char32_t letter = 0;  ///< that it stands for
+  char32_t letter = 0;  ///< letter of the glyph
   int advance = 0;
 };
-/// By their indices.
+/// Used glyphs by index.
 using UsedGlyphs = std::map<int, UsedGlyph>;
 
 class PdfFonts {
  public:
-  /// Null: none is carried.
+  /// Null: no fonts are embedded.
   explicit PdfFonts(std::shared_ptr<const Fonts> fonts) : fonts_(std::move(fonts)) {}
 
-  /// The operators that choose a font and show the text where the text matrix says.
+  /// The operators that select a font and show the text at the text matrix.
   std::string shown(const Text& text);
 
-  /// The entry of a resource dictionary that has all fonts of what was shown before; empty for none.
+  /// The resource dictionary entry with all fonts of the texts shown so far; empty if there are none.
   std::string resources(PdfObjects& objects) const;
 
  private:
   std::shared_ptr<const Fonts> fonts_;
-  // Fonts lie in one object, so their order is that of its members.
+  // All fonts are members of one object, so the order of pointers is that of the members.
   std::map<const render::Font*, UsedGlyphs> used_;
-  std::set<int> named_;  // looks of Helvetica
+  std::set<int> named_;  // styles of Helvetica
 };
 
 }  // namespace mes::figure

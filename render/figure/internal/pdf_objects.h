@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a file in PDF is made of.
+// The object structure of a PDF file.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@
 
 namespace mes::figure {
 
-/// The objects of a file, numbered from 1, and where each begins.
+/// The objects of a file, numbered from 1, and their offsets.
 class PdfObjects {
  public:
   std::size_t reserve() {
@@ -25,7 +25,7 @@ class PdfObjects {
     bodies_.push_back(std::move(body));
     return bodies_.size();
   }
-  /// `dictionary` without its brackets.
+  /// Makes a stream; `dictionary` has no brackets.
   static std::string stream(const std::string& dictionary, std::string_view bytes) {
     return packed_stream(dictionary, zlib_compressed(bytes));
   }
@@ -36,7 +36,7 @@ class PdfObjects {
   static std::string reference(std::size_t number) { return std::to_string(number) + " 0 R"; }
 
   std::string file(std::size_t catalog, std::size_t info) const {
-    // The comment of bytes above 127 marks the file as binary.
+    // The comment with bytes above 127 marks the file as binary.
     std::string out = "%PDF-1.5\n%\xE2\xE3\xCF\xD3\n";
     std::vector<std::size_t> offsets;
     for (std::size_t i = 0; i < bodies_.size(); ++i) {
@@ -58,13 +58,13 @@ class PdfObjects {
   std::vector<std::string> bodies_;
 };
 
-/// Sixteen bits as PDF writes them between angle brackets.
+/// Appends sixteen bits in the notation of PDF between angle brackets.
 inline void append_hex(std::string& out, std::uint32_t value) {
   constexpr std::string_view kDigits = "0123456789ABCDEF";
   for (const unsigned shift : {12U, 8U, 4U, 0U}) out += kDigits[value >> shift & 15U];
 }
 
-/// A letter in UTF-16, in the same way.
+/// Appends a letter in UTF-16, in the same notation.
 inline void append_utf16(std::string& out, std::uint32_t letter) {
   if (letter < 0x10000U) {
     append_hex(out, letter);

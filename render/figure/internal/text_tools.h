@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What several writers say alike.
+// Text helpers shared by several writers.
 #pragma once
 
 #include <array>
@@ -26,7 +26,7 @@ inline std::string hex(Rgb color) {
   return out;
 }
 
-/// For attributes and text of XML; bytes that XML forbids are left out.
+/// Escapes attributes and text of XML; drops bytes that XML forbids.
 inline std::string escaped_xml(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -42,7 +42,7 @@ inline std::string escaped_xml(std::string_view text) {
   return out;
 }
 
-/// Letters that LaTeX takes for commands.
+/// Escapes letters that are commands of LaTeX.
 inline std::string escaped_tex(std::string_view text) {
   std::string out;
   for (const char c : text) {
@@ -63,15 +63,15 @@ inline std::string escaped_tex(std::string_view text) {
   return out;
 }
 
-/// A text as TeX is to typeset it.
+/// A text as TeX should typeset it.
 struct TexText {
   const Text& text;
   std::string look;  ///< commands that choose series and shape
   std::string content;
 };
 
-/// Where a text comes with TeX of its own, this stands for it and for those that continue it, in series and shape as it
-/// says itself.
+/// The texts for TeX. A text with its own TeX source replaces itself and all texts that continue it; the source selects
+/// its own series and shape.
 inline std::vector<TexText> tex_texts(std::span<const Text> texts) {
   std::vector<TexText> out;
   bool is_said = false;

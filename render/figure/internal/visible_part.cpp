@@ -9,7 +9,7 @@
 namespace mes::figure {
 namespace {
 
-/// Turned by +90 degrees as seen, where y goes down: from the direction to the right to the one upwards.
+/// Turns by +90 degrees on screen, where y points down: right becomes up.
 Vec2 turned(Vec2 v) {
   return {v.y, -v.x};
 }
@@ -75,7 +75,7 @@ std::optional<Shape> HugeCircle::rim() const {
 
 std::optional<Shape> HugeCircle::disk() const {
   if (distance_ < -reach_) return std::nullopt;
-  // Where the rim lies behind the box, a straight one there looks the same.
+  // If the rim lies behind the box, a straight one there looks the same.
   Shape out{.kind = ShapeKind::rim};
   if (distance_ > reach_) {
     const Vec2 far = nearest_ - (distance_ - 1.01 * reach_) * outward_;
