@@ -63,7 +63,7 @@ struct ColorMap {
 /// Position of a value in a range, from 0 at its low end to 1 at its high end. Does not overflow for any range.
 double place_in(double value, const ScalarRange& range);
 
-/// From a dark grey to a light one, both visible on white.
+/// Grades from a dark grey to a light one, both visible on white.
 ColorMap grey_map();
 /// `count` different colours, with the largest differences between neighbours. Another seed gives other colours.
 ColorMap categorical_map(std::uint64_t seed = 0, std::size_t count = 64);

@@ -30,7 +30,7 @@ struct DrawUniforms {
   float dash_px = 0.0F;
   float dash_period_px = 0.0F;
   float arc_pieces = 0.0F;  ///< quads along a circle; 0: a square around it
-  float one = 1.0F;         ///< always 1; the shader compiler must not know this
+  float one = 1.0F;         ///< always 1, unknown to the shader compiler
   // For programs with a colour map. Scalars are multiples of a power of two, so that any double is possible.
   glm::vec3 map_low{};          ///< pieces, like the centre's, of the scalar at the map's first colour
   float map_factor = 0.0F;      ///< maps scalars above map_low to [0, 1]

@@ -16,7 +16,7 @@
 
 namespace mes {
 
-/// How sure a format is that some bytes are its own.
+/// Certainty of a format that some bytes are its own.
 enum class Match : std::uint8_t {
   no,
   maybe,   ///< the bytes fit this format; a file name's extension outweighs this

@@ -12,7 +12,7 @@
 
 namespace mes {
 
-/// More layers than any configuration names.
+/// Limit on the layers of a configuration, larger than any program needs.
 inline constexpr std::size_t kMostLayers = 10'000;
 
 nlohmann::json to_json(const LayerConfiguration& configuration);

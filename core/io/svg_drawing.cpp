@@ -294,7 +294,7 @@ class DrawingReader {
           is_switch && prefix_of(child.name()) == prefix_ && is_drawn(local_name(child.name())) && is_chosen(child);
       if (is_switch && !is_taken) continue;
       if (auto done = read_element(child, context); !done) return done;
-      if (is_taken) break;  // only the first alternative that applies
+      if (is_taken) break;  // an element "switch" draws only its first valid child
     }
     path_.pop_back();
     return {};

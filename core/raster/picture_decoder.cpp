@@ -37,7 +37,7 @@ void* allocate_zeros(std::size_t bytes) {
 
 }  // namespace
 
-// If one of our macros ended in a call, the compiler would blame us for the old-style casts of the library.
+// One of our macros ends in a call, so the compiler attributes the old-style casts of the library to us.
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wold-style-cast"
 #include <stb_image.h>
