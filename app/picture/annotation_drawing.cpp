@@ -17,7 +17,7 @@ namespace {
 constexpr double kLineSpacing = 1.35;
 constexpr double kHead = 9.0;
 constexpr double kHeadHalf = 3.2;
-// Between a line and the element it leads to, which stays visible.
+// Gap between a line and its element, which stays visible.
 constexpr double kLineGap = 6.0;
 constexpr double kWordsGap = 4.0;
 constexpr double kPi = std::numbers::pi;
@@ -49,7 +49,7 @@ class AnnotationLayout {
     if (!text_.complaint.empty()) out_.complaints.push_back("an annotation: " + text_.complaint);
     std::vector<Vec2> at;
     for (const Vec2 p : places) at.push_back(plane_.on_paper(p));
-    // Those of which an element is, below the element itself.
+    // Draws the sources of an element below the element itself.
     for (std::size_t i = highlighted.size(); i-- > 0;) highlights_.draw(highlighted[i]);
     if (std::ranges::all_of(at, [](Vec2 p) { return is_finite(p); })) draw(at, places);
     out_.words.push_back(words_box_);
@@ -80,7 +80,7 @@ class AnnotationLayout {
     const Vec2 aside = kHeadHalf * Vec2{-direction.y, direction.x};
     if (plane_.reaches(tip)) out_.drawing.triangles.push_back({{tip, back + aside, back - aside}, color_});
   }
-  /// Ends below its head, so that the tip is sharp.
+  /// Ends the line below its head, so that the tip is sharp.
   void line_with_head(Vec2 from, Vec2 tip) {
     const Vec2 direction = unit(tip - from);
     if (direction == Vec2{}) return;
@@ -101,7 +101,7 @@ class AnnotationLayout {
                ? 0.0
                : annotation_->letters * (1.0 + kLineSpacing * static_cast<double>(text_.lines.size() - 1));
   }
-  /// With the beginning of the first baseline at `start`.
+  /// Sets the text with the beginning of the first baseline at `start`.
   void words_from(Vec2 start) {
     const double letters = annotation_->letters;
     if (text_.lines.empty()) return;
@@ -114,11 +114,11 @@ class AnnotationLayout {
       start.y += kLineSpacing * letters;
     }
   }
-  /// With their middle at `center`.
+  /// Sets the text with its middle at `center`.
   void words_around(Vec2 center) {
     words_from(center + Vec2{-0.5 * words_width(), kPaperAscent * annotation_->letters - 0.5 * words_height()});
   }
-  /// Such that they touch `at` and lie on its side towards `direction`.
+  /// Sets the text so that it touches `at` and extends from there towards `direction`.
   void words_towards(Vec2 at, Vec2 direction) {
     const double half_width = 0.5 * words_width();
     const double half_height = 0.5 * words_height();
@@ -135,7 +135,7 @@ class AnnotationLayout {
   void leader(Vec2 at) {
     words_from(at + annotation_->shift);
     if (words_box_.is_empty()) return;
-    // From the middle of the nearest side of the words.
+    // Starts in the middle of the side of the text nearest to the element.
     const Vec2 middle = 0.5 * (words_box_.low + words_box_.high);
     Vec2 from = middle;
     if (at.x < words_box_.low.x)
@@ -147,7 +147,7 @@ class AnnotationLayout {
     else if (at.y > words_box_.high.y)
       from.y = words_box_.high.y + kWordsGap;
     else
-      return;  // the words cover the place
+      return;  // the text covers the element
     const double room = length(at - from);
     if (room > kLineGap) line_with_head(from, at - kLineGap * unit(at - from));
   }
@@ -158,12 +158,12 @@ class AnnotationLayout {
     words_towards(from + annotation_->shift, direction == Vec2{} ? Vec2{0.0, -1.0} : direction);
   }
 
-  /// A line beside the two places if the words were dragged aside, with lines out to it.
+  /// Draws a dimension line, beside the two points and with lines out to it if the text was dragged aside.
   void distance(Vec2 a, Vec2 b, const std::string& value) {
     measured_words(value);
     const Vec2 along = unit(b - a);
     if (along == Vec2{}) return words_around(a + Vec2{0.0, -annotation_->letters});
-    // Upwards, so that words stand on the line.
+    // Points upwards, so that the text is above the line.
     Vec2 normal{along.y, -along.x};
     if (normal.y > 0.0 || (normal.y == 0.0 && normal.x > 0.0)) normal = -1.0 * normal;
     const double aside = dot(annotation_->shift, normal);
@@ -181,7 +181,7 @@ class AnnotationLayout {
       line_with_head(middle, from);
       line_with_head(middle, to);
     } else {
-      // From outside where the heads do not fit between.
+      // Draws the arrows from outside if the heads do not fit between.
       line(from, to);
       line_with_head(from - 2.0 * kHead * along, from);
       line_with_head(to + 2.0 * kHead * along, to);
@@ -307,7 +307,7 @@ std::optional<std::size_t> annotation_at(const AnnotationDrawing& drawn, Vec2 px
       continue;
     }
     const std::vector<Vec2>& places = drawn.places[i];
-    // A place alone is where words begin; an element stays free for other tools.
+    // The anchor of plain text is only its beginning, and the element there stays free for other tools.
     for (std::size_t k = 0; k + 1 < places.size(); ++k)
       if (distance_to(px, places[k], places[k + 1]) <= reach) return i;
   }

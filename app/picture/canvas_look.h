@@ -34,7 +34,7 @@ bool is_dark(Rgb background);
 /// The style as it is drawn on a background. On a transparent one, whose surroundings are unknown, it does not change.
 LayerStyle drawn_on(LayerStyle style, const std::optional<Rgb>& background);
 
-/// The colour that marks what is selected or under the pointer.
+/// The colour that marks the selection and the element under the pointer.
 Rgb mark_color(Rgb background);
 
 }  // namespace mes

@@ -20,7 +20,7 @@ std::string_view without_spaces(std::string_view line) {
   return line.substr(begin, line.find_last_not_of(" \t\r") - begin + 1);
 }
 
-/// The level of the heading that a line is, 0 for any other line.
+/// The level of a heading line; 0 for any other line.
 int heading_level(std::string_view line) {
   const std::size_t signs = std::min(line.find_first_not_of('#'), line.size());
   if (signs == 0 || signs > kDeepestHeading || signs == line.size() || line[signs] != ' ') return 0;
@@ -31,7 +31,7 @@ bool is_item(std::string_view line) {
   return line.starts_with("- ") || line.starts_with("* ");
 }
 
-/// The spans of one block.
+/// Reads the spans of one block.
 class SpanReader {
  public:
   std::vector<CaptionSpan> read(std::string_view text) {
@@ -47,7 +47,7 @@ class SpanReader {
     spans_.back().text += letters;
   }
 
-  /// Where the sign that opened something before `from` is closed; npos: nowhere.
+  /// The position that closes the sign opened before `from`; npos if there is none.
   static std::size_t closing(std::string_view text, std::size_t from, std::string_view sign) {
     for (std::size_t at = from; at < text.size(); ++at) {
       if (text[at] == '\\') {
@@ -109,16 +109,16 @@ RichText mathematics(const CaptionSpan& span, double letters, const MeasureText&
   return rich_text('$' + span.text + '$', "", letters, measure);
 }
 
-/// A part of a word, which lines are not broken within.
+/// A part of a word; lines are not broken within a word.
 struct Atom {
   const CaptionSpan* span = nullptr;
-  std::string text;  // of mathematics: nothing
+  std::string text;  // empty for mathematics
 };
 using Word = std::vector<Atom>;
 
 std::vector<Word> words_of(const CaptionBlock& block) {
   std::vector<Word> out;
-  bool goes_on = false;  // with the last word
+  bool goes_on = false;  // the next atom belongs to the last word
   const auto put = [&](Atom atom) {
     if (!goes_on) out.emplace_back();
     out.back().push_back(std::move(atom));
@@ -139,7 +139,7 @@ std::vector<Word> words_of(const CaptionBlock& block) {
   return out;
 }
 
-/// Sets blocks one below the other.
+/// Sets blocks below each other.
 class ColumnSetter {
  public:
   ColumnSetter(const CaptionLook& look, const MeasureText& measure) : look_(look), measure_(measure) {}
@@ -194,7 +194,7 @@ class ColumnSetter {
     line_has_words_ = true;
   }
 
-  // Words of one look are one text, so that they are found and copied as they were written.
+  // Words of one look form one text, so that they can be found and copied as they were written.
   void put_space(const Word& word) {
     const Atom& first = word.front();
     if (last_ != kNone && !first.span->is_mathematics &&
@@ -213,7 +213,7 @@ class ColumnSetter {
     }
     const Face face = face_of(*atom.span, is_heading_);
     std::string_view rest = atom.text;
-    // A word that no line has room for is broken where the line ends.
+    // Breaks a word that is longer than a line at the end of the line.
     while (x_ + measure_(std::string(rest), letters_, face) > look_.width && !pending_space_) {
       std::size_t fits = 0;
       for (std::size_t end = bytes_of_letter(rest);
@@ -248,7 +248,7 @@ class ColumnSetter {
   }
 
   void put_mathematics(const CaptionSpan& span) {
-    constexpr double kAscent = 0.8;  // as of all lines on paper
+    constexpr double kAscent = 0.8;  // as for all lines on paper
     const RichText text = mathematics(span, letters_, measure_);
     if (out_.complaint.empty()) out_.complaint = text.complaint;
     if (text.lines.empty()) return;
@@ -281,13 +281,13 @@ class ColumnSetter {
   double x_ = 0.0;
   double letters_ = 0.0;
   double indent_ = 0.0;
-  std::size_t last_ = kNone;  // the text that the next word may go on with
+  std::size_t last_ = kNone;  // the text that the next word may extend
   bool pending_space_ = false;
   bool is_heading_ = false;
   bool line_has_words_ = false;
 };
 
-// Widths do not matter, only whether there is room between two pieces.
+// Widths do not matter here, only whether there is a gap between two pieces.
 double one_each(const std::string& text, double size, Face /*face*/) {
   return size * static_cast<double>(text.size());
 }

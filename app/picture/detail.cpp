@@ -7,9 +7,9 @@
 namespace mes {
 namespace {
 
-constexpr double kMovingMs = 60.0;        // of a frame while the picture moves; longer frames look jerky
-constexpr double kRestingMs = 300.0;      // of a frame at rest; longer frames delay the next input too much
-constexpr int kLongFrames = 3;            // one after the other at rest, after which the picture stays as it is
+constexpr double kMovingMs = 60.0;        // limit for a frame while the picture moves; longer frames look jerky
+constexpr double kRestingMs = 300.0;      // limit for a frame at rest; longer frames delay the next input too much
+constexpr int kLongFrames = 3;            // consecutive long frames at rest after which refinement stops
 constexpr std::uint32_t kAlways = 256;    // disks that are always painted: they show the shape of the union
 constexpr std::uint32_t kUntried = 4096;  // the most disks in a first frame, before their cost has been measured
 

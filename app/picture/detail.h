@@ -37,7 +37,7 @@ class Detail {
   std::uint32_t disks_ = 0;
   bool is_refinement_ = false;
   bool is_refining_ = false;
-  int long_frames_ = 0;  ///< at rest, one after the other
+  int long_frames_ = 0;  ///< consecutive long frames at rest
 };
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The legend of a figure: the one of a picture of the same size, as text and rectangles on the page.
+// The legend of a figure: that of a picture of the same size, as text and rectangles on the page.
 //
 // Cost: O(shapes of the figure). Threads: any, with a figure of its own.
 #pragma once
@@ -9,7 +9,7 @@
 
 namespace mes {
 
-/// Adds nothing where it would explain no layer. False: it is left out for want of room.
+/// Adds nothing if it would explain no layer. Returns false if the legend is left out for lack of room.
 bool add_legend(figure::Figure& figure, const figure::Drawing& drawing, LegendScope scope,
                 const LegendSurroundings& around, const PaperFonts& fonts);
 

@@ -12,7 +12,7 @@ namespace mes {
 namespace {
 
 constexpr double kEndless = std::numeric_limits<double>::infinity();
-constexpr double kPoint = 5.0;  // half the size of a place
+constexpr double kPoint = 5.0;  // half the size of a point mark
 
 /// The unit vector of this direction; zero if its length is zero or not finite.
 Vec2 along(Vec2 way) {
@@ -20,7 +20,7 @@ Vec2 along(Vec2 way) {
   return size > 0.0 && std::isfinite(size) ? (1.0 / size) * way : Vec2{};
 }
 
-/// What anchors are at, one after the other.
+/// The positions of anchors, one after the other.
 class HighlightPlaces {
  public:
   HighlightPlaces(const Annotation& annotation, const Document& document)
@@ -128,7 +128,7 @@ void HighlightPen::point(Vec2 at, ProvenanceRole role, Rgb color) {
       const Vec2 b = at + Vec2{kPoint, -kPoint};
       const Vec2 c = at + Vec2{kPoint, kPoint};
       const Vec2 d = at + Vec2{-kPoint, kPoint};
-      // Once more along the first side, so that the corner at the end is one.
+      // Repeats the first side, so that the corner at the end is a joint.
       drawing_.strokes.push_back({{a, b, c, d, a, b}, kHighlightLine, color});
       break;
     }
@@ -142,7 +142,7 @@ void HighlightPen::draw(const HighlightedShape& highlighted) {
   const auto second = [&] { return plane_.on_paper(Vec2{v[2], v[3]}); };
   const auto third = [&] { return plane_.on_paper(Vec2{v[4], v[5]}); };
   const auto segment = [&](Vec2 from, Vec2 to) { plane_.segment(from, to, kHighlightLine, color); };
-  // Upwards on the drawing is downwards in numbers.
+  // The y axis of the drawing points down.
   const auto endless = [&](double low) {
     plane_.line(a, along({v[2], -v[3]}), low, kEndless, kHighlightLine, color);
   };
@@ -158,7 +158,7 @@ void HighlightPen::draw(const HighlightedShape& highlighted) {
     case PrimitiveKind::ray: return endless(0.0);
     case PrimitiveKind::line: return endless(-kEndless);
     case PrimitiveKind::arc: {
-      // Counter-clockwise in the plane is from the end to the beginning, clockwise as seen.
+      // Counter-clockwise in the plane means from the end to the beginning, which is clockwise on the drawing.
       const Vec2 end = Vec2{v[5], v[6]} - Vec2{v[0], v[1]};
       return plane_.arc(a, plane_.on_paper(v[2]), std::atan2(-end.y, end.x),
                         sweep_of({{v[0], v[1]}, v[2], {v[3], v[4]}, {v[5], v[6]}}), kHighlightLine, color);
@@ -185,7 +185,7 @@ double highlight_distance(const ProvenanceShape& shape, Vec2 px, const SeenPlane
     case PrimitiveKind::line: return distance_to_part(px, a, along({v[2], -v[3]}), -kEndless, kEndless);
     case PrimitiveKind::arc: {
       const Vec2 ends[2] = {on.on_paper(Vec2{v[3], v[4]}), on.on_paper(Vec2{v[5], v[6]})};
-      // Clockwise on the drawing, so the ends change places.
+      // The drawing is mirrored, so the ends are swapped.
       const Arc arc{a, on.on_paper(v[2]), ends[1], ends[0]};
       const bool is_beside = arc.from == arc.to || sweep_of({a, arc.radius, arc.from, px}) <= sweep_of(arc);
       return is_beside ? std::abs(distance(px, a) - arc.radius)

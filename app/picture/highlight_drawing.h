@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Highlighted elements of annotations, as they are drawn.
+// Draws the highlighted elements of annotations.
 //
 // Smallest use:
 //     HighlightPen pen(drawing, plane);
 //     for (const HighlightedShape& shape : highlighted_shapes(annotation, document)) pen.draw(shape);
 //
-// Cost: microseconds an element. Threads: any, with a drawing of its own.
+// Cost: microseconds per element. Threads: any, with a drawing of its own.
 #pragma once
 
 #include <vector>
@@ -17,25 +17,25 @@
 
 namespace mes {
 
-/// Width of their lines, in logical pixels.
+/// Width of the lines of highlights, in logical pixels.
 inline constexpr double kHighlightLine = 2.5;
 
-/// The colour of what is highlighted for this role, on the canvas and where it is kept.
+/// The highlight colour of this role, on the canvas and in annotations.
 Rgb highlight_color(ProvenanceRole role);
 
-/// An element where its places are, in units of the document.
+/// An element at its present position, in units of the document.
 struct HighlightedShape {
   ProvenanceShape shape;
   ProvenanceRole role = ProvenanceRole::itself;
 };
-/// Those of a highlight; the circle of three samples in line is left out. Nothing of other annotations.
+/// The shapes of a highlight, without the circle of three collinear samples; empty for other annotations.
 std::vector<HighlightedShape> highlighted_shapes(const Annotation& annotation, const Document& document);
 
-/// Puts shapes into a drawing. Places of an element itself are disks, of an origin rings, of a product squares; disks and
-/// triangles are outlines, so that what lies in them is seen.
+/// Draws shapes. Points of an element itself are disks, those of an origin rings, those of a product squares. Disks
+/// and triangles are drawn as outlines, so that their contents stay visible.
 class HighlightPen {
  public:
-  /// Both outlive it.
+  /// Both arguments must outlive it.
   HighlightPen(PaperDrawing& drawing, const SeenPlane& plane) : drawing_(drawing), plane_(drawing, plane) {}
   void draw(const HighlightedShape& shape);
 
@@ -46,7 +46,7 @@ class HighlightPen {
   PlaneDrawing plane_;
 };
 
-/// How far a place on the drawing is from the lines and points of a shape, in logical pixels.
+/// The distance of a point on the drawing from the lines and points of a shape, in logical pixels.
 double highlight_distance(const ProvenanceShape& shape, Vec2 px, const SeenPlane& plane);
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Letters of texts that the program's fonts do not have.
+// Finds letters of texts that the program's fonts lack.
 //
 // Smallest use:
 //     LackingLetters lacking;
@@ -18,10 +18,10 @@ namespace mes {
 /// Cost: O(letters). Threads: any, with an object of its own.
 class LackingLetters {
  public:
-  /// Texts of all layers and of the legend; nothing in a figure without fonts.
+  /// Examines the texts of all layers and of the legend; ignores a figure without fonts.
   void look_at(const figure::Figure& figure);
   void look_at(const PaperFonts& fonts, const PaperDrawing& drawing);
-  /// One line; empty: none is lacking.
+  /// A message of one line; empty if no letter is missing.
   std::string words() const;
 
  private:

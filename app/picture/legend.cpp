@@ -18,15 +18,15 @@ constexpr double kPadding = 12.0;
 constexpr double kBar = 12.0;
 constexpr double kTickLength = 4.0;
 constexpr double kTitleSize = 15.0;
-constexpr double kEntryGap = 12.0;  // between entries
-constexpr double kRow = 19.0;       // of a key
+constexpr double kEntryGap = 12.0;  // gap between entries
+constexpr double kRow = 19.0;       // height of an entry in a key
 constexpr double kSample = 15.0;
 constexpr double kBesideSample = 9.0;
 constexpr double kDashGap = 2.0;
 constexpr int kBarSteps = 108;
 constexpr std::size_t kMostSwatches = 12;
 
-/// `above` blended onto `below`.
+/// Blends `above` onto `below`.
 Rgb mixed(Rgb below, Rgb above, double opacity) {
   const auto channel = [opacity](std::uint8_t a, std::uint8_t b) {
     return static_cast<std::uint8_t>(std::lround(a + opacity * (b - a)));
@@ -34,7 +34,7 @@ Rgb mixed(Rgb below, Rgb above, double opacity) {
   return {channel(below.r, above.r), channel(below.g, above.g), channel(below.b, above.b)};
 }
 
-/// The text in lines of at most this width, broken at spaces.
+/// Breaks the text at spaces into lines of at most this width.
 std::vector<std::string> wrapped(const std::string& text, double width, const MeasureText& measure) {
   std::vector<std::string> lines(1);
   std::size_t begin = 0;
@@ -53,14 +53,14 @@ std::vector<std::string> wrapped(const std::string& text, double width, const Me
   return lines;
 }
 
-/// Places one entry below the other.
+/// Places entries below each other.
 class LegendLayout {
  public:
   LegendLayout(const MeasureText& measure, const std::optional<Rgb>& background)
       : measure_(&measure), colors_(paper_colors(background)), background_(background) {}
 
   double y() const { return y_; }
-  /// Where the longest line of text ends.
+  /// The right end of the longest line of text.
   double right() const {
     double out = 0.0;
     for (const PaperDrawing::Line& line : drawing_.lines)
@@ -91,7 +91,7 @@ class LegendLayout {
   }
 
  private:
-  // A sample of the layer, and its name beside it.
+  // Draws a sample of the layer, with its name beside it.
   void row(const LegendEntry& entry) {
     sample(entry.sample, {kPadding, y_ + 0.5 * (kRow - kSample), kSample, kSample, {}});
     for (const std::string& line :
@@ -144,7 +144,7 @@ class LegendLayout {
     for (int i = 0; i < kBarSteps; ++i) {
       const double left = width * i / kBarSteps;
       const Rgb color = entry.map->at((i + 0.5) / kBarSteps);
-      // Each extends to the end of the bar and is covered by the next, so edges within a pixel show no seam.
+      // Each box extends to the end of the bar and is covered by the next, so edges within a pixel show no seam.
       drawing_.boxes.push_back({kPadding + left, y_, width - left, kBar, color});
     }
     y_ += kBar;
@@ -153,7 +153,7 @@ class LegendLayout {
       text("no number is finite", false, colors_.quiet);
       return;
     }
-    // The ends first, then the ticks between them that have room.
+    // Places the ends first, then the ticks between them for which there is room.
     if (ticks.size() > 1) std::rotate(ticks.begin() + 1, ticks.end() - 1, ticks.end());
     std::vector<std::pair<double, double>> taken;
     for (const LegendTick& tick : ticks) {
@@ -172,7 +172,7 @@ class LegendLayout {
     y_ += kTickLength + 1.0 + kSmallLineHeight;
   }
 
-  // The whole numbers of the range with their colours, side by side as long as there is room.
+  // Draws the whole numbers of the range with their colours, side by side as far as there is room.
   void swatches(const LegendEntry& entry) {
     const double low = std::ceil(entry.range.low - 0.5);
     const double high = std::floor(entry.range.high + 0.5);
@@ -206,7 +206,7 @@ class LegendLayout {
   const MeasureText* measure_;
   PaperColors colors_;
   std::optional<Rgb> background_;
-  bool after_row_ = false;  // the last entry was a sample and a name
+  bool after_row_ = false;  // the last entry was a row of a sample and a name
   PaperDrawing drawing_;
   double y_ = kPadding;
 };
@@ -226,7 +226,7 @@ std::vector<LegendTick> legend_ticks(const render::ScalarRange& range) {
   constexpr int kAlone = 6;
   if (range.low == range.high) return {{0.5, shortest_text(range.low, kAlone)}};
   const double width = range.high - range.low;
-  // An end need not be round; it is written to a hundredth of the width.
+  // The ends need not be round; they are written to a hundredth of the width.
   const double fine = 0.005 * range.high - 0.005 * range.low;
   std::vector<LegendTick> out{{0.0, number_text(range.low, fine)}};
   if (std::isfinite(width)) {
@@ -262,7 +262,7 @@ PaperDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureTe
   if (shown < entries.size()) layout.text(fmt::format("and {} more", entries.size() - shown), false, colors.quiet);
   const bool has_bar =
       std::ranges::any_of(entries.first(shown), [](const LegendEntry& entry) { return entry.map != nullptr; });
-  // Programs that show figures may substitute a wider font.
+  // Programs that display figures may substitute a wider font.
   constexpr double kWiderFont = 1.1;
   const double width = has_bar ? kWidth : kWiderFont * layout.right() + kPadding;
   PaperDrawing out = std::move(layout.drawing());

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The legend: of layers with a colour map the name, the meaning of the scalar, and a bar of colours with numbers; in a
-// key, of all other layers a sample of how they are drawn, and the name.
+// The legend. A layer with a colour map has its name, the meaning of the scalar, and a bar of colours with numbers;
+// in a key, every other layer has a sample of its look, and its name.
 //
 // Smallest use:
 //     const std::vector<LegendEntry> entries = legend_of(layers, scene, views);
 //     const PlacedLegend legend = place_legend(entries, fonts, 1.0, {.room = room}, kWhiteCanvas);  // legend_place.h
 //
-// Cost: some hundred rectangles a layer. Threads: any, with a picture of its own.
+// Cost: some hundred rectangles per layer. Threads: any, with a picture of its own.
 #pragma once
 
 #include <optional>
@@ -24,7 +24,7 @@
 
 namespace mes {
 
-/// Of a legend with a bar of colours, in its logical pixels.
+/// Width of a legend with a bar of colours, in its logical pixels.
 inline constexpr double kLegendWidth = 240.0;
 
 /// A number beside a bar.
@@ -34,7 +34,7 @@ struct LegendTick {
   friend bool operator==(const LegendTick&, const LegendTick&) = default;
 };
 
-/// How a layer is drawn.
+/// The look of a layer.
 struct LayerSample {
   PrimitiveKind kind = PrimitiveKind::segment;
   LayerStyle style{};
@@ -45,14 +45,14 @@ struct LayerSample {
 struct LegendEntry {
   std::string title;
   std::string scalar;
-  const render::ColorMap* map = nullptr;  ///< null: one colour, as in the sample
+  const render::ColorMap* map = nullptr;  ///< null: one colour, that of the sample
   render::ScalarRange range;
   LayerSample sample{};
   friend bool operator==(const LegendEntry&, const LegendEntry&) = default;
 };
 
-/// The entries of layers, topmost first; `views` are bottom first, `descriptors` those of all layers. The maps are those
-/// of the scene.
+/// The entries of layers, topmost first; `views` begin at the bottom, and `descriptors` are those of all layers. The
+/// maps are those of the scene.
 std::vector<LegendEntry> legend_of(std::span<const LayerDescriptor> descriptors, const render::Scene& scene,
                                    std::span<const render::LayerView> views,
                                    LegendScope scope = LegendScope::color_maps);
@@ -61,7 +61,7 @@ std::vector<LegendEntry> legend_of(std::span<const LayerDescriptor> descriptors,
 /// has one tick, an empty one none.
 std::vector<LegendTick> legend_ticks(const render::ScalarRange& range);
 
-/// Places the entries one below the other, with light text on a dark background. A last line counts the entries that do
+/// Places the entries below each other, with light text on a dark background. A last line counts the entries that do
 /// not fit into the height `room`. Without entries the legend is empty.
 PaperDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room,
                            const std::optional<Rgb>& background);

@@ -9,7 +9,7 @@
 namespace mes {
 namespace {
 
-constexpr double kBarApart = 6.0;  // from the scale bar, at least
+constexpr double kBarApart = 6.0;  // least distance from the scale bar
 
 bool overlap(const Box2& a, const Box2& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
@@ -19,13 +19,13 @@ bool is_within(const Box2& box, const Box2& room) {
   return room.low.x <= box.low.x && box.high.x <= room.high.x && room.low.y <= box.low.y && box.high.y <= room.high.y;
 }
 
-/// Places of a box of one size.
+/// Candidate positions for a box of one size.
 class LegendPlaces {
  public:
   LegendPlaces(const LegendSurroundings& around, Vec2 size, double margin)
       : around_(around), size_(size), margin_(margin) {}
 
-  /// The place that was given, or next to the scale bar there; or else the best corner.
+  /// The given position, or one next to the scale bar there, or else the best corner.
   std::optional<Vec2> best() const {
     if (around_.place)
       if (const auto there = nearest_free(placed(*around_.place, size_, around_.room))) return there;
@@ -49,7 +49,7 @@ class LegendPlaces {
     const Box2& room = around_.room;
     const Vec2 low = room.low + Vec2{margin_, margin_};
     const Vec2 high = room.high - size_ - Vec2{margin_, margin_};
-    // Of what is larger than the room its beginning is seen.
+    // A box larger than the room shows its beginning.
     const double left = std::max(room.low.x, std::min(low.x, room.high.x - size_.x));
     const double top = std::max(room.low.y, std::min(low.y, room.high.y - size_.y));
     const double right = std::max(room.low.x, high.x);
@@ -57,7 +57,7 @@ class LegendPlaces {
     return {Vec2{right, bottom}, Vec2{left, bottom}, Vec2{right, top}, Vec2{left, top}};
   }
 
-  /// Without a scale bar every place is free.
+  /// Without a scale bar every position is free.
   bool is_free(Vec2 corner) const {
     const Box2 box = box_at(corner);
     return !around_.bar || (!overlap(box, *around_.bar) && is_within(box, around_.room));
@@ -73,7 +73,7 @@ class LegendPlaces {
     return out;
   }
 
-  /// Words of annotations that it covers, and how much of the drawing.
+  /// The number of annotation texts that the box covers, and the amount of drawing.
   std::pair<std::size_t, std::size_t> cost_of(const Box2& box) const {
     const auto covered = std::ranges::count_if(
         around_.words, [&](const Box2& words) { return !words.is_empty() && overlap(words, box); });
@@ -99,7 +99,7 @@ PlacedLegend place_legend(std::span<const LegendEntry> entries, const MeasureTex
     return PlacedLegend{std::move(drawing), shrink, *corner};
   };
   if (auto whole = at_most(around.room.height() - 2.0 * margin)) return std::move(*whole);
-  // Only a scale bar leaves no place.
+  // Only a scale bar can leave no free position.
   const double above = around.bar->low.y - around.room.low.y;
   const double beneath = around.room.high.y - around.bar->high.y;
   if (auto part = at_most(std::max(above, beneath) - kBarApart - margin)) return std::move(*part);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples under the hand are drawn where the hand has them, although the engine has not followed yet.
+// Draws dragged samples where the document has them, although the engine has not followed yet.
 //
-// Of a layer of samples, whose scalars are their ids, it knows which instance is which sample. So the window can write
-// the places of moved samples into the drawing by itself, in a patch like the engine's; the engine's own patches, when
-// they come, write the same instances.
+// For a layer of samples, whose scalars are their ids, it knows the sample of each instance. So the window can write
+// the positions of moved samples into the drawing itself, in a patch like the engine's; later patches of the engine
+// write the same instances.
 //
 // Smallest use:
 //     moved.take(patch);                     // each patch of the engine, after the scene has taken it
@@ -24,15 +24,15 @@ namespace mes {
 
 class MovedPoints {
  public:
-  /// `layer`: points, one for a sample, whose last number is its id.
+  /// `layer`: a layer with one point per sample, whose last number is its id.
   explicit MovedPoints(LayerIndex layer) : layer_(layer) {}
 
   void take(const FramePatch& patch);
   LayerIndex layer() const { return layer_; }
-  /// Instances of the layer after the last patch.
+  /// Number of instances of the layer after the last patch.
   std::size_t count() const { return ids_.size(); }
-  /// The patch that puts these samples where the document has them; null: none of them is in the drawing. Valid until
-  /// the next call.
+  /// The patch that moves these samples to their positions in the document; null if none of them is in the drawing.
+  /// Valid until the next call.
   const FramePatch* catch_up(const Document& document, std::span<const SampleSlot> samples,
                              const DrawingFrame& frame);
 
@@ -41,10 +41,10 @@ class MovedPoints {
 
   LayerIndex layer_;
   bool has_scalars_ = true;
-  std::vector<double> ids_;         // by instance
+  std::vector<double> ids_;         // id by instance
   std::vector<SampleId> searched_;  // sorted
   std::vector<std::uint32_t> instance_of_searched_;
-  bool has_other_ids_ = true;  // since the search
+  bool has_other_ids_ = true;  // true after a change since the search
   FramePatch patch_;
 };
 

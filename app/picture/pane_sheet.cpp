@@ -15,9 +15,9 @@ namespace {
 constexpr double kPaneGap = 16.0;       // logical pixels
 constexpr double kBand = 30.0;          // height of a label with its surroundings
 constexpr double kLabelLetters = 16.0;  // height of its letters
-constexpr double kSmallest = 8.0;       // where they have to be smaller
+constexpr double kSmallest = 8.0;       // height if there is less room
 
-/// A picture of one colour; without one it is transparent.
+/// A picture of one colour, or a transparent one.
 render::Image plain_image(int width, int height, const std::optional<Rgb>& color) {
   render::Image out{width, height, {}};
   out.rgba.resize(out.offset(0, height));
@@ -28,7 +28,7 @@ render::Image plain_image(int width, int height, const std::optional<Rgb>& color
   return out;
 }
 
-/// Takes the place of the pixels from (x, y) on.
+/// Overwrites the pixels from (x, y) on.
 void paste(const render::Image& part, render::Image& image, int x, int y) {
   const auto row_bytes = static_cast<std::ptrdiff_t>(part.offset(part.width, 0));
   for (int row = 0; row < part.height; ++row) {
@@ -70,7 +70,7 @@ PaneGrid lay_out(std::size_t panes, double width, double height, double proporti
     };
     grid.pane_width = share(width, grid.columns);
     grid.pane_height = share(height, grid.rows) - grid.band;
-    // The width of the box in a pane. Rows without an empty place win where it is the same.
+    // The width of the box in a pane. Of equal widths, a grid without an empty position wins.
     const double size = std::min(grid.pane_width, grid.pane_height / std::max(proportions, 1e-6));
     if (size > largest) {
       largest = size;

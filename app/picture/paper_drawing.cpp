@@ -22,7 +22,7 @@ const render::Font& font_of(const PaperFonts& fonts, Face face) {
   return fonts.of(face == Face::bold, face == Face::italic);
 }
 
-/// A text of the figure, whose `corner` is in points.
+/// Makes a text for the figure; `corner` is in points.
 figure::Text figure_text(const PaperFonts& fonts, const PaperDrawing::Line& line, Vec2 corner, double scale) {
   const double points = scale * figure::kPointsPerPixel;
   const double width =
@@ -38,10 +38,10 @@ figure::Text figure_text(const PaperFonts& fonts, const PaperDrawing::Line& line
           .continues = line.continues};
 }
 
-/// The shapes of a layer of annotations, runs of one colour and width put together.
+/// Collects the shapes of a layer of annotations in runs of one colour and width.
 class Shapes {
  public:
-  /// `points` of a logical pixel; coordinates are rounded to `decimals`.
+  /// `points` per logical pixel; coordinates are rounded to `decimals`.
   Shapes(figure::FigureLayer& layer, Vec2 corner, double points, int decimals)
       : layer_(layer), corner_(corner), points_(points), steps_(std::pow(10.0, decimals)) {}
 
@@ -60,7 +60,7 @@ class Shapes {
       return;
     }
     const auto end = [&](double angle) { return rounded(center + radius * Vec2{std::cos(angle), std::sin(angle)}); };
-    // Counter-clockwise as seen.
+    // Counter-clockwise on the page.
     run.shapes.push_back({.kind = figure::ShapeKind::arc,
                           .p = {end(arc.from + arc.sweep), end(arc.from), center},
                           .radius = radius,
@@ -99,8 +99,8 @@ struct PixelBox {
   const PaperDrawing::Box* box = nullptr;
 };
 
-/// On whole pixels, so that edges are sharp and thin lines look alike. Where the box lies within the one before, what it
-/// leaves of that as a frame is a pixel wide at least.
+/// Rounds to whole pixels, so that edges are sharp and thin lines look alike. If the box lies within the previous
+/// one, the frame left of that is at least a pixel wide.
 PixelBox in_pixels(const PaperDrawing::Box& box, const glm::dmat3& place_of, const PixelBox& below) {
   const glm::dvec2 from(box.left, box.top);
   const glm::dvec2 to(box.left + box.width, box.top + box.height);

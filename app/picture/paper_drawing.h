@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands on a picture to explain it: legends, axes, scale bars, annotations.
+// Explanatory drawings on pictures: legends, axes, scale bars, annotations.
 //
 // The window paints them on itself, `paint` on a picture in memory, and `add_to` on the page of a figure, so all three
 // look alike.
@@ -46,8 +46,8 @@ struct PaperDrawing {
     Face face = Face::plain;
     Rgb color;
     std::string text;
-    std::string latex{};     ///< of this line and those after it that continue it, for TeX; empty: the text
-    bool continues = false;  ///< goes on with the line before, of another look
+    std::string latex{};     ///< TeX for this line and those that continue it; empty: the text
+    bool continues = false;  ///< continues the previous line in another look
   };
   struct Dot {
     double x = 0.0;
@@ -64,7 +64,7 @@ struct PaperDrawing {
     Vec2 center;
     double radius = 0.0;
     double from = 0.0;   ///< radians from the x axis, clockwise as seen
-    double sweep = 0.0;  ///< on from there, in (0, 2 pi]
+    double sweep = 0.0;  ///< angle from there, in (0, 2 pi]
     double width = 1.0;
     Rgb color;
   };
@@ -74,7 +74,7 @@ struct PaperDrawing {
   };
   double width = 0.0;
   double height = 0.0;
-  // Each above those before.
+  // Each list is drawn above the previous ones.
   std::vector<Box> boxes;
   std::vector<Stroke> strokes{};
   std::vector<Arc> arcs{};
@@ -86,23 +86,23 @@ struct PaperDrawing {
   }
 };
 
-/// From the top of a line to its baseline, as a part of its size.
+/// Distance from the top of a line to its baseline, as a share of its size.
 inline constexpr double kPaperAscent = 0.8;
 
-/// The colours of what explains a picture.
+/// The colours of explanatory drawings.
 struct PaperColors {
   Rgb paper;
   Rgb frame;
   Rgb ink;
   Rgb quiet;
 };
-/// Light text for a dark background; none: transparent.
+/// Light colours for a dark background; nothing: transparent.
 PaperColors paper_colors(const std::optional<Rgb>& background);
 
 /// Returns the width of a text in logical pixels, at a size in logical pixels.
 using MeasureText = std::function<double(const std::string& text, double size, Face face)>;
 
-/// A note of some lines, as large as they need; empty for none.
+/// A note of some lines, as large as they need; empty without lines.
 PaperDrawing layout_words(std::span<const std::string> lines, const MeasureText& measure,
                           const std::optional<Rgb>& background);
 
@@ -111,25 +111,25 @@ struct PaperFonts : figure::Fonts {
   static Expected<PaperFonts> read(const std::filesystem::path& assets);
 };
 
-/// With `scale` pixels per logical pixel; the fonts have to outlive it.
+/// Measures with `scale` pixels per logical pixel; the fonts must outlive the result.
 MeasureText measure_with(const PaperFonts& fonts, double scale);
 
-/// The map from the coordinates of a drawing to pixels: `scale` pixels per logical pixel, the upper left corner at
+/// The map from coordinates of a drawing to pixels: `scale` pixels per logical pixel, with the upper left corner at
 /// `corner`.
 glm::dmat3 paper_placement(const glm::dvec2& corner, double scale);
 
-/// `corner` in pixels, `scale` in pixels per logical pixel.
+/// `corner` is in pixels, `scale` in pixels per logical pixel.
 void paint(render::Image& image, const PaperFonts& fonts, const PaperDrawing& drawing, const glm::dvec2& corner,
            double scale);
 
-/// Puts the texts of the figure into these fonts.
+/// Sets the texts of the figure in these fonts.
 void set_fonts(figure::Figure& figure, const PaperFonts& fonts);
 
-/// Adds it to the legend of the figure, which lies above the layers, and sets the fonts: boxes, dots and text.
-/// `corner` in points on the page, `scale` in units of 1/96 inch per logical pixel.
+/// Adds boxes, dots and text to the legend of the figure, which lies above the layers, and sets the fonts. `corner`
+/// is in points on the page, `scale` in units of 1/96 inch per logical pixel.
 void add_to(figure::Figure& figure, const PaperFonts& fonts, const PaperDrawing& drawing, Vec2 corner, double scale);
 
-/// The same as a layer of the figure, above those it has: all but boxes.
+/// Adds all but boxes as a layer of the figure, above the existing ones.
 void add_layer(figure::Figure& figure, const PaperFonts& fonts, const PaperDrawing& drawing, Vec2 corner,
                double scale, figure::FigureLayer layer);
 

@@ -18,7 +18,7 @@ constexpr std::uint32_t kSelectionMark = 1;
 constexpr std::uint32_t kSelectedCircleMark = 0;  // below the points
 constexpr double kFailedOpacity = 0.35;
 
-// The last good picture of a failed layer stays, drained of its colour.
+// The last good picture of a failed layer stays, but greyed.
 LayerStyle greyed(LayerStyle style) {
   const auto luma = static_cast<std::uint8_t>((2 * style.color.r + 3 * style.color.g + style.color.b) / 6);
   const auto pale = static_cast<std::uint8_t>((luma + 2 * 0x99) / 3);
@@ -61,7 +61,7 @@ void Picture::keep(const FramePatch& patch) {
     instances_->apply(patch);
     has_instances_ = true;
   } catch (const std::bad_alloc&) {
-    instances_.reset();  // asked for again
+    instances_.reset();  // requested again
     has_instances_ = false;
   }
 }
@@ -82,7 +82,7 @@ bool Picture::apply(const FramePatch& patch) {
   }
 }
 
-// True when the patch holds, whole, every demanded layer that is up to date; false when no layer is demanded.
+// True if the patch contains, completely, every demanded layer that is up to date; false if no layer is demanded.
 bool Picture::brings_all(const FramePatch& patch) {
   const auto sent = std::span(patch.layers).first(patch.layer_count);
   return !sent.empty() && std::ranges::all_of(patch.reports, [sent](const LayerReport& report) {
@@ -96,7 +96,7 @@ bool Picture::brings_all(const FramePatch& patch) {
 bool Picture::take_from(Engine& engine) {
   bool took = false;
   while (auto patch = engine.poll()) {
-    // What builds on a patch that was lost is lost too, until the layers are sent whole.
+    // Patches based on a lost one are useless until the layers are sent completely.
     if (is_lost_ && !brings_all(*patch)) {
       engine.recycle(std::move(patch));
       continue;
@@ -203,13 +203,13 @@ void Picture::mark_selection(const Editor& editor) {
   set_mark(kSelectedCircleMark, PrimitiveKind::circle, style);
 }
 
-// The engine is behind while its picture is of an earlier state. A patch of it may bring the samples back.
+// The engine is behind while its picture shows an earlier state. One of its patches may move the samples back.
 void Picture::draw_moved(const Editor& editor) {
   const Document& document = editor.document();
   const MarkedState now{document.revision(), editor.selection().revision(), scene_.frame(), {}};
   if (document.revision() == document_revision_ || is_outdated() || is_lost_) return;
   if (now == moved_at_ && moved_at_patch_ == patches_) return;
-  // A layer that is hidden is forgotten.
+  // The scene has no instances of a hidden layer.
   if (scene_.instances(moved_.layer(), PrimitiveKind::point) != moved_.count()) return;
   const FramePatch* const own = moved_.catch_up(document, editor.selection().slots(), scene_.frame());
   if (own != nullptr) {
@@ -251,7 +251,7 @@ ShownPanes::Layers Picture::as_drawn(ShownPanes::Layers layers, const std::optio
   return layers;
 }
 
-// All panes are as large as the main one, and their cameras are those of windows in which they lie in its place.
+// All panes have the size of the main one. Their cameras are those of windows in which they have its position.
 render::Camera Picture::camera_of(const ShownState& shown, std::size_t pane) {
   if (shown.places.is_empty()) return shown.camera;
   const PanePlace& main = shown.places.places().front();
@@ -298,7 +298,7 @@ std::vector<render::LayerView> Picture::views_of(const ShownPanes::Layers& layer
   return views;
 }
 
-// Texts are of the document, and go before what the engine has still to compute.
+// Texts come from the document, and so are ahead of results that the engine still has to compute.
 void Picture::add_texts(std::vector<render::LayerView>& views, const Editor& editor, const Document* version,
                         const render::Camera& camera, double content_scale) const {
   mes::add_texts(registry_.now().layers(), views,
@@ -364,11 +364,11 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
   if (!is_same) choose_views(now, editor, panes);
   device_.clear({}, {0, 0, camera.width(), camera.height()}, render::clear_color(canvas_));
   paint(now, every, {.content_scale = content_scale, .preview = preview});
-  // Only then is it known what it cost. Nothing else is left to do in this frame.
+  // The cost is known only after this. The frame has no other work left.
   device_.finish();
   if (paints_more || !is_same)
     detail_.painted(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  // Without panels, for frames in which it stays the same.
+  // Keeps the picture without panels for frames in which it does not change.
   kept_.keep(camera.width(), camera.height());
   shown_ = std::move(now);
 }

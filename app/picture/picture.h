@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The results of the engine on the graphics card, with the marks of the window above them.
+// The engine's results on the graphics card, with the marks of the window above them.
 #pragma once
 
 #include <memory>
@@ -28,14 +28,14 @@
 
 namespace mes {
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. It never waits for the engine. A layer whose structure failed keeps its last good picture, greyed.
 ///  2. The layers are drawn only when the view, a style, a patch or the selection changed. A frame in which only panels
 ///     or the pointer moved costs one copy of the last picture, however many primitives there are.
 ///  3. If MESECINA_CHECK_PATCHES is set, as in the tests of the window, each patch also goes through a `LayerMirror`,
 ///     which refuses broken patches and must have as many instances as the scene.
-///  4. Selected samples are drawn where the document has them, although their structures follow when the engine has
-///     computed them.
+///  4. Selected samples are drawn at their positions in the document, although their structures follow only when the
+///     engine has computed them.
 ///  5. However many large disks there are, a moving picture is painted within a fraction of a second (detail.h).
 ///
 /// An OpenGL context must be current as long as the object exists. Threads: the window's.
@@ -44,9 +44,9 @@ class Picture {
   explicit Picture(LiveRegistry registry);
 
   void set_color_maps(std::vector<render::ColorMap> maps) { scene_.set_color_maps(std::move(maps)); }
-  /// Sets the letters of layers that are texts; without them these show nothing.
+  /// Sets the letters for layers of texts; without them these layers are empty.
   void set_letters(render::Font font) { letters_ = std::move(font); }
-  /// Sets the picture to trace, in the place of a layer. Returns false if graphics memory is exhausted.
+  /// Sets the picture to trace, which is drawn as a layer. Returns false if graphics memory is exhausted.
   bool set_background(LayerIndex layer, const render::Image& image);
   void place_background(const render::PicturePlace& place);
   void clear_background();
@@ -55,69 +55,68 @@ class Picture {
 
   /// Takes the finished results; returns false if there were none.
   bool take_from(Engine& engine);
-  /// Releases the graphics memory of layers that are in demand no longer.
+  /// Releases the graphics memory of layers that are not demanded any more.
   void forget_all_but(std::span<const VariantLayer> demand);
   /// Sets the colour behind the layers.
   void set_canvas(Rgb background) { canvas_ = background; }
   Rgb canvas() const { return canvas_; }
-  /// Draws the canvas, which fills the window. Very many instances are only a preview (`render::Preview`) unless the
-  /// picture is kept in a file, and a coarse one while the view moves.
-  ///
   /// A pane beside the main one.
   struct Pane {
     const ShownPanes::Layers& layers;
     const Document* version =
-        nullptr;             ///< that it shows; null: that of the main pane, with the marks of its selection
+        nullptr;             ///< null: the document of the main pane, with the marks of its selection
     std::size_t number = 0;  ///< among all panes; 0: the main one
-    /// The camera of the window in which it lies where the main pane does; null: that of the main pane.
+    /// The camera of a window in which the pane has the position of the main pane; null: that of the main pane.
     const render::Camera* camera = nullptr;
   };
-  /// Keeps what is drawn in memory, too, for comparisons, or no longer. False: it has to be sent whole first.
+  /// Begins or stops keeping the drawing in memory for comparisons. Returns false if it must be sent completely
+  /// first.
   bool keep_instances(bool wanted);
-  /// All layers in demand, as of the last patch; null while they are not kept or have not all been sent. Who has it keeps
-  /// this state of it.
+  /// All demanded layers as of the last patch; null while they are not kept or not completely sent. A caller's copy
+  /// keeps this state.
   std::shared_ptr<const LayerMirror> instances() const { return has_instances_ ? instances_ : nullptr; }
-  /// The first layer that shows an earlier picture because it could not be computed; null: none.
+  /// The first layer that shows an earlier picture because it could not be computed; null if there is none.
   const LayerReport* first_failed() const;
-  /// Marks above the layers of each pane, the main one first, as layers of the patch, in place of those before.
+  /// Replaces the marks above the layers of each pane, the main one first; they are layers of the patch.
   void set_marks(FramePatch patch, std::vector<std::vector<render::LayerView>> marks);
-  /// The background alone.
+  /// Draws the background alone.
   void clear(const render::Camera& camera);
-  /// With places of several panes, the main one shows the layers, and those beside it, in their order, what `panes` has
-  /// for each.
+  /// Draws the canvas, which fills the window. Very many instances are only a preview (`render::Preview`) unless the
+  /// picture is kept in a file (`is_kept`), and a coarse one while the view moves. With several `places`, the main pane
+  /// shows the layers, and the others show the contents of `panes`, in their order.
   void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
             bool is_kept, const PanePlaces& places = {}, std::span<const Pane> panes = {});
 
   /// Captures layers as they are now, in full detail, with the marks of the selection as last drawn, without panels.
-  /// `is_beside`: it is one of several.
+  /// `is_beside`: the pane is one of several.
   Expected<void> capture(render::FrameCapture& capture, const render::Camera& camera, const Pane& pane,
                          const Editor& editor, render::CaptureOptions options, bool is_beside = false);
   render::GlDevice& device() { return device_; }
-  /// The legend of these layers.
+  /// The entries of the legend for these layers.
   std::vector<LegendEntry> legend(const ShownPanes::Layers& layers, LegendScope scope) const;
 
   /// True if the picture at rest can be painted in more detail: it needs another `draw` soon.
   bool is_refining() const { return detail_.is_refining() || is_coarse_; }
-  /// One of so many disks is on screen; 1: all.
+  /// One of this many disks is on screen; 1: all.
   std::uint32_t every() const { return detail_.every(); }
 
   NodeState state(VariantLayer layer) const;
   const LayerReport* report(VariantLayer layer) const;
-  /// Those of the main computation come first.
+  /// Nodes of the main computation come first.
   const std::vector<NodeReport>& nodes() const { return nodes_; }
-  /// True after memory was exhausted for a patch: the layers are grey until the engine sends all of them again, which a
-  /// demand for none and then for these causes.
+  /// True after memory was exhausted for a patch: the layers are grey until the engine sends all of them again. An
+  /// empty demand, followed by the old one, makes it do so.
   bool is_lost() const { return is_lost_; }
-  /// True if some layers show their last picture because memory was exhausted for another.
+  /// True if some layers show their last picture because another one exhausted the memory.
   bool lacks_memory() const { return mes::lacks_memory(nodes_, reports_); }
-  /// The document state that is on screen.
+  /// The document revision on screen.
   std::uint64_t document_revision() const { return document_revision_; }
-  /// Another document took the place of the one before at this revision.
+  /// Another document has replaced the previous one at this revision.
   void expect(std::uint64_t revision) {
     expected_ = revision;
     is_outdated_ = document_revision_ < expected_;
   }
-  /// What is on screen is still of a document before.
+  /// True while the picture on screen is of a previous document.
   bool is_outdated() const { return is_outdated_; }
   const render::Scene& scene() const { return scene_; }
 
@@ -129,7 +128,7 @@ class Picture {
     Rgb canvas;
     friend bool operator==(const MarkedState&, const MarkedState&) = default;
   };
-  /// Everything the pixels of the layers depend on.
+  /// The state on which the pixels of the layers depend.
   struct ShownState {
     render::Camera camera;
     double content_scale = 0.0;
@@ -140,20 +139,20 @@ class Picture {
     bool is_kept = false;
     PanePlaces places;
     std::vector<ShownPanes::Layers> panes;
-    std::vector<std::optional<std::uint64_t>> versions;  // revisions of the documents of panes that have their own
-    std::vector<render::Camera> cameras;                 // of panes beside the main one
+    std::vector<std::optional<std::uint64_t>> versions;  // document revisions of panes that have their own
+    std::vector<render::Camera> cameras;                 // for panes beside the main one
     friend bool operator==(const ShownState&, const ShownState&) = default;
   };
   void check(const FramePatch& patch);
   void keep(const FramePatch& patch);
-  /// `spacing_px`: of the samples, in logical pixels.
+  /// `spacing_px`: spacing of the samples, in logical pixels.
   ShownPanes::Layers as_drawn(ShownPanes::Layers layers, const std::optional<Rgb>& background,
                               double spacing_px) const;
-  /// Of the samples that a pane shows, in units of the document.
+  /// Spacing of the samples that a pane shows, in units of the document.
   double spacing_in(const Pane& pane, const Editor& editor);
   void add_marks(std::vector<render::LayerView>& views, std::size_t pane) const;
   void choose_views(const ShownState& shown, const Editor& editor, std::span<const Pane> panes);
-  /// Of a pane, in its part of the window.
+  /// The camera of a pane, for its part of the window.
   static render::Camera camera_of(const ShownState& shown, std::size_t pane);
   void paint(const ShownState& shown, std::uint32_t every, const render::DrawOptions& options);
   static std::vector<render::LayerView> views_of(const ShownPanes::Layers& layers, std::uint32_t every);
@@ -171,30 +170,30 @@ class Picture {
   render::Scene scene_;
   std::unique_ptr<LayerMirror> mirror_;     // null unless patches are checked
   std::shared_ptr<LayerMirror> instances_;  // null unless they are kept
-  bool has_instances_ = false;              // of all layers
-  std::vector<VariantLayer> held_;          // what was in demand last
+  bool has_instances_ = false;              // true when all layers are complete
+  std::vector<VariantLayer> held_;          // the last demand
   std::vector<LayerReport> reports_;
   std::vector<NodeReport> nodes_;
   bool is_lost_ = false;
   std::uint64_t document_revision_ = 0;
   std::uint64_t expected_ = 0;
-  bool is_outdated_ = false;  // undo goes back to revisions before the one that was expected, which was seen once
-  std::vector<FollowedSpacing> spacings_;  // of the samples of each pane, the main one first
-  std::uint64_t patches_ = 0;              // those that bring something to draw
+  bool is_outdated_ = false;  // false once the expected revision was seen: undo may then return to earlier ones
+  std::vector<FollowedSpacing> spacings_;  // for the samples of each pane, the main one first
+  std::uint64_t patches_ = 0;              // number of patches with something to draw
   DrawingFrame last_frame_;
   Rgb canvas_ = kWhiteCanvas;
-  std::uint64_t background_revision_ = 0;  // grows with the picture and its place
+  std::uint64_t background_revision_ = 0;  // grows with the picture and its position
   double background_aspect_ = 0.0;
   render::PicturePlace background_place_;
   MarkedState marked_;
   MovedPoints moved_;
-  MarkedState moved_at_;  // what the samples were last drawn for
+  MarkedState moved_at_;  // state for which the samples were last drawn
   std::uint64_t moved_at_patch_ = 0;
-  std::vector<double> mark_data_;  // kept for its memory
+  std::vector<double> mark_data_;  // kept to reuse its memory
   ShownState shown_;
   std::vector<std::vector<render::LayerView>>
-      views_;  // of each pane of `shown_`, the main one first, with their texts
-  std::vector<std::vector<render::LayerView>> marks_;  // of each pane
+      views_;  // for each pane of `shown_`, the main one first, with their texts
+  std::vector<std::vector<render::LayerView>> marks_;  // for each pane
   std::optional<render::Font> letters_;
   bool is_coarse_ = false;
   Detail detail_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a saved picture shows beside the drawing: annotations, the legend, scale bar and axes, and a caption below it.
+// The explanations on a saved picture: annotations, the legend, scale bar and axes, and a caption below it.
 //
 // An overlay is plain data, so pictures can be finished on other threads.
 //
@@ -28,13 +28,13 @@ namespace mes {
 struct PictureOverlay {
   std::shared_ptr<const PaperFonts> fonts;
   PlacedLegend legend;
-  PaperDrawing highlights;  ///< of annotations, below the rest of them
+  PaperDrawing highlights;  ///< highlights of annotations, below the others
   PaperDrawing annotations;
   PaperDrawing marks;  ///< scale bar, axes and grid
   double marks_scale = 1.0;
   PaperDrawing title{};
   std::string caption;
-  std::optional<Rgb> background;  ///< none: transparent
+  std::optional<Rgb> background;  ///< nothing: transparent
 
   bool is_empty() const {
     return !fonts || (legend.drawing.is_empty() && highlights.is_empty() && annotations.is_empty() &&
@@ -50,14 +50,14 @@ struct OverlayTarget {
   std::optional<Rgb> background;
 };
 
-/// What is wanted of it.
+/// The requested content.
 struct OverlayContent {
   std::vector<LegendEntry> legend;
   std::string caption;
   ScaleMarks marks{};
   PlacedAnnotations annotations{};
-  PaperDrawing title{};                   ///< of `layout_title`
-  std::optional<PaperPlace> legend_at{};  ///< none: the lower right corner, whatever is drawn there
+  PaperDrawing title{};                   ///< made by `layout_title`
+  std::optional<PaperPlace> legend_at{};  ///< nothing: the lower right corner, whatever is drawn there
 };
 
 /// Without fonts the overlay is empty.

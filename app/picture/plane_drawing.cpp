@@ -10,7 +10,7 @@
 namespace mes {
 namespace {
 
-// Circles that are larger are drawn as a chain of chords in reach; kFlat: how far chords may be from the circle.
+// Larger circles are drawn as chains of visible chords; kFlat: the largest distance of a chord from the circle.
 constexpr double kLargest = 50'000.0;
 constexpr double kFlat = 0.1;
 
@@ -31,7 +31,7 @@ bool PlaneDrawing::reaches(Vec2 p) const {
   return reach_.low.x <= p.x && p.x <= reach_.high.x && reach_.low.y <= p.y && p.y <= reach_.high.y;
 }
 
-// By Liang and Barsky (1984).
+// Clips the line (Liang and Barsky, 1984).
 void PlaneDrawing::line(Vec2 at, Vec2 way, double low, double high, double width, Rgb color) {
   if (way == Vec2{} || !is_finite(at) || !is_finite(way)) return;
   const auto cut = [&](double against, double room) {
@@ -59,7 +59,7 @@ void PlaneDrawing::arc(Vec2 center, double radius, double from, double sweep, do
     drawing_.arcs.push_back({center, radius, from, sweep, width, color});
     return;
   }
-  // The part of the circle towards the middle of the drawing.
+  // Draws the part of the circle towards the middle of the drawing.
   const Vec2 middle{0.5 * plane_.width, 0.5 * plane_.height};
   const double toward = std::atan2(middle.y - center.y, middle.x - center.x);
   const double half = std::min(0.5 * kTurn, 2.0 * std::asin(std::min(1.0, (plane_.width + plane_.height) / radius)));

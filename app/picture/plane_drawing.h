@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Lines and circles of the plane on a drawing over a part of it, cut where they leave its neighbourhood.
+// Draws lines and circles of the plane over a part of it, clipped to its neighbourhood.
 //
-// Cost: microseconds a shape. Threads: any, with a drawing of its own.
+// Cost: microseconds per shape. Threads: any, with a drawing of its own.
 #pragma once
 
 #include "app/picture/paper_drawing.h"
@@ -10,11 +10,11 @@
 
 namespace mes {
 
-/// What it guarantees: whatever numbers a shape has, what is drawn lies within a width and a height around the part of
-/// the plane, and is nowhere more than a tenth of a logical pixel off. Lengths are in logical pixels, y down.
+/// Guarantees: whatever numbers a shape has, its drawing lies within a width and a height around the part of the
+/// plane, and deviates by at most a tenth of a logical pixel. Lengths are in logical pixels, y down.
 class PlaneDrawing {
  public:
-  /// Both outlive it.
+  /// Both arguments must outlive it.
   PlaneDrawing(PaperDrawing& drawing, const SeenPlane& plane);
 
   Vec2 on_paper(Vec2 world) const;
@@ -22,10 +22,10 @@ class PlaneDrawing {
   bool reaches(Vec2 p) const;
 
   void segment(Vec2 from, Vec2 to, double width, Rgb color) { line(from, to - from, 0.0, 1.0, width, color); }
-  /// The places at + t * way for t from `low` to `high`, which may be infinite.
+  /// Draws the points at + t * way for t from `low` to `high`, which may be infinite.
   void line(Vec2 at, Vec2 way, double low, double high, double width, Rgb color);
   void circle(Vec2 center, double radius, double width, Rgb color);
-  /// From `from` on by `sweep`, clockwise as seen, as `PaperDrawing::Arc`.
+  /// Draws an arc from `from` on by `sweep`, clockwise on the drawing, as in `PaperDrawing::Arc`.
   void arc(Vec2 center, double radius, double from, double sweep, double width, Rgb color);
 
  private:

@@ -36,7 +36,7 @@ bool is_letter(char c) {
   return ('a' <= c && c <= 'z') || ('A' <= c && c <= 'Z');
 }
 
-/// How many bytes the letter at the beginning has; 0: they are not UTF-8 (RFC 3629).
+/// The number of bytes of the first letter; 0 if they are not UTF-8 (RFC 3629).
 std::size_t bytes_of_valid_letter(std::string_view text) {
   const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
   const unsigned lead = byte(0);
@@ -49,7 +49,7 @@ std::size_t bytes_of_valid_letter(std::string_view text) {
   if (size > text.size()) return 0;
   for (std::size_t i = 1; i < size; ++i)
     if (byte(i) >> 6U != 2U) return 0;
-  // Longer than need be, halves of pairs, and beyond the last letter.
+  // Rejects overlong forms, surrogates, and values beyond the last code point.
   if (size > 2) {
     const unsigned second = byte(1);
     if ((lead == 0xE0U && second < 0xA0U) || (lead == 0xEDU && second >= 0xA0U) ||
@@ -71,7 +71,8 @@ std::string escaped(std::string_view letter) {
   return std::string(letter);
 }
 
-/// Sets one line, reading its source once. What is not closed ends with the line, so its TeX is always closed.
+/// Sets one line in a single pass over its source. The end of the line closes open groups, so its TeX is always
+/// closed.
 class LineSetter {
  public:
   LineSetter(std::string_view source, std::string_view value, double letters, const MeasureText& measure,
@@ -110,7 +111,7 @@ class LineSetter {
   }
   void skip(double width) { x_ += width; }
 
-  /// The letters of a command after its backslash.
+  /// Reads the letters of a command after its backslash.
   std::string_view command() {
     const std::size_t begin = at_;
     while (!is_at_end() && is_letter(source_[at_])) ++at_;
@@ -123,7 +124,7 @@ class LineSetter {
     return found->sign;
   }
 
-  /// What stands in braces from here on, without them.
+  /// Reads a group in braces, and gives its content to `inside`.
   template <class Inside>
   void group(Inside inside) {
     if (is_at_end() || source_[at_] != '{') return complain("a command lacks its {...}");
@@ -133,7 +134,7 @@ class LineSetter {
     ++at_;
   }
 
-  /// Up to the brace that closes the group, which is left, or to the end; below the surface a group is open.
+  /// Reads up to the brace that closes the group, exclusively, or to the end; with `depth` > 0 a group is open.
   void text(const Look& look, int depth) {
     if (depth > kDeepest) return complain("too many braces within each other");
     while (!is_at_end() && !(depth > 0 && source_[at_] == '}')) {
@@ -172,7 +173,7 @@ class LineSetter {
     if (name == "value") return put_escaped(value_, look);
     if (const auto sign = sign_of(name)) {
       put_escaped(*sign, look);
-      // TeX takes the space after a command for its end.
+      // TeX takes the space after a command as its end.
       if (!is_at_end() && source_[at_] == ' ') ++at_;
       return;
     }
@@ -197,7 +198,7 @@ class LineSetter {
 
   void put_operator(std::string_view sign, const Look& look) {
     const bool is_relation = std::ranges::find(kRelations, sign) != kRelations.end();
-    // A sign before a number stands close to it, as everything does in scripts.
+    // A sign before a number is close to it, and so is everything in scripts.
     const bool is_spaced = is_relation && after_operand_ && look.size == letters_;
     if (is_spaced) skip(kSpaceAroundRelations * look.size);
     put(sign, {look.size, look.raise, Face::plain});
@@ -206,7 +207,7 @@ class LineSetter {
     if (sign == ",") skip(kSpaceAroundRelations * look.size);
   }
 
-  /// Up to what closes it, which is left, or to the end.
+  /// Reads mathematics up to its closing sign, exclusively, or to the end.
   void mathematics(const Look& look, int depth) {
     if (depth > kDeepest) return complain("too many braces within each other");
     while (!is_at_end() && source_[at_] != '$' && source_[at_] != '}') {
@@ -218,7 +219,7 @@ class LineSetter {
     }
   }
 
-  /// One letter, command or group.
+  /// Sets one letter, command or group.
   void atom(const Look& look, int depth) {
     const char c = source_[at_];
     if (c == ' ') {
@@ -291,7 +292,7 @@ class LineSetter {
       const bool is_greek = static_cast<unsigned char>(sign->front()) == 0xCEU || sign->front() == '\xCF';
       const bool is_capital = 'A' <= name.front() && name.front() <= 'Z';
       if (name == "circ") {
-        // The sign of degrees is raised by itself.
+        // The degree sign is raised already.
         put(*sign, {letters_, 0.0, Face::plain});
       } else if (is_greek) {
         put(*sign, {look.size, look.raise, is_capital ? Face::plain : Face::italic});
@@ -303,7 +304,7 @@ class LineSetter {
       return;
     }
     if (name == "mathrm" || name == "textrm" || name == "text" || name == "mathbf" || name == "textbf") {
-      // As text: what it holds keeps its spaces and is not set in italics.
+      // Set as text: the content keeps its spaces and is not in italics.
       const bool is_bold = name.ends_with("bf");
       line_.latex += is_bold ? "\\mbox{\\bfseries " : "\\mbox{";
       group([&] { text({look.size, look.raise, is_bold ? Face::bold : Face::plain}, depth + 1); });
@@ -317,7 +318,7 @@ class LineSetter {
     after_operand_ = true;
   }
 
-  /// A subscript, a superscript, or one above the other.
+  /// Sets a subscript, a superscript, or one above the other.
   void scripts(const Look& look, int depth) {
     const double begin = x_;
     double end = x_;
@@ -364,11 +365,11 @@ class LineSetter {
   std::size_t at_ = 0;
   double x_ = 0.0;
   double widest_ = 0.0;
-  std::optional<double> pieces_end_;  // where letters of the same look go on
+  std::optional<double> pieces_end_;  // end of the last piece, where letters of the same look may continue
   bool after_operand_ = false;
 };
 
-/// Where the next line break by two backslashes is; the end of the source without one.
+/// The position of the next line break by two backslashes; the end of the source if there is none.
 std::size_t end_by_command(std::string_view source, std::size_t at) {
   for (; at + 1 < source.size(); ++at) {
     if (source[at] != '\\') continue;

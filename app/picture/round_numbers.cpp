@@ -8,7 +8,7 @@
 namespace mes {
 namespace {
 
-// Logarithms of round numbers may come out just below whole ones.
+// Logarithms of powers of ten may be computed just below whole numbers.
 constexpr double kRounding = 1e-9;
 
 double power_of_ten_up_to(double value) {

@@ -16,17 +16,17 @@
 namespace mes {
 namespace {
 
-/// So many samples at most compete for room.
+/// At most this many samples compete for room.
 constexpr std::size_t kMost = 10'000;
 
-/// 1, 5, 10, 50, 100, ...: each divides the next, so that a round number is round by all those before.
+/// 1, 5, 10, 50, 100, ...: each divides the next, so that a multiple of one is a multiple of all smaller ones.
 constexpr std::uint64_t next_step(std::uint64_t step) {
   std::uint64_t leading = step;
   while (leading % 10 == 0) leading /= 10;
   return leading == 1 ? 5 * step : 2 * step;
 }
 
-/// How many steps divide a number; zero is the roundest.
+/// The number of steps that divide a number; zero is the roundest.
 int roundness(std::uint32_t number) {
   constexpr int kMostSteps = 64;
   if (number == 0) return kMostSteps;
@@ -41,14 +41,14 @@ int digits_of(std::uint32_t number) {
   return out;
 }
 
-/// A number that wants room.
+/// A number that competes for room.
 struct Candidate {
   SampleSlot sample;
   std::uint32_t number = 0;
-  Vec2 at;             ///< the sample, in logical pixels from the upper left corner of the part, y down
-  double width = 0.0;  ///< with the room to the next one
+  Vec2 at;             ///< position of the sample, in logical pixels from the upper left corner of the part, y down
+  double width = 0.0;  ///< including the gap to the next number
   int roundness = 0;
-  /// It stays where both have no room.
+  /// True if it is the one to show when there is room for one only.
   bool precedes(const Candidate& other) const {
     return roundness != other.roundness ? roundness > other.roundness : number < other.number;
   }
@@ -60,7 +60,7 @@ class Candidates {
       : document_(source.document), index_(source.index), part_(part), room_(room) {
     const std::uint32_t last = document_.next_id().value - document_.first_id().value;
     widest_ = width_of(last);
-    // What begins outside may reach into the part, and take the room of what is in it.
+    // Numbers that begin outside may reach into the part and take room there.
     const double reach =
         (2.0 * widest_ + 2.0 * room.height + std::abs(room.shift.x) + std::abs(room.shift.y)) * part.units_per_px;
     box_ = {part.box.low - Vec2{reach, reach}, part.box.high + Vec2{reach, reach}};
@@ -79,7 +79,7 @@ class Candidates {
     const std::size_t seen = estimate();
     std::uint64_t step = 1;
     while (seen / step > kMost) step = next_step(step);
-    // Looking at a sample by its number is many times as quick as finding it by its place.
+    // A look-up by number is many times as fast as one by position.
     constexpr std::size_t kQuicker = 16;
     const std::size_t numbers = document_.next_id().value - document_.first_id().value;
     if (index_ != nullptr && numbers / step > kQuicker * seen) {
@@ -89,7 +89,7 @@ class Candidates {
     }
   }
 
-  /// Of the samples in the box, from some thousands of all.
+  /// Estimates the number of samples in the box from some thousands of all.
   std::size_t estimate() const {
     constexpr std::uint64_t kProbes = 4096;
     const std::size_t rows = document_.slot_count();
@@ -128,9 +128,8 @@ class Candidates {
   std::vector<Candidate> out_;
 };
 
-/// The numbers that were looked at, in a hash table of the cells in which their samples are: a cell is as wide as the
-/// narrowest number and as high as all. Several cells may share a place of the table, so that each number found there
-/// is compared.
+/// The chosen numbers, in a hash table of the cells that contain their samples: a cell is as wide as the narrowest
+/// number and as high as all. Several cells may share an entry of the table, so each number found there is compared.
 class Cells {
  public:
   Cells(std::span<const Candidate> candidates, Vec2 size, double widest)
@@ -140,7 +139,7 @@ class Cells {
         first_(std::bit_ceil(4 * candidates.size() + 1), kNone),
         next_(candidates.size(), kNone) {}
 
-  /// False if one that was added overlaps it.
+  /// Returns false if an added number overlaps it.
   bool has_room(const Candidate& candidate) const {
     const Cell cell = cell_of(candidate.at);
     for (std::int64_t y = cell.y - 1; y <= cell.y + 1; ++y)
@@ -181,11 +180,11 @@ class Cells {
   std::span<const Candidate> candidates_;
   Vec2 size_;
   std::int64_t reach_;
-  std::vector<std::uint32_t> first_;  // by place in the table
-  std::vector<std::uint32_t> next_;   // by candidate
+  std::vector<std::uint32_t> first_;  // by index in the table
+  std::vector<std::uint32_t> next_;   // by index of the candidate
 };
 
-/// The radius of the dots in the layer `points`; 0 where it is not shown.
+/// The radius of the dots in the layer `points`; 0 if it is hidden.
 double dots_of(std::span<const LayerDescriptor> layers, std::span<const render::LayerView> views) {
   const LayerIndex points = find_layer(layers, "points");
   const auto found = std::ranges::find(views, points, &render::LayerView::layer);
@@ -221,8 +220,8 @@ std::vector<SampleSlot> numbers_with_room(const TextSource& source, const TextPa
 
 void add_texts(std::span<const LayerDescriptor> layers, std::span<render::LayerView> views, const TextSource& source,
                const TextPart& part, const render::Font* font) {
-  constexpr double kApart = 0.35;   // of the size of the letters
-  constexpr double kHeight = 0.75;  // from a digit to one of the line above
+  constexpr double kApart = 0.35;   // share of the size of the letters
+  constexpr double kHeight = 0.75;  // distance from a digit to one of the line above
   constexpr double kGap = 2.5;
   const double diagonal = std::sqrt(0.5);
   for (render::LayerView& view : views) {

@@ -17,10 +17,10 @@ constexpr double kMargin = kUsualMarginPx;
 constexpr double kLabelsApart = 10.0;
 constexpr double kEnd = 8.0;  // height of the ends of a bar
 constexpr double kBarShare = 0.25;
-// Ticks are at least so far apart.
+// The least distance of ticks.
 constexpr double kLeastStep = 56.0;
 
-/// A place along an axis, from the first end of the edge, and the number there.
+/// A position along an axis, from the first end of the edge, and the number there.
 struct Tick {
   double at = 0.0;
   std::string label;
@@ -30,7 +30,7 @@ std::vector<Tick> ticks_along(double center, double length, double units_per_pix
   const double half = 0.5 * length * units_per_pixel;
   const double largest = std::abs(center) + half;
   const double step = grid_step(units_per_pixel);
-  // Otherwise neighbouring numbers are equal, or their lines are not where they say.
+  // With smaller steps neighbouring numbers are equal, or their lines are not at these numbers.
   constexpr double kDoublesInStep = 64.0;
   if (!std::isfinite(largest) || step < kDoublesInStep * std::numeric_limits<double>::epsilon() * largest) return {};
   std::vector<Tick> out;
@@ -62,7 +62,7 @@ class ScaleLayout {
     const double bottom = plane_.height - plane_.covered;
     line(0.0, bottom - 1.0, plane_.width, 1.0);
     line(0.0, 0.0, 1.0, bottom);
-    // The left edge first, so that the bar knows its room; upwards.
+    // Lays out the left edge first, so that the bar knows its room; upwards.
     for (const Tick& tick : ticks_along(plane_.center.y, plane_.height, plane_.units_per_pixel)) {
       const double y = plane_.height - tick.at;
       if (y > bottom) continue;
@@ -110,7 +110,7 @@ class ScaleLayout {
     drawing_.lines.push_back({at.x + 0.5 * (size.x - width), at.y, kSmallTextSize, Face::plain, colors_.ink, label});
   }
 
-  /// Within the axes, if they have been laid out.
+  /// The area within the axes, if they have been laid out.
   Box2 room() const {
     return {{left_room_, plane_.covered_above}, {plane_.width, plane_.height - plane_.covered - bottom_room_}};
   }
@@ -119,7 +119,7 @@ class ScaleLayout {
   PaperDrawing take() { return std::move(drawing_); }
 
  private:
-  /// Without a place the line, not its number, has the margin.
+  /// Without a given position, the margin is that of the line, not of its number.
   Vec2 bar_corner(const std::optional<PaperPlace>& place, double length, Vec2 size) const {
     if (place) return placed(*place, size, room());
     return {left_room_ + kMargin - 0.5 * (size.x - length), room().high.y - kMargin - size.y};
@@ -195,7 +195,7 @@ double grid_step(double units_per_pixel) {
   return round_number_from(kLeastStep * units_per_pixel);
 }
 
-// Of the numbers 1, 2, 5, 10, ... each is at most two and a half times the one before.
+// Each of the numbers 1, 2, 5, 10, ... is at most two and a half times the previous one.
 double pixel_step(double units_per_pixel) {
   return round_number_from(0.4 * units_per_pixel);
 }

@@ -21,43 +21,42 @@ namespace mes {
 /// The part of the plane behind a drawing; the drawing has its size in logical pixels.
 struct SeenPlane {
   Vec2 center{};
-  double units_per_pixel = 1.0;  ///< of a logical pixel
+  double units_per_pixel = 1.0;  ///< units per logical pixel
   double width = 0.0;
   double height = 0.0;
-  double covered = 0.0;        ///< of the height: what lies over the lower end, such as a caption
-  double covered_above = 0.0;  ///< and over the upper end, such as a title
+  double covered = 0.0;        ///< height of anything over the lower end, such as a caption
+  double covered_above = 0.0;  ///< height of anything over the upper end, such as a title
 };
 /// `scale`: pixels, or units of 1/96 inch, per logical pixel.
 SeenPlane seen_plane(const render::Camera& camera, double scale);
 SeenPlane seen_plane(const figure::Page& page, double scale);
-/// The part of the plane below a box on the drawing.
+/// The part of the plane covered by a box on the drawing.
 Box2 below(const SeenPlane& plane, const Box2& box);
 
-/// The bar is in the lower left corner unless it has another place, and at most a quarter of the width; the axes are the
-/// lower and the left edge; the grid has lines at the same numbers. Places are counted from what covers the ends and from
-/// the axes.
-/// Their numbers are round, and each tells its place from that of its neighbours: where doubles do not, as in a deep
-/// zoom far from the origin, there are none. Numbers that would run together or out of the drawing are left out.
+/// The bar is in the lower left corner unless it has another position, and at most a quarter of the width; the axes
+/// are the lower and the left edge; the grid has lines at the same numbers. Positions exclude the covered ends and
+/// the axes. The numbers are round, and each differs from its neighbours; if doubles cannot distinguish them, as in a
+/// deep zoom far from the origin, there are no numbers. Numbers that would overlap or leave the drawing are left out.
 PaperDrawing layout_scale_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure,
                                 const std::optional<Rgb>& background);
 
-/// The distance of lines of the grid, in units.
+/// The distance of grid lines, in units.
 double grid_step(double units_per_pixel);
 /// The largest such number that is at most a pixel, or the one before it.
 double pixel_step(double units_per_pixel);
 
-/// Where the marks are, in logical pixels.
+/// The positions of the marks, in logical pixels.
 struct MarksPlace {
-  std::optional<Box2> bar;  ///< with its number; none: it is left out
-  /// What the bar, its number and their paper take where it is longest, so that nothing beside it moves with the scale.
+  std::optional<Box2> bar;  ///< includes its number; nothing: no bar
+  /// The area of the bar with number and paper at its longest, so that nothing beside it moves with the scale.
   std::optional<Box2> longest_bar;
-  Box2 room;  ///< what neither axes nor anything else covers: where bar and legend can be placed
+  Box2 room;  ///< the free area, where bar and legend can be placed
 };
 MarksPlace place_of_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure);
 
-/// The height in logical pixels that axes take from the lower edge.
+/// The height in logical pixels that axes take at the lower edge.
 inline constexpr double kAxisRoom = 26.0;
-/// The width that they take from the left edge, with numbers of four digits and a sign.
+/// The width that they take at the left edge, with numbers of four digits and a sign.
 inline constexpr double kAxisRoomBeside = 46.0;
 
 }  // namespace mes

@@ -26,7 +26,7 @@ bool meets_circle(const Box2& box, Vec2 center, double radius) {
   return farthest >= radius && meets_disk(box, center, radius);
 }
 
-/// The points at + t * way for t from `low` to `high`; by Liang and Barsky (1984).
+/// True if a point at + t * way with t from `low` to `high` is in the box (Liang and Barsky, 1984).
 bool meets_line(const Box2& box, Vec2 at, Vec2 way, double low, double high) {
   const auto cut = [&](double against, double room) {
     if (against == 0.0) return room >= 0.0;
@@ -41,7 +41,7 @@ bool meets_line(const Box2& box, Vec2 at, Vec2 way, double low, double high) {
          cut(way.y, box.high.y - at.y);
 }
 
-/// They are apart where a side of one of them separates them.
+/// The two are disjoint if and only if a side of one of them separates them.
 bool meets_triangle(const Box2& box, const std::array<Vec2, 3>& corner) {
   Box2 bounds;
   for (const Vec2 p : corner) bounds.add(p);

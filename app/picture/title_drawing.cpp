@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kTitleLetters = 20.0;
 constexpr double kTitleSpacing = 1.3;
-constexpr double kAbove = 0.55;  // of the height of letters, as is what follows
+constexpr double kAbove = 0.55;  // share of the height of letters, like the next two
 constexpr double kBelow = 0.35;
 constexpr double kBeside = 0.5;
-constexpr double kWidest = 0.94;  // of the picture
+constexpr double kWidest = 0.94;  // share of the picture
 constexpr double kHighest = 1.0 / 3.0;
 
 double width_of(const RichText& text) {
@@ -24,7 +24,7 @@ double width_of(const RichText& text) {
   return out;
 }
 
-/// In letters.
+/// Height in units of the letter size.
 double lines_of(const RichText& text) {
   return 1.0 + kTitleSpacing * static_cast<double>(text.lines.size() - 1);
 }
@@ -46,7 +46,7 @@ PictureTitle layout_title(std::string_view words, double width, double height, c
   PaperDrawing& drawing = out.drawing;
   drawing.width = width;
   drawing.height = (lines_of(text) + kAbove + kBelow) * letters;
-  // Part of the drawing may lie in the band.
+  // A part of the drawing may lie in the band.
   const double paper = width_of(text) + 2.0 * kBeside * letters;
   constexpr double kOpacity = 0.9;
   drawing.boxes.push_back({.left = 0.5 * (width - paper),
@@ -79,7 +79,7 @@ EdgeRoom room_of_axes(double scale) {
 
 figure::Page with_band(figure::Page page, double band) {
   page.height += band;
-  // The low part takes the move, which is of the page's size.
+  // The low part of the number takes the shift, which is of the size of the page.
   page.center_low.y += 0.5 * band * page.units_per_point;
   return page;
 }

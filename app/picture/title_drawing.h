@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The title of a picture, in a band at its upper edge. The drawing is fitted into what is left below.
+// The title of a picture, in a band at its upper edge. The drawing is fitted into the area below.
 //
 // Smallest use:
 //     const PictureTitle title = layout_title("Crust of $\\varepsilon$-samples", 800.0, 600.0, measure, kWhiteCanvas);
@@ -20,29 +20,29 @@ namespace mes {
 
 /// Lengths are in logical pixels, from the upper left corner of the picture.
 struct PictureTitle {
-  PaperDrawing drawing;     ///< as wide as the picture, and as high as the band; empty without words
-  std::string complaint{};  ///< about words that are not understood, one line; empty: all are
+  PaperDrawing drawing;     ///< as wide as the picture, and as high as the band; empty without text
+  std::string complaint{};  ///< about text that is not understood, one line; empty if all is
 };
 
-/// Words as `rich_text` has them, centred. Letters are smaller where the words would be wider than the picture of this
-/// size, or higher than a third of it.
+/// Lays out centred text, in the syntax of `rich_text`. Letters become smaller if the text would be wider than the
+/// picture, or higher than a third of it.
 PictureTitle layout_title(std::string_view words, double width, double height, const MeasureText& measure,
                           const std::optional<Rgb>& background);
 
-/// Parts of a picture that what is fitted is kept clear of, in pixels of it.
+/// The edges of a picture that fitted contents avoid, in pixels.
 struct EdgeRoom {
   int above = 0;
   int below = 0;
   int left = 0;
 };
-/// A camera that shows the box in what is left of a picture, with a margin of so large a part of its shorter side there;
-/// at the edges it shows more of the plane.
+/// A camera that shows the box in the rest of the picture, with a margin that is this share of the shorter side
+/// there; at the edges it shows more of the plane.
 render::Camera camera_within(const EdgeRoom& edges, int width, int height, const Box2& box, double margin);
 
-/// What axes take from the edges, for a picture of so many pixels a logical pixel.
+/// The room that axes take at the edges, for a picture with `scale` pixels per logical pixel.
 EdgeRoom room_of_axes(double scale);
 
-/// The page with a band of so many points above it, which shows more of the plane.
+/// The page with a band of this many points above it, which shows more of the plane.
 figure::Page with_band(figure::Page page, double band);
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which layers a legend explains, wherever their colour maps are known from.
+// Selects the layers that a legend explains, whatever the source of their colour maps.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 
 namespace mes {
 
-/// `shown_map` gives the map of a view, `has` says whether a layer draws something of a kind. A layer that draws nothing
-/// has no entry.
+/// `shown_map` returns the map of a view; `has` tells whether a layer draws anything of a kind. A layer that draws
+/// nothing has no entry.
 template <class ShownMapOf, class Has>
 std::vector<LegendEntry> entries_of(std::span<const LayerDescriptor> descriptors,
                                     std::span<const render::LayerView> views, LegendScope scope,
