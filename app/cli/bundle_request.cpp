@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The bundle of this name, ignoring case where that leaves a single one; empty when none matches.
+/// The bundle of this name; if only one matches when case is ignored, that one; null if none matches.
 const Bundle* bundle_named(const std::vector<Bundle>& bundles, const std::string& name) {
   const Bundle* similar = nullptr;
   for (const Bundle& bundle : bundles) {
@@ -41,7 +41,7 @@ Error unknown_bundle(const std::string& name, const std::vector<Bundle>& bundles
               (names.empty() ? std::string() : "; did you mean " + one_of(nearest_names(name, names)) + '?')};
 }
 
-/// The bundle of this name in the file; the first for an empty name.
+/// The bundle of this name in the file; an empty name means the first bundle.
 Expected<Bundle> bundle_of_file(const Registry& registry, const std::string& file,
                                 const std::optional<std::string>& name, std::vector<SourceFile>& sources) {
   if (const auto fingerprint = fingerprint_of_file(file)) sources.push_back({file, *fingerprint});
@@ -86,7 +86,7 @@ Expected<Bundle> find_bundle(const Registry& registry, const std::string& name_o
   std::error_code error;
   const std::string extension = lower_case_extension(name_or_file);
   if (fs::exists(name_or_file, error)) return bundle_of_file(registry, name_or_file, {}, sources);
-  // Names of files and of bundles may hold colons too.
+  // File names and bundle names may contain colons, too.
   for (std::size_t colon = name_or_file.find(':'); colon != std::string::npos;
        colon = name_or_file.find(':', colon + 1))
     if (const std::string file = name_or_file.substr(0, colon); fs::is_regular_file(file, error))

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bundles as the command line names them.
+// Finds bundles by their names on the command line.
 #pragma once
 
 #include <string>
@@ -20,13 +20,13 @@ struct AvailableBundle {
   bool is_built_in = false;
 };
 
-/// Those of the user first, then the built-in ones under other names. A file of the user's that cannot be read is
+/// The user's bundles, followed by the built-in ones with other names. A file of the user that cannot be read is
 /// reported and left alone.
 std::vector<AvailableBundle> available_bundles(const Registry& registry);
 
-/// The bundle of this name, ignoring case where that leaves a single one; or the first bundle of the file of this name;
-/// or, for FILE:NAME, the bundle of that name in the file. Error: `usage` with the nearest names, or `bad_input` for a
-/// file without bundles. The file that is read is added to the sources.
+/// Finds the bundle of this name (ignoring case if only one matches then), or the first bundle of the file of this
+/// name, or for FILE:NAME the bundle of that name in the file. Adds the file to the sources. Error: `usage` with the
+/// nearest names, or `bad_input` for a file without bundles.
 Expected<Bundle> find_bundle(const Registry& registry, const std::string& name_or_file,
                              std::vector<SourceFile>& sources);
 

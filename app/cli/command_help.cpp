@@ -39,7 +39,7 @@ CommandHelp command_help(const CLI::App& app, const std::string& name) {
   return out;
 }
 
-/// The library says of a flag that it switches something off: "--no-legend{false}".
+/// CLI11 marks flags that switch something off: "--no-legend{false}". This formatter does not.
 class PlainNames final : public CLI::Formatter {
  public:
   std::string make_option_name(const CLI::Option* option, bool is_positional) const override {
@@ -73,7 +73,7 @@ std::string brief(const std::string& text) {
   std::ranges::replace(out, '\n', ' ');
   for (const std::string_view end : {". ", "; ", " (", ": "}) {
     const std::size_t found = out.find(end);
-    // "csv: one primitive a line" says little without what follows.
+    // A short beginning such as "csv: one primitive a line" says little without the rest.
     constexpr std::size_t kShortest = 12;
     if (found != std::string::npos && found >= kShortest) out.resize(found);
   }

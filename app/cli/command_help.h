@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands and their options as data: what the manual, the man page and the completions of shells are made from.
+// The commands and their options as data: the source of the manual, the man page and the shell completions.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ class App;
 namespace mes::cli {
 
 struct OptionHelp {
-  std::vector<std::string> names{};    ///< "-o", "--output"; the name alone of what is given by its position
+  std::vector<std::string> names{};    ///< "-o", "--output"; a positional argument has only its name
   std::string text{};                  ///< may have several lines
   std::string default_value{};         ///< empty: none
   const OptionValue* value = nullptr;  ///< null: the option takes no value
@@ -25,20 +25,20 @@ struct OptionHelp {
 
 struct CommandHelp {
   std::string name{};     ///< "mesecina", "mesecina compute"
-  std::string summary{};  ///< what it does, in its own words
-  std::string page{};     ///< what --help prints
+  std::string summary{};  ///< effect, in the command's own words
+  std::string page{};     ///< output of --help
   std::string footer{};   ///< paragraphs after the options, separated by empty lines
   std::vector<OptionHelp> options{};
 };
 
-/// Gives the value of each option the name that `OptionValue` has for it, so that help pages say it, and names flags in
-/// them as they are typed.
+/// Gives the value of each option its name from `OptionValue`, for the help pages, and shows flags there as the user
+/// types them.
 void name_values(CLI::App& app);
 
-/// The program itself first, then its commands.
+/// Help of the program itself, followed by its commands.
 std::vector<CommandHelp> help_of(const CLI::App& app);
 
-/// The first sentence of a text, for places of one line.
+/// The first sentence of a text, where there is only one line.
 std::string brief(const std::string& text);
 
 }  // namespace mes::cli

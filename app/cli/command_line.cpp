@@ -35,7 +35,7 @@ constexpr const char* kExamples = R"(Examples:
 
 Exit codes: 0 done, 1 could not be completed, 2 usage, 3 bad input, 4 output impossible (or no display), 130 interrupted.)";
 
-/// Everything the parser fills in.
+/// Everything that the parser fills in.
 struct Arguments {
   std::vector<std::string> files;
   std::vector<std::string> experiments;
@@ -61,7 +61,7 @@ struct Arguments {
   CompletionsRequest completions;
 };
 
-/// In lines of some hundred characters, all but the first indented.
+/// Breaks the text into lines of some hundred characters, all but the first indented.
 std::string wrapped(std::string_view text, std::size_t indent) {
   constexpr std::size_t kWidth = 100;
   std::string out;
@@ -139,19 +139,19 @@ void describe_commands(const Registry& registry, CLI::App& app, Arguments& to) {
     command->set_help_flag("-h,--help", "Print this help and exit");
     add_experiments(*command, to.experiments);
   }
-  // An empty value is most likely an unset variable of a script, and never the same as no option.
+  // An empty value is most likely an unset variable of a script, and never means the same as a missing option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
   for (CLI::App* const command : app.get_subcommands({}))
     for (CLI::Option* const option : command->get_options())
       if (option->get_expected_max() > 0) option->check(is_not_empty);
   name_values(app);
-  // At the end, or each command would have it too.
+  // Set last, because otherwise each command would inherit it.
   app.footer(std::string(kExamples) + "\n\nInput: " + wrapped(coordinate_range_in_words(), 7));
 }
 
-/// The program itself first, then its commands.
+/// Help of the program itself, followed by its commands.
 std::vector<CommandHelp> all_commands(const Registry& registry) {
-  // Parsing changes what a parser says of its defaults, so this is one that has parsed nothing.
+  // Uses a parser that has parsed nothing, because parsing changes the displayed defaults.
   CLI::App app;
   Arguments arguments;
   describe_commands(registry, app, arguments);
@@ -189,7 +189,7 @@ Expected<void> run_command(const Registry& registry, const CLI::App& command, co
   return run_list(registry, arguments.list, interruption);
 }
 
-/// What is not expected: options that there are not, and words that are too many.
+/// Message for unknown options and surplus arguments.
 std::string words_of_extra(const CLI::App& command, std::string_view word) {
   if (!word.starts_with('-') || word == "-") return "unexpected " + in_quotes(word);
   word = word.substr(0, word.find('='));
@@ -203,7 +203,7 @@ std::string words_of_extra(const CLI::App& command, std::string_view word) {
          (is_near ? "; did you mean " + std::string(nearest.front()) + '?' : "");
 }
 
-/// CLI11 has words for programmers.
+/// Rewrites messages of CLI11, which are meant for programmers.
 std::string words_of(const CLI::App& app, const CLI::ParseError& error) {
   const std::string text = error.what();
   const auto chosen = app.get_subcommands();
@@ -225,7 +225,7 @@ std::string words_of(const CLI::App& app, const CLI::ParseError& error) {
   return text;
 }
 
-/// What is wrong with the words of the command, in one line and with the way to more.
+/// Reports a fault in the command's words, in one line with a pointer to the help.
 int refuse(const CLI::App& app, const std::string& text) {
   std::string line = text;
   std::ranges::replace(line, '\n', ' ');
@@ -235,7 +235,7 @@ int refuse(const CLI::App& app, const std::string& text) {
   return report({ErrorCode::usage, line + "; see " + command + " --help", {}, 0, 0});
 }
 
-/// For a first word that is not a file, does not look like the name of one, and is nearly a command: that command.
+/// Suggests a command if the first word is not a file, does not look like a file name, and resembles the command.
 std::optional<Error> mistaken_command(const CLI::App& app, const std::vector<std::string>& files) {
   if (files.empty() || files.front().find_first_of("./") != std::string::npos) return std::nullopt;
   const std::string& word = files.front();
@@ -260,7 +260,7 @@ int run(const Registry& registry, int argc, const char* const* argv, const OpenW
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& done) {
-    // Help and version: results, so they go to stdout.
+    // Help and version are results, so they are written to stdout.
     const int code = app.exit(done);
     return std::fflush(stdout) == 0 ? code
                                     : report({ErrorCode::cannot_write, "cannot be written", "standard output", 0, 0});
@@ -286,7 +286,7 @@ int run(const Registry& registry, int argc, const char* const* argv, const OpenW
 int run_command_line(const Registry& registry, int argc, const char* const* argv, const OpenWindow& open_window) {
   try {
     if (argc == 3 && std::string_view(argv[1]) == kTrialCommand) return run_trial(registry, argv[2]);
-    // Another program can start the window and hand it a socket (LinkRun). The option is not in the help.
+    // Another program can start the window and pass it a socket (LinkRun). The help does not list this option.
     if (argc >= 3 && std::string_view(argv[1]) == "--link") {
       std::vector<const char*> words(argv + 2, argv + argc);
       words.front() = argv[0];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The program as the shell sees it.
+// The command line of the program.
 #pragma once
 
 #include <functional>
@@ -12,10 +12,10 @@ class Registry;
 
 namespace mes::cli {
 
-/// Opens the window on files, or with the document of a program at a socket, and gives the exit code.
+/// Opens the window on files, or with the document of a program at a socket; returns the exit code.
 using OpenWindow = std::function<int(std::vector<std::string> files, std::vector<std::string> experiments, int link)>;
 
-/// Runs the command that the arguments ask for, with what the registry has, or the window when they ask for none; gives
+/// Runs the command in the arguments with the contents of the registry, or the window if there is no command. Returns
 /// the exit code.
 int run_command_line(const Registry& registry, int argc, const char* const* argv, const OpenWindow& open_window);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Options that several commands have, and commands that are described in files of their own.
+// Options shared by several commands, and commands that are described in files of their own.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -9,7 +9,7 @@
 
 namespace mes::cli {
 
-/// "circle, ellipse, ...".
+/// The ids in one text: "circle, ellipse, ...".
 std::string ids_of(const auto& descriptors) {
   std::string out;
   for (const auto& descriptor : descriptors) {
@@ -19,17 +19,17 @@ std::string ids_of(const auto& descriptors) {
   return out;
 }
 
-/// How a picture or a map becomes samples.
+/// Adds the options for turning a picture or a map into samples.
 void add_reading(const Registry& registry, CLI::App& command, ReadingOptions& reading);
 void add_force(CLI::App& command, bool& force);
 
 void add_format(const Registry& registry, CLI::App& command, std::string& from);
-/// The file for the results.
+/// Adds the option for the file of the results.
 void add_output(CLI::App& command, std::string& output);
 void add_output(CLI::App& command, std::string& output, bool& force);
 void add_source(const Registry& registry, CLI::App& command, Source& source);
 
-/// What is read, and how; into `file`, `from` and `reading` of the request.
+/// Adds the arguments for the input; they fill `file`, `from` and `reading` of the request.
 template <class Request>
 void add_input(const Registry& registry, CLI::App& command, Request& request,
                const char* what = "Samples to read, or - for standard input") {
@@ -38,7 +38,7 @@ void add_input(const Registry& registry, CLI::App& command, Request& request,
   add_reading(registry, command, request.reading);
 }
 
-// Each adds a command.
+// Each of these adds a command.
 void describe_compute(const Registry& registry, CLI::App& app, ComputeRequest& to);
 void describe_sweep(const Registry& registry, CLI::App& app, SweepRequest& to);
 void describe_branches(const Registry& registry, CLI::App& app, BranchesRequest& to);

@@ -43,14 +43,15 @@ ShownLayers with_family(const ShownLayers& shown, FamilyKind family) {
   return out;
 }
 
-/// By its letter in the ids of layers: a, p or b.
+/// The family with this letter in the ids of layers: a, p or b.
 std::optional<FamilyKind> family_named(const std::string& letter) {
   for (const FamilyKind family : kBallFamilies)
     if (lower_case(letter) == letter_of(family)) return family;
   return std::nullopt;
 }
 
-/// NAME, or NAME:KEY=VALUE[,KEY=VALUE...]; the key `seed` is of all evolutions. What is not said is as in `base`.
+/// Reads NAME, or NAME:KEY=VALUE[,KEY=VALUE...]; all evolutions have the key `seed`. Missing values are those of
+/// `base`.
 Expected<EvolutionChoice> evolution_of(const Registry& registry, const std::string& text,
                                        const EvolutionChoice& base) {
   constexpr std::string_view kSeed = "seed=";
@@ -190,7 +191,7 @@ Expected<std::map<std::uint64_t, std::shared_ptr<const SampleData>>> states_of(
   return out;
 }
 
-/// Where an evolution moves a parameter: its value in the state of a step.
+/// For an evolution that moves a parameter: the settings with its value at a step.
 Expected<ComputationSettings> moved_settings(const CompareRequest& compared, const ParameterMove& move,
                                              std::uint64_t step, ComputationSettings settings) {
   const auto value = moved_value(move, settings[move.parameter], step, compared.evolution.values);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Scripts that let shells complete the commands, options and values of the program.
+// Shell scripts that complete the commands, options and values of the program.
 #pragma once
 
 #include <span>
@@ -15,7 +15,7 @@ class Registry;
 
 namespace mes::cli {
 
-/// The words with spaces between them.
+/// Joins the words with spaces.
 std::string joined_words(const std::vector<std::string>& words);
 
 struct Shell {
@@ -25,7 +25,7 @@ struct Shell {
 
 std::span<const Shell> shells();
 
-/// Each of them is read by its shell as it stands; equal programs give equal bytes.
+/// The scripts can be read by their shells as they are; equal programs give equal bytes.
 std::string bash_completions(const Registry& registry, std::span<const CommandHelp> commands);
 std::string zsh_completions(const Registry& registry, std::span<const CommandHelp> commands);
 std::string fish_completions(const Registry& registry, std::span<const CommandHelp> commands);

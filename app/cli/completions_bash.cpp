@@ -47,7 +47,7 @@ std::string last_word(const std::string& name) {
   return name.substr(name.rfind(' ') + 1);
 }
 
-// After the option, or at its place, what fits.
+// The words that fit after an option, or in the position of an argument.
 std::string cases_of(const Registry& registry, const CommandHelp& command, std::string_view indent) {
   std::string out;
   std::string at_its_place = ":";

@@ -6,7 +6,7 @@
 namespace mes::cli {
 namespace {
 
-// Within single quotes, where `special` has a meaning of its own.
+// Quotes a text for single quotes, where `special` characters have a meaning of their own.
 std::string quoted_for_zsh(std::string_view text, std::string_view special) {
   std::string out;
   for (const char c : text) {
@@ -20,13 +20,13 @@ std::string quoted_for_zsh(std::string_view text, std::string_view special) {
   return out;
 }
 
-// ":NAME:ACTION"; what it is called, and how it is completed.
+// ":NAME:ACTION": name of the value and its completion.
 std::string action(const Registry& registry, const OptionHelp& option) {
   const OptionValue& value = *option.value;
   const std::string name = value.name.empty() ? option.names.back() : std::string(value.name);
   switch (value.kind) {
     case ValueKind::choice:
-      // Nothing but a value follows the name of a parameter at once.
+      // The name of a parameter is followed directly by its value, without a space.
       return value.name.ends_with("VALUE")
                  ? fmt::format(":{}:{{compadd -S \"\" -- {}}}", name, joined_words(value.offer(registry)))
                  : fmt::format(":{}:({})", name, joined_words(value.offer(registry)));

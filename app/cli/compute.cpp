@@ -23,7 +23,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// Of the samples: the vertices of their triangulation, which the judges of the theorem always need.
+/// Number of distinct samples: the vertices of their triangulation, which the checks of the theorem always need.
 std::int64_t distinct_of(std::span<const NodeReport> nodes) {
   for (const NodeReport& node : nodes)
     for (const Stat& stat : node.stats)
@@ -31,7 +31,7 @@ std::int64_t distinct_of(std::span<const NodeReport> nodes) {
   return 0;
 }
 
-/// What is asked of a layer.
+/// The measurements of a layer.
 struct Measured {
   LayerTally tally;
   LayerDigest digest;
@@ -52,7 +52,7 @@ Json json_of(const LayerSummary& summary, const LayerDescriptor& layer, std::uin
   return out;
 }
 
-/// The colour that the light has at least.
+/// The least colour that the light has with this finding.
 std::string_view level_name(FindingLevel level) {
   return level == FindingLevel::note ? "note" : name_of(light_of(level));
 }
@@ -125,7 +125,7 @@ Expected<void> run_compute(const Registry& registry, const ComputeRequest& reque
     if (request.with_digests) entry["digest"] = measured[layer].digest.text();
   }
   out["diagnostics"] = diagnostics_of(result->nodes);
-  // A file name need not be UTF-8, but JSON must.
+  // A file name need not be valid UTF-8, but JSON must be.
   const std::string text = out.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
   return write_output(request.output, text, interruption, {file.sources, request.force});
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `mesecina demo`: the paper's video, computed anew.
+// `mesecina demo`: the video of the paper, computed again.
 #include "app/cli/requests.h"
 #include "app/store/lessons.h"
 

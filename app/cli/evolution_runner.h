@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// States of an evolution one after the other, with the progress shown on a terminal.
+// Computes the states of an evolution in order, and shows the progress on a terminal.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace mes::cli {
 
-/// Earlier states are not asked for again, so none is kept. For evolutions that move samples.
+/// Keeps no earlier states, because they are not requested again. For evolutions that move samples.
 class EvolutionRunner {
  public:
   EvolutionRunner(EvolutionState beginning, EvolutionChoice choice)
       : beginning_(std::move(beginning)), choice_(std::move(choice)) {}
 
-  /// The state of a step, not before the last one that was asked for; `last` is where it will end. Error: as
+  /// The state of a step, which must not precede the last requested one; `last` is the final step. Error: as
   /// `next_state`. Valid until the next call.
   Expected<EvolutionState> at(std::uint64_t step, std::uint64_t last);
 

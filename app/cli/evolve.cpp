@@ -16,13 +16,13 @@
 namespace mes::cli {
 namespace {
 
-/// The first one, as it is by default; null where there is none.
+/// The first evolution with its defaults; null if there is none.
 EvolutionChoice first_evolution(const Registry& registry) {
   const auto all = registry.evolutions().all();
   return {.evolution = all.empty() ? nullptr : all.front()};
 }
 
-/// Where the command does not say, as in `base`.
+/// The evolution in the command; missing values are those of `base`.
 Expected<EvolutionChoice> choice_of(const Registry& registry, const EvolveRequest& request,
                                     const EvolutionChoice& base) {
   EvolutionChoice out = base;
@@ -53,7 +53,7 @@ Expected<EvolutionChoice> choice_of(const Registry& registry, const EvolveReques
 }  // namespace
 
 Expected<void> run_evolve(const Registry& registry, const EvolveRequest& request, Interruption& interruption) {
-  // Refuses unknown names before the file is read.
+  // Rejects unknown names before the file is read.
   if (!request.evolution.empty())
     if (const auto good = choice_of(registry, request, first_evolution(registry)); !good)
       return std::unexpected(good.error());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `mesecina new` and `mesecina check`: the beginning of an experiment, and what it has to hold.
+// `mesecina new` and `mesecina check`: a skeleton for an experiment, and the checks for it.
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// "beta-skeleton" becomes "BetaSkeleton".
+/// Turns "beta-skeleton" into "BetaSkeleton".
 std::string class_name(std::string_view id) {
   std::string out;
   bool begins = true;
@@ -35,7 +35,7 @@ std::string class_name(std::string_view id) {
   return out;
 }
 
-/// "My idea" for "my-idea".
+/// Turns "my-idea" into "My idea".
 std::string title(std::string id) {
   std::ranges::replace(id, '-', ' ');
   if (!id.empty()) id[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(id[0])));

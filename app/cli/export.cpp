@@ -24,7 +24,7 @@ Expected<const LayerTextFormat*> select_format(const std::string& name) {
       fmt::format("unknown export format {}; it is one of {}", in_quotes(name), one_of(export_formats())));
 }
 
-// The line of the progress is gone when it returns.
+// Removes the progress line before it returns.
 Expected<LayerText> compute_text(const Registry& registry, const SampleData& data, const LayerTextFormat& format,
                                  const std::vector<LayerIndex>& layers, const ComputationSettings& settings) {
   Progress progress;

@@ -32,7 +32,7 @@ std::string in_words(const std::vector<TableColumns>& tables) {
   return one_of(names);
 }
 
-/// Says whether there is such a table before the file is read. A structure with one table needs no name of it.
+/// Checks that the table exists before the file is read. The only table of a structure need not be named.
 Expected<std::string> select_table(const Registry& registry, const ExportRequest& request) {
   if (!request.layer.empty()) return usage_error("export takes --layer or --structure, not both");
   if (request.structure.empty()) return usage_error("--table needs --structure (mesecina list structures)");

@@ -45,7 +45,7 @@ struct Shard {
   bool has(std::uint64_t frame) const { return frame % count == index % count; }
 };
 
-/// The request, understood.
+/// The interpreted request.
 struct Film {
   PictureSize size;
   double fps = 12.0;
@@ -103,10 +103,10 @@ std::uint64_t frames_of(const PlayStep& step, double fps) {
   return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(std::llround(step.seconds * fps)));
 }
 
-/// Draws what a player shows.
+/// Draws the state of a player.
 class Studio {
  public:
-  /// `panes`: of the session; those beside the main one are computed afresh for each picture.
+  /// `panes`: those of the session; panes beside the main one are computed from scratch for each picture.
   Studio(const Registry& registry, render::GlDevice& device, const Film& film, const SessionPanes& panes)
       : registry_(registry),
         device_(device),
@@ -161,7 +161,7 @@ class Studio {
     return view.is_empty() ? SeenByAll{document.bounding_box(), kMargin} : SeenByAll{view, 0.0};
   }
 
-  // As `mesecina render --compare` lays them out, with the caption in the first one.
+  // Uses the layout of `mesecina render --compare`, with the caption in the first pane.
   Expected<CapturedPicture> draw_panes(const Player& player) {
     Comparison comparison = compare(
         registry_, panes_.requests({player.document(), player.history(), player.layers(), player.settings()}));
@@ -222,7 +222,7 @@ class Studio {
     render::Image image;
     PictureOverlay overlay;
   };
-  /// The views have the styles that layers have.
+  /// The views have the styles of the layers.
   Expected<Shot> shoot(std::vector<render::LayerView> views, const render::Camera& camera, const Document& document,
                        OverlayContent content) {
     const double units_per_px = camera.units_per_pixel() * scale_;
@@ -238,7 +238,7 @@ class Studio {
     return Shot{std::move(*image), picture_overlay_of(std::move(content), fonts_, {camera, scale_, kWhiteCanvas})};
   }
 
-  // A picture that no longer exists, or that no layer shows, is reported once; the film goes on without it.
+  // A picture that no longer exists, or that no layer shows, is reported once; the film continues without it.
   void follow_picture(const BackgroundImage& image) {
     const LayerIndex layer = registry_.find_layer("image");
     if (image.file != shown_.file || image.is_upright != shown_.is_upright) {
@@ -256,18 +256,18 @@ class Studio {
     scene_.place_picture({image.center, image.width});
   }
 
-  static constexpr double kMargin = 0.06;      // around the document, where no view is chosen
-  static constexpr double kReference = 800.0;  // sizes of styles are meant for a view about this high
+  static constexpr double kMargin = 0.06;      // around the document, if no view is chosen
+  static constexpr double kReference = 800.0;  // sizes in styles are meant for a view of about this height
 
   const Registry& registry_;
   render::GlDevice& device_;
   render::Scene scene_;
   Film film_;
   const SessionPanes& panes_;
-  std::vector<VariantLayer> held_;  // by the scene, of the panes
+  std::vector<VariantLayer> held_;  // layers of the panes that the scene holds
   double scale_;                    // pixels per logical pixel
   PictureTitle title_;              // the same in all pictures
-  BackgroundImage shown_;           // in the scene, or not readable
+  BackgroundImage shown_;           // in the scene, or unreadable
   std::shared_ptr<const PaperFonts> fonts_;
 };
 
@@ -322,7 +322,7 @@ Expected<void> make_film(const Registry& registry, const Session& session, const
       done.error().file = name;
       return done;
     }
-    // Also where another shard draws the frame: what is drawn in which order depends on every step before.
+    // Needed even if another shard draws the frame, because the drawing order depends on all earlier steps.
     if (const std::string failure = player.complete(); !failure.empty())
       say(fmt::format("frame {}: {}", frame + 1, failure));
     std::optional<CapturedPicture> shot;

@@ -11,9 +11,9 @@
 
 namespace mes::cli {
 
-/// Reads a file, or standard input when its name is "-". What is odd but bearable in it is said on stderr. Error: also
-/// `usage` for options of tracing that contradict each other, before anything is read, or that are given for a file
-/// that is not a picture, and for degrees to keep of a file that is not a map.
+/// Reads a file, or standard input if its name is "-". Reports tolerable faults on stderr. Error: also `usage` for
+/// contradictory tracing options, before anything is read; for tracing options with a file that is not a picture; and
+/// for keeping the degrees of a file that is not a map.
 Expected<LoadedFile> read_input(const Registry& registry, const std::string& file, const std::string& format,
                                 const ReadingOptions& options = {});
 

@@ -12,7 +12,7 @@ namespace mes::cli {
 
 void Interruption::end(int signal) {
   const std::lock_guard lock(mutex_);
-  // A progress line may stand there. A terminal that was stopped, as by Ctrl-S, would have to be waited for.
+  // Erases a progress line, unless the terminal is stopped, e.g. by Ctrl-S, and would block.
   pollfd terminal{STDERR_FILENO, POLLOUT, 0};
   if (::isatty(STDERR_FILENO) != 0 && ::poll(&terminal, 1, 0) == 1 && (terminal.revents & POLLOUT) != 0) {
     constexpr std::string_view kEndOfLine = "\r\x1b[K";

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Ctrl-C and its kin: end at once, with nothing half written.
+// On Ctrl-C and similar signals, ends the program at once without leaving half-written files.
 #pragma once
 
 #include <mutex>
@@ -8,10 +8,11 @@
 
 namespace mes::cli {
 
-/// While it lives, SIGINT, SIGTERM and SIGHUP end the process immediately with exit code 130 (143, 129). What runs in
-/// `uninterrupted` is finished first if that takes less than the patience of `SignalWatch`. Signals that are ignored
+/// While it lives, SIGINT, SIGTERM and SIGHUP end the process immediately with exit code 130 (143, 129). A function
+/// running in `uninterrupted` is finished first if that takes less than the patience of `SignalWatch`. Signals that
+/// are ignored when the object is made stay ignored.
 /// when it is made stay ignored.
-///
+/// Make it before any other thread is started, since threads inherit the mask that leaves these signals to it.
 /// Make it before any other thread is started: they inherit that these signals are left to it.
 class Interruption {
  public:

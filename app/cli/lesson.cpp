@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `mesecina lesson`: the steps of a lesson, listed or on pages.
+// `mesecina lesson`: lists the steps of a lesson, or writes them on pages.
 #include <fmt/core.h>
 #include <unistd.h>
 
@@ -34,14 +34,14 @@
 namespace mes::cli {
 namespace {
 
-/// A lesson, and the files that it was read from.
+/// A lesson and its source files.
 struct Chosen {
   std::shared_ptr<const Session> session;
   std::vector<SourceFile> sources{};
 };
 
-/// The lesson of a file, or the one of this name that comes with the program. Error: `usage` where the word is neither
-/// the name of such a lesson nor looks like the name of a file; `bad_input` where the file holds no lesson.
+/// The lesson of a file, or the one of this name that comes with the program. Error: `usage` if the word is neither
+/// such a name nor looks like a file name; `bad_input` if the file holds no lesson.
 Expected<Chosen> lesson_of(const Registry& registry, const std::string& word) {
   std::error_code error;
   std::string file = word;
@@ -73,7 +73,7 @@ Expected<Chosen> lesson_of(const Registry& registry, const std::string& word) {
   return Chosen{std::move(input->session), std::move(input->sources)};
 }
 
-/// Steps from 1, each once and in their order: "2-4", "1,3-5".
+/// Reads step numbers from 1, e.g. "2-4" or "1,3-5"; the result has each once, in order.
 Expected<std::vector<std::size_t>> parse_steps(const std::string& text, std::size_t count) {
   std::vector<bool> is_wanted(count, text.empty());
   for (std::string_view rest = text; !rest.empty();) {
@@ -139,7 +139,7 @@ struct Output {
   std::string bytes;
 };
 
-/// The outputs that are one file each.
+/// The outputs that consist of one file each.
 std::vector<std::string> files_of(const LessonRequest& request) {
   std::vector<std::string> out;
   for (const std::string& file : {request.pdf, request.html, request.vtt})
@@ -164,7 +164,7 @@ Expected<void> check_outputs(const LessonRequest& request) {
   return {};
 }
 
-/// What frames are asked to be.
+/// The requested format of frames.
 struct Pixels {
   LessonLook look;
   double per_point = 1.0;
@@ -172,7 +172,7 @@ struct Pixels {
 };
 
 Expected<Pixels> parse_pixels(const LessonRequest& request, const LessonLook& look) {
-  // As high as a slide, so that letters and lines have the sizes they have there.
+  // The height of a slide, so that letters and lines have the sizes that they have there.
   constexpr double kHeight = 540.0;
   Pixels out;
   const auto size = parse_size(request.size);
@@ -197,7 +197,7 @@ Expected<void> prepare_frames(const std::filesystem::path& folder) {
   return {};
 }
 
-/// A picture a step, each with the time at which its step begins.
+/// Writes one picture per step, with the time at which its step begins.
 Expected<void> write_frames(const Registry& registry, const std::filesystem::path& folder, const Session& session,
                             const std::vector<std::size_t>& steps, const Pixels& pixels, bool with_source) {
   auto printer = LessonPrinter::make(registry, session, pixels.look);
@@ -220,7 +220,7 @@ Expected<void> write_frames(const Registry& registry, const std::filesystem::pat
   return writer.finish();
 }
 
-/// The frames, and the video of them.
+/// Writes the frames and their video.
 Expected<void> write_film(const Registry& registry, const LessonRequest& request, const Session& session,
                           const std::vector<std::size_t>& steps, const Pixels& pixels) {
   constexpr double kFramesASecond = 25.0;
@@ -247,7 +247,7 @@ std::string packed_lesson(const Session& session) {
   return std::move(packed).value_or("");
 }
 
-/// Everything is made before anything is written.
+/// Makes everything before anything is written.
 Expected<std::vector<Output>> make_outputs(const Registry& registry, const LessonRequest& request,
                                            const Session& session, const std::vector<std::size_t>& steps,
                                            const LessonLook& look) {

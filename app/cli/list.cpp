@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `mesecina list`: layers, structures, formats and more, for people as a table and for programs as JSON.
+// `mesecina list`: layers, structures, formats and more, as a table for people and as JSON for programs.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -30,7 +30,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// One thing that is listed: the table shows its name and a line of text, JSON shows everything.
+/// A listed item: the table shows its name and a line of text, JSON shows everything.
 struct Entry {
   std::string id;
   std::string text;

@@ -12,7 +12,7 @@
 namespace mes::cli {
 namespace {
 
-// Text in which nothing counts as markup: a hyphen is the character that users type.
+// Escapes all markup, so that a hyphen is the character that users type.
 std::string in_roff(std::string_view text) {
   std::string out;
   bool is_line_start = true;
@@ -76,7 +76,7 @@ std::string usage_of(const CommandHelp& command) {
   return out + '\n';
 }
 
-// "Examples:" and indented lines are a section with lines as they are, "Input: text" is one with text.
+// "Examples:" with indented lines becomes a section with unchanged lines, "Input: text" one with text.
 std::string sections_of(std::string_view footer) {
   std::string out;
   while (!footer.empty()) {

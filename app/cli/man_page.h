@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The man page, from the same tables as the manual.
+// The man page, made from the same tables as the manual.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 
 namespace mes::cli {
 
-/// In the macros of man(7). It contains no date, so equal programs give equal bytes.
+/// Uses the macros of man(7). The page contains no date, so equal programs give equal bytes.
 std::string man_page(std::span<const CommandHelp> commands);
 
 }  // namespace mes::cli

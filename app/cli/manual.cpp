@@ -35,7 +35,7 @@ namespace {
 namespace fs = std::filesystem;
 using Rows = std::vector<std::vector<std::string>>;
 
-// "`Ctrl+L` Open..., `Ctrl+X` Quit": the keys that only the classic keymap has.
+// The keys that only the classic keymap has: "`Ctrl+L` Open..., `Ctrl+X` Quit".
 std::string classic_keys() {
   const Keymap standard = Keymap::standard();
   const Keymap classic = Keymap::classic();
@@ -220,7 +220,7 @@ void write_structures(const Registry& registry, Markdown& page) {
   page.table({"Structure", "Made from", "Read by the layers", "Tables"}, rows);
 }
 
-// As the program writes them, so that the examples hold.
+// Made by the program itself, so that the examples are valid.
 Session example_session() {
   SampleData data;
   data.positions = {{0, 0}, {4, 0}, {2, 3}};

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The manual, written from the tables that the program itself works with, so that the two cannot disagree.
+// The manual, written from the tables that the program itself uses, so that the two cannot disagree.
 #pragma once
 
 #include <filesystem>
@@ -14,8 +14,8 @@ class Registry;
 
 namespace mes::cli {
 
-/// Markdown, with a table of contents. Equal programs give equal bytes: nothing of the user's is in it, and of the
-/// machine nothing but the bundles and colour maps in `assets`.
+/// Markdown with a table of contents. Equal programs give equal bytes: it contains nothing of the user's, and nothing
+/// of the machine but the bundles and colour maps in `assets`.
 std::string manual_text(const Registry& registry, std::span<const CommandHelp> commands,
                         const std::filesystem::path& assets);
 

@@ -9,7 +9,7 @@
 namespace mes::cli {
 namespace {
 
-// The name GitHub gives to a heading.
+// The anchor that GitHub gives to a heading.
 std::string anchor_of(std::string_view title) {
   std::string out;
   for (const char c : title) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Markdown as GitHub shows it: headings with a table of contents, paragraphs, tables, blocks of code.
+// Writes Markdown for GitHub: headings with a table of contents, paragraphs, tables, code blocks.
 #pragma once
 
 #include <span>
@@ -9,9 +9,9 @@
 
 namespace mes::cli {
 
-/// Text for a cell or a paragraph in which nothing counts as markup.
+/// Escapes markup in text for a cell or a paragraph.
 std::string plain(std::string_view text);
-/// The words as code, separated by commas; `-` for none.
+/// The words as code, separated by commas; `-` if there are no words.
 std::string code(std::span<const std::string_view> words);
 std::string code(std::string_view word);
 
@@ -24,7 +24,7 @@ class Markdown {
  public:
   explicit Markdown(std::string_view title) : title_(title) {}
 
-  /// Before the table of contents.
+  /// Sets the text before the table of contents.
   void introduction(std::string_view text) { introduction_ = text; }
   void section(std::string_view title) { heading("##", title); }
   void subsection(std::string_view title) { heading("###", title); }

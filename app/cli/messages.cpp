@@ -21,7 +21,7 @@ int exit_code_of(ErrorCode code) {
 }
 
 void say(std::string_view text) {
-  // One write for the line, so that lines of several processes do not mix.
+  // Writes the line in one call, so that lines of several processes do not mix.
   const std::string line = "mesecina: " + printable(text) + '\n';
   static_cast<void>(std::fwrite(line.data(), 1, line.size(), stderr));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the command line says on stderr, and the exit codes of CLI contract: 0 done, 1 not completed, 2 usage, 3 bad
-// input, 4 output impossible, 130 interrupted.
+// Messages of the command line on stderr, and its exit codes: 0 done, 1 not completed, 2 usage, 3 bad input, 4 output
+// impossible, 130 interrupted.
 #pragma once
 
 #include <filesystem>
@@ -18,7 +18,7 @@ int exit_code_of(ErrorCode code);
 /// Prints "mesecina: text" as one printable line.
 void say(std::string_view text);
 
-/// Says what went wrong and gives the exit code.
+/// Reports the error and returns its exit code.
 int report(const Error& error);
 
 inline std::unexpected<Error> usage_error(std::string text) {

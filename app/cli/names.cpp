@@ -56,7 +56,7 @@ std::vector<std::string_view> nearest_names(std::string_view word, std::span<con
   constexpr std::size_t kLongestWord = 64;
   constexpr std::size_t kMost = 3;
   word = word.substr(0, kLongestWord);
-  // Of names that hold the word the shortest come first.
+  // Of the names that contain the word, the shortest are best.
   const auto score = [word](std::string_view name) -> std::pair<std::size_t, std::size_t> {
     const bool one_in_other = word.size() >= 3 && (name.contains(word) || word.contains(name));
     return one_in_other ? std::pair(std::size_t{1}, name.size())
@@ -67,7 +67,7 @@ std::vector<std::string_view> nearest_names(std::string_view word, std::span<con
   std::ranges::stable_sort(ranked, {}, [](const auto& one) { return one.first; });
   std::vector<std::string_view> out;
   for (const auto& [order, name] : ranked) {
-    // Beside a good guess the poor ones are noise.
+    // Poor guesses after a good one would only be noise.
     if (out.size() == kMost || (!out.empty() && order.first > ranked.front().first.first + 2)) break;
     out.push_back(name);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Public names as users type them: lists of layers, number types, parameters.
+// Parses public names as users type them: lists of layers, number types, parameters.
 #pragma once
 
 #include <cstdint>
@@ -22,28 +22,28 @@ class Registry;
 
 namespace mes::cli {
 
-/// Letters to insert, remove or replace to get from one word to the other. O(product of their lengths).
+/// The number of letters to insert, remove or replace to turn one word into the other. O(product of their lengths).
 std::size_t edit_distance(std::string_view a, std::string_view b);
 
-/// The names that a mistyped word most probably means, best first, three at most: by edit distance, and names that
-/// contain the word (or lie in it) before others.
+/// The most probable meanings of a mistyped word, at most three, best first: names that contain the word, or are
+/// contained in it, come before others, which are ordered by edit distance.
 std::vector<std::string_view> nearest_names(std::string_view word, std::span<const std::string_view> names);
 
-/// What stands between commas, empty words too.
+/// The parts between commas, including empty ones.
 std::vector<std::string_view> split_list(std::string_view text);
 
-/// "a", "a or b", "a, b or c".
+/// Joins names: "a", "a or b", "a, b or c".
 std::string one_of(std::span<const std::string_view> names);
-/// "unknown layer "curv"; did you mean curve?"
+/// A message such as "unknown layer "curv"; did you mean curve?"
 std::string unknown_word(std::string_view what, std::string_view word, std::span<const std::string_view> names);
 
-/// A comma list of layer ids, or "all"; without a text the layers that are visible at start. No layer twice; in the
-/// order of the list ("all" and none: bottom first). Error: `usage`, naming the nearest ids.
+/// Parses a comma list of layer ids, or "all"; an empty text means the layers visible at start. Returns no layer
+/// twice, in the order of the list ("all" and empty: bottom first). Error: `usage` with the nearest ids.
 Expected<std::vector<LayerIndex>> select_layers(const Registry& registry, const std::string& ids);
 Expected<LayerIndex> select_layer(const Registry& registry, const std::string& id);
 
-/// NAME=VALUE as a position in `parameters` and its value. Error: `usage`, naming the option and the nearest parameters
-/// or the range. A limit beyond its range is taken to the end of it, which is said unless `is_quiet`.
+/// Parses NAME=VALUE as an index in `parameters` and a value. Error: `usage` with the option, and the nearest
+/// parameters or the range. A limit beyond its range is clamped, with a remark unless `is_quiet`.
 Expected<std::pair<std::size_t, double>> parse_setting(const std::string& setting,
                                                        std::span<const Parameter> parameters,
                                                        std::string_view option = "--set", bool is_quiet = false);
@@ -55,8 +55,8 @@ Expected<Precision> select_precision(const std::string& id);
 Expected<std::uint64_t> whole_number(std::string_view what, const std::string& text, std::uint64_t least = 0,
                                      std::uint64_t most = std::numeric_limits<std::uint64_t>::max());
 
-/// Number type and parameters as asked for, each by itself before that of `base`. Error: `usage`, naming what there is.
-/// Remarks are made unless `is_quiet`.
+/// Number type and parameters of the command; missing ones are those of `base`. Error: `usage` with the possible
+/// words. Makes remarks unless `is_quiet`.
 Expected<ComputationSettings> settings_of(const Registry& registry, const Source& source,
                                           const ComputationSettings& base = {}, bool is_quiet = false);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands that write what was computed as numbers, as users see them: `compute`, `sweep`, `branches`,
-// `persistence`, `export`.
+// Descriptions of the commands that write results as numbers: `compute`, `sweep`, `branches`, `persistence`,
+// `export`.
 #include <fmt/core.h>
 
 #include "app/cli/command_options.h"

@@ -96,7 +96,7 @@ std::vector<std::string> sampling_rule_ids(const Registry& /*registry*/) {
   return id_list(sampling_rules());
 }
 
-/// Of all shapes, each once: scripts of shells do not know which shape was named.
+/// The parameters of all shapes, each once, because shell scripts do not know which shape was named.
 std::vector<std::string> shape_parameters(const Registry& registry) {
   std::vector<std::string> out;
   const auto add = [&out](std::string_view id) {

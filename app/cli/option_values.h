@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the values of options are: how help pages name them, and what a shell offers for them.
+// The values of options: their names in help pages, and the words that a shell offers for them.
 #pragma once
 
 #include <cstdint>
@@ -16,14 +16,14 @@ namespace mes::cli {
 enum class ValueKind : std::uint8_t { text, file, folder, choice, choices };  // choices: separated by commas
 
 struct OptionValue {
-  std::string_view option;  ///< "--layers"; "FILE" for what is given by its position
-  std::string_view name;    ///< in help pages; empty where the option's own name says enough
+  std::string_view option;  ///< "--layers"; "FILE" for a positional argument
+  std::string_view name;    ///< in help pages; empty if the option's own name is clear enough
   ValueKind kind = ValueKind::text;
-  std::vector<std::string> (*offer)(const Registry& registry) = nullptr;  ///< what there is to choose from
-  std::string_view command = {};  ///< the only one that it is so in; empty: all others
+  std::vector<std::string> (*offer)(const Registry& registry) = nullptr;  ///< the words to choose from
+  std::string_view command = {};  ///< the only command to which this applies; empty: all others
 };
 
-/// Of an option of a command. A text without a name of its own for options that are not in the table.
+/// The value of an option of a command. Options that are not in the table have a text without a name.
 const OptionValue& value_of(std::string_view command, std::string_view option);
 
 /// The shells that `mesecina completions` knows.

@@ -22,7 +22,7 @@ std::unexpected<Error> cannot_print(int code) {
                                "standard output"});
 }
 
-/// Two names of one file, also if one of them is a link or the file was replaced by another one of the same name.
+/// True for two names of one file, even if one is a link or the file was replaced by another one of the same name.
 bool are_same(const fs::path& a, const fs::path& b) {
   std::error_code error;
   if (fs::equivalent(a, b, error) && !error) return true;
@@ -60,7 +60,8 @@ Expected<void> write_output(const std::string& file, std::string_view bytes, Int
     const ssize_t written = ::write(STDOUT_FILENO, bytes.data(), bytes.size());
     if (written < 0 && errno == EINTR) continue;
     if (written < 0 && errno == EPIPE) {
-      // The reader has closed the pipe, as in "| head": not a failure, and without a message. End as other programs do.
+      // The reader has closed the pipe, as in "| head". This is not a failure and needs no message; end as other
+      // programs do.
       std::signal(SIGPIPE, SIG_DFL);
       static_cast<void>(std::raise(SIGPIPE));
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where results go: a file that appears whole, or standard output.
+// Writes results to a file, which appears complete or not at all, or to standard output.
 #pragma once
 
 #include <string>
@@ -12,17 +12,17 @@
 
 namespace mes::cli {
 
-/// True for no name and for "-".
+/// True for an empty name and for "-".
 bool is_standard_output(const std::string& file);
 
 /// Checks that the output can be written, before the work for it begins.
 Expected<void> check_output(const std::string& file);
 
-/// Files that writing a result must not destroy.
+/// The files that writing a result must not destroy.
 struct Overwriting {
   std::vector<SourceFile>
-      sources{};       ///< files the result was made of: none of them is overwritten once it has changed
-  bool force = false;  ///< unless this is set
+      sources{};       ///< files the result was made from; a changed one is not overwritten
+  bool force = false;  ///< overwrites it nevertheless
 };
 
 Expected<void> write_output(const std::string& file, std::string_view bytes, Interruption& interruption,

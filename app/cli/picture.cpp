@@ -15,7 +15,7 @@ namespace {
 
 constexpr std::uint64_t kLongestSide = 32768;
 
-/// Exactly as many numbers with commas between them.
+/// Reads exactly this many numbers, separated by commas.
 bool read_numbers(std::string_view text, std::span<double> numbers) {
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const std::size_t comma = text.find(',');

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a picture is asked to be, read from the words of the command line.
+// Parses the properties of a picture in the words of the command line.
 #pragma once
 
 #include <optional>
@@ -18,19 +18,20 @@ struct PictureSize {
   int height = 0;
 };
 
-/// "1600x1200"; each side from 1 to 32768. Error: `usage`.
+/// Parses "1600x1200"; each side from 1 to 32768. Error: `usage`.
 Expected<PictureSize> parse_size(const std::string& text);
 
-/// "X0,Y0,X1,Y1", any two opposite corners; nothing for "fit". Error: `usage`.
+/// Parses "X0,Y0,X1,Y1", any two opposite corners; returns nothing for "fit". Error: `usage`.
 Expected<std::optional<Box2>> parse_view(const std::string& text);
 
-/// "RRGGBB", with or without #; nothing for anything else.
+/// Parses "RRGGBB", with or without #; returns nothing for any other text.
 std::optional<Rgb> parse_rgb(std::string_view text);
 
-/// "RRGGBB", with or without #; nothing for "transparent" and "none". Error: `usage`.
+/// Parses "RRGGBB", with or without #; returns nothing for "transparent" and "none". Error: `usage`.
 Expected<std::optional<Rgb>> parse_background(const std::string& text);
 
-/// "FILE" or "FILE:X,Y,WIDTH"; without the numbers the width is 0. Whatever else follows a colon belongs to the name.
+/// Parses "FILE" or "FILE:X,Y,WIDTH"; without the numbers the width is 0. Any other text after a colon is part of the
+/// name.
 BackgroundImage parse_image(const std::string& text);
 
 }  // namespace mes::cli

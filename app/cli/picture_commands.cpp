@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands that draw, as users see them: `render`, `play`, `demo`, `lesson`.
+// Descriptions of the commands that draw: `render`, `play`, `demo`, `lesson`.
 #include <functional>
 #include <utility>
 
@@ -13,7 +13,7 @@
 namespace mes::cli {
 namespace {
 
-/// "one-column (84mm), ...".
+/// The page sizes in one text: "one-column (84mm), ...".
 std::string page_preset_words() {
   std::string out;
   for (const PagePreset& preset : page_presets())
@@ -21,14 +21,14 @@ std::string page_preset_words() {
   return out;
 }
 
-/// ".png, .svg, ...".
+/// The file extensions in one text: ".png, .svg, ...".
 std::string picture_extension_words() {
   std::string out(kPixelExtension);
   for (const figure::Format& format : figure::formats()) out += ", " + std::string(format.extension);
   return out;
 }
 
-/// What stands on a picture to explain it.
+/// Adds the options for explanations on a picture.
 template <class Request>
 void add_explanations(CLI::App& command, Request& to) {
   command.add_flag("--legend,!--no-legend", to.with_legend,
@@ -41,7 +41,7 @@ void add_explanations(CLI::App& command, Request& to) {
                    "Leave out text, arrows, dimensions and highlights that a session holds");
 }
 
-/// An option whose value is a place; `to` gets it.
+/// Adds an option whose value is a position, which is passed to `to`.
 CLI::Option* add_place(CLI::App& command, const std::string& name, std::function<void(const PaperPlace&)> to,
                        const std::string& explanation) {
   return command.add_option_function<std::string>(

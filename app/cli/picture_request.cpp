@@ -20,7 +20,7 @@
 namespace mes::cli {
 namespace {
 
-/// ".png, .svg, .pdf": what the name of a picture may end in.
+/// The possible file extensions of a picture: ".png, .svg, .pdf".
 std::vector<std::string_view> extensions() {
   std::vector<std::string_view> out{kPixelExtension};
   for (const figure::Format& format : figure::formats()) out.push_back(format.extension);
@@ -46,7 +46,7 @@ Expected<const figure::Format*> format_of(const RenderRequest& request) {
                                      in_quotes(extension) + "; or name its format with --to");
 }
 
-/// What is for figures only, or for pixels only.
+/// Rejects options that are only for figures, or only for pixels.
 Expected<void> check_kind(const RenderRequest& request, const figure::Format* format) {
   if (format != nullptr) return {};
   if (!request.figure_size.empty()) return usage_error("--figure-size is for vector formats; a .png has --size");
@@ -55,7 +55,7 @@ Expected<void> check_kind(const RenderRequest& request, const figure::Format* fo
   return {};
 }
 
-/// The layers that are to be pictures in a vector format.
+/// Takes the layers that become pictures in a vector format.
 Expected<void> take_rasterized(const Registry& registry, const RenderRequest& request, PictureRequest& picture) {
   constexpr double kLeast = 10.0;
   constexpr double kMost = 2400.0;
@@ -72,7 +72,7 @@ Expected<void> take_rasterized(const Registry& registry, const RenderRequest& re
   return {};
 }
 
-/// Layers and styles; unknown layers are reported. `what` has them.
+/// Takes layers and styles; reports unknown layers, with `what` as the name of their source.
 void take_configuration(const Registry& registry, const LayerConfiguration& configuration, const std::string& what,
                         PictureRequest& picture) {
   std::size_t unknown = 0;
@@ -106,7 +106,7 @@ Expected<void> take_bundle(const Registry& registry, const std::string& name_or_
 Expected<void> take_layers(const Registry& registry, const std::string& ids, PictureRequest& picture) {
   auto layers = select_layers(registry, ids);
   if (!layers) return std::unexpected(layers.error());
-  // The stacking order is the registry's, whatever the order of the words.
+  // The stacking order is that of the registry, whatever the order of the words.
   std::ranges::sort(*layers);
   picture.shown.layers = main_layers(*layers);
   return {};
@@ -136,7 +136,7 @@ Expected<PictureRequest> understand(const Registry& registry, const RenderReques
     picture.image = parse_image(request.image);
     const LayerIndex layer = registry.find_layer("image");
     if (layer == kNoLayer) return usage_error("--image: there is no layer for pictures");
-    // It belongs below everything, wherever a bundle has it.
+    // The picture to trace is below everything, whatever its position in a bundle.
     std::erase(picture.shown.layers, layer);
     picture.shown.layers.insert(picture.shown.layers.begin(), layer);
   }

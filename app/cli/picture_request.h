@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The request of `mesecina render`, understood: what a picture in pixels and a figure have in common.
+// The interpreted request of `mesecina render`: the common part of a picture in pixels and a figure.
 #pragma once
 
 #include <optional>
@@ -32,17 +32,17 @@ struct PictureRequest {
   ShownLayers shown;
   const figure::Format* format = nullptr;  // null: pixels
   PictureSize size;
-  std::optional<PageSize> page;  // of a figure; none: `size` in pixels of 1/96 inch
-  bool is_tight = false;         // a figure is cut to what is drawn
+  std::optional<PageSize> page;  // for a figure; nothing: `size` in pixels of 1/96 inch
+  bool is_tight = false;         // a figure is cut to its drawing
   std::optional<Box2> view;
   BackgroundImage image;
   std::vector<std::string> rasterized;  // ids of layers
-  double dots_per_inch = 300.0;         // of these
+  double dots_per_inch = 300.0;         // for these layers
   std::vector<SourceFile> sources;      // bundle and image
 };
 
-/// Layers, their styles and the view are those of `session` (null: none) where the request names none. Error: `usage`,
-/// or `bad_input` for a bundle that cannot be read.
+/// Interprets the request. Layers, their styles and the view are those of `session` (null: no session) if the request
+/// names none. Error: `usage`, or `bad_input` for a bundle that cannot be read.
 Expected<PictureRequest> understand(const Registry& registry, const RenderRequest& request,
                                     std::span<const render::ColorMap> maps, const Session* session);
 

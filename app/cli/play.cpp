@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `mesecina play`: a session's timeline, step by step.
+// `mesecina play`: plays the timeline of a session step by step.
 #include <fmt/core.h>
 #include <nlohmann/json.hpp>
 

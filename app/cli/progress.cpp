@@ -38,7 +38,7 @@ void Progress::show(std::string_view task, double fraction) {
   const Clock::time_point now = Clock::now();
   const double elapsed = seconds_between(started_, now);
   if (elapsed < kGlance || (is_shown_ && seconds_between(last_, now) < kBetween)) return;
-  // Never backwards: the parts of the work are not known to the last when it begins.
+  // Never shows less than before: not all parts of the work are known when it begins.
   shown_fraction_ = std::max(shown_fraction_, std::clamp(fraction, 0.0, 1.0));
   std::string line = fmt::format("\rmesecina: {} {:.0f} %", task, std::floor(100.0 * shown_fraction_));
   if (shown_fraction_ > 0.01)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One line on a terminal that says how far the work is and how long it will take.
+// A line on a terminal that shows the progress of the work and the remaining time.
 #pragma once
 
 #include <chrono>
@@ -11,8 +11,8 @@
 
 namespace mes::cli {
 
-/// Writes to stderr, only if that is a terminal and only if the work takes longer than 0.4 s. The line is
-/// removed with the object.
+/// Writes to stderr, only if that is a terminal and only if the work takes longer than 0.4 s. The destructor removes
+/// the line.
 class Progress {
  public:
   Progress();
@@ -20,7 +20,7 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `fraction` of the whole work in [0, 1].
+  /// `fraction` is the finished share of the whole work, in [0, 1].
   void show(std::string_view task, double fraction);
 
  private:
@@ -32,16 +32,16 @@ class Progress {
   Clock::time_point last_;
 };
 
-/// `run_computation`, whose progress a terminal shows until it ends.
+/// `run_computation`, with its progress on a terminal until it ends.
 Expected<ComputationResult> compute_with_progress(const Registry& registry, const SampleData& data,
                                                   ComputationRequest request);
 
-/// `run_one_shot`, in the same way.
+/// The same for `run_one_shot`.
 Expected<ComputationReport> measure_with_progress(const Registry& registry, SampleData data,
                                                   ComputationRequest request,
                                                   std::function<void(const InstancePiece&)> take);
 
-/// "3 s", "2 min 05 s", "1 h 02 min".
+/// A duration as text: "3 s", "2 min 05 s", "1 h 02 min".
 std::string duration_text(double seconds);
 
 }  // namespace mes::cli

@@ -26,7 +26,8 @@
 namespace mes::cli {
 namespace {
 
-/// The picture to trace, given its place if it has none; nothing without one, or without a layer that would show it.
+/// Reads the picture to trace, and places it if it has no position; nothing without a picture, or without a layer for
+/// it.
 Expected<std::optional<render::Image>> read_traced(const Registry& registry, PictureRequest& picture,
                                                    const Box2& samples) {
   if (picture.image.file.empty()) return std::nullopt;
@@ -43,7 +44,7 @@ Expected<std::optional<render::Image>> read_traced(const Registry& registry, Pic
   return std::move(*image);
 }
 
-/// What the picture carries; empty for nothing.
+/// The session that the picture carries; empty if it carries none.
 std::string session_of(const Registry& registry, const RenderRequest& request, const PictureRequest& picture,
                        const LoadedFile& input, const ComputationSettings& settings, const CompareRequest& compared,
                        const Comparison& comparison) {
@@ -52,7 +53,7 @@ std::string session_of(const Registry& registry, const RenderRequest& request, c
   const bool is_of_first = compared.subject != CompareRequest::Subject::step;
   LayerConfiguration layers = configuration_of(is_of_first ? comparison.panes.front().shown : picture.shown);
   layers.image = picture.image;
-  // A picture of a picture is called what that was.
+  // A picture made from a picture keeps the title.
   std::string title =
       input.session ? input.session->title : std::filesystem::path(request.source.file).filename().string();
   Session session = session_for_picture(std::move(title), input.data, std::move(layers),

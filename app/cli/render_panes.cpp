@@ -13,10 +13,10 @@
 namespace mes::cli {
 namespace {
 
-/// Everything that panes are drawn from.
+/// Everything from which panes are drawn.
 struct DrawnPanes {
   const Comparison& comparison;
-  const std::vector<FigureSource>& sources;  // of each
+  const std::vector<FigureSource>& sources;  // one per pane
   const PictureRequest& picture;
   const RenderRequest& request;
   SeenByAll seen;
@@ -75,7 +75,7 @@ Expected<std::string> draw_panes(const PictureRequest& picture, const RenderRequ
                        .document = document});
   }
   const bool is_free = request.has_free_cameras;
-  // A view that a session has is of the main pane.
+  // The view of a session is that of the main pane.
   const SeenByAll seen = seen_by_all(comparison, sources, is_free ? std::nullopt : picture.view);
   if (request.with_differences) {
     const FramePatch patch = mark_differences(

@@ -23,7 +23,7 @@
 namespace mes::cli {
 namespace {
 
-/// Above everything else, once the picture is there.
+/// Adds the explanations on top of the finished picture.
 void add_paper(render::Image& image, const render::Scene& scene, const render::Camera& camera,
                const ShownLayers& shown, const FigureRequest& request, const FigureSource& source,
                const PaperDrawing& title, const PaperFonts* fonts) {
@@ -57,7 +57,7 @@ void add_paper(render::Image& image, const render::Scene& scene, const render::C
   if (legend.lacks_room) say(kLegendLacksRoom);
 }
 
-/// Draws in bands from the top when there is much to draw, so that a terminal sees it go on. Bands meet without a
+/// Draws in bands from the top if there is much to draw, so that a terminal shows the progress. Bands meet without a
 /// seam.
 Expected<render::Image> draw_in_bands(render::Device& device, render::Scene& scene, const render::Camera& camera,
                                       std::span<const render::LayerView> views, const render::ImageOptions& options) {

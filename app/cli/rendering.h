@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What `mesecina render` draws, in pixels or in vectors, for a picture alone and for each pane of several.
+// The drawing of `mesecina render`, in pixels or vectors, for a single picture and for each of several panes.
 #pragma once
 
 #include <span>
@@ -24,13 +24,13 @@
 
 namespace mes::cli {
 
-/// What must be seen, and the margin around it as a part of the shorter side.
+/// The area that must be visible, and the margin around it as a share of the shorter side.
 struct Seen {
   Box2 box;
   double margin = 0.0;
 };
 Seen seen_by(const PictureRequest& picture, const Box2& samples, const LayerMirror& mirror);
-/// Below a band of so many pixels at the upper edge. What is fitted with a margin is kept clear of axes, too.
+/// A camera for the area below a band of `band` pixels at the upper edge. A box with a margin also avoids the axes.
 render::Camera camera_for(const PictureSize& size, const Seen& seen, bool has_axes, double scale, int band = 0);
 
 /// The title of a picture in pixels, and the height of its band in pixels.
@@ -38,10 +38,10 @@ struct TitleBand {
   PaperDrawing drawing;
   int pixels = 0;
 };
-/// Says what is not understood in its words.
+/// Makes the title, and reports the parts of it that are not understood.
 TitleBand title_of(const RenderRequest& request, const PictureSize& size, const ShownLayers& shown);
 
-/// What a picture in pixels is drawn with.
+/// The objects needed to draw a picture in pixels.
 struct Canvas {
   render::EglContext context;
   render::GlDevice device;
@@ -49,8 +49,8 @@ struct Canvas {
   explicit Canvas(render::EglContext made) : context(std::move(made)) {}
 };
 
-/// A picture in pixels; of the request, what stands beside the layers counts. `marks` lie above the layers, and are in
-/// no legend; the title lies above everything.
+/// Draws a picture in pixels; of the request, only the explanations beside the layers matter. `marks` lie above the
+/// layers and are in no legend; the title lies above everything.
 Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const render::LayerView> marks,
                                     Canvas& canvas, const render::Camera& camera, const FigureSource& source,
                                     const FigureRequest& request, const PaperDrawing& title);
@@ -58,10 +58,10 @@ Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const re
 /// The bytes of a PNG file that carries a session, if it is not empty.
 Expected<std::string> encoded(const render::Image& image, std::string_view session);
 
-/// What is wanted of a figure.
+/// The properties of a figure.
 FigureRequest figure_request(const PictureRequest& picture, const RenderRequest& wanted);
 
-/// The bytes of a figure in its format. Says what was left out, and when they are many.
+/// The bytes of a figure in its format. Reports parts that were left out, and a large size.
 Expected<std::string> written(const PictureRequest& picture, DrawnFigure drawn, bool is_traced, std::string session);
 
 }  // namespace mes::cli

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands and their requests. Each writes its result and nothing else, or reports why it cannot.
+// The commands and their requests. Each command writes its result and nothing else, or reports why it cannot.
 #pragma once
 
 #include <optional>
@@ -20,7 +20,8 @@ class Registry;
 
 namespace mes::cli {
 
-/// Options of reading: what is traced in a picture (empty: found automatically), degrees of a map, sampling of curves.
+/// Options of reading: threshold of a traced picture (empty: found automatically), degrees of a map, sampling of
+/// curves.
 struct ReadingOptions {
   std::string threshold;
   std::string specks;
@@ -29,13 +30,13 @@ struct ReadingOptions {
   bool keeps_vertices = false;  ///< curves are sampled at their vertices alone
 };
 
-/// Common to everything that reads samples and computes.
+/// The common part of all commands that read samples and compute.
 struct Source {
   std::string file;
-  std::string from;  ///< id of the input format; empty = find out
+  std::string from;  ///< id of the input format; empty: detect it
   ReadingOptions reading{};
   std::string precision;              ///< empty: that of a session, or else fast
-  std::vector<std::string> settings;  ///< NAME=VALUE; the others are those of a session, or else the defaults
+  std::vector<std::string> settings;  ///< NAME=VALUE; missing ones are those of a session, or else the defaults
 };
 
 struct ComputeRequest {
@@ -75,7 +76,7 @@ struct PersistenceRequest {
 Expected<void> run_persistence(const Registry& registry, const PersistenceRequest& request,
                                Interruption& interruption);
 
-/// Of `repair` and `decimate`.
+/// The request of `repair` and `decimate`.
 struct ResampleRequest {
   std::string file;
   std::string from;
@@ -90,8 +91,8 @@ Expected<void> run_decimate(const Registry& registry, const ResampleRequest& req
 struct ExportRequest {
   Source source;
   std::string layer;
-  std::string structure;  ///< in place of a layer
-  std::string table;      ///< of the structure
+  std::string structure;  ///< instead of a layer
+  std::string table;      ///< table of the structure
   std::string format;
   std::string output;
   bool force = false;
@@ -105,27 +106,27 @@ struct RenderRequest {
   std::string layers;
   std::string bundle;  ///< name or file, instead of layers
   std::string size = "1600x1200";
-  std::string figure_size;  ///< of vector formats, on paper; empty: `size`
+  std::string figure_size;  ///< for vector formats, on paper; empty: `size`
   std::string bounds = "view";
   std::string rasterized;   ///< ids of layers that are pictures in a vector format; empty: none
-  std::string dpi = "300";  ///< of these
-  std::string view;         ///< empty: fit, or what a session has
+  std::string dpi = "300";  ///< for these layers
+  std::string view;         ///< empty: fit, or the view of a session
   std::string scale = "1";
   std::string background = "ffffff";
   std::vector<std::string> styles;  ///< LAYER:KEY=VALUE[,KEY=VALUE...]
   std::string compared;             ///< WHAT=VALUE,VALUE...: panes side by side; empty: one picture
-  bool has_free_cameras = false;    ///< each pane shows all that is in it
-  bool with_differences = false;    ///< what only some panes have is marked
-  std::string evolution;            ///< of steps that are compared
+  bool has_free_cameras = false;    ///< each pane shows all its contents
+  bool with_differences = false;    ///< marks elements that only some panes have
+  std::string evolution;            ///< evolution whose steps are compared
   std::string image;                ///< FILE or FILE:X,Y,WIDTH, below everything; empty: none
-  bool with_legend = true;          ///< where a colour map is used
+  bool with_legend = true;          ///< if a colour map is used
   bool with_key = false;
-  std::optional<PaperPlace> legend_at;  ///< none: where it hides least
+  std::optional<PaperPlace> legend_at;  ///< nothing: where it hides least
   ScaleMarks marks{};
   bool with_annotations = true;
-  std::string title;        ///< above the drawing; empty: none
+  std::string title;        ///< above the drawing; empty: no title
   bool with_source = true;  ///< the picture carries samples, view and layers
-  std::string format;       ///< as an extension without its dot; empty: as the name of the output says
+  std::string format;       ///< as an extension without its dot; empty: that of the output's name
   std::string output;
   bool force = false;
 };
@@ -145,17 +146,17 @@ Expected<void> run_demo(const Registry& registry, const DemoRequest& request, In
 struct LessonRequest {
   std::string file;   ///< or the name of a lesson that comes with the program
   std::string steps;  ///< "2-4", "1,3-5"; empty: all
-  // Of the outputs those that are named are written; none: the steps are listed.
+  // The named outputs are written; if there are none, the steps are listed.
   std::string pdf;
   std::string html;
   std::string frames;  ///< folder
   std::string video;   ///< .mp4 or .webm
   std::string vtt;
-  std::string size = "1280x720";  ///< of frames
+  std::string size = "1280x720";  ///< size of frames
   std::string figure_size = "slide";
   std::string scale = "1.25";
   std::string background = "ffffff";
-  bool with_legend = true;  ///< where a colour map is used
+  bool with_legend = true;  ///< if a colour map is used
   bool with_key = false;
   ScaleMarks marks{};
   bool with_annotations = true;
@@ -168,10 +169,10 @@ struct EvolveRequest {
   std::string file;
   std::string from;
   ReadingOptions reading{};
-  // Empty: those of a session.
+  // Empty values are those of a session.
   std::string evolution;
   std::string steps;
-  std::string seed;                   ///< or else 1
+  std::string seed;                   ///< empty: 1
   std::vector<std::string> settings;  ///< NAME=VALUE
   std::string output;
   bool force = false;
@@ -194,7 +195,7 @@ struct SampleRequest {
   std::string file;
   std::string from;
   ReadingOptions reading{};
-  std::string rule;  ///< id of a sampling rule; empty: what the other options ask for
+  std::string rule;  ///< id of a sampling rule; empty: chosen by the other options
   std::string samples;
   std::string spacing;
   std::string epsilon;
@@ -210,7 +211,7 @@ Expected<void> run_sample(const Registry& registry, const SampleRequest& request
 
 struct TextCommand {
   std::string text;
-  std::string font;  ///< name or file; empty: the font that comes with the program
+  std::string font;  ///< name or file; empty: the font of the program
   std::string size = "100";
   std::string line_spacing = "1";
   bool no_kerning = false;
@@ -259,10 +260,10 @@ Expected<void> run_completions(const Registry& registry, const CompletionsReques
 /// The kinds of experiments that `new` can begin.
 std::vector<std::string> things_to_begin();
 
-/// What `list` can list.
+/// The kinds of things that `list` can list.
 std::vector<std::string> listed_things();
 
-/// The formats of `render`: what names of pictures may end in, without the dot.
+/// The formats of `render`: the possible file extensions of pictures, without the dot.
 std::vector<std::string_view> picture_formats();
 
 /// The formats of `export`, by their ids.

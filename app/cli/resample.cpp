@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `mesecina repair` and `mesecina decimate`: samples where the curve needs them, and no more.
+// `mesecina repair` and `mesecina decimate`: insert samples where the curve needs them, or remove those it does not
+// need.
 #include <fmt/core.h>
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `mesecina sample`: other samples of the curves of a file.
+// `mesecina sample`: takes other samples from the curves of a file.
 #include <fmt/core.h>
 #include <algorithm>
 #include <numbers>
@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kRadians = std::numbers::pi / 180.0;
 
-/// Sets `to` where the option was given.
+/// Sets `to` if the option was given.
 Expected<void> read_number(std::string_view option, const std::string& text, double& to, double factor = 1.0) {
   if (text.empty()) return {};
   const auto value = parse_number(text);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands that make samples, as users see them: `repair`, `decimate`, `evolve`, `shape`, `sample`, `text`.
+// Descriptions of the commands that make samples: `repair`, `decimate`, `evolve`, `shape`, `sample`, `text`.
 #include "app/cli/command_options.h"
 #include "core/curves/sampling.h"
 #include "core/io/format.h"

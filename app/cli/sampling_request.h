@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How curves become samples, as commands ask for it: --samples, --spacing, --jitter, --seed.
+// The sampling options of commands: --samples, --spacing, --jitter, --seed.
 #pragma once
 
 #include <string>
@@ -9,11 +9,11 @@
 
 namespace mes::cli {
 
-/// Error: `usage` for what is not a number.
+/// Error: `usage` for a value that is not a number.
 Expected<ShapeSampling> parse_sampling(const std::string& samples, const std::string& spacing,
                                        const std::string& jitter, const std::string& seed);
 
-/// A finite number. Error: `usage`, with the option.
+/// Parses a finite number. Error: `usage` with the option.
 Expected<double> parse_real(std::string_view option, const std::string& text);
 
 }  // namespace mes::cli

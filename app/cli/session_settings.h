@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The settings of a session, where the command line gives none. A file that is a session, or carries one, means the same
-// to every command; each parameter that the command names replaces that of the session.
+// The settings of a session as defaults of the command line. A file that is or carries a session means the same to
+// every command; each parameter that the command names replaces that of the session.
 //
 // Smallest use:
 //     const auto input = read_source(registry, request.source);
@@ -31,25 +31,25 @@ namespace mes::cli {
 struct SourceInput {
   LoadedFile file;
   ComputationSettings settings;
-  /// Null: the file is none.
+  /// Null if the file is not a session.
   const Session* session() const { return file.session.get(); }
 };
-/// The file of the command, and what to compute by. Errors of `read_input` and `settings_of`.
+/// Reads the file of the command and the settings of the computation. Errors of `read_input` and `settings_of`.
 Expected<SourceInput> read_source(const Registry& registry, const Source& source);
 
-/// The layers of `select_layers(ids)` where the command names any; or those that the session (null: none) shows, bottom
-/// first; or those that are visible at start. How many the session has that are not known here is said.
+/// The layers of `select_layers(ids)` if the command names any; else those that the session (null: no session) shows,
+/// bottom first; else those visible at start. Reports how many layers of the session are unknown here.
 Expected<std::vector<LayerIndex>> shown_layers(const Registry& registry, const std::string& ids,
                                                const Session* session);
 
-/// The evolution that the session (null: none) has on its slider, with seed and parameters; nothing if it has none.
+/// The evolution on the slider of the session (null: no session), with seed and parameters; nothing if it has none.
 std::optional<EvolutionChoice> evolution_in(const Registry& registry, const Session* session);
 
-/// The same for a session of its document alone: without the edits, the samples are state 0; a parameter that is moved has
-/// taken its steps.
+/// The same for a session of its document alone: without the edits, the samples are state 0; a moved parameter has
+/// already taken its steps.
 SessionEvolution evolution_without_history(const Registry& registry, const Session& session);
 
-/// "the session: 2 layers are not available here"; `what` has them.
+/// Reports "the session: 2 layers are not available here"; `what` names their source.
 void say_unknown_layers(std::size_t count, const std::string& what);
 
 }  // namespace mes::cli

@@ -24,7 +24,7 @@ Expected<std::shared_ptr<const ShapeDescriptor>> select_shape(const Registry& re
                      "? (mesecina list shapes)");
 }
 
-/// Numbers and formulas by their names.
+/// Reads numbers and formulas by name.
 Expected<ShapeValues> values_of(const ShapeDescriptor& shape, const std::vector<std::string>& settings) {
   ShapeValues out = mes::values_of(shape);
   for (const std::string& setting : settings) {

@@ -21,7 +21,7 @@ namespace {
 constexpr std::array<std::string_view, 9> kKeys{"color", "opacity",   "point-size", "line-width",     "dashed",
                                                 "flat",  "color-map", "range",      "thin-when-dense"};
 
-/// One KEY=VALUE of one layer.
+/// One KEY=VALUE for one layer.
 class Setting {
  public:
   Setting(std::string_view key, std::string_view value, std::span<const std::string> maps)
@@ -63,7 +63,7 @@ class Setting {
     out = *value;
     return {};
   }
-  /// A length with a unit is one on paper, where a pixel is 1/96 inch.
+  /// Reads a length in pixels; with a unit it is a length on paper, where a pixel is 1/96 inch.
   Expected<void> pixels(double& out, double low, double high) const {
     const auto points = parse_length(value_);
     if (!points) return number(out, low, high);
@@ -124,8 +124,8 @@ Expected<std::vector<LayerStyle>> changed_styles(const Registry& registry, std::
                                                  std::span<const std::string> requests,
                                                  std::span<const VariantLayer> drawn,
                                                  std::span<const std::string> color_maps) {
-  std::vector<LayerIndex> sized;  // whose size is asked for: it is kept where samples are dense
-  std::vector<LayerIndex> told;   // whether to keep it
+  std::vector<LayerIndex> sized;  // their size was requested, so it is kept where samples are dense
+  std::vector<LayerIndex> told;   // the request says whether to keep it
   for (const std::string& request : requests) {
     const std::size_t colon = request.find(':');
     if (colon == std::string::npos)

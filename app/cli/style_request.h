@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Styles of layers as the command line gives them: "medial-axis:color-map=viridis,line-width=4".
+// Parses styles of layers on the command line: "medial-axis:color-map=viridis,line-width=4".
 #pragma once
 
 #include <span>
@@ -16,8 +16,8 @@ class Registry;
 
 namespace mes::cli {
 
-/// The styles of all layers, by layer, changed as `requests` say, one after the other.
-/// Error: `usage`, naming the nearest words there are; also for a layer that is not among `drawn`.
+/// The styles of all layers, by layer, after the changes in `requests`, made in order. Error: `usage` with the
+/// nearest words; also for a layer that is not among `drawn`.
 Expected<std::vector<LayerStyle>> changed_styles(const Registry& registry, std::vector<LayerStyle> styles,
                                                  std::span<const std::string> requests,
                                                  std::span<const VariantLayer> drawn,

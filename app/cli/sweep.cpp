@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `mesecina sweep`: a parameter goes through its values, and each makes a line of counters and measures.
+// `mesecina sweep`: moves a parameter through its values, and writes a line of counters and measures for each.
 #include <fmt/core.h>
 #include <string>
 

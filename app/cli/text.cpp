@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `mesecina text`: samples of the outlines of a text.
+// `mesecina text`: makes samples of the outlines of a text.
 #include "app/cli/messages.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
