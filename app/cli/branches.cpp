@@ -11,7 +11,7 @@
 #include "app/cli/requests.h"
 #include "app/cli/session_settings.h"
 #include "app/insight/branch_table.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 

@@ -14,7 +14,7 @@
 #include "core/draw/layer_descriptor.h"
 #include "core/graph/registry.h"
 #include "core/io/bundle_file.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 namespace {

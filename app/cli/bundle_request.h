@@ -7,7 +7,7 @@
 
 #include "core/base/error.h"
 #include "core/document/bundle.h"
-#include "core/io/file_fingerprint.h"
+#include "core/io/files/file_fingerprint.h"
 
 namespace mes {
 class Registry;

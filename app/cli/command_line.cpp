@@ -20,7 +20,7 @@
 #include "app/experiments/experiment.h"
 #include "app/experiments/trial.h"
 #include "core/base/coordinate_range.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 namespace {

@@ -14,7 +14,7 @@
 #include "core/base/lower_case.h"
 #include "core/document/layer_configuration.h"
 #include "core/graph/registry.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 namespace {

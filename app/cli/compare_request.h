@@ -16,7 +16,7 @@
 #include "core/base/error.h"
 #include "core/document/pane_choice.h"
 #include "core/evolutions/evolution.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 class Registry;

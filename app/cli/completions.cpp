@@ -7,7 +7,7 @@
 #include "app/cli/names.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 namespace {

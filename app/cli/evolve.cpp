@@ -11,7 +11,7 @@
 #include "app/cli/session_settings.h"
 #include "core/evolutions/evolution.h"
 #include "core/graph/registry.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 namespace {

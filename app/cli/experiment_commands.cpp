@@ -16,8 +16,8 @@
 #include "app/experiments/experiment.h"
 #include "app/store/sample_shapes.h"
 #include "core/graph/registry.h"
-#include "core/io/read_file.h"
-#include "core/io/text_numbers.h"
+#include "core/io/files/read_file.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 namespace {

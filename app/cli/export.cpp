@@ -13,7 +13,7 @@
 #include "app/export/geometry_export.h"
 #include "app/store/layer_text.h"
 #include "core/graph/registry.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 namespace {

@@ -14,7 +14,7 @@
 #include "app/cli/session_settings.h"
 #include "core/graph/registry.h"
 #include "core/graph/write_table.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "core/workbench/workbench.h"
 
 namespace mes::cli {

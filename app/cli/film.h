@@ -6,7 +6,7 @@
 
 #include "app/model/scale_marks.h"
 #include "core/base/error.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 class FrameWriter;

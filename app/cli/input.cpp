@@ -9,7 +9,7 @@
 #include "app/cli/messages.h"
 #include "core/graph/registry.h"
 #include "core/io/format_spec.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 

@@ -28,8 +28,8 @@
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
 #include "core/io/carried_session.h"
-#include "core/io/temporary.h"
-#include "core/io/text_numbers.h"
+#include "core/io/files/temporary.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 namespace {

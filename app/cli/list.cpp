@@ -22,7 +22,7 @@
 #include "core/graph/structure.h"
 #include "core/graph/table_columns.h"
 #include "core/io/format_spec.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "core/shapes/shape.h"
 
 namespace mes::cli {

@@ -25,8 +25,8 @@
 #include "core/graph/table_columns.h"
 #include "core/io/bundle_file.h"
 #include "core/io/format_spec.h"
-#include "core/io/session.h"
-#include "core/io/text_numbers.h"
+#include "core/io/session/session.h"
+#include "core/io/text/text_numbers.h"
 #include "core/shapes/shape.h"
 
 namespace mes::cli {

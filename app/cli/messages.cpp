@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 

@@ -10,7 +10,7 @@
 #include <filesystem>
 #include <system_error>
 
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 
 namespace mes::cli {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "app/cli/interruption.h"
 #include "core/base/error.h"
-#include "core/io/file_fingerprint.h"
+#include "core/io/files/file_fingerprint.h"
 
 namespace mes::cli {
 

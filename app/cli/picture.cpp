@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "app/cli/messages.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 namespace {

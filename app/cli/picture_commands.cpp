@@ -8,7 +8,7 @@
 #include "app/cli/picture_request.h"
 #include "app/cli/style_request.h"
 #include "app/export/page_size.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 namespace {

@@ -15,7 +15,7 @@
 #include "app/cli/style_request.h"
 #include "core/base/lower_case.h"
 #include "core/graph/registry.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 namespace {

@@ -13,8 +13,8 @@
 #include "app/export/shown_layers.h"
 #include "core/base/error.h"
 #include "core/document/layer_configuration.h"
-#include "core/io/file_fingerprint.h"
-#include "core/io/session.h"
+#include "core/io/files/file_fingerprint.h"
+#include "core/io/session/session.h"
 #include "render/colormap.h"
 #include "render/figure/writers.h"
 

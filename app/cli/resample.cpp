@@ -9,7 +9,7 @@
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
 #include "core/io/format.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "core/resampling/decimate.h"
 #include "core/resampling/repair.h"
 

@@ -4,7 +4,7 @@
 #include <fmt/core.h>
 
 #include "app/cli/names.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
 

@@ -20,7 +20,7 @@
 #include "core/document/computation_settings.h"
 #include "core/evolutions/evolution.h"
 #include "core/io/format.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 class Registry;

@@ -10,7 +10,7 @@
 #include "app/cli/sampling_request.h"
 #include "core/graph/registry.h"
 #include "core/io/format.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "core/shapes/shape.h"
 
 namespace mes::cli {

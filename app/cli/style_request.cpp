@@ -12,7 +12,7 @@
 #include "app/cli/picture.h"
 #include "app/export/page_size.h"
 #include "core/graph/registry.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "render/figure/figure.h"
 
 namespace mes::cli {

@@ -11,8 +11,8 @@
 #include "core/edit/degenerate_places.h"
 #include "core/formula/formula.h"
 #include "core/io/format.h"
-#include "core/io/session.h"
-#include "core/io/text_numbers.h"
+#include "core/io/session/session.h"
+#include "core/io/text/text_numbers.h"
 #include "core/kernel/circumcircle.h"
 
 namespace mes {

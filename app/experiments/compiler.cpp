@@ -15,9 +15,9 @@
 
 #include "app/system/child_process.h"
 #include "app/system/data_folder.h"
-#include "core/io/atomic_file.h"
-#include "core/io/file_fingerprint.h"
-#include "core/io/read_file.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/files/file_fingerprint.h"
+#include "core/io/files/read_file.h"
 
 namespace mes {
 namespace {

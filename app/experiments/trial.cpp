@@ -15,7 +15,7 @@
 #include "app/system/child_process.h"
 #include "core/base/rng.h"
 #include "core/evolutions/evolution.h"
-#include "core/io/file_fingerprint.h"
+#include "core/io/files/file_fingerprint.h"
 #include "core/library/experiments.h"
 #include "core/shapes/shape.h"
 #include "core/workbench/workbench.h"

@@ -8,7 +8,7 @@
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"
 #include "core/document/layer_configuration.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

@@ -8,7 +8,7 @@
 #include "app/export/pane_figure.h"
 #include "app/picture/pane_sheet.h"
 #include "app/store/background_loader.h"
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 #include "core/io/carried_session.h"
 #include "render/figure/raster.h"
 

@@ -18,7 +18,7 @@
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"
 #include "core/graph/live_registry.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "render/figure/writers.h"
 
 namespace mes {

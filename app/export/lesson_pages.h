@@ -29,7 +29,7 @@
 #include "app/playing/lesson_walk.h"
 #include "core/base/color.h"
 #include "core/base/error.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "render/colormap.h"
 #include "render/figure/figure.h"
 #include "render/figure/pdf_book.h"

@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "render/figure/figure.h"
 
 namespace mes {

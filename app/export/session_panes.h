@@ -16,7 +16,7 @@
 #include "app/model/pane_list.h"
 #include "core/document/history.h"
 #include "core/evolutions/evolution.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

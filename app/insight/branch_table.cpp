@@ -9,7 +9,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "core/structures/balls/kept_union.h"
 #include "core/workbench/workbench.h"
 

@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "app/layers/layer_summary.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "core/workbench/workbench.h"
 
 namespace mes {

@@ -10,7 +10,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "core/structures/alpha/alpha_filtration.h"
 #include "core/structures/poles/polar_union.h"
 #include "core/workbench/workbench.h"

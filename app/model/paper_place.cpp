@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 namespace {

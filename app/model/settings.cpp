@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "app/system/data_folder.h"
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 
 namespace mes {
 namespace {

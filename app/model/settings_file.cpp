@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/model/settings_file.h"
 
-#include "core/io/file_lock.h"
+#include "core/io/files/file_lock.h"
 
 namespace mes {
 

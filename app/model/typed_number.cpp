@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/formula/formula.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 namespace {

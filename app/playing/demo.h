@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/document/commands.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

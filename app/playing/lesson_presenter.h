@@ -12,7 +12,7 @@
 #include "app/editing/editor.h"
 #include "app/layers/layer_stack.h"
 #include "app/playing/lesson_walk.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

@@ -11,7 +11,7 @@
 #include "app/playing/playback.h"
 #include "core/document/layer_fold.h"
 #include "core/graph/live_registry.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

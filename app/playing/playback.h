@@ -10,7 +10,7 @@
 #include "core/base/box2.h"
 #include "core/base/error.h"
 #include "core/document/timeline.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

@@ -10,7 +10,7 @@
 #include "app/playing/playback.h"
 #include "core/document/layer_fold.h"
 #include "core/engine/engine.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/evolutions/evolution.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

@@ -30,7 +30,7 @@
 
 #include "app/recording/captured_picture.h"
 #include "app/recording/take.h"
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 
 namespace mes {
 

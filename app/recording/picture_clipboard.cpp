@@ -6,8 +6,8 @@
 #include <system_error>
 
 #include "app/system/child_process.h"
-#include "core/io/atomic_file.h"
-#include "core/io/temporary.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/files/temporary.h"
 
 namespace mes {
 namespace {

@@ -19,7 +19,7 @@
 #include "app/recording/recorder.h"
 #include "app/recording/video.h"
 #include "app/system/background_job.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "render/frame_capture.h"
 
 namespace mes {

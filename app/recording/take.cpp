@@ -14,7 +14,7 @@
 #include "core/base/base64.h"
 #include "core/base/carried_session.h"
 #include "core/io/carried_session.h"
-#include "core/io/read_file.h"
+#include "core/io/files/read_file.h"
 
 namespace mes {
 namespace {

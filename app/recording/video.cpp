@@ -13,7 +13,7 @@
 
 #include "app/recording/take.h"
 #include "app/system/child_process.h"
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 
 namespace mes {
 namespace {

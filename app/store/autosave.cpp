@@ -16,8 +16,8 @@
 #include <utility>
 
 #include "app/system/data_folder.h"
-#include "core/io/file_lock.h"
-#include "core/io/read_file.h"
+#include "core/io/files/file_lock.h"
+#include "core/io/files/read_file.h"
 
 namespace mes {
 namespace {

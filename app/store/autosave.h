@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "app/editing/editor.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

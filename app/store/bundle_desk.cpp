@@ -4,9 +4,9 @@
 #include <fmt/core.h>
 #include <algorithm>
 
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 #include "core/io/bundle_file.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 

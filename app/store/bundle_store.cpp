@@ -7,8 +7,8 @@
 
 #include "app/store/bundles.h"
 #include "app/system/data_folder.h"
-#include "core/io/atomic_file.h"
-#include "core/io/file_lock.h"
+#include "core/io/files/atomic_file.h"
+#include "core/io/files/file_lock.h"
 
 namespace mes {
 namespace {

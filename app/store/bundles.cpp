@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/base/assert.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 namespace {

@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/system/data_folder.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 namespace {

@@ -13,7 +13,7 @@
 #include "app/editing/editor.h"
 #include "core/base/error.h"
 #include "core/document/commands.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

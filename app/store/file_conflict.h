@@ -9,8 +9,8 @@
 
 #include "core/base/named_list.h"
 #include "core/document/document.h"
-#include "core/io/file_fingerprint.h"
-#include "core/io/session.h"
+#include "core/io/files/file_fingerprint.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/lower_case.h"
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 
 namespace mes {
 

@@ -19,7 +19,7 @@
 #include "core/base/job_control.h"
 #include "core/graph/live_registry.h"
 #include "core/io/format.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

@@ -10,7 +10,7 @@
 
 #include "app/store/sample_shapes.h"
 #include "core/base/error.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

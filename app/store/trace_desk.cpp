@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/io/format.h"
-#include "core/io/read_file.h"
+#include "core/io/files/read_file.h"
 #include "core/raster/picture_decoder.h"
 
 namespace mes {

@@ -6,7 +6,7 @@
 #include <chrono>
 
 #include "app/system/child_process.h"
-#include "core/io/temporary.h"
+#include "core/io/files/temporary.h"
 
 namespace mes {
 

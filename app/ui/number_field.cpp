@@ -10,7 +10,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "imgui.h"
 #include "imgui_internal.h"
 #include "imgui_stdlib.h"

@@ -10,7 +10,7 @@
 #include "app/playing/playback.h"
 #include "app/ui/gui.h"
 #include "app/window/workspace.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

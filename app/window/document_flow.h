@@ -14,7 +14,7 @@
 #include "app/actions/action_bindings.h"
 #include "app/model/refusal.h"
 #include "app/model/settings.h"
-#include "app/panels/dialogs.h"
+#include "app/panels/dialogs/dialogs.h"
 #include "app/store/file_desk.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"

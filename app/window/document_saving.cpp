@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "app/window/document_flow.h"
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 
 namespace mes {
 

@@ -8,7 +8,7 @@
 
 #include "app/editing/kept_highlight.h"
 #include "app/layers/clicked_layers.h"
-#include "app/panels/pointer_marks.h"
+#include "app/panels/on_canvas/pointer_marks.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/scale_drawing.h"
 #include "app/store/color_maps.h"

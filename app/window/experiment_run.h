@@ -11,7 +11,7 @@
 #include "app/experiments/experiment_desk.h"
 #include "app/model/messages.h"
 #include "app/model/settings.h"
-#include "app/panels/dialogs.h"
+#include "app/panels/dialogs/dialogs.h"
 #include "app/system/waker.h"
 #include "app/window/workspace.h"
 

@@ -8,7 +8,7 @@
 
 #include "app/export/geometry_export.h"
 #include "app/model/record_settings.h"
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 
 namespace mes {
 

@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "app/system/data_folder.h"
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 
 namespace mes {
 namespace {

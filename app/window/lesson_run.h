@@ -7,7 +7,7 @@
 #include <string>
 
 #include "app/actions/action_bindings.h"
-#include "app/panels/lesson_card.h"
+#include "app/panels/on_canvas/lesson_card.h"
 #include "app/playing/lesson_desk.h"
 #include "app/playing/lesson_presenter.h"
 #include "app/window/drawing_board.h"

@@ -5,14 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/panels/canvas_legend.h"
-#include "app/panels/canvas_marks.h"
-#include "app/panels/empty_hint.h"
-#include "app/panels/empty_view_note.h"
-#include "app/panels/evolution_strip.h"
-#include "app/panels/hidden_samples_note.h"
-#include "app/panels/pane_headers.h"
-#include "app/panels/problem_note.h"
+#include "app/panels/on_canvas/canvas_legend.h"
+#include "app/panels/on_canvas/canvas_marks.h"
+#include "app/panels/on_canvas/empty_hint.h"
+#include "app/panels/on_canvas/empty_view_note.h"
+#include "app/panels/bars/evolution_strip.h"
+#include "app/panels/on_canvas/hidden_samples_note.h"
+#include "app/panels/on_canvas/pane_headers.h"
+#include "app/panels/on_canvas/problem_note.h"
 #include "app/window/palette_entries.h"
 
 namespace mes {

@@ -6,7 +6,7 @@
 #include <functional>
 #include <optional>
 
-#include "app/panels/dialogs.h"
+#include "app/panels/dialogs/dialogs.h"
 #include "app/store/trace_desk.h"
 #include "app/system/waker.h"
 #include "app/window/drawing_board.h"

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "app/actions/action_bindings.h"
-#include "app/panels/mark_drag.h"
-#include "app/panels/presenter.h"
+#include "app/panels/on_canvas/mark_drag.h"
+#include "app/panels/on_canvas/presenter.h"
 #include "app/window/document_flow.h"
 #include "app/window/event_queue.h"
 #include "app/window/experiment_run.h"

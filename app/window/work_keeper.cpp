@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/io/temporary.h"
+#include "core/io/files/temporary.h"
 
 namespace mes {
 

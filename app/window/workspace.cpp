@@ -7,7 +7,7 @@
 #include "app/export/carried.h"
 #include "app/playing/session_evolution.h"
 #include "core/draw/variant.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 

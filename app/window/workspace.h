@@ -33,7 +33,7 @@
 #include "app/system/waker.h"
 #include "core/engine/engine.h"
 #include "core/graph/live_registry.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

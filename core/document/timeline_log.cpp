@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Encodes timeline entries as bytes: integers in groups of seven bits, doubles as their bits, lists with their length
-// first. The bytes never leave the program; files have their own format (core/io/session.h).
+// first. The bytes never leave the program; files have their own format (core/io/session/session.h).
 #include <algorithm>
 #include <array>
 #include <bit>

@@ -15,7 +15,7 @@
 #include <optional>
 #include <set>
 
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 namespace {

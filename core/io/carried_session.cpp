@@ -8,8 +8,8 @@
 #include "core/base/base64.h"
 #include "core/base/carried_session.h"
 #include "core/base/zlib.h"
-#include "core/io/read_file.h"
-#include "core/io/text_numbers.h"
+#include "core/io/files/read_file.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 namespace {

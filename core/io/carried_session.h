@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes {
 

@@ -11,7 +11,7 @@
 #include "core/curves/line_regions.h"
 #include "core/curves/resolution.h"
 #include "core/document/taken_samples.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 namespace {

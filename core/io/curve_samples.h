@@ -8,7 +8,7 @@
 #include "core/base/error.h"
 #include "core/curves/sampling.h"
 #include "core/io/format.h"
-#include "core/io/read_job.h"
+#include "core/io/text/read_job.h"
 
 namespace mes {
 

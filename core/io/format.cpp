@@ -11,9 +11,9 @@
 #include "core/io/bundle_file.h"
 #include "core/io/carried_session.h"
 #include "core/io/format_spec.h"
-#include "core/io/read_file.h"
-#include "core/io/text_numbers.h"
-#include "core/io/xml_source.h"
+#include "core/io/files/read_file.h"
+#include "core/io/text/text_numbers.h"
+#include "core/io/xml/xml_source.h"
 
 namespace mes {
 namespace {

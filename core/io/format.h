@@ -16,7 +16,7 @@
 #include "core/base/named_list.h"
 #include "core/document/commands.h"
 #include "core/document/map_plane.h"
-#include "core/io/file_fingerprint.h"
+#include "core/io/files/file_fingerprint.h"
 #include "core/raster/trace_request.h"
 
 namespace mes {

@@ -12,7 +12,7 @@
 #include "core/base/error.h"
 #include "core/base/named_list.h"
 #include "core/io/format.h"
-#include "core/io/read_job.h"
+#include "core/io/text/read_job.h"
 
 namespace mes {
 

@@ -7,7 +7,7 @@
 
 #include "core/io/curve_samples.h"
 #include "core/io/format_spec.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "core/raster/picture_decoder.h"
 #include "core/raster/trace.h"
 

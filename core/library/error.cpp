@@ -6,7 +6,7 @@
 #include <new>
 
 #include "core/base/assert.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "core/library/internal/adapter.h"
 
 namespace mesecina {

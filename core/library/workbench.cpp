@@ -6,9 +6,9 @@
 #include <filesystem>
 #include <utility>
 
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 #include "core/io/format.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "core/library/internal/bench.h"
 
 namespace mesecina {

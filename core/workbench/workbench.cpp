@@ -5,7 +5,7 @@
 #include <cmath>
 #include <new>
 
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "core/workbench/internal/refusals.h"
 
 namespace mes {

@@ -7,7 +7,7 @@
 
 #include "core/base/carried_session.h"
 #include "core/base/zlib.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "run_binary.h"
 #include "tests/cli/inputs.h"
 #include "tests/cli/output_of.h"

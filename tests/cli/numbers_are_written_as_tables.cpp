@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/vec2.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "run_binary.h"
 #include "tests/cli/inputs.h"
 #include "tests/io/temporary_folder.h"

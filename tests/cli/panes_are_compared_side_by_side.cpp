@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/io/format.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "run_binary.h"
 #include "tests/cli/inputs.h"
 #include "tests/io/temporary_folder.h"

@@ -18,7 +18,7 @@
 
 #include "app/cli/command_line.h"
 #include "core/builtins/builtins.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/support/added_to_registry.h"
 

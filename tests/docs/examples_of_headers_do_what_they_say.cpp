@@ -45,7 +45,7 @@
 #include "core/graph/live_registry.h"
 #include "core/graph/table_maker.h"
 #include "core/graph/write_table.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "core/layers/parts/helpers.h"
 #include "core/raster/trace.h"
 #include "core/resampling/resampling.h"

@@ -12,24 +12,24 @@
 #include <utility>
 #include <vector>
 
-#include "core/io/coordinate_pairs.h"
-#include "core/io/counted_remarks.h"
-#include "core/io/file_lock.h"
-#include "core/io/json_text.h"
-#include "core/io/json_view.h"
-#include "core/io/line_layout.h"
-#include "core/io/line_words.h"
-#include "core/io/map_shapes.h"
-#include "core/io/read_job.h"
-#include "core/io/repeated_corners.h"
-#include "core/io/session.h"
-#include "core/io/session_values.h"
-#include "core/io/short_decimal.h"
-#include "core/io/text_numbers.h"
-#include "core/io/vertex_graph.h"
-#include "core/io/written_decimals.h"
-#include "core/io/xml_long_values.h"
-#include "core/io/xml_source.h"
+#include "core/io/text/coordinate_pairs.h"
+#include "core/io/text/counted_remarks.h"
+#include "core/io/files/file_lock.h"
+#include "core/io/session/json_text.h"
+#include "core/io/session/json_view.h"
+#include "core/io/text/line_layout.h"
+#include "core/io/text/line_words.h"
+#include "core/io/maps/map_shapes.h"
+#include "core/io/text/read_job.h"
+#include "core/io/text/repeated_corners.h"
+#include "core/io/session/session.h"
+#include "core/io/session/session_values.h"
+#include "core/io/text/short_decimal.h"
+#include "core/io/text/text_numbers.h"
+#include "core/io/meshes/vertex_graph.h"
+#include "core/io/text/written_decimals.h"
+#include "core/io/xml/xml_long_values.h"
+#include "core/io/xml/xml_source.h"
 #include "tests/io/temporary_folder.h"
 
 using namespace mes;
@@ -38,7 +38,7 @@ namespace {
 
 Expected<LoadedFile> crete(const std::string& name) {
   ReadJob job;
-  // core/io/map_shapes.h
+  // core/io/maps/map_shapes.h
   MapShapes shapes;
   for (const Vec2 corner : {Vec2{23.9, 35.5}, Vec2{26.0, 35.2}, Vec2{24.8, 34.9}}) shapes.add(corner);
   shapes.end_ring();
@@ -47,7 +47,7 @@ Expected<LoadedFile> crete(const std::string& name) {
 
 Expected<LoadedFile> file_of_triangle(const std::string& name) {
   ReadJob job;
-  // core/io/vertex_graph.h
+  // core/io/meshes/vertex_graph.h
   VertexGraph graph;
   for (const Vec2 corner : {Vec2{0, 0}, Vec2{1, 0}, Vec2{0, 1}}) graph.add_vertex(corner);
   graph.add_face(std::vector<std::uint32_t>{0, 1, 2});
@@ -55,7 +55,7 @@ Expected<LoadedFile> file_of_triangle(const std::string& name) {
 }
 
 Expected<std::size_t> lines_with_positions(std::string_view bytes, const std::string& name) {
-  // core/io/line_words.h
+  // core/io/text/line_words.h
   LineWords lines(bytes, name);
   while (lines.next()) {
     const auto position = lines.position(0);
@@ -65,7 +65,7 @@ Expected<std::size_t> lines_with_positions(std::string_view bytes, const std::st
 }
 
 void go_through(std::string_view text, JobControl& control) {
-  // core/io/read_job.h
+  // core/io/text/read_job.h
   ReadJob job(&control);
   job.begin(text);
   for (const char& c : text) job.passed(&c);
@@ -75,7 +75,7 @@ Expected<std::size_t> count_timeline(std::string_view text) {
   const std::string file = "a.json";
   std::size_t count = 0;
   const auto use = [&count](const JsonView& entry) { count += entry.is_object() ? 1U : 0U; };
-  // core/io/json_view.h
+  // core/io/session/json_view.h
   if (auto good = check_json(text, file); !good) return std::unexpected(good.error());
   for (const JsonView entry : JsonView::whole(text).find("timeline").elements()) use(entry);
   return count;
@@ -83,7 +83,7 @@ Expected<std::size_t> count_timeline(std::string_view text) {
 
 }  // namespace
 
-TEST_CASE("core/io/written_decimals.h") {
+TEST_CASE("core/io/text/written_decimals.h") {
   const double a = 0.12346;
   for (const auto& [b, expected] : {std::pair(0.123465, true), std::pair(0.1236, false)}) {
     WrittenDecimals decimals;
@@ -93,7 +93,7 @@ TEST_CASE("core/io/written_decimals.h") {
   }
 }
 
-TEST_CASE("core/io/text_numbers.h") {
+TEST_CASE("core/io/text/text_numbers.h") {
   const std::string_view bytes = "1 2\n 3";
   std::vector<std::uint64_t> columns;
   const auto use = [&columns](std::string_view, std::uint64_t, std::uint64_t column) { columns.push_back(column); };
@@ -102,7 +102,7 @@ TEST_CASE("core/io/text_numbers.h") {
   CHECK(columns == std::vector<std::uint64_t>{1, 3, 2});
 }
 
-TEST_CASE("core/io/read_job.h") {
+TEST_CASE("core/io/text/read_job.h") {
   const std::string text(std::size_t{1} << 20U, 'x');
   JobControl control;
   go_through(text, control);
@@ -114,7 +114,7 @@ TEST_CASE("core/io/read_job.h") {
   CHECK_THROWS_AS(go_through(text, stopped), Cancelled);
 }
 
-TEST_CASE("core/io/line_layout.h") {
+TEST_CASE("core/io/text/line_layout.h") {
   struct Number {
     std::uint64_t line, column;
     std::size_t length;
@@ -131,7 +131,7 @@ TEST_CASE("core/io/line_layout.h") {
   CHECK(refused_line == 2);
 }
 
-TEST_CASE("core/io/session.h") {
+TEST_CASE("core/io/session/session.h") {
   Session given;
   SampleData data;
   data.positions = {{0, 0}, {1, 0}, {0, 1}};
@@ -144,19 +144,19 @@ TEST_CASE("core/io/session.h") {
   CHECK(replay.document().sample_count() == data.positions.size());
 }
 
-TEST_CASE("core/io/json_view.h") {
+TEST_CASE("core/io/session/json_view.h") {
   const auto count = count_timeline(R"({"timeline": [{}, {}, {}]})");
   REQUIRE(count);
   CHECK(*count == 3);
   CHECK_FALSE(count_timeline("{"));
 }
 
-TEST_CASE("core/io/session_values.h") {
+TEST_CASE("core/io/session/session_values.h") {
   const std::string text = R"({"samples": [0, 1, 2, 3]})";
   REQUIRE(check_json(text, "a.json"));
   const JsonView object = JsonView::whole(text);
   Magnitudes seen;
-  // core/io/session_values.h
+  // core/io/session/session_values.h
   std::vector<Vec2> samples;
   read_flat(object.find("samples"), "samples", samples, "data");
   require_together(samples, object.find("samples"), "samples", "data", seen);
@@ -164,12 +164,12 @@ TEST_CASE("core/io/session_values.h") {
   CHECK_FALSE(seen.is_empty());
 }
 
-TEST_CASE("core/io/repeated_corners.h") {
+TEST_CASE("core/io/text/repeated_corners.h") {
   SampleData data;
   data.contours = {{true, {0, 1, 2, 1}}};
   std::vector<std::string> warnings;
   const std::string name = "a.json";
-  // core/io/repeated_corners.h
+  // core/io/text/repeated_corners.h
   RepeatedCorners repeated;
   for (const SampleData::Contour& contour : data.contours) repeated.add(contour);
   if (auto remark = repeated.remark(name)) warnings.push_back(*std::move(remark));
@@ -194,7 +194,7 @@ TEST_CASE("a file is changed under its lock as the header shows") {
   const auto changed = [](const std::string& text) { return text + "b"; };
   const auto write = [&](const std::filesystem::path&, std::string text) { on_disk = std::move(text); };
   {
-    // core/io/file_lock.h
+    // core/io/files/file_lock.h
     const UpdateLock lock(path);
     write(path, changed(read(path)));
     CHECK(lock.is_held());
@@ -204,7 +204,7 @@ TEST_CASE("a file is changed under its lock as the header shows") {
 }
 
 TEST_CASE("short numbers are read as their header shows") {
-  // core/io/short_decimal.h
+  // core/io/text/short_decimal.h
   double value = 0.0;
   const std::size_t size = short_decimal("12.5,3", value);  // 4
   CHECK(size == 4);
@@ -212,7 +212,7 @@ TEST_CASE("short numbers are read as their header shows") {
 }
 
 TEST_CASE("vertices and long values are read as their headers show") {
-  // core/io/coordinate_pairs.h
+  // core/io/text/coordinate_pairs.h
   std::array<Vec2, 256> pairs;
   const PairRun run = read_coordinate_pairs("1,2 3.5-4 L 5 6 ...", 'L', pairs);
   CHECK((run.count == 3 || run.count == 0));  // where there is no SSE2
@@ -221,7 +221,7 @@ TEST_CASE("vertices and long values are read as their headers show") {
   ReadJob job;
   job.begin(bytes);
   {
-    // core/io/xml_long_values.h
+    // core/io/xml/xml_long_values.h
     std::string rest;
     const auto values = take_long_values(bytes, {"d", "points"}, rest, job);
     // In `rest`, at values[0].place, one character stands for values[0].value.
@@ -230,7 +230,7 @@ TEST_CASE("vertices and long values are read as their headers show") {
     CHECK(rest[values[0].place + 1] == '\'');
   }
   const std::string name = "a.svg";
-  // core/io/xml_source.h
+  // core/io/xml/xml_source.h
   XmlSource source(bytes, name);
   const auto root = source.parse(job);
   REQUIRE(root);
@@ -247,7 +247,7 @@ TEST_CASE("files are read as headers show") {
   std::string said;
   const auto warn = [&said](const std::string& text, std::size_t) { said += text; };
   const std::size_t place = 7;
-  // core/io/counted_remarks.h
+  // core/io/text/counted_remarks.h
   CountedRemarks remarks;
   remarks.add("text element is left out", "text elements are left out", place);
   remarks.for_each([&](const std::string& text, std::size_t at) { warn(text, at); });

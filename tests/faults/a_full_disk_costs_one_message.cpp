@@ -5,7 +5,7 @@
 
 #include "app/recording/frame_writer.h"
 #include "app/store/autosave.h"
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 #include "tests/faults/faulty_disk.h"
 #include "tests/io/temporary_folder.h"
 

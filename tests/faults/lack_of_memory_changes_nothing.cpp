@@ -15,7 +15,7 @@
 #include "core/engine/memory_lack.h"
 #include "core/engine/theorem_light.h"
 #include "core/io/format.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "render/recording_device.h"
 #include "render/scene.h"
 #include "tests/faults/faulty_memory.h"

@@ -5,7 +5,7 @@
 
 #include "core/io/bundle_file.h"
 #include "core/io/format.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/faults/faulty_memory.h"
 
 using namespace mes;

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/base/error.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "tests/fuzz/driver/memory.h"
 #include "tests/fuzz/target.h"
 

@@ -3,7 +3,7 @@
 #include <numeric>
 
 #include "core/io/format.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "temporary_folder.h"
 
 using namespace mes;

@@ -6,8 +6,8 @@
 
 #include "core/io/bundle_file.h"
 #include "core/io/format.h"
-#include "core/io/session.h"
-#include "core/io/text_numbers.h"
+#include "core/io/session/session.h"
+#include "core/io/text/text_numbers.h"
 
 using namespace mes;
 

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/io/format.h"
-#include "core/io/svg_drawing.h"
+#include "core/io/svg/svg_drawing.h"
 #include "tests/support/pi.h"
 
 using namespace mes;

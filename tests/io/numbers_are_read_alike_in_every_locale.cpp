@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 #include <catch2/catch.hpp>
 #include <clocale>

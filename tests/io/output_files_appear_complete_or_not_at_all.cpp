@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 #include "temporary_folder.h"
 
 using namespace mes;

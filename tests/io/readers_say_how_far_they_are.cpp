@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/io/format.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/io/temporary_folder.h"
 
 using namespace mes;

@@ -5,7 +5,7 @@
 
 #include "core/base/rng.h"
 #include "core/io/format.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 using namespace mes;
 

@@ -10,7 +10,7 @@
 #include <functional>
 #include <optional>
 
-#include "core/io/temporary.h"
+#include "core/io/files/temporary.h"
 #include "temporary_folder.h"
 
 using namespace mes;

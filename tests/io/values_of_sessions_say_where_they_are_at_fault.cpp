@@ -3,8 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "core/io/json_text.h"
-#include "core/io/session_values.h"
+#include "core/io/session/json_text.h"
+#include "core/io/session/session_values.h"
 
 using namespace mes;
 

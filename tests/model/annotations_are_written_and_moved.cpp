@@ -5,7 +5,7 @@
 #include "app/canvas/canvas.h"
 #include "app/canvas/tools/annotate_tool.h"
 #include "app/canvas/tools/measure_tool.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/model/tool_hand.h"
 
 using namespace mes;

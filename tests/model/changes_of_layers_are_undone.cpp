@@ -5,7 +5,7 @@
 #include "app/editing/editor.h"
 #include "app/layers/layer_stack.h"
 #include "core/base/rng.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/model/random_editing.h"
 
 using namespace mes;

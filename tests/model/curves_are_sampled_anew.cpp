@@ -7,7 +7,7 @@
 
 #include "app/editing/curve_sampler.h"
 #include "core/document/taken_samples.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/model/positions_of.h"
 #include "tests/support/bell.h"
 

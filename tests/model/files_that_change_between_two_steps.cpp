@@ -13,7 +13,7 @@
 
 #include "app/store/autosave.h"
 #include "app/store/bundles.h"
-#include "core/io/atomic_file.h"
+#include "core/io/files/atomic_file.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/support/builtin_layers.h"
 

@@ -14,7 +14,7 @@
 
 #include "app/model/settings_file.h"
 #include "app/store/bundles.h"
-#include "core/io/file_lock.h"
+#include "core/io/files/file_lock.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/support/builtin_layers.h"
 

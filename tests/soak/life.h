@@ -7,7 +7,7 @@
 
 #include "app/editing/editor.h"
 #include "core/base/rng.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/soak/picture_check.h"
 
 namespace mes::test {

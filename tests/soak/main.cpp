@@ -11,7 +11,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 #include "tests/soak/life.h"
 #include "tests/soak/replay.h"
 

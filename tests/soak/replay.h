@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 
 namespace mes::test {
 

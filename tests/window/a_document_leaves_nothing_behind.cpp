@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/window/window_driver.h"
 

@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "app/editing/editor.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/window/window_driver.h"
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/window/window_driver.h"
 
 using namespace mes;

@@ -6,7 +6,7 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/window/window_driver.h"
 
 using namespace mes;

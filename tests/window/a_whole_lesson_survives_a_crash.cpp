@@ -13,7 +13,7 @@
 #include "app/recording/take.h"
 #include "core/document/document.h"
 #include "core/io/bundle_file.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/io/temporary_folder.h"
 #include "tests/window/window_driver.h"
 

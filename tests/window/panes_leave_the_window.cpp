@@ -8,7 +8,7 @@
 
 #include "app/recording/take.h"
 #include "core/io/format.h"
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/window/window_driver.h"
 
 using namespace mes;

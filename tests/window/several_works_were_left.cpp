@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/window/window_driver.h"
 
 using namespace mes;

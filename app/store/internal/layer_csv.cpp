@@ -7,7 +7,7 @@
 #include "app/store/internal/layer_writers.h"
 #include "core/base/arc.h"
 #include "core/draw/primitive_values.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/store/internal/layer_writers.h"
 #include "app/store/internal/shapes_on_earth.h"
 #include "app/store/internal/straight_shapes.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 namespace {

@@ -5,7 +5,7 @@
 #include "app/store/internal/layer_writers.h"
 #include "app/store/internal/segment_chains.h"
 #include "core/draw/primitive_values.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 namespace {

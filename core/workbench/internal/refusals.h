@@ -10,7 +10,7 @@
 
 #include "core/base/error.h"
 #include "core/draw/patch.h"
-#include "core/io/text_numbers.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 

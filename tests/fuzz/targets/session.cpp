@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sessions, and journals, which are sessions line by line.
-#include "core/io/session.h"
+#include "core/io/session/session.h"
 #include "tests/fuzz/sample_files.h"
 
 using namespace mes;

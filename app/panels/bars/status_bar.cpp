@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/bars/status_bar.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <cmath>
+
+#include "app/layers/statistics_text.h"
+#include "app/panels/bars/changed_chips.h"
+#include "app/ui/theme.h"
+
+namespace mes {
+namespace {
+
+constexpr float kCoordinatesWidth = 190.0F;  // logical pixels
+constexpr float kLeastRemark = 120.0F;
+
+// Formats with as many digits as one pixel of the view can distinguish.
+std::string coordinate(double value, double units_per_px) {
+  const double magnitude = std::max(std::abs(value), units_per_px);
+  const int digits = std::clamp(static_cast<int>(std::ceil(std::log10(magnitude / units_per_px))) + 1, 3, 17);
+  const bool plain = magnitude < 1e7 && units_per_px > 1e-7;
+  if (plain) {
+    const int decimals = std::clamp(static_cast<int>(std::ceil(-std::log10(units_per_px))), 0, 12);
+    return fmt::format("{:.{}f}", value, decimals);
+  }
+  return fmt::format("{:.{}g}", value, digits);
+}
+
+std::string counts(const Editor& editor, double units_per_px) {
+  const Document& document = editor.document();
+  const auto some = [](std::size_t n, const char* noun) { return grouped(n) + ' ' + noun + (n == 1 ? "" : "s"); };
+  std::string out = some(document.sample_count(), "sample");
+  if (document.ball_count() != 0) {
+    const std::string balls = some(document.ball_count(), "ball");
+    out = document.sample_count() == 0 ? balls : out + ", " + balls;
+  }
+  const Selection& selection = editor.selection();
+  if (!selection.is_empty()) out += ", " + grouped(selection.size()) + " selected";
+  // The radius of a single ball is what the user watches while changing it.
+  BallSlot ball;
+  if (selection.size() == 1 && selection.ball_count() == 1) ball = selection.ball_slots().front();
+  if (ball != kNoSlot) out += ", radius " + coordinate(document.disk(ball).radius, units_per_px);
+  return out;
+}
+
+// "Drawing every 2nd disk"; empty if all are drawn.
+std::string share_text(std::uint32_t every) {
+  if (every <= 1) return {};
+  const bool is_teen = every % 100 >= 11 && every % 100 <= 13;
+  const char* const ending = is_teen           ? "th"
+                             : every % 10 == 1 ? "st"
+                             : every % 10 == 2 ? "nd"
+                             : every % 10 == 3 ? "rd"
+                                               : "th";
+  return "Drawing every " + std::to_string(every) + ending + " disk";
+}
+
+std::string coordinates(const Canvas& canvas) {
+  if (!canvas.is_hovered()) return {};
+  const double units = canvas.view_at_pointer().camera().units_per_pixel();
+  const Vec2 p = canvas.pointer_world();
+  return coordinate(p.x, units) + ", " + coordinate(p.y, units);
+}
+
+}  // namespace
+
+float StatusBar::height() const {
+  return 28 * gui.unit();
+}
+
+void StatusBar::draw(const PanelArea& area) const {
+  const float unit = gui.unit();
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 5 * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {7 * unit, 1 * unit});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
+  if (begin_panel("##status", area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+    const std::string right_text = coordinates(canvas);
+    const std::string count_text = counts(editor, canvas.view_at_pointer().camera().units_per_pixel());
+    const float count_width = ImGui::CalcTextSize(count_text.c_str()).x;
+    const float end = ImGui::GetContentRegionMax().x;
+    const float verdict_at = end - verdict.width();
+    const float before_verdict = verdict_at - 14 * unit - count_width;
+    // Wide enough for the digits of a deep zoom; otherwise constant, so that nothing moves with the pointer.
+    const float coordinates_width =
+        std::max(kCoordinatesWidth * unit, ImGui::CalcTextSize(right_text.c_str()).x + 24 * unit);
+    const ChangedChips chips(gui, computation, messages);
+    // If there is not enough room, the present task or the hint is more important than the coordinates, and invisible
+    // changes of the picture are more important than both.
+    const bool has_room = before_verdict > coordinates_width + kLeastRemark * unit + chips.full_width();
+    const bool has_counts = before_verdict > chips.width_in(0.0F);
+    const float counts_at =
+        has_counts ? std::max(0.0F, before_verdict - (has_room ? coordinates_width : 0.0F)) : verdict_at - 14 * unit;
+    const float chips_room = counts_at - kLeastRemark * unit;
+    const float chips_at = std::max(0.0F, counts_at - chips.width_in(chips_room));
+    const ImVec2 clip_from = ImGui::GetCursorScreenPos();
+    ImGui::PushClipRect(clip_from, {clip_from.x + chips_at - 16 * unit, area.at.y + area.size.y}, true);
+    work.draw_recording();
+    const std::string share = share_text(picture.every());
+    if (!work.draw()) {
+      const std::string& remark = messages.remark();
+      const std::string text = remark.empty() ? std::string(canvas.tool().hint()) : remark;
+      const float share_width = share.empty() ? 0.0F : ImGui::CalcTextSize(share.c_str()).x + 16 * unit;
+      const std::string shown = elided(text, chips_at - 16 * unit - ImGui::GetCursorPosX() - share_width);
+      if (remark.empty())
+        ImGui::TextDisabled("%s", shown.c_str());
+      else
+        ImGui::TextUnformatted(shown.c_str());
+      if (!remark.empty() || shown != text) tooltip(gui, text);
+    }
+    if (!share.empty()) {
+      ImGui::SameLine(0, 16 * unit);
+      ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
+      ImGui::TextUnformatted(share.c_str());
+      ImGui::PopStyleColor();
+      tooltip(gui, "All of these large disks would make the window slow. Snapshots and recordings have them all");
+    }
+    ImGui::PopClipRect();
+    ImGui::SameLine(chips_at);
+    chips.draw(chips_room);
+    if (has_counts) {
+      ImGui::SameLine(counts_at);
+      ImGui::TextUnformatted(count_text.c_str());
+    }
+    if (has_room) {
+      ImGui::SameLine(verdict_at - 14 * unit - ImGui::CalcTextSize(right_text.c_str()).x);
+      ImGui::TextDisabled("%s", right_text.c_str());
+    }
+    ImGui::SameLine(verdict_at);
+    verdict.draw();
+  }
+  ImGui::End();
+  ImGui::PopStyleVar(3);
+}
+
+}  // namespace mes

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A line at the bottom of the window: hint or last message, work in progress, counts, coordinates.
+#pragma once
+
+#include "app/canvas/canvas.h"
+#include "app/editing/editor.h"
+#include "app/insight/computation_control.h"
+#include "app/model/messages.h"
+#include "app/panels/bars/verdict.h"
+#include "app/panels/bars/work_in_progress.h"
+#include "app/picture/picture.h"
+#include "app/ui/widgets.h"
+
+namespace mes {
+
+struct StatusBar {
+  const Gui& gui;
+  const Editor& editor;
+  const Canvas& canvas;
+  const Picture& picture;
+  ComputationControl& computation;
+  Messages& messages;
+  WorkInProgress work;
+  Verdict verdict;
+
+  /// Height in screen coordinates.
+  float height() const;
+  void draw(const PanelArea& area) const;
+};
+
+}  // namespace mes

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/bars/verdict.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
+
+#include "app/editing/neighborhood.h"
+#include "app/layers/verdict_word.h"
+#include "app/panels/bars/work_in_progress.h"
+#include "app/ui/theme.h"
+#include "app/ui/widgets.h"
+
+namespace mes {
+namespace {
+
+ImU32 mood_color(const ThemeColors& colors, VerdictWord::Mood mood) {
+  switch (mood) {
+    case VerdictWord::Mood::good: return colors.good;
+    case VerdictWord::Mood::doubtful: return colors.doubtful;
+    case VerdictWord::Mood::wrong: return colors.wrong;
+    case VerdictWord::Mood::warning: return colors.warning;
+    case VerdictWord::Mood::quiet: break;
+  }
+  return colors.border;
+}
+
+Checking checking_of(const Verdict& verdict) {
+  const EngineStatus status = verdict.engine.status();
+  const bool is_outdated = verdict.picture.is_outdated();
+  if (status.cancelled) return Checking::cancelled;
+  if (is_outdated || (status.busy && status.busy_ms >= kShownAfterMs)) return Checking::under_way;
+  return Checking::done;
+}
+
+VerdictWord word_of(const Verdict& verdict) {
+  return verdict_word(light_of(verdict.picture.nodes()), verdict.picture.lacks_memory(), checking_of(verdict));
+}
+
+constexpr float kChoiceWidth = 118;
+constexpr float kLightWidth = 134;
+// The width of a summary, such as "epsilon 0.0123" or "epsilon 0.241 (4 corners exempt)", is rounded up to a multiple
+// of this, so that nothing moves while the number changes.
+constexpr float kSummaryWidth = 104;
+
+float summary_width(const Gui& gui, std::string_view summary) {
+  if (summary.empty()) return 0.0F;
+  const float width = ImGui::CalcTextSize(summary.data(), summary.data() + summary.size()).x / gui.unit();
+  return kSummaryWidth * std::ceil(width / kSummaryWidth);
+}
+
+std::string_view summary_of(const Verdict& verdict) {
+  for (const NodeReport& node : verdict.picture.nodes())
+    for (const Finding& finding : node.findings)
+      if (!finding.summary.empty()) return finding.summary;
+  return {};
+}
+
+void draw_choice(const Verdict& verdict) {
+  const float unit = verdict.gui.unit();
+  const PrecisionDescriptor& now = kPrecisionDescriptors[static_cast<std::size_t>(verdict.computation.precision)];
+  ImGui::SetNextItemWidth(kChoiceWidth * unit);
+  if (ImGui::BeginCombo("##precision", now.name.data(), ImGuiComboFlags_HeightLarge)) {
+    for (std::size_t i = 0; i < kPrecisions; ++i) {
+      const PrecisionDescriptor& descriptor = kPrecisionDescriptors[i];
+      const auto id = static_cast<ActionId>(static_cast<std::size_t>(ActionId::precision_naive) + i);
+      if (ImGui::Selectable(descriptor.name.data(), descriptor.precision == now.precision)) verdict.actions.run(id);
+      tooltip(verdict.gui, std::string(descriptor.explanation));
+    }
+    ImGui::EndCombo();
+  } else {
+    tooltip(verdict.gui, "Number type: " + std::string(now.explanation));
+  }
+}
+
+void show_place(const Verdict& verdict, Vec2 place) {
+  verdict.canvas.view().fit(neighborhood_of(verdict.document, place), 0.0);
+}
+
+void draw_reasons(const Verdict& verdict) {
+  const float unit = verdict.gui.unit();
+  static constexpr float kWidth = 380;
+  bool gives_reasons = false;
+  for (const NodeReport& node : verdict.picture.nodes()) {
+    if (node.state == NodeState::failed) {
+      gives_reasons = true;
+      ImGui::PushTextWrapPos(kWidth * unit);
+      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(verdict.gui.colors().warning), "Failed: %s. %s",
+                         structure_name(node.structure).c_str(), node.reason.c_str());
+      ImGui::PopTextWrapPos();
+    }
+    for (std::size_t i = 0; i < node.findings.size(); ++i) {
+      const Finding& finding = node.findings[i];
+      gives_reasons = gives_reasons || finding.level != FindingLevel::note;
+      ImGui::PushID(node.structure.c_str());
+      ImGui::PushID(static_cast<int>(i));
+      const ImVec2 at = ImGui::GetCursorScreenPos();
+      ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()},
+                                                  4 * unit, mood_color(verdict.gui.colors(), mood_of(finding.level)));
+      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
+      ImGui::PushTextWrapPos(kWidth * unit);
+      ImGui::TextUnformatted(text_of(finding, node.structure).c_str());
+      ImGui::PopTextWrapPos();
+      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
+      constexpr std::size_t kShown = 8;
+      for (std::size_t k = 0; k < std::min(finding.places.size(), kShown); ++k) {
+        if (k > 0) ImGui::SameLine(0, 4 * unit);
+        if (ImGui::SmallButton(std::to_string(k + 1).c_str())) show_place(verdict, finding.places[k]);
+        tooltip(verdict.gui, "Show this place");
+      }
+      if (static_cast<std::size_t>(finding.count) > std::min(finding.places.size(), kShown) &&
+          !finding.places.empty()) {
+        ImGui::SameLine();
+        ImGui::TextDisabled("and more");
+      }
+      ImGui::PopID();
+      ImGui::PopID();
+      ImGui::Dummy({0, 2 * unit});
+    }
+  }
+  if (gives_reasons) return;
+  const std::string meaning(word_of(verdict).meaning);
+  ImGui::PushTextWrapPos(kWidth * unit);
+  ImGui::TextUnformatted(meaning.c_str());
+  ImGui::PopTextWrapPos();
+}
+
+}  // namespace
+
+float Verdict::width() const {
+  return (kChoiceWidth + kLightWidth + summary_width(gui, summary_of(*this)) + 12) * gui.unit();
+}
+
+void Verdict::draw() const {
+  const float unit = gui.unit();
+  draw_choice(*this);
+  ImGui::SameLine(0, 10 * unit);
+  const VerdictWord look = word_of(*this);
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetFrameHeight();
+  const std::string_view summary = summary_of(*this);
+  const float light_width = (kLightWidth + summary_width(gui, summary)) * unit;
+  if (hit_area("##light", {light_width, height})) ImGui::OpenPopup("##reasons");
+  if (ImGui::IsItemHovered()) {
+    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + light_width, at.y + height}, gui.colors().accent_soft,
+                                              4 * unit);
+  }
+  tooltip(gui, std::string(look.meaning));
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 9 * unit, at.y + 0.5F * height}, 5 * unit,
+                                              mood_color(gui.colors(), look.mood));
+  ImGui::GetWindowDrawList()->AddText({at.x + 20 * unit, at.y + 0.5F * (height - ImGui::GetTextLineHeight())},
+                                      gui.colors().text, look.word.data(), look.word.data() + look.word.size());
+  if (!summary.empty()) {
+    const ImVec2 summary_at{at.x + kLightWidth * unit, at.y + 0.5F * (height - ImGui::GetTextLineHeight())};
+    ImGui::GetWindowDrawList()->AddText(summary_at, gui.colors().text, summary.data(),
+                                        summary.data() + summary.size());
+  }
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 8 * unit});
+  if (begin_popup(gui, "##reasons")) {
+    draw_reasons(*this);
+    ImGui::EndPopup();
+  }
+  ImGui::PopStyleVar();
+}
+
+}  // namespace mes

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/dialogs/sample_maker.h"
+
+#include <fmt/core.h>
+#include <utility>
+
+#include "app/editing/selection.h"
+#include "app/panels/dialogs/sampling_controls.h"
+#include "app/ui/number_field.h"
+#include "app/ui/theme.h"
+#include "app/ui/widgets.h"
+
+namespace mes {
+
+void SampleMaker::set_uses(Make make, Waker wake) {
+  make_ = std::move(make);
+  making_.emplace(std::move(wake));
+}
+
+void SampleMaker::draw_facts(const Gui& gui) const {
+  const SampleMaking::Made* made = making_->made();
+  ImGui::PushTextWrapPos(0.0F);
+  if (made != nullptr && made->data) {
+    const std::size_t balls = made->data->balls.size();
+    const std::size_t samples = made->data->positions.size();
+    ImGui::TextDisabled("%s", counted(samples, balls).c_str());
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
+  if (made != nullptr) {
+    if (!made->data) ImGui::TextUnformatted(made->data.error().text.c_str());
+    for (const std::string& remark : made->remarks) ImGui::TextUnformatted(remark.c_str());
+  }
+  ImGui::PopStyleColor();
+  ImGui::PopTextWrapPos();
+}
+
+bool SampleMaker::draw_buttons(const Gui& gui, const std::string& name, const char* explanation) {
+  const float spacing = ImGui::GetStyle().ItemSpacing.x;
+  const ImVec2 size(0.5F * (ImGui::GetContentRegionAvail().x - spacing), 0);
+  ImGui::BeginDisabled(!making_->is_possible() || making_->is_accepted());
+  // A click after a refused number has no effect: the previous number is not used and the message stays.
+  if (default_button(gui, "Make", size, true) && refused_number().empty()) making_->accept();
+  ImGui::EndDisabled();
+  tooltip(gui, explanation);
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel", size)) return true;
+  if (!making_->is_accepted_and_ready()) return false;
+  make_(*making_->made()->data, name);
+  return true;
+}
+
+void SampleMaker::draw_preview(const Gui& gui) const {
+  const SampleMaking::Made* made = making_->made();
+  draw_sample_preview(gui, made != nullptr && made->data ? &*made->data : nullptr);
+}
+
+}  // namespace mes

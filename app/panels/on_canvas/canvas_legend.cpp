@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/on_canvas/canvas_legend.h"
+
+#include <cmath>
+
+#include "app/layers/scalar_words.h"
+#include "app/panels/on_canvas/paper_on_canvas.h"
+#include "app/picture/legend_place.h"
+
+namespace mes {
+
+std::optional<Box2> CanvasLegend::draw(const std::optional<PaperPlace>& place, ImVec2 origin,
+                                       const MarksPlace& marks) const {
+  std::vector<LegendEntry> entries = picture.legend(visible_layers(layers), scope);
+  for (LegendEntry& entry : entries) entry.scalar = spoken_scalar(entry.scalar);
+  const PlacedLegend legend =
+      place_legend(entries, measure_on_canvas(gui), 1.0,
+                   {.room = marks.room, .bar = marks.longest_bar, .place = place}, picture.canvas());
+  if (legend.drawing.is_empty()) return std::nullopt;
+  const float unit = gui.unit();
+  // Rounded to whole pixels, because a frame between pixels is blurred.
+  paint_on_canvas(gui, legend.drawing,
+                  {std::round(origin.x + static_cast<float>(legend.corner.x) * unit),
+                   std::round(origin.y + static_cast<float>(legend.corner.y) * unit)});
+  return Box2{legend.corner, legend.corner + Vec2{legend.drawing.width, legend.drawing.height}};
+}
+
+}  // namespace mes

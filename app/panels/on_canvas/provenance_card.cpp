@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/on_canvas/provenance_card.h"
+
+#include <algorithm>
+
+#include "app/panels/on_canvas/shape_pen.h"
+#include "app/picture/highlight_drawing.h"
+#include "app/ui/icons.h"
+#include "app/ui/theme.h"
+#include "app/ui/widgets.h"
+
+namespace mes {
+namespace {
+
+constexpr double kReachPx = 7.0;
+constexpr std::size_t kMostShapes = 4000;
+constexpr double kMarginPx = 160.0;  // margin around an element shown by a click on its row
+
+struct Look {
+  Rgb color;
+  float width;
+  const char* heading;
+};
+Look look_of(ProvenanceRole role) {
+  const Rgb color = highlight_color(role);
+  switch (role) {
+    case ProvenanceRole::itself: return {color, 3.5F, ""};
+    case ProvenanceRole::origin: return {color, 2.5F, "comes from"};
+    case ProvenanceRole::product: return {color, 2.0F, "leads to"};
+  }
+  return {color, 1.0F, ""};
+}
+
+// For an unbounded shape, the box of its beginning.
+Box2 box_of(const ProvenanceShape& shape) {
+  const auto& v = shape.values;
+  Box2 out;
+  switch (shape.kind) {
+    case PrimitiveKind::disk:
+    case PrimitiveKind::circle: return bounding_box_of(Disk{{v[0], v[1]}, v[2]});
+    case PrimitiveKind::arc:
+      out.add(Vec2{v[3], v[4]});
+      out.add(Vec2{v[5], v[6]});
+      return out;
+    case PrimitiveKind::triangle: out.add(Vec2{v[4], v[5]}); [[fallthrough]];
+    case PrimitiveKind::segment: out.add(Vec2{v[2], v[3]}); [[fallthrough]];
+    case PrimitiveKind::point:
+    case PrimitiveKind::ray:
+    case PrimitiveKind::line: out.add(Vec2{v[0], v[1]});
+  }
+  return out;
+}
+
+PenLook pen_look(const Gui& gui, ProvenanceRole role, bool is_dim) {
+  const Look look = look_of(role);
+  const PenMark mark = role == ProvenanceRole::itself   ? PenMark::dot
+                       : role == ProvenanceRole::origin ? PenMark::ring
+                                                        : PenMark::square;
+  return {to_imgui(look.color, is_dim ? 0.25 : 1.0), look.width * gui.unit(), mark};
+}
+
+}  // namespace
+
+ProvenanceQuestion question_at(const Pointer& pointer, const LayerStack& layers) {
+  ProvenanceQuestion out{0, pointer.world, kReachPx * pointer.units_per_px, main_layers(layers.visible_layers())};
+  std::ranges::reverse(out.layers);
+  return out;
+}
+
+void ProvenanceCard::ask(Engine& engine, const LayerStack& layers, ProvenanceQuestion question,
+                         const Editor& editor) {
+  question.ticket = ++ticket_;
+  is_asking_ = true;
+  asks_beneath_ = wants_beneath_ = false;
+  question_ = question;
+  layers_ = main_layers(layers.visible_layers());
+  std::ranges::reverse(layers_);
+  document_revision_ = editor.document().revision();
+  selection_revision_ = editor.selection().revision();
+  answer_.reset();
+  engine.ask(std::move(question));
+}
+
+void ProvenanceCard::take(Provenance answer) {
+  if (answer.ticket != ticket_) return;
+  is_asking_ = false;
+  if (std::exchange(asks_beneath_, false) && answer.lines.empty()) {
+    beneath_ = Beneath::nothing;
+    return;
+  }
+  answer_.reset();
+  if (!answer.lines.empty()) answer_ = std::move(answer);
+  pointed_at_ = 0;
+  beneath_ = answer_ && layers_beneath().empty() ? Beneath::no_layer : Beneath::unknown;
+}
+
+std::vector<VariantLayer> ProvenanceCard::layers_beneath() const {
+  const auto found = std::ranges::find(layers_, answer_->layer);
+  return found == layers_.end() ? std::vector<VariantLayer>() : std::vector<VariantLayer>(found + 1, layers_.end());
+}
+
+void ProvenanceCard::ask_beneath(Engine& engine) {
+  if (!std::exchange(wants_beneath_, false) || !answer_ || is_asking_) return;
+  question_.layers = layers_beneath();
+  question_.ticket = ++ticket_;
+  is_asking_ = asks_beneath_ = true;
+  engine.ask(question_);
+}
+
+bool ProvenanceCard::clear() {
+  ++ticket_;  // makes an answer under way outdated
+  is_asking_ = false;
+  return std::exchange(answer_, {}).has_value();
+}
+
+void ProvenanceCard::draw_shapes(const Gui& gui, const Canvas& canvas) const {
+  std::size_t shapes = 0;
+  // Draws the element itself last, on top of the others.
+  for (std::size_t i = answer_->lines.size(); i-- > 0;) {
+    const ProvenanceLine& line = answer_->lines[i];
+    const ShapePen pen(gui, {canvas.view().camera()}, canvas.content_scale(),
+                       pen_look(gui, line.role, pointed_at_ != 0 && pointed_at_ != i + 1));
+    for (const ProvenanceShape& shape : line.shapes)
+      if (++shapes <= kMostShapes) pen.draw(shape);
+  }
+}
+
+ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, const LayerStack& layers, float width,
+                                                     const std::string& keep_key) {
+  const float unit = gui.unit();
+  const ImVec2 at = ImGui::GetCursorPos();
+  const float keep_width = ImGui::CalcTextSize("Keep").x + 8 * unit;
+  hit_area("head", {width - 48 * unit - keep_width, ImGui::GetTextLineHeight()});
+  if (ImGui::IsItemActive()) {
+    moved_.x += ImGui::GetIO().MouseDelta.x;
+    moved_.y += ImGui::GetIO().MouseDelta.y;
+  }
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+  tooltip(gui, "Drag to move this card");
+  ImGui::SetCursorPos(at);
+  ImGui::TextDisabled("%s", std::string(layers.descriptor(answer_->layer.layer).name).c_str());
+  HeadClicks out;
+  ImGui::SameLine(width - 38 * unit - keep_width);
+  ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4 * unit, 0.0F});
+  out.kept = ImGui::Button("Keep");
+  ImGui::PopStyleVar();
+  tooltip(gui, "Keep all of this highlighted, as an annotation" + (keep_key.empty() ? "" : " (" + keep_key + ')') +
+                   "; Shift+click on a row: that alone");
+  ImGui::SameLine(width - 30 * unit);
+  out.closed = icon_button("close", Icon::close, ImGui::GetTextLineHeight());
+  tooltip(gui, "Close (Esc)");
+  return out;
+}
+
+std::optional<std::size_t> ProvenanceCard::draw_lines(const Gui& gui, float width) {
+  const float unit = gui.unit();
+  std::optional<std::size_t> clicked;
+  std::size_t pointed_at = 0;
+  ProvenanceRole heading = ProvenanceRole::itself;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (std::size_t i = 0; i < answer_->lines.size(); ++i) {
+    const ProvenanceLine& line = answer_->lines[i];
+    const Look look = look_of(line.role);
+    if (line.role != heading) {
+      heading = line.role;
+      ImGui::Dummy({0, 2 * unit});
+      ImGui::TextDisabled("%s", look.heading);
+    }
+    const float wrap = width - 40 * unit;
+    const float height = ImGui::CalcTextSize(line.text.c_str(), nullptr, false, wrap).y;
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    ImGui::PushID(static_cast<int>(i));
+    const bool is_clicked = hit_area("line", {width - 20 * unit, height});
+    ImGui::PopID();
+    if (ImGui::IsItemHovered()) {
+      pointed_at = i + 1;
+      if (!line.shapes.empty())
+        list.AddRectFilled({at.x, at.y - 1 * unit}, {at.x + width - 20 * unit, at.y + height + 1 * unit},
+                           gui.colors().accent_faint, 3 * unit);
+    }
+    if (!line.shapes.empty()) tooltip(gui, "Click to show where it is; Shift+click to keep it highlighted");
+    if (is_clicked && !line.shapes.empty()) clicked = i;
+    const float r = 4.0F * unit;
+    const ImVec2 mark{at.x + 6 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()};
+    const ImU32 color = to_imgui(look.color);
+    if (line.role == ProvenanceRole::itself) list.AddCircleFilled(mark, r, color);
+    if (line.role == ProvenanceRole::origin) list.AddCircle(mark, r, color, 0, 2 * unit);
+    if (line.role == ProvenanceRole::product)
+      list.AddRect({mark.x - r, mark.y - r}, {mark.x + r, mark.y + r}, color, 0.0F, 0, 2 * unit);
+    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + 18 * unit, at.y}, gui.colors().text,
+                 line.text.c_str(), nullptr, wrap);
+  }
+  pointed_at_ = pointed_at;
+  return clicked;
+}
+
+void ProvenanceCard::draw_rows(const Gui& gui, float width) {
+  if (answer_->rows.empty()) return;
+  const float unit = gui.unit();
+  const auto title = [](const ProvenanceRow& row) { return "Row " + std::to_string(row.row) + " of " + row.table; };
+  ImGui::Dummy({0, 2 * unit});
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float height = ImGui::GetTextLineHeight();
+  if (hit_area("rows", {width - 20 * unit, height})) shows_rows_ = !shows_rows_;
+  tooltip(gui, shows_rows_ ? "Fold the row away" : "Show the values that the tables have here");
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  draw_fold(list, {at.x + 6 * unit, at.y + 0.5F * height}, 4 * unit, shows_rows_, gui.colors().text_quiet);
+  list.AddText({at.x + 18 * unit, at.y}, gui.colors().text_quiet, title(answer_->rows.front()).c_str());
+  if (!shows_rows_) return;
+  ImGui::Indent(18 * unit);
+  for (const ProvenanceRow& row : answer_->rows) {
+    if (&row != &answer_->rows.front()) ImGui::TextDisabled("%s", title(row).c_str());
+    ImGui::Indent(12 * unit);
+    for (const ProvenanceRow::Value& value : row.values) {
+      ImGui::TextDisabled("%s", value.name.c_str());
+      tooltip(gui, value.description);
+      ImGui::SameLine(150 * unit);
+      ImGui::PushTextWrapPos(width - 10 * unit);
+      ImGui::TextUnformatted(value.text.c_str());
+      ImGui::PopTextWrapPos();
+    }
+    ImGui::Unindent(12 * unit);
+  }
+  ImGui::Unindent(18 * unit);
+}
+
+void ProvenanceCard::draw_foot(const Gui& gui) {
+  if (ImGui::SmallButton("Select the samples")) wants_sources_ = true;
+  tooltip(gui, "Select the samples, or balls, that this is or comes from");
+  if (beneath_ == Beneath::no_layer) return;
+  ImGui::SameLine();
+  if (beneath_ == Beneath::nothing) {
+    ImGui::TextDisabled("Nothing lies beneath");
+    return;
+  }
+  if (ImGui::SmallButton("Beneath")) wants_beneath_ = true;
+  tooltip(gui, "Show what lies here in the layers below this one");
+}
+
+bool ProvenanceCard::is_of(const Editor& editor) const {
+  return editor.document().revision() == document_revision_ && editor.selection().revision() == selection_revision_;
+}
+
+std::optional<ProvenanceCard::Keep> ProvenanceCard::draw(const Gui& gui, Canvas& canvas, const Editor& editor,
+                                                         const LayerStack& layers, ImVec2 corner, ImVec2 room,
+                                                         const std::string& keep_key) {
+  if (answer_ && !is_of(editor)) clear();
+  if (!answer_) return std::nullopt;
+  draw_shapes(gui, canvas);
+  const float unit = gui.unit();
+  const float width = std::min(390 * unit, room.x);
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  // The header must stay in the window.
+  moved_.x = std::clamp(moved_.x, -corner.x, std::max(-corner.x, screen.x - width - corner.x));
+  moved_.y = std::clamp(moved_.y, 60 * unit - corner.y, std::max(60 * unit - corner.y, screen.y - corner.y));
+  ImGui::SetNextWindowPos({corner.x + moved_.x, corner.y + moved_.y}, ImGuiCond_Always, {0.0F, 1.0F});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, room.y});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 8 * unit});
+  ImGui::Begin("##provenance", nullptr,
+               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
+  const float inside = width - (ImGui::GetScrollMaxY() > 0.0F ? ImGui::GetStyle().ScrollbarSize : 0.0F);
+  const HeadClicks head = draw_head(gui, layers, inside, keep_key);
+  const std::optional<std::size_t> clicked = draw_lines(gui, inside);
+  draw_rows(gui, inside);
+  draw_foot(gui);
+  ImGui::End();
+  ImGui::PopStyleVar();
+  if (head.kept) return Keep{};
+  if (clicked && ImGui::GetIO().KeyShift) return Keep{clicked};
+  if (clicked) {
+    Box2 box;
+    for (const ProvenanceShape& shape : answer_->lines[*clicked].shapes) box.add(box_of(shape));
+    canvas.view().fit(box, kMarginPx * canvas.content_scale());
+  }
+  if (head.closed) clear();
+  return std::nullopt;
+}
+
+}  // namespace mes

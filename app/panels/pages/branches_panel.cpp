@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/pages/branches_panel.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/panels/on_canvas/shape_pen.h"
+#include "app/ui/theme.h"
+#include "app/ui/widgets.h"
+#include "core/base/color.h"
+#include "imgui_stdlib.h"
+
+namespace mes {
+namespace {
+
+struct Column {
+  BranchColumn column;
+  const char* title;
+  const char* explanation;
+};
+constexpr std::array<Column, kBranchColumns> kColumns{
+    {{BranchColumn::number, "#", "Number: 1 is the longest branch"},
+     {BranchColumn::from, "from", "Where it begins: a leaf, a junction of three or more, or where the filter cuts"},
+     {BranchColumn::to, "to", "Where it ends"},
+     {BranchColumn::length, "length", "Length of the branch"},
+     {BranchColumn::radius_least, "r min", "Least radius of the balls along it"},
+     {BranchColumn::radius_mean, "r mean", "Radius of the balls along it, averaged over its length"},
+     {BranchColumn::radius_largest, "r max", "Largest radius of the balls along it"},
+     {BranchColumn::lambda, "lambda", "Largest lambda along it"},
+     {BranchColumn::angle, "angle", "Largest object angle along it, in degrees"}}};
+
+constexpr std::array<const char*, kBranchAxes.size()> kAxes{"Whole axis", "Lambda axis", "Angle axis", "Cover axis"};
+constexpr std::size_t kBins = 96;
+constexpr float kHistogramHeight = 64.0F;  // logical pixels
+constexpr float kLeastTable = 150.0F;
+constexpr std::size_t kMostBranchSegments = 20'000;
+
+std::string cell_text(const AxisBranch& branch, std::size_t row, BranchColumn column) {
+  switch (column) {
+    case BranchColumn::number: return std::to_string(row + 1);
+    case BranchColumn::from: return std::string(name_of(branch.from.kind));
+    case BranchColumn::to: return std::string(name_of(branch.to.kind));
+    default: return fmt::format("{:.4g}", number_in(branch, row, column));
+  }
+}
+
+}  // namespace
+
+void BranchesPanel::refresh_rows() {
+  rows_of_ = uses_.desk.table();
+  rows_ =
+      rows_of_ != nullptr ? mes::rows_of(*rows_of_, filter_, sorted_by_, is_descending_) : std::vector<std::size_t>{};
+}
+
+void BranchesPanel::draw() {
+  const Document& document = uses_.editor.document();
+  const bool is_new = uses_.desk.follow({document.revision(), uses_.computation.settings(), axis_, measures_area_},
+                                        [&document] { return data_of(document); });
+  if (is_new || rows_of_ != uses_.desk.table()) {
+    histogram_table_ = nullptr;
+    refresh_rows();
+  }
+  draw_choices();
+  if (uses_.desk.table() == nullptr) {
+    ImGui::TextDisabled("%s", uses_.desk.problem().empty() ? "Computing the branches" : uses_.desk.problem().c_str());
+    return;
+  }
+  if (!uses_.desk.problem().empty()) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextUnformatted(uses_.desk.problem().c_str());
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  pointed_at_.reset();
+  // In a low panel the table keeps some rows, and histogram and table scroll together.
+  if (ImGui::BeginChild("##branches")) {
+    draw_histogram();
+    draw_table();
+  }
+  ImGui::EndChild();
+  if (!uses_.desk.is_current()) return;
+  if (const auto chosen = uses_.desk.chosen()) draw_branch(*chosen, true);
+  if (pointed_at_ && pointed_at_ != uses_.desk.chosen()) draw_branch(*pointed_at_, false);
+}
+
+void BranchesPanel::draw_choices() {
+  const float unit = uses_.gui.unit();
+  ImGui::SetNextItemWidth(110 * unit);
+  if (ImGui::BeginCombo("##axis", kAxes[static_cast<std::size_t>(axis_)])) {
+    for (const BranchAxis axis : kBranchAxes)
+      if (ImGui::Selectable(kAxes[static_cast<std::size_t>(axis)], axis == axis_)) axis_ = axis;
+    ImGui::EndCombo();
+  }
+  tooltip(uses_.gui, "The axis whose branches are listed; the filters have their limits among the parameters");
+  ImGui::SameLine(0, 4 * unit);
+  const char* const export_label = "Export...";
+  const float button = ImGui::CalcTextSize(export_label).x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetNextItemWidth(std::max(50 * unit, ImGui::GetContentRegionAvail().x - button - 4 * unit));
+  if (ImGui::InputTextWithHint("##filter", "Filter: length>1 leaf", &filter_text_)) {
+    const auto parsed = BranchFilter::parse(filter_text_);
+    filter_problem_ = parsed ? std::string() : parsed.error().message();
+    filter_ = parsed ? *parsed : BranchFilter();
+    refresh_rows();
+  }
+  tooltip(uses_.gui,
+          filter_problem_.empty()
+              ? "Only branches that meet all of these: length, radius (mean), least, largest, lambda, angle "
+                "with <, <=, >, >= and a number; leaf, junction, cut or none for the kind of an end"
+              : filter_problem_);
+  ImGui::SameLine(0, 4 * unit);
+  ImGui::BeginDisabled(!uses_.desk.is_current() || !uses_.export_csv);
+  if (ImGui::Button(export_label)) uses_.export_csv(branches_as_csv(uses_.desk.table()->branches));
+  ImGui::EndDisabled();
+  tooltip(uses_.gui, "Write all branches to a file as CSV, as mesecina branches does");
+  if (!filter_problem_.empty()) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(to_imgui(palette::vermilion)), "%s", filter_problem_.c_str());
+    ImGui::PopTextWrapPos();
+  }
+  ImGui::Checkbox("Share of the shape", &measures_area_);
+  tooltip(
+      uses_.gui,
+      "How much of the shape, which is the triangles inside, the balls along what is kept hold. Their union takes "
+      "much longer than the table");
+}
+
+// Bar heights show lengths of the axis. The limit of lambda is a line that can be dragged.
+void BranchesPanel::draw_histogram() {
+  const float unit = uses_.gui.unit();
+  const BranchTable& table = *uses_.desk.table();
+  if (histogram_table_ != &table || histogram_is_of_lambda_ != shows_lambda_) {
+    histogram_table_ = &table;
+    histogram_is_of_lambda_ = shows_lambda_;
+    histogram_ = histogram_of(shows_lambda_ ? table.lambdas : table.radii, kBins);
+  }
+  if (ImGui::RadioButton("Lambda", shows_lambda_)) shows_lambda_ = true;
+  tooltip(uses_.gui, "How much of the whole axis has which lambda; drag the line to set the limit");
+  ImGui::SameLine(0, 8 * unit);
+  if (ImGui::RadioButton("Radius", !shows_lambda_)) shows_lambda_ = false;
+  tooltip(uses_.gui, "How much of the whole axis has balls of which radius");
+  if (histogram_.lengths.empty()) return;
+
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x), kHistogramHeight * unit};
+  hit_area("histogram", size);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 3 * unit);
+  const double most = *std::ranges::max_element(histogram_.lengths);
+  const float step = size.x / static_cast<float>(histogram_.lengths.size());
+  ComputationSettings settings = uses_.computation.settings();
+  double& limit = settings[Parameter::lambda_limit];
+  const double bin = histogram_.high / static_cast<double>(histogram_.lengths.size());
+  for (std::size_t i = 0; i < histogram_.lengths.size(); ++i) {
+    if (!(histogram_.lengths[i] > 0.0)) continue;
+    // Square roots keep short parts, such as spurious branches, visible beside long ones.
+    const float height = std::max(unit, size.y * static_cast<float>(std::sqrt(histogram_.lengths[i] / most)));
+    const float left = at.x + step * static_cast<float>(i);
+    const bool is_below = shows_lambda_ && bin * static_cast<double>(i + 1) <= limit;
+    list.AddRectFilled({left, at.y + size.y - height}, {left + std::max(1.0F, step - 1.0F), at.y + size.y},
+                       to_imgui(palette::vermilion, is_below ? 0.3 : 0.85));
+  }
+  const auto value_at = [&](float x) {
+    return histogram_.high * std::clamp(static_cast<double>((x - at.x) / size.x), 0.0, 1.0);
+  };
+  const float mouse = ImGui::GetIO().MousePos.x;
+  if (shows_lambda_) {
+    if (ImGui::IsItemActive()) {
+      limit = value_at(mouse);
+      if (settings != uses_.computation.settings()) uses_.computation.set(settings);
+    }
+    const float x = at.x + size.x * static_cast<float>(std::min(1.0, limit / histogram_.high));
+    list.AddLine({x, at.y}, {x, at.y + size.y}, uses_.gui.colors().text, 2 * unit);
+    if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  }
+  if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
+    const auto i = std::min(histogram_.lengths.size() - 1, static_cast<std::size_t>(value_at(mouse) / bin));
+    ImGui::SetTooltip("%s %.4g to %.4g: length %.4g", shows_lambda_ ? "lambda" : "radius",
+                      bin * static_cast<double>(i), bin * static_cast<double>(i + 1), histogram_.lengths[i]);
+  }
+  const std::string low = shows_lambda_ ? fmt::format("limit {:.4g}", limit) : std::string("0");
+  const std::string high = fmt::format("{:.4g}", histogram_.high);
+  ImGui::TextDisabled("%s", low.c_str());
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(high.c_str()).x);
+  ImGui::TextDisabled("%s", high.c_str());
+}
+
+void BranchesPanel::draw_table() {
+  const BranchTable& table = *uses_.desk.table();
+  const bool is_current = uses_.desk.is_current();
+  if (table.branches.empty()) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextDisabled("No branch: %s", table.reason.c_str());
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextDisabled("%s", fmt::format("Kept: {}{}", kept_in_words(table), is_current ? "" : "; computing").c_str());
+  ImGui::PopTextWrapPos();
+  if (rows_.size() != table.branches.size())
+    ImGui::TextDisabled("%s",
+                        fmt::format("{} of {} branches are listed", rows_.size(), table.branches.size()).c_str());
+  ImGui::PushStyleVar(ImGuiStyleVar_Alpha, ImGui::GetStyle().Alpha * (is_current ? 1.0F : 0.5F));
+  constexpr ImGuiTableFlags kFlags = ImGuiTableFlags_Sortable | ImGuiTableFlags_RowBg | ImGuiTableFlags_ScrollX |
+                                     ImGuiTableFlags_ScrollY | ImGuiTableFlags_SizingFixedFit |
+                                     ImGuiTableFlags_NoSavedSettings | ImGuiTableFlags_Resizable;
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  if (ImGui::BeginTable("branches", static_cast<int>(kColumns.size()), kFlags,
+                        {0.0F, std::max(room.y, kLeastTable * uses_.gui.unit())})) {
+    ImGui::TableSetupScrollFreeze(1, 1);
+    for (const Column& column : kColumns) {
+      ImGuiTableColumnFlags flags = ImGuiTableColumnFlags_None;
+      if (column.column == BranchColumn::length)
+        flags |= ImGuiTableColumnFlags_DefaultSort | ImGuiTableColumnFlags_PreferSortDescending;
+      ImGui::TableSetupColumn(column.title, flags);
+    }
+    ImGui::TableNextRow(ImGuiTableRowFlags_Headers);
+    for (std::size_t i = 0; i < kColumns.size(); ++i) {
+      ImGui::TableSetColumnIndex(static_cast<int>(i));
+      ImGui::TableHeader(kColumns[i].title);
+      tooltip(uses_.gui, kColumns[i].explanation);
+    }
+    ImGuiTableSortSpecs* const specs = ImGui::TableGetSortSpecs();
+    if (specs != nullptr && specs->SpecsDirty && specs->SpecsCount > 0) {
+      sorted_by_ = kColumns[static_cast<std::size_t>(specs->Specs[0].ColumnIndex)].column;
+      is_descending_ = specs->Specs[0].SortDirection == ImGuiSortDirection_Descending;
+      specs->SpecsDirty = false;
+      refresh_rows();
+    }
+    // Scrolls to a branch that was chosen on the canvas.
+    const auto chosen = uses_.desk.chosen();
+    if (chosen != shown_chosen_) {
+      shown_chosen_ = chosen;
+      const auto at = chosen ? std::ranges::find(rows_, *chosen) : rows_.end();
+      if (at != rows_.end())
+        ImGui::SetScrollY(
+            std::max(0.0F, ImGui::GetTextLineHeightWithSpacing() * static_cast<float>(at - rows_.begin()) -
+                               0.5F * ImGui::GetWindowHeight()));
+    }
+    ImGuiListClipper clipper;
+    clipper.Begin(static_cast<int>(rows_.size()));
+    while (clipper.Step())
+      for (int i = clipper.DisplayStart; i < clipper.DisplayEnd; ++i) draw_row(rows_[static_cast<std::size_t>(i)]);
+    ImGui::EndTable();
+  }
+  ImGui::PopStyleVar();
+}
+
+void BranchesPanel::draw_row(std::size_t row) {
+  const BranchTable& table = *uses_.desk.table();
+  const AxisBranch& branch = table.branches[row];
+  ImGui::TableNextRow();
+  for (std::size_t i = 0; i < kColumns.size(); ++i) {
+    ImGui::TableSetColumnIndex(static_cast<int>(i));
+    const std::string text = cell_text(branch, row, kColumns[i].column);
+    if (i != 0) {
+      ImGui::TextUnformatted(text.c_str());
+      continue;
+    }
+    const bool is_chosen = uses_.desk.chosen() == row;
+    // Keeps the look of the chosen row even under the pointer.
+    if (is_chosen) ImGui::PushStyleColor(ImGuiCol_HeaderHovered, uses_.gui.colors().accent_soft);
+    const bool is_clicked = ImGui::Selectable(
+        text.c_str(), is_chosen, ImGuiSelectableFlags_SpanAllColumns | ImGuiSelectableFlags_AllowDoubleClick);
+    if (is_chosen) ImGui::PopStyleColor();
+    if (is_clicked) {
+      const bool is_double = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+      uses_.desk.choose(is_chosen && !is_double ? std::nullopt : std::optional(row));
+      shown_chosen_ = uses_.desk.chosen();
+      if (is_double) {
+        constexpr double kMarginPx = 120.0;
+        Box2 box;
+        for (const Vec2 p : table.lines[row]) box.add(p);
+        uses_.canvas.view().fit(box, kMarginPx * uses_.canvas.content_scale());
+      }
+    }
+    if (ImGui::IsItemHovered()) pointed_at_ = row;
+  }
+}
+
+void BranchesPanel::draw_branch(std::size_t row, bool is_chosen) const {
+  const float unit = uses_.gui.unit();
+  const std::vector<Vec2>& line = uses_.desk.table()->lines[row];
+  const ShapePen pen(
+      uses_.gui, {uses_.canvas.view().camera()}, uses_.canvas.content_scale(),
+      {to_imgui(palette::blue, is_chosen ? 1.0 : 0.55), (is_chosen ? 5.0F : 4.0F) * unit, PenMark::ring});
+  // Draws a longer branch with every other point, or fewer.
+  const std::size_t stride = line.size() / kMostBranchSegments + 1;
+  Vec2 from = line.front();
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    if (i % stride != 0 && i + 1 != line.size()) continue;
+    pen.draw({PrimitiveKind::segment, {from.x, from.y, line[i].x, line[i].y}});
+    from = line[i];
+  }
+  for (const Vec2 end : {line.front(), line.back()}) pen.draw({PrimitiveKind::point, {end.x, end.y}});
+}
+
+}  // namespace mes

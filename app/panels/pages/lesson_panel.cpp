@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/pages/lesson_panel.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+
+#include "app/picture/caption_text.h"
+#include "app/playing/lesson_walk.h"
+#include "app/ui/icons.h"
+#include "app/ui/number_field.h"
+#include "app/ui/widgets.h"
+#include "imgui_stdlib.h"
+
+namespace mes {
+namespace {
+
+constexpr float kLeastOfSteps = 44.0F;  // logical pixels
+constexpr float kLeastOfCaption = 48.0F;
+constexpr float kCaptionShare = 0.45F;
+
+std::string name_of_step(const LessonStep& step) {
+  const std::string name = name_of(caption_text(step.caption));
+  return name.empty() ? "(no caption)" : name;
+}
+
+}  // namespace
+
+// Typed text enters the lesson when its field is left, so that it is one change.
+void LessonPanel::draw() {
+  if (actions_.is_checked(ActionId::present_lesson)) {
+    ImGui::TextDisabled("The lesson is being presented");
+    return;
+  }
+  const std::optional<std::size_t> chosen = desk_.chosen();
+  if (shown_ != desk_.lesson() || caption_of_ != chosen) {
+    shown_ = desk_.lesson();
+    caption_of_ = chosen;
+    title_ = shown_.title;
+    caption_ = chosen ? shown_.steps[*chosen].caption : std::string();
+  }
+  draw_head();
+  if (actions_.is_checked(ActionId::present_lesson)) return;
+  if (shown_.steps.empty()) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextDisabled(
+        "A step is a moment: the samples, the layers, the number type and the view as they are now. Bring about what "
+        "is to be seen, and mark it.");
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  const float unit = gui_.unit();
+  const float room = ImGui::GetContentRegionAvail().y;
+  const float between = ImGui::GetStyle().ItemSpacing.y;
+  const float buttons = ImGui::GetFrameHeightWithSpacing() + 3 * between;
+  const float caption = std::max(kLeastOfCaption * unit, kCaptionShare * room);
+  draw_steps(std::max(kLeastOfSteps * unit, chosen ? room - buttons - caption - between : room));
+  if (chosen) draw_chosen(caption);
+}
+
+void LessonPanel::draw_head() {
+  const float unit = gui_.unit();
+  ImGui::BeginDisabled(!actions_.is_enabled(ActionId::mark_step));
+  if (ImGui::Button("Mark a step")) actions_.run(ActionId::mark_step);
+  ImGui::EndDisabled();
+  tooltip(gui_, actions_.tooltip_of(ActionId::mark_step));
+  ImGui::SameLine(0, 4 * unit);
+  ImGui::BeginDisabled(!actions_.is_enabled(ActionId::present_lesson));
+  if (ImGui::Button("Present")) actions_.run(ActionId::present_lesson);
+  ImGui::EndDisabled();
+  tooltip(gui_, actions_.tooltip_of(ActionId::present_lesson));
+  const float size = ImGui::GetFrameHeight();
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - size);
+  if (icon_button("take-back", Icon::undo, size, ButtonLook::plain, desk_.can_take_back())) desk_.take_back();
+  tooltip(gui_, "Take the last change of the lesson back");
+  ImGui::SetNextItemWidth(-1.0F);
+  ImGui::InputTextWithHint("##title", "Title of the lesson", &title_);
+  if (ImGui::IsItemDeactivatedAfterEdit()) desk_.set_title(title_);
+}
+
+void LessonPanel::draw_steps(float height) {
+  if (ImGui::BeginChild("##steps", {0, height})) {
+    const std::optional<std::size_t> chosen = desk_.chosen();
+    for (std::size_t i = 0; i < shown_.steps.size(); ++i) {
+      ImGui::PushID(static_cast<int>(i));
+      const std::string name = fmt::format("{}. {}", i + 1, name_of_step(shown_.steps[i]));
+      const std::string seconds = fmt::format("{:.3g} s", seconds_of(shown_.steps[i]));
+      const float width = ImGui::GetContentRegionAvail().x;
+      const float right = ImGui::CalcTextSize(seconds.c_str()).x;
+      const float left = ImGui::GetCursorPosX();
+      if (ImGui::Selectable("##step", chosen == i)) desk_.choose(i);
+      ImGui::SameLine(left);
+      ImGui::TextUnformatted(elided(name, width - right - 12 * gui_.unit()).c_str());
+      ImGui::SameLine(left + width - right);
+      ImGui::TextDisabled("%s", seconds.c_str());
+      ImGui::PopID();
+    }
+  }
+  ImGui::EndChild();
+}
+
+void LessonPanel::draw_chosen(float height) {
+  ImGui::Separator();
+  draw_buttons();
+  ImGui::InputTextMultiline("##caption", &caption_, {-1.0F, height});
+  if (ImGui::IsItemDeactivatedAfterEdit()) desk_.set_caption(caption_);
+  tooltip(gui_, "# Heading, - item, **bold**, *italics*, $\\alpha^2$; an empty line begins a paragraph");
+}
+
+void LessonPanel::draw_buttons() {
+  const float unit = gui_.unit();
+  if (ImGui::Button("Mark again")) desk_.mark_again();
+  tooltip(gui_, "Make this step of what is shown now; its caption stays");
+  const auto move_button = [&](const char* id, ImGuiDir direction, int places, const char* explanation) {
+    ImGui::SameLine(0, 4 * unit);
+    ImGui::BeginDisabled(!desk_.can_move(places));
+    if (ImGui::ArrowButton(id, direction)) desk_.move(places);
+    ImGui::EndDisabled();
+    tooltip(gui_, explanation);
+  };
+  move_button("##up", ImGuiDir_Up, -1, "Show this step before the one above");
+  move_button("##down", ImGuiDir_Down, 1, "Show this step after the one below");
+  ImGui::SameLine(0, 4 * unit);
+  if (ImGui::Button("Remove")) {
+    desk_.remove();
+    return;
+  }
+  const std::optional<std::size_t> chosen = desk_.chosen();
+  if (!chosen) return;
+  ImGui::SameLine(0, 8 * unit);
+  ImGui::SetNextItemWidth(std::max(48 * unit, ImGui::GetContentRegionAvail().x));
+  double seconds = desk_.lesson().steps[*chosen].seconds;
+  if (number_field("##seconds", seconds, "%.3g s", NumberRange{0.0, kLongestLessonStep})) desk_.set_seconds(seconds);
+  tooltip(gui_, "How long it stays in a video; 0: as long as its caption needs to be read");
+}
+
+}  // namespace mes

@@ -1,0 +1,286 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/pages/persistence_panel.h"
+
+#include <fmt/core.h>
+#include <algorithm>
+#include <cmath>
+#include <ranges>
+#include <unordered_set>
+
+#include "app/panels/on_canvas/shape_pen.h"
+#include "app/ui/theme.h"
+#include "app/ui/widgets.h"
+#include "core/base/color.h"
+
+namespace mes {
+namespace {
+
+constexpr float kLeastDiagram = 120.0F;  // logical pixels
+constexpr float kReach = 6.0F;
+constexpr int kLinesOfWords = 2;
+constexpr std::size_t kMostDiagramSegments = 20'000;
+
+Rgb pair_color(const PersistenceRow& row) {
+  return row.is_hole ? palette::purple : palette::green;
+}
+
+}  // namespace
+
+void PersistencePanel::draw() {
+  const Document& document = uses_.editor.document();
+  draw_growths();
+  uses_.desk.follow(document, uses_.computation.settings());
+  draw_choices();
+  const PersistenceTable* const table = uses_.desk.table();
+  if (table == nullptr || (!uses_.desk.is_current() && !uses_.desk.problem().empty())) {
+    ImGui::PushTextWrapPos(0.0F);
+    ImGui::TextDisabled("%s",
+                        uses_.desk.problem().empty() ? "Computing births and deaths" : uses_.desk.problem().c_str());
+    ImGui::PopTextWrapPos();
+    return;
+  }
+  if (table->rows.empty()) {
+    ImGui::TextDisabled("%s", uses_.desk.growth() == GrowthOf::samples ? "No sample, so nothing is born"
+                                                                       : "No ball, so nothing is born");
+    return;
+  }
+  pointed_at_.reset();
+  draw_words();
+  draw_diagram();
+  draw_chosen();
+  if (!uses_.desk.is_current()) return;
+  if (const auto chosen = uses_.desk.chosen()) draw_places(*chosen, true);
+  if (pointed_at_ && pointed_at_ != uses_.desk.chosen()) draw_places(*pointed_at_, false);
+}
+
+void PersistencePanel::draw_growths() {
+  const Document& document = uses_.editor.document();
+  // Without samples only own balls can grow.
+  const bool has_only_balls = document.sample_count() == 0 && document.ball_count() != 0;
+  if (has_only_balls != had_only_balls_) uses_.desk.choose_growth(has_only_balls ? GrowthOf::own : GrowthOf::samples);
+  had_only_balls_ = has_only_balls;
+  const GrowthOf now = uses_.desk.growth();
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  if (ImGui::BeginCombo("##growth", std::string(title_of(now)).c_str())) {
+    for (const GrowthOf of : kGrowths)
+      if (ImGui::Selectable(std::string(title_of(of)).c_str(), of == now)) {
+        uses_.desk.choose(std::nullopt);
+        uses_.desk.choose_growth(of);
+      }
+    ImGui::EndCombo();
+  }
+  tooltip(uses_.gui,
+          "What grows: disks about the samples from radius 0 on, or the balls of a family, from radius r to "
+          "sqrt(r^2 + alpha-radius^2)");
+}
+
+void PersistencePanel::draw_choices() {
+  const float unit = uses_.gui.unit();
+  ImGui::Checkbox("Components", &shows_components_);
+  tooltip(uses_.gui,
+          "Show components, which are born at samples or balls and die where an edge joins them to older ones");
+  ImGui::SameLine(0, 8 * unit);
+  ImGui::Checkbox("Holes", &shows_holes_);
+  tooltip(uses_.gui, "Show holes, which an edge closes and a triangle fills");
+  ImGui::SameLine(0, 8 * unit);
+  ImGui::BeginDisabled(!uses_.desk.is_current() || !uses_.export_csv);
+  if (ImGui::Button("Export...")) uses_.export_csv(persistence_as_csv(*uses_.desk.table()));
+  ImGui::EndDisabled();
+  tooltip(uses_.gui, "Write all births and deaths to a file as CSV, as mesecina persistence does");
+}
+
+void PersistencePanel::draw_words() {
+  const PersistenceTable& table = *uses_.desk.table();
+  const double radius = uses_.computation.settings()[Parameter::alpha_radius];
+  if (alive_.table != uses_.desk.shared_table() || alive_.radius != radius) {
+    alive_ = {uses_.desk.shared_table(), radius, 0, 0};
+    const std::uint32_t ranks = table.ranks_within(radius);
+    for (const PersistenceRow& row : table.rows)
+      if (row.is_alive(ranks)) ++(row.is_hole ? alive_.holes : alive_.components);
+  }
+  const std::size_t components = alive_.components;
+  const std::size_t holes = alive_.holes;
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextDisabled("%s", fmt::format("Radius {:.4g}: {} {}, {} {}{}", radius, components,
+                                        components == 1 ? "component" : "components", holes,
+                                        holes == 1 ? "hole" : "holes", uses_.desk.is_current() ? "" : "; computing")
+                                .c_str());
+  ImGui::PopTextWrapPos();
+}
+
+// Drawn below the diagram, which would otherwise move under the pointer when the text takes another line.
+void PersistencePanel::draw_chosen() {
+  const auto chosen = uses_.desk.chosen();
+  const std::string words =
+      chosen ? in_words(uses_.desk.table()->rows[*chosen]) : std::string("Click on a point, or on its place");
+  ImGui::PushTextWrapPos(0.0F);
+  // Dear ImGui would break a line within a number, after its point.
+  for (std::size_t from = 0; from < words.size();) {
+    const std::size_t comma = words.find(", ", from);
+    const bool is_last = comma == std::string::npos;
+    const std::string part = words.substr(from, is_last ? comma : comma + 1 - from);
+    if (from != 0) {
+      const float space = ImGui::CalcTextSize(" ").x;
+      const float end = ImGui::GetItemRectMax().x + space + ImGui::CalcTextSize(part.c_str()).x;
+      if (end <= ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x) ImGui::SameLine(0, space);
+    }
+    ImGui::TextUnformatted(part.c_str());
+    from = is_last ? words.size() : comma + 2;
+  }
+  ImGui::PopTextWrapPos();
+}
+
+void PersistencePanel::place_dots(const Scale& scale) {
+  if (scale == scale_) return;
+  scale_ = {};
+  dots_.clear();
+  std::unordered_set<std::uint64_t> drawn;
+  const auto place = [&](double value) {
+    return scale.length * static_cast<float>(std::min(1.0, (value - scale.begin) / (scale.end - scale.begin)));
+  };
+  for (std::size_t i = 0; i < scale.table->rows.size(); ++i) {
+    const PersistenceRow& row = scale.table->rows[i];
+    if (!(row.is_hole ? scale.has_holes : scale.has_components)) continue;
+    const Dot dot{place(row.birth), place(row.death), i, row.is_hole};
+    const auto pixel = (static_cast<std::uint64_t>(dot.x) << 33U) | (static_cast<std::uint64_t>(dot.y) << 1U) |
+                       (row.is_hole ? 1U : 0U);
+    if (drawn.insert(pixel).second) dots_.push_back(dot);
+  }
+  scale_ = scale;
+}
+
+void PersistencePanel::draw_diagram() {
+  const float unit = uses_.gui.unit();
+  const PersistenceTable& table = *uses_.desk.table();
+  const ImVec2 room = ImGui::GetContentRegionAvail();
+  // Room for the numbers at the ends and the text about the chosen pair below.
+  const float below = (1 + kLinesOfWords) * ImGui::GetTextLineHeightWithSpacing();
+  const float size = std::max(kLeastDiagram * unit, std::min(room.x, room.y - below));
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  hit_area("diagram", {size, size});
+  const bool is_hovered = ImGui::IsItemHovered();
+  const bool is_pressed = ImGui::IsItemActivated();
+  const bool is_active = ImGui::IsItemActive();
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  list.AddRectFilled(at, {at.x + size, at.y + size}, ImGui::GetColorU32(ImGuiCol_FrameBg), 3 * unit);
+
+  // Pairs that never die are on the upper edge.
+  const float margin = 7 * unit;
+  const float inner = size - 2 * margin;
+  const double begin = 1.05 * table.least_birth;
+  const double end = table.largest_death > 0.0 ? 1.05 * table.largest_death : (begin < 0.0 ? -begin : 1.0);
+  const auto x_of = [&](double birth) {
+    return at.x + margin + inner * static_cast<float>(std::min(1.0, (birth - begin) / (end - begin)));
+  };
+  const auto y_of = [&](double death) {
+    return at.y + margin + inner * (1.0F - static_cast<float>(std::min(1.0, (death - begin) / (end - begin))));
+  };
+  ComputationSettings settings = uses_.computation.settings();
+  double& radius = settings[Parameter::alpha_radius];
+  // The area left of and above the radius contains the pairs alive at it.
+  list.AddRectFilled({at.x, at.y}, {x_of(radius), y_of(radius)}, ImGui::GetColorU32(ImGuiCol_Text, 0.07F));
+  const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
+  list.AddLine({x_of(begin), y_of(begin)}, {x_of(end), y_of(end)}, faint, unit);
+  if (begin < 0.0) {
+    list.AddLine({x_of(0.0), y_of(begin)}, {x_of(0.0), y_of(end)}, faint, unit);
+    list.AddLine({x_of(begin), y_of(0.0)}, {x_of(end), y_of(0.0)}, faint, unit);
+  }
+
+  const ImVec2 mouse = ImGui::GetIO().MousePos;
+  float nearest = kReach * unit;
+  place_dots({uses_.desk.shared_table(), inner, begin, end, shows_components_, shows_holes_});
+  const double opacity = uses_.desk.is_current() ? 0.9 : 0.4;
+  // Drawn in reverse, because the longest are first and must be on top.
+  for (const Dot& dot : dots_ | std::views::reverse) {
+    const ImVec2 p{at.x + margin + dot.x, at.y + margin + inner - dot.y};
+    const float away = std::hypot(p.x - mouse.x, p.y - mouse.y);
+    if (is_hovered && away <= nearest) {
+      nearest = away;
+      pointed_at_ = dot.row;
+    }
+    const ImU32 color = to_imgui(dot.is_hole ? palette::purple : palette::green, opacity);
+    const float half = 2.5F * unit;
+    if (dot.is_hole)
+      list.AddRectFilled({p.x - half, p.y - half}, {p.x + half, p.y + half}, color);
+    else
+      list.AddCircleFilled(p, half, color);
+  }
+  const auto mark = [&](std::size_t i, float width) {
+    const PersistenceRow& row = table.rows[i];
+    list.AddCircle({x_of(row.birth), y_of(row.death)}, 6 * unit, uses_.gui.colors().text, 0, width);
+  };
+  if (const auto chosen = uses_.desk.chosen()) mark(*chosen, 2 * unit);
+  if (pointed_at_) mark(*pointed_at_, unit);
+
+  if (is_pressed) {
+    is_dragging_ = !pointed_at_;
+    if (pointed_at_) {
+      uses_.desk.choose(uses_.desk.chosen() == pointed_at_ ? std::nullopt : pointed_at_);
+      if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
+        uses_.desk.choose(pointed_at_);
+        show(*pointed_at_);
+      }
+    }
+  }
+  if (is_active && is_dragging_) {
+    radius = std::max(
+        0.0, begin + (end - begin) * std::clamp(static_cast<double>((mouse.x - at.x - margin) / inner), 0.0, 1.0));
+    if (settings != uses_.computation.settings()) uses_.computation.set(settings);
+  }
+  const ImU32 text = uses_.gui.colors().text;
+  list.AddLine({x_of(radius), at.y}, {x_of(radius), y_of(radius)}, text, 2 * unit);
+  list.AddLine({at.x, y_of(radius)}, {x_of(radius), y_of(radius)}, text, unit);
+  if (is_hovered && !pointed_at_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (is_hovered && !is_active) {
+    if (pointed_at_)
+      ImGui::SetTooltip("%s", in_words(table.rows[*pointed_at_]).c_str());
+    else
+      ImGui::SetTooltip("Birth to the right, death upwards; drag to set the radius of the alpha complex%s",
+                        begin < 0.0 ? ". Left of the line at 0 is what the balls have before they grow" : "");
+  }
+  ImGui::TextDisabled("%s", begin < 0.0 ? fmt::format("{:.4g}", begin).c_str() : "0");
+  const std::string high = fmt::format("{:.4g}", end);
+  ImGui::SameLine(std::max(0.0F, size - ImGui::CalcTextSize(high.c_str()).x));
+  ImGui::TextDisabled("%s", high.c_str());
+}
+
+void PersistencePanel::show(std::size_t row) const {
+  constexpr double kMarginPx = 120.0;
+  const PersistenceRow& one = uses_.desk.table()->rows[row];
+  Box2 box;
+  box.add(one.place);
+  if (one.has_edge)
+    for (const Vec2 p : one.edge) box.add(p);
+  for (const auto& side : outline_of(*uses_.desk.table(), one)) box.add(side[0]);
+  uses_.canvas.view().fit(box, kMarginPx * uses_.canvas.content_scale());
+}
+
+void PersistencePanel::draw_places(std::size_t row, bool is_chosen) {
+  const float unit = uses_.gui.unit();
+  const PersistenceTable& table = *uses_.desk.table();
+  const PersistenceRow& one = table.rows[row];
+  if (outline_of_ != uses_.desk.shared_table() || outline_row_ != row) {
+    outline_of_ = uses_.desk.shared_table();
+    outline_row_ = row;
+    outline_ = outline_of(table, one);
+  }
+  const auto pen_of = [&](Rgb color, float width) {
+    return ShapePen(uses_.gui, {uses_.canvas.view().camera()}, uses_.canvas.content_scale(),
+                    {to_imgui(color, is_chosen ? 1.0 : 0.6), width * unit, PenMark::ring});
+  };
+  const ShapePen pen = pen_of(pair_color(one), is_chosen ? 4.0F : 3.0F);
+  const auto segment = [](const ShapePen& with, Vec2 a, Vec2 b) {
+    with.draw({PrimitiveKind::segment, {a.x, a.y, b.x, b.y}});
+  };
+  for (std::size_t i = 0; i < std::min(outline_.size(), kMostDiagramSegments); ++i)
+    segment(pen, outline_[i][0], outline_[i][1]);
+  if (one.is_hole) {
+    const auto& corner = table.triangles[one.triangle].corner;
+    const ShapePen fills = pen_of(palette::blue, 2.0F);
+    for (std::size_t i = 0; i < 3; ++i) segment(fills, corner[i], corner[(i + 1) % 3]);
+  }
+  if (one.has_edge) segment(pen_of(palette::orange, is_chosen ? 5.0F : 4.0F), one.edge[0], one.edge[1]);
+  pen.draw({PrimitiveKind::point, {one.place.x, one.place.y}});
+}
+
+}  // namespace mes

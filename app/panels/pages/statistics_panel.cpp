@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/pages/statistics_panel.h"
+
+#include <fmt/core.h>
+
+#include "app/layers/statistics_text.h"
+#include "app/ui/theme.h"
+#include "app/ui/widgets.h"
+#include "core/draw/variant.h"
+
+namespace mes {
+namespace {
+
+std::string readable(std::string key) {
+  for (char& c : key)
+    if (c == '_' || c == '-') c = ' ';
+  if (!key.empty() && key[0] >= 'a' && key[0] <= 'z') key[0] = static_cast<char>(key[0] - 'a' + 'A');
+  return key;
+}
+
+ImU32 state_color(const ThemeColors& colors, NodeState state) {
+  switch (state) {
+    case NodeState::up_to_date: return colors.good;
+    case NodeState::computing: return colors.accent;
+    case NodeState::failed:
+    case NodeState::blocked: return colors.warning;
+    case NodeState::inactive: break;
+  }
+  return colors.border;
+}
+
+std::string work_text(const NodeReport& node) {
+  if (node.update_ms == 0.0 && !node.rebuilt && node.touched == 0) return {};
+  const int decimals = node.update_ms < 10 ? 2 : 0;
+  if (node.rebuilt) return fmt::format("{:.{}f} ms, rebuilt", node.update_ms, decimals);
+  return fmt::format("{:.{}f} ms, {} touched", node.update_ms, decimals, node.touched);
+}
+
+void draw_node(const Gui& gui, const NodeReport& node) {
+  const float unit = gui.unit();
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()}, 4 * unit,
+                                              state_color(gui.colors(), node.state));
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
+  ImGui::PushFont(gui.bold());
+  ImGui::TextUnformatted(readable(node.structure).c_str());
+  ImGui::PopFont();
+  const std::string work = work_text(node);
+  ImGui::PushFont(gui.small());
+  ImGui::SameLine(
+      std::max(ImGui::GetCursorPosX(), ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(work.c_str()).x));
+  ImGui::TextDisabled("%s", work.c_str());
+  ImGui::PopFont();
+  if (!node.reason.empty()) {
+    ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
+    ImGui::TextWrapped("%s", node.reason.c_str());
+    ImGui::PopStyleColor();
+  }
+  if (!node.kernel.empty()) {
+    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
+    ImGui::PushFont(gui.small());
+    ImGui::TextDisabled("%s", std::string(node.kernel).c_str());
+    ImGui::PopFont();
+    tooltip(gui, "Number type that decides here");
+  }
+  if (!node.stats.empty() && ImGui::BeginTable("stats", 2, ImGuiTableFlags_SizingStretchProp)) {
+    for (const Stat& stat : node.stats) {
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
+      ImGui::TextDisabled("%s", readable(stat.key).c_str());
+      ImGui::TableNextColumn();
+      const std::string text = to_text(stat.value);
+      const float free = ImGui::GetContentRegionAvail().x - ImGui::CalcTextSize(text.c_str()).x;
+      if (free > 0) ImGui::SetCursorPosX(ImGui::GetCursorPosX() + free);
+      ImGui::TextUnformatted(text.c_str());
+    }
+    ImGui::EndTable();
+  }
+  ImGui::Dummy({0, 4 * unit});
+}
+
+}  // namespace
+
+void StatisticsPanel::draw() const {
+  const float unit = gui.unit();
+  std::vector<NodeReport> nodes = picture.nodes();
+  std::erase_if(nodes, [](const NodeReport& node) { return node.variant != kMainVariant; });
+  nodes.push_back(times.report());
+  if (ImGui::SmallButton("Copy")) ImGui::SetClipboardText(statistics_as_tsv(nodes).c_str());
+  tooltip(gui, "Copy all numbers as lines with tabs, for a spreadsheet");
+  ImGui::SameLine(0, 6 * unit);
+  if (ImGui::SmallButton("Copy JSON")) ImGui::SetClipboardText(statistics_as_json(nodes).c_str());
+  tooltip(gui, "Copy all numbers as JSON, for a program");
+  ImGui::Dummy({1, 2 * unit});
+  ImGui::BeginChild("nodes");
+  for (const NodeReport& node : nodes) {
+    if (node.state == NodeState::inactive) continue;
+    ImGui::PushID(node.structure.c_str());
+    draw_node(gui, node);
+    ImGui::PopID();
+  }
+  ImGui::EndChild();
+}
+
+}  // namespace mes

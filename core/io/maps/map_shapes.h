@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Collects the points, lines, arcs and rings of maps and samples them: for GeoJSON, WKT, WKB, KML, GPX and shapefiles.
+// Private to core/io.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/vec2.h"
+#include "core/curves/curve.h"
+#include "core/io/format.h"
+#include "core/io/text/read_job.h"
+
+namespace mes {
+
+/// Positions in the order of the file, and their grouping into points, lines and rings. Samples are the positions, and
+/// points between them on long lines (`default_sampling`).
+///
+/// Smallest use:
+///     MapShapes shapes;
+///     for (const Vec2 corner : {Vec2{23.9, 35.5}, Vec2{26.0, 35.2}, Vec2{24.8, 34.9}}) shapes.add(corner);
+///     shapes.end_ring();
+///     return std::move(shapes).load(name, MapShapes::Unit::degrees, MapDegrees::projected, job);
+class MapShapes {
+ public:
+  /// The meaning of the numbers of a position.
+  enum class Unit : std::uint8_t {
+    plane,    ///< coordinates of the plane
+    degrees,  ///< longitude and latitude, unless some are out of range
+  };
+
+  void add(Vec2 position) { positions_.push_back(position); }
+  /// Adds an arc from the last position along a circle through `through` to `to`; if `to` is the last position, a full
+  /// circle with `through` opposite to it. Three collinear positions give a line. Must not begin a line or ring.
+  void add_arc(Vec2 through, Vec2 to) {
+    arcs_.push_back(positions_.size());
+    positions_.insert(positions_.end(), {through, to});
+  }
+  /// Number of positions of the current line or ring, and the last one.
+  std::size_t length() const { return positions_.size() - begin(); }
+  Vec2 last() const { return positions_.back(); }
+  /// Makes single points, a line, or a ring of the positions added since the last end. A line of at least four
+  /// positions that ends at its start is a ring; a ring may repeat its first position at the end or not.
+  void end_points() { end(Kind::points); }
+  void end_line() { end(Kind::line); }
+  void end_ring() {
+    end(Kind::ring);
+    if (!parts_.empty()) parts_.back().is_hole = rings_of_polygon_ && (*rings_of_polygon_)++ > 0;
+  }
+  /// Makes the next ring the outer one of a polygon, and the rings after it its holes, until the next call. A hole that
+  /// another polygon fills then differs from a repeated polygon, whatever the directions of rings.
+  void begin_polygon() { rings_of_polygon_ = 0; }
+
+  /// Degrees for EPSG codes of longitude and latitude on WGS 84 or within about two metres of it.
+  static Unit unit_of_epsg(std::uint64_t code);
+  /// Samples the shapes. Projected degrees become kilometres about the middle of the map, equirectangularly: true to
+  /// scale there and along meridians. A map across the 180th meridian stays in one piece, and polygons cut there are
+  /// joined. Kept degrees stay bit for bit, so such a map has pieces at both ends. A warning names the treatment, and
+  /// the data keep it (`SampleData::map`). Error: as `load_samples`. Throws `Cancelled`.
+  Expected<LoadedFile> load(const std::string& name, Unit unit, MapDegrees degrees, ReadJob& job) &&;
+
+ private:
+  enum class Kind : std::uint8_t { points, line, ring };
+  struct Part {
+    Kind kind;
+    std::size_t end;
+    bool is_hole = false;
+  };
+  void end(Kind kind);
+  std::size_t begin() const { return parts_.empty() ? 0 : parts_.back().end; }
+  bool is_on_earth() const;
+  MapPlane project();
+  CurveSet curves(const MapPlane& plane, ReadJob& job);
+  void turn_filled_holes(std::vector<PlaneCurve>& curves) const;
+
+  std::vector<Vec2> positions_;
+  std::vector<Part> parts_;
+  std::optional<std::size_t> rings_of_polygon_;  // nothing if polygons do not mark their holes
+  std::vector<std::size_t> arcs_;                // for each arc, in order: index of the position that it goes through
+};
+
+}  // namespace mes

@@ -1,0 +1,344 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// WKT, well-known text (OGC 06-103r4, section 7, with the curves of ISO 19125-2 and SQL/MM): any number of geometries
+// in sequence, optionally separated by line breaks, commas or semicolons. Heights and measures (Z, M) are left out. If
+// `SRID=4326;` (the PostGIS notation), or another code of degrees, precedes one, all positions are degrees; otherwise
+// they are coordinates of the plane.
+#include <fmt/core.h>
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <utility>
+
+#include "core/base/lower_case.h"
+#include "core/io/text/ascii_text.h"
+#include "core/io/format_spec.h"
+#include "core/io/maps/map_shapes.h"
+#include "core/io/text/text_numbers.h"
+
+namespace mes {
+namespace {
+
+constexpr int kDeepestWkt = 64;
+
+enum class WktShape : std::uint8_t { point, line, ring, curve, curved_ring, surface, any };
+
+/// `depth` is the number of parentheses around the list of positions.
+struct WktType {
+  std::string_view name;
+  int depth;
+  WktShape shape;
+};
+constexpr std::array<WktType, 15> kWktTypes{{{"point", 0, WktShape::point},
+                                             {"multipoint", 0, WktShape::point},
+                                             {"linestring", 0, WktShape::line},
+                                             {"multilinestring", 1, WktShape::line},
+                                             {"polygon", 1, WktShape::ring},
+                                             {"multipolygon", 2, WktShape::ring},
+                                             {"triangle", 1, WktShape::ring},
+                                             {"tin", 2, WktShape::ring},
+                                             {"polyhedralsurface", 2, WktShape::ring},
+                                             {"circularstring", 0, WktShape::curve},
+                                             {"compoundcurve", 0, WktShape::curve},
+                                             {"multicurve", 1, WktShape::curve},
+                                             {"curvepolygon", 1, WktShape::curved_ring},
+                                             {"multisurface", 1, WktShape::surface},
+                                             {"geometrycollection", 0, WktShape::any}}};
+
+/// Iterates over parentheses, commas and words.
+class Words {
+ public:
+  explicit Words(std::string_view text) : text_(text) { skip_blanks(); }
+
+  bool is_at_end() const { return at_ == text_.size(); }
+  /// The next sign, or 0 at the end.
+  char sign() const { return is_at_end() ? '\0' : text_[at_]; }
+  bool take(char sign_wanted) {
+    if (sign() != sign_wanted || is_at_end()) return false;
+    ++at_;
+    skip_blanks();
+    return true;
+  }
+  /// The text up to the next blank or sign; empty at a sign and at the end.
+  std::string_view word() const {
+    const std::string_view rest = text_.substr(at_);
+    const auto end = std::ranges::find_if(
+        rest, [](char c) { return is_blank(c) || c == '(' || c == ')' || c == ',' || c == ';' || c == '='; });
+    return rest.substr(0, static_cast<std::size_t>(end - rest.begin()));
+  }
+  void skip_word() {
+    at_ += word().size();
+    skip_blanks();
+  }
+  std::size_t place() const { return at_; }
+  void go_to(std::size_t place) { at_ = place; }
+
+ private:
+  void skip_blanks() {
+    while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+  }
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+const WktType* wkt_type_named(std::string_view word) {
+  constexpr std::size_t kLongest = 32;
+  std::string name = lower_case(word.substr(0, kLongest));
+  const auto find = [](std::string_view wanted) {
+    const auto found = std::ranges::find(kWktTypes, wanted, &WktType::name);
+    return found == kWktTypes.end() ? nullptr : &*found;
+  };
+  if (const WktType* found = find(name)) return found;
+  // "POINTZ" is also a valid spelling.
+  for (int i = 0; i < 2 && (name.ends_with('z') || name.ends_with('m')); ++i) name.pop_back();
+  return find(name);
+}
+
+class WktReader {
+ public:
+  WktReader(std::string_view text, const std::string& name, MapDegrees degrees, ReadJob& job)
+      : text_(text), name_(name), degrees_(degrees), job_(job), words_(text) {}
+
+  Expected<LoadedFile> read() {
+    while (!words_.is_at_end()) {
+      if (auto done = read_reference_system(); !done) return std::unexpected(done.error());
+      if (auto done = read_geometry(0); !done) return std::unexpected(done.error());
+      while (words_.take(';') || words_.take(',')) continue;
+    }
+    auto file = std::move(shapes_).load(name_, unit_, degrees_, job_);
+    if (file && first_height_)
+      file->warnings.push_back(bad("heights and measures are left out", *first_height_).error().message());
+    return file;
+  }
+
+ private:
+  std::unexpected<Error> bad(std::string text, std::size_t place) const {
+    std::uint64_t line = 1;
+    std::size_t start = 0;
+    for (std::size_t i = 0; i < place; ++i) {
+      const bool is_pair = text_[i] == '\r' && i + 1 < text_.size() && text_[i + 1] == '\n';
+      if ((text_[i] != '\n' && text_[i] != '\r') || is_pair) continue;
+      ++line;
+      start = i + 1;
+    }
+    return bad_input(std::move(text), name_, line, place - start + 1);
+  }
+
+  std::unexpected<Error> unexpected_here(std::string_view wanted) const {
+    if (words_.is_at_end()) return bad(fmt::format("expected {}, found the end", wanted), words_.place());
+    const std::string_view word = words_.word();
+    const char sign = words_.sign();
+    return bad(
+        fmt::format("expected {}, found {}", wanted, in_quotes(word.empty() ? std::string_view(&sign, 1) : word)),
+        words_.place());
+  }
+
+  Expected<void> read_reference_system() {
+    if (lower_case(words_.word().substr(0, 5)) != "srid") return {};
+    words_.skip_word();
+    if (!words_.take('=')) return unexpected_here("\"=\" after SRID");
+    const auto number = parse_count(words_.word());
+    if (!number) return unexpected_here("the number of a reference system");
+    words_.skip_word();
+    if (!words_.take(';')) return unexpected_here("\";\" after the reference system");
+    if (MapShapes::unit_of_epsg(*number) == MapShapes::Unit::degrees) unit_ = MapShapes::Unit::degrees;
+    return {};
+  }
+
+  Expected<void> read_geometry(int depth) {
+    const WktType* const type = wkt_type_named(words_.word());
+    if (type == nullptr) return unexpected_here("a geometry such as POLYGON");
+    if (depth > kDeepestWkt) return bad("collections are nested too deeply", words_.place());
+    if (type->shape == WktShape::curve && type->depth == 0) {
+      if (auto done = read_curve(); !done) return done;
+      shapes_.end_line();
+      return {};
+    }
+    skip_type();
+    switch (type->shape) {
+      case WktShape::curve: return read_list([&] { return read_whole_curve(false); });
+      case WktShape::curved_ring: shapes_.begin_polygon(); return read_list([&] { return read_whole_curve(true); });
+      case WktShape::surface: return read_list([&] { return read_surface(depth + 1); });
+      case WktShape::any: return read_list([&] { return read_geometry(depth + 1); });
+      default: return read_lists(*type, type->depth);
+    }
+  }
+
+  /// Skips the name and the letters of its dimensions.
+  void skip_type() {
+    words_.skip_word();
+    for (std::string word = word_in_lower_case(); word == "z" || word == "m" || word == "zm";
+         word = word_in_lower_case())
+      words_.skip_word();
+  }
+
+  Expected<void> read_whole_curve(bool is_ring) {
+    if (auto done = read_curve(); !done) return done;
+    if (is_ring)
+      shapes_.end_ring();
+    else
+      shapes_.end_line();
+    return {};
+  }
+
+  /// Reads a polygon of a set, with or without its name.
+  Expected<void> read_surface(int depth) {
+    constexpr WktType kPolygon{"polygon", 1, WktShape::ring};
+    return words_.sign() == '(' ? read_lists(kPolygon, kPolygon.depth) : read_geometry(depth);
+  }
+
+  /// Reads a line (with or without its name), arcs, or several of these in sequence.
+  Expected<void> read_curve() {
+    const std::string_view name = words_.word();
+    if (name.empty()) return read_list([&] { return read_position(); });
+    const WktType* const type = wkt_type_named(name);
+    const std::string_view kind = type == nullptr ? std::string_view{} : type->name;
+    if (kind != "linestring" && kind != "circularstring" && kind != "compoundcurve")
+      return unexpected_here("a curve such as CIRCULARSTRING");
+    skip_type();
+    if (kind == "linestring") return read_list([&] { return read_position(); });
+    if (kind == "circularstring") return read_arcs();
+    joins_ = true;
+    auto done = read_list([&]() -> Expected<void> {
+      const WktType* const part = wkt_type_named(words_.word());
+      if (part != nullptr && part->name == "compoundcurve")
+        return unexpected_here("a line or CIRCULARSTRING, which are parts of a COMPOUNDCURVE,");
+      return read_curve();
+    });
+    joins_ = false;
+    return done;
+  }
+
+  /// Reads arcs, each through one position to another.
+  Expected<void> read_arcs() {
+    std::optional<Vec2> through;
+    const std::size_t before = shapes_.length();
+    const std::size_t place = words_.place();
+    bool is_first = true;
+    auto done = read_list([&]() -> Expected<void> {
+      if (std::exchange(is_first, false)) return read_position();
+      const auto position = parse_position();
+      if (!position) return std::unexpected(position.error());
+      if (!through) {
+        through = *position;
+      } else {
+        shapes_.add_arc(*std::exchange(through, std::nullopt), *position);
+      }
+      return {};
+    });
+    if (!done) return done;
+    const bool is_single = !is_first && !through && shapes_.length() == before + 1 && before == 0;
+    if (through || is_single)
+      return bad("a CIRCULARSTRING has three positions, or two more for each other arc", place);
+    return {};
+  }
+
+  std::string word_in_lower_case() const {
+    constexpr std::size_t kLongest = 8;
+    return lower_case(words_.word().substr(0, kLongest));
+  }
+
+  /// "EMPTY", or a list of elements in parentheses, separated by commas.
+  template <class ReadElement>
+  Expected<void> read_list(ReadElement read_element) {
+    if (word_in_lower_case() == "empty") {
+      words_.skip_word();
+      return {};
+    }
+    if (!words_.take('(')) return unexpected_here("\"(\" or EMPTY");
+    do {
+      if (Expected<void> done = read_element(); !done) return done;
+    } while (words_.take(','));
+    if (!words_.take(')')) return unexpected_here("\",\" or \")\"");
+    return {};
+  }
+
+  Expected<void> read_lists(const WktType& type, int depth) {
+    if (depth == 1 && type.shape == WktShape::ring) shapes_.begin_polygon();
+    if (depth > 0) return read_list([&] { return read_lists(type, depth - 1); });
+    auto done = read_list([&] { return type.shape == WktShape::point ? read_point() : read_position(); });
+    if (!done) return done;
+    switch (type.shape) {
+      case WktShape::line: shapes_.end_line(); break;
+      case WktShape::ring: shapes_.end_ring(); break;
+      default: shapes_.end_points(); break;
+    }
+    return {};
+  }
+
+  /// Points of a MULTIPOINT may have parentheses, and may be EMPTY.
+  Expected<void> read_point() {
+    if (words_.sign() == '(' || word_in_lower_case() == "empty") return read_list([&] { return read_position(); });
+    return read_position();
+  }
+
+  /// The first position of a curve part is the end of the previous part.
+  Expected<void> read_position() {
+    const auto position = parse_position();
+    if (!position) return std::unexpected(position.error());
+    if (shapes_.length() == 0 || shapes_.last() != *position || !joins_) shapes_.add(*position);
+    return {};
+  }
+
+  Expected<Vec2> parse_position() {
+    job_.passed(text_.data() + words_.place());
+    std::array<double, 2> numbers{};
+    for (double& number : numbers) {
+      if (words_.word().empty()) return unexpected_here("a number");
+      auto value = coordinates_.read(words_.word());
+      if (!value) return bad(std::move(value.error()), words_.place());
+      number = *value;
+      words_.skip_word();
+    }
+    constexpr int kMost = 2;
+    for (int i = 0; i < kMost && !words_.word().empty(); ++i) {
+      // A measure may be missing ("nan").
+      const auto value = parse_number(words_.word());
+      if (!value && value.error() == NumberFault::not_a_number) return unexpected_here("a number");
+      if (!first_height_) first_height_ = words_.place();
+      words_.skip_word();
+    }
+    return Vec2{numbers[0], numbers[1]};
+  }
+
+  std::string_view text_;
+  const std::string& name_;
+  MapDegrees degrees_;
+  ReadJob& job_;
+  Words words_;
+  MapShapes shapes_;
+  MapShapes::Unit unit_ = MapShapes::Unit::plane;
+  CoordinateReader coordinates_;
+  std::optional<std::size_t> first_height_;
+  bool joins_ = false;  // the parts of a curve share their ends
+};
+
+/// Recognises the name of a geometry and the text that can follow it.
+Match match_wkt(std::string_view bytes) {
+  Words words(without_bom(bytes));
+  if (lower_case(words.word().substr(0, 5)) == "srid") {
+    words.skip_word();
+    return words.sign() == '=' ? Match::surely : Match::no;
+  }
+  if (words.is_at_end() || !is_letter(words.sign()) || wkt_type_named(words.word()) == nullptr) return Match::no;
+  words.skip_word();
+  const std::string next = lower_case(words.word().substr(0, 6));
+  const bool follows = words.sign() == '(' || next == "empty" || next == "z" || next == "m" || next == "zm";
+  return follows ? Match::surely : Match::no;
+}
+
+Expected<LoadedFile> read_wkt(std::string_view bytes, const std::string& name, MapDegrees degrees,
+                              const std::filesystem::path*, ReadJob& job) {
+  return WktReader(without_bom(bytes), name, degrees, job).read();
+}
+
+}  // namespace
+
+Format wkt_format() {
+  return {.descriptor =
+              {.id = "wkt", .name = "WKT, well-known text", .extensions = {".wkt"}, .can_read = true, .is_map = true},
+          .match = match_wkt,
+          .read_map = read_wkt};
+}
+
+}  // namespace mes
