@@ -19,7 +19,7 @@ bool EngineDemand::waits_for_room(Engine& engine, const State& now) {
   return lost_at_ == now;
 }
 
-// The engine puts what comes while it computes into one step, in which a demand for none would be lost.
+// While it computes, the engine merges all requests into one step, in which an empty demand would be lost.
 bool EngineDemand::waits_to_ask_again(Engine& engine) {
   if (engine.status().busy) return true;
   if (!asks_for_nothing_) {

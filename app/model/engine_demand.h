@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which layers the engine is asked for.
+// Decides which layers the engine is asked for.
 #pragma once
 
 #include <cstdint>
@@ -13,13 +13,13 @@
 
 namespace mes {
 
-/// What it guarantees: the engine is asked for the visible layers of all panes, and for what panels look at, anew when
-/// they change. After a picture was lost for lack of memory it is asked for none, and for all of them again once the
-/// document or the demand has changed. Where all layers are needed once more as a whole, it is asked for none, and for all
-/// of them as soon as it has nothing to do. Threads: the window's.
+/// Guarantees: the engine is asked for the visible layers of all panes and for the needs of panels, again whenever
+/// they change. After a picture was lost for lack of memory, the demand is empty until the document or the demand has
+/// changed; then it is repeated. If all layers are needed again completely, the demand is empty first, and repeated
+/// as soon as the engine is idle. Threads: the window's.
 class EngineDemand {
  public:
-  /// What is wanted, with the revisions that say when it changes.
+  /// The demand, with the revisions that tell when it changes.
   struct Wanted {
     const Registry& registry;
     const LayerStack& layers;
@@ -27,20 +27,21 @@ class EngineDemand {
     const ComputationSettings& settings;
     std::uint64_t document_revision = 0;
     PaneEvolution evolution{};
-    bool is_held = false;  ///< the engine does not know the present document yet; panes show no later version either
-    bool with_density = false;  ///< how dense the samples are is looked at, though no layer may show it
+    bool is_held = false;  ///< the engine does not know the present document yet; panes must not show later versions
+    bool with_density = false;  ///< the density of the samples is used, even if no layer shows it
   };
-  /// Once a frame. True when the engine was asked for other layers. What is new in the documents of panes goes to it too.
+  /// Call it once per frame. Returns true if the demand has changed. Changes in the documents of panes are posted,
+  /// too.
   bool follow(Engine& engine, const Wanted& wanted, bool picture_is_lost, PaneDocuments* documents = nullptr);
-  /// All layers are to be sent whole once more.
+  /// Requests all layers again completely.
   void ask_again() { asks_again_ = true; }
-  /// The engine has been asked for what is visible now.
+  /// True if the engine has been asked for what is visible now.
   bool is_told(const Wanted& wanted) const { return !asks_again_ && seen_ == asked_of(wanted); }
-  /// What the panes beside the main one show, as the engine was asked last and styles are now.
+  /// The contents of the panes beside the main one: layers as last demanded, styles as they are now.
   const ShownPanes& shown() const { return shown_; }
 
  private:
-  /// What the demand depends on. Settings and evolution only count while there are panes.
+  /// The state on which the demand depends. Settings and evolution matter only if there are panes.
   struct Asked {
     std::uint64_t layers = 0;
     std::uint64_t panes = 0;
@@ -56,10 +57,10 @@ class EngineDemand {
 
   Asked seen_;
   ShownPanes shown_;
-  std::uint64_t styled_ = 0;  // revision of the layers whose styles are shown
+  std::uint64_t styled_ = 0;  // revision of the layers for the styles shown
   bool asks_for_nothing_ = false;
   bool asks_again_ = false;
-  State lost_at_{};  // revisions of demand and document
+  State lost_at_{};  // revisions of demand and document at the loss
 };
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a figure is to be made. Plain data, remembered from one start to the next.
+// The options of a figure. Plain data, remembered from one start to the next.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace mes {
 
-/// What of the plane a figure shows.
+/// The part of the plane that a figure shows.
 enum class FigureExtent : std::uint8_t {
-  view,        ///< what the window shows between its panels
+  view,        ///< the view of the window between its panels
   everything,  ///< samples, balls and the layers that count for "fit", with a margin
-  ink,         ///< the view, cut to what is drawn
+  ink,         ///< the view, cut to the drawing
 };
 
 enum class FigurePaper : std::uint8_t { white, canvas, transparent };
@@ -24,23 +24,23 @@ inline constexpr double kLeastDotsPerInch = 10.0;
 inline constexpr double kMostDotsPerInch = 2400.0;
 
 struct FigureSettings {
-  std::string extension = ".pdf";  ///< of the format
+  std::string extension = ".pdf";  ///< extension of the format
   double width_mm = 84.0;
-  double height_mm = 0.0;  ///< 0: what the width asks for
-  bool in_inches = false;  ///< how sizes are shown
+  double height_mm = 0.0;  ///< 0: follows from the width
+  bool in_inches = false;  ///< unit of the displayed sizes
   FigureExtent extent = FigureExtent::view;
   FigurePaper paper = FigurePaper::white;
-  bool as_on_screen = true;  ///< lines and points are to the page as they are to the canvas
-  double line_scale = 1.0;   ///< otherwise: factor for their widths, whose pixels are 1/96 inch; [0.1, 10]
+  bool as_on_screen = true;  ///< lines and points have the same proportion to the page as to the canvas
+  double line_scale = 1.0;   ///< otherwise: factor for their widths, with pixels of 1/96 inch; [0.1, 10]
   bool with_legend = true;
-  bool with_key = false;  ///< of all layers
+  bool with_key = false;  ///< key of all layers
   ScaleMarks marks{};
-  std::string title{};  ///< above the drawing, as annotations are written; of this run of the program alone
+  std::string title{};  ///< above the drawing, in the syntax of annotations; only for this run of the program
   bool with_annotations = true;
-  bool all_panes = true;          ///< where the window shows several
-  bool with_differences = false;  ///< marked: what only some of the panes have
-  bool with_source = true;        ///< the file carries the document, where the format can
-  double dots_per_inch = 300.0;   ///< of layers that become pictures
+  bool all_panes = true;          ///< if the window shows several
+  bool with_differences = false;  ///< marks elements that only some of the panes have
+  bool with_source = true;        ///< the file carries the document, if the format can
+  double dots_per_inch = 300.0;   ///< for layers that become pictures
   friend bool operator==(const FigureSettings&, const FigureSettings&) = default;
 };
 

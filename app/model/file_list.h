@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The files of a folder as a dialog lists them, with one of them marked.
+// The files of a folder in a dialog, with one of them marked.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,21 @@
 
 namespace mes {
 
-/// What it guarantees: a folder is read once, when it is entered; folders come first, each in alphabetical order,
-/// hidden ones not at all; the mark is on a row that is listed, or nowhere. Threads: none.
+/// Guarantees: a folder is read once, when it is entered; folders are first, folders and files each in alphabetical
+/// order, without hidden ones; the mark is on a listed row, or nowhere. Threads: none.
 class FileList {
  public:
   struct Entry {
     std::string name;
     bool is_folder = false;
-    std::uintmax_t size = 0;  ///< bytes, of a file
+    std::uintmax_t size = 0;  ///< size of a file in bytes
   };
   using Filter = std::function<bool(const std::string& name)>;
 
-  /// Reads a folder. Error: it cannot be read; everything stays as it was.
+  /// Reads a folder. Error: it cannot be read; then nothing changes.
   Expected<void> enter(const std::filesystem::path& folder);
   const std::filesystem::path& folder() const { return folder_; }
-  /// Lists the files for which it is true, and every folder.
+  /// Lists the files for which the filter is true, and every folder.
   void set_filter(Filter filter);
 
   const std::vector<Entry>& rows() const { return rows_; }
@@ -35,10 +35,11 @@ class FileList {
   const Entry* marked_row() const { return marked_ ? &rows_[*marked_] : nullptr; }
   void mark(std::size_t row) { marked_ = row; }
   void unmark() { marked_.reset(); }
-  /// Moves the mark by so many rows, as far as there are any; from nowhere to the first or the last.
+  /// Moves the mark by this many rows, as far as possible; from nowhere to the first or the last.
   void move(int rows);
   void move_to_end(bool last);
-  /// Marks the first row whose name begins with the text, whatever the case; nowhere if there is none, or no text.
+  /// Marks the first row whose name begins with the text, in either case; nowhere if there is none, or the text is
+  /// empty.
   void mark_by_name(const std::string& text);
 
  private:

@@ -11,10 +11,10 @@ namespace {
 
 constexpr double kLetter = 1.0;
 constexpr double kWordBegins = 6.0;
-constexpr double kTextBegins = 2.0;  // besides
-constexpr double kSideBySide = 7.0;  // more than a beginning: "sa" is "Save" rather than "Select all"
+constexpr double kTextBegins = 2.0;  // added at the beginning of the text
+constexpr double kSideBySide = 7.0;  // more than a beginning: "sa" means "Save" rather than "Select all"
 constexpr double kWordEnds = 1.0;    // a whole word was typed
-constexpr double kGap = 0.15;        // for each letter passed over between two that match
+constexpr double kGap = 0.15;        // for each letter skipped between two matching ones
 constexpr double kLength = 0.02;     // for each letter of the text
 constexpr double kImpossible = -std::numeric_limits<double>::infinity();
 
@@ -23,7 +23,7 @@ bool is_part_of_word(char c) {
   return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || byte >= 0x80U;
 }
 
-/// The best way to find one word. `score[i][j]`: letters 0 to i of the word are found, the last of them at j.
+/// Finds the best match of one word. `score[i][j]`: letters 0 to i of the word match, the last of them at j.
 class WordSearch {
  public:
   WordSearch(std::string_view word, std::string_view text)
@@ -61,7 +61,7 @@ class WordSearch {
   }
 
   void fill_row(std::size_t i) {
-    // The best place of the letter before that is not side by side, its gap up to here counted.
+    // The best position of the previous letter that is not adjacent, including the gap up to here.
     double before = kImpossible;
     std::size_t before_at = text_.size();
     for (std::size_t j = 0; j < text_.size(); ++j) {

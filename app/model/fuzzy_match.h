@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How well some typed letters fit a name.
+// Measures how well typed letters match a name.
 #pragma once
 
 #include <cstddef>
@@ -10,14 +10,14 @@
 namespace mes {
 
 struct FuzzyMatch {
-  double score = 0.0;                ///< larger is better; comparable for one query
-  std::vector<std::size_t> letters;  ///< bytes of the text that matched, ascending
+  double score = 0.0;                ///< larger is better; comparable within one query
+  std::vector<std::size_t> letters;  ///< matching bytes of the text, ascending
 };
 
-/// Each word of the query must be found in the text, its letters in their order but not necessarily side by side; case
-/// does not count. Of all ways to find a word the best counts: letters side by side and at beginnings of words weigh
-/// most, gaps cost, and of equal matches the shorter text wins. An empty query fits everything. Nothing when a word is
-/// not found. Cost: O(|query| |text|).
+/// Each word of the query must occur in the text, with its letters in order but not necessarily adjacent; case does
+/// not matter. The best match of each word counts: adjacent letters and beginnings of words weigh most, gaps cost,
+/// and of equal matches the shorter text wins. An empty query matches everything. Returns nothing if a word is not
+/// found. Cost: O(|query| |text|).
 std::optional<FuzzyMatch> fuzzy_match(std::string_view query, std::string_view text);
 
 }  // namespace mes

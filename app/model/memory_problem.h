@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is said when memory runs out.
+// The messages for lack of memory.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@ namespace mes {
 
 inline constexpr std::string_view kMemoryProblem = "Out of memory: ";
 
-/// The reason, and what can be done.
+/// States the reason, and a remedy.
 inline std::string memory_problem(std::size_t samples, std::size_t balls) {
   const std::string what = counted(samples, balls);
   return std::string(kMemoryProblem) + what + (samples + balls == 1 ? " needs" : " need") +
          " more than is free. Grey layers show the last picture. Undo, hide layers or open a smaller file";
 }
 
-/// For an edit that found no room and was not done.
+/// The message for an edit that was dropped for lack of memory.
 inline std::string refusal_for_memory() {
   return std::string(kMemoryProblem) + "that was not done, and nothing is lost. Hide layers or undo, and try again";
 }

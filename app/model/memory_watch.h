@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Says that memory ran out.
+// Reports that memory ran out.
 #pragma once
 
 #include <cstdint>
@@ -11,11 +11,11 @@
 
 namespace mes {
 
-/// What it guarantees: one problem for each state of the document that lacks memory, taken away when there is room
-/// again. The layers that are grey then say nothing by themselves. Threads: none.
+/// Guarantees: one problem is reported for each state of the document that lacks memory, and removed when there is
+/// room again. Grey layers then need no message of their own. Threads: none.
 class MemoryWatch {
  public:
-  /// True when there is a new problem to be seen.
+  /// Returns true if there is a new problem to show.
   bool follow(bool lacks_memory, const Document& document, Messages& messages) {
     if (!lacks_memory) {
       if (std::exchange(told_at_, std::nullopt) && is_memory_problem(messages.problem())) messages.clear_problem();
@@ -25,7 +25,7 @@ class MemoryWatch {
     messages.problem(memory_problem(document.sample_count(), document.ball_count()));
     return true;
   }
-  /// Another document has taken the place of this one.
+  /// Another document has replaced this one.
   void forget() { told_at_.reset(); }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the window has to tell the user.
+// The messages of the window to the user.
 #pragma once
 
 #include <algorithm>
@@ -12,15 +12,15 @@
 
 namespace mes {
 
-/// A remark stands in the status bar until the next one; a problem stands above the canvas until it is closed or
-/// something succeeds that makes it stale. Both stay in the log, the last thousand of them.
+/// A remark is shown in the status bar until the next one; a problem above the canvas until it is closed, or an
+/// operation succeeds that makes it stale. Both stay in the log, which keeps the last thousand.
 class Messages {
  public:
   struct Entry {
     std::chrono::system_clock::time_point when;
     bool is_problem = false;
     std::string text;
-    std::uint32_t times = 1;  ///< said so often in a row
+    std::uint32_t times = 1;  ///< number of repetitions in a row
   };
 
   void remark(std::string text) {
@@ -31,8 +31,8 @@ class Messages {
     log(text, true);
     problem_ = std::move(text);
   }
-  /// Several at once, none of which hides another: each is an entry of the log, and the first few stand above the canvas,
-  /// a line each. Nothing happens when there are none.
+  /// Reports several problems at once without hiding any: each is an entry of the log, and the first few are shown
+  /// above the canvas, one line each. Does nothing if there are none.
   void problems(std::span<const std::string> texts) {
     constexpr std::size_t kMostLines = 6;
     constexpr std::size_t kMostLogged = 100;
@@ -49,7 +49,7 @@ class Messages {
   }
   void clear_remark() { remark_.clear(); }
   void clear_problem() { problem_.clear(); }
-  /// Neither says anything about what comes now. Both stay in the log.
+  /// Both messages are outdated. They stay in the log.
   void clear() {
     clear_remark();
     clear_problem();
@@ -57,7 +57,7 @@ class Messages {
   const std::string& remark() const { return remark_; }
   const std::string& problem() const { return problem_; }
 
-  /// How many were said so far.
+  /// The number of messages so far.
   std::uint64_t said() const { return said_; }
 
   const std::deque<Entry>& entries() const { return entries_; }

@@ -9,7 +9,7 @@
 namespace mes {
 namespace {
 
-constexpr double kByOtherWords = -20.0;  // what is found by its name comes first
+constexpr double kByOtherWords = -20.0;  // entries found by name come first
 
 struct Found {
   PaletteHit hit;
@@ -41,7 +41,7 @@ std::vector<PaletteHit> find_entries(std::span<const PaletteEntry> entries, std:
     const auto fit = match(entries[i], query);
     if (!fit) continue;
     const auto age = std::ranges::find(recent, recent_name_of(entries[i])) - recent.begin();
-    // Without a query the length of a name says nothing.
+    // Without a query the length of a name does not matter.
     found.push_back({{i, fit->letters},
                      is_empty ? 0.0 : fit->score,
                      static_cast<std::size_t>(age),

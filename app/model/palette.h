@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Everything that has a name, to be found by some of its letters and done.
+// Finds everything that has a name by some of its letters, and runs it.
 #pragma once
 
 #include <functional>
@@ -10,47 +10,48 @@
 namespace mes {
 
 struct PaletteEntry {
-  std::string kind{};         ///< "Layer"; found too, but weighs less than the name
+  std::string kind{};         ///< "Layer"; searched too, but weighs less than the name
   std::string name{};         ///< "Voronoi"
   std::string key{};          ///< shown at the right; may be empty
   std::string explanation{};  ///< one sentence; not searched
-  std::string more{};         ///< other words by which it is found, such as an id
+  std::string more{};         ///< other search words, such as an id
   bool is_enabled = true;
-  std::string missing{};  ///< why it is not enabled, as in "nothing is selected"
+  std::string missing{};  ///< the reason why it is disabled, as in "nothing is selected"
   bool is_checked = false;
   std::function<void()> run{};
 };
 
 struct PaletteHit {
   std::size_t entry = 0;
-  std::vector<std::size_t> letters;  ///< of the name, to be emphasised
+  std::vector<std::size_t> letters;  ///< letters of the name to emphasise
   friend bool operator==(const PaletteHit&, const PaletteHit&) = default;
 };
 
-/// Best first; of equals what was done last (`recent`, kinds and names, newest first), then what can be done now, then in
-/// the order given. Without a query everything, what was done last at the top. Cost: O(|query| * letters of all names).
+/// Finds entries, the best first. Of equal ones, recently run ones come first (`recent`: kinds and names, newest
+/// first), then enabled ones, then the given order. Without a query it returns everything, recently run entries
+/// first. Cost: O(|query| * letters of all names).
 std::vector<PaletteHit> find_entries(std::span<const PaletteEntry> entries, std::string_view query,
                                      std::span<const std::string> recent);
 
-/// What `recent` holds of an entry.
+/// The text for an entry in `recent`.
 std::string recent_name_of(const PaletteEntry& entry);
 
-/// The list under the field: what is found, and the row that Enter takes.
+/// The list under the field: the entries found, and the row that Enter takes.
 class PaletteList {
  public:
-  /// What can be done now; searches anew.
+  /// Sets the entries that are available now; searches again.
   void set_entries(std::vector<PaletteEntry> entries);
   void set_query(const std::string& query);
   const std::string& query() const { return query_; }
   std::span<const PaletteEntry> entries() const { return entries_; }
   std::span<const PaletteHit> hits() const { return hits_; }
 
-  /// The marked row, 0 when nothing is found. Up from the first leads to the last.
+  /// The marked row, 0 if nothing is found. Moving up from the first row leads to the last.
   std::size_t marked() const { return marked_; }
   void mark(std::size_t row);
-  /// By rows; a single step goes round the ends, longer ones stop there.
+  /// Moves by rows; a single step wraps around at the ends, longer ones stop there.
   void move(int rows);
-  /// What the row does, if it can be done now; it is then the first of those done last.
+  /// The action of the row, if it is enabled; makes the entry the most recent one.
   std::function<void()> take(std::size_t row);
 
  private:

@@ -10,7 +10,7 @@
 namespace mes {
 namespace {
 
-/// The samples of a document by their ids.
+/// The keys of the samples of a document: their ids.
 std::vector<std::uint64_t> keys_of(const Document& document) {
   std::vector<std::uint64_t> out;
   out.reserve(document.sample_count());
@@ -18,7 +18,7 @@ std::vector<std::uint64_t> keys_of(const Document& document) {
   return out;
 }
 
-/// The keys of a state: its first samples are those of the document, the others are its own.
+/// The keys of a state: its first samples are those of the document, the others have keys of their own.
 std::vector<std::uint64_t> keys_of_state(const std::vector<std::uint64_t>& document, std::size_t samples) {
   constexpr std::uint64_t kOwn = std::uint64_t{1} << 63U;
   std::vector<std::uint64_t> out(document.begin(),
@@ -27,7 +27,7 @@ std::vector<std::uint64_t> keys_of_state(const std::vector<std::uint64_t>& docum
   return out;
 }
 
-/// The same annotations with samples and balls by their numbers in a document that has those of the data, in their
+/// The same annotations, with samples and balls renumbered for a document that has those of the data in the same
 /// order.
 Annotations numbered(Annotations annotations, const Document& document) {
   const std::vector<SampleSlot> slots = document.slots_in_input_order();
@@ -43,7 +43,7 @@ Annotations numbered(Annotations annotations, const Document& document) {
   return annotations;
 }
 
-/// What the engine needs of a version.
+/// The part of a version that the engine needs.
 SampleData drawn_part(const SampleData& data) {
   return {.positions = data.positions, .balls = data.balls};
 }
@@ -62,7 +62,7 @@ std::shared_ptr<const SampleData> PaneDocuments::data_of(VariantIndex variant) c
   return document_of(variant) != nullptr ? panes_[variant - 1]->version.data : nullptr;
 }
 
-// As `Graph::set_variants`: those from the first one on that differs in kind are made anew.
+// Like `Graph::set_variants`, replaces all panes from the first one that differs in kind.
 void PaneDocuments::keep_kinds(const std::vector<std::optional<VersionChoice>>& versions) {
   std::size_t kept = 0;
   while (kept < panes_.size() && kept < versions.size() && panes_[kept].has_value() == versions[kept].has_value())
@@ -136,7 +136,7 @@ void PaneDocuments::follow_evolution() {
     begun_.reset();
     take(std::move(*found));
   }
-  // What is under way for an earlier document is waited for: while samples are dragged, nothing else would be shown.
+  // Waits for work on an earlier document: otherwise nothing would be shown while samples are dragged.
   const Beginning now = beginning();
   const bool is_under_way = begun_ && begun_->choice == now.choice && wanted_ == steps;
   if (!is_under_way && !has_found(now, steps)) begin(now, std::move(steps));
@@ -167,7 +167,7 @@ void PaneDocuments::begin(const Beginning& beginning, std::vector<std::uint64_t>
       .found = {}};
   const bool goes_on =
       found_ && found_->beginning.revision == beginning.revision && found_->beginning.choice == beginning.choice;
-  // States that a call that was given up may still be computing are left to it.
+  // A call that was given up may still be computing states, so those are left to it.
   if (goes_on && !begun_)
     found.states = found_->states;
   else
@@ -186,7 +186,7 @@ void PaneDocuments::begin(const Beginning& beginning, std::vector<std::uint64_t>
         found.found.push_back(std::move(*state));
       }
     } catch (const Cancelled&) {
-      // What was given up is dropped.
+      // The result of a call that was given up is dropped.
     } catch (const std::bad_alloc&) {
       found.problem = Error{ErrorCode::out_of_memory, "there is not enough memory", {}, 0, 0};
     }
@@ -204,7 +204,8 @@ void PaneDocuments::show(VariantIndex variant, Version version) {
   Pane& pane = *panes_[variant - 1];
   if (!change(pane, variant, version) &&
       !post(pane, variant, replace_all(pane.document, drawn_part(*version.data)))) {
-    // A part of the change may be applied, so the pane holds no known version; the next one replaces it whole.
+    // A part of the change may have been applied, so the pane has no known version; the next one replaces it
+    // completely.
     pane.version = {};
     return;
   }
@@ -223,8 +224,8 @@ bool PaneDocuments::post(Pane& pane, VariantIndex variant, const Expected<Docume
   return true;
 }
 
-// Where samples were taken away, given other places, or added after all others, and balls at most changed. False: it is
-// to be replaced.
+// Handles versions in which samples were removed, moved or appended, and balls at most moved. Returns false if the
+// whole version must be replaced.
 bool PaneDocuments::change(Pane& pane, VariantIndex variant, const Version& to) {
   const Version& from = pane.version;
   if (!from.data || from.data->balls.size() != to.data->balls.size()) return false;
@@ -238,7 +239,7 @@ bool PaneDocuments::change(Pane& pane, VariantIndex variant, const Version& to) 
       removed.push_back(id);
       continue;
     }
-    if (to.keys[at] != from.keys[i]) return false;  // one comes between those that are there
+    if (to.keys[at] != from.keys[i]) return false;  // a sample was inserted between the old ones
     if (to.data->positions[at] != pane.document.position(slots[i])) moved.emplace_back(id, to.data->positions[at]);
     ++at;
   }
@@ -248,7 +249,7 @@ bool PaneDocuments::change(Pane& pane, VariantIndex variant, const Version& to) 
     if (to.data->balls[i] != pane.document.disk(ball_slots[i]))
       balls.emplace_back(pane.document.ball_id(ball_slots[i]), to.data->balls[i]);
   const std::span<const Vec2> added = std::span(to.data->positions).subspan(at);
-  // The range of numbers may allow the whole and not each half.
+  // The coordinate range may allow the whole change but not each half.
   const Expected<DocumentDelta> less = remove_samples(pane.document, removed);
   if (!less) return false;
   if (!removed.empty() && !post(pane, variant, less)) return false;

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The documents of panes that show another version of the document than the main pane: a state of an evolution, or what
-// there was before the last edit.
+// The documents of panes that show another version than the main pane: a state of an evolution, or the document
+// before the last edit.
 //
-// What it guarantees:
-//  1. Nothing waits: states of an evolution are computed on a thread of their own, and a pane shows that of an earlier
-//     document until the one of the present document is there. While samples are dragged, states that are being
-//     computed are finished and shown.
-//  2. The engine is given what changes: where a version differs from the one before in some samples and balls, these
-//     alone; what is drawn is that of the version, whatever was shown before.
+// Guarantees:
+//  1. Nothing waits: a separate thread computes states of an evolution, and a pane shows the state for an earlier
+//     document until that for the present one is ready. While samples are dragged, states that are being computed are
+//     finished and shown.
+//  2. The engine gets only changes: if a version differs from the previous one in some samples and balls, only these.
+//     The drawing is that of the version, whatever was shown before.
 //
 // Smallest use, once a frame:
 //     documents.follow(shown.versions);
 //     engine.post({..., .beside = {shown.variants, documents.take_deltas()}});
 //
-// Cost: O(n) a version that changes, beside the steps of the evolution. Threads: the window's; `wake` is called from
-// others.
+// Cost: O(n) per version that changes, beside the steps of the evolution. Threads: the window's; `wake` is called
+// from others.
 #pragma once
 
 #include <cstdint>
@@ -36,40 +36,40 @@ namespace mes {
 
 class PaneDocuments {
  public:
-  /// Both outlive it.
+  /// Both arguments must outlive it.
   PaneDocuments(const Editor& editor, const EvolutionPlayer& evolution, Waker wake);
 
-  /// Variants 1, 2, ... show these versions, or none of their own. The engine makes variants anew as `Graph` does.
-  /// `is_held`: the engine does not know the present document yet, and what is shown waits for it.
+  /// Sets the versions that variants 1, 2, ... show, or none of their own. The engine replaces variants as `Graph`
+  /// does. `is_held`: the engine does not know the present document yet, and the display waits for it.
   void follow(const std::vector<std::optional<VersionChoice>>& versions, bool is_held = false);
-  /// The evolution was replaced by another one of its id: its states are computed again.
+  /// The evolution was replaced by another one with its id: its states are computed again.
   void forget_states();
-  /// What has changed, for the engine, once.
+  /// The changes for the engine, given once.
   std::vector<VariantDelta> take_deltas() { return std::exchange(deltas_, {}); }
-  /// All versions are of the present document, or could not be had.
+  /// True if all versions belong to the present document, or are impossible.
   bool is_complete() const;
-  /// Why a version cannot be had, once.
+  /// The reason why a version is impossible, given once.
   std::optional<Error> take_problem() { return std::exchange(problem_, std::nullopt); }
 
-  /// What a variant shows, as the engine has it, and as data with its annotations; null: that of the main pane.
+  /// The document of a variant as the engine has it, or as data with annotations; null: that of the main pane.
   const Document* document_of(VariantIndex variant) const;
   std::shared_ptr<const SampleData> data_of(VariantIndex variant) const;
 
  private:
   struct Version {
-    std::vector<std::uint64_t> keys{};  ///< of the samples, increasing: in all versions of a document the same
+    std::vector<std::uint64_t> keys{};  ///< keys of the samples, increasing: equal in all versions of a document
     std::shared_ptr<const SampleData> data{};
   };
   struct Pane {
     VersionChoice choice;
-    std::optional<std::uint64_t> origin{};  ///< what the version was made of; none: of nothing yet
+    std::optional<std::uint64_t> origin{};  ///< source of the version; nothing: there is none yet
     Version version{};
     Document document{};
   };
-  /// What states of an evolution follow from.
+  /// The data that determine the states of an evolution.
   struct Beginning {
-    std::uint64_t revision = 0;  ///< of state 0
-    std::uint64_t document = 0;  ///< of the document, which has the balls
+    std::uint64_t revision = 0;  ///< revision of state 0
+    std::uint64_t document = 0;  ///< revision of the document, which has the balls
     EvolutionChoice choice{};
     friend bool operator==(const Beginning&, const Beginning&) = default;
   };
@@ -78,8 +78,8 @@ class PaneDocuments {
     Version document;  ///< as it was then
     std::shared_ptr<EvolutionStates> states;
     std::vector<std::uint64_t> steps;
-    std::vector<EvolutionStates::Shared> found;  ///< of these
-    std::optional<Error> problem{};              ///< then there are fewer
+    std::vector<EvolutionStates::Shared> found;  ///< states for these steps
+    std::optional<Error> problem{};              ///< if set, there are fewer
   };
   void keep_kinds(const std::vector<std::optional<VersionChoice>>& versions);
   Beginning beginning() const;
@@ -98,13 +98,13 @@ class PaneDocuments {
 
   const Editor& editor_;
   const EvolutionPlayer& evolution_;
-  std::vector<std::optional<Pane>> panes_;  // of variants 1, 2, ...
+  std::vector<std::optional<Pane>> panes_;  // for variants 1, 2, ...
   std::vector<VariantDelta> deltas_;
   std::optional<Error> problem_;
-  std::optional<Beginning> begun_;     // of what is being computed
+  std::optional<Beginning> begun_;     // what is being computed
   std::vector<std::uint64_t> wanted_;  // its steps
-  std::optional<Found> found_;         // what was computed last
-  std::uint64_t answers_ = 0;          // how often something was
+  std::optional<Found> found_;         // last result
+  std::uint64_t answers_ = 0;          // number of results so far
   BackgroundJob<Found> computing_;
 };
 

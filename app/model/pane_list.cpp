@@ -24,7 +24,8 @@ ComputationSettings settings_of(const Registry& registry, const PaneChoice& choi
   ComputationSettings out = main;
   if (const Precision* const precision = std::get_if<Precision>(&choice)) out.precision = *precision;
   if (const auto* const parameter = std::get_if<ParameterChoice>(&choice))
-    // An unknown parameter would start a second computation with equal results. A session may name one by its id alone.
+    // An unknown parameter would only start a second computation with equal results. A session may name one by id
+    // alone.
     if (const Parameter* const known = registry.find_parameter(parameter->parameter.id))
       out[*known] = parameter->value;
   const ParameterMove* const move = evolution.choice.moved_parameter();
@@ -34,7 +35,7 @@ ComputationSettings settings_of(const Registry& registry, const PaneChoice& choi
   return out;
 }
 
-/// The version of the document that a pane shows; nothing: that of the main one.
+/// The version of the document that a pane shows; nothing: that of the main pane.
 std::optional<VersionChoice> version_of(const PaneChoice& choice, const PaneEvolution& evolution) {
   if (const auto* const before = std::get_if<BeforeLastEdit>(&choice)) return *before;
   const auto* const evolved = std::get_if<EvolvedChoice>(&choice);
@@ -42,7 +43,7 @@ std::optional<VersionChoice> version_of(const PaneChoice& choice, const PaneEvol
   return evolved != nullptr && moves_samples ? std::optional<VersionChoice>(*evolved) : std::nullopt;
 }
 
-/// The visible layers of a configuration, as a stack that has it shows them.
+/// The visible layers when a stack takes the configuration.
 ShownPanes::Layers visible_in(const LayerConfiguration& configuration, const LayerStack& layers) {
   LayerStack stack = layers;
   stack.set_configuration(configuration);

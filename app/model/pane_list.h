@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Panes beside the main one, each of which shows the document otherwise: with another number type, another value of a
-// parameter, the union of other balls, a bundle, in a state of an evolution, or as it was before the last edit.
+// Panes beside the main one. Each shows the document in another way: with another number type or value of a
+// parameter, the union of other balls, a bundle, a state of an evolution, or as it was before the last edit.
 //
 // All panes show one view, the same part of the plane at the same scale, unless they have cameras of their own
-// (pane_views.h). What they show is computed by the one engine
-// as variants (core/draw/variant.h), so an edit shows in all at once, and what they share is computed once.
+// (pane_views.h). The one engine computes their contents as variants (core/draw/variant.h), so that an edit appears
+// in all at once, and shared results are computed once.
 //
 // Smallest use:
 //     PaneList panes;
@@ -12,7 +12,7 @@
 //     const ShownPanes shown = shown_panes(registry, panes, layers, settings);
 //     engine.post({.deltas = {}, .settings = settings, .demand = shown.demand, .beside = {shown.variants}});
 //
-// Cost: O(layers) a pane. Threads: none.
+// Cost: O(layers) per pane. Threads: none.
 #pragma once
 
 #include <cstdint>
@@ -35,11 +35,11 @@ namespace mes {
 
 class Registry;
 
-/// As in the window: "Exact", "Inner balls: scale 1.1", "Polar balls", the name of the bundle, "Step 10", "Before the
-/// last edit".
+/// The name in the window: "Exact", "Inner balls: scale 1.1", "Polar balls", the name of the bundle, "Step 10",
+/// "Before the last edit".
 std::string words_of(const PaneChoice& choice);
 
-/// What grows with each change is `revision`.
+/// The list of panes; `revision` grows with each change.
 class PaneList {
  public:
   static constexpr std::size_t kMost = kMostPanesBeside;
@@ -48,12 +48,12 @@ class PaneList {
   bool is_full() const { return panes_.size() == kMost; }
   std::span<const PaneChoice> panes() const { return panes_; }
   std::uint64_t revision() const { return revision_; }
-  /// Of each pane a number that no other one had and that it keeps.
+  /// For each pane a permanent number that no other pane has had.
   std::span<const std::uint64_t> keys() const { return keys_; }
-  /// Each pane has a view of its own.
+  /// True if each pane has its own view.
   bool has_free_cameras() const { return has_free_cameras_; }
   void set_free_cameras(bool are_free);
-  /// Parameters are those of the registry from now on, with values in their range. One that it lacks is kept.
+  /// Replaces parameters by those of the registry, with values clamped to their range. Unknown parameters are kept.
   void resolve(const Registry& registry);
 
   /// Does nothing if the list is full.
@@ -61,34 +61,35 @@ class PaneList {
   void change(std::size_t pane, PaneChoice choice);
   void close(std::size_t pane);
   void close_all();
-  /// Shows these; those beyond `kMost` are left out.
+  /// Replaces the list; panes beyond `kMost` are left out.
   void set(std::vector<PaneChoice> panes);
 
  private:
   std::vector<PaneChoice> panes_;
-  std::vector<std::uint64_t> keys_;  // of each
+  std::vector<std::uint64_t> keys_;  // one per pane
   std::uint64_t next_key_ = 0;
   bool has_free_cameras_ = false;
   std::uint64_t revision_ = 0;
 };
 
-/// What the main pane shows, as far as panes beside it can differ.
+/// The properties of the main pane in which the others can differ.
 struct MainPane {
   const ComputationSettings& settings;
   FamilyKind family{};
-  std::string bundle{};    ///< that is shown as it was saved; empty: none
-  std::uint64_t step = 0;  ///< of the evolution, that the document is in
+  std::string bundle{};    ///< the bundle that is shown unchanged; empty: none
+  std::uint64_t step = 0;  ///< step of the evolution that the document shows
 };
-/// What each pane is about, the main one first: of that, what the first of the list has otherwise.
+/// A description of each pane, the main one first; that names the property in which the first pane of the list
+/// differs.
 std::vector<std::string> words_of(const PaneList& list, const MainPane& main);
 
-/// A choice that the list does not have yet: a number type that is not in use.
+/// A choice that is not in the list yet: a number type that is not in use.
 PaneChoice next_choice(const PaneList& list, const ComputationSettings& settings);
 
 /// The evolution of the window.
 struct PaneEvolution {
   EvolutionChoice choice{};
-  double first = 0.0;  ///< in state 0, of the parameter that it moves, if it moves one
+  double first = 0.0;  ///< value in state 0 of the parameter that it moves, if any
   friend bool operator==(const PaneEvolution&, const PaneEvolution&) = default;
 };
 
@@ -96,14 +97,15 @@ struct PaneEvolution {
 struct ShownPanes {
   using Layers = std::vector<std::pair<VariantLayer, LayerStyle>>;  ///< bottom first
   std::vector<VariantRequest> variants;
-  std::vector<std::optional<VersionChoice>> versions;  ///< of the variants that have documents of their own
-  std::vector<Layers> panes;                           ///< beside the main one
-  std::vector<VariantIndex> variant;                   ///< of each of these
-  std::vector<VariantLayer> demand;                    ///< of all panes, the main one too
+  std::vector<std::optional<VersionChoice>> versions;  ///< for variants that have documents of their own
+  std::vector<Layers> panes;                           ///< for the panes beside the main one
+  std::vector<VariantIndex> variant;                   ///< one per pane in `panes`
+  std::vector<VariantLayer> demand;                    ///< for all panes, including the main one
 };
-/// Those of the main pane.
+/// The visible layers of the main pane.
 ShownPanes::Layers visible_layers(const LayerStack& layers);
-/// The layers are those of the registry. A state in which a parameter would leave its range is shown as the main pane is.
+/// The layers are those of the registry. If a state would move a parameter out of its range, its pane equals the main
+/// one.
 ShownPanes shown_panes(const Registry& registry, const PaneList& list, const LayerStack& layers,
                        const ComputationSettings& settings, const PaneEvolution& evolution = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where panes lie in the window, and which of them the pointer is in.
+// The positions of panes in the window, and the pane under the pointer.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace mes {
 
-/// In framebuffer pixels from the upper left corner of the window.
+/// A rectangle in framebuffer pixels from the upper left corner of the window.
 struct PanePlace {
   int left = 0;
   int top = 0;
@@ -20,12 +20,12 @@ struct PanePlace {
   friend bool operator==(const PanePlace&, const PanePlace&) = default;
 };
 
-/// Panes of one size, the main one first; empty while there is only that one. A place in a pane stands for the place in
-/// the main one that shows the same point of the plane.
+/// Panes of equal size, the main one first; empty if it is the only one. A position in a pane corresponds to the
+/// position in the main pane that shows the same point of the plane.
 class PanePlaces {
  public:
-  /// Divides a part of the window: in columns, in rows if that is high, or two by two. Leaves it whole where panes would
-  /// be narrower than `least`.
+  /// Divides a part of the window into columns, into rows if it is high, or two by two. Leaves it whole if panes
+  /// would be narrower than `least`.
   static PanePlaces divide(const PanePlace& whole, std::size_t panes, int gap, int least) {
     PanePlaces out;
     if (panes < 2) return out;
@@ -46,19 +46,19 @@ class PanePlaces {
 
   bool is_empty() const { return places_.empty(); }
   const std::vector<PanePlace>& places() const { return places_; }
-  /// Around all panes; there must be some.
+  /// The rectangle around all panes; there must be some.
   PanePlace all() const {
     const PanePlace& first = places_.front();
     const PanePlace& last = places_.back();
     const auto right = std::ranges::max(places_, {}, &PanePlace::left);
     return {first.left, first.top, right.left + right.width - first.left, last.top + last.height - first.top};
   }
-  /// The pane at a place; the main one outside of all.
+  /// The pane at a position; the main one outside all panes.
   std::size_t at(Vec2 px) const {
     const auto found = std::ranges::find_if(places_, [px](const PanePlace& place) { return place.holds(px); });
     return found == places_.end() ? 0 : static_cast<std::size_t>(found - places_.begin());
   }
-  /// From the main pane to another one.
+  /// The shift from the main pane to another one.
   Vec2 shift(std::size_t pane) const {
     if (pane >= places_.size()) return {};
     return {static_cast<double>(places_[pane].left - places_.front().left),

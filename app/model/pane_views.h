@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cameras of panes: one for all of them, or one for each.
+// The cameras of panes: one for all, or one for each.
 //
-// A camera is always that of a window in which the pane lies where the main one does, so places in a pane and places in
-// the main one are the same pixels, and panes of one size need no cameras of other sizes.
+// A camera is always that of a window in which the pane has the position of the main pane. So positions in a pane and
+// in the main pane are the same pixels, and panes of one size need no cameras of other sizes.
 //
-// What it guarantees: while cameras are locked, all panes have the view of the main one. A pane whose camera becomes free
-// begins with that view; a view stays with its pane when others come and go.
+// Guarantees: while cameras are locked, all panes have the view of the main one. When its camera becomes free, a pane
+// begins with that view; the view stays with its pane when others are added or removed.
 //
 // Smallest use:
 //     PaneViews views;
@@ -30,13 +30,13 @@ class PaneViews {
  public:
   ViewMotion& main() { return main_; }
   const ViewMotion& main() const { return main_; }
-  /// Of a pane, the main one being 0.
+  /// The view of a pane; the main one is 0.
   ViewMotion& of(std::size_t pane) { return is_own(pane) ? beside_[pane - 1].second : main_; }
   const ViewMotion& of(std::size_t pane) const { return is_own(pane) ? beside_[pane - 1].second : main_; }
-  /// Not that of the main pane.
+  /// True if the view is not that of the main pane.
   bool is_own(std::size_t pane) const { return pane != 0 && pane <= beside_.size(); }
 
-  /// `panes`: those beside the main one, each by a number that stays the same (`PaneList::keys`).
+  /// `panes`: those beside the main one, by their permanent numbers (`PaneList::keys`).
   void follow(std::span<const std::uint64_t> panes, bool are_free) {
     if (!are_free) return beside_.clear();
     if (std::ranges::equal(panes, beside_, {}, {}, &Beside::first)) return;

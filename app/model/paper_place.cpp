@@ -26,13 +26,13 @@ PaperCorner corner_of(bool right, bool bottom) {
   return right ? PaperCorner::top_right : PaperCorner::top_left;
 }
 
-/// Along one side of the room.
+/// The position along one side of the room.
 double placed(double offset, double size, double low, double high, bool from_high) {
   const double at = from_high ? high - offset - size : low + offset;
   return std::max(low, std::min(at, high - size));
 }
 
-/// In millimetres, of so many logical pixels.
+/// Converts logical pixels to millimetres.
 double offset_of(double px, double reach) {
   if (std::abs(px - kUsualMarginPx) <= reach) px = kUsualMarginPx;
   return std::clamp(px * kMillimetersPerPixel, 0.0, kMostPlaceMm);

@@ -19,12 +19,12 @@ fs::path home() {
   return value != nullptr && value[0] == '/' ? value : "";
 }
 
-// XDG_PICTURES_DIR="$HOME/Pictures" or ="/absolute", as xdg-user-dirs writes it.
+// Reads XDG_PICTURES_DIR="$HOME/Pictures" or ="/absolute", as xdg-user-dirs writes it.
 fs::path pictures_by_desktop(const fs::path& file) {
   constexpr std::string_view kKey = "XDG_PICTURES_DIR=\"";
   constexpr std::string_view kHome = "$HOME";
   std::error_code error;
-  // A pipe would be waited for.
+  // Reading a pipe would block.
   if (!fs::is_regular_file(file, error)) return {};
   std::ifstream stream(file);
   for (std::string line; std::getline(stream, line);) {
@@ -73,7 +73,7 @@ FrameView frame_view(const render::Camera& window, const WindowPart& part, doubl
       std::min(static_cast<double>(settings.width) / part.width, static_cast<double>(settings.height) / part.height);
   out.content_scale *= factor;
   out.camera.set_viewport(settings.width, settings.height);
-  // About its middle, so that not even a deep zoom's centre is rounded.
+  // Zooms about the middle, so that even the centre of a deep zoom is not rounded.
   out.camera.zoom_at({0.5 * settings.width, 0.5 * settings.height}, factor);
   return out;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How frames and snapshots are to be made. Plain data, and what follows from it.
+// The options of frames and snapshots. Plain data, and values derived from it.
 #pragma once
 
 #include <filesystem>
@@ -14,28 +14,28 @@
 namespace mes {
 
 struct RecordSettings {
-  int width = 0;  ///< pixels; 0: as large as the canvas between the panels
+  int width = 0;  ///< pixels; 0: the size of the canvas between the panels
   int height = 0;
   int supersampling = 1;            ///< 1, 2 or 4
-  bool transparent = false;         ///< instead of the background
-  std::optional<Rgb> background{};  ///< none: that of the canvas
-  bool with_panels = false;         ///< the window as it is; what is above does not apply then
-  bool each_motion = false;         ///< a frame of each step of a pan or zoom, not only where it ends
-  double fps = 30.0;                ///< of the video, [1, 120]
-  bool real_time = false;           ///< each frame of the video is seen as long as it was when recorded
+  bool transparent = false;         ///< no background
+  std::optional<Rgb> background{};  ///< nothing: that of the canvas
+  bool with_panels = false;         ///< records the window as it is, and ignores the options above
+  bool each_motion = false;         ///< one frame for each step of a pan or zoom, not only for its end
+  double fps = 30.0;                ///< rate of the video, [1, 120]
+  bool real_time = false;           ///< each frame of the video lasts as long as it did during recording
   bool with_source = true;          ///< snapshots carry the document, takes the session
-  bool all_panes = true;            ///< frames, snapshots and copies show all panes, where there are several
-  std::string folder{};             ///< where takes and snapshots go; empty: `takes_folder`
+  bool all_panes = true;            ///< frames, snapshots and copies show all panes if there are several
+  std::string folder{};             ///< folder of takes and snapshots; empty: `takes_folder`
   friend bool operator==(const RecordSettings&, const RecordSettings&) = default;
 };
 
 inline constexpr int kLargestFrameSide = 16384;
 inline constexpr int kMostFramePixels = 1 << 26;  // 256 MiB
 
-/// Error: `usage`, what is impossible about it.
+/// Error: `usage` with the impossible option.
 Expected<void> check(const RecordSettings& settings);
 
-/// Part of a window in pixels from its upper left corner.
+/// A part of a window, in pixels from its upper left corner.
 struct WindowPart {
   int left = 0;
   int top = 0;
@@ -43,10 +43,10 @@ struct WindowPart {
   int height = 0;
   friend bool operator==(const WindowPart&, const WindowPart&) = default;
 };
-/// What the panels leave free; all of the window where they leave hardly anything.
+/// The area that the panels leave free; the whole window if that is hardly anything.
 WindowPart part_between(const Insets& panels, int width, int height);
 
-/// What a picture shows of a window's view: all of the part, in the same middle, lines and points as much larger as
+/// The picture's view of a window's view: the whole part around the same middle, with lines and points enlarged like
 /// the rest.
 struct FrameView {
   render::Camera camera;
@@ -57,9 +57,9 @@ FrameView frame_view(const render::Camera& window, const WindowPart& part, doubl
 
 /// The desktop's folder for pictures (XDG_PICTURES_DIR of `user-dirs.dirs`), else the home folder; empty: no home.
 std::filesystem::path pictures_folder();
-/// "mesecina" in it.
+/// The folder "mesecina" in it.
 std::filesystem::path takes_folder();
-/// Where takes and snapshots of these settings go; empty: no home.
+/// The folder for takes and snapshots with these settings; empty: no home.
 std::filesystem::path folder_of(const RecordSettings& settings);
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was refused, said until it is done otherwise.
+// Reports a refused operation until another one succeeds.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@ namespace mes {
 /// The last refusal of one part of the window. Threads: the window's.
 class Refusal {
  public:
-  /// `messages` outlives it.
+  /// `messages` must outlive it.
   explicit Refusal(Messages& messages) : messages_(messages) {}
 
   void say(const Error& error) {
     said_ = error.message();
     messages_.problem(said_);
   }
-  /// Something was done: the refusal before is stale. Problems of others stay.
+  /// Call it when something was done: removes the last refusal, which is stale. Problems of others stay.
   void forget() {
     if (!said_.empty() && messages_.problem() == said_) messages_.clear_problem();
     said_.clear();

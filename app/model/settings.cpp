@@ -19,7 +19,7 @@ using nlohmann::json;
 namespace fs = std::filesystem;
 
 constexpr int kSchema = 1;
-// A settings file is small; what is larger is not one, and is not read into memory.
+// A settings file is small; a larger file is not one, and is not read into memory.
 constexpr std::uintmax_t kLargestFile = 1U << 20U;
 
 // In the order of `DetailsPage`.
@@ -48,7 +48,7 @@ std::string text_in(const json& object, const char* key) {
   return entry != object.end() && entry->is_string() ? entry->get<std::string>() : std::string();
 }
 
-// 0xRRGGBB; none: nothing, or no colour.
+// Reads 0xRRGGBB; nothing if it is missing or no colour.
 std::optional<Rgb> color_in(const json& object, const char* key) {
   const auto entry = object.find(key);
   if (entry == object.end() || !entry->is_number_integer()) return std::nullopt;
@@ -87,7 +87,7 @@ RecordSettings record_from_json(const json& object) {
   out.with_source = flag_in(object, "with_source", out.with_source);
   out.all_panes = flag_in(object, "all_panes", out.all_panes);
   out.folder = text_in(object, "folder");
-  // What fits each range may still not go together.
+  // Values that fit their ranges may still not fit each other.
   if (!check(out)) {
     out.width = out.height = 0;
     out.supersampling = 1;
@@ -181,7 +181,7 @@ void remember(std::vector<std::string>& names, const fs::path& file) {
   if (names.size() > kRecentFiles) names.resize(kRecentFiles);
 }
 
-/// What one program has remembered, and what another one has added meanwhile.
+/// Combines the names that this program has remembered with those that another one has added meanwhile.
 std::vector<std::string> remembered_by_both(std::vector<std::string> ours, const std::vector<std::string>& at_start,
                                             const std::vector<std::string>& now) {
   for (const std::string& name : now)
@@ -359,7 +359,7 @@ Expected<void> save_settings(const Settings& settings, const fs::path& path) {
   // Opening a pipe would block until it is read.
   if (fs::exists(path, error) && !fs::is_regular_file(path, error))
     return std::unexpected(Error{ErrorCode::cannot_write, "this is not a file", path.string()});
-  // File names may be any bytes; those that are not UTF-8 are replaced rather than refused.
+  // File names may contain any bytes; those that are not UTF-8 are replaced instead of refused.
   return write_file_atomically(path, to_json(settings).dump(2, ' ', false, json::error_handler_t::replace) + '\n');
 }
 

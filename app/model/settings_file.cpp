@@ -9,7 +9,7 @@ Expected<void> SettingsFile::save() const {
   if (path_.empty()) return {};
   std::error_code error;
   std::filesystem::create_directories(path_.parent_path(), error);
-  // The window ends: it saves in any case.
+  // The window is ending, so it saves in any case.
   const UpdateLock lock(path_);
   const Settings now = std::filesystem::exists(path_, error) ? load_settings(path_).settings : at_start_;
   return save_settings(merged(settings_, at_start_, now), path_);

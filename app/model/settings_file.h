@@ -8,8 +8,8 @@
 
 namespace mes {
 
-/// Guarantee: `save` writes the changes made here and keeps those that other windows have saved meanwhile, also
-/// those that end at the same moment. Threads: the window's.
+/// Guarantee: `save` writes the changes made here and keeps those that other windows have saved meanwhile, even of
+/// windows that end at the same moment. Threads: the window's.
 class SettingsFile {
  public:
   SettingsFile(std::filesystem::path path, Settings loaded)

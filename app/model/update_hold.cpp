@@ -6,7 +6,7 @@
 namespace mes {
 namespace {
 
-// The same rows are moved once more, and nothing else happens: as in each step of a drag.
+// True if the same rows are moved again, and nothing else changes, as in each step of a drag.
 template <class Edits>
 bool is_moved_on(const Edits& before, const Edits& after, auto kind) {
   return std::ranges::equal(before, after, [kind](const auto& a, const auto& b) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Changes of the document that the engine does not hear of yet, because the update of all structures is held.
+// Holds back changes of the document from the engine while the update of all structures is held.
 #pragma once
 
 #include <deque>
@@ -11,16 +11,16 @@
 
 namespace mes {
 
-/// What it guarantees: while the update is held, changes wait; released, they reach the listener in their order, and
-/// from then on each as it comes. A drag waits as one change, however many steps it has. A replacement of everything is
-/// not held: it releases the update. What the listener has no memory for goes on waiting, and is passed on with the next
+/// Guarantees: while the update is held, changes wait; on release they reach the listener in their order, and later
+/// ones immediately. A drag waits as one change, however many steps it has. A replacement of everything is not held:
+/// it releases the update. A change for which the listener lacks memory keeps waiting, and is passed on with the next
 /// call.
 ///
 /// Smallest use:
 ///     UpdateHold hold([&](auto delta) { engine.post(std::move(delta)); });
 ///     hold.set_held(true); hold.post(delta); hold.set_held(false);
 ///
-/// Cost: O(edits) of the changes that wait. Threads: none.
+/// Cost: O(edits) of the waiting changes. Threads: none.
 class UpdateHold {
  public:
   using Listener = std::function<void(std::shared_ptr<const DocumentDelta>)>;
@@ -29,7 +29,7 @@ class UpdateHold {
   void post(std::shared_ptr<const DocumentDelta> delta);
   void set_held(bool held);
   bool is_held() const { return is_held_; }
-  /// Changes that wait, in their order.
+  /// The waiting changes, in their order.
   const std::deque<std::shared_ptr<const DocumentDelta>>& waiting() const { return waiting_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shows the whole drawing in what the panels leave free.
+// Fits the whole drawing into the area that the panels leave free.
 #pragma once
 
 #include <optional>
@@ -9,28 +9,28 @@
 
 namespace mes {
 
-/// What it guarantees: what is wanted is done in the next frame, when the panels are where they will be. While the view
-/// stays as it was fitted and the drawing about as large, it is fitted again when panels come and go or the window
-/// changes its size. Threads: none.
+/// Guarantees: a fit is made in the next frame, when the panels have their final positions. While the view stays as
+/// fitted and the drawing about as large, it is fitted again when panels are opened or closed, or the window is
+/// resized. Threads: none.
 class ViewFitter {
  public:
-  static constexpr double kMargin = 40.0;  ///< around the drawing, in logical pixels
+  static constexpr double kMargin = 40.0;  ///< margin around the drawing, in logical pixels
 
-  /// The view outlives it.
+  /// The view must outlive it.
   explicit ViewFitter(ViewMotion& view) : view_(view) {}
 
   enum class How : std::uint8_t { glide, at_once };
   void want(How how) { wanted_ = how; }
   bool is_wanted() const { return wanted_.has_value(); }
-  /// Next time this box is fitted, without margin, and not the drawing.
+  /// The next fit shows this box without margin instead of the drawing.
   void set_target(const Box2& box) { target_ = box; }
 
   struct Frame {
-    Vec2 legend{};               ///< size of what lies in the lower right corner of the free area
+    Vec2 legend{};               ///< size of the item in the lower right corner of the free area
     double content_scale = 1.0;  ///< framebuffer pixels per logical pixel
     bool is_held = false;        ///< a gesture has the pointer
   };
-  /// Once a frame, after the panels were drawn.
+  /// Call it once per frame, after the panels were drawn.
   void follow(const Document& document, const Frame& frame);
 
  private:
@@ -40,11 +40,11 @@ class ViewFitter {
     Insets panels{};
     friend bool operator==(const Room&, const Room&) = default;
   };
-  /// What was fitted, and into what.
+  /// The fitted box, and the area it was fitted into.
   struct Fitted {
     Box2 box;
     Room room;
-    std::uint64_t fit = 0;  ///< of the view; a later one showed something else
+    std::uint64_t fit = 0;  ///< fit number of the view; a larger one shows something else
   };
   std::optional<How> wanted_again(const Document& document, const Room& room, bool is_held) const;
 

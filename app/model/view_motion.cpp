@@ -8,7 +8,7 @@ namespace mes {
 namespace {
 
 constexpr double kZoomTime = 0.055;   // seconds after which 1/e of a zoom is left; longer feels like rubber
-constexpr double kFlightTime = 0.28;  // seconds; long enough to see where one goes
+constexpr double kFlightTime = 0.28;  // seconds; long enough to see the direction
 constexpr double kRest = 0.8;         // seconds without motion after which the next one starts from a new view
 constexpr double kDoneZoom = 1e-3;    // a thousandth: below a pixel even at the rim of a large screen
 constexpr std::size_t kRemembered = 64;
@@ -17,7 +17,7 @@ double ease(double t) {
   return t * t * (3.0 - 2.0 * t);
 }
 
-// Zooms about the point that both views have in common, or pans when the scales are equal.
+// Zooms about the point that both views share, or pans if the scales are equal.
 render::Camera between(const render::Camera& from, const render::Camera& to, double t) {
   render::Camera out = to;
   const double a = from.units_per_pixel();
@@ -28,7 +28,7 @@ render::Camera between(const render::Camera& from, const render::Camera& to, dou
   return out;
 }
 
-// Of a drawing that fills what is free; 0 where there is no room.
+// The scale of a drawing that fills the free area; 0 if there is none.
 double fitting_scale(const Insets& insets, Vec2 viewport, Vec2 size) {
   const double width = std::max(0.0, viewport.x - insets.left - insets.right);
   const double height = std::max(0.0, viewport.y - insets.top - insets.bottom);
@@ -39,7 +39,7 @@ double fitting_scale(const Insets& insets, Vec2 viewport, Vec2 size) {
 
 Insets clear_of_corner(const Insets& insets, Vec2 viewport, Vec2 corner, Vec2 size) {
   if (corner.x <= 0.0 || corner.y <= 0.0) return insets;
-  // Of a drawing without extent only its place counts.
+  // For a drawing without extent only its position matters.
   size = {std::max(size.x, 1e-300), std::max(size.y, 1e-300)};
   const double scale = fitting_scale(insets, viewport, size);
   const double width = viewport.x - insets.left - insets.right;
@@ -57,7 +57,7 @@ Insets clear_of_corner(const Insets& insets, Vec2 viewport, Vec2 corner, Vec2 si
 
 void ViewMotion::set_viewport(int width, int height) {
   if (width == camera_.width() && height == camera_.height()) return;
-  // The upper left corner stays where it is on screen: resizing uncovers, it does not shift.
+  // The upper left corner keeps its position on screen: resizing uncovers the drawing but does not shift it.
   const Vec2 grown{0.5 * (width - camera_.width()), 0.5 * (height - camera_.height())};
   camera_.set_viewport(width, height);
   camera_.pan(-grown);

@@ -11,7 +11,7 @@
 
 namespace mes {
 
-/// Pixels covered by panels at the sides of the view; what is fitted stays clear of them.
+/// Pixels covered by panels at the sides of the view; fitted boxes avoid them.
 struct Insets {
   double left = 0.0;
   double top = 0.0;
@@ -20,14 +20,14 @@ struct Insets {
   friend bool operator==(const Insets&, const Insets&) = default;
 };
 
-/// For something `corner` large in the lower right corner of what is free: insets that leave it out, below or on the
-/// right, where a drawing `size` large (in any unit) is shown larger. As they were if it is not in the way.
+/// Insets that exclude an item of size `corner` in the lower right corner of the free area: below or on the right,
+/// whichever shows a drawing of this `size` (in any unit) larger. Unchanged if the item is not in the way.
 Insets clear_of_corner(const Insets& insets, Vec2 viewport, Vec2 corner, Vec2 size);
 
-/// What it guarantees:
-///  1. While zooming the world point under the cursor stays under it, in every frame of the motion.
-///  2. A motion ends exactly at its goal and then `is_moving` is false: nothing needs to be drawn any more.
-///  3. `back` returns to the views that were left by a jump, or by zooming and panning after a rest.
+/// Guarantees:
+///  1. During a zoom the world point under the pointer stays under it, in every frame.
+///  2. A motion ends exactly at its goal; then `is_moving` is false, and nothing more needs to be drawn.
+///  3. `back` returns to views that were left by a jump, or by zooming and panning after a rest.
 ///
 /// Smallest use:
 ///     motion.zoom_at(cursor, 1.2);
@@ -42,22 +42,22 @@ class ViewMotion {
   const Insets& insets() const { return insets_; }
 
   void zoom_at(Vec2 px, double factor);
-  /// At once: the picture sticks to the hand.
+  /// Pans at once: the picture sticks to the hand.
   void pan(Vec2 delta_px);
-  /// Glides to show the box, or jumps when nothing was seen before.
+  /// Glides to show the box, or jumps if nothing was shown before.
   void fit(const Box2& box, double margin_px, bool at_once = false);
-  /// Not zoomed, panned or taken back since it was fitted.
+  /// True if the view was not zoomed, panned or taken back since it was fitted.
   bool is_as_fitted() const { return is_as_fitted_; }
-  /// How often something was fitted.
+  /// The number of fits so far.
   std::uint64_t fits() const { return fits_; }
   void back();
   bool can_go_back() const { return !earlier_.empty(); }
 
   bool is_moving() const { return pending_zoom_ != 0.0 || flight_.has_value(); }
   void advance(double seconds);
-  /// Centre of what the panels leave free.
+  /// Centre of the area that the panels leave free.
   Vec2 middle() const;
-  /// What is seen between the panels, in the world. Fitting it without margin shows the same again.
+  /// The visible area between the panels, in the world. Fitting it without margin restores the same view.
   Box2 free_box() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What lies over the window and takes all keys until it is answered.
+// A dialog over the window, which takes all keys until it is answered.
 #pragma once
 
 #include "app/actions/key_chord.h"
@@ -16,15 +16,15 @@ class Dialog {
   Dialog& operator=(const Dialog&) = delete;
 
   virtual bool is_open() const = 0;
-  /// Closes it without an answer.
+  /// Closes the dialog without an answer.
   virtual void cancel() = 0;
-  /// To be called in each turn, drawn or not: takes what was made aside. One that lies below another is not drawn.
+  /// Call it in each turn, drawn or not: takes results of background work. A dialog below another is not drawn.
   virtual void follow() {}
-  /// To be called in each frame, open or not. An answer is acted on before it returns.
+  /// Call it in each frame, open or not. Acts on an answer before it returns.
   virtual void draw(const Gui& gui) = 0;
-  /// A key that does not cancel it.
+  /// Handles a key that does not cancel the dialog.
   virtual void press(const KeyChord& /*chord*/) {}
-  /// The keys that cancel it.
+  /// True for the keys that cancel the dialog.
   virtual bool is_cancelled_by(const KeyChord& chord) const { return chord.symbol == key::escape; }
 };
 

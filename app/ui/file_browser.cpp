@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Of what can be opened, each once.
+/// The extensions of files that can be opened, each once.
 std::vector<std::string_view> known_extensions(const std::optional<LiveRegistry>& registry) {
   std::vector<std::string_view> out{".txt", ".bnd"};
   const auto add = [&out](std::string_view extension) {
@@ -79,7 +79,7 @@ std::string FileBrowser::heading() const {
   return purpose_.heading.empty() ? usual : purpose_.heading;
 }
 
-// As long as it was not asked, or has failed, the own dialog is there.
+// If the desktop was not asked, or has failed, the own dialog is shown.
 void FileBrowser::ask_desktop_first() {
   if (!desktop_) return;
   DesktopQuestion question{.is_saving = is_saving_,
@@ -101,7 +101,7 @@ void FileBrowser::ask_desktop_first() {
   }
 }
 
-// The file, if one was chosen that can be taken as it is; otherwise the own dialog goes on from there.
+// Returns the chosen file if it can be used as it is; otherwise the own dialog continues from there.
 std::optional<fs::path> FileBrowser::take_desktop_answer() {
   if (!is_desktop_asked()) return std::nullopt;
   const std::optional<DesktopAnswer> answer = desktop_->asking.poll();
@@ -116,14 +116,14 @@ std::optional<fs::path> FileBrowser::take_desktop_answer() {
   const bool is_folder = fs::is_directory(answer->file, error);
   if (!is_folder) enter(answer->file.parent_path());
   name_ = is_folder ? answer->file.string() : answer->file.filename().string();
-  // What was agreed to there is the name as it was chosen.
+  // The user has confirmed overwriting only for the name as it was chosen.
   const bool is_agreed = is_saving_ && !is_folder && answer->file.has_extension();
   std::optional<fs::path> out = is_agreed ? std::optional(answer->file) : accept();
   followed_name_ = name_;
   return out;
 }
 
-// Below the desktop's dialog; without it, such as when it lies behind other windows, there is a way out.
+// Shown below the desktop's dialog; offers a way out, e.g. if that lies behind other windows.
 void FileBrowser::draw_desktop_note(const Gui& gui) {
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -187,7 +187,7 @@ void FileBrowser::enter(const fs::path& folder) {
 void FileBrowser::take_marked_name() {
   const FileList::Entry* const row = files_.marked_row();
   if (row == nullptr) return;
-  // The name that is proposed for saving is not lost on the way through folders.
+  // The name proposed for saving must survive the way through folders.
   if (!is_saving_ || !row->is_folder) name_ = row->name;
   field_.show_replaced();
   followed_name_ = name_;
@@ -195,7 +195,7 @@ void FileBrowser::take_marked_name() {
   trouble_.clear();
 }
 
-// What is typed jumps to the first row that begins with it, and makes old errors go.
+// Typing jumps to the first row that begins with the text, and clears old errors.
 void FileBrowser::follow_name() {
   if (name_ == followed_name_) return;
   followed_name_ = name_;
@@ -214,7 +214,7 @@ void FileBrowser::press(const KeyChord& chord) {
     if (symbol == key::enter) accepted_ = true;
     return;
   }
-  // Where the field has lost the keyboard to a click, it does not say so itself.
+  // A field that has lost the keyboard to a click does not report Enter itself.
   if (symbol == key::enter) accepted_ = true;
   if (symbol == key::up && chord.modifiers.alt) return enter(files_.folder().parent_path());
   if (symbol == key::down) files_.move(1);
@@ -227,7 +227,7 @@ void FileBrowser::press(const KeyChord& chord) {
 
 std::optional<fs::path> FileBrowser::accept() {
   const FileList::Entry* const row = files_.marked_row();
-  // A folder that is marked is looked into, also where a file is to be saved.
+  // A marked folder is opened, even when saving a file.
   const std::string text = row != nullptr && row->is_folder ? row->name : name_;
   if (text.empty()) return std::nullopt;
   fs::path chosen = text.starts_with("~/") ? home() / text.substr(2) : fs::path(text);

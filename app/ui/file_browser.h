@@ -19,22 +19,22 @@
 
 namespace mes {
 
-/// What a file is asked for when it is not the document.
+/// The purpose of a file that is not the document.
 struct FilePurpose {
   std::string heading{};
-  std::vector<std::string> extensions{};  ///< lower case, with the dot; empty: of what can be opened as a document
-  std::string trouble{};                  ///< why it is asked for again
+  std::vector<std::string> extensions{};  ///< lower case, with the dot; empty: those of documents that can be opened
+  std::string trouble{};                  ///< why the question is repeated
 };
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. A folder is read once, when it is entered. An error is reported, not shown as an empty folder, until something
 ///     else is chosen.
 ///  2. Overwriting a file needs a confirmation.
 ///  3. A name without an extension gets that of the proposed name.
-///  4. The keyboard does everything: arrows and Page keys mark a file, letters jump to one, Enter opens what is marked,
-///     Alt+Up shows the folder above.
-///  5. After `use_desktop` the desktop's dialog is shown instead, as long as there is one: the first time that it fails,
-///     the own one takes its place for good. No frame waits for it.
+///  4. The keyboard is sufficient: arrows and Page keys mark a file, letters jump to one, Enter opens the marked one,
+///     Alt+Up shows the parent folder.
+///  5. After `use_desktop` the desktop's dialog is shown instead, if there is one; when it fails for the first time,
+///     the own dialog replaces it for good. No frame waits for it.
 ///
 /// Smallest use:
 ///     browser.ask_open(folder, [](const std::filesystem::path& file) { open(file); });
@@ -47,11 +47,11 @@ class FileBrowser final : public Dialog {
   ~FileBrowser() override;
   /// Lists files of the formats of this registry. It lists none before this call.
   void use_formats(LiveRegistry registry) { registry_ = std::move(registry); }
-  /// `window`: above which it is to lie, as in DesktopQuestion. `wake` is called from another thread when an answer
-  /// has come, `settle` when it was taken and other dialogs are to be drawn.
+  /// `window`: the parent window, as in DesktopQuestion. `wake` is called from another thread when an answer has
+  /// arrived, `settle` when it was taken and other dialogs must be drawn.
   void use_desktop(const std::string& window, std::function<void()> wake, std::function<void()> settle);
 
-  /// `then` gets the file, once it is chosen.
+  /// `then` receives the file once it is chosen.
   void ask_open(const std::filesystem::path& folder, Then then, FilePurpose purpose = {});
   void ask_save(const std::filesystem::path& folder, const std::string& name, Then then, FilePurpose purpose = {});
 
@@ -72,11 +72,11 @@ class FileBrowser final : public Dialog {
   std::optional<std::filesystem::path> take_desktop_answer();
   void draw_desktop_note(const Gui& gui);
   std::string heading() const;
-  /// The chosen file, once.
+  /// Returns the chosen file, once.
   std::optional<std::filesystem::path> draw_choice(const Gui& gui);
   void list_wanted();
   void enter(const std::filesystem::path& folder);
-  /// The mark was moved: its name is the one that is meant.
+  /// Uses the name of the row to which the mark was moved.
   void take_marked_name();
   void follow_name();
   void draw_path(const Gui& gui);
@@ -94,15 +94,15 @@ class FileBrowser final : public Dialog {
   bool accepted_ = false;
   FileList files_;
   std::string name_;
-  std::string followed_name_;  // as the mark was last set by it, or it by the mark
-  bool shows_mark_ = false;    // scrolls to it in the next frame
+  std::string followed_name_;  // name at the last synchronisation with the mark
+  bool shows_mark_ = false;    // scrolls to the mark in the next frame
   NameField field_;
-  std::string extension_;  // of the proposed name
+  std::string extension_;  // extension of the proposed name
   FilePurpose purpose_;
   Then then_;
   std::string trouble_;
   std::filesystem::path overwrite_;  // waits for the confirmation
-  bool replaces_ = false;            // which of its two answers Enter gives
+  bool replaces_ = false;            // the answer that Enter gives to the question
 };
 
 }  // namespace mes

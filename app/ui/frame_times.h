@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Measures what the turns of the window's loop spend their time on.
+// Measures the time of each turn of the window's loop, by activity.
 #pragma once
 
 #include <array>

@@ -21,7 +21,7 @@ Modifiers modifiers_of(int bits) {
           (bits & GLFW_MOD_ALT) != 0};
 }
 
-// Cursor events come without modifiers.
+// Cursor events have no modifiers.
 Modifiers modifiers_now(GLFWwindow* window) {
   const auto held = [window](int left, int right) {
     return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
@@ -115,7 +115,7 @@ GlfwWindow::GlfwWindow(GLFWwindow* window)
   keep_on_screen();
 }
 
-// A size that was right on another screen may be too large for this one.
+// A size from another screen may be too large for this one.
 void GlfwWindow::keep_on_screen() {
   GLFWmonitor* monitor = glfwGetPrimaryMonitor();
   if (monitor == nullptr) return;
@@ -157,7 +157,7 @@ void GlfwWindow::install_callbacks() {
     if (action == GLFW_RELEASE) self->release_ = self->pointer_;
     if (self->listener_ == nullptr) return;
     self->listener_->on_anything();
-    // The press happened where the last move ended; the present position may be that of later events.
+    // The press happened where the last move ended; the present position may belong to later events.
     if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
     const PointerButton which = button == GLFW_MOUSE_BUTTON_LEFT    ? PointerButton::left
                                 : button == GLFW_MOUSE_BUTTON_RIGHT ? PointerButton::right
@@ -220,7 +220,7 @@ void GlfwWindow::install_callbacks() {
   });
 }
 
-// Dear ImGui polls the keys once a frame, so it would miss a key that was pressed and released between two frames.
+// Dear ImGui polls the keys once per frame, so it would miss a key pressed and released between two frames.
 void GlfwWindow::tell_gui(int code, int scancode, int action, int bits) {
   const bool is_new = std::ranges::find(just_pressed_, code) != just_pressed_.end();
   if (action == GLFW_RELEASE && is_new) {
@@ -335,7 +335,7 @@ double GlfwWindow::content_scale() const {
   return std::clamp(static_cast<double>(std::max(x, y)), 0.5, 8.0);
 }
 
-// GLFW has this function only when it was built for X11, and may be exchanged for one that was not.
+// GLFW has this function only when it was built for X11, and another build may be installed later.
 std::string GlfwWindow::desktop_handle() const {
   using Number = unsigned long (*)(GLFWwindow*);
   const auto number_of = reinterpret_cast<Number>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));

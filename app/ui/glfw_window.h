@@ -30,19 +30,19 @@ class WindowListener {
   virtual void on_key(const KeyChord& chord, bool repeated) = 0;
   virtual void on_typed(char32_t symbol, bool repeated) = 0;
   virtual void on_space(bool held) = 0;
-  /// A key of the keyboard went down or up, by its label on the present layout (`KeyChord::symbol`). With the symbol 0
-  /// all of them are up.
+  /// A key of the keyboard went down or up, by its label on the present layout (`KeyChord::symbol`). The symbol 0
+  /// means that all keys are up.
   virtual void on_key_held(char32_t symbol, bool held) = 0;
   /// Ctrl, Shift or Alt went down or up, wherever the pointer is.
   virtual void on_modifiers(Modifiers modifiers) = 0;
   virtual void on_files_dropped(std::vector<std::string> files) = 0;
   virtual void on_close_wanted() = 0;
-  /// Any event that may change the picture; also when the window was uncovered.
+  /// Any event that may change the picture, including the window being uncovered.
   virtual void on_anything() = 0;
 };
 
-/// What it guarantees: after `create` succeeds, a context of OpenGL 3.3 core is current; the destructor releases
-/// everything, GLFW included. One window at a time. Threads: the main one, except for `wake`.
+/// Guarantees: after `create` succeeds, a context of OpenGL 3.3 core is current; the destructor releases everything,
+/// GLFW included. One window at a time. Threads: the main one, except for `wake`.
 class GlfwWindow {
  public:
   struct Options {
@@ -61,19 +61,18 @@ class GlfwWindow {
   void poll();
   /// Sleeps until an event, `wake`, or the end of the time; 0 means no limit.
   void wait(double seconds);
-  /// Ends a `wait`. From any thread while the window exists.
+  /// Ends a `wait`. Callable from any thread while the window exists.
   static void wake();
 
   void swap();
   void set_title(const std::string& title);
-  /// For tests of the window, which have to know when everything that was done to it can be seen. Where
-  /// MESECINA_SHOWS_REST is set, a press of Pause asks for an answer, and `answer_rest` writes the number of presses so
-  /// far behind the title.
+  /// For tests of the window, which must know when all their input has become visible. If MESECINA_SHOWS_REST is set,
+  /// a press of Pause requests an answer, and `answer_rest` appends the number of presses so far to the title.
   bool is_asked_for_rest() const { return rest_asked_ > rest_answered_; }
   void answer_rest();
   void set_pointer_shape(PointerShape shape);
   /// Where a button was pressed since the last call, then where it was released, in screen coordinates. When a late
-  /// frame begins, the pointer may be elsewhere, and panels would take the click for one there.
+  /// frame begins, the pointer may be elsewhere, and panels would see the click there.
   std::optional<Vec2> take_click();
   struct Size {
     int width = 0;
@@ -83,10 +82,11 @@ class GlfwWindow {
   Size size() const;
   /// Framebuffer pixels per screen coordinate.
   double pixel_ratio() const;
-  /// Framebuffer pixels per logical pixel, as the desktop wants it.
+  /// Framebuffer pixels per logical pixel, as the desktop sets it.
   double content_scale() const;
   bool is_minimized() const;
-  /// What other programs put above it: "x11:" and its number in hexadecimal; empty where it has none.
+  /// The handle for other programs' windows above this one: "x11:" and its number in hexadecimal; empty if it has
+  /// none.
   std::string desktop_handle() const;
 
  private:
@@ -105,7 +105,7 @@ class GlfwWindow {
   GLFWcursor* hand_ = nullptr;
   PointerShape shape_ = PointerShape::arrow;
   std::string title_;
-  Vec2 pointer_;  // as of the last event, in screen coordinates
+  Vec2 pointer_;  // at the last event, in screen coordinates
   std::optional<Vec2> press_;
   std::optional<Vec2> release_;
   struct Release {
@@ -114,8 +114,8 @@ class GlfwWindow {
     int modifiers;
   };
   std::vector<int> just_pressed_;  // since the last frame
-  std::vector<Release> releases_;  // of those; reported to Dear ImGui after the next frame
-  bool key_repeats_ = false;       // of the key whose typed text comes next
+  std::vector<Release> releases_;  // of these keys; reported to Dear ImGui after the next frame
+  bool key_repeats_ = false;       // for the key whose typed text comes next
   bool shows_rest_ = false;
   int rest_asked_ = 0;
   int rest_answered_ = 0;

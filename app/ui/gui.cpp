@@ -16,18 +16,18 @@ namespace {
 constexpr float kTextPx = 15.0F;
 constexpr float kSmallTextPx = 12.5F;
 constexpr double kProjectorScale = 1.35;
-constexpr float kRestSeconds = 0.4F;  // before a tooltip; a shorter time shows tooltips of items passed by
+constexpr float kRestSeconds = 0.4F;  // before a tooltip; a shorter time shows tooltips of items on the way
 
 // Latin, Greek, and the few symbols that messages and panels use.
 constexpr std::array<ImWchar, 15> kGlyphs{0x0020, 0x017F, 0x0391, 0x03F5, 0x2010, 0x2032, 0x2113, 0x2113,
                                           0x2190, 0x2194, 0x2202, 0x2265, 0x25CF, 0x25CF, 0};
 
-// Beyond the usual size, in logical pixels: each is drawn smaller down to the one before.
+// Sizes beyond the usual one, in logical pixels; each is also scaled down for sizes above the previous one.
 constexpr std::array<double, 4> kLargeLetters{24.0, 40.0, 64.0, 120.0};
 
 ImFont* add_font(ImFontAtlas& atlas, const std::filesystem::path& file, float size) {
   std::error_code error;
-  // The library ends the program if a font file is broken.
+  // Dear ImGui ends the program if a font file is broken.
   if (!std::filesystem::is_regular_file(file, error) || !render::Font::read(file)) return nullptr;
   ImFontConfig config;
   config.OversampleH = 2;
@@ -41,7 +41,7 @@ ImFont* add_font(ImFontAtlas& atlas, const std::filesystem::path& file, float si
 Gui::Gui(GlfwWindow& window, std::filesystem::path assets) : window_(window), assets_(std::move(assets)) {
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // the program keeps the layout, not the library
+  io.IniFilename = nullptr;  // the program keeps the layout, not Dear ImGui
   io.LogFilename = nullptr;
   io.ConfigInputTextCursorBlink = false;  // a blinking cursor would keep an idle window awake
   io.ConfigWindowsMoveFromTitleBarOnly = true;
@@ -109,8 +109,8 @@ void Gui::begin_frame(const Settings& settings) {
     font_scale_ = scale;
     unit_ = static_cast<float>(scale / ratio);
     load_fonts(scale);
-    // Not all device objects may be destroyed: the library keeps the sizes of its old buffers, so it would write beyond
-    // the new, empty ones and draw nothing from then on. The first texture is created with those objects.
+    // Do not destroy all device objects: Dear ImGui keeps the sizes of its old buffers, so it would write beyond the
+    // new, empty ones and draw nothing from then on. The first texture is created with those objects.
     if (!is_first) {
       ImGui_ImplOpenGL3_DestroyFontsTexture();
       ImGui_ImplOpenGL3_CreateFontsTexture();
@@ -140,15 +140,16 @@ void Gui::end_frame() {
 }
 
 bool Gui::wants_pointer(Vec2 px) const {
-  // The library's own answer is that of its last frame; the pointer may have moved onto a panel since.
+  // Dear ImGui's own answer is that of its last frame; the pointer may have moved onto a panel since.
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   if (context.ActiveId != 0 || has_popup()) return true;
   const double ratio = window_.pixel_ratio();
   const ImVec2 at(static_cast<float>(px.x / ratio), static_cast<float>(px.y / ratio));
-  // By the stack of open popups, because their windows exist for a frame longer.
+  // Uses the stack of open popups, because their windows exist for a frame longer.
   constexpr int kNotPanels = ImGuiWindowFlags_NoMouseInputs | ImGuiWindowFlags_Popup | ImGuiWindowFlags_Tooltip;
   for (const ImGuiWindow* window : context.Windows) {
-    // The library's own window for what belongs to none is active from the beginning of each frame to its end.
+    // Dear ImGui's fallback window, for items outside all windows, is active from the beginning of each frame to its
+    // end.
     if (!window->Active || window->Hidden || window->IsFallbackWindow || (window->Flags & kNotPanels) != 0) continue;
     if (window->OuterRectClipped.Contains(at)) return true;
   }
@@ -169,7 +170,7 @@ bool Gui::is_fading() const {
 }
 
 bool Gui::wants_text() const {
-  // The library's own answer comes a frame after a field has taken or left the keyboard; a key in between would be lost.
+  // Dear ImGui's own answer is a frame late when a field takes or loses the keyboard; a key in between would be lost.
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   return context.ActiveId != 0 && context.ActiveId == context.InputTextState.ID;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Dear ImGui in the program's window: context, fonts, theme, scale, and the question which of both an event is for.
+// Dear ImGui in the program's window: context, fonts, theme, scale, and the decision which of the two gets an event.
 #pragma once
 
 #include <array>
@@ -12,9 +12,9 @@
 
 namespace mes {
 
-/// What it guarantees: text has the resolution of the framebuffer at every content scale; fonts are rasterised again
-/// only when the scale changes, or letters of another size are asked for. Dear ImGui measures lengths in screen coordinates; `unit()` of them are one logical
-/// pixel. Threads: the window's. One at a time.
+/// Guarantees: text has the resolution of the framebuffer at every content scale; fonts are rasterised again only
+/// when the scale changes, or letters of another size are requested. Dear ImGui measures lengths in screen
+/// coordinates; `unit()` of them are one logical pixel. Threads: the window's. One at a time.
 class Gui {
  public:
   Gui(GlfwWindow& window, std::filesystem::path assets);
@@ -27,14 +27,14 @@ class Gui {
   void end_frame();
 
   float unit() const { return unit_; }
-  /// Framebuffer pixels per logical pixel of the drawing. It does not depend on the size of the panels, except that for
-  /// a projector both are larger.
+  /// Framebuffer pixels per logical pixel of the drawing. It does not depend on the size of the panels, except that a
+  /// projector enlarges both.
   double drawing_scale() const;
   const ThemeColors& colors() const { return colors_; }
   ImFont* bold() const { return bold_; }
   enum class Look : std::uint8_t { plain, bold, italic };
-  /// For letters of `size` logical pixels anywhere, sharp also where they are large. A size that was not asked for
-  /// before comes with the next frame (`lacks_letters`), and letters of another size stand in for it until then.
+  /// The font for letters of `size` logical pixels, sharp even if they are large. A size that was not requested
+  /// before is loaded with the next frame (`lacks_letters`), and letters of another size replace it until then.
   ImFont* letters(Look look, double size) const;
   bool lacks_letters() const { return wanted_sizes_ != loaded_sizes_; }
   ImFont* small() const { return small_; }
@@ -51,12 +51,12 @@ class Gui {
   bool wants_text() const;
   /// True while a popup, menu or dialog is open.
   bool has_popup() const;
-  /// Closes the topmost popup or menu; false if there was none.
+  /// Closes the topmost popup or menu; returns false if there was none.
   bool close_popup();
-  /// Closes all popups and menus, and takes the keyboard from a field, which keeps what was typed.
+  /// Closes all popups and menus, and takes the keyboard from a field, which keeps its text.
   void leave_panels();
-  /// For dialogs that are shown while a flag is set: opens the popup if `open`, and closes it if not. Returns true if
-  /// the caller must fill it and then call ImGui::EndPopup().
+  /// For dialogs shown while a flag is set: opens the popup if `open`, and closes it if not. Returns true if the
+  /// caller must fill it and then call ImGui::EndPopup().
   static bool begin_dialog(const char* id, bool open, ImGuiWindowFlags flags);
 
  private:
@@ -75,7 +75,7 @@ class Gui {
   using Letters = std::array<ImFont*, kLooks>;
   Letters usual_letters_{};
   std::array<Letters, kLetterSizes> large_letters_{};
-  mutable unsigned wanted_sizes_ = 0;  // a bit each; asking is all that changes them
+  mutable unsigned wanted_sizes_ = 0;  // one bit per size; set when a size is requested
   unsigned loaded_sizes_ = 0;
   ImFont* small_ = nullptr;
 };

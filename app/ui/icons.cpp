@@ -47,7 +47,7 @@ void draw_turn(Pen& pen, bool backwards) {
   // The shaft ends where the head begins, because both may be translucent.
   pen.arc(12.0F, 13.5F, 6.0F, backwards ? -pi * 0.72F : -pi * 0.28F, backwards ? pi * 0.55F : -pi * 1.55F);
   ImVec2 head[] = {pen.p(x(3.6F), 12.6F), pen.p(x(4.6F), 5.2F), pen.p(x(10.2F), 10.2F)};
-  // The library smooths the edges of clockwise polygons only.
+  // Dear ImGui smooths the edges of clockwise polygons only.
   if (!backwards) std::swap(head[0], head[1]);
   pen.fill(head);
 }

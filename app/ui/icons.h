@@ -43,7 +43,7 @@ enum class Icon : std::uint8_t {
 /// Draws the icon into the square `size` wide at `at`.
 void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color);
 
-/// A triangle that points down at what is unfolded, or right to what is folded away; `size` is half its side.
+/// Draws a triangle that points down at unfolded content, or right at folded content; `size` is half its side.
 void draw_fold(ImDrawList& list, ImVec2 middle, float size, bool is_unfolded, ImU32 color);
 
 enum class ButtonLook : std::uint8_t {
@@ -52,11 +52,11 @@ enum class ButtonLook : std::uint8_t {
   on,      ///< a switch that is on
 };
 
-/// A square button with an icon. Returns true when it was clicked.
+/// Draws a square button with an icon. Returns true when it is clicked.
 bool icon_button(const char* id, Icon icon, float size, ButtonLook look = ButtonLook::plain, bool enabled = true);
 
-/// A button for one of several words side by side, as wide as the word unless a width is given; the chosen one stands out.
-/// Returns true when it was clicked.
+/// Draws a button for one of several words side by side, as wide as the word unless a width is given; the chosen one
+/// stands out. Returns true when it is clicked.
 bool choice_button(const char* label, bool chosen, float width = 0.0F);
 
 }  // namespace mes

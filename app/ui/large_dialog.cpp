@@ -7,7 +7,7 @@ namespace mes {
 
 void large_dialog(const Gui& gui, const char* id, bool is_open, ImVec2 size,
                   const std::function<void(ImVec2)>& draw) {
-  // Place and size would be those of whichever window comes next.
+  // Position and size would apply to whichever window comes next.
   if (!is_open && !ImGui::IsPopupOpen(id)) return;
   const float unit = gui.unit();
   const float margin = 24 * unit;

@@ -8,8 +8,8 @@
 
 namespace mes {
 
-/// A dialog in the middle of the window, `size` large in logical pixels, or as large as there is room for. While it is
-/// open, `draw` is called with its size in screen coordinates. To be called in each frame, open or not.
+/// Draws a dialog in the middle of the window, of `size` in logical pixels, or as large as possible. While it is
+/// open, calls `draw` with its size in screen coordinates. Call it in each frame, open or not.
 void large_dialog(const Gui& gui, const char* id, bool is_open, ImVec2 size, const std::function<void(ImVec2)>& draw);
 
 }  // namespace mes

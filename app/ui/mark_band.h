@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A narrow band below a slider, with marks at values where something happens.
+// A narrow band below a slider, with marks at the values of events.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@
 
 namespace mes {
 
-/// An item of Dear ImGui, made in each frame where the band is to be.
+/// An item of Dear ImGui, constructed in each frame at the cursor.
 ///
 /// Smallest use:
 ///     MarkBand band(gui, "events", 200.0F, 12.0F);
@@ -20,15 +20,16 @@ namespace mes {
 ///     if (pointed_at != nullptr && band.is_clicked()) go_to(*pointed_at);
 class MarkBand {
  public:
-  /// In screen coordinates.
+  /// Sizes are in screen coordinates.
   MarkBand(const Gui& gui, const char* id, float width, float height);
 
-  /// Of a slider above the band that is as wide.
+  /// The track of a slider above the band that has the same width.
   SliderTrack track() const { return {at_.x, size_.x}; }
-  /// Draws a mark at this place of the screen; true: the pointer is near, and nearest to this one of all so far.
+  /// Draws a mark at screen position `x`. Returns true if the pointer is near, and nearest to this mark of all so
+  /// far.
   bool mark(float x, Rgb color, float thickness = 1.0F);
   bool is_clicked() const { return is_clicked_; }
-  /// A small triangle at the value that the slider has.
+  /// Draws a small triangle at the present value of the slider.
   void show_value(float x) const;
   void explain(const std::string& words) const;
 

@@ -17,7 +17,7 @@ int place_cursor_at_end(ImGuiInputTextCallbackData* data) {
   return 0;
 }
 
-/// The text that was typed since the last frame, before a field took it.
+/// Takes the text typed since the last frame, before a field does.
 std::string take_typed_text() {
   ImVector<ImWchar>& typed = ImGui::GetIO().InputQueueCharacters;
   std::string out;
@@ -48,7 +48,7 @@ bool NameField::draw(const char* label, const char* hint, std::string& name) {
       callback = place_cursor_at_end;
     }
   }
-  // The field keeps a text of its own while it has the keyboard.
+  // While the field has the keyboard, it keeps its own copy of the text.
   if (std::exchange(is_replaced_, false) && ImGui::GetActiveID() == ImGui::GetID(label)) ImGui::ClearActiveID();
   if (wants_focus_) ImGui::SetKeyboardFocusHere();
   wants_focus_ = false;

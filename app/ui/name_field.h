@@ -11,7 +11,7 @@ class NameField {
  public:
   /// Takes the keyboard; for the first frame of the dialog.
   void focus();
-  /// The name was replaced from elsewhere: it is shown, selected, and has the keyboard.
+  /// Shows a name that was replaced from elsewhere, selects it, and takes the keyboard.
   void show_replaced() {
     focus();
     is_replaced_ = true;
@@ -21,7 +21,7 @@ class NameField {
 
  private:
   bool wants_focus_ = false;
-  bool waits_ = false;  // for the keyboard
+  bool waits_ = false;  // waits for the keyboard
   bool is_replaced_ = false;
   std::string early_;  // typed while waiting
 };

@@ -12,7 +12,7 @@ ImVec2 note_size(const std::string& text, float width) {
 }
 
 void note(const std::string& text, float width) {
-  // The library counts from the edge of the window, not from where the text begins.
+  // Dear ImGui counts from the edge of the window, not from the beginning of the text.
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + width);
   ImGui::TextUnformatted(text.c_str());
   ImGui::PopTextWrapPos();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Text that a window shows alone.
+// A window that shows only a text.
 #pragma once
 
 #include <string>
@@ -10,7 +10,7 @@ namespace mes {
 
 /// The size of a window that shows this text, wrapped at the width, and nothing else.
 ImVec2 note_size(const std::string& text, float width);
-/// The text in such a window.
+/// Draws the text in such a window.
 void note(const std::string& text, float width);
 
 }  // namespace mes

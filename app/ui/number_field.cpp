@@ -18,11 +18,11 @@
 namespace mes {
 namespace {
 
-/// What was typed into the field that has the keyboard. When Tab takes the keyboard on to a later field the library does
+/// The text typed into the field that has the keyboard. When Tab moves the keyboard to a later field, Dear ImGui does
 /// not report that this one was left.
 struct Typed {
   ImGuiID field = 0;
-  int frame = 0;  // in which the field was last drawn
+  int frame = 0;  // frame in which the field was last drawn
   std::string value{};
 };
 Typed& typed_last() {
@@ -30,10 +30,10 @@ Typed& typed_last() {
   return one;
 }
 
-/// What was refused, until its field has the keyboard again.
+/// A refused text, kept until its field has the keyboard again.
 struct Refused {
   ImGuiID field = 0;
-  int frame = 0;  // in which the field was last drawn
+  int frame = 0;  // frame in which the field was last drawn
   std::string typed{};
 };
 Refused& refused() {
@@ -41,26 +41,26 @@ Refused& refused() {
   return one;
 }
 
-/// Whether a field that is drawn now, and was last drawn in that frame, was not drawn in between.
+/// True if a field that is drawn now, and was last drawn in that frame, was missing in between.
 bool was_gone(int last_frame) {
   const int frame = ImGui::GetFrameCount();
   return frame < last_frame || frame > last_frame + 1;
 }
 
-/// `draw` returns true while the field has another text than the one it was given, which it changes.
+/// `draw` returns true while the text in the field differs from the given one, and then changes that.
 template <class Draw>
 bool left_with_another(const char* label, std::string& value, Draw draw) {
   Typed& typed = typed_last();
   const ImGuiID id = ImGui::GetID(label);
   const int frame = ImGui::GetFrameCount();
-  // A field that was gone in between was not left, but lost.
+  // A field that was missing in between was not left, but lost.
   if (typed.field == id && was_gone(typed.frame)) typed = {};
   const bool had_keyboard = ImGui::GetActiveID() == id;
   std::string now = value;
   if (draw(now))
     typed = {id, frame, now};
   else if (had_keyboard && typed.field == id)
-    typed = {};  // the old number again, by Esc or by hand
+    typed = {};  // the old number again, by Esc or by typing
   if (typed.field != id) return false;
   typed.frame = frame;
   if (ImGui::GetActiveID() == id) return false;
@@ -70,7 +70,7 @@ bool left_with_another(const char* label, std::string& value, Draw draw) {
   return true;
 }
 
-/// With as many digits as the next field has room for, so that no exponent is cut off.
+/// Uses as many digits as the next field has room for, so that no exponent is cut off.
 std::string fitted(double value, const std::string& exact) {
   const float room = ImGui::CalcItemWidth() - 2 * ImGui::GetStyle().FramePadding.x;
   std::string out = exact;
@@ -79,7 +79,7 @@ std::string fitted(double value, const std::string& exact) {
   return out;
 }
 
-/// The next field has the keyboard, gets it with this frame, or has just lost it.
+/// True if the next field has the keyboard, gets it in this frame, or has just lost it.
 bool is_edited(const char* label) {
   const ImGuiContext& context = *ImGui::GetCurrentContext();
   const ImGuiID id = ImGui::GetID(label);
@@ -89,12 +89,12 @@ bool is_edited(const char* label) {
          context.NavActivateInputId == id || ImGui::IsMouseHoveringRect(at, end);
 }
 
-/// What is said about a number at its field.
+/// A complaint about a number, shown at its field.
 struct Complaint {
   ImGuiID field = 0;
-  int frame = 0;  // in which the field was last drawn
+  int frame = 0;  // frame in which the field was last drawn
   std::string reason{};
-  std::optional<int> left_at{};  // the frame in which the field was left for something else: its old number is back
+  std::optional<int> left_at{};  // frame in which the user left the field for another item: the old number is back
 };
 Complaint& complaint() {
   static Complaint one;
@@ -107,7 +107,7 @@ bool is_something_pressed() {
          std::ranges::any_of(io.MouseClicked, std::identity{});
 }
 
-/// At the last field: a border, and the words below it or, where these have no room, above.
+/// Draws a border around the last field, and the reason below it, or above if there is no room.
 void show(const std::string& reason) {
   if (!ImGui::IsItemVisible()) return;
   const ImGuiStyle& style = ImGui::GetStyle();
@@ -136,7 +136,7 @@ bool text_field(const char* label, const char* hint, std::string& text, ImGuiInp
   Refused& last = refused();
   if (last.field == id && was_gone(last.frame)) last = {};
   if (last.field == id && ImGui::GetActiveID() != id) {
-    // The keyboard comes with this frame or the next one.
+    // The field gets the keyboard in this frame or the next one.
     last.frame = frame;
     std::string now = last.typed;
     ImGui::InputTextWithHint(label, hint, &now, flags);
@@ -147,13 +147,13 @@ bool text_field(const char* label, const char* hint, std::string& text, ImGuiInp
     ImGui::InputTextWithHint(label, hint, &now, flags);
     return now != text;
   });
-  // Esc would leave what was refused, from which the editing began.
+  // Esc would return the refused text, with which the editing began.
   if (!is_left || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) return false;
   text = std::move(left);
   return true;
 }
 
-/// A field that shows `shown`; `read` gives the number that a text stands for.
+/// A field that shows `shown`; `read` parses a text.
 template <class T, class Read>
 bool value_field(const char* label, T& value, const std::string& shown, Read read) {
   const ImGuiID id = ImGui::GetID(label);
@@ -180,7 +180,7 @@ bool value_field(const char* label, T& value, const std::string& shown, Read rea
     } else if (!has_keyboard) {
       said = {};  // given up
     } else if (ImGui::GetActiveID() == id) {
-      // While it is corrected, what is said is about the text as it is.
+      // While the user corrects the number, the complaint is about the present text.
       const Expected<T> number = read(typed_last().field == id ? typed_last().value : text);
       said.reason = number ? std::string() : number.error().message();
     }

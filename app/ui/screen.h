@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The window of the system, what draws panels in it, and when it draws.
+// The system window, the panels' interface in it, and the clock that decides when to draw.
 #pragma once
 
 #include <filesystem>
@@ -13,7 +13,7 @@
 
 namespace mes {
 
-/// An OpenGL context is current for its life. Threads: the window's.
+/// An OpenGL context must be current for its whole life. Threads: the window's.
 struct Screen {
   Screen(std::unique_ptr<GlfwWindow> opened, std::filesystem::path assets)
       : window(std::move(opened)), gui(*window, std::move(assets)) {}

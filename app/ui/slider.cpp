@@ -16,7 +16,7 @@ namespace {
 constexpr float kGap = 4.0F;  // logical pixels
 constexpr float kField = 76.0F;
 
-/// A number that looks like an end of the range is meant to be that.
+/// A number that looks like an end of the range is taken as that end.
 std::optional<std::string> fault_of(double number, const NumberRange& range, const SliderLook& look) {
   const auto shown = [&look](double value) {
     std::array<char, 64> out{};
@@ -34,7 +34,7 @@ float slider_rail(const Gui& gui, float width) {
   return std::max(30 * gui.unit(), width - (kField + kGap) * gui.unit());
 }
 
-// As far from the ends as Dear ImGui has the grip.
+// The distance of the grip from the ends as in Dear ImGui.
 SliderTrack::SliderTrack(float left, float width) {
   constexpr float kPadding = 2.0F;
   const float margin =
@@ -57,7 +57,7 @@ bool slider(const Gui& gui, const char* label, double& value, double low, double
   const ImGuiSliderFlags flags = ImGuiSliderFlags_AlwaysClamp | ImGuiSliderFlags_NoInput |
                                  (look.is_logarithmic ? ImGuiSliderFlags_Logarithmic : 0);
   if (look.end > 0.0) {
-    // The slider is the square root of the number.
+    // The slider shows the square root of the number.
     constexpr double kLeast = 0.0;
     constexpr double kMost = 1.0;
     double root = std::sqrt(std::clamp(value / look.end, kLeast, kMost));

@@ -139,7 +139,7 @@ void apply_theme(ImGuiStyle& style, const ThemeColors& theme, float scale) {
   colors[ImGuiCol_CheckMark] = color(theme.accent);
   colors[ImGuiCol_SliderGrab] = color(theme.grab);
   colors[ImGuiCol_SliderGrabActive] = color(theme.grab_active);
-  colors[ImGuiCol_PlotLinesHovered] = color(theme.warning);  // of refused numbers; no lines are plotted
+  colors[ImGuiCol_PlotLinesHovered] = color(theme.warning);  // for refused numbers; no lines are plotted
   colors[ImGuiCol_PlotHistogram] = color(theme.accent);
   colors[ImGuiCol_TextSelectedBg] = color(theme.accent_soft);
   colors[ImGuiCol_ScrollbarBg] = {0, 0, 0, 0};
@@ -148,7 +148,7 @@ void apply_theme(ImGuiStyle& style, const ThemeColors& theme, float scale) {
   colors[ImGuiCol_ScrollbarGrabActive] = color(theme.scrollbar_active);
   colors[ImGuiCol_TableHeaderBg] = color(theme.field);
   colors[ImGuiCol_TableBorderLight] = colors[ImGuiCol_TableBorderStrong] = color(theme.border);
-  // Unlike the row that the pointer is on, or that is chosen.
+  // Differs from the row under the pointer, and from a chosen one.
   colors[ImGuiCol_TableRowBgAlt] = color(theme.text);
   colors[ImGuiCol_TableRowBgAlt].w = 0.035F;
   colors[ImGuiCol_DragDropTarget] = color(theme.accent);

@@ -13,7 +13,7 @@ struct ThemeColors {
   bool is_dark = false;
   ImU32 text = 0;
   ImU32 text_quiet = 0;
-  ImU32 text_faint = 0;  ///< of items that are off or unavailable
+  ImU32 text_faint = 0;  ///< for items that are off or unavailable
   ImU32 panel = 0;
   ImU32 raised = 0;  ///< popups, lists and pages
   ImU32 border = 0;
@@ -26,12 +26,12 @@ struct ThemeColors {
   ImU32 button = 0;
   ImU32 button_hovered = 0;
   ImU32 button_active = 0;
-  ImU32 grab = 0;  ///< of sliders, behind the number
+  ImU32 grab = 0;  ///< grip of sliders, behind the number
   ImU32 grab_active = 0;
   ImU32 scrollbar = 0;
   ImU32 scrollbar_hovered = 0;
   ImU32 scrollbar_active = 0;
-  ImU32 dim = 0;  ///< on everything behind a dialog
+  ImU32 dim = 0;  ///< over everything behind a dialog
   ImU32 warning = 0;
   ImU32 warning_soft = 0;
   ImU32 warning_border = 0;

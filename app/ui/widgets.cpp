@@ -23,7 +23,7 @@ bool begin_panel(const char* name, const PanelArea& area, ImGuiWindowFlags extra
 
 namespace {
 
-constexpr float kEdge = 6.0F;  // between a popup and the edge of the window, in logical pixels
+constexpr float kEdge = 6.0F;  // distance between a popup and the edge of the window, in logical pixels
 
 void limit_size(const Gui& gui) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
@@ -35,10 +35,10 @@ void limit_size(const Gui& gui) {
 
 namespace {
 
-constexpr float kTooltipWidth = 340.0F;  // logical pixels, of the text
+constexpr float kTooltipWidth = 340.0F;  // width of the text, in logical pixels
 
-// Beside the panel or popup of the last item, towards the middle of the window; above or below one that is wide. Where
-// it has no room the library places it at the pointer.
+// Places the tooltip beside the panel or popup of the last item, towards the middle of the window; above or below a
+// wide one. If there is no room, Dear ImGui places it at the pointer.
 void place_tooltip(const Gui& gui, const std::string& text) {
   const float unit = gui.unit();
   const float gap = 6 * unit;
@@ -47,7 +47,7 @@ void place_tooltip(const Gui& gui, const std::string& text) {
   const ImVec2 item_high = ImGui::GetItemRectMax();
   const ImRect panel = ImGui::GetCurrentContext()->CurrentWindow->RootWindow->OuterRectClipped;
   const ImVec2 size = note_size(text, kTooltipWidth * unit);
-  // The library would draw this text in the size of the last one until a frame later.
+  // Without this, Dear ImGui would draw the text in the size of the previous one for a frame.
   ImGui::SetNextWindowSize(size);
   ImVec2 at;
   if (panel.GetWidth() > 0.6F * screen.x) {
@@ -155,7 +155,7 @@ SplitterMove drag_handle(const Gui& gui, const char* id, const PanelArea& area, 
   const bool is_active = ImGui::IsItemActive();
   bool is_reset = ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
   if (is_active || ImGui::IsItemHovered()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  // Tooltip and menu have a border and a margin; the tooltip would be in the way while the thing is moved.
+  // Tooltip and menu have a border and a margin. During a drag the tooltip would be in the way.
   ImGui::PopStyleVar(2);
   if (!is_active) tooltip(gui, explanation);
   if (begin_context_popup(gui, "menu")) {
