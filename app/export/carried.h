@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What pictures and figures carry, so that they can be opened again.
+// The sessions that pictures and figures carry, so that they can be opened again.
 #pragma once
 
 #include <string>
@@ -12,12 +12,12 @@
 
 namespace mes {
 
-/// The document as it is and as it is seen, without its history, and without the folders of its author. `view`: document
-/// units; empty: everything.
+/// The present document and its view, without its history, and without its author's folders. `view`: document units;
+/// empty: everything.
 Session session_for_picture(std::string title, SampleData data, LayerConfiguration layers,
                             const ComputationSettings& settings, const Box2& view);
 
-/// The session with its history and its lesson, without the folders of its author.
+/// The session with its history and its lesson, without its author's folders.
 Session session_for_lesson(const Session& session);
 
 }  // namespace mes

@@ -18,7 +18,7 @@ namespace {
 
 constexpr Rgb kOnlyHere{0xE0, 0x1E, 0x8C};
 
-/// The layer of another pane that shows what this one does: the same, or else the same of another family of balls.
+/// The layer of another pane that corresponds to this one: the same, or else that of another family of balls.
 std::optional<VariantLayer> counterpart(LayerIndex layer, const Pane& pane) {
   const auto descriptors = pane.shown.descriptors;
   const auto same = std::ranges::find(pane.shown.layers, layer, &VariantLayer::layer);
@@ -30,12 +30,12 @@ std::optional<VariantLayer> counterpart(LayerIndex layer, const Pane& pane) {
   return alike != pane.shown.layers.end() ? std::optional(*alike) : std::nullopt;
 }
 
-/// Instances of one layer of a pane that another pane of those that show it does not have, by kind.
+/// Finds the instances of a layer of a pane that some other pane with the layer lacks, by kind.
 class Differences {
  public:
   Differences(const LayerMirror& mirror, double tolerance) : mirror_(mirror), tolerance_(tolerance) {}
 
-  /// False when there are none.
+  /// Returns false if there are none.
   bool find(VariantLayer layer, std::span<const VariantLayer> others, LayerPatch& out) const {
     bool has_any = false;
     for (const PrimitiveKind kind : kAllPrimitiveKinds) {
@@ -72,7 +72,7 @@ class Differences {
   double tolerance_;
 };
 
-/// The style of a layer for what only some panes have of it.
+/// The style that marks a layer's differences between panes.
 LayerStyle marked(LayerStyle style) {
   constexpr double kWider = 1.75;
   constexpr double kLeastLine = 2.0;
@@ -198,9 +198,9 @@ void share_color_ranges(Comparison& comparison, const LayerMirror& mirror) {
 }
 
 FramePatch mark_differences(Comparison& comparison, const LayerMirror& mirror, double extent) {
-  // Coordinates that were rounded in other ways differ by some of their last bits.
+  // Coordinates that were rounded in different ways may differ in some of their last bits.
   constexpr double kRounding = 0x1p-30;
-  // The marks of a pane are a variant of their own, after all that are computed.
+  // The marks of a pane are a variant of their own, numbered after all computed ones.
   VariantIndex marks = kMostPanes;
   FramePatch out;
   out.frame = mirror.frame();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pictures of several panes side by side, each of which shows the same thing otherwise: with another number type,
-// another parameter, other layers, other samples.
+// Pictures of several panes side by side, each of which shows the same thing in another way: with another number
+// type, another parameter, other layers, other samples.
 //
-// All panes are computed at once, as variants (core/draw/variant.h), so that what they share is there once, and all show
-// the same part of the plane at the same scale.
+// All panes are computed at once, as variants (core/draw/variant.h), so that shared results exist once. All show the
+// same part of the plane at the same scale.
 //
 // Smallest use:
 //     Comparison comparison = compare(registry, std::move(requests));
@@ -37,21 +37,21 @@ namespace mes {
 inline constexpr std::size_t kMostPanes = 16;
 
 struct PaneRequest {
-  std::string words;  ///< what is different in it, as "precision exact"
-  ShownLayers shown;  ///< layers by their numbers in the main computation
+  std::string words;  ///< its difference, such as "precision exact"
+  ShownLayers shown;  ///< layers by their indices in the main computation
   ComputationSettings settings;
   std::shared_ptr<const SampleData> data;
 };
 
-/// What panes show beside each other in the window.
+/// The panes of the window.
 struct PanesOfWindow {
   const ShownPanes& shown;
   const LayerStack& layers;
   const ComputationSettings& settings;
-  std::vector<std::string> words;  ///< of all panes, the main one first
+  std::vector<std::string> words;  ///< descriptions of all panes, the main one first
 };
-/// All panes, the main one of these data first; `own_data` has those of a pane beside it that shows a version of its own,
-/// null for others.
+/// All panes, the main one for these data first. `own_data` returns the data of a pane that shows its own version,
+/// and null for other panes.
 std::vector<PaneRequest> pane_requests(
     const PanesOfWindow& panes, const std::shared_ptr<const SampleData>& data,
     const std::function<std::shared_ptr<const SampleData>(std::size_t pane)>& own_data);
@@ -62,12 +62,12 @@ struct Pane {
   ShownLayers shown;
   VariantIndex variant = kMainVariant;
   std::shared_ptr<const SampleData> data;
-  std::vector<render::LayerView> marks{};  ///< what only some of the panes have
+  std::vector<render::LayerView> marks{};  ///< elements that only some of the panes have
 };
 
 struct Comparison {
   std::vector<Pane> panes;
-  /// Of the main computation, that of the first pane.
+  /// Data of the main computation, which is that of the first pane.
   std::shared_ptr<const SampleData> data;
   ComputationSettings settings;
   std::vector<WorkbenchVariant> variants;
@@ -79,18 +79,19 @@ struct Comparison {
   }
 };
 
-/// Panes with the same settings and the same data (by address) are of one variant. One pane at least, `kMostPanes` at
-/// most. Their layers are those of the registry.
+/// Panes with the same settings and the same data (by address) share a variant. There must be one to `kMostPanes`
+/// panes. Their layers are those of the registry.
 Comparison compare(const Registry& registry, std::vector<PaneRequest> panes);
 
-/// The panes of the window, main pane first: to be compared by what is drawn. They have no data.
+/// The panes of the window, main pane first, for comparing their drawings. They have no data.
 Comparison comparison_of(const ShownPanes& shown, const LayerStack& layers);
 
 /// Gives a layer that follows a colour map the same range in all panes, unless its range is chosen.
 void share_color_ranges(Comparison& comparison, const LayerMirror& mirror);
 
-/// What some pane draws in a layer and another pane that shows the layer does not, as layers of their own, which are
-/// added to the marks of the panes; `extent` is of all that is drawn. The patch is for the scene and the mirror.
+/// Finds what some pane draws in a layer and another pane with the layer does not. The differences are layers of
+/// their own, added to the marks of the panes; `extent` is that of the whole drawing. The patch is for the scene and
+/// the mirror.
 FramePatch mark_differences(Comparison& comparison, const LayerMirror& mirror, double extent);
 
 }  // namespace mes

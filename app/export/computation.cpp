@@ -13,7 +13,7 @@
 namespace mes {
 namespace {
 
-/// The work as a list of tasks in the order of the graph, so that "the third of seven" is known.
+/// The tasks in the order of the graph, so that a position such as "third of seven" is known.
 class TaskList {
  public:
   TaskList(const Registry& registry, std::span<const VariantLayer> layers) {
@@ -29,7 +29,7 @@ class TaskList {
   double fraction(std::string_view task, double progress) {
     const auto found = std::ranges::find(tasks_, task);
     if (found != tasks_.end()) at_ = std::max(at_, static_cast<std::size_t>(found - tasks_.begin()));
-    // Emitting a layer is quick beside computing a structure.
+    // Emitting a layer is quick compared to computing a structure.
     constexpr double kLayerWeight = 0.1;
     const auto weight_before = [this](std::size_t position) {
       const std::size_t layers = position > structures_ ? position - structures_ : 0;
@@ -45,7 +45,7 @@ class TaskList {
   std::size_t at_ = 0;
 };
 
-/// Runs the workbench on a thread of its own, while this one reports how far it is.
+/// Runs the workbench on a thread of its own, while this one reports the progress.
 Expected<ComputationReport> run_to_end(const Registry& registry, Workbench& bench,
                                        const ComputationRequest& request) {
   bench.choose(request.settings);
@@ -74,7 +74,7 @@ Expected<ComputationReport> run_to_end(const Registry& registry, Workbench& benc
   bench.set_on_task({});
   if (request.on_patch) request.on_patch(bench.patch());
   if (!done) return std::unexpected(std::move(done.error()));
-  // A short run may end before it looks.
+  // A short run may end before it notices a stop.
   if (request.stop.stop_requested())
     return std::unexpected(Error{ErrorCode::cancelled, "the computation was stopped", {}, 0, 0});
   ComputationReport out{.nodes = {bench.nodes().begin(), bench.nodes().end()},

@@ -30,10 +30,10 @@ figure::Page resized(const figure::Page& natural, const PageSize& size) {
 
 namespace {
 
-/// A box to fill the page with, or all but a margin of it.
+/// A box that fills the page, or all but a margin of it.
 struct FittedBox {
   Box2 box;
-  double margin = 0.0;  // as a part of the shorter side
+  double margin = 0.0;  // share of the shorter side
 };
 
 FittedBox fitted_box(const FigureRequest& request, const FigureSource& source) {
@@ -41,7 +41,7 @@ FittedBox fitted_box(const FigureRequest& request, const FigureSource& source) {
   return {fit_box(request.shown.descriptors, source.bounds, source.mirror, request.shown.layers), kFitMargin};
 }
 
-/// The height of a page such that what is shown fills it, margins included.
+/// The height of a page that its content fills, margins included.
 double natural_height(const FittedBox& shown, double width) {
   constexpr double kLeast = 0.1;
   constexpr double kMost = 3.0;
@@ -49,12 +49,12 @@ double natural_height(const FittedBox& shown, double width) {
                            ? 1.0
                            : std::clamp(shown.box.height() / shown.box.width(), kLeast, kMost);
   const double both = 2.0 * shown.margin;
-  // The margin is a part of the shorter side, which is the height if the ratio is below 1.
+  // The margin is a share of the shorter side, which is the height if the ratio is below 1.
   return ratio < 1.0 ? ratio * width / (1.0 - both + both * ratio) : (1.0 - both) * width * ratio + both * width;
 }
 
-/// What is left of the request below a band of so many points. A page whose height follows from what it shows has all
-/// that it had.
+/// The request for the part below a band of this many points. If the height of the page follows from its content, the
+/// content keeps its full height.
 FigureRequest below(FigureRequest request, double band) {
   if (request.page && request.page->height) *request.page->height -= band;
   if (!request.page && !std::holds_alternative<figure::Page>(request.part))
@@ -66,14 +66,14 @@ figure::Page page_for(const FigureRequest& request, const FigureSource& source) 
   if (const figure::Page* const natural = std::get_if<figure::Page>(&request.part))
     return request.page ? resized(*natural, *request.page) : *natural;
   const FittedBox shown = fitted_box(request, source);
-  // Pixels of the camera per logical pixel.
+  // `scale` is in pixels of the camera per logical pixel.
   const auto edges = [&](double scale) {
     return request.marks.axes && shown.margin > 0.0 && !request.is_tight ? room_of_axes(scale) : EdgeRoom();
   };
   if (!request.page)
     return figure::page_of(
         camera_within(edges(request.shown.scale), request.pixels[0], request.pixels[1], shown.box, shown.margin));
-  // A camera counts whole pixels: enough of them that the rounding of the page's sides cannot be seen.
+  // A camera has whole pixels: enough of them that the rounding of the page's sides is invisible.
   constexpr double kPixelsPerPoint = 64.0;
   const double width = request.page->width;
   const EdgeRoom axes = edges(kPixelsPerPoint * figure::kPointsPerPixel * request.shown.scale);
@@ -86,14 +86,14 @@ figure::Page page_for(const FigureRequest& request, const FigureSource& source) 
   return page;
 }
 
-/// On a page of this size, which has no band yet.
+/// The title on a page of this size, which has no band yet.
 PictureTitle title_on(const figure::Page& page, const FigureRequest& request, const PaperFonts& fonts) {
   const double points = request.shown.scale * figure::kPointsPerPixel;
   return layout_title(request.title, page.width / points, page.height / points,
                       measure_with(fonts, request.shown.scale), request.shown.background);
 }
 
-/// The height of the band that it takes, in whole pixels of 1/96 inch, as points.
+/// The height of the title's band in points, rounded up to whole pixels of 1/96 inch.
 double band_of(const PictureTitle& title, const FigureRequest& request) {
   return figure::kPointsPerPixel * std::ceil(request.shown.scale * title.drawing.height);
 }
@@ -104,7 +104,7 @@ SeenPlane plane_below(const PictureTitle& title, const figure::Page& page, doubl
   return plane;
 }
 
-/// Adds the scale marks, and says where they are.
+/// Adds the scale marks, and returns their positions.
 MarksPlace add_scale_marks(figure::Figure& figure, const SeenPlane& plane, const FigureRequest& request,
                            const PaperFonts& fonts) {
   const double scale = request.shown.scale;
@@ -127,7 +127,7 @@ Box2 plane_on(const figure::Page& page) {
   return {center - half, center + half};
 }
 
-/// As layers of their own, above all others: what is highlighted, then the rest.
+/// Adds layers of their own above all others: highlights first, then the rest.
 AnnotationDrawing add_annotations(figure::Figure& figure, const figure::Page& page, const FigureRequest& request,
                                   const PlacedAnnotations& annotations, const PaperFonts& fonts) {
   const double scale = request.shown.scale;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure of layers for a page: what `mesecina render` writes into a vector format, and the window exports.
+// A figure of layers on a page, as `mesecina render` writes it in vector formats and the window exports it.
 #pragma once
 
 #include <optional>
@@ -24,60 +24,60 @@
 
 namespace mes {
 
-/// What "fit" shows.
+/// Stands for the area that "fit" shows.
 struct Everything {};
 
-/// The part of the plane that is shown: what "fit" shows, a box, or a page at its natural size.
+/// The visible part of the plane: that of "fit", a box, or a page at its natural size.
 using ShownPart = std::variant<Everything, Box2, figure::Page>;
 
 struct FigureRequest {
   ShownLayers shown;
   ShownPart part;
-  /// None: the size of `part` if that is a page, or else `pixels`. A height that `part` does not fill shows more.
+  /// Nothing: the size of `part` if that is a page, or else `pixels`. A height that `part` does not fill shows more.
   std::optional<PageSize> page{};
-  int pixels[2] = {1600, 1200};  ///< width and height, of 1/96 inch
-  bool is_tight = false;         ///< the page is cut to what is drawn
+  int pixels[2] = {1600, 1200};  ///< width and height in pixels of 1/96 inch
+  bool is_tight = false;         ///< the page is cut to the drawing
   LegendScope legend = LegendScope::color_maps;
-  std::optional<PaperPlace> legend_at{};  ///< none: where it hides least
+  std::optional<PaperPlace> legend_at{};  ///< nothing: where it hides least
   ScaleMarks marks{};
-  std::string title{};  ///< as `rich_text` has it, in a band above the drawing; empty: none
+  std::string title{};  ///< in the syntax of `rich_text`, in a band above the drawing; empty: no title
   bool with_annotations = true;
-  std::vector<render::LayerView> marks_above{};  ///< what other panes lack, above the layers; in no legend
-  BackgroundImage image{};                       ///< the place of the picture to trace
+  std::vector<render::LayerView> marks_above{};  ///< elements that other panes lack, above the layers; in no legend
+  BackgroundImage image{};                       ///< position of the picture to trace
   std::vector<std::string> rasterized{};         ///< ids of layers that become pictures
-  double dots_per_inch = 300.0;                  ///< of these
+  double dots_per_inch = 300.0;                  ///< for these
 };
 
-/// What a figure is made of.
+/// The sources of a figure.
 struct FigureSource {
   const LayerMirror& mirror;
-  const Box2& bounds;  ///< of the document
+  const Box2& bounds;  ///< bounds of the document
   std::span<const render::ColorMap> maps;
-  const render::Image* traced = nullptr;  ///< null: none
+  const render::Image* traced = nullptr;  ///< null: no picture
   PlacedAnnotations annotations{};
-  const Document& document;  ///< that layers of texts tell of, and whose samples stand close or not
+  const Document& document;  ///< for layers of texts, and for the spacing of its samples
 };
 
-/// Files of figures above this are worth a warning: mail refuses them, viewers are slow.
+/// Larger files of figures deserve a warning: mail refuses them, and viewers are slow.
 inline constexpr std::size_t kLargeFigure = 20'000'000;
-/// TikZ figures of more shapes are worth a warning: 100,000 translucent disks took pdflatex 73 s, and no more memory than
-/// a few thousand (render/figure/tikz.cpp).
+/// TikZ figures with more shapes deserve a warning: 100,000 translucent disks took pdflatex 73 s, but no more memory
+/// than a few thousand (render/figure/tikz.cpp).
 inline constexpr std::size_t kMostTexShapes = 100'000;
-/// The warning, one sentence; empty: none is due.
+/// The warning in one sentence; empty if none is needed.
 std::string tex_warning(std::size_t shapes, std::string_view extension);
 
-/// The layer with the most shapes; null when none has any.
+/// The layer with the most shapes; null if no layer has any.
 const figure::FigureLayer* largest_layer(const figure::Figure& figure);
 
-/// All of the natural page on one of another size, in its middle.
+/// Puts all of the natural page in the middle of a page of another size.
 figure::Page resized(const figure::Page& natural, const PageSize& size);
 
 struct DrawnFigure {
   figure::Figure figure;
-  std::vector<std::string> remarks;  ///< what was left out, one sentence each
+  std::vector<std::string> remarks;  ///< parts that were left out, one sentence each
 };
 
-/// Error: `usage` for pictures in it that would be too large, `out_of_memory`. O(n log n) for n primitives. Any thread.
+/// Error: `usage` if pictures in it would be too large, `out_of_memory`. O(n log n) for n primitives. Threads: any.
 Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSource& source);
 
 }  // namespace mes

@@ -30,7 +30,7 @@ std::optional<Rgb> paper_of(FigurePaper paper, const std::optional<Rgb>& canvas)
   return std::nullopt;
 }
 
-/// Of what is on the page, all panes in their rows or the main one alone.
+/// Width of the page's content: all panes in their rows, or the main one alone.
 double canvas_width(const FigureSubject& subject, bool has_panes) {
   if (!has_panes) return subject.canvas_width;
   const std::size_t columns = usual_columns(subject.panes.size());
@@ -66,11 +66,11 @@ FigureRequest request_of(const FigureSubject& subject, const FigureSettings& set
   return out;
 }
 
-/// What belongs to the same layer in several panes is one.
+/// Counts layers; the parts of one layer in several panes count as one.
 std::vector<FigurePreview::Layer> counted(const figure::Figure& figure, std::span<const Pane> panes) {
   std::vector<FigurePreview::Layer> out;
   for (const figure::FigureLayer& layer : figure.layers) {
-    if (layer.id == kPaneLabels) continue;  // of no layer that could be a picture
+    if (layer.id == kPaneLabels) continue;  // belongs to no layer that could be a picture
     FigurePreview::Layer one{layer.id, layer.title, figure::shape_count(layer), layer.image.has_value()};
     for (const Pane& pane : panes) {
       const std::string id = id_prefix_of(pane);
@@ -104,19 +104,19 @@ void note_lines(FigurePreview& preview, const figure::Figure& figure) {
 
 }  // namespace
 
-/// Everything that a figure is made of, whatever its settings.
+/// Everything from which a figure is made, whatever its settings.
 struct FigureDesk::Contents {
-  std::shared_ptr<const Registry> registry;  // whose layers these are
+  std::shared_ptr<const Registry> registry;  // the registry of these layers
   FigureSubject subject;
   LayerMirror mirror;
   Comparison comparison;  // of one pane, or of several with the marks of their differences
   ComputationResult result;
-  std::vector<Box2> bounds;  // of the documents of the panes
+  std::vector<Box2> bounds;  // bounds of the documents of the panes
   std::optional<render::Image> traced;
   std::vector<std::string> remarks;
-  std::optional<std::string> session;  // packed; none: it is too long
+  std::optional<std::string> session;  // packed; nothing: it is too long
 
-  /// What a pane is drawn from; of references into this.
+  /// The sources of a pane; they refer to this object.
   FigureSource source_of(std::size_t pane) const {
     const Document& document = comparison.document_of(comparison.panes[pane], result);
     return {.mirror = mirror,
@@ -258,7 +258,7 @@ void FigureDesk::want(const FigureSettings& settings, const std::vector<std::str
 }
 
 void FigureDesk::begin_drawing() {
-  // One after the other: a slider that is dragged would begin more than a machine can draw.
+  // One drawing at a time: dragging a slider would begin more of them than a machine can draw.
   if (!is_open_ || !contents_ || drawing_.is_under_way()) return;
   drawing_.begin(
       [contents = contents_, wanted = wanted_](const std::stop_token&) { return draw(*contents, wanted); });

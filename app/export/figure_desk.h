@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A figure of what the window shows, while its settings are being chosen: a preview, the bytes of its file, the file.
+// Makes a figure of the window's contents while the user chooses its settings: a preview, the bytes of its file, the
+// file.
 #pragma once
 
 #include <cstddef>
@@ -23,29 +24,29 @@
 
 namespace mes {
 
-/// What a figure is of, as it was when it was asked for.
+/// The subject of a figure, as it was when the figure was requested.
 struct FigureSubject {
   SampleData data;
   ComputationSettings settings;
   ShownLayers shown;  ///< its background is the canvas
   BackgroundImage image;
   std::vector<render::ColorMap> maps;
-  figure::Page view;          ///< what the window shows; of its width and height only the proportion counts
-  double canvas_width = 0.0;  ///< of the view, the main pane, in logical pixels of the window
-  std::optional<PaperPlace> legend_at{};     ///< where the legend was dragged to
-  std::optional<PaperPlace> scale_bar_at{};  ///< and the scale bar
-  Session session{};                         ///< that the file carries, where the settings say so
-  /// All panes that the window shows, the main one first, with layers by their numbers in the main computation; empty:
-  /// there is only that one.
+  figure::Page view;                      ///< the view of the window; only the proportion of width and height matters
+  double canvas_width = 0.0;              ///< width of the view, the main pane, in logical pixels of the window
+  std::optional<PaperPlace> legend_at{};  ///< position to which the legend was dragged
+  std::optional<PaperPlace> scale_bar_at{};  ///< the same for the scale bar
+  Session session{};                         ///< carried by the file, if the settings say so
+  /// All panes of the window, the main one first, with layers by their indices in the main computation; empty: there
+  /// is only the main pane.
   std::vector<PaneRequest> panes{};
-  /// What the window shows of each of these, where they have cameras of their own; none: all show `view`.
+  /// The views of these panes, if they have cameras of their own; empty: all show `view`.
   std::vector<figure::Page> pane_views{};
 };
 
-/// A figure as its settings have it. Plain data.
+/// A figure drawn with its settings. Plain data.
 struct FigurePreview {
   render::Image image;
-  double width = 0.0;  ///< of the page, points
+  double width = 0.0;  ///< width of the page in points
   double height = 0.0;
   struct Layer {
     std::string id;
@@ -54,18 +55,18 @@ struct FigurePreview {
     bool is_picture = false;
   };
   std::vector<Layer> layers;  ///< bottom first
-  std::size_t shapes = 0;     ///< of all
-  /// The finest and the widest line of all layers, points; zero: there is none.
+  std::size_t shapes = 0;     ///< total of all layers
+  /// The finest and the widest line of all layers, in points; zero: there is no line.
   double finest = 0.0;
   double widest = 0.0;
   std::vector<std::string> remarks;
 };
 
-/// What it guarantees:
-///  1. Nothing waits for computing, drawing, or the disk: each is a call on a thread of its own, of which `wake` is
-///     called from there. A later request replaces an earlier one, whose result is dropped.
-///  2. The figure is of the subject, whatever becomes of the document meanwhile, and computed afresh.
-///  3. The file has the bytes whose size was shown, and appears complete or not at all.
+/// Guarantees:
+///  1. Nothing waits for computing, drawing, or the disk: each is a call on a thread of its own, which calls `wake`.
+///     A later request replaces an earlier one, whose result is dropped.
+///  2. The figure shows the subject, even if the document changes meanwhile, and is computed from scratch.
+///  3. The file has exactly the bytes whose size was shown, and appears complete or not at all.
 ///
 /// Smallest use:
 ///     desk.begin(subject);
@@ -80,33 +81,33 @@ class FigureDesk {
   /// Gives up everything but a file that is being saved.
   void end();
   bool is_open() const { return is_open_; }
-  /// The subject has several panes.
+  /// True if the subject has several panes.
   bool has_panes() const { return has_panes_; }
 
-  /// What the figure is to be; `rasterized` are ids of layers, `preview_px` the longest side of the preview.
+  /// Sets the wanted figure; `rasterized` are ids of layers, `preview_px` is the longest side of the preview.
   void want(const FigureSettings& settings, const std::vector<std::string>& rasterized, int preview_px);
-  /// Takes what has come. True when there is something new to show.
+  /// Takes finished results. Returns true if there is something new to show.
   bool follow();
 
-  /// Null until the first is there; then the last one that could be drawn.
+  /// Null until the first preview is ready; then the last one that could be drawn.
   const FigurePreview* preview() const { return preview_ ? &*preview_ : nullptr; }
   /// Grows with each new preview.
   std::uint64_t preview_number() const { return preview_number_; }
-  /// The preview is not yet of what is wanted.
+  /// True while the preview does not show the wanted figure yet.
   bool is_drawing() const { return is_open_ && !(problem_ || (preview_ && shown_ == wanted_)); }
-  /// Of the file as wanted, once it is known.
+  /// The bytes of the wanted file, once they are known.
   const std::string* bytes() const { return bytes_ ? bytes_.get() : nullptr; }
-  /// Why what is wanted cannot be drawn or written.
+  /// The reason why the wanted figure cannot be drawn or written.
   const std::optional<Error>& problem() const { return problem_; }
 
-  /// Writes the figure as wanted, once it is drawn. The file is replaced if it exists.
+  /// Writes the wanted figure once it is drawn. An existing file is replaced.
   void save(const std::filesystem::path& file);
   bool is_saving() const { return saving_.is_under_way() || save_to_; }
   struct Saved {
     std::filesystem::path file;
     Expected<void> outcome;
   };
-  /// What came of `save`, once.
+  /// The result of `save`, given once.
   std::optional<Saved> take_saved() { return std::exchange(saved_, std::nullopt); }
 
  private:
@@ -145,9 +146,9 @@ class FigureDesk {
   Wanted shown_;
   std::optional<FigurePreview> preview_;
   std::uint64_t preview_number_ = 0;
-  std::shared_ptr<const figure::Figure> figure_;  // of `shown_`
-  std::shared_ptr<const std::string> bytes_;      // of `wanted_`
-  std::optional<Error> problem_;                  // of `wanted_`
+  std::shared_ptr<const figure::Figure> figure_;  // figure for `shown_`
+  std::shared_ptr<const std::string> bytes_;      // for `wanted_`
+  std::optional<Error> problem_;                  // for `wanted_`
   std::optional<std::filesystem::path> save_to_;
   std::optional<Saved> saved_;
   BackgroundJob<Expected<std::shared_ptr<const Contents>>> computing_;

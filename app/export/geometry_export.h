@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The geometry of layers, computed afresh, as text that other programs read.
+// Computes the geometry of layers from scratch, and writes it as text for other programs.
 #pragma once
 
 #include <filesystem>
@@ -10,16 +10,16 @@
 
 namespace mes {
 
-/// What is computed for a text of these layers: they, and what else the format needs.
+/// The layers to compute for a text of these layers: themselves, and others that the format needs.
 std::vector<LayerIndex> layers_for(const Registry& registry, const LayerTextFormat& format,
                                    std::vector<LayerIndex> layers);
 
-/// Computes the layers and writes them. `request.layers` are those to be written; its `on_patch` is not used. Errors of
-/// `check_layers` and `run_computation`. Any thread.
+/// Computes the layers and writes them. `request.layers` are the layers to write; its `on_patch` is not used. Errors
+/// of `check_layers` and `run_computation`. Threads: any.
 Expected<LayerText> compute_layer_text(const Registry& registry, const SampleData& data,
                                        const LayerTextFormat& format, ComputationRequest request);
 
-/// What the text lacks, one sentence; empty where it lacks nothing.
+/// The parts that the text lacks, in one sentence; empty if it lacks nothing.
 std::string remark_about(const LayerText& text, const LayerTextFormat& format);
 
 }  // namespace mes

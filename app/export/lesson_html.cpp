@@ -10,7 +10,7 @@
 namespace mes {
 namespace {
 
-// What differs from lesson to lesson is in the variables of :root.
+// The variables of :root contain everything that differs from lesson to lesson.
 constexpr std::string_view kStyle = R"css(
 * { box-sizing: border-box; }
 html, body { margin: 0; background: var(--paper); color: var(--ink); }

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A lesson as one file of HTML: slides that a browser shows, with nothing from elsewhere.
+// A lesson as one self-contained HTML file: slides in a browser.
 //
-// What it guarantees: the file has all it needs in it and asks no network for anything, which a policy in its head
-// forbids besides; captions are escaped; without scripts all steps are there, one below the other, and a printer gets
-// one on each page.
+// Guarantees: the file contains everything it needs and requests nothing from the network, which a policy in its head
+// also forbids; captions are escaped; without scripts all steps are visible, one below the other, and a printer gets
+// one per page.
 //
-// Keys, also of clickers: Right, Down, Page Down, Space and Enter go on, Left, Up, Page Up and Backspace go back, Home
-// and End to the first and the last, F fills the screen.
+// Keys, also of clickers: Right, Down, Page Down, Space and Enter go forward, Left, Up, Page Up and Backspace go
+// back, Home and End show the first and the last step, F fills the screen.
 //
 // Smallest use:
 //     LessonHtml html({.title = "Crust", .steps = 2});
@@ -27,8 +27,8 @@ namespace mes {
 
 struct LessonHtmlLook {
   std::string title{};
-  std::size_t steps = 0;  ///< of the lesson
-  double width = 960.0;   ///< of a printed page, in points
+  std::size_t steps = 0;  ///< number of steps of the lesson
+  double width = 960.0;   ///< width of a printed page, in points
   double height = 540.0;
   std::optional<Rgb> background = Rgb{255, 255, 255};
 };
@@ -37,7 +37,7 @@ class LessonHtml {
  public:
   explicit LessonHtml(LessonHtmlLook look) : look_(std::move(look)) {}
 
-  /// The step of this number, from 1. Errors as of the writers of figures; then nothing is added.
+  /// Adds the step with this number, from 1. Errors of the writers of figures; then nothing is added.
   Expected<void> add(const LessonPage& page, std::size_t number);
   std::string file() &&;
 

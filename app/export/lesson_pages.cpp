@@ -16,7 +16,7 @@
 namespace mes {
 namespace {
 
-// Drawings on paper are in logical pixels; here one of them is a point.
+// Paper drawings use logical pixels; here a logical pixel is a point.
 constexpr double kPointsAsPixels = 1.0 / figure::kPointsPerPixel;
 
 Box2 box(double left, double top, double right, double bottom) {
@@ -26,7 +26,7 @@ Box2 box(double left, double top, double right, double bottom) {
   return out;
 }
 
-/// What there is to say of it goes to the remarks.
+/// Lays out the caption; complaints about it are added to the remarks.
 PaperDrawing fitted_caption(const CaptionText& text, const Box2& room, double letters, Rgb ink,
                             const MeasureText& measure, std::vector<std::string>& remarks) {
   FittedCaption fitted =

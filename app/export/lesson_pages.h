@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The steps of a lesson on pages: each computed afresh and drawn as `mesecina render` draws it, with its caption.
+// The steps of a lesson on pages: each is computed from scratch, drawn as by `mesecina render`, and has its caption.
 //
-// All pages of a lesson have one layout, so that nothing jumps from one to the next but what the step changes.
+// All pages of a lesson have one layout, so that from page to page only the changes of the step are visible.
 //
 // Smallest use:
 //     auto printer = LessonPrinter::make(registry, session, {});
@@ -41,50 +41,51 @@ namespace mes {
 struct LessonLook {
   double width = 960.0;  ///< a slide of 16:9
   double height = 540.0;
-  std::optional<Rgb> background = Rgb{255, 255, 255};  ///< none: the paper's own
+  std::optional<Rgb> background = Rgb{255, 255, 255};  ///< nothing: that of the paper
   double scale = 1.25;                                 ///< factor for line widths and point sizes of the drawing
   LegendScope legend = LegendScope::color_maps;
   ScaleMarks marks{};
   bool with_annotations = true;
 };
 
-/// Where things are on a page: beside each other where it is wider than high, else one below the other.
+/// The positions on a page: side by side if it is wider than high, else one below the other.
 struct LessonLayout {
-  Box2 drawing;    ///< up to the edges of the page
-  Box2 caption;    ///< room for it
+  Box2 drawing;    ///< extends to the edges of the page
+  Box2 caption;    ///< room for the caption
   Vec2 number;     ///< the upper left corner of the line with title and number
-  double letters;  ///< size of those of the caption, where it fits
+  double letters;  ///< letter size of the caption, if it fits
 };
 LessonLayout lesson_layout(double width, double height);
 
 struct LessonPage {
-  std::string name;  ///< of the step, on one line; never empty
+  std::string name;  ///< name of the step on one line; never empty
   CaptionText caption;
-  std::uint64_t document = 0;  ///< digest of what is shown
+  std::uint64_t document = 0;  ///< digest of the displayed document
   figure::Figure drawing;
-  Vec2 corner;                       ///< of the drawing
+  Vec2 corner;                       ///< upper left corner of the drawing
   figure::Figure paper;              ///< the whole page: background, caption, title and number, below the drawing
-  std::vector<std::string> remarks;  ///< what was left out or not understood, one sentence each
+  std::vector<std::string> remarks;  ///< parts that were left out or not understood, one sentence each
 };
 
-/// The page with its bookmark; it has to outlive the sheet.
+/// The page with its bookmark; the page must outlive the sheet.
 figure::Sheet sheet_of(const LessonPage& page);
 
-/// The page in pixels. Errors as of `figure::picture_of`.
+/// The page in pixels. Errors of `figure::picture_of`.
 Expected<render::Image> picture_of(const LessonPage& page, double pixels_per_point);
 
-/// What it guarantees: a page depends on session, look and step alone. Cost: a fresh computation a page. Threads: none.
+/// Guarantees: a page depends only on session, look and step. Cost: one computation from scratch per page. Threads:
+/// none.
 class LessonPrinter {
  public:
-  /// Registry and session have to outlive it, and the session has a step at least. Error: the fonts of the program
-  /// cannot be read.
+  /// Registry and session must outlive it, and the session must have a step. Error: the fonts of the program cannot
+  /// be read.
   static Expected<LessonPrinter> make(const Registry& registry, const Session& session, const LessonLook& look);
 
-  /// Title and fonts of a book of the pages.
+  /// Title and fonts for a book of the pages.
   figure::BookInfo info() const;
   /// The title of the lesson, or else of the session; may be empty.
   const std::string& title() const;
-  /// Error: an entry of the timeline makes no sense, something cannot be computed, memory.
+  /// Error: an entry of the timeline is invalid, a computation fails, or memory runs out.
   Expected<LessonPage> page(std::size_t step);
 
  private:
@@ -100,7 +101,7 @@ class LessonPrinter {
   std::shared_ptr<const PaperFonts> fonts_;
   std::vector<render::ColorMap> maps_;
   std::unique_ptr<LessonWalk> walk_;
-  /// Traced pictures, by file and whether they stand upright; nothing if the file cannot be read.
+  /// Traced pictures, by file and whether they are upright; nothing if the file cannot be read.
   std::map<std::pair<std::string, bool>, std::optional<render::Image>> traced_;
 };
 

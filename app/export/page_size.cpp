@@ -19,7 +19,7 @@ constexpr double kMillimeter = figure::kPointsPerInch / figure::kMillimetersPerI
 constexpr std::array kUnits{Unit{"mm", kMillimeter}, Unit{"cm", 10.0 * kMillimeter},
                             Unit{"in", figure::kPointsPerInch}, Unit{"pt", 1.0}, Unit{"px", figure::kPointsPerPixel}};
 
-// The columns of common journals; a slide of 16:9 as presentations have it.
+// The column widths of common journals, and a slide of 16:9 as presentation programs have it.
 constexpr std::array kPresets{PagePreset{"one-column", "84mm"}, PagePreset{"two-columns", "174mm"},
                               PagePreset{"slide", "13.333inx7.5in"}, PagePreset{"square", "84mmx84mm"}};
 
@@ -57,7 +57,7 @@ Expected<PageSize> parse_page_size(const std::string& text) {
   const auto preset = std::ranges::find(kPresets, text, &PagePreset::name);
   const std::string_view size = preset != kPresets.end() ? preset->size : std::string_view(text);
   PageSize out;
-  // The x between two sides, not the one of px.
+  // Finds the x between two sides, not that of px.
   std::size_t cross = size.find_first_of("xX");
   if (cross != std::string_view::npos && cross > 0 && size[cross - 1] == 'p')
     cross = size.find_first_of("xX", cross + 1);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The size of a figure on paper, from words.
+// Parses the size of a figure on paper.
 #pragma once
 
 #include <optional>
@@ -11,24 +11,24 @@
 
 namespace mes {
 
-/// In points of 1/72 inch.
+/// A size in points of 1/72 inch.
 struct PageSize {
   double width = 0.0;
-  std::optional<double> height;  ///< none: what the drawing needs
+  std::optional<double> height;  ///< nothing: follows from the drawing
 };
 
-/// A size that has a name.
+/// A named size.
 struct PagePreset {
   std::string_view name;
   std::string_view size;
 };
 std::span<const PagePreset> page_presets();
 
-/// "84mmx60mm", "84mm" or the name of a preset; units are mm, cm, in, pt and px (1/96 inch). Each side from 1 mm to
-/// 5080 mm. Error: `usage`; its text goes on after the name of what was asked for: "expects ...".
+/// Parses "84mmx60mm", "84mm" or the name of a preset; units are mm, cm, in, pt and px (1/96 inch). Each side is from
+/// 1 mm to 5080 mm. Error: `usage`, whose text continues the name of the option: "expects ...".
 Expected<PageSize> parse_page_size(const std::string& text);
 
-/// A length with a unit, in points; nothing for anything else.
+/// Parses a length with a unit, in points; nothing for any other text.
 std::optional<double> parse_length(std::string_view text);
 
 }  // namespace mes

@@ -18,7 +18,7 @@
 namespace mes {
 namespace {
 
-/// Of a page without a height, that with which panes fill it.
+/// The size of the page; if it has no height, it gets the height that the panes fill.
 PageSize pane_page(const FigureRequest& request, std::size_t panes, double proportions, double unit) {
   const auto* const natural = std::get_if<figure::Page>(&request.part);
   const PageSize own = natural != nullptr ? PageSize{natural->width, natural->height}
@@ -33,11 +33,11 @@ PageSize pane_page(const FigureRequest& request, std::size_t panes, double propo
   return page;
 }
 
-/// What each pane shows, on a page of its size.
+/// The part that each pane shows, on a page of its size.
 figure::Page part_for(const FigureRequest& request, const SeenByAll& seen, const PaneGrid& grid) {
   if (const auto* const natural = std::get_if<figure::Page>(&request.part))
     return resized(*natural, {grid.pane_width, grid.pane_height});
-  // Panes are seen through cameras of whole pixels, fine enough that their rounding cannot be seen.
+  // The cameras of panes have whole pixels, fine enough that their rounding is invisible.
   constexpr double kPixelsPerPoint = 64.0;
   EdgeRoom edges;
   if (request.marks.axes && seen.margin > 0.0)
@@ -56,7 +56,7 @@ ShownPanes::Layers layers_of(const ShownLayers& shown) {
   return out;
 }
 
-/// What a pane shows that has a camera of its own.
+/// The area that a pane with its own camera shows.
 SeenByAll seen_in(const Comparison& comparison, std::span<const FigureSource> sources, std::size_t pane,
                   const FigureRequest& request) {
   if (const Box2* const view = std::get_if<Box2>(&request.part)) return {*view, 0.0};

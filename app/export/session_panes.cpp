@@ -12,7 +12,7 @@
 namespace mes {
 namespace {
 
-// Of a parameter; its range holds no more.
+// for a parameter, whose range contains no more steps
 constexpr std::uint64_t kMostSteps = 100'000;
 
 Document before_last_edit(const SessionPanes::Moment& now) {
@@ -21,13 +21,12 @@ Document before_last_edit(const SessionPanes::Moment& now) {
   return before;
 }
 
-/// What the steps of an evolution are counted from.
+/// The state from which the steps of an evolution are counted.
 EvolutionState state_0(const SessionPanes::Moment& now) {
   return state_of(now.history.last_edit_is_state() ? before_last_edit(now) : now.document);
 }
 
-/// State 0 of a parameter: its default where the value is one that steps from there make, as for the window that opens
-/// the session.
+/// State 0 of a parameter: its default, if steps from there lead to the value, as in a window that opens the session.
 double first_value(const ParameterMove& move, double value, const EvolutionChoice& choice, std::uint64_t steps) {
   const double first = move.parameter.default_value;
   for (std::uint64_t k = 1; k <= steps; ++k) {
@@ -47,7 +46,7 @@ SessionPanes::SessionPanes(const Registry& registry, const Session& session)
       views_(session.pane_views) {
   list_.set(session.panes);
   list_.resolve(registry);
-  // What a session in memory lacks is everything.
+  // Missing views of a session in memory mean everything.
   if (!views_.empty()) views_.resize(list_.panes().size());
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which layers a picture for keeps shows, how they look, and where they lie.
+// The layers of a picture or figure, with their look and the area they cover.
 #pragma once
 
 #include <optional>
@@ -16,27 +16,28 @@
 
 namespace mes {
 
-/// Between what "fit" shows and the edge of a picture, as a part of its shorter side.
+/// Margin between the area of "fit" and the edge of a picture, as a share of its shorter side.
 inline constexpr double kFitMargin = 0.05;
 
 struct ShownLayers {
-  std::span<const LayerDescriptor> descriptors;  ///< of all layers that there are, by index
+  std::span<const LayerDescriptor> descriptors;  ///< of all existing layers, by index
   std::vector<VariantLayer> layers{};            ///< bottom first
   std::vector<LayerStyle> styles{};              ///< of all layers of one variant, by index
-  std::optional<Rgb> background{};               ///< none: transparent
+  std::optional<Rgb> background{};               ///< nothing: transparent
   double scale = 1.0;                            ///< factor for line widths and point sizes
 };
 
-/// The layers of one variant with their styles, as sessions have them.
+/// The layers of one variant with their styles, in the form of sessions.
 LayerConfiguration configuration_of(const ShownLayers& shown);
 
-/// The layers with their styles on its background, as the window draws them: finer where samples stand close (`thinned`).
-/// `spacing_px`: of the samples, in logical pixels of the picture; 0: with the styles that they have, as legends show.
+/// The layers with their styles on its background, as the window draws them: finer where samples are dense
+/// (`thinned`). `spacing_px`: spacing of the samples in logical pixels of the picture; 0: unchanged styles, as in
+/// legends.
 std::vector<render::LayerView> views_of(const ShownLayers& shown, double spacing_px);
 
-/// What "fit" shows: the samples, and the shown layers that count for it. Those may carry the box beyond the samples
-/// by a tenth of their extent at most: the balls of a good sample stay within that, and one huge ball at a hole of
-/// the curve must not shrink everything else to a dot.
+/// The area that "fit" shows: the samples, and the shown layers that count for it. The latter may extend the box
+/// beyond the samples by at most a tenth of their extent: the balls of a good sample stay within that, and one huge
+/// ball at a hole of the curve must not shrink everything else to a dot.
 Box2 fit_box(std::span<const LayerDescriptor> descriptors, const Box2& samples, const LayerMirror& mirror,
              std::span<const VariantLayer> layers);
 

@@ -15,25 +15,25 @@
 namespace mes {
 namespace {
 
-constexpr std::size_t kStrokes = 24;       // in which the samples appear
+constexpr std::size_t kStrokes = 24;       // strokes in which the samples appear
 constexpr std::uint64_t kSmoothings = 40;  // steps of the last scene
-constexpr double kNoise = 0.22;  // of the distance of both neighbours: hairs on the axis, the curve still found
-constexpr double kRead = 3.0;    // seconds for a caption
+constexpr double kNoise = 0.22;  // times the distance of both neighbours: spurious branches, but the curve is found
+constexpr double kRead = 3.0;    // reading time of a caption in seconds
 
-/// Writes the script of a session, and knows the document as it is at that point.
+/// Writes the script of a session, and keeps the document as of its present point.
 class Script {
  public:
   Script(const Registry& registry, const SampleData& data) : registry_(registry), layers_(registry.layers()) {
     session_.title = "Demo";
     session_.lesson.title = kDemoTitle;
     session_.data = std::make_shared<const SampleData>(data);
-    // Replaying nothing cannot fail.
+    // Replaying an empty timeline cannot fail.
     static_cast<void>(replay_.begin(data));
   }
 
   void look_at(const Box2& box) { note(ViewChanged{box}); }
 
-  /// These layers and no others, bottom first.
+  /// Shows exactly these layers, bottom first.
   void show(std::initializer_list<std::string_view> ids) {
     LayerStack layers = layers_;
     for (const LayerIndex layer : layers_.order()) layers.set_visible(layer, false);
@@ -67,7 +67,7 @@ class Script {
 
   void say(std::string text, double seconds = kRead) { note(Captioned{std::move(text), seconds}); }
 
-  /// What has been shown until here is a step of the lesson.
+  /// Makes everything shown so far a step of the lesson.
   void mark(std::string_view heading, std::string_view words) {
     session_.lesson.steps.push_back(
         {.caption = fmt::format("# {}\n{}", heading, words), .position = session_.entries.size()});
@@ -79,7 +79,7 @@ class Script {
     return {};
   }
 
-  /// Step by step, with words for each.
+  /// Takes one step after the other, with a caption for each.
   template <class Words>
   Expected<void> evolve(EvolutionChoice choice, std::uint64_t steps, Words words) {
     EvolutionStates states(state_of(replay_.document()), choice);
@@ -96,7 +96,7 @@ class Script {
     return {};
   }
 
-  /// One that the registry lacks refuses each step.
+  /// A missing evolution refuses each step.
   std::shared_ptr<const Evolution> evolution(const std::string& id) const {
     auto found = registry_.evolutions().find(id);
     return found ? found : missing_evolution(id);
@@ -156,7 +156,7 @@ Expected<void> sample_the_curve(Script& script, const SampleData& shape, const s
     TimelineEdit edit{.name = "Spray samples"};
     for (std::size_t i = begin; i < end; ++i) edit.inserted.push_back(shape.positions[order[i]]);
     if (stroke + 1 == kStrokes) {
-      // The order along the curve, by the numbers the samples have now.
+      // The order along the curve, by the present indices of the samples.
       std::uint32_t next = 0;
       auto& curve = edit.curve.emplace();
       for (const SampleData::Contour& contour : shape.contours) {
@@ -170,7 +170,7 @@ Expected<void> sample_the_curve(Script& script, const SampleData& shape, const s
   return {};
 }
 
-/// Shows these layers with the words, and marks a step.
+/// Shows these layers with a caption, and marks a step.
 void show_scene(Script& script, std::string_view heading, const std::string& words,
                 std::initializer_list<std::string_view> layers) {
   script.say(words, 0.0);
@@ -258,7 +258,7 @@ Expected<Session> demo_session(const Registry& registry, const SampleData& shape
   if (order.empty()) return std::unexpected(Error{ErrorCode::bad_input, "the shape of the demo has no contour"});
   Box2 box;
   for (const Vec2 p : shape.positions) box.add(p);
-  // Room for what the noise pushes out, and for the caption below.
+  // Leaves room for samples displaced by the noise, and for the caption below.
   const Vec2 room{0.08 * box.width(), 0.08 * box.height()};
   box.add(box.low - Vec2{room.x, 2.2 * room.y});
   box.add(box.high + room);

@@ -11,10 +11,10 @@ class Registry;
 
 inline constexpr const char* kDemoTitle = "The demo of 2007";
 
-/// Everything it shows is computed when it is played; nothing of it is a picture made beforehand. Its scenes are the steps
-/// of a lesson, at the places of the timeline where they are complete. `shape` needs one closed contour at least. Layers
-/// that the registry lacks are not shown. Error: the shape makes no document, or a step of an evolution fails, as it does
-/// where the registry lacks that evolution.
+/// Everything in it is computed during playback; it contains no finished pictures. Its scenes are the steps of a
+/// lesson, at the timeline positions where they are complete. `shape` needs at least one closed contour. Layers that
+/// the registry lacks are not shown. Error: the shape makes no document, or a step of an evolution fails, e.g.
+/// because the registry lacks that evolution.
 ///
 /// Source: B. Miklos, J. Giesen, M. Pauly, "Medial axis approximation from inner Voronoi balls: a demo of the
 /// Mesecina tool", SoCG 2007 (multimedia session).

@@ -11,7 +11,7 @@
 namespace mes {
 namespace {
 
-/// The family whose balls it scales; nothing: it moves samples.
+/// The family whose balls the evolution scales; nothing if it moves samples.
 std::optional<FamilyKind> family_of(const Evolution& evolution) {
   const ParameterMove* const move = evolution.moved_parameter();
   if (move == nullptr) return std::nullopt;
@@ -21,7 +21,7 @@ std::optional<FamilyKind> family_of(const Evolution& evolution) {
   return std::nullopt;
 }
 
-/// It scales the balls along the axis, of which the scale axis is made.
+/// True if it scales the balls along the axis, from which the scale axis is made.
 bool is_of_scale_axis(const Evolution& evolution) {
   const ParameterMove* const move = evolution.moved_parameter();
   return move != nullptr && move->parameter == Parameter::scale_axis_factor;
@@ -34,7 +34,7 @@ bool is_skeleton(const Evolution& evolution) {
 
 constexpr std::array<std::string_view, 4> kScaled{"scale-union", "a-scale-union", "p-scale-union", "b-scale-union"};
 
-/// It shows what such an evolution changes.
+/// True if the layer shows the result of such an evolution.
 bool is_of_skeleton(const LayerDescriptor& layer) {
   return std::ranges::find(layer.parameters, Parameter::scale_skeleton_step.id) != layer.parameters.end();
 }
@@ -42,7 +42,7 @@ bool is_of_scale_axis(const LayerDescriptor& layer) {
   return is_of_skeleton(layer) || std::ranges::find_first_of(layer.structures, kScaled) != layer.structures.end();
 }
 
-/// It grows disks about the samples, and the balls of all families, additively.
+/// True if it grows disks about the samples, and the balls of all families, additively.
 bool is_additive(const Evolution& evolution) {
   const ParameterMove* const move = evolution.moved_parameter();
   return move != nullptr && move->parameter == Parameter::alpha_radius;
@@ -70,7 +70,7 @@ std::vector<LayerIndex> layers_to_show(const Evolution& evolution, const LayerSt
   if (is_skeleton(evolution)) {
     ids = {std::string(letter_of(shown.value_or(FamilyKind::inner))) + "-scale-skeleton"};
   } else if (is_of_scale_axis(evolution)) {
-    // Of the inner balls those of the one-step axis, which cost less.
+    // For the inner balls, uses those of the one-step axis, which are cheaper.
     const std::string letter = shown == FamilyKind::inner ? "" : prefix;
     ids = {letter + "scale-axis-grown-disks", letter + "scale-axis-boundary", letter + "scale-axis"};
   }

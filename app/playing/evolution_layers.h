@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which layers show what an evolution does.
+// Finds the layers that show the effect of an evolution.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,12 @@
 
 namespace mes {
 
-/// Layers that would show the evolution, none of which is visible; empty: some layer that follows it is.
+/// Layers that would show the evolution, if none of its layers is visible; else empty.
 std::vector<LayerIndex> layers_to_show(const Evolution& evolution, const LayerStack& layers,
                                        const Document& document);
 
-/// What grows additively in the layers that are shown: `preferred`, if that is among it, or else the first; nothing: none.
+/// The additively growing family in the visible layers: `preferred` if it is among them, else the first; nothing if
+/// there is none.
 std::optional<GrowthOf> shown_growth(const LayerStack& layers, GrowthOf preferred);
 
 }  // namespace mes

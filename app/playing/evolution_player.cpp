@@ -36,7 +36,7 @@ bool EvolutionPlayer::follow_registry() {
   choice_.values = ParameterValues(choice_.values.changed());
   for (const Parameter& parameter : parameters_of(*found))
     choice_.values[parameter] = within(parameter, choice_.values[parameter]);
-  // A session left a missing evolution here, of which the beginning was not known.
+  // A session may have left a missing evolution here, whose beginning was unknown.
   if (k != 0 && (found->moved_parameter() != nullptr ? moved_.k == 0 : beginning_revision_ == ~std::uint64_t{0}))
     resume(EvolutionChoice(choice_), k);
   else
@@ -90,7 +90,7 @@ void EvolutionPlayer::restart_from_beginning() {
 void EvolutionPlayer::resume(const EvolutionChoice& choice, std::uint64_t k) {
   cancel();
   choice_ = choice;
-  // A length that would be proposed for this document was not set by hand.
+  // A length equal to the proposal for this document was not set by hand.
   fitted_ = proposed_length();
   beginning_revision_ = shown_revision_ = ~std::uint64_t{0};
   shown_ = 0;
@@ -167,7 +167,7 @@ void EvolutionPlayer::choose_next(int places) {
   const auto all = evolutions();
   if (all.empty()) return;
   const auto count = static_cast<int>(all.size());
-  // One that is missing here counts as the first.
+  // A missing evolution counts as the first.
   const auto found = std::ranges::find(all, choice_.evolution);
   const int now = found == all.end() ? 0 : static_cast<int>(found - all.begin());
   const int next = (now + places) % count;
@@ -186,7 +186,7 @@ void EvolutionPlayer::set_value(const Parameter& parameter, double value) {
   if (value == std::as_const(choice_.values)[parameter]) return;
   const std::uint64_t k = target();
   choice_.values[parameter] = value;
-  // A length that is set by hand stays, whatever it is; the default asks for the proposal.
+  // A length set by hand stays, whatever it is; the default value asks for the proposal.
   if (parameter.is_length) fitted_.reset();
   fit_lengths();
   restart_from_beginning();
@@ -210,7 +210,7 @@ void EvolutionPlayer::step_to(std::uint64_t k) {
   if (k == 0) {
     wanted_.reset();
     run_.cancel();
-    // The step of undo is the evolution: back to its beginning.
+    // The step of undo is the evolution, so this returns to its beginning.
     if (position() != 0) editor_.undo_edit();
     return;
   }
@@ -253,7 +253,7 @@ void EvolutionPlayer::cancel() {
 
 void EvolutionPlayer::show(std::uint64_t k, const EvolutionState& state) {
   const std::string name = name_of_state(descriptor(), k);
-  // Contours change only where samples were added; all states of the others share those of the document.
+  // Contours change only if samples were added; all states of other evolutions share those of the document.
   const bool has_new_loops = state.curve != beginning_.curve;
   if (auto done =
           editor_.evolve(state.positions, has_new_loops ? contours_of(state) : std::vector<SampleData::Contour>(),
@@ -270,7 +270,7 @@ void EvolutionPlayer::show(std::uint64_t k, const EvolutionState& state) {
 void EvolutionPlayer::follow(bool picture_is_complete, double now) {
   if (editor_.in_gesture()) return;
   if (fitted_revision_ != editor_.document().revision() && position() == 0) fit_lengths();
-  // Edited meanwhile: what goes on was meant for what was there before.
+  // The document was edited meanwhile, and the pending state was meant for the old one.
   if ((wanted_ || direction_ != Direction::none) && !has_beginning()) cancel();
   if (auto answer = run_.poll(); answer && wanted_ == answer->k) {
     wanted_.reset();

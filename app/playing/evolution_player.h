@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The evolution of the window: a slider over the states of the document, and playing them.
+// The evolution of the window: a slider over the states of the document, and their playback.
 #pragma once
 
 #include <cstdint>
@@ -13,17 +13,16 @@
 
 namespace mes {
 
-/// What it guarantees:
-///  1. State 0 is the document as it was when the first step was taken after an edit; `step_to(0)` gives it back
-///     exactly. Another evolution begins at the state that is shown when it is chosen: what the one before did is kept.
-///  2. All states of one evolution are one step of undo (`Editor::evolve`). An edit at state k makes that the state 0 of what
-///     follows; undo takes the edit back first and then the evolution.
-///     Where a parameter moves instead of samples, state 0 gives its value back, and setting it at state k makes that
-///     the state 0 of what follows.
-///  3. A step that is a length is a round part of the size of the document, and follows it in state 0, unless it was set
-///     to something else. Its default stands for that part.
-///  4. A step is asked for and shown later, when it is computed; nothing waits. Playing takes a step when the picture
-///     of the one before is complete and the speed allows it.
+/// Guarantees:
+///  1. State 0 is the document as of the first step after an edit; `step_to(0)` restores it exactly. Another
+///     evolution begins at the state shown when it is chosen: the effect of the previous one is kept.
+///  2. All states of one evolution are one step of undo (`Editor::evolve`). An edit at state k makes that state 0 of
+///     the following steps; undo reverts first the edit and then the evolution. If a parameter moves instead of
+///     samples, state 0 restores its value, and setting it at state k makes that state 0 of the following steps.
+///  3. A step that is a length is a round fraction of the size of the document, and follows it in state 0, unless it
+///     was set to another value. Its default stands for that fraction.
+///  4. A step is requested and shown later, when it is computed; nothing waits. Playback takes a step when the
+///     picture of the previous one is complete and the speed allows it.
 ///
 /// Smallest use:
 ///     EvolutionPlayer player(registry, editor, settings, wake);
@@ -34,49 +33,49 @@ namespace mes {
 class EvolutionPlayer {
  public:
   static constexpr std::uint64_t kFirstEnd = 100;
-  static constexpr double kFastest = 60.0;  ///< steps a second; as fast as pictures come
+  static constexpr double kFastest = 60.0;  ///< steps per second; as fast as pictures are completed
 
-  /// The settings of the computation, which some evolutions move.
+  /// Access to the settings of the computation, which some evolutions move.
   struct Settings {
     std::function<double(const Parameter&)> value;
     std::function<void(const Parameter&, double)> set;
   };
-  /// The registry has an evolution.
+  /// The registry must have an evolution.
   EvolutionPlayer(LiveRegistry registry, Editor& editor, Settings settings, std::function<void()> wake);
-  /// To be called when the registry was replaced. An evolution that is gone is a missing one, as in a session, until it
-  /// comes back; the document stays in its state. One that was replaced goes on from the same state 0. True where the
-  /// evolution is another one now.
+  /// Call it when the registry was replaced. A removed evolution becomes a missing one, as in a session, until it
+  /// returns; the document keeps its state. A replaced one continues from the same state 0. Returns true if the
+  /// evolution has changed.
   bool follow_registry();
 
   std::span<const std::shared_ptr<const Evolution>> evolutions() const { return registry_.now().evolutions().all(); }
 
   const EvolutionChoice& choice() const { return choice_; }
   const EvolutionDescriptor& descriptor() const { return evolution().descriptor; }
-  /// The present state is its state 0.
+  /// Chooses an evolution, with the present state as its state 0.
   void choose(const std::shared_ptr<const Evolution>& evolution);
-  /// Chooses the evolution `places` places after the present one, cyclically.
+  /// Chooses the evolution `places` positions after the present one, cyclically.
   void choose_next(int places);
-  /// Shows the present state anew.
+  /// Computes and shows the present state again with this seed.
   void set_seed(std::uint64_t seed);
   void set_value(const Parameter& parameter, double value);
 
-  /// As a session left it: the document is in state `k`, and its last step of undo leads there from state 0; or the
-  /// parameter moved has the value that `k` steps from its default make, else it is in state 0. A missing evolution
-  /// stays in state `k` until the document changes.
+  /// Continues from a session: the document is in state `k`, and its last step of undo leads there from state 0; or
+  /// the moved parameter has the value that `k` steps from its default give, else it is in state 0. A missing
+  /// evolution stays in state `k` until the document changes.
   void resume(const EvolutionChoice& choice, std::uint64_t k);
 
-  /// State that the document, or the parameter, is in.
+  /// The present state of the document, or of the parameter.
   std::uint64_t position() const;
-  /// State 0: of the document, and the revision that the document had in it. O(n).
+  /// State 0 of the document, and the revision that the document had in it. O(n).
   EvolutionState beginning() const;
   std::uint64_t beginning_revision() const {
     return position() == 0 || descriptor().is_missing ? editor_.document().revision() : beginning_revision_;
   }
-  /// State 0 of the parameter moved; 0 where samples move.
+  /// State 0 of the moved parameter; 0 if samples move.
   double first_value() const;
-  /// Of the parameter moved; nothing where samples move.
+  /// Value of the moved parameter; nothing if samples move.
   std::optional<double> parameter_value() const;
-  /// State that is being computed, or else `position`.
+  /// The state that is being computed, or else `position`.
   std::uint64_t target() const { return wanted_.value_or(position()); }
   /// Far end of the slider; it grows with the position.
   std::uint64_t end() const { return end_; }
@@ -88,25 +87,25 @@ class EvolutionPlayer {
   enum class Direction : std::int8_t { backward = -1, none = 0, forward = 1 };
   void play(Direction direction);
   Direction direction() const { return direction_; }
-  double speed() const { return speed_; }  ///< steps a second
+  double speed() const { return speed_; }  ///< steps per second
   void set_speed(double speed) { speed_ = speed; }
 
-  /// A state was asked for and is not in the document yet.
+  /// True while a requested state is not in the document yet.
   bool is_waiting() const { return wanted_.has_value(); }
-  /// Of the steps that are being computed, in [0, 1].
+  /// Progress of the steps that are being computed, in [0, 1].
   double progress() const;
-  /// Gives up what is being computed, and stops.
+  /// Gives up the computation, and stops the playback.
   void cancel();
 
-  /// Once a frame: shows what is ready, and plays on.
+  /// Call it once per frame: shows a finished state, and continues the playback.
   void follow(bool picture_is_complete, double now);
-  /// When the next step is due, while one waits for its time only; seconds from `now`.
+  /// Seconds from `now` until the next step is due, if it waits only for its time.
   std::optional<double> next_due(double now) const;
-  /// True, once, when an edit in the middle of an evolution has made state 0 of what there is now.
+  /// True, once, after an edit in the middle of an evolution has made the present document state 0.
   bool take_restart() { return std::exchange(has_restarted_, false); }
-  /// What `choose` has kept, in words, once; empty: nothing.
+  /// The effect that `choose` has kept, in words, given once; empty: none.
   std::string take_kept() { return std::exchange(kept_, {}); }
-  /// Why a state could not be had, once.
+  /// The reason why a state is impossible, given once.
   std::optional<Error> take_problem() { return std::exchange(problem_, std::nullopt); }
 
  private:
@@ -121,9 +120,9 @@ class EvolutionPlayer {
   void begin();
   void restart_from_beginning();
   void show(std::uint64_t k, const EvolutionState& state);
-  /// O(n), if there are lengths that were not set to something else.
+  /// O(n), if there are lengths that were not set to another value.
   void fit_lengths();
-  /// A round part of the size of the document. O(n).
+  /// A round fraction of the size of the document. O(n).
   std::optional<double> proposed_length() const;
   void move_parameter(const ParameterMove& move, std::uint64_t k);
 
@@ -137,7 +136,7 @@ class EvolutionPlayer {
   std::uint64_t shown_revision_ = ~std::uint64_t{0};
   std::uint64_t shown_ = 0;
   MovedParameter moved_;
-  std::optional<double> fitted_;  // the length that `fit_lengths` gave last
+  std::optional<double> fitted_;  // last length that `fit_lengths` set
   std::uint64_t fitted_revision_ = ~std::uint64_t{0};
   std::uint64_t end_ = kFirstEnd;
   std::optional<std::uint64_t> wanted_;

@@ -9,7 +9,7 @@ namespace {
 
 constexpr std::size_t kMostBefore = 100;
 
-/// The beginning of UTF-8 text, of so many bytes at most; no letter is cut.
+/// The beginning of a UTF-8 text, at most this many bytes, without cutting a letter.
 std::string beginning_of(const std::string& text, std::size_t bytes) {
   if (text.size() <= bytes) return text;
   const auto goes_on = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
@@ -39,7 +39,7 @@ bool LessonDesk::can_mark() const {
 LessonStep LessonDesk::moment() {
   LessonStep out{.position = editor_.settle()};
   Look look = look_();
-  // Layers that a step does not name are hidden; one that names none shows what the timeline has.
+  // Layers that a step does not name are hidden; a step that names none shows the layers of the timeline.
   const auto is_hidden = [](const auto& layer) { return !layer.visible; };
   if (!std::ranges::all_of(look.layers.layers, is_hidden)) std::erase_if(look.layers.layers, is_hidden);
   out.layers = std::move(look.layers);
@@ -103,7 +103,7 @@ void LessonDesk::remove() {
   if (!step) return;
   Lesson next = lesson();
   next.steps.erase(next.steps.begin() + static_cast<std::ptrdiff_t>(*step));
-  // The one after it, or else the one before.
+  // Chooses the next step, or else the previous one.
   chosen_ = std::min(*step, next.steps.size() - 1);
   if (next.steps.empty()) chosen_.reset();
   change(std::move(next));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Makes a lesson of what is shown: marks moments as steps, puts them in order, writes their captions.
+// Makes a lesson from the display: marks moments as steps, orders them, and edits their captions.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,9 @@
 
 namespace mes {
 
-/// What it guarantees: a step that is marked, presented at any later time, shows the samples, the visible layers, the
-/// settings and the view of the moment at which it was marked. Each change can be taken back, in order, until another
-/// document is opened. Lessons keep the bounds of core/document/lesson.h.
+/// Guarantees: a marked step, presented at any later time, shows the samples, visible layers, settings and view of
+/// the moment when it was marked. Changes can be taken back, in order, until another document is opened. Lessons keep
+/// the bounds of core/document/lesson.h.
 ///
 /// Cost: that of copying the lesson. Threads: none.
 ///
@@ -26,7 +26,7 @@ namespace mes {
 ///     desk.set_caption("# A crust");
 class LessonDesk {
  public:
-  /// How things are looked at now.
+  /// The present layers, settings and view.
   struct Look {
     LayerConfiguration layers;
     ComputationSettings settings;
@@ -35,21 +35,21 @@ class LessonDesk {
   LessonDesk(Editor& editor, std::function<Look()> look) : editor_(editor), look_(std::move(look)) {}
 
   const Lesson& lesson() const { return editor_.lesson(); }
-  /// The step that is worked on; nothing: none.
+  /// The step being edited; nothing: none.
   std::optional<std::size_t> chosen();
   void choose(std::size_t step) { chosen_ = step; }
 
   bool is_full() const { return lesson().steps.size() >= kMostLessonSteps; }
   bool can_mark() const;
-  /// Makes what is shown now a step after the chosen one, or the last one, and chooses it. Where `can_mark`.
+  /// Makes the present display a step after the chosen one, or the last one, and chooses it. Requires `can_mark`.
   void mark();
   void set_title(const std::string& title);
 
-  // Of the chosen step.
-  /// It shows what is shown now, under the caption that it has.
+  // The following functions refer to the chosen step.
+  /// Replaces its display by the present one, and keeps its caption.
   void mark_again();
   void set_caption(const std::string& caption);
-  /// How long it stays in a video; 0: as long as its caption needs to be read.
+  /// Sets its duration in a video; 0: the time needed to read its caption.
   void set_seconds(double seconds);
   void remove();
   bool can_move(int places);
@@ -59,16 +59,16 @@ class LessonDesk {
   void take_back();
 
  private:
-  /// The moment, without words.
+  /// The present moment, without a caption.
   LessonStep moment();
   void change(Lesson next);
-  /// Another document has another lesson, of which nothing is known here.
+  /// Adapts to another document, whose lesson has no steps to take back.
   void follow();
 
   Editor& editor_;
   std::function<Look()> look_;
   std::optional<std::size_t> chosen_;
-  std::vector<Lesson> before_;  // what `take_back` gives, the last one first
+  std::vector<Lesson> before_;  // the lessons that `take_back` restores, the last one first
   std::uint64_t generation_ = 0;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kAll = std::numeric_limits<std::size_t>::max();
 constexpr double kLongestPlay = 3.0;     // seconds
-constexpr double kShortestEdit = 0.025;  // faster than that, several edits are one picture
+constexpr double kShortestEdit = 0.025;  // seconds; shorter edits are shown several per picture
 constexpr double kLongestEdit = 0.35;
 
 }  // namespace
@@ -68,7 +68,7 @@ Expected<void> LessonPresenter::restore() {
   return show(run_->step);
 }
 
-// The scene comes first: it says whether the entries make sense.
+// Makes the scene first, which shows whether the entries are valid.
 Expected<void> LessonPresenter::show(std::size_t step) {
   auto scene = run_->walk.scene(step);
   if (!scene) return std::unexpected(scene.error());
@@ -79,7 +79,7 @@ Expected<void> LessonPresenter::show(std::size_t step) {
   run_->has_own = run_->has_own || (keeps_edits_ && is_edited());
   if (!run_->has_own)
     if (auto done = undo_edits(); !done) return done;
-  // What is undone may bring layers with it, so those of the step come afterwards.
+  // Undoing may change layers, so those of the step are set afterwards.
   show_around(*scene);
   if (run_->has_own) return {};
   if (is_next && plays_edits_ && position > run_->position) {
@@ -149,7 +149,7 @@ std::optional<double> LessonPresenter::next_due(double now) const {
 
 bool LessonPresenter::advance(double now, bool may_step) {
   if (!is_playing() || !may_step || now < run_->not_before) return false;
-  // An edit by hand takes over; what is left is done when the lesson goes on.
+  // An edit by hand interrupts the playback; the remaining edits are made when the lesson continues.
   if (is_edited()) {
     run_->play_end = 0;
     return false;
@@ -161,8 +161,7 @@ bool LessonPresenter::advance(double now, bool may_step) {
   return true;
 }
 
-// Gestures are left out, so that none is open when an edit is made by hand; what undo and redo lead to is then found by
-// a replay.
+// Omits gestures, so that none is open when the user edits by hand; a replay then finds the results of undo and redo.
 Expected<void> LessonPresenter::perform_edits(std::size_t end, std::size_t most) {
   Editor& editor = uses_.editor;
   if (run_->position < end && !has_numbers_of_lesson())
@@ -183,7 +182,7 @@ Expected<void> LessonPresenter::perform_edits(std::size_t end, std::size_t most)
   return {};
 }
 
-// Samples that were inserted by hand have used up numbers, also where they are gone again.
+// Samples inserted by hand have used up ids, even if they were removed again.
 bool LessonPresenter::has_numbers_of_lesson() const {
   const Document& document = uses_.editor.document();
   return document.next_id() == run_->next_sample && document.next_ball_id() == run_->next_ball;

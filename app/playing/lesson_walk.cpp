@@ -29,7 +29,7 @@ Expected<void> LessonWalk::go_to(std::size_t position) {
     }
   auto done = playback_.perform(position_, position, *this);
   position_ = position;
-  // What follows an entry that makes no sense is not known.
+  // The state after an invalid entry is unknown.
   if (!done) replay_.reset();
   return done;
 }
@@ -42,7 +42,7 @@ Expected<LessonScene> LessonWalk::scene(std::size_t step) {
                   .layers = LayerStack(registry_.now().layers()),
                   .settings = wanted.settings.value_or(now_.settings),
                   .view = wanted.view.is_empty() ? now_.view : wanted.view};
-  // The layers of the step above those of the timeline: what it does not name is hidden and keeps its style.
+  // Applies the layers of the step to those of the timeline: unnamed layers are hidden and keep their style.
   if (!layers_->configuration().layers.empty()) out.layers.set_configuration(layers_->configuration());
   if (!wanted.layers.layers.empty()) out.layers.set_configuration(wanted.layers);
   return out;

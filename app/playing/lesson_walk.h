@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the steps of a lesson show: the timeline of its session, replayed up to each of them.
+// The displays of the steps of a lesson: the timeline of its session, replayed up to each of them.
 #pragma once
 
 #include <cstddef>
@@ -15,7 +15,7 @@
 
 namespace mes {
 
-/// A step of a lesson, complete: what it does not say itself is as the timeline has it.
+/// A complete step of a lesson: the timeline supplies everything that the step does not set.
 struct LessonScene {
   SampleData data;
   LayerStack layers;
@@ -23,19 +23,19 @@ struct LessonScene {
   Box2 view{};  ///< empty: everything
 };
 
-/// What it guarantees: a scene depends on the session, the registry and the step alone, not on the scenes that were asked for before.
-/// Cost: a step is reached from the one before it by what its entries change, and one that lies before that by a replay
-/// from the beginning; each scene copies the samples. Threads: none.
+/// Guarantees: a scene depends only on session, registry and step, not on earlier calls. Cost: moving to a later step
+/// takes the changes in the entries between, moving to an earlier one a replay from the beginning; each scene copies
+/// the samples. Threads: none.
 ///
 /// Smallest use:
 ///     LessonWalk walk(registry, session);
 ///     for (std::size_t i = 0; i < session.lesson.steps.size(); ++i) show(walk.scene(i));
 class LessonWalk : private Stage {
  public:
-  /// The session has to outlive it.
+  /// The session must outlive it.
   LessonWalk(LiveRegistry registry, const Session& session);
 
-  /// Error: an entry makes no sense, and is named.
+  /// Error: an invalid entry, with its name.
   Expected<LessonScene> scene(std::size_t step);
 
  private:
@@ -47,16 +47,16 @@ class LessonWalk : private Stage {
   void look_at(const Box2& box) override { now_.view = box; }
 
   LiveRegistry registry_;
-  std::shared_ptr<const Registry> begun_with_;  // whose layers are in `layers_`
+  std::shared_ptr<const Registry> begun_with_;  // the registry of the layers in `layers_`
   const Session& session_;
   Playback playback_;
   PlayStart now_;  // its layers are in `layers_`
   std::optional<LayerFold> layers_;
-  std::optional<DocumentReplay> replay_;  // none: not begun
+  std::optional<DocumentReplay> replay_;  // empty: not begun
   std::size_t position_ = 0;
 };
 
-/// How long a step stays in a video: what it says, or else as long as its words need to be read.
+/// The duration of a step in a video: the given one, or else the time needed to read its caption.
 double seconds_of(const LessonStep& step);
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Plays the entries of a timeline on a stage: what films, `mesecina play` and the demo share.
+// Plays the entries of a timeline on a stage: the common part of films, `mesecina play` and the demo.
 #pragma once
 
 #include <string>
@@ -14,41 +14,41 @@
 
 namespace mes {
 
-/// What is shown before the first entry of a timeline.
+/// The display before the first entry of a timeline.
 struct PlayStart {
   LayerConfiguration layers{};  ///< no layers: as at the start of the program
   ComputationSettings settings{};
   Box2 view{};  ///< empty: everything
 };
 
-/// Nothing but what the program starts with; but of a timeline that does not begin with its layers, settings or view,
-/// which other hands made, those that were there last.
+/// The initial display: that of the program's start. A timeline of another program may not begin with its layers,
+/// settings or view; then the last ones in it are used.
 PlayStart start_of(const Session& session);
 
-/// What follows each other without a picture of its own between, and the picture after it.
+/// Consecutive entries without a picture between them, and the picture after them.
 struct PlayStep {
   std::size_t first_entry = 0;
   std::size_t end_entry = 0;  ///< one past the last
-  std::string_view what;      ///< of the entry that made the picture: "edit", "undo", "layers", ...
-  double seconds = 0.0;       ///< how long it stays in a video; 0: as long as any
+  std::string_view what;      ///< kind of the entry that made the picture: "edit", "undo", "layers", ...
+  double seconds = 0.0;       ///< duration in a video; 0: the usual one
 };
 
-/// Everything before the first thing that was done is the first step, then each entry that can be seen is one.
+/// Everything before the first action is the first step; then each visible entry is a step.
 std::vector<PlayStep> steps_of(const TimelineLog& entries);
 
-/// Where a timeline is played.
+/// The target of a playback.
 class Stage {
  public:
   virtual ~Stage() = default;
-  /// An edit, a gesture, a step of undo: every entry that none of the others takes.
+  /// Performs an edit, a gesture, a step of undo: every entry that no other function handles.
   virtual Expected<void> change_document(const TimelineEntry& entry) = 0;
   virtual void change_layers(const LayersChanged& change) = 0;
   virtual void change_settings(const ComputationSettings& settings) = 0;
   virtual void look_at(const Box2& box) = 0;
 };
 
-/// What it guarantees: `perform` of the steps in order hands each entry to the stage once, in its order; captions are
-/// kept here. Cost: that of the stage. Threads: none.
+/// Guarantees: `perform` of the steps in order passes each entry to the stage once and in order; captions are kept
+/// here. Cost: that of the stage. Threads: none.
 ///
 /// Smallest use:
 ///     Playback playback(session.entries);
@@ -58,11 +58,11 @@ class Playback {
   explicit Playback(TimelineLog entries) : entries_(std::move(entries)), steps_(steps_of(entries_)) {}
 
   const std::vector<PlayStep>& steps() const { return steps_; }
-  /// Error: the stage refuses an entry, which the error names; no entry after it is handed on.
+  /// Error: the stage refuses an entry, which the error names; no later entry is passed on.
   Expected<void> perform(const PlayStep& step, Stage& stage);
   /// The same for the entries from `first` up to, not including, `end`.
   Expected<void> perform(std::size_t first, std::size_t end, Stage& stage);
-  /// Of the last step that was performed; empty: none.
+  /// Caption of the last performed step; empty: none.
   const std::string& caption() const { return caption_; }
 
  private:

@@ -8,7 +8,7 @@
 namespace mes {
 namespace {
 
-// Layers of a later version cannot be shown, and would only make each change of the others longer.
+// Layers of a later version cannot be shown, and would only slow down changes of the others.
 LayerFold known_layers(const Registry& registry, LayerConfiguration configuration) {
   return LayerFold(std::move(configuration),
                    [&registry](std::string_view layer) { return registry.find_layer(layer) != kNoLayer; });
@@ -49,7 +49,8 @@ Expected<void> Player::apply(const PlayStep& step) {
 }
 
 std::string Player::complete() {
-  // In one piece: some layers show what the last run changed, so runs must not depend on how fast the engine is.
+  // Posts everything at once: some layers show the changes of the last run, so runs must not depend on the engine's
+  // speed.
   engine_.post(
       {.deltas = std::exchange(deltas_, {}), .settings = settings_, .demand = main_layers(layers_.visible_layers())});
   std::string failure;

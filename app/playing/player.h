@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A session's timeline, played: one complete picture after each thing that happened.
+// Plays the timeline of a session: one complete picture after each action.
 #pragma once
 
 #include <functional>
@@ -16,10 +16,10 @@ namespace mes {
 
 class Registry;
 
-/// What it guarantees: after `apply` and `complete` of the steps in order, document, layers, settings and view are
-/// those of that moment, and the patches handed on make the whole picture; the same session gives the same pictures
-/// in every run. What is drawn first within a layer depends on the steps before, so each step is to be completed also
-/// where no caller looks at it. The cost of a step grows with what its entries change, not with what came before.
+/// Guarantees: after `apply` and `complete` of the steps in order, document, layers, settings and view are those of
+/// that moment, and the patches make up the whole picture; the same session gives the same pictures in every run. The
+/// drawing order within a layer depends on earlier steps, so each step must be completed even if nobody looks at it.
+/// The cost of a step depends on the changes in its entries, not on earlier ones.
 ///
 /// Smallest use:
 ///     Player player(registry, session, [&](const FramePatch& patch) { scene.apply(patch); });
@@ -33,20 +33,20 @@ class Registry;
 class Player : private Stage {
  public:
   using OnPatch = std::function<void(const FramePatch&)>;
-  /// The registry has to outlive it.
+  /// The registry must outlive it.
   Player(const Registry& registry, const Session& session, OnPatch on_patch);
 
   const std::vector<PlayStep>& steps() const { return playback_.steps(); }
-  /// Error: an entry makes no sense; nothing after it can be played.
+  /// Error: an entry is invalid; nothing after it can be played.
   Expected<void> apply(const PlayStep& step);
-  /// Waits for the picture. What failed to be computed, one line; empty: nothing.
+  /// Waits for the picture. Returns what could not be computed, in one line; empty: everything was.
   std::string complete();
 
   const Document& document() const { return replay_.document(); }
   const History& history() const { return replay_.history(); }
   const LayerStack& layers() const { return layers_; }
   const ComputationSettings& settings() const { return settings_; }
-  /// What is to be seen; empty: everything.
+  /// The visible area; empty: everything.
   const Box2& view() const { return view_; }
   const std::string& caption() const { return playback_.caption(); }
 
@@ -64,7 +64,7 @@ class Player : private Stage {
   ComputationSettings settings_;
   Box2 view_;
   Engine engine_;
-  std::vector<std::shared_ptr<const DocumentDelta>> deltas_;  // of the steps since the last picture
+  std::vector<std::shared_ptr<const DocumentDelta>> deltas_;  // changes since the last picture
   DocumentReplay replay_;
   bool has_begun_ = false;
 };

@@ -27,7 +27,7 @@ SessionEvolution session_evolution(const Registry& registry, const EvolutionChoi
   std::map<std::string, double> parameters;
   for (const Parameter& parameter : parameters_of(registry.evolutions().all()))
     parameters[parameter.id] = choice.values[parameter];
-  // No more than a session may have.
+  // Keeps to the maximum number of a session.
   for (const ParameterValues::Entry& entry : choice.values.changed())
     if (parameters.size() < kMostSessionParameters) parameters.try_emplace(entry.id, entry.value);
   out.parameters.assign(parameters.begin(), parameters.end());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The evolution of the window as sessions have it.
+// Converts the evolution of the window from and to sessions.
 #pragma once
 
 #include <cstdint>
@@ -12,14 +12,14 @@ namespace mes {
 
 class Registry;
 
-/// An evolution that the registry lacks is a `missing_evolution`; a parameter that it lacks is kept, and others are brought
-/// into their range. Without an id: the first evolution.
+/// Reads an evolution. If the registry lacks it, the result is a `missing_evolution`; unknown parameters are kept,
+/// and others clamped to their range. Without an id: the first evolution.
 EvolutionChoice choice_of(const Registry& registry, const SessionEvolution& evolution);
 
-/// With the document in state `step`.
+/// Writes the evolution with the document in state `step`.
 SessionEvolution session_evolution(const Registry& registry, const EvolutionChoice& choice, std::uint64_t step);
 
-/// The name of the step of undo that brings the document into a state, as "Smooth, 12 steps".
+/// The name of the step of undo that leads to a state, such as "Smooth, 12 steps".
 std::string name_of_state(const EvolutionDescriptor& evolution, std::uint64_t step);
 
 }  // namespace mes

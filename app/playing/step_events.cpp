@@ -15,7 +15,7 @@ struct Happened {
   bool is_nothing() const { return joins == 0 && closes == 0 && fills == 0; }
 };
 
-/// `come(value)` says how many ranks have come, `count(low, high)` what happens with the ranks in [low, high).
+/// `come(value)` returns the number of ranks reached, `count(low, high)` the events of the ranks in [low, high).
 template <class Come, class Count>
 std::vector<StepEvent> events_between(const StepRange& range, const Come& come, const Count& count) {
   std::vector<StepEvent> out;
@@ -95,7 +95,7 @@ void StepEvents::follow_growth(const StepRange& range) {
   PersistenceDesk& desk = uses_.persistence;
   const auto shown = shown_growth(uses_.layers, desk.growth());
   if (!shown) return forget();
-  // A page that is open has chosen.
+  // An open page has already chosen the family.
   if (!desk.is_followed())
     desk.choose_growth(*shown);
   else if (desk.growth() != *shown)

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the steps of an evolution that grows or shrinks balls change in the topology of their union.
+// The changes of topology by the steps of an evolution that grows or shrinks balls.
 #pragma once
 
 #include <cstdint>
@@ -15,21 +15,21 @@
 
 namespace mes {
 
-/// What happens between a state and the one before; or between states some steps apart, where there are many.
+/// The events between a state and the previous one, or the one several steps before if there are many states.
 struct StepEvent {
   std::uint64_t before = 0;
-  std::uint64_t k = 0;      ///< the state that shows it
+  std::uint64_t k = 0;      ///< components joined to others
   std::uint64_t joins = 0;  ///< components that are joined to others
   std::uint64_t closes = 0;
   std::uint64_t fills = 0;
-  bool is_undone = false;  ///< balls shrink: these are undone
+  bool is_undone = false;  ///< balls shrink: the events are undone
   friend bool operator==(const StepEvent&, const StepEvent&) = default;
 
-  /// "Step 7: components joined: 2, holes closed: 1".
+  /// A description: "Step 7: components joined: 2, holes closed: 1".
   std::string words() const;
 };
 
-/// The part of an evolution that a slider shows: of a parameter, from its value in state 0 on.
+/// The part of an evolution that a slider shows; a parameter begins with its value in state 0.
 struct StepRange {
   EvolutionChoice choice{};
   double first = 0.0;
@@ -37,14 +37,15 @@ struct StepRange {
   friend bool operator==(const StepRange&, const StepRange&) = default;
 };
 
-/// Of additive growth, exact. Ends where the parameter leaves its range. No more than `kMostStepEvents` places are looked at.
+/// Events of additive growth, exact. Ends where the parameter leaves its range. Examines at most `kMostStepEvents`
+/// positions.
 inline constexpr std::uint64_t kMostStepEvents = 250;
 std::vector<StepEvent> step_events_of(const StepRange& range, const PersistenceTable& table);
-/// Of balls along the axis; as exact as the factors are.
+/// Events of scaled balls along the axis; as exact as the factors.
 std::vector<StepEvent> step_events_of(const StepRange& range, const std::vector<ScaleEvent>& events);
 
-/// Those of the evolution that is chosen, while its slider is shown. Of additive growth they are about what `shown_growth`
-/// names. Nothing waits. Threads: the window's.
+/// The events of the chosen evolution, while its slider is visible. For additive growth they belong to the family
+/// that `shown_growth` returns. Nothing waits. Threads: the window's.
 class StepEvents {
  public:
   struct Uses {
@@ -57,13 +58,13 @@ class StepEvents {
   };
   explicit StepEvents(const Uses& uses) : uses_(uses) {}
 
-  /// Once a frame, after those who choose what grows.
+  /// Call it once per frame, after the family has been chosen.
   void follow();
-  /// The evolution has some, or will when they are found: its layers are shown.
+  /// True if the evolution has events or may have them when found, because its layers are visible.
   bool has_place() const { return has_place_; }
   bool are_known() const { return table_ != nullptr || knows_factors_; }
   const std::vector<StepEvent>& events() const { return events_; }
-  /// Why they cannot be had; empty: they can.
+  /// The reason why they are unavailable; empty if there is none.
   const std::string& problem() const { return problem_; }
 
  private:
@@ -74,8 +75,8 @@ class StepEvents {
   Uses uses_;
   bool has_place_ = false;
   std::string problem_;
-  StepRange range_;                                // of the events
-  std::shared_ptr<const PersistenceTable> table_;  // they are of, or of these
+  StepRange range_;                                // range of the events
+  std::shared_ptr<const PersistenceTable> table_;  // source of the events, or else `factors_`
   std::vector<ScaleEvent> factors_;
   bool knows_factors_ = false;
   std::vector<StepEvent> events_;
