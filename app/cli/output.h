@@ -20,9 +20,8 @@ Expected<void> check_output(const std::string& file);
 
 /// The files that writing a result must not destroy.
 struct Overwriting {
-  std::vector<SourceFile>
-      sources{};       ///< files the result was made from; a changed one is not overwritten
-  bool force = false;  ///< overwrites it nevertheless
+  std::vector<SourceFile> sources{};  ///< files the result was made from; a changed one is not overwritten
+  bool force = false;                 ///< overwrites it nevertheless
 };
 
 Expected<void> write_output(const std::string& file, std::string_view bytes, Interruption& interruption,

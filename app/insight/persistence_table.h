@@ -53,11 +53,11 @@ struct PersistenceRow {
   std::uint32_t death_rank = kNever;  ///< `kNever`: never dies
   double birth = 0.0;                 ///< radius
   double death = 0.0;                 ///< radius; infinite: never dies
-  Vec2 place{};           ///< sample or ball of a component, or centre of the circle that fills a hole
-  bool has_edge = false;  ///< a component that never dies has no edge
-  std::array<Vec2, 2> edge{};     ///< the edge that joins the components or closes the hole
-  std::uint32_t edge_number = 0;  ///< in filtration order
-  std::uint32_t triangle = 0;     ///< for a hole: the triangle that fills it
+  Vec2 place{};                       ///< sample or ball of a component, or centre of the circle that fills a hole
+  bool has_edge = false;              ///< a component that never dies has no edge
+  std::array<Vec2, 2> edge{};         ///< the edge that joins the components or closes the hole
+  std::uint32_t edge_number = 0;      ///< in filtration order
+  std::uint32_t triangle = 0;         ///< for a hole: the triangle that fills it
 
   double persistence() const { return death - birth; }
   /// True if it exists once `ranks` filtration values have been reached.

@@ -63,9 +63,8 @@ class Picture {
   /// A pane beside the main one.
   struct Pane {
     const ShownPanes::Layers& layers;
-    const Document* version =
-        nullptr;             ///< null: the document of the main pane, with the marks of its selection
-    std::size_t number = 0;  ///< among all panes; 0: the main one
+    const Document* version = nullptr;  ///< null: the document of the main pane, with the marks of its selection
+    std::size_t number = 0;             ///< among all panes; 0: the main one
     /// The camera of a window in which the pane has the position of the main pane; null: that of the main pane.
     const render::Camera* camera = nullptr;
   };

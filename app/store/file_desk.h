@@ -190,8 +190,7 @@ class FileDesk {
     std::uint64_t balls = 0;
     std::shared_ptr<const Annotations> annotations = std::make_shared<const Annotations>();
     std::string title = "Untitled";
-    std::map<std::filesystem::path, FileFingerprint>
-        known{};  // contents of the files when opened or saved here
+    std::map<std::filesystem::path, FileFingerprint> known{};  // contents of the files when opened or saved here
   };
   struct Part {
     std::filesystem::path file;
