@@ -35,7 +35,7 @@ class Canvas {
   void set_content_scale(double scale) { content_scale_ = scale; }
   double content_scale() const { return content_scale_; }
 
-  /// Sets several panes. The pointer meets the plane as the pane under it shows it; a gesture stays in the pane where
+  /// Sets the panes. The pointer meets the plane as the pane under it shows it; a gesture stays in the pane where
   /// it began.
   void set_panes(PanePlaces panes);
   const PanePlaces& panes() const { return panes_; }

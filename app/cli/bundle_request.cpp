@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The bundle of this name; if only one matches when case is ignored, that one; null if none matches.
+/// The bundle of this name. Ignores case if only one bundle matches then; null if none matches.
 const Bundle* bundle_named(const std::vector<Bundle>& bundles, const std::string& name) {
   const Bundle* similar = nullptr;
   for (const Bundle& bundle : bundles) {

@@ -11,9 +11,8 @@ namespace mes::cli {
 /// While it lives, SIGINT, SIGTERM and SIGHUP end the process immediately with exit code 130 (143, 129). A function
 /// running in `uninterrupted` is finished first if that takes less than the patience of `SignalWatch`. Signals that
 /// are ignored when the object is made stay ignored.
-/// when it is made stay ignored.
+///
 /// Make it before any other thread is started, since threads inherit the mask that leaves these signals to it.
-/// Make it before any other thread is started: they inherit that these signals are left to it.
 class Interruption {
  public:
   Interruption() : watch_([this](int signal) { end(signal); }) {}

@@ -56,7 +56,7 @@ std::vector<std::string_view> nearest_names(std::string_view word, std::span<con
   constexpr std::size_t kLongestWord = 64;
   constexpr std::size_t kMost = 3;
   word = word.substr(0, kLongestWord);
-  // Of the names that contain the word, the shortest are best.
+  // The shortest names that contain the word are best.
   const auto score = [word](std::string_view name) -> std::pair<std::size_t, std::size_t> {
     const bool one_in_other = word.size() >= 3 && (name.contains(word) || word.contains(name));
     return one_in_other ? std::pair(std::size_t{1}, name.size())

@@ -126,7 +126,7 @@ struct RenderRequest {
   bool with_annotations = true;
   std::string title;        ///< above the drawing; empty: no title
   bool with_source = true;  ///< the picture carries samples, view and layers
-  std::string format;       ///< as an extension without its dot; empty: that of the output's name
+  std::string format;       ///< extension without its dot; empty: that of the output's name
   std::string output;
   bool force = false;
 };

@@ -25,7 +25,7 @@ Anchor AnnotationDesk::anchor_at(Vec2 p, double reach, bool with_vertices) const
     return {document.position(sample), {document.id(sample).value - document.first_id().value}};
   if (BallSlot ball = editor_.centers().nearest(p, reach); ball != kNoSlot) {
     const Vec2 center = document.disk(ball).center;
-    // Of several balls with one centre, take the newest, which lies on top.
+    // Several balls may share a centre: take the newest, which lies on top.
     for (const BallSlot other : editor_.centers().in_box({center, center}))
       if (document.ball_id(ball) < document.ball_id(other)) ball = other;
     return {.at = center, .balls = {document.ball_id(ball).value - document.first_ball_id().value}};
@@ -164,7 +164,7 @@ void AnnotationDesk::forget() {
 
 void AnnotationDesk::follow() {
   if (!selected_ || editor_.document().annotations() == seen_) return;
-  // Anchors of deleted samples change only their form, which is no change by the user.
+  // An annotation on a deleted sample is still the same annotation.
   const Annotations& now = *editor_.document().annotations();
   if (now.size() == seen_->size() && same_but_for_places(now, *seen_)) {
     seen_ = editor_.document().annotations();

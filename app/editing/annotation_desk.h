@@ -26,7 +26,7 @@ namespace mes {
 ///     Annotation changed = *desk.current(); changed.text = "crust"; desk.change(changed);
 ///     desk.close();
 ///
-/// Threads: the window's. It knows no window and no OpenGL.
+/// Threads: the window's. Depends on no window and no OpenGL.
 class AnnotationDesk {
  public:
   explicit AnnotationDesk(Editor& editor) : editor_(editor) {}

@@ -42,7 +42,7 @@ namespace mes {
 ///     editor.load(data);
 ///     editor.begin_gesture("Spray"); editor.insert({{p}}); editor.end_gesture();
 ///
-/// Threads: none; it belongs to the window's thread. It knows no window and no OpenGL.
+/// Threads: none; it belongs to the window's thread. Depends on no window and no OpenGL.
 class Editor {
  public:
   using Listener = std::function<void(std::shared_ptr<const DocumentDelta>)>;
@@ -194,7 +194,7 @@ class Editor {
   /// A fingerprint of the work that could be lost: equal values mean that nothing was done in between, or that it was
   /// undone. States of one evolution count as one.
   struct Work {
-    std::uint64_t revision = 0;  // of the document, or of the one before the evolution
+    std::uint64_t revision = 0;  // revision of the document, or of the one before the evolution
     bool is_evolved = false;
     std::uint64_t lesson = 0;
     std::uint64_t layers = 0;  // if a file holds layers

@@ -45,7 +45,7 @@ class ResampleDesk {
     bool is_problem = false;             ///< true if nothing was changed
     std::vector<std::string> sentences;  ///< without a full stop
     std::vector<SampledCorner> corners{};
-    std::vector<Vec2> places{};  ///< where samples are still too few, or the curve ends
+    std::vector<Vec2> places{};  ///< places where samples are still too few, or where the curve ends
   };
   /// Takes a finished change and makes it; within a gesture it waits for the end.
   std::optional<Report> follow();

@@ -31,7 +31,7 @@ class FollowedSpacing {
   double of(const Document& document, std::uint64_t origin = 0);
 
  private:
-  std::uint64_t digest_ = 0;      // samples at the last measurement, like the rest
+  std::uint64_t digest_ = 0;      // digest of samples at the last measurement, like the rest
   std::uint64_t changed_to_ = 0;  // digest at the last request without measurement
   std::uint64_t origin_ = 0;
   std::size_t count_ = 0;

@@ -23,8 +23,8 @@ namespace mes {
 /// Smallest use:
 ///     if (const auto done = desk.turn(30); !done) messages.problem(done.error().message());
 ///
-/// Cost: O(selected), and O(rows) to find them; on a circle some milliseconds more. Threads: the window's. It knows no
-/// window and no OpenGL.
+/// Cost: O(selected), and O(rows) to find them; on a circle some milliseconds more. Threads: the window's. Depends on
+/// no window and no OpenGL.
 class SelectionDesk {
  public:
   SelectionDesk(LiveRegistry registry, Editor& editor) : registry_(std::move(registry)), editor_(editor) {}
@@ -79,7 +79,7 @@ class SelectionDesk {
   /// as a session. Every double can be read back exactly.
   std::string text() const;
   struct Pasted {
-    std::vector<std::string> warnings;  ///< from the reader, one line each
+    std::vector<std::string> warnings;  ///< warnings of the reader, one line each
     std::string without;  ///< contents of the text that were left out: "their order along 1 contour"; or empty
   };
   /// Adds the contents of the text, in any format that can be opened, and selects them. If one of their positions is

@@ -30,7 +30,7 @@ class ValueSelector {
   std::optional<std::string> take(const Provenance& answer);
 
  private:
-  // Below the tickets of other questions without a click.
+  // Less than the tickets of other questions without a click.
   static constexpr std::uint64_t kFirstTicket = std::uint64_t{1} << 61U;
   Editor& editor_;
   std::uint64_t ticket_ = kFirstTicket;

@@ -29,7 +29,7 @@ Expected<std::vector<std::filesystem::path>> experiment_files(const std::filesys
 struct ExperimentTools {
   /// The program that tries experiments (`try_experiment`); empty: they are not tried.
   std::filesystem::path program{};
-  std::string compiler{};  ///< as `Compiler::find` takes it
+  std::string compiler{};  ///< in the form that `Compiler::find` takes
   static ExperimentTools of_this_program();
 };
 

@@ -31,15 +31,15 @@ struct ComputationRequest {
 
 /// The report on a run whose layers are not kept.
 struct ComputationReport {
-  std::vector<NodeReport> nodes;     ///< of the structures that were needed
-  std::vector<LayerReport> reports;  ///< by layer
+  std::vector<NodeReport> nodes;     ///< reports of the structures that were needed
+  std::vector<LayerReport> reports;  ///< one per layer
 };
 
 struct ComputationResult {
   Document document;
   std::vector<Document> documents;   ///< one per variant; empty if it shares that of the main computation
-  std::vector<NodeReport> nodes;     ///< of the structures that were needed
-  std::vector<LayerReport> reports;  ///< by layer
+  std::vector<NodeReport> nodes;     ///< reports of the structures that were needed
+  std::vector<LayerReport> reports;  ///< one per layer
 };
 
 /// Error: `cannot_compute` with the reason if a structure failed, `usage` if the samples make no document. The

@@ -109,7 +109,7 @@ struct FigureDesk::Contents {
   std::shared_ptr<const Registry> registry;  // the registry of these layers
   FigureSubject subject;
   LayerMirror mirror;
-  Comparison comparison;  // of one pane, or of several with the marks of their differences
+  Comparison comparison;  // a single pane, or several with the marks of their differences
   ComputationResult result;
   std::vector<Box2> bounds;  // bounds of the documents of the panes
   std::optional<render::Image> traced;

@@ -20,9 +20,9 @@ namespace mes {
 inline constexpr double kFitMargin = 0.05;
 
 struct ShownLayers {
-  std::span<const LayerDescriptor> descriptors;  ///< of all existing layers, by index
+  std::span<const LayerDescriptor> descriptors;  ///< all existing layers, by index
   std::vector<VariantLayer> layers{};            ///< bottom first
-  std::vector<LayerStyle> styles{};              ///< of all layers of one variant, by index
+  std::vector<LayerStyle> styles{};              ///< styles of all layers of one variant, by index
   std::optional<Rgb> background{};               ///< nothing: transparent
   double scale = 1.0;                            ///< factor for line widths and point sizes
 };

@@ -108,7 +108,7 @@ Expected<std::string> sweep_as_csv(const Registry& registry, const ParameterSwee
 }
 
 void SweepDesk::begin(ParameterSweep sweep) {
-  // A sweep that was given up may still write to the old one.
+  // A new counter, because a sweep that was given up may still write to the old one.
   done_ = std::make_shared<std::atomic<double>>(0.0);
   job_.begin([registry = registry_.share(), sweep = std::move(sweep),
               done = done_](const std::stop_token& stop) -> Expected<std::string> {

@@ -11,7 +11,7 @@ namespace mes {
 /// The sample or ball that a click on the canvas took.
 struct Clicked {
   bool is_ball = false;
-  /// On the dot or the circle that shows it, not merely near enough to take it.
+  /// True on the dot or the circle that shows the element, not merely near enough to take it.
   bool is_on_mark = false;
 };
 

@@ -22,7 +22,7 @@ struct LayerSection {
   std::string title{};                ///< empty: no heading
   std::optional<LayerGroup> group{};  ///< nothing: the shown layers, or all layers
   std::vector<LayerIndex> rows{};     ///< first = top
-  std::size_t shown = 0;              ///< of all layers of the group, listed or not
+  std::size_t shown = 0;              ///< number of visible layers in the group, listed or not
   std::size_t size = 0;
 };
 

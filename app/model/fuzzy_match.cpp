@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kLetter = 1.0;
 constexpr double kWordBegins = 6.0;
-constexpr double kTextBegins = 2.0;  // added at the beginning of the text
+constexpr double kTextBegins = 2.0;  // added if the match is at the beginning of the text
 constexpr double kSideBySide = 7.0;  // more than a beginning: "sa" means "Save" rather than "Select all"
 constexpr double kWordEnds = 1.0;    // a whole word was typed
 constexpr double kGap = 0.15;        // for each letter skipped between two matching ones

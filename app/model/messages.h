@@ -20,7 +20,7 @@ class Messages {
     std::chrono::system_clock::time_point when;
     bool is_problem = false;
     std::string text;
-    std::uint32_t times = 1;  ///< number of repetitions in a row
+    std::uint32_t times = 1;  ///< number of consecutive occurrences
   };
 
   void remark(std::string text) {

@@ -224,7 +224,7 @@ bool PaneDocuments::post(Pane& pane, VariantIndex variant, const Expected<Docume
   return true;
 }
 
-// Handles versions in which samples were removed, moved or appended, and balls at most moved. Returns false if the
+// Handles versions in which samples were removed, moved or appended, and balls at most changed. Returns false if the
 // whole version must be replaced.
 bool PaneDocuments::change(Pane& pane, VariantIndex variant, const Version& to) {
   const Version& from = pane.version;

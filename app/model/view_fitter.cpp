@@ -21,7 +21,7 @@ std::optional<ViewFitter::How> ViewFitter::wanted_again(const Document& document
 void ViewFitter::follow(const Document& document, const Frame& frame) {
   const Room room{view_.camera().width(), view_.camera().height(), view_.insets()};
   if (!wanted_) wanted_ = wanted_again(document, room, frame.is_held);
-  // Fits only once, because the drawing may be large.
+  // Forgets the old fit, so that a large drawing is compared only once.
   if (fitted_ && room != fitted_->room && !frame.is_held) fitted_.reset();
   if (!wanted_) return;
   const Box2 box = target_.value_or(document.bounding_box());

@@ -248,7 +248,7 @@ class ColumnSetter {
   }
 
   void put_mathematics(const CaptionSpan& span) {
-    constexpr double kAscent = 0.8;  // as for all lines on paper
+    constexpr double kAscent = 0.8;  // the same for all lines on paper
     const RichText text = mathematics(span, letters_, measure_);
     if (out_.complaint.empty()) out_.complaint = text.complaint;
     if (text.lines.empty()) return;

@@ -61,7 +61,7 @@ struct CaptionLook {
 };
 
 struct CaptionDrawing {
-  PaperDrawing drawing;     ///< from the upper left corner of the column; as wide as its longest line
+  PaperDrawing drawing;     ///< begins at the upper left corner of the column; as wide as its longest line
   std::string complaint{};  ///< about the first unknown part of mathematics; empty if all is understood
 };
 
@@ -70,7 +70,7 @@ CaptionDrawing layout_caption(const CaptionText& text, const CaptionLook& look, 
 
 struct FittedCaption {
   PaperDrawing drawing;
-  std::string complaint{};  ///< as in `CaptionDrawing`
+  std::string complaint{};  ///< the same as in `CaptionDrawing`
   bool is_whole = true;     ///< false: it is cut off, because it is too long even in the smallest letters
 };
 

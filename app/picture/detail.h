@@ -10,7 +10,7 @@ namespace mes {
 /// picture moves, one of `every()` disks is painted; when it rests, more and more of them, as long as a frame stays
 /// short. A frame may be long because other programs are busy, so the same is painted again before refinement gives up.
 ///
-/// What it guarantees:
+/// Guarantees:
 ///  1. `every()` is a power of two, and a frame that took too long is followed by a shorter one.
 ///  2. Refinement ends: once `is_refining()` is false, the same picture need not be painted again.
 ///

@@ -115,7 +115,7 @@ class Picture {
     expected_ = revision;
     is_outdated_ = document_revision_ < expected_;
   }
-  /// True while the picture on screen is of a previous document.
+  /// True while the picture on screen shows a previous document.
   bool is_outdated() const { return is_outdated_; }
   const render::Scene& scene() const { return scene_; }
 

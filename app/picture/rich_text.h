@@ -25,9 +25,9 @@
 
 namespace mes {
 
-/// Text of one look.
+/// A piece of text in one look.
 struct RichPiece {
-  double x = 0.0;      ///< from the beginning of the line
+  double x = 0.0;      ///< distance from the beginning of the line
   double raise = 0.0;  ///< height of the baseline above that of the line
   double size = 0.0;
   Face face = Face::plain;

@@ -18,8 +18,8 @@ namespace mes {
 /// The events between a state and the previous one, or the one several steps before if there are many states.
 struct StepEvent {
   std::uint64_t before = 0;
-  std::uint64_t k = 0;      ///< components joined to others
-  std::uint64_t joins = 0;  ///< components that are joined to others
+  std::uint64_t k = 0;      ///< the state that shows it
+  std::uint64_t joins = 0;  ///< components joined to others
   std::uint64_t closes = 0;
   std::uint64_t fills = 0;
   bool is_undone = false;  ///< balls shrink: the events are undone

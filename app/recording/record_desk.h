@@ -171,7 +171,7 @@ class RecordDesk {
   std::optional<ShownState> complete_{};
 
   RecordSettings settings_{};  // settings of the take
-  Insets panels_{};            // as at the beginning of the take: its frames do not jump when a panel opens or closes
+  Insets panels_{};            // those at the beginning of the take, so that its frames do not jump
   std::optional<Recorder> recorder_{};
   std::unique_ptr<FrameWriter> writer_;
   std::size_t frames_ = 0;

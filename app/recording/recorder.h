@@ -52,7 +52,7 @@ struct ShownState {
   friend bool operator==(const ShownState&, const ShownState&) = default;
 };
 
-/// True for each thing that the user's hand does not move.
+/// The things that are at rest, not under the user's hand.
 struct AtRest {
   bool view = true;      ///< neither panned nor gliding
   bool controls = true;  ///< no slider, colour or field of a panel is in use

@@ -91,7 +91,7 @@ class OpenJournal {
 struct Autosave::Journal {
   int fd = -1;
   fs::path file;
-  int superseded_fd = -1;  // of the previous journal, until this one is on the disk
+  int superseded_fd = -1;  // descriptor of the previous journal, until this one is on the disk
   fs::path superseded;
   off_t length = 0;  // up to the last whole line
   std::string unwritten;

@@ -36,7 +36,7 @@ struct LayerText {
 /// counts of `compute` do. Equal geometry gives equal bytes.
 struct LayerTextFormat {
   std::string_view name;        ///< its name on the command line
-  std::string_view extension;   ///< of file names, without its dot
+  std::string_view extension;   ///< extension of file names, without its dot
   std::string_view title;       ///< its name in menus
   std::string_view help;        ///< one line
   bool is_of_many = false;      ///< holds several layers at once
@@ -51,8 +51,8 @@ std::span<const LayerTextFormat> layer_text_formats();
 /// The format of this name, or null.
 const LayerTextFormat* find_layer_text_format(std::string_view name);
 
-/// The CSV columns that a primitive of this kind fills, by their meaning for it. If a layer has several kinds, the
-/// header names the columns of one of them, and the others fill the same columns.
+/// The names of the CSV columns that a primitive of this kind fills. If a layer has several kinds, the header names
+/// the columns of one of them, and the others fill the same columns.
 std::string_view csv_columns(PrimitiveKind kind);
 
 /// Checks that the format can hold these layers; `descriptors` are those of all layers. Error: `usage`, with the

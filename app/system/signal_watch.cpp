@@ -55,7 +55,8 @@ int SignalWatch::wait_until(Clock::time_point end) const {
 void SignalWatch::watch() {
   const int first = wait_until(Clock::time_point::max());
   if (is_over_) return;
-  // On its own thread, since it may wait for something the program holds: a lock, or a display that does not answer.
+  // Runs on its own thread, since it may wait for something the program holds: a lock, or a display that does not
+  // answer.
   std::thread call;
   try {
     call = std::thread([this, first] { heard_(first); });

@@ -85,8 +85,8 @@ class GlfwWindow {
   /// Framebuffer pixels per logical pixel, as the desktop sets it.
   double content_scale() const;
   bool is_minimized() const;
-  /// The handle for other programs' windows above this one: "x11:" and its number in hexadecimal; empty if it has
-  /// none.
+  /// The handle with which other programs put a window above this one: "x11:" and its number in hexadecimal; empty if
+  /// it has none.
   std::string desktop_handle() const;
 
  private:
@@ -114,7 +114,7 @@ class GlfwWindow {
     int modifiers;
   };
   std::vector<int> just_pressed_;  // since the last frame
-  std::vector<Release> releases_;  // of these keys; reported to Dear ImGui after the next frame
+  std::vector<Release> releases_;  // releases of these keys; reported to Dear ImGui after the next frame
   bool key_repeats_ = false;       // for the key whose typed text comes next
   bool shows_rest_ = false;
   int rest_asked_ = 0;

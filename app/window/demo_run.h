@@ -42,7 +42,7 @@ class DemoRun : private Stage {
     Playback playback;
     std::size_t next = 0;
     bool is_paused = false;
-    bool is_interrupted = false;  // by an edit
+    bool is_interrupted = false;  // an edit has interrupted it
     double not_before = 0.0;      // earliest time of the next step in seconds; it also waits for the picture
     std::uint64_t document = 0;   // revision after the last step; another one means an edit by hand
     LayerConfiguration layers_before{};

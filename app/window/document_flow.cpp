@@ -262,8 +262,8 @@ void DocumentFlow::keep_on_disk() {
   keeper_.flush();
 }
 
-// By now the user has saved the old work or given it up, if it was a request. A signal makes no request: its journal
-// stays, and is complete before anything that may take longer than a signal waits.
+// After a request, the user has saved the old work or given it up. A signal makes no request: its journal stays, and
+// is complete before anything that may take longer than a signal waits.
 void DocumentFlow::end() {
   if (is_left_) {
     keeper_.discard();

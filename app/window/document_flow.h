@@ -65,7 +65,7 @@ class DocumentFlow {
   /// Called at the start of the program; without documents it opens the first built-in shape, perhaps with a picture
   /// to trace.
   void open_first(std::vector<std::string> files);
-  /// Leaves the recovered work for another start: the document of this window belongs to another program.
+  /// Offers left work only at another start, because the document of this window belongs to another program.
   void leave_left_work() { offers_left_work_ = false; }
   /// Opens documents, bundles, and at most one picture, which is placed below the other files. If a picture comes
   /// alone, the user decides whether it becomes samples or is placed below the present drawing.
@@ -75,8 +75,8 @@ class DocumentFlow {
   void open_lesson(const ShippedLesson& lesson);
   /// Asks for a file for one bundle, or for all.
   void ask_export(std::optional<std::size_t> bundle);
-  /// Asks for a file for a table of the thing named `of`, once nothing else is being asked or dragged, and again if
-  /// the file cannot be written. A table may arrive while the user is busy.
+  /// Asks for a file for a table, whose name mentions `of`, once nothing else is being asked or dragged. Asks again
+  /// if the file cannot be written. A table may arrive while the user is busy.
   void ask_table(const std::string& of, std::string csv);
 
   /// Called once per turn before the frame: takes finished readings and saves.
@@ -152,7 +152,7 @@ class DocumentFlow {
 
   Uses uses_;
   Refusal table_refusal_{uses_.messages};
-  std::deque<Table> tables_;  // tables for which no file was asked yet
+  std::deque<Table> tables_;  // tables that still need a file
   std::vector<SampleShape> shapes_;
   std::vector<ShippedLesson> lessons_;
   FileDesk files_;

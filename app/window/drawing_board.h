@@ -56,7 +56,7 @@ class DrawingBoard {
   bool has_differences() const { return differences_.is_complete(compared_state()); }
   /// Takes the results that the engine has finished.
   void take_results();
-  /// Another document was read: its missing layers are reported again.
+  /// Another document was read: lack of memory is reported again.
   void note_new_document();
 
   /// Begins a frame in a window of this size, in framebuffer pixels.

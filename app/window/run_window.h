@@ -13,7 +13,7 @@ struct WindowOptions {
   std::vector<std::string> files;          ///< the first is opened; empty: a built-in shape
   std::vector<std::string> experiments{};  ///< files or folders, added while the window is open
   int link = -1;                           ///< a socket to the program that owns this document (LinkRun); -1: none
-  std::string executable;                  ///< the called name of the program; locates its files
+  std::string executable;                  ///< the name by which it was called; locates its files
 };
 
 /// Runs until the window is closed, and offers the contents of the registry. Returns the exit code of the program: 0,

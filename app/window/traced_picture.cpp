@@ -24,7 +24,7 @@ bool TracedPicture::follow(const Box2& free) {
 // Changes the layers only when there is a picture to show.
 void TracedPicture::take_new(const BackgroundLoader::Outcome& outcome, const Box2& free) {
   if (!show_image(outcome)) return;
-  messages_.clear_problem();  // its problem concerned an earlier request for a picture
+  messages_.clear_problem();  // the problem concerned an earlier picture
   loader_.take_as_read(outcome.file);
   editor_.change_layers("Picture underneath", [&] {
     layers_.set_image(placed_in(free, {.file = outcome.file}, picture_.background_aspect()));

@@ -20,7 +20,7 @@ void AnnotateTool::press(const Pointer& pointer) {
   Pressed pressed{.at = pointer};
   pressed.annotation = context_.annotation_at ? context_.annotation_at(pointer.px) : std::nullopt;
   const Document& document = context_.editor.document();
-  // A highlighted area without an element below is not taken: the user wants to write on it.
+  // A highlight does not take a press on an element: highlighted elements are there to be annotated.
   if (pressed.annotation && *pressed.annotation < document.annotations()->size() &&
       (*document.annotations())[*pressed.annotation].kind == AnnotationKind::highlight &&
       !anchor_at(pointer).is_fixed())

@@ -43,7 +43,7 @@ struct ToolContext {
   AnnotationDesk& annotations;
   const double& spray_spacing_px;
   std::function<void(const Error&)> report;         ///< called when a command is refused
-  std::function<void(const Pointer&)> ask_about{};  ///< called to ask what lies there and which computation made it
+  std::function<void(const Pointer&)> ask_about{};  ///< called to ask what lies there and where it comes from
   /// Returns the annotation drawn at a position in logical pixels, if any.
   std::function<std::optional<std::size_t>(Vec2)> annotation_at{};
   const Snapper* snapper = nullptr;  ///< null: no snapping
@@ -69,7 +69,7 @@ struct ToolFeedback {
   std::optional<Disk> ball;                     ///< a ball being drawn
   std::optional<Box2> box_px;                   ///< the selection box being drawn
   std::vector<Vec2> lasso{};                    ///< the lasso being drawn, in the world
-  std::optional<Vec2> marker_px;                ///< where a press would put a sample
+  std::optional<Vec2> marker_px;                ///< position where a press would put a sample
   double ring_px = 0.0;                         ///< radius of a circle around the marker; 0 = none
   std::vector<Vec2> measured{};                 ///< the points in the world being measured
   std::optional<std::size_t> annotation{};      ///< the annotation a press would take

@@ -30,7 +30,7 @@ struct MenuBar {
   std::function<void(const SampleShape&)> open_shape;  ///< the same
   std::span<const ShippedLesson> lessons;
   std::function<void(const ShippedLesson&)> open_lesson;        ///< the same
-  std::function<void(const LayerTextFormat&)> export_geometry;  ///< of the visible layers
+  std::function<void(const LayerTextFormat&)> export_geometry;  ///< exports the visible layers
 
   /// Draws across the window; returns its height in screen coordinates.
   float draw() const;

@@ -128,7 +128,7 @@ void LayersPanel::draw_search() {
   const float check = ImGui::CalcTextSize("Only shown").x + button + ImGui::GetStyle().ItemInnerSpacing.x;
   ImGui::SetNextItemWidth(std::max(40 * unit, ImGui::GetContentRegionAvail().x - check - button - 12 * unit));
   ImGui::InputTextWithHint("##search", "Search", &options_.search);
-  // ImGui restores the old text on Esc; we want it empty.
+  // Dear ImGui restores the old text on Esc; we want it empty.
   if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) options_.search.clear();
   ImGui::SameLine(0, 2 * unit);
   if (options_.search.empty()) {

@@ -122,7 +122,7 @@ void AnnotationCard::draw(const Gui& gui, AnnotationDesk& desk, ImVec2 beside, c
   choice_number_ = desk.choice_number();
   const ImVec2 size{(kAnnotationWidth + 24) * unit, 150 * unit};
   if (is_new) {
-    // Below the text, or above it if there is no room below.
+    // The card goes below the text, or above it if there is no room below.
     const float below = beside.y + 30 * unit;
     at_ = {beside.x, below + size.y <= room[1].y ? below : beside.y - size.y - 40 * unit};
   }

@@ -9,7 +9,7 @@ namespace mes {
 
 struct PanePart {
   const render::Camera& camera;  ///< as in Canvas: for a window in which the pane has the position of the main pane
-  ImVec2 shift{};                ///< from the main pane to this one, in screen coordinates
+  ImVec2 shift{};                ///< shift from the main pane to this one, in screen coordinates
 };
 
 }  // namespace mes

@@ -196,7 +196,7 @@ void PointerMarks::draw_frame() const {
     if (frame.has(handle)) pen.handle(frame.at(handle), handle == Handle::turn, mark->taken == handle);
   }
   if (mark->words.empty()) return;
-  // Below the lower right corner, or as near to it as is visible.
+  // The words are below the lower right corner, or as near to it as is visible.
   const float unit = gui.unit();
   const FreePart part = free_part(*this);
   const ImVec2 corner = pen.on_screen({outline.high.x, outline.low.y});

@@ -144,7 +144,7 @@ void ParametersPanel::draw_value(const Parameter& descriptor, double& value) con
   tooltip(gui_, parameter_explanation(descriptor));
 }
 
-// As wide as the slider above it without its number.
+// The band is as wide as the slider above it without its number.
 MarkBand ParametersPanel::band(const char* id) const {
   return {gui_, id, slider_rail(gui_, ImGui::GetContentRegionAvail().x), 12 * gui_.unit()};
 }

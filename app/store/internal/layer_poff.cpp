@@ -93,7 +93,7 @@ LayerText npoff_of(const LayerGeometry& geometry) {
     for (const std::uint32_t point : chain.points) {
       const Vec2 at = found.points[point];
       const auto normal = normals.find(at);
-      if (normal == normals.end()) continue;  // ends and branch points have none
+      if (normal == normals.end()) continue;  // ends and branch points have no normal
       if (std::exchange(is_first, false) && !out.text.empty()) out.text += '\n';
       append_number(out.text, at.x);
       out.text += ' ';
