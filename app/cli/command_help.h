@@ -38,7 +38,7 @@ void name_values(CLI::App& app);
 /// Help of the program itself, followed by its commands.
 std::vector<CommandHelp> help_of(const CLI::App& app);
 
-/// The first sentence of a text, where there is only one line.
+/// The first sentence of a text, for places with room for one line.
 std::string brief(const std::string& text);
 
 }  // namespace mes::cli

@@ -21,7 +21,7 @@ struct LayerListOptions {
 struct LayerSection {
   std::string title{};                ///< empty: no heading
   std::optional<LayerGroup> group{};  ///< nothing: the shown layers, or all layers
-  std::vector<LayerIndex> rows{};     ///< first = top
+  std::vector<LayerIndex> rows{};     ///< top layer first
   std::size_t shown = 0;              ///< number of visible layers in the group, listed or not
   std::size_t size = 0;
 };

@@ -13,10 +13,10 @@
 
 namespace mes {
 
-/// Guarantees: the engine is asked for the visible layers of all panes and for the needs of panels, again whenever
-/// they change. After a picture was lost for lack of memory, the demand is empty until the document or the demand has
-/// changed; then it is repeated. If all layers are needed again completely, the demand is empty first, and repeated
-/// as soon as the engine is idle. Threads: the window's.
+/// Guarantees: the engine is asked for the visible layers of all panes and for what panels need, and asked again
+/// whenever either changes. After a picture was lost for lack of memory, the demand is empty until the document or
+/// the demand has changed; then it is repeated. If all layers are needed again completely, the demand is empty first,
+/// and repeated as soon as the engine is idle. Threads: the window's.
 class EngineDemand {
  public:
   /// The demand, with the revisions that tell when it changes.

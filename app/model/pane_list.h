@@ -93,7 +93,7 @@ struct PaneEvolution {
   friend bool operator==(const PaneEvolution&, const PaneEvolution&) = default;
 };
 
-/// The layers and variants that the list asks for.
+/// The layers and variants that the list requires.
 struct ShownPanes {
   using Layers = std::vector<std::pair<VariantLayer, LayerStyle>>;  ///< bottom first
   std::vector<VariantRequest> variants;

@@ -62,7 +62,7 @@ class ScaleLayout {
     const double bottom = plane_.height - plane_.covered;
     line(0.0, bottom - 1.0, plane_.width, 1.0);
     line(0.0, 0.0, 1.0, bottom);
-    // Lays out the left edge before the bar, which has to know its room; y grows upwards there.
+    // Lays out the left edge first, because the bar needs to know its room; y grows upwards there.
     for (const Tick& tick : ticks_along(plane_.center.y, plane_.height, plane_.units_per_pixel)) {
       const double y = plane_.height - tick.at;
       if (y > bottom) continue;

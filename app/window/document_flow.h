@@ -75,8 +75,8 @@ class DocumentFlow {
   void open_lesson(const ShippedLesson& lesson);
   /// Asks for a file for one bundle, or for all.
   void ask_export(std::optional<std::size_t> bundle);
-  /// Asks for a file for a table, whose name mentions `of`, once nothing else is being asked or dragged. Asks again
-  /// if the file cannot be written. A table may arrive while the user is busy.
+  /// Asks for a file for a table, with a proposed name that contains `of`. Waits until nothing else is being asked or
+  /// dragged, and asks again if the file cannot be written. A table may arrive while the user is busy.
   void ask_table(const std::string& of, std::string csv);
 
   /// Called once per turn before the frame: takes finished readings and saves.

@@ -8,7 +8,7 @@
 namespace mes {
 
 struct PanePart {
-  const render::Camera& camera;  ///< as in Canvas: for a window in which the pane has the position of the main pane
+  const render::Camera& camera;  ///< camera of a window in which this pane has the position of the main one (Canvas)
   ImVec2 shift{};                ///< shift from the main pane to this one, in screen coordinates
 };
 
