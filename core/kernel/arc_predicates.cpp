@@ -19,9 +19,9 @@ namespace {
 using Interval = CGAL::Interval_nt<false>;
 using Rational = CGAL::Exact_rational;
 
-// Numbers with bounds are intervals by middle and radius, in any mode of rounding and for less work. Each bound is the
-// sum of what the operands bring, of a last place and of what may be lost below the smallest double, all of it rounded:
-// `kMore` makes up for that.
+// `Bounded` is an interval given by its middle and radius: it works in any rounding mode and is cheaper. Each bound is
+// the sum of the operands' bounds, a unit in the last place and the loss below the smallest double. These sums round,
+// too, which `kMore` makes up for.
 constexpr double kPlace = 0x1p-52;
 constexpr double kMore = 1.0 + 0x1p-48;
 constexpr double kTiny = 0x1p-1070;
@@ -67,7 +67,7 @@ template <class Number>
 Number dot_product(const Vector<Number>& u, const Vector<Number>& v) {
   return u.x * v.x + u.y * v.y;
 }
-/// From `a` to the circumcentre of a, b, c.
+/// Vector from `a` to the circumcentre of a, b, c.
 template <class Number>
 Vector<Number> to_center(Vec2 a, Vec2 b, Vec2 c) {
   const Vector<Number> u = between<Number>(a, b);
@@ -78,7 +78,7 @@ Vector<Number> to_center(Vec2 a, Vec2 b, Vec2 c) {
   return {(v.y * uu - u.y * vv) / twice, (u.x * vv - v.x * uu) / twice};
 }
 
-// -1, 0, 1, or nothing when it is not known.
+// Returns -1, 0 or 1, or nothing where the sign is not known.
 std::optional<int> known_sign(const Interval& x) {
   if (x.inf() > 0.0) return 1;
   if (x.sup() < 0.0) return -1;
@@ -151,8 +151,8 @@ Vec2 in_unit(Vec2 p, int exponent) {
   return {times_power_of_two(p.x, exponent), times_power_of_two(p.y, exponent)};
 }
 
-// What is decided has degree eight in coordinates, so their powers leave the doubles long before they do. The power of
-// two that brings the largest coordinate near 1, or 0 where that is not needed, or would not be exact.
+// The predicates have degree eight in coordinates, so their values leave the range of doubles long before coordinates
+// do. Returns the power of two that brings the largest coordinate near 1, or 0 if scaling is not needed or not exact.
 int exponent_to_unit(std::initializer_list<Vec2> points) {
   constexpr double kLarge = 0x1p100;
   constexpr double kSmall = 0x1p-100;
@@ -170,7 +170,7 @@ int exponent_to_unit(std::initializer_list<Vec2> points) {
 
 }  // namespace
 
-// The centre of the arc's circle lies off its start.
+// The centre of the arc's circle is stored relative to the arc's start.
 ArcFilter::ArcFilter(const OuterArc& arc) : start_(arc.p) {
   const Vector<Bounded> from_p = to_center<Bounded>(arc.p, arc.q, arc.s);
   const Vector<Bounded> pq = between<Bounded>(arc.p, arc.q);
@@ -185,7 +185,7 @@ ArcFilter::ArcFilter(const OuterArc& arc) : start_(arc.p) {
   is_wide_ = is_surely_positive(-turn);
 }
 
-// The direction is multiplied by the determinant of the disk's corners, which is positive, so nothing is divided.
+// Multiplying the direction by the determinant of the disk's corners, which is positive, avoids a division.
 bool ArcFilter::misses(const Corners& disk) const {
   const Vector<Bounded> u = between<Bounded>(disk.a, disk.b);
   const Vector<Bounded> v = between<Bounded>(disk.a, disk.c);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Does the circumdisk of one Delaunay triangle meet an arc of the circumcircle of another? Exact for the given
-// doubles.
+// Decides exactly, for the given doubles, whether the circumdisk of one Delaunay triangle meets an arc of the
+// circumcircle of another.
 //
 // Let f be a Delaunay triangle with corners s, p, q counter-clockwise and h another one with a different
 // circumcircle. No site lies inside the disk of h, so the part of f's circle that h covers lies on one of the three
@@ -36,30 +36,30 @@ struct Bounded {
   double error = 0.0;
 };
 
-/// Says quickly of most disks that the direction of their centre does not point into the arc. Made once for an arc.
+/// Rules out most disks quickly: those whose centre lies in a direction outside the arc. One filter serves one arc.
 class ArcFilter {
  public:
   explicit ArcFilter(const OuterArc& arc);
-  /// The disk does not meet the arc; false says nothing.
+  /// True if the disk certainly misses the arc; false decides nothing.
   bool misses(const Corners& disk) const;
 
  private:
   Vec2 start_;
-  Bounded from_start_[2];   ///< to the centre
-  Bounded to_start_[2];     ///< from there
-  Bounded to_end_[2];       ///< from there, too
-  bool is_narrow_ = false;  ///< certainly less than half a circle
-  bool is_wide_ = false;    ///< certainly more
+  Bounded from_start_[2];   ///< vector from the arc's start to the centre of its circle
+  Bounded to_start_[2];     ///< vector from the centre to the arc's start
+  Bounded to_end_[2];       ///< vector from the centre to the arc's end
+  bool is_narrow_ = false;  ///< the arc is certainly less than half a circle
+  bool is_wide_ = false;    ///< the arc is certainly more than half a circle
 };
 
-/// By interval arithmetic; some 0.3 us.
+/// Uses interval arithmetic; takes about 0.3 us.
 Meets meets_arc_quickly(const OuterArc& arc, const Corners& disk);
 
-/// The same for the open half plane to the left of u -> v, the disk of a face at infinity. No end of the arc may lie
-/// in it.
+/// The same for the open half plane to the left of u -> v, which is the disk of a face at infinity. Neither end of the
+/// arc may lie in it.
 Meets meets_arc_quickly(const OuterArc& arc, Vec2 u, Vec2 v);
 
-/// Exact; by intervals first.
+/// Exact: tries intervals first, then rationals.
 bool meets_arc(const OuterArc& arc, const Corners& disk);
 
 }  // namespace mes

@@ -2,9 +2,9 @@
 // Signs that decide which triangles and edges of a regular triangulation belong to the dual complex of a union of
 // balls. A ball is its centre and weight w = squared radius.
 //
-// With c_1 as origin, let A = |c_2|^2 - w_2 + w_1, B = |c_3|^2 - w_3 + w_1 and D = det(c_2, c_3). The point of equal
-// power is x = (A c_3y - B c_2y, B c_2x - A c_3x) / 2D, and the squared radius of the orthogonal circle |x|^2 - w_1.
-// On an edge the least common power is A^2 / 4|c_2|^2 - w_1, at the foot c_2 A / 2|c_2|^2.
+// Let c_1 be the origin, A = |c_2|^2 - w_2 + w_1, B = |c_3|^2 - w_3 + w_1 and D = det(c_2, c_3). The point of equal
+// power is x = (A c_3y - B c_2y, B c_2x - A c_3x) / 2D, and the squared radius of the orthogonal circle |x|^2 - w_1. On
+// an edge the least common power is A^2 / 4|c_2|^2 - w_1, at the foot c_2 A / 2|c_2|^2.
 // Source: Edelsbrunner 1995; the polynomial form is ours.
 #pragma once
 
@@ -26,7 +26,7 @@ struct BallOf {
   Number x, y, w;
 };
 
-/// Differences of `Number` and what is made of them may be of another type.
+/// Differences of `Number`, and everything computed from them, may have another type.
 namespace ball_polynomials {
 
 template <class Number>
@@ -91,7 +91,7 @@ auto excess_at_center(const BallOf<Number>& a, const BallOf<Number>& b, const Ba
   return det * pd - (pb * cy - pc * by) * dx - (pc * bx - pb * cx) * dy;
 }
 
-/// Sign of `excess_at_center` as doubles have it; 0 = not known.
+/// Sign of `excess_at_center` in doubles; 0 means not known.
 inline int quick_excess_at_center(const BallOf<double>& a, const BallOf<double>& b, const BallOf<double>& c,
                                   const BallOf<double>& d) {
   struct Seen {
@@ -104,7 +104,7 @@ inline int quick_excess_at_center(const BallOf<double>& a, const BallOf<double>&
     return Seen{x, y, dd + w, dd + std::abs(w)};
   };
   const Seen p = seen(b), q = seen(c), r = seen(d);
-  // Nothing leaves the range of doubles, and what is lost below it is below 1e-182.
+  // No value overflows, and underflow loses less than 1e-182.
   if (!(p.size < 1e140 && q.size < 1e140 && r.size < 1e140)) return 0;
   const double value = (p.x * q.y - p.y * q.x) * r.power - (p.power * q.y - q.power * p.y) * r.x -
                        (q.power * p.x - p.power * q.x) * r.y;
@@ -112,7 +112,7 @@ inline int quick_excess_at_center(const BallOf<double>& a, const BallOf<double>&
                       (p.size * std::abs(q.y) + q.size * std::abs(p.y)) * std::abs(r.x) +
                       (q.size * std::abs(p.x) + p.size * std::abs(q.x)) * std::abs(r.y);
   if (!(size > 1e-160)) return 0;
-  // With u = 2^-53, differences are off by u of themselves, powers by 5 u of their size, the determinant by 4 u, and
+  // Let u = 2^-53. Differences are off by u of themselves, powers by 5 u of their size, the determinant by 4 u, and
   // each of the three products by 10 u; adding them up rounds by 2 u. 16 leaves room for the rounding of the bound.
   const double bound = 16.0 * 0x1p-53 * size;
   return value > bound ? 1 : (-value > bound ? -1 : 0);
@@ -120,7 +120,7 @@ inline int quick_excess_at_center(const BallOf<double>& a, const BallOf<double>&
 
 }  // namespace ball_polynomials
 
-/// Signs in the arithmetic of a kernel: of the polynomial evaluated in the kernel's numbers.
+/// Signs in the arithmetic of a kernel: the polynomial is evaluated in the kernel's numbers.
 template <class Kernel>
 struct BallSigns {
   using Number = typename Kernel::FT;
@@ -130,9 +130,9 @@ struct BallSigns {
   }
 };
 
-/// Exact for the given doubles: intervals first, then twice the length of a double, then any length. Threads may
-/// share it. Circles through a common sample have values of the size of their rounding, which the second step
-/// decides.
+/// Exact for the given doubles: tries intervals, then numbers of two doubles, then numbers of any length. Threads may
+/// share it. For circles through a common sample the values are as small as the rounding errors of doubles; the second
+/// step decides these.
 template <>
 struct BallSigns<FastKernel> {
   using Number = double;
@@ -159,7 +159,7 @@ struct BallSigns<FastKernel> {
   }
 };
 
-/// Exact: intervals of the coordinates first, then rationals. Lazy numbers would build an expression for each sign.
+/// Exact: tries intervals of the coordinates, then rationals. Lazy numbers would build an expression for each sign.
 template <>
 struct BallSigns<ExactKernel> {
   using Number = ExactKernel::FT;
@@ -178,40 +178,40 @@ struct BallSigns<ExactKernel> {
   }
 };
 
-/// Of the squared radius of the circle orthogonal to the three.
+/// Sign of the squared radius of the circle orthogonal to the three.
 template <class Kernel, class Ball>
 int sign_of_orthogonal_radius(const Ball& a, const Ball& b, const Ball& c) {
   return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::orthogonal_radius(x...); }, a, b, c);
 }
-/// Of the least common power of the two: not positive exactly if the circles meet (or one ball holds the other).
+/// Sign of the least common power of the two: 0 or negative exactly if the circles meet or one ball holds the other.
 template <class Kernel, class Ball>
 int sign_of_edge_radius(const Ball& a, const Ball& b) {
   return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::edge_radius(x...); }, a, b);
 }
-/// Positive exactly if the centre of c lies to the left of the way from that of a to that of b.
+/// Positive exactly if the centre of c lies to the left of the line from the centre of a to that of b.
 template <class Kernel, class Ball>
 int sign_of_turn(const Ball& a, const Ball& b, const Ball& c) {
   return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::turn_of_centers(x...); }, a, b, c);
 }
-/// One ball lies in the other, given that their circles meet in one point.
+/// True if one ball lies in the other, given that their circles meet in one point.
 template <class Kernel, class Ball>
 bool touch_from_inside(const Ball& a, const Ball& b) {
   return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::gap(x...); }, a, b) < 0;
 }
-/// The centre of a lies outside its own power cell, on the side of b.
+/// True if the centre of a lies outside its own power cell, on the side of b.
 template <class Kernel, class Ball>
 bool loses_center_to(const Ball& a, const Ball& b) {
   return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::excess_of_neighbour(x...); }, a, b) <
          0;
 }
-/// Of the power of c in the middle between the crossings of a and b, less the power of a and b there. Negative: the
-/// edge ab is *attached* to the triangle abc.
+/// Sign of the power of c midway between the crossings of a and b, less the power of a and b there. If it is negative,
+/// the edge ab is *attached* to the triangle abc.
 template <class Kernel, class Ball>
 int sign_of_excess_at_foot(const Ball& a, const Ball& b, const Ball& c) {
   return BallSigns<Kernel>::sign([](const auto&... x) { return ball_polynomials::excess_at_foot(x...); }, a, b, c);
 }
-/// Of the power of d at the point of equal power of a, b, c less their power there, if abc runs counter-clockwise.
-/// Without weights: negative exactly if d lies inside the circle of a, b, c.
+/// Sign of the power of d at the point of equal power of a, b, c, less their power there, if abc runs
+/// counter-clockwise. If all weights are 0: negative exactly if d lies inside the circle of a, b, c.
 template <class Kernel, class Ball>
 int sign_of_excess_at_center(const Ball& a, const Ball& b, const Ball& c, const Ball& d) {
   const auto polynomial = [](const auto&... x) { return ball_polynomials::excess_at_center(x...); };
@@ -224,7 +224,7 @@ int sign_of_excess_at_center(const Ball& a, const Ball& b, const Ball& c, const 
     return BallSigns<Kernel>::sign(polynomial, a, b, c, d);
   }
 }
-/// The four have a point of equal power.
+/// True if the four have a common point of equal power.
 template <class Kernel, class Ball>
 bool have_common_center(const Ball& a, const Ball& b, const Ball& c, const Ball& d) {
   return sign_of_excess_at_center<Kernel>(a, b, c, d) == 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Intervals of growing precision, between an interval of doubles and an exact number.
+// Intervals of growing precision: a step between intervals of doubles and exact numbers.
 #pragma once
 
 #include <boost/multiprecision/mpfi.hpp>
@@ -22,7 +22,7 @@ int known_sign(const BigInterval<kDigits>& x) {
   return mpfi_is_strictly_pos(ends) > 0 ? 1 : (mpfi_is_strictly_neg(ends) > 0 ? -1 : 0);
 }
 
-/// Of a number that is not negative.
+/// Square root of a number that is not negative.
 template <unsigned kDigits>
 BigInterval<kDigits> root_of(BigInterval<kDigits> x) {
   if (known_sign(x) == 0) x = BigInterval<kDigits>(0, boost::multiprecision::upper(x));
@@ -40,13 +40,13 @@ DoubleEnds ends_of(const BigInterval<kDigits>& x) {
   return {mpfr_get_d(&ends->left, MPFR_RNDD), mpfr_get_d(&ends->right, MPFR_RNDU)};
 }
 
-/// The double nearest to every number of the interval, if it is one double; what is too large becomes infinite.
+/// The double nearest to every number of the interval, if they share one; numbers beyond the doubles round to infinity.
 template <unsigned kDigits>
 std::optional<double> nearest_double(const BigInterval<kDigits>& x) {
   const auto& ends = x.backend().data();
   const double low = mpfr_get_d(&ends->left, MPFR_RNDN);
   const double high = mpfr_get_d(&ends->right, MPFR_RNDN);
-  if (low != high) return std::nullopt;  // NaN, too
+  if (low != high) return std::nullopt;  // true for NaN, too
   return low + 0.0;
 }
 

@@ -17,14 +17,14 @@ namespace {
 
 using Rational = CGAL::Exact_rational;
 
-/// Difference of two doubles, and whether it is one.
+/// Returns the difference of two doubles; clears `is_exact` if it is rounded.
 double difference(double a, double b, bool& is_exact) {
   const double d = a - b;
   const double part = d - a;
   is_exact = is_exact && (a - (d - part)) - (b + part) == 0.0;
   return d;
 }
-/// Squared length, and whether it is a double. Far from the ends of the range of doubles.
+/// Squared length; clears `is_exact` if it is rounded. Not for values near the ends of the range of doubles.
 double squared_in_doubles(Vec2 v, bool& is_exact) {
   const double x = v.x * v.x;
   const double y = v.y * v.y;
@@ -41,7 +41,7 @@ Rational squared_distance(Vec2 p, Vec2 q) {
   return x * x + y * y;
 }
 
-// With the corners as vectors, R = |ab| |bc| |ca| / 2 |det(b - a, c - a)|.
+// For corners as vectors, R = |ab| |bc| |ca| / 2 |det(b - a, c - a)|.
 Rational exact_square(const SpannedCircle& circle) {
   if (!circle.has_third) return squared_distance(circle.a, circle.b) / Rational(4);
   const Rational ux = Rational(circle.b.x) - Rational(circle.a.x);
@@ -57,11 +57,11 @@ struct Measure {
   double low = 0.0;
   double high = 0.0;
   double square = 0.0;
-  std::array<double, 3> sides{};  ///< their squares, ascending; those that are missing are 0
-  bool has_sides = false;         ///< they are exact
+  std::array<double, 3> sides{};  ///< squared side lengths, ascending; missing ones are 0
+  bool has_sides = false;         ///< `sides` are exact
 };
 
-// Corners in lexicographic order, so that what is rounded does not depend on theirs.
+// Sorts the corners lexicographically, so that rounding does not depend on their order.
 std::array<Vec2, 3> sorted_corners(const SpannedCircle& circle) {
   std::array<Vec2, 3> out{circle.a, circle.b, circle.c};
   std::sort(out.begin(), out.begin() + (circle.has_third ? 3 : 2), lexicographically_less);
@@ -69,7 +69,7 @@ std::array<Vec2, 3> sorted_corners(const SpannedCircle& circle) {
 }
 
 Measure measure(const SpannedCircle& circle) {
-  // Differences round once, and so do products and sums: 2^-50 is several times what that amounts to.
+  // Differences, products and sums round once each; 2^-50 is several times the accumulated error.
   constexpr double kOfSquares = 0x1p-48;
   constexpr double kOfArea = 0x1p-50;
   constexpr double kTooFlat = 0x1p-36;
@@ -110,8 +110,8 @@ Measure measure(const SpannedCircle& circle) {
   return out;
 }
 
-/// Times this power of two, the largest coordinate is between 1 and 2; squares and products of what the range of
-/// coordinates allows are then normal doubles.
+/// The power of two that brings the largest coordinate between 1 and 2; squares and products of coordinates in the
+/// allowed range are then normal doubles.
 double unit_of(std::span<const SpannedCircle> circles) {
   double most = 0.0;
   for (const SpannedCircle& circle : circles)
@@ -124,16 +124,16 @@ SpannedCircle scaled(const SpannedCircle& circle, double unit) {
   return {unit * circle.a, unit * circle.b, unit * circle.c, circle.has_third};
 }
 
-/// Ranks, from 0 on, of circles whose intervals overlap one another.
+/// Ranks circles with overlapping intervals, from 0 on.
 class CloseRadii {
  public:
   CloseRadii(std::span<const SpannedCircle> circles, std::span<const Measure> measures, double unit)
       : circles_(circles), measures_(measures), unit_(unit) {}
 
-  /// Calls `give(circle, rank)` for each, and returns the number of ranks.
+  /// Calls `give(circle, rank)` for each circle and returns the number of ranks.
   template <class Give>
   std::uint32_t rank(std::span<const std::uint32_t> run, const std::function<void()>& checkpoint, Give give) {
-    // Those with the same exact sides are one radius.
+    // Circles with the same exact sides have the same radius.
     entries_.assign(run.begin(), run.end());
     std::ranges::sort(entries_, [this](std::uint32_t a, std::uint32_t b) { return comes_before(a, b); });
     groups_.clear();
@@ -161,10 +161,10 @@ class CloseRadii {
 
  private:
   struct Group {
-    std::size_t begin = 0;  ///< among the entries
+    std::size_t begin = 0;  ///< index of its first entry
     Rational square;
   };
-  /// Those without exact sides last, in any order.
+  /// Circles without exact sides come last, in any order.
   bool comes_before(std::uint32_t a, std::uint32_t b) const {
     const Measure& x = measures_[a];
     const Measure& y = measures_[b];
@@ -200,7 +200,7 @@ RadiusRanks rank_radii(std::span<const SpannedCircle> circles, const std::functi
 
   RadiusRanks out;
   out.rank.resize(circles.size());
-  std::vector<std::uint32_t> one_of;  // of each rank
+  std::vector<std::uint32_t> one_of;  // one circle of each rank
   const auto give = [&](std::uint32_t circle, std::uint32_t rank) {
     out.rank[circle] = rank;
     if (rank == one_of.size()) one_of.push_back(circle);
@@ -223,7 +223,7 @@ RadiusRanks rank_radii(std::span<const SpannedCircle> circles, const std::functi
   }
   checkpoint();
   out.radius.resize(one_of.size());
-  constexpr std::size_t kLook = 0x10000;  // radii between two looks
+  constexpr std::size_t kLook = 0x10000;  // radii between two checkpoints
   for (std::size_t first = 0; first < one_of.size(); first += kLook) {
     parallel_for(std::min(kLook, one_of.size() - first), [&](std::size_t begin, std::size_t end, std::size_t) {
       for (std::size_t i = first + begin; i < first + end; ++i) out.radius[i] = radius_above(circles[one_of[i]]);
@@ -246,8 +246,8 @@ bool sees_wide(Vec2 p, Vec2 a, Vec2 b) {
 
 namespace {
 
-/// The squared radius, and by how much it may be wrong; in the extended precision that the machine has. No double in the
-/// range of coordinates is too large or too small for its exponents, where they are longer than those of doubles.
+/// The squared radius and its error bound, in the machine's extended precision. Where that has longer exponents than
+/// doubles, no double in the range of coordinates is too large or too small for it.
 struct FineMeasure {
   long double square = 0.0L;
   long double error = 0.0L;  ///< relative; infinite where nothing is known
@@ -255,7 +255,7 @@ struct FineMeasure {
 
 FineMeasure fine_measure(const SpannedCircle& circle) {
   using Limits = std::numeric_limits<long double>;
-  constexpr long double kUnit = Limits::epsilon();  // twice what one operation is wrong by
+  constexpr long double kUnit = Limits::epsilon();  // twice the error of one operation
   const auto p = sorted_corners(circle);
   const auto side = [&](std::size_t from, std::size_t to) {
     return std::array{static_cast<long double>(p[to].x) - p[from].x, static_cast<long double>(p[to].y) - p[from].y};
@@ -275,14 +275,14 @@ FineMeasure fine_measure(const SpannedCircle& circle) {
   return {(opposite[0] / area) * (opposite[1] / area) * (0.25L * opposite[2]), 16 * kUnit + 4 * uncertain};
 }
 
-/// Exact.
+/// Compares exactly, in rationals.
 int compare_with_rationals(const SpannedCircle& circle, double r) {
   const Rational exact = exact_square(circle);
   const Rational wanted = Rational(r) * Rational(r);
   return exact < wanted ? -1 : (wanted < exact ? 1 : 0);
 }
 
-/// Of a circle brought near 1, whose squares are far from the ends of the range of doubles.
+/// Takes a circle scaled near 1, whose squares are far from the ends of the range of doubles.
 int compare_near_one(const SpannedCircle& circle, const FineMeasure& fine, double r) {
   const long double wanted = static_cast<long double>(r) * r;
   const long double apart = fine.square - wanted;
@@ -297,7 +297,7 @@ double radius_above(const SpannedCircle& circle) {
   const double unit = unit_of({&circle, 1});
   const SpannedCircle here = scaled(circle, unit);
   FineMeasure fine = fine_measure(here);
-  // The search below tries one double after another, by rationals where the error is larger than their distance.
+  // The search below steps from double to double, in rationals where the error exceeds their spacing.
   if (!(fine.error < 0x1p-50L)) {
     fine = {static_cast<long double>(CGAL::to_double(exact_square(here))), 0x1p-50L};
   }

@@ -18,30 +18,30 @@ struct SpannedCircle {
   bool has_third = false;
 };
 
-/// Places of circles among their different radii.
+/// Ranks of circles among their different radii.
 struct RadiusRanks {
-  std::vector<std::uint32_t> rank;  ///< of each circle: how many different radii are smaller than its own
-  std::vector<double> radius;       ///< of each rank, rounded up
+  std::vector<std::uint32_t> rank;  ///< for each circle, the number of different radii smaller than its own
+  std::vector<double> radius;       ///< for each rank, its radius rounded up
 };
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. Two circles have the same rank if and only if their radii are equal, as real numbers, for the given doubles;
 ///     otherwise the larger radius has the larger rank. `radius` never decreases with the rank.
-///  2. Ranks and radii depend on the set of circles alone, not on the order of circles or of points. Circles times a power
-///     of two have the same ranks, and radii times that power to the last bit.
-///  3. The radius of a rank is the least double that is not smaller than it.
+///  2. Ranks and radii depend on the set of circles alone, not on the order of circles or of points. Scaling by a power
+///     of two keeps the ranks and scales the radii exactly.
+///  3. `radius` is the least double that is not smaller than the true radius of the rank.
 ///
-/// Cost: O(n log n) on all cores where radii are well apart; a rational number for each different circle whose radius is
-/// equal to another, or nearly so. Circles with sides of the same squares, each of them a double, as on a lattice of
-/// integers, count once; those of samples of one circle, whose radii are nearly equal, do not. `checkpoint` is called now
-/// and then, and may throw. Coordinates are within core/base/coordinate_range.h.
+/// Cost: O(n log n) on all cores where radii are well apart, plus a rational number for each different circle whose
+/// radius equals another or nearly so. Circles whose squared sides are the same exact doubles, as on a lattice of
+/// integers, share one number; circles through samples of one circle, whose radii are nearly equal, do not.
+/// `checkpoint` is called now and then, and may throw. Coordinates are within core/base/coordinate_range.h.
 RadiusRanks rank_radii(std::span<const SpannedCircle> circles, const std::function<void()>& checkpoint);
 
-/// The smallest circle around a and b holds p, inside or on it: the angle at p is 90 degrees or more. Exact; p is neither
-/// a nor b.
+/// True if the smallest circle around a and b holds p, inside or on it, that is, if the angle at p is 90 degrees or
+/// more. Exact; p is neither a nor b.
 bool sees_wide(Vec2 p, Vec2 a, Vec2 b);
 
-/// The least double that is not smaller than the radius, exactly.
+/// The least double that is not smaller than the exact radius.
 double radius_above(const SpannedCircle& circle);
 
 }  // namespace mes

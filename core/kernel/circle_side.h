@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// On which side of the circle through three points a fourth one lies.
+// Decides on which side of the circle through three points a fourth one lies.
 //
-// With the fourth point d as origin this is the sign of |a|^2 det(b, c) + |b|^2 det(c, a) + |c|^2 det(a, b). Two
-// neighbours, h apart, on either side of a smooth shape of unit width have a value of the order of h^3 where the terms
-// are of the order of h: below the rounding of doubles and of intervals as soon as h is 10^-7, and far above that of
-// twice their length. Source of the form: Guibas and Stolfi, "Primitives for the manipulation of general subdivisions",
-// 1985.
+// Taking the fourth point d as origin, this is the sign of |a|^2 det(b, c) + |b|^2 det(c, a) + |c|^2 det(a, b). Take
+// two neighbours, h apart, on each side of a smooth shape of unit width: the value is of order h^3, the terms are of
+// order h. For h = 10^-7 and less, this is below the rounding of doubles and of intervals, but far above that of two
+// doubles. Source of the form: Guibas and Stolfi, "Primitives for the manipulation of general subdivisions", 1985.
 #pragma once
 
 #include <CGAL/Mpzf.h>
@@ -20,7 +19,7 @@ namespace mes {
 
 namespace circle_polynomials {
 
-/// Differences of `Number` and what is made of them may be of another type.
+/// Differences of `Number`, and everything computed from them, may have another type.
 template <class Number>
 auto in_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const Number dx(d.x), dy(d.y);
@@ -31,7 +30,7 @@ auto in_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
          (cx * cx + cy * cy) * (ax * by - ay * bx);
 }
 
-/// Sign of `in_circle` as doubles have it; 0 = not known.
+/// Sign of `in_circle` in doubles; 0 means not known.
 inline int quick_in_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const double ax = a.x - d.x, ay = a.y - d.y, bx = b.x - d.x, by = b.y - d.y, cx = c.x - d.x, cy = c.y - d.y;
   const double aa = ax * ax + ay * ay, bb = bx * bx + by * by, cc = cx * cx + cy * cy;
@@ -39,9 +38,9 @@ inline int quick_in_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const double value = aa * (bxcy - bycx) + bb * (cxay - cyax) + cc * (axby - aybx);
   const double size = aa * (std::abs(bxcy) + std::abs(bycx)) + bb * (std::abs(cxay) + std::abs(cyax)) +
                       cc * (std::abs(axby) + std::abs(aybx));
-  // Nothing leaves the range of doubles, and what products lose below it is below 1e-200.
+  // No value overflows, and products lose less than 1e-200 to underflow.
   if (!(aa < 1e70 && bb < 1e70 && cc < 1e70 && size > 1e-160)) return 0;
-  // With u = 2^-53, differences are off by u of themselves, squared lengths by 4 u, determinants by 4 u of their terms
+  // Let u = 2^-53. Differences are off by u of themselves, squared lengths by 4 u, determinants by 4 u of their terms
   // and the three products by 9 u; adding them up rounds by 2 u. 16 leaves room for the rounding of the bound.
   const double bound = 16.0 * 0x1p-53 * size;
   return value > bound ? 1 : (-value > bound ? -1 : 0);
@@ -49,8 +48,8 @@ inline int quick_in_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 
 }  // namespace circle_polynomials
 
-/// 1 if d lies inside the circle through a, b, c, which turn left; -1 outside, 0 on it. For right turns the opposite.
-/// Exact for the given doubles: in doubles first, then in twice their length, then in integers of any length. Threads
+/// Returns 1 if d lies inside the circle through a, b, c, which turn left; -1 outside, 0 on it. Right turns flip the
+/// sign. Exact for the given doubles: tries doubles, then numbers of two doubles, then numbers of any length. Threads
 /// may share it.
 inline int sign_of_in_circle(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   using circle_polynomials::in_circle;

@@ -16,13 +16,13 @@ namespace {
 
 using Rational = CGAL::Exact_rational;
 
-// In doubles, if they are good enough: nothing for collinear points, nor where the doubled area or the way from `a`
-// to the centre is so small against its terms that fewer than 24 of its bits are sure.
+// The circle in doubles, if they suffice. Returns nothing for collinear points, nor where fewer than 24 bits of the
+// doubled area, or of the vector from `a` to the centre, are certain.
 //
 // Differences to `a` are taken first, so a far offset costs no accuracy. Let s be the largest of them. Coordinates
-// are multiples of 2^-153 times the largest in the document, so differences are 0 or at least 2^-154 s. For s within
-// 2^-60 and 2^60 no product of three of them leaves the normal range, and elsewhere they are scaled by a power of
-// two first. So the circle of points times a power of two is this circle times that, to the last bit.
+// are multiples of 2^-153 times the largest in the document, so differences are 0 or at least 2^-154 s. For s between
+// 2^-60 and 2^60 no product of three of them leaves the normal range; otherwise they are first scaled by a power of
+// two. So scaling the points by a power of two scales this circle exactly.
 std::optional<Circle> quick_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
   Vec2 u = b - a;
   Vec2 v = c - a;
@@ -34,7 +34,7 @@ std::optional<Circle> quick_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
     u = {times_power_of_two(u.x, -exponent), times_power_of_two(u.y, -exponent)};
     v = {times_power_of_two(v.x, -exponent), times_power_of_two(v.y, -exponent)};
   }
-  // What differences and products have lost is below 2^-50 of the terms.
+  // Differences and products lose less than 2^-50 of the terms.
   constexpr double kSure = 0x1p-26;
   const double doubled_area = cross(u, v);
   if (!(std::abs(doubled_area) > kSure * (std::abs(u.x * v.y) + std::abs(u.y * v.x)))) return std::nullopt;
@@ -51,8 +51,8 @@ std::optional<Circle> quick_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
                 times_power_of_two(radius, exponent)};
 }
 
-// The same with numbers of two doubles, which tell slivers from segments where doubles cannot: nothing where fewer
-// than 40 bits are sure. Scaled likewise, so what products lose below the range of doubles never decides.
+// The same in numbers of two doubles, which tell slivers from segments where doubles cannot. Returns nothing where
+// fewer than 40 bits are certain. Scaled likewise, so losses below the range of doubles never decide.
 std::optional<Circle> careful_circumcircle(Vec2 a, Vec2 b, Vec2 c) {
   const Vec2 u = b - a;
   const Vec2 v = c - a;

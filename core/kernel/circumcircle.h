@@ -12,12 +12,12 @@ struct Circle {
 };
 
 /// Circle through three points. Within the range of coordinates (core/base/coordinate_range.h) centre and radius are
-/// finite, and right to 20 bits and more of the radius, however flat the triangle; of points times a power of two
-/// they are this times that, to the last bit. Collinear points, and points that are not finite, give a centre and a
-/// radius that are not.
+/// finite, and correct to at least 20 bits of the radius, however flat the triangle. Scaling the points by a power of
+/// two scales both exactly. Collinear points, and points that are not finite, give a centre and a radius that are not
+/// finite.
 ///
-/// Cost: some 10 ns; ten times as much where doubles do not do, as for a height below 1e-8 of the sides, and
-/// microseconds where two doubles do not do either.
+/// Cost: about 10 ns; ten times as much where doubles do not suffice, as for a height below 1e-8 of the sides, and
+/// microseconds where two doubles do not suffice either.
 Circle circumcircle(Vec2 a, Vec2 b, Vec2 c);
 
 }  // namespace mes

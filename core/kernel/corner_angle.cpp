@@ -10,7 +10,7 @@
 namespace mes {
 namespace {
 
-// The direction, brought to about unit size where products might leave the range of doubles.
+// The direction, scaled to about unit size where products might leave the range of doubles.
 Vec2 direction(Vec2 from, Vec2 to) {
   const Vec2 d = to - from;
   const double size = std::max(std::abs(d.x), std::abs(d.y));

@@ -17,14 +17,14 @@ namespace {
 
 using Interval = CGAL::Interval_nt<false>;
 using Rational = CGAL::Exact_rational;
-using Integer = CGAL::Mpzf;  ///< times a power of two: a ring that doubles lie in, quicker than fractions
+using Integer = CGAL::Mpzf;  ///< integers times powers of two: a ring that holds the doubles, quicker than fractions
 
 template <class Number>
 struct GeneralPhase {
   Number h, i;
 };
 
-// The same polynomials in any ring.
+// Evaluates the polynomials of `phase_of` in any ring.
 template <class Number>
 GeneralPhase<Number> phase_in(const EdgeCorners& e) {
   const auto number = [](double x) { return Number(x); };
@@ -47,9 +47,9 @@ double largest_difference(const EdgeCorners& e) {
   return e.s ? std::max({m, size(e.r, *e.s), size(e.q, *e.s)}) : m;
 }
 
-// Points of a grid that is not much finer than the edge is long, such as pixel corners and other integers:
-// differences are then at most 2^12 grid steps, H and I at most 2^51, and doubles evaluate them without rounding.
-// These are the inputs where ties are the rule, so it pays to decide them here.
+// True for points on a grid whose step is not much smaller than the edge, such as pixel corners and other integers.
+// Differences are then at most 2^12 grid steps, H and I at most 2^51, and doubles evaluate both without rounding. Ties
+// are the rule on such inputs, so it pays to decide them here.
 bool is_on_coarse_grid(const EdgeCorners& e, double largest) {
   const double steps = std::ldexp(1.0, 11 - std::ilogb(largest));
   const auto is_whole = [steps](double x) {
@@ -112,15 +112,15 @@ Vec2 direction_between(Vec2 from, Vec2 to) {
   return {times_power_of_two(d.x, -exponent), times_power_of_two(d.y, -exponent)};
 }
 
-// A positive multiple of the phase, whatever the sizes: when a product may have left the range of doubles, each leg
-// of the two angles is brought to unit size, which changes no angle.
+// A positive multiple of the phase, whatever the sizes. Where a product may have left the range of doubles, each leg of
+// the two angles is scaled to about unit size, which changes no angle.
 Phase angle_of(const EdgeCorners& e) {
   const double m = largest_difference(e);
   // Within the range of coordinates differences are at least 2^-154 of the largest: no product of four of them leaves
   // the normal range, and the last bit is the same at every scale.
   if (m > 0x1p-60 && m < 0x1p60) {
     const Phase phase = phase_of(e);
-    // Nor have products lost more than 1e-30 of the whole where the differences come from elsewhere.
+    // For differences outside that range, too, products have then lost at most 1e-30 of the whole.
     if (std::abs(phase.h) > 1e-150 || std::abs(phase.i) > 1e-150) return phase;
   }
   const Vec2 pq = direction_between(e.p, e.q);
@@ -146,8 +146,8 @@ double ambiguity_key(const EdgeCorners& corners) {
   const double squared = phase.h * phase.h + phase.i * phase.i;
   const double size = squared > 0x1p-900 && squared < 0x1p1000 ? std::sqrt(squared) : length({phase.h, phase.i});
   if (!(size > 0.0)) return 0.0;
-  // |cos| where it varies, and its complement by the sine near 1, where |cos| is flat: both are within some 40 u of
-  // the true value, since D and X carry errors of a few u times the lengths of their factors.
+  // The key is |cos| where it varies and, near 1, where |cos| is flat, a constant less the sine. Both are within some
+  // 40 u of their true values, since D and X carry errors of a few u times the lengths of their factors.
   const bool is_flat = std::abs(phase.h) > std::abs(phase.i);
   const double smaller = std::abs(is_flat ? phase.i : phase.h) / size;
   return is_flat ? 1.41421356237309505 - smaller : smaller;
@@ -186,7 +186,7 @@ std::vector<std::uint32_t> ambiguity_places(std::span<const EdgeCorners> edges,
                                             const std::function<void()>& checkpoint) {
   constexpr std::size_t kBetweenLooks = 4096;
   struct Entry {
-    Rational cotangent;  // of alpha + beta, its absolute value
+    Rational cotangent;  // |cot(alpha + beta)|
     bool is_infinite = false;
     std::size_t edge = 0;
   };

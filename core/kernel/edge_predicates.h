@@ -24,13 +24,13 @@
 
 namespace mes {
 
-/// Corners around a Delaunay edge: apex `p` left of q -> r, apex `s` right of it, none on the hull.
+/// Corners around a Delaunay edge: apex `p` to the left of q -> r, apex `s` to the right of it, missing on the hull.
 struct EdgeCorners {
   Vec2 p, q, r;
   std::optional<Vec2> s;
 };
 
-/// Which stage of the filter decided, over all calls.
+/// Numbers of calls by the stage of the filter that decided.
 struct FilterCounts {
   std::uint64_t static_filter = 0;
   std::uint64_t interval = 0;
@@ -46,7 +46,7 @@ struct FilterCounts {
 
 struct EdgeClass {
   bool is_crust = false;       ///< alpha + beta <= 90 degrees, ties included
-  bool is_cocircular = false;  ///< the dual has length zero; never on the hull
+  bool is_cocircular = false;  ///< the dual has length zero; always false on the hull
 };
 
 /// H and I in doubles.
@@ -67,10 +67,10 @@ inline Phase phase_of(const EdgeCorners& e) {
   return {dp * ds - xp * xs, xp * ds + dp * xs};
 }
 
-/// Sign-exact for the given doubles, whatever their size.
+/// Exact signs for the given doubles, whatever their size.
 EdgeClass classify_edge(const EdgeCorners& corners, FilterCounts& counts);
 
-/// cos(alpha + beta) in [-1, 1], from doubles: how sure the crust test is. For colours and display.
+/// cos(alpha + beta) in [-1, 1], computed in doubles: the confidence of the crust test. For colours and display.
 double edge_confidence(const EdgeCorners& corners);
 
 /// Approximate sort key for `compare_ambiguity`: two keys that differ by more than `kAmbiguityKeyError` are in the
@@ -78,12 +78,12 @@ double edge_confidence(const EdgeCorners& corners);
 double ambiguity_key(const EdgeCorners& corners);
 inline constexpr double kAmbiguityKeyError = 1e-13;
 
-/// Exact order of |cot(alpha + beta)|: -1, 0 or 1. An edge with I = 0 is infinitely sure. Two edges of infinite
-/// certainty compare equal.
+/// Exact order of |cot(alpha + beta)|: -1, 0 or 1. Edges with I = 0 are infinitely certain and compare equal to each
+/// other.
 int compare_ambiguity(const EdgeCorners& a, const EdgeCorners& b);
 
-/// The places of Delaunay edges in that order, from 0; edges that compare equal have one place. O(n log n), with one
-/// rational number an edge instead of several a comparison. Asks `checkpoint` now and then, which may throw.
+/// The ranks of Delaunay edges in that order, from 0; edges that compare equal share a rank. O(n log n), with one
+/// rational number per edge instead of several per comparison. Calls `checkpoint` now and then, which may throw.
 std::vector<std::uint32_t> ambiguity_places(std::span<const EdgeCorners> edges,
                                             const std::function<void()>& checkpoint);
 

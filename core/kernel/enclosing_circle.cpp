@@ -24,7 +24,7 @@ int order(const Rational& a, const Rational& b) {
   return a < b ? -1 : (b < a ? 1 : 0);
 }
 
-/// The corner at p has 90 degrees or more.
+/// True if the corner at p has 90 degrees or more.
 bool is_wide(Vec2 p, Vec2 q, Vec2 r) {
   return sign_of_corner(p, q, r) <= 0;
 }
@@ -58,8 +58,8 @@ int compare_half_distance_exactly(Vec2 a, Vec2 b, double r) {
 
 int compare_enclosing_radius(Vec2 a, Vec2 b, Vec2 c, double r) {
   if (r < 0.0) return 1;
-  // The radius is half the longest side at least, and at most as in an equilateral triangle, whose sides are sqrt(3) of
-  // them: where all angles are below 90 degrees, the longest side is opposite one of 60 or more.
+  // The radius is at least half the longest side. It is at most that side / sqrt(3), as in an equilateral triangle:
+  // where all angles are below 90 degrees, the longest side is opposite one of 60 or more.
   const double longest = std::max({dot(b - a, b - a), dot(c - b, c - b), dot(a - c, a - c)});
   const double right = 4.0 * r * r;
   if (longest > right && is_order_decided(longest, right)) return 1;
@@ -81,7 +81,7 @@ int compare_enclosing_radius(Vec2 a, Vec2 b, Vec2 c, double r) {
   const double uu = dot(u, u);
   const double vv = dot(v, v);
   const double area = cross(u, v);
-  // R^2 is |u|^2 |v|^2 |w|^2 / 4 area^2; each factor is taken relative to the others, lest products leave the range.
+  // R^2 is |u|^2 |v|^2 |w|^2 / 4 area^2; dividing factor by factor keeps the products in range.
   const double left = (uu / area) * (vv / area) * opposite(top);
   if (std::min(uu, vv) > 1e-250 && is_order_decided(left, right)) return left < right ? -1 : 1;
   const RationalVector p = vector_between<Rational>(a, b);

@@ -14,23 +14,23 @@
 
 namespace mes {
 
-/// Exact sign of (q - p).(r - p): 1 where the angle at p is below 90 degrees, 0 at 90, -1 above. Three different points.
+/// Exact sign of (q - p).(r - p): 1 if the angle at p is below 90 degrees, 0 at 90, -1 above. The points differ.
 int sign_of_corner(Vec2 p, Vec2 q, Vec2 r);
 
-/// Some corner of the triangle has 90 degrees or more; exact. Three different points.
+/// True if some corner of the triangle has 90 degrees or more; exact. The points must differ.
 bool is_right_or_obtuse(Vec2 a, Vec2 b, Vec2 c);
 
 /// Half the longest side of a triangle.
 double half_longest_side(Vec2 a, Vec2 b, Vec2 c);
 
-/// True if two doubles above 0 are surely in the order of the numbers that they approximate, each to within 2^-47 of
-/// itself. False near the ends of the range of doubles, where they may be worse.
+/// True if two positive doubles are certainly in the order of the numbers that they approximate, each to within 2^-47
+/// of itself. False near the ends of the range of doubles, where errors may be larger.
 inline bool is_order_decided(double left, double right) {
   const double size = left > right ? left : right;
   return size > 1e-250 && size < 1e300 && std::abs(left - right) > 0x1p-46 * size;
 }
 
-/// Exact order of half the distance from a to b and `r`: -1, 0 or 1. `r` is finite.
+/// Compares half the distance from a to b with `r`, exactly: -1, 0 or 1. `r` is finite.
 int compare_half_distance_exactly(Vec2 a, Vec2 b, double r);
 inline int compare_half_distance(Vec2 a, Vec2 b, double r) {
   const double left = dot(b - a, b - a);
@@ -39,7 +39,7 @@ inline int compare_half_distance(Vec2 a, Vec2 b, double r) {
   return compare_half_distance_exactly(a, b, r);
 }
 
-/// Exact order of the radius of the smallest circle that encloses three points, not collinear, and `r`: -1, 0 or 1.
+/// Compares the radius of the smallest circle around three points, not collinear, with `r`, exactly: -1, 0 or 1.
 int compare_enclosing_radius(Vec2 a, Vec2 b, Vec2 c, double r);
 
 }  // namespace mes

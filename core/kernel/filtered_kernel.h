@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// `FastKernel` with another step in the predicates that triangulations ask most, between doubles and integers of any
-// length: neighbours on both sides of a shape lie nearly on one circle, and balls that touch one sample nearly have a
-// point of equal power. Intervals fail there as a rule.
+// `FastKernel` with one more step, between doubles and numbers of any length, in the predicates that triangulations
+// call most. Neighbours on both sides of a shape lie nearly on one circle, and balls that touch one sample nearly have
+// a point of equal power; intervals usually fail there.
 #pragma once
 
 #include <type_traits>
@@ -12,7 +12,7 @@
 
 namespace mes {
 
-/// The kernel's own predicates, but for those declared here; all answers are the same.
+/// The kernel's own predicates, except those declared here; all answers are the same.
 struct FilteredKernel : FastKernel {
   struct Side_of_oriented_circle_2 {
     using result_type = CGAL::Oriented_side;
@@ -38,13 +38,13 @@ struct FilteredKernel : FastKernel {
   Power_side_of_oriented_power_circle_2 power_side_of_oriented_power_circle_2_object() const { return {}; }
 };
 
-/// With which triangulations that belong to a kernel are made.
+/// The traits of triangulations that belong to a kernel.
 template <class Kernel>
 using TriangulationTraits = std::conditional_t<std::is_same_v<Kernel, FastKernel>, FilteredKernel, Kernel>;
 
 }  // namespace mes
 
-/// Walks begin with doubles here as with the kernel itself.
+/// Walks begin in doubles, as they do with the kernel itself.
 template <>
 struct CGAL::Triangulation_structural_filtering_traits<mes::FilteredKernel> {
   using Use_structural_filtering_tag = Tag_true;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernels of CGAL; roots_kernel.h has one more, with square roots.
+// Kernels from CGAL; roots_kernel.h has one more, with square roots.
 #pragma once
 
 #include <CGAL/Exact_predicates_exact_constructions_kernel.h>
@@ -8,13 +8,13 @@
 
 namespace mes {
 
-/// Plain doubles, predicates too. Nothing it decides can be relied on, not even that CGAL's algorithms end.
+/// Plain doubles, even in predicates. No decision can be relied on; CGAL's algorithms may not even terminate.
 using NaiveKernel = CGAL::Simple_cartesian<double>;
 
 /// Exact predicates on the given doubles through filters: the default for everything combinatorial on samples.
 using FastKernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 
-/// Rational constructions, evaluated when an interval does not settle a question. Objects belong to one thread.
+/// Rational constructions, evaluated where an interval does not decide. Objects belong to one thread.
 using ExactKernel = CGAL::Exact_predicates_exact_constructions_kernel;
 
 }  // namespace mes

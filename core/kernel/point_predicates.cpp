@@ -9,7 +9,7 @@
 namespace mes {
 namespace {
 
-/// The sign of an expression, which is evaluated in intervals, and in rationals if these do not settle it.
+/// The sign of an expression, evaluated in intervals first and in rationals where these do not decide.
 template <class Expression>
 int exact_sign(Expression expression) {
   const CGAL::Uncertain<CGAL::Sign> quick = CGAL::sign(expression(CGAL::Interval_nt<true>()));
@@ -63,7 +63,7 @@ int compare_distances(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
 }
 
 int compare_circumradii(Vec2 a, Vec2 b, Vec2 c, Vec2 d, Vec2 e, Vec2 f) {
-  // The square of a radius is the product of the squared sides, by four times the square of twice the area.
+  // The squared radius is the product of the squared sides, divided by four times the square of twice the area.
   return exact_sign([&]<class Number>(const Number& /*type*/) -> Number {
     const auto sides = [](Vec2 p, Vec2 q, Vec2 r) -> Number {
       return Difference<Number>(q, p).length2() * Difference<Number>(r, q).length2() *

@@ -25,7 +25,7 @@ int sign_of(const Number& x) {
 // roundings, the longest chain below (a term of the hull sign) takes 17 units, products of two N take 18; 32 leaves
 // room for the rounding of the magnitudes.
 constexpr double kSlack = 32.0 * 0x1p-53;
-// Below this a product that underflowed may be more than the slack; above it something may have overflowed.
+// Below `kLeast`, a product that underflowed may be off by more than the slack; above `kMost`, one may have overflowed.
 constexpr double kLeast = 1e-190;
 constexpr double kMost = 1e300;
 
@@ -69,8 +69,8 @@ StarMagnitude magnitude_of(const Star<double>& s) {
           {std::abs(s.v.y) * uu + std::abs(s.u.y) * vv, std::abs(s.u.x) * vv + std::abs(s.v.x) * uu}};
 }
 
-// Differences to p as integers of at most eleven bits, for points of a grid that is not much finer than the triangles
-// are large. Then N has 35 bits, D 23, and no polynomial here more than 118.
+// Differences to p as integers of at most eleven bits, for points on a grid whose step is not much smaller than the
+// triangles. Then N has 35 bits, D 23, and no polynomial here more than 118.
 class GridDifferences {
  public:
   GridDifferences(Vec2 p, std::initializer_list<Vec2> others) : p_(p) {
@@ -87,7 +87,7 @@ class GridDifferences {
   }
 
  private:
-  // A coordinate of 2^53 steps and more is whole, and so is its exact difference to another that is.
+  // A coordinate of 2^53 steps or more is whole, and so is its exact difference to another whole one.
   bool is_whole(Vec2 a) const {
     const auto whole = [this](double x) {
       const double scaled = x * steps_;
@@ -129,12 +129,12 @@ RadiusKey radius_key(const StarTriangle& f) {
 int compare_pole_distance(const StarTriangle& f, const RadiusKey& key_f, const StarTriangle& g,
                           const RadiusKey& key_g) {
   const double gap = key_f.value - key_g.value;
-  // Twice the errors: room for rounding in this very line.
+  // Twice the errors leaves room for the rounding of this comparison.
   if (std::abs(gap) > 2.0 * (key_f.error + key_g.error)) return gap > 0.0 ? 1 : -1;
   return exact_sign(f, g, [](const auto& a, const auto& b) {
     const auto da = a.d();
     const auto db = b.d();
-    // The intermediate type of rationals is an expression; name the numbers.
+    // Operations on rationals return expressions, so name the number type.
     const std::decay_t<decltype(a.u.x)> left = a.sides() * db * db;
     const std::decay_t<decltype(a.u.x)> right = b.sides() * da * da;
     return left < right ? -1 : (right < left ? 1 : 0);
@@ -217,7 +217,7 @@ Vec2 hull_direction(Vec2 p, Vec2 before, Vec2 after) {
   };
   const Vec2 in = unit(p - before);
   const Vec2 on = unit(after - p);
-  // Right-hand normals add up to the right-hand normal of the sum; a spike leaves the way it came in.
+  // Right-hand normals add up to that of the sum; at a spike, where the sum is zero, `in` points outward.
   const Vec2 d = unit(-perpendicular(in + on));
   return d == Vec2{} ? in : d;
 }

@@ -11,16 +11,15 @@
 //     same side                N_f . N_g                                                                (degree 6)
 //     side of a hull sample    N . n_1 / |n_1| + N . n_2 / |n_2|, by squares where the terms differ in sign
 //                                                                                                       (degree 10)
-// Each is evaluated in doubles with a running error bound, then, for samples on a coarse grid, in 128-bit integers,
-// where ties are the rule; then in rationals. Source: Amenta, Bern and Eppstein 1998; the polynomials are ours.
+// Each is evaluated in doubles with a running error bound; then, for samples on a coarse grid, where ties are the rule,
+// in 128-bit integers; then in rationals. Source: Amenta, Bern and Eppstein 1998; the polynomials are ours.
 #pragma once
 
 #include "core/base/vec2.h"
 
 namespace mes {
 
-/// A Delaunay triangle seen from its corner `p`; p, q, r counter-clockwise. Two stars that are compared have the same
-/// `p`.
+/// A Delaunay triangle seen from its corner `p`; p, q, r counter-clockwise. Stars compared with each other share `p`.
 struct StarTriangle {
   Vec2 p, q, r;
 };
@@ -36,7 +35,7 @@ RadiusKey radius_key(const StarTriangle& f);
 int compare_pole_distance(const StarTriangle& f, const RadiusKey& key_f, const StarTriangle& g,
                           const RadiusKey& key_g);
 
-/// Lexicographic order of the circumcentres: -1, 0 or 1; 0 exactly if both have one circumcircle.
+/// Lexicographic order of the circumcentres: -1, 0 or 1; 0 exactly if the circumcircles are the same.
 int compare_circumcenters(const StarTriangle& f, const StarTriangle& g);
 
 /// Sign of (c_f - p) . (c_g - p): negative if the centres lie on different sides of p.
@@ -46,7 +45,7 @@ int sign_of_side(const StarTriangle& f, const StarTriangle& g);
 /// d is the sum of the unit outward normals of the two hull edges.
 int sign_of_hull_side(const StarTriangle& f, Vec2 before, Vec2 after);
 
-/// That direction in doubles, of length 1; for display and for the balls that stand for poles at infinity.
+/// The direction d as a unit vector in doubles; for display and for the balls that stand for poles at infinity.
 Vec2 hull_direction(Vec2 p, Vec2 before, Vec2 after);
 
 }  // namespace mes

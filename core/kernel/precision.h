@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Number types, chosen while the program runs.
+// Number types, chosen at run time.
 #pragma once
 
 #include <array>
@@ -8,10 +8,10 @@
 
 namespace mes {
 
-/// Decisions about the samples themselves are exact in all but `naive`. The types differ in what they make of points
-/// that are constructed: circumcentres, crossings of circles.
+/// Decisions about the samples themselves are exact in all but `naive`. The types differ in how they represent
+/// constructed points: circumcentres, crossings of circles.
 enum class Precision : std::uint8_t {
-  naive,        ///< doubles everywhere, predicates too: may lie; for teaching
+  naive,        ///< doubles everywhere, even in predicates: may be wrong; for teaching
   fast,         ///< exact predicates on doubles; constructed points are rounded to doubles first
   exact,        ///< constructed points are rational, roots only where they are needed
   exact_roots,  ///< everything in algebraic numbers with square roots
@@ -21,7 +21,7 @@ inline constexpr std::size_t kPrecisions = 4;
 struct PrecisionDescriptor {
   Precision precision;
   std::string_view id;    ///< public name, kebab case
-  std::string_view name;  ///< as shown
+  std::string_view name;  ///< name in the interface
   std::string_view explanation;
 };
 

@@ -13,11 +13,11 @@
 
 namespace mes {
 
-/// An element of the field of the rationals with up to four square roots adjoined. It is a sum over sets of roots, of
-/// a rational coefficient times the product of the roots in the set. Radicands are not negative; they need not be
-/// independent of each other, nor free of squares. The elements of one expression refer to one array of radicands.
+/// An element of the field of the rationals with up to four square roots adjoined. It is a sum, over sets of roots, of
+/// a rational coefficient times the product of the roots in the set. Radicands are not negative; they may depend on
+/// each other and contain squares. All elements of one expression refer to one array of radicands.
 ///
-/// Cost: of a product, the product of the numbers of coefficients, 16 at most.
+/// Cost: a product takes n m steps for factors with n and m coefficients, each at most 16.
 class RootElement {
  public:
   using Rational = CGAL::Exact_rational;
@@ -27,7 +27,7 @@ class RootElement {
   RootElement() = default;
   explicit RootElement(const Rational& number) { set(0, number); }
   explicit RootElement(double number) : RootElement(Rational(number)) {}
-  /// number + factor * (square root of radicand `root`). `radicands` must outlive all that is computed from this.
+  /// number + factor * (square root of radicand `root`). `radicands` must outlive every element computed from this one.
   RootElement(const Rational& number, const Rational& factor, const Radicands& radicands, std::size_t root)
       : radicands_(&radicands) {
     MES_ASSERT(root < kMostRoots);
@@ -61,8 +61,8 @@ class RootElement {
     return out;
   }
 
-  /// -1, 0 or 1. With A + B r, r being the last root, and A and B free of it: the sign of both if they agree, else that
-  /// of A^2 - B^2 r^2 decides which is the larger.
+  /// Returns -1, 0 or 1. The element is A + B r, where r is the last root, and A and B are free of it. If A and B agree
+  /// in sign, that is the answer; otherwise the sign of A^2 - B^2 r^2 tells which term is larger.
   int sign() const {
     if (used_ == 0) return 0;
     const auto last = static_cast<std::size_t>(std::bit_width(highest_set()));
@@ -87,7 +87,7 @@ class RootElement {
   void for_each(Visit visit) const {
     for (unsigned left = used_; left != 0; left &= left - 1) visit(static_cast<std::size_t>(std::countr_zero(left)));
   }
-  /// The largest set of roots that has a coefficient, as a number.
+  /// The highest-numbered set of roots that has a coefficient.
   std::size_t highest_set() const { return static_cast<std::size_t>(std::bit_width(used_)) - 1; }
   void set(std::size_t roots, const Rational& coefficient) {
     if (coefficient == 0) return;
@@ -104,8 +104,8 @@ class RootElement {
     if (of_[roots] == 0) used_ &= ~bit;
   }
 
-  std::array<Rational, std::size_t{1} << kMostRoots> of_;  // by set of roots
-  std::uint32_t used_ = 0;                                 // sets whose coefficient is not zero
+  std::array<Rational, std::size_t{1} << kMostRoots> of_;  // indexed by set of roots
+  std::uint32_t used_ = 0;                                 // bit set of the sets whose coefficient is not zero
   const Radicands* radicands_ = nullptr;
 };
 

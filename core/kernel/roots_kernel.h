@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kernel with square roots, apart from the others: its numbers are a library in headers, three seconds of compiling.
+// The kernel with square roots, in a file of its own because its number library takes three seconds to compile.
 #pragma once
 
 #include <CGAL/CORE_Expr.h>
@@ -10,11 +10,11 @@
 
 namespace mes {
 
-/// As `ExactKernel`, with square roots. The sign of a number that is zero costs a separation bound, milliseconds and more.
+/// `ExactKernel` with square roots. Finding that a number is zero costs a separation bound: milliseconds and more.
 using RootsKernel = CGAL::Simple_cartesian<CGAL::Lazy_exact_nt<CORE::Expr>>;
 
-/// The nearest double; of a number that lies in the middle between two doubles, up to 2^-120 of itself, either. CORE
-/// itself promises an absolute precision.
+/// The nearest double. A number whose distance to the middle of two doubles is at most 2^-120 of itself may round to
+/// either. CORE itself promises an absolute precision.
 template <>
 inline double rounded(const RootsKernel::FT& x) {
   if (x.approx().is_point()) return x.approx().inf() + 0.0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// From exact numbers to the nearest double.
+// Rounds exact numbers to the nearest double.
 #pragma once
 
 #include <CGAL/Exact_rational.h>
@@ -13,11 +13,11 @@
 
 namespace mes {
 
-/// Of a rational number. What is too large for doubles becomes infinite.
+/// Double nearest to a rational number; infinite beyond the range of doubles.
 template <class Rational>
 double nearest_double(const Rational& x) {
   if (x == Rational(0)) return 0.0;
-  // Conversions of libraries cut off, or are a few places off; the steps from there to the nearest are few.
+  // Library conversions truncate, or are off by a few units in the last place; the nearest double is a few steps away.
   double out = CGAL::to_double(x);
   if (!std::isfinite(out)) return out;
   const auto is_beyond_middle = [&x](double near, double far) {
@@ -29,7 +29,7 @@ double nearest_double(const Rational& x) {
   return out;
 }
 
-/// The nearest double. The conversions of CGAL promise five digits of a lazy number. roots_kernel.h has one for roots.
+/// The nearest double. CGAL's conversions promise only five digits of a lazy number. roots_kernel.h has one for roots.
 template <class Number>
 double rounded(const Number& x) {
   if constexpr (std::is_same_v<Number, double>) {

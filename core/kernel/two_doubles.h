@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A number as the unevaluated sum of two doubles, with a bound of what it misses: some 100 bits of a polynomial whose
-// value is small against its terms, at a tenth of the price of integers of any length.
+// A number as the unevaluated sum of two doubles, with an error bound: about 100 bits of a polynomial whose value is
+// small against its terms, at a tenth of the cost of integers of any length.
 //
 //  1. The true value of an expression differs from `high + low` by less than `bound` up to the rounding of the bound
 //     itself, which `sign` allows for. Differences of doubles are exact.
-//  2. Where a part leaves the range of doubles the bound is NaN or infinite, and `sign` says that it does not
-//     know; what a product loses below that range is part of the bound.
-//  3. Needs rounding to nearest.
+//  2. Where a part leaves the range of doubles, the bound is NaN or infinite, and `sign` returns not known; losses of
+//     products below that range are part of the bound.
+//  3. The rounding mode must be to nearest.
 //
-// Let u = 2^-53. A sum of two such numbers rounds twice, when the low parts are added. A product leaves out low *
-// low, at most u^2 of it, and rounds four times: two mixed products, u^2 each, their sum, 2 u^2, and the whole, 3
-// u^2. A quotient and a root are bounded by what they leave: |a / b - q| = |a - q b| / |b|, and |sqrt(a) - s| is at most
-// |a - s^2| / s. Source: Dekker 1971, Knuth TAOCP 2, 4.2.2; the bound that runs along is the usual running error analysis.
+// Let u = 2^-53. A sum of two such numbers rounds twice, when the low parts are added. A product leaves out low * low,
+// at most u^2 of it, and rounds four times: two mixed products, u^2 each, their sum, 2 u^2, and the whole, 3 u^2. A
+// quotient and a root are bounded by their residuals: |a / b - q| = |a - q b| / |b|, and |sqrt(a) - s| is at most |a -
+// s^2| / s. Source: Dekker 1971, Knuth TAOCP 2, 4.2.2; the bound is the usual running error analysis.
 #pragma once
 
 #include <cmath>
@@ -24,19 +24,19 @@ class TwoDoubles {
  public:
   constexpr TwoDoubles() = default;
   constexpr TwoDoubles(double x) : high_(x) {}
-  /// Of two doubles, exactly.
+  /// Difference of two doubles, exactly.
   static TwoDoubles difference(double a, double b) { return sum_of(a, -b); }
 
   /// -1 or 1; 0 means not known.
   int sign() const {
-    // The bound came about by fewer than 2^10 additions and products of what is not negative.
+    // The bound results from fewer than 2^10 additions and products of non-negative numbers.
     const double enough = bound_ * (1.0 + 0x1p-40);
     return high_ > enough ? 1 : (-high_ > enough ? -1 : 0);
   }
 
   /// Rounded to a double.
   double value() const { return high_ + low_; }
-  /// How far the true value may be from `value`, less a unit in its last place.
+  /// Bounds the distance from `value` to the true value, but for a unit in the last place of `value`.
   double error() const { return bound_ * (1.0 + 0x1p-40); }
   /// The double nearest to the true value, if that is known.
   std::optional<double> nearest() const {
@@ -55,7 +55,7 @@ class TwoDoubles {
     return most == 0.0 ? high_ : std::nextafter(high_ + most, std::numeric_limits<double>::infinity());
   }
 
-  // Inlined by force: a factor that a polynomial has several times is then divided into halves once.
+  // Forced inline: a factor that occurs several times in a polynomial is then split into halves once.
   TwoDoubles operator-() const { return {-high_, -low_, bound_}; }
   [[gnu::always_inline]] friend TwoDoubles operator+(const TwoDoubles& a, const TwoDoubles& b) {
     const TwoDoubles s = sum_of(a.high_, b.high_);
@@ -87,7 +87,7 @@ class TwoDoubles {
     out.bound_ = size > 0.0 ? (rest - b * TwoDoubles(second)).size() / size : kUnknown;
     return out;
   }
-  /// Of a number that is positive for certain; unknown otherwise.
+  /// Square root of a number that is certainly positive; unknown otherwise.
   friend TwoDoubles root_of(const TwoDoubles& a) {
     if (a.sign() <= 0) return {0.0, 0.0, kUnknown};
     const double first = std::sqrt(a.high_);
@@ -99,12 +99,12 @@ class TwoDoubles {
 
  private:
   static constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
-  /// Not smaller than the true value without its sign, but for the rounding of bounds.
+  /// Not smaller than the absolute value of the true value, but for the rounding of bounds.
   double size() const { return std::abs(high_) + std::abs(low_) + bound_; }
-  // What products lose that should be below 2^-1022.
+  // Allowance for products that underflow below 2^-1022.
   static constexpr double kBelowRange = 0x1p-1000;
 
-  /// Of 26 bits each.
+  /// The two halves of a double, 26 bits each.
   struct Halves {
     explicit Halves(double x) {
       const double shifted = 134217729.0 * x;  // 2^27 + 1
@@ -125,7 +125,7 @@ class TwoDoubles {
   double bound_ = 0.0;
 };
 
-/// A double of the input: differences of two are exact, and everything else goes on in `TwoDoubles`.
+/// A double of the input. The difference of two is exact; all other arithmetic is done in `TwoDoubles`.
 struct GivenDouble {
   explicit constexpr GivenDouble(double number) : value(number) {}
   constexpr operator TwoDoubles() const { return value; }

@@ -11,7 +11,7 @@ struct VectorOf {
   Number x, y;
 };
 
-/// As exact as the subtraction of Number is.
+/// Exact where the subtraction of Number is exact.
 template <class Number>
 VectorOf<Number> vector_between(Vec2 from, Vec2 to) {
   return {Number{to.x} - Number{from.x}, Number{to.y} - Number{from.y}};
