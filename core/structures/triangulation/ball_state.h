@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What becomes of a ball in the regular triangulation of its family.
+// The state of a ball in the regular triangulation of its family.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ enum class BallState : std::uint8_t {
   visible,    ///< has a cell in the power diagram, and a neighbour in the dual complex
   isolated,   ///< has a cell, and no neighbour in the dual complex
   hidden,     ///< has no cell
-  duplicate,  ///< of another ball
+  duplicate,  ///< duplicate of another ball
 };
 
 }  // namespace mes

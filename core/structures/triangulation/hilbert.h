@@ -52,14 +52,14 @@ class HilbertGrid {
   double inverse_half_ = 0.0;
 };
 
-/// A row and where it lies along the curve.
+/// A row and its position along the curve.
 template <class Row>
 struct Keyed {
   std::uint64_t key = 0;
   Row slot{};
 };
 
-/// Sorts by the low `bits` bits of the key, stably. O(n * bits / 11).
+/// Sorts stably by the low `bits` bits of the key. O(n * bits / 11).
 template <class Row>
 void radix_sort(std::vector<Keyed<Row>>& items, std::vector<Keyed<Row>>& scratch, unsigned bits) {
   constexpr unsigned kDigit = 11;
@@ -73,9 +73,9 @@ void radix_sort(std::vector<Keyed<Row>>& items, std::vector<Keyed<Row>>& scratch
   }
 }
 
-/// The rows below `count` in random rounds, each about twice as long as all before; in a round they ascend. The order
-/// in which to insert what is sorted along a curve: the triangulation on the way has no vertices of huge degree, and
-/// each is found from the one before. Always the same for the same count.
+/// The rows below `count` in random rounds, each about twice as long as all rounds before; rows ascend within a round.
+/// Inserting in this order what is sorted along a curve avoids vertices of huge degree on the way, and finds each point
+/// from the one before. Always the same for the same count.
 /// Source: Amenta, Choi and Rote, "Incremental constructions con BRIO", 2003.
 template <class Row>
 std::vector<Row> in_rounds(std::size_t count) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a triangulation of points or balls is indexed by; without CGAL.
+// Indices of a triangulation of points or balls; without CGAL.
 #pragma once
 
 #include "core/base/slot.h"
@@ -8,7 +8,7 @@ namespace mes {
 
 /// Position of a point, or of a ball, in the input of a triangulation.
 using InputSlot = Slot<struct InputTag>;
-/// A finite triangle of it, or one outside a hull edge where there are such.
+/// A finite triangle of the triangulation, or one outside a hull edge where such triangles exist.
 using TriangleSlot = Slot<struct TriangleTag>;
 
 }  // namespace mes

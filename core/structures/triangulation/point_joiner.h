@@ -17,7 +17,7 @@
 
 namespace mes::point_joiner {
 
-/// What points of a kernel are asked.
+/// The predicates that the joiner needs from a kernel's points.
 template <class Kernel>
 struct JoinerSigns {
   using Point = typename Kernel::Point_2;
@@ -27,7 +27,7 @@ struct JoinerSigns {
   static int turn(const Point& p, const Point& q, const Point& r) {
     return static_cast<int>(typename Kernel::Orientation_2()(p, q, r));
   }
-  /// Weights are those of points.
+  /// Points have no weights, so those are ignored.
   static bool holds(const Point& a, double, const Point& b, double, const Point& c, double, const Point& d, double) {
     return typename Kernel::Side_of_oriented_circle_2()(a, b, c, d) == CGAL::ON_POSITIVE_SIDE;
   }
@@ -51,13 +51,13 @@ struct JoinerSigns<FastKernel> {
 
 /// Halves of edges: 2k and 2k + 1 are the two directions of edge k.
 using HalfSlot = Slot<struct HalfTag>;
-/// Position of a point in the order of the pieces.
+/// Index of a point in the order of the pieces.
 using PlaceSlot = Slot<struct PlaceTag>;
 
 struct Half {
-  PlaceSlot origin;  ///< kNoSlot = the edge is free
-  HalfSlot next;     ///< about the origin, counter-clockwise; of a free edge the next free one
-  HalfSlot before;   ///< about the origin, clockwise
+  PlaceSlot origin;  ///< kNoSlot if the edge is free
+  HalfSlot next;     ///< next about the origin, counter-clockwise; for a free edge, the next free one
+  HalfSlot before;   ///< next about the origin, clockwise
 };
 
 constexpr HalfSlot twin(HalfSlot half) {
@@ -67,7 +67,7 @@ constexpr HalfSlot first_of_both(HalfSlot half) {
   return HalfSlot(half.index() & ~1U);
 }
 
-/// Triangulation of a range of points: what is needed to join it to another one.
+/// Triangulation of a range of points, with the data that joining needs.
 struct Piece {
   HalfSlot hull;  ///< a half with nothing on its left
   HalfSlot first_free, last_free;
@@ -77,12 +77,11 @@ struct Piece {
 
 // Divide and conquer in the plane: pieces are halved across alternating axes and joined from bottom to top.
 // Source: Guibas and Stolfi, "Primitives for the manipulation of general subdivisions", 1985; the alternating axes
-// Dwyer 1987. Points lie in the order of the pieces, and edges of n points in the 3n places that belong to them:
-// pieces are made side by side, and the result depends on the points alone.
+// Dwyer 1987. Points lie in the order of the pieces, and the edges of n points use the 3n rows of these points. So
+// pieces are made in parallel, and the result depends on the points alone.
 //
-// With weights the same steps wrap the lower hull of the lifted points (Preparata and Hong 1977), as long as each of
-// them is a corner of it. Where one is not, or collinear points of a hull might hide one another, the work is given
-// up.
+// For balls the same steps wrap the lower hull of the lifted points (Preparata and Hong 1977), as long as each of them
+// is a corner of it. Where one is not, or where collinear points of a hull might hide one another, the joiner gives up.
 template <class Kernel>
 class Joiner {
   using Signs = JoinerSigns<Kernel>;
@@ -97,9 +96,9 @@ class Joiner {
   Joiner(Table<PlaceSlot, Placed> points, bool is_weighted, JobControl& job)
       : is_weighted_(is_weighted), job_(job), at_(std::move(points)), halves_(6 * at_.size()) {}
 
-  /// Makes it of two points or more; false where it was given up.
+  /// Triangulates two or more points; false if the joiner gave up.
   bool run();
-  /// False if some face is not a triangle, which happens only when a computation is given up too late.
+  /// False if some face is not a triangle, which happens only when the joiner gives up too late.
   bool extract(PointTriangulation& out) const;
 
  private:
@@ -122,16 +121,16 @@ class Joiner {
   Piece make_strip(Range range);
   Piece make_small(Range range);
   Piece join(const Piece& low, const Piece& high, bool by_y);
-  /// Hidden points could send the way between two pieces in circles, or make more edges than there is room for.
+  /// Hidden points could send the walk between two pieces in circles, or make more edges than there is room for.
   bool has_lost_its_way(std::size_t steps, const Piece& piece) {
     if (is_weighted_ && (steps > 3 * piece.points || piece.first_free == kNoSlot)) is_given_up_ = true;
     return is_given_up_;
   }
   bool is_convex() const;
   bool is_flat_at(HalfSlot half) const;
-  /// It has as many edges as a triangulation of all its points; `sides` are those of its hull.
+  /// True if the piece has as many edges as a triangulation of all its points; `sides` counts its hull edges.
   static bool holds_all(const Piece& piece, std::size_t sides) { return piece.edges + 3 + sides == 3 * piece.points; }
-  /// The power test of the four ends, the first three counter-clockwise.
+  /// Power test of the origins of the four halves; the first three run counter-clockwise.
   bool holds(HalfSlot a, HalfSlot b, HalfSlot c, HalfSlot d) const {
     const auto at = [this](HalfSlot half) -> const Placed& { return at_[halves_[half].origin]; };
     const Placed &p = at(a), &q = at(b), &r = at(c), &s = at(d);
@@ -140,12 +139,12 @@ class Joiner {
 
   const Point& origin(HalfSlot half) const { return at_[halves_[half].origin].p; }
   const Point& target(HalfSlot half) const { return origin(twin(half)); }
-  /// Around the left face.
+  /// Next half around the left face.
   HalfSlot following(HalfSlot half) const { return halves_[twin(half)].before; }
   HalfSlot new_edge(PlaceSlot from, PlaceSlot to, Piece& piece);
   void free_edge(HalfSlot half, Piece& piece);
   void put_after(HalfSlot half, HalfSlot place);
-  /// From the target of `a` to the origin of `b`, which have one left face.
+  /// New edge from the target of `a` to the origin of `b`, which share their left face.
   HalfSlot connect(HalfSlot a, HalfSlot b, Piece& piece);
 
   bool is_weighted_;
@@ -224,7 +223,7 @@ Piece Joiner<Kernel>::make_small(Range range) {
   return piece;
 }
 
-// Clockwise once around.
+// Walks clockwise once around the hull.
 template <class Kernel>
 bool Joiner<Kernel>::is_convex() const {
   std::size_t first_points = 0;
@@ -244,12 +243,12 @@ bool Joiner<Kernel>::is_flat_at(HalfSlot half) const {
          Signs::turn(origin(half), target(half), target(halves_[half].next)) == 0;
 }
 
-// `low` precedes `high` along the axis. A bubble rises between the two from the common tangent below: `base` is the
-// edge across that was made last, from high to low.
+// `low` precedes `high` along the axis. A bubble rises between the two from their lower common tangent: `base` is the
+// last edge made across, from high to low.
 template <class Kernel>
 Piece Joiner<Kernel>::join(const Piece& low, const Piece& high, bool by_y) {
   if (is_given_up_) return {};
-  // The last point of the one and the first point of the other, along the hull.
+  // The last point of `low` and the first point of `high` along the axis, found on the hulls.
   HalfSlot left = low.hull;
   std::size_t low_sides = 1;
   for (HalfSlot half = following(left); half != low.hull; half = following(half), ++low_sides)
@@ -285,7 +284,7 @@ Piece Joiner<Kernel>::join(const Piece& low, const Piece& high, bool by_y) {
   HalfSlot base = connect(twin(right), left, piece);
   piece.hull = base;
   const auto rises = [&](HalfSlot half) { return is_right_turn(origin(base), target(base), target(half)); };
-  // Without weights what does not rise is never held.
+  // Unweighted, a point that does not rise never passes `holds`.
   const auto may_replace = [&](HalfSlot half) {
     return half != base && half != twin(base) && (!is_weighted_ || rises(half));
   };
@@ -316,7 +315,7 @@ Piece Joiner<Kernel>::join(const Piece& low, const Piece& high, bool by_y) {
     const bool takes_high = !low_rises || (high_rises && holds(twin(to_low), to_low, to_high, twin(to_high)));
     base = takes_high ? connect(to_high, twin(base), piece) : connect(twin(base), twin(to_low), piece);
     if (!is_weighted_) continue;
-    // Edges that the new triangle lies over lead to points that it hides.
+    // Edges covered by the new triangle lead to points that it hides.
     const auto is_under = [&](HalfSlot half) {
       return half != last && half != twin(last) && is_right_turn(origin(last), target(last), target(half)) &&
              !rises(half);
@@ -330,7 +329,7 @@ Piece Joiner<Kernel>::join(const Piece& low, const Piece& high, bool by_y) {
   return {};
 }
 
-// Of points in the order of the first axis: to halve a few across the other one costs more than it saves.
+// Takes points in the order of the first axis: halving a few across the other axis costs more than it saves.
 template <class Kernel>
 Piece Joiner<Kernel>::make_strip(Range range) {
   if (range.end - range.begin <= 3) return make_small(range);
@@ -356,7 +355,7 @@ Piece Joiner<Kernel>::make(Range range, bool by_y) {
 
 template <class Kernel>
 bool Joiner<Kernel>::run() {
-  // Halved a few times, so that there is enough to do side by side.
+  // Halve a few times, so that there is enough work for all cores.
   const auto levels = std::min<std::size_t>(4, static_cast<std::size_t>(std::bit_width(at_.size() >> 11U)));
   std::vector<Range> ranges{{0, at_.size()}};
   for (std::size_t level = 0; level < levels; ++level) {

@@ -16,14 +16,14 @@ using point_joiner::Joiner;
 using point_joiner::PlaceSlot;
 using Point = FastKernel::Point_2;
 
-/// The first of equal points, for each of them.
+/// For each point, the first of the points equal to it.
 Table<InputSlot, InputSlot> first_of_equals(const Table<InputSlot, Point>& points) {
   Table<InputSlot, InputSlot> out(points.size());
   const unsigned bits = static_cast<unsigned>(std::bit_width(2 * points.size()));
   std::vector<InputSlot> table(std::size_t{1} << bits);
-  const auto key = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };  // the two zeros are equal
+  const auto key = [](double x) { return std::bit_cast<std::uint64_t>(x + 0.0); };  // both zeros get one key
   for (const InputSlot i : points.rows()) {
-    // Multiplied by odd constants of no pattern; the high bits depend on all others.
+    // Multiplies by odd constants without a pattern; the high bits depend on all others.
     const std::uint64_t mixed =
         (key(points[i].x()) * 0x9e3779b97f4a7c15U) ^ (key(points[i].y()) * 0xc2b2ae3d27d4eb4fU);
     std::size_t place = (mixed * 0x9e3779b97f4a7c15U) >> (64U - bits);
@@ -34,8 +34,8 @@ Table<InputSlot, InputSlot> first_of_equals(const Table<InputSlot, Point>& point
   return out;
 }
 
-/// Triangles that run counter-clockwise within a boundary that is convex cover what it encloses once. If then no ball
-/// takes part of the power cell of one beyond a neighbouring triangle, none does anywhere.
+/// Counter-clockwise triangles within a convex boundary cover its inside once. If the power test then holds between
+/// each triangle and its neighbours, it holds everywhere.
 bool is_regular(const PointTriangulation& triangulation, const Table<InputSlot, BallOf<double>>& balls) {
   const auto& faces = triangulation.faces;
   const auto center = [&balls](InputSlot ball) { return Point(balls[ball].x, balls[ball].y); };
@@ -86,7 +86,7 @@ std::optional<PointTriangulation> ball_triangulation(const Table<InputSlot, Ball
   centers.reserve(balls.size());
   for (const BallOf<double>& ball : balls) centers.emplace_back(ball.x, ball.y);
   const Table<InputSlot, InputSlot> first = first_of_equals(centers);
-  // Of balls about one centre the largest counts.
+  // Among balls about one centre, only the largest takes part.
   PointTriangulation out;
   out.same_as.assign(balls.size(), kNoSlot);
   const auto is_in = [&](InputSlot i) { return left_out.empty() || !left_out[i]; };

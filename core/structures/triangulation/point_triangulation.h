@@ -19,9 +19,9 @@
 
 namespace mes {
 
-/// Equal points are named by one of them.
+/// Equal points are represented by one of them.
 struct PointTriangulation {
-  /// Finite. Corners run counter-clockwise; neighbour i lies opposite corner i, kNoSlot outside.
+  /// A finite triangle. Corners run counter-clockwise; neighbour i lies opposite corner i, kNoSlot outside.
   struct Face {
     InputSlot v[3]{};
     TriangleSlot n[3]{};
@@ -29,11 +29,11 @@ struct PointTriangulation {
   int dimension = -1;
   Table<InputSlot, InputSlot> same_as;
   Table<TriangleSlot, Face> faces;
-  std::vector<std::array<InputSlot, 2>> line;  ///< edges, when all points are collinear
+  std::vector<std::array<InputSlot, 2>> line;  ///< edges, if all points are collinear
 };
 
-/// O(n log n) typical, for points that come in the order of neighbours. Decisions are those of the kernel. Kernels of
-/// numbers that belong to one thread use CGAL.
+/// O(n log n) typically, if consecutive points are close. Decisions are those of the kernel. Kernels whose numbers
+/// belong to one thread use CGAL.
 template <class Kernel>
 PointTriangulation point_triangulation(const Table<InputSlot, typename Kernel::Point_2>& points, JobControl& job) {
   using VertexBase = CGAL::Triangulation_vertex_base_with_info_2<InputSlot, Kernel>;
@@ -73,15 +73,15 @@ PointTriangulation point_triangulation(const Table<InputSlot, typename Kernel::P
   return out;
 }
 
-/// O(n log n) in any order, on all cores; 0.3 us a point on one. The result depends on the points and their order
+/// O(n log n) in any order, on all cores; 0.3 us per point on one. The result depends on the points and their order
 /// alone.
 template <>
 PointTriangulation point_triangulation<FastKernel>(const Table<InputSlot, FastKernel::Point_2>& points,
                                                    JobControl& job);
 
-/// Regular triangulation of balls in the same way. Nothing where a ball is hidden by others about other centres,
-/// where three centres along a hull on the way are collinear, or where fewer than three differ. `same_as`: of balls
-/// about one centre the largest; kNoSlot where all are left out.
+/// Regular triangulation of balls in the same way. Returns nothing if a ball is hidden by others about other centres,
+/// if three centres along an intermediate hull are collinear, or if fewer than three centres differ. `same_as` is the
+/// largest ball about the same centre; kNoSlot where all of these are left out.
 std::optional<PointTriangulation> ball_triangulation(const Table<InputSlot, BallOf<double>>& balls,
                                                      const Table<InputSlot, bool>& left_out, JobControl& job);
 

@@ -30,14 +30,14 @@ inline constexpr InputSlot kInfiniteBall{0xfffffffeU};
 
 using RegularEdgeSlot = Slot<struct RegularEdgeTag>;
 
-/// Corners run counter-clockwise; neighbour i lies opposite corner i;
-/// triangles outside hull edges have one corner `kInfiniteBall`.
+/// Corners run counter-clockwise; neighbour i lies opposite corner i; triangles outside hull edges have one corner
+/// `kInfiniteBall`.
 struct RegularTables {
   struct Face {
     InputSlot v[3]{};
     TriangleSlot n[3]{};
   };
-  /// Finite; `f[0]` lies to the left of v[0] -> v[1], `f[1]` to the right; kNoSlot when all centres are collinear.
+  /// A finite edge; `f[0]` lies to the left of v[0] -> v[1], `f[1]` to the right; kNoSlot if all centres are collinear.
   struct Edge {
     InputSlot v[2]{};
     TriangleSlot f[2]{};
@@ -53,9 +53,9 @@ struct RegularTables {
   }
 };
 
-inline constexpr std::size_t kRowsPerLook = 4096;  // the job is asked after so many
+inline constexpr std::size_t kRowsPerLook = 4096;  // rows between two checkpoints of the job
 
-/// The same tables from a triangulation of dimension 2.
+/// Makes the same tables from a triangulation of dimension 2.
 inline RegularTables tables_of(const PointTriangulation& triangulation, const Table<InputSlot, BallOf<double>>& balls,
                                JobControl& job) {
   std::size_t rows = 0;
@@ -88,7 +88,7 @@ inline RegularTables tables_of(const PointTriangulation& triangulation, const Ta
     }
   }
   for (const TriangleSlot f : slots_between<TriangleSlot>(finite, out.faces.size())) {
-    // The next one begins where this one ends.
+    // The next outside triangle begins where this one ends.
     const TriangleSlot next = outside_from[out.faces[f].v[0]];
     out.faces[f].n[1] = next;
     out.faces[next].n[0] = f;
@@ -111,9 +111,9 @@ inline RegularTables tables_of(const PointTriangulation& triangulation, const Ta
   return out;
 }
 
-/// O(n log n) typical, for balls that come in the order of neighbours (as `scaled_balls` gives them). Decisions are
-/// those of the kernel: exact for `FastKernel` (on the doubles it is given) and for the exact kernels. Balls that are
-/// left out count as hidden.
+/// O(n log n) typically, if consecutive balls are close (as `scaled_balls` gives them). Decisions are those of the
+/// kernel: exact for `FastKernel` (on the doubles it is given) and for the exact kernels. Balls left out count as
+/// hidden.
 template <class Kernel>
 RegularTables regular_triangulation(const Table<InputSlot, BallOf<typename Kernel::FT>>& balls, JobControl& job,
                                     const Table<InputSlot, bool>& left_out = {}) {
@@ -166,7 +166,7 @@ RegularTables regular_triangulation(const Table<InputSlot, BallOf<typename Kerne
       out.edges.push_back({{ball_of(e->first->vertex(0)), ball_of(e->first->vertex(1))}});
   }
   if (rt.dimension() < 2) return out;
-  // Rows in the order of the balls: as those are close to their neighbours, so are faces and edges.
+  // Rows follow the order of the balls: these are close to their neighbours, and so are faces and edges then.
   using HandleSlot = Slot<struct HandleTag>;
   Table<HandleSlot, typename Rt::Face_handle> handles;
   handles.reserve(2 * balls.size() + 2);
