@@ -11,9 +11,9 @@ namespace {
 
 constexpr std::size_t kFew = 16;
 
-// Samples that are moved together lie along the curve in the order of their rows. Moved in that order into empty
-// space, each would take most of the Voronoi cell of the one before, which is the neighbour of half a shape; in a random
-// order their cells are small from the beginning. The same holds for taking them out.
+// Samples that are moved together lie along the curve in the order of their rows. If they were inserted into empty
+// space in that order, each would take most of the Voronoi cell of the one before, which borders half a shape; in a
+// random order their cells are small from the beginning. The same holds for removals.
 std::vector<SampleSlot> edit_order(const std::vector<SampleSlot>& touched, const Samples& samples) {
   if (touched.size() <= kFew) return touched;
   Box2 extent;
@@ -61,7 +61,7 @@ double Delaunay::dual_length(EdgeSlot edge) const {
   const EdgeRow& row = edge_[edge];
   const Vec2 p = site_position_[row.v[0]];
   const Vec2 q = site_position_[row.v[1]];
-  // A circumcentre lies half the edge times the cotangent of the opposite angle before the edge.
+  // A circumcentre lies before the edge, at half its length times the cotangent of the opposite angle.
   double cotangents = 0.0;
   for (const FaceSlot face : row.f) {
     const Vec2 apex = site_position_[face_[face].v[face_[face].index_of_edge(edge)]];
@@ -121,7 +121,7 @@ void Delaunay::rebuild(JobControl& job) {
 
 bool Delaunay::update(JobControl& job) {
   const ChangeSet<SampleSlot>& changes = samples_.changes();
-  // Above some share of the sites, sorting and starting anew is cheaper than one insertion after the other.
+  // Above some share of the sites, sorting and rebuilding is cheaper than inserting one by one.
   if (dimension_ != 2 || changes.size() > 64 + site_count_ / 8) return false;
   site_recorder_.begin(site_position_.size());
   noted_faces_.clear();

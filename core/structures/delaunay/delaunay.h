@@ -24,15 +24,14 @@ inline constexpr SiteSlot kInfiniteSite{0xfffffffeU};
 
 /// A triangle, or the outside of a hull edge when one corner is `kInfiniteSite`. Corners run counter-clockwise;
 /// neighbour and edge `i` lie opposite corner `i`. Edges to infinity have no row (kNoSlot). An edit reads some twenty
-/// rows in places that nothing has touched for long; so a row is one cache line, with everything about the face in
-/// it.
+/// rows that are in no cache, so a row is one cache line with everything about the face in it.
 struct alignas(64) FaceRow {
   SiteSlot v[3]{};
   FaceSlot n[3]{};
   EdgeSlot e[3]{};
   std::uint32_t mark = 0;  ///< work space of `Delaunay`
   Vec2 center{};           ///< circumcentre, the Voronoi vertex dual to the face
-  double radius = 0.0;     ///< of the circumcircle
+  double radius = 0.0;     ///< circumradius
 
   bool is_alive() const { return v[0] != kNoSlot; }
   bool is_infinite() const { return v[0] == kInfiniteSite || v[1] == kInfiniteSite || v[2] == kInfiniteSite; }
@@ -60,19 +59,19 @@ struct EdgeRow {
 };
 static_assert(sizeof(EdgeRow) == 20);
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. A *site* is a distinct sample position. Samples at one position share a site; it lives until the last is gone.
-///  2. The tables are the Delaunay triangulation decided by exact predicates; among cocircular sites the diagonals
-///     are those of a perturbation by lexicographic order. So the triangulation is a function of the sites, whatever
-///     the history; nothing that is decided depends on these diagonals.
-///  3. Circumcentres are doubles for drawing; no decision may use them. A centre that no double can hold is not
+///  2. The tables are the Delaunay triangulation decided by exact predicates; among cocircular sites the diagonals are
+///     those of a perturbation by lexicographic order. So the triangulation is a function of the sites, whatever the
+///     history; no decision depends on these diagonals.
+///  3. Circumcentres are doubles for drawing; no decision may use them. A centre beyond the range of doubles is not
 ///     finite.
 ///
-/// Cost: rebuild O(n log n), on two cores two thirds of the time of CGAL's triangulation alone on one; update
-/// O(changed faces) after an expected O(1) location; many samples that are moved in one step are moved at once.
-/// Threads: a rebuild borrows other cores; many samples are cut into parts, which are triangulated side by side and
-/// stitched. How: the triangulation object is CGAL's; each of its faces carries the row it is mirrored to. After an edit
-/// only the faces around it are read again, and rows that die there are given to those born there. Source: CGAL's
+/// Cost: rebuild O(n log n), on two cores two thirds of the time of CGAL's triangulation alone on one; update O(changed
+/// faces) after an expected O(1) location; many samples moved in one step are moved at once.
+/// Threads: a rebuild borrows other cores; many samples are cut into parts, which are triangulated in parallel and
+/// stitched. How: CGAL holds the triangulation; each of its faces stores the row that mirrors it. After an edit only
+/// the faces around it are read again, and rows that die there are reused for those born there. Source: CGAL's
 /// Delaunay_triangulation_2; flips after Lawson 1977; stitching after Guibas and Stolfi 1985.
 class Delaunay final : public Structure {
  public:
@@ -84,13 +83,13 @@ class Delaunay final : public Structure {
 
   // Sites.
   std::size_t site_rows() const { return site_position_.size(); }
-  /// All rows, dead ones included.
+  /// All rows, including dead ones.
   SlotRange<SiteSlot> site_slots() const { return site_position_.rows(); }
   std::size_t site_count() const { return site_count_; }
   bool is_site(SiteSlot site) const { return site_sample_.has(site) && site_sample_[site] != kNoSlot; }
   Vec2 site_position(SiteSlot site) const { return site_position_[site]; }
   const Table<SiteSlot, Vec2>& site_positions() const { return site_position_; }
-  /// One of the site's samples; the others follow by `next_duplicate` until kNoSlot.
+  /// One of the site's samples; `next_duplicate` gives the others, then kNoSlot.
   SampleSlot site_sample(SiteSlot site) const { return site_sample_[site]; }
   SampleSlot next_duplicate(SampleSlot sample) const { return next_duplicate_[sample]; }
   SiteSlot site_of_sample(SampleSlot sample) const {
@@ -105,8 +104,8 @@ class Delaunay final : public Structure {
   const Table<FaceSlot, FaceRow>& faces() const { return face_; }
   const FaceRow& face(FaceSlot face) const { return face_[face]; }
   bool is_finite_face(FaceSlot face) const { return face_[face].is_alive() && !face_[face].is_infinite(); }
-  /// Length of the Voronoi edge between the two finite faces at an edge: from differences of samples, which far from
-  /// the origin are exact when circumcentres are not.
+  /// Length of the Voronoi edge between the two finite faces at an edge. Computed from differences of samples, which
+  /// are exact far from the origin where circumcentres are not.
   double dual_length(EdgeSlot edge) const;
   /// Voronoi vertex dual to a finite face.
   Vec2 circumcenter(FaceSlot face) const { return face_[face].center; }
@@ -117,8 +116,8 @@ class Delaunay final : public Structure {
   SlotRange<EdgeSlot> edge_slots() const { return edge_.rows(); }
   const Table<EdgeSlot, EdgeRow>& edges() const { return edge_; }
   const EdgeRow& edge(EdgeSlot edge) const { return edge_[edge]; }
-  /// For passes over all edges: asks for the memory of what lies at an edge that comes soon. Rows lie in the order of
-  /// the first face; the second may be anywhere before it.
+  /// For passes over all edges: prefetches a face at an edge that comes soon. Edge rows follow the order of their first
+  /// faces; the second face may be anywhere before the first.
   void expect_faces_after(EdgeSlot edge) const {
     const EdgeSlot soon(edge.index() + std::size_t{16});
     if (edge_.has(soon) && edge_[soon].f[1] != kNoSlot) prefetch(face_.address(edge_[soon].f[1]));
@@ -129,7 +128,7 @@ class Delaunay final : public Structure {
   const ChangeSet<SiteSlot>& site_changes() const { return site_changes_; }
   const ChangeSet<FaceSlot>& face_changes() const { return face_changes_; }
   const ChangeSet<EdgeSlot>& edge_changes() const { return edge_changes_; }
-  /// What the rows of `edge_changes` held before: the ends, or kNoSlot where the row was free. In the order of
+  /// Earlier contents of the rows in `edge_changes`: the ends, or kNoSlot where the row was free. In the order of
   /// `touched` and `removed`; `f` is not set.
   const std::vector<EdgeRow>& touched_edges_before() const { return touched_edges_before_; }
   const std::vector<EdgeRow>& removed_edges_before() const { return removed_edges_before_; }
@@ -163,13 +162,13 @@ class Delaunay final : public Structure {
   std::uint32_t new_mark();
   void finish_face_changes();
   void finish_edge_changes();
-  /// The edits of this run have together touched so much that starting anew is cheaper: many sites removed one by one
-  /// from the end of a stroke each have a star as large as what they leave.
+  /// True if the edits of this run have together touched so much that a rebuild is cheaper: sites removed one by one
+  /// from the end of a stroke, for example, each have a star as large as the remaining part.
   bool is_too_much() const { return zone_faces_ > 1000 + face_.size(); }
   void compute_circumcircle(FaceSlot face);
   SiteSlot new_site(Vec2 position);
   void attach_sample(SampleSlot sample, SiteSlot site);
-  /// Takes the sample from its site; true when the site has none left.
+  /// Takes the sample from its site; true if the site has none left.
   bool detach_sample(SampleSlot sample);
 
   Samples& samples_;
@@ -201,7 +200,7 @@ class Delaunay final : public Structure {
   std::vector<NotedFace> noted_faces_;
   std::vector<NotedEdge> noted_edges_;
   std::uint32_t last_mark_ = 0;
-  std::size_t zone_faces_ = 0;  ///< rewritten in this run
+  std::size_t zone_faces_ = 0;  ///< faces rewritten in this run
   std::vector<EdgeRow> touched_edges_before_;
   std::vector<EdgeRow> removed_edges_before_;
   ChangeSet<SiteSlot> site_changes_;

@@ -27,7 +27,7 @@ std::vector<TableColumns> Delaunay::table_columns() const {
   of_faces.set_kind(ElementKind::voronoi_vertex);
   of_faces.set_changes(face_changes_);
   of_faces.reference("sites", "Corners, counter-clockwise", face_, &FaceRow::v, {sites, kInfiniteSite.index()});
-  // A face whose corners stay is not touched by another neighbour.
+  // A face whose corners stay does not count as changed when a neighbour does.
   of_faces.reference("faces", "Neighbours, each opposite the corner of the same number", face_, &FaceRow::n, faces)
       .is_followed = false;
   of_faces.reference("edges", "Edges, each opposite the corner of the same number; none to infinity", face_,

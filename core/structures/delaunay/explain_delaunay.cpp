@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What rows of `Delaunay` are: samples, their Voronoi cells, triangles with their Voronoi vertices, edges.
+// Explains rows of `Delaunay`: samples, their Voronoi cells, triangles with their Voronoi vertices, edges.
 #include <fmt/core.h>
 
 #include "core/structures/delaunay/explain_parts.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Changes that a further sample would make in the Delaunay triangulation and the Voronoi diagram.
+// Changes that a new sample would make in the Delaunay triangulation and the Voronoi diagram.
 #include <optional>
 
 #include "core/kernel/circumcircle.h"
@@ -9,7 +9,7 @@
 namespace mes {
 namespace {
 
-// The Voronoi edge between the new sample and the corner after a side; of the two faces there one may be infinite.
+// Adds the Voronoi edge between the new sample and the corner after a side; one of the two faces may be infinite.
 void add_cell_edge(ProvenanceShapes& cell, const Delaunay& delaunay, Vec2 at, const InsertionZone::Side& before,
                    const InsertionZone::Side& after) {
   const Vec2 corner = delaunay.site_position(before.to);

@@ -7,12 +7,12 @@
 
 namespace mes {
 
-/// The Voronoi edge dual to a Delaunay edge; one that leads to infinity as a ray, and between collinear sites as a line.
+/// Adds the Voronoi edge dual to a Delaunay edge: a ray if it leads to infinity, a line between collinear sites.
 void add_dual(ProvenanceShapes& shapes, const Delaunay& delaunay, EdgeSlot edge);
-/// A finite face.
+/// Adds a finite face.
 void add_triangle(ProvenanceShapes& shapes, const Delaunay& delaunay, FaceSlot face);
 
-/// Where a site is, on its first sample.
+/// The position of a site, attached to its first sample.
 ShapePlace place_of(const Delaunay& delaunay, SiteSlot site);
 /// The corners of a finite face, whose circle has the Voronoi vertex as its centre.
 Followed corners_of(const Delaunay& delaunay, FaceSlot face);
@@ -24,7 +24,7 @@ inline Disk circumdisk(const Delaunay& delaunay, FaceSlot face) {
   return {delaunay.circumcenter(face), delaunay.circumradius(face)};
 }
 
-// Lines to which several structures add.
+// Lines of text to which several structures add.
 void say_samples_on_circle(Explanation& out, ProvenanceShapes& samples);
 void say_triangles_on_circle(Explanation& out, ProvenanceShapes& triangles);
 

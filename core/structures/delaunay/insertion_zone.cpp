@@ -15,7 +15,7 @@ Point point(Vec2 p) {
   return {p.x, p.y};
 }
 
-// On which side of the edge opposite a corner of a finite face the place is; positive is the inside of the face.
+// The side of a position relative to the edge opposite a corner of a finite face; positive is inside the face.
 CGAL::Orientation side_of(const Delaunay& delaunay, const FaceRow& row, int edge, Vec2 place) {
   return CGAL::orientation(point(delaunay.site_position(row.v[next3(edge)])),
                            point(delaunay.site_position(row.v[prev3(edge)])), point(place));
@@ -35,9 +35,9 @@ bool goes(const Delaunay& delaunay, const FaceRow& row, Vec2 place) {
 
 }  // namespace
 
-// A face that has the place on the inner side of all its edges, or the outside of a hull edge that it is beyond; nothing
-// where a sample is there. The walk through a Delaunay triangulation ends: towards the place the powers of the circles
-// decrease from face to face.
+// Finds a face that has the position on the inner side of all its edges, or the outside of a hull edge that the
+// position is beyond; nothing if a sample is there. The walk through a Delaunay triangulation ends, since the powers of
+// the circles decrease from face to face towards the position.
 std::optional<FaceSlot> InsertionZone::locate(Explanation& out) const {
   FaceSlot face;
   for (const FaceSlot slot : delaunay_.face_slots()) {
@@ -84,7 +84,7 @@ void InsertionZone::collect(FaceSlot first, Explanation& out) {
 }
 
 void InsertionZone::sort_sides() {
-  // Around the region each corner, infinity included, is met once.
+  // Around the region, each corner, including infinity, occurs once.
   std::unordered_map<SiteSlot, std::size_t> from;
   for (std::size_t i = 0; i < sides_.size(); ++i) from.emplace(sides_[i].from, i);
   std::vector<Side> sorted;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of a Delaunay triangulation that a further sample would replace.
+// The part of a Delaunay triangulation that a new sample would replace.
 //
-// The faces that go are those whose circle has the place inside: they are one region around it, found from the face that
-// the place is in. The sample would be joined to all corners of that region. A face that is the outside of a hull edge
-// goes if the place is beyond the edge, or on it.
+// The faces that would go are those whose circle has the position inside: one region, found from the face that holds
+// the position. The sample would be joined to all corners of that region. A face that is the outside of a hull edge
+// goes if the position is beyond the edge, or on it.
 #pragma once
 
 #include <optional>
@@ -15,24 +15,24 @@
 
 namespace mes {
 
-/// The faces that go, and the edges around them.
+/// The faces that would go, and the edges around them.
 class InsertionZone {
  public:
   /// A side of the region, counter-clockwise, with the face beyond it; one end may be at infinity.
   struct Side {
     SiteSlot from;
     SiteSlot to;
-    EdgeSlot edge;  // none where an end is at infinity
+    EdgeSlot edge;  // kNoSlot if an end is at infinity
     FaceSlot beyond;
   };
 
   InsertionZone(const Delaunay& delaunay, Vec2 at, Explanation& out);
-  /// False: a sample is there already.
+  /// False if a sample is there already.
   bool is_free() const { return !faces_.empty(); }
   const std::set<FaceSlot>& faces() const { return faces_; }
-  /// In the order around the region.
+  /// Sides in their order around the region.
   const std::vector<Side>& sides() const { return sides_; }
-  /// Between two faces that go.
+  /// Edges between two faces that would go.
   const std::vector<EdgeSlot>& inner_edges() const { return inner_; }
 
  private:

@@ -10,8 +10,8 @@
 
 namespace mes {
 
-/// Remembers the triangulation's last change sets until the next edit. Rows are Delaunay rows. After a rebuild
-/// nothing counts as touched. This is the one structure that is about history.
+/// Remembers the triangulation's last change sets until the next edit. Rows are Delaunay rows. After a rebuild nothing
+/// counts as touched. No other structure depends on history.
 class LastChange final : public Structure {
  public:
   explicit LastChange(Delaunay& delaunay);
@@ -29,7 +29,7 @@ class LastChange final : public Structure {
   std::vector<TableColumns> table_columns() const override;
 
  private:
-  /// What is remembered of one table.
+  /// The record of one table.
   template <class Row>
   struct Touched {
     Table<Row, std::uint8_t> is_touched;

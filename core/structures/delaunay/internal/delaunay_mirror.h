@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The CGAL triangulation behind `Delaunay`, and how its faces are mirrored to table rows. Private to delaunay.cpp.
+// The CGAL triangulation behind `Delaunay`, edited and mirrored to table rows. Private to delaunay.cpp.
 #pragma once
 
 #include <algorithm>
@@ -26,12 +26,12 @@ class Delaunay::MirrorBase {
   virtual bool insert(SampleSlot sample, Vec2 position) = 0;
   virtual bool remove(SampleSlot sample) = 0;
   virtual bool move(SampleSlot sample, Vec2 position) = 0;
-  /// Moves samples that have a site to where the document has them, as many as can be moved at once. Of the others
-  /// some are taken out, and the rest stays where it is. False when the tables must be rebuilt.
+  /// Moves samples that have a site to their positions in the document, as many as can be moved at once. Some of the
+  /// others are taken out, and the rest stays where it is. False if the tables must be rebuilt.
   virtual bool move_together(const std::vector<SampleSlot>& samples, JobControl& job) = 0;
 };
 
-/// Edits the triangulation and has the rows follow.
+/// Edits the triangulation and updates the rows.
 template <class Kernel>
 class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Rows<Kernel> {
   using Base = Delaunay::Rows<Kernel>;
@@ -100,10 +100,10 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
     return insert_at(sample, p, last_face_, site);
   }
 
-  // Where no triangle turns over, sites may be moved all at once, and flips restore the Delaunay property. Within what
-  // moves as a whole nothing changes then; moved one after the other, each site would lie far from all its neighbours
-  // for a while. A site at which a triangle would turn over is taken out before; the caller puts it back when the
-  // others have arrived. The hull stays where it is, so triangles that all turn left cover what it encloses once.
+  // Where no triangle turns over, sites may be moved all at once, and flips restore the Delaunay property. Inside a
+  // group that moves as a whole nothing changes then; moved one by one, each site would be far from all its neighbours
+  // for a while. A site at which a triangle would turn over is taken out first; the caller puts it back when the others
+  // have arrived. The hull stays where it is, so triangles that all turn left cover its inside once.
   bool move_together(const std::vector<SampleSlot>& samples, JobControl& job) override {
     list_movers(samples);
     if (!take_out_what_turns_over(job)) return false;
@@ -128,7 +128,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
       } while (++face != end);
     }
     if (zone_.empty()) return true;
-    // Sliding along another part of the curve flips once for each sample that is passed.
+    // Sliding along another part of the curve takes one flip for each sample passed.
     if (!flip_suspects(in_zone, 1000 + d_.face_.size() / 2)) return false;
     mirror_flipped_zone();
     return true;
@@ -139,24 +139,24 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
     SampleSlot sample;
     SiteSlot site;
     Point target;
-    bool is_pending = true;  ///< its triangles are still to be looked at
+    bool is_pending = true;  ///< its triangles have yet to be checked
     bool is_out = false;
   };
 
-  /// Samples that lie together. Their sites take rows of their own, from `first_site` on and as many as there are
-  /// samples, so that parts can be made side by side. Duplicates leave rows free.
+  /// Samples that lie together. Their sites have rows of their own, one per sample from `first_site` on, so that parts
+  /// can be made in parallel. Duplicates leave rows free.
   struct Part {
     std::vector<SampleSlot> samples;
     SiteSlot first_site{0};
     Triangulation triangulation;
-    SweepOrder before;  ///< of the cut that has this part on its far side
+    SweepOrder before;  ///< order of the cut that has this part on its far side
   };
 
   Vec2 position_of(SampleSlot sample) const { return d_.samples_.position(sample); }
 
-  // Many samples are cut into parts, whose triangulations are made side by side and stitched. How many depends on the
-  // number of samples alone, so that the result does not depend on the machine. Small parts stay in the caches, but
-  // have more to be stitched: along a curve it is the larger share that changes.
+  // Many samples are cut into parts, whose triangulations are made in parallel and stitched. The number of parts
+  // depends on the number of samples alone, so that the result does not depend on the machine. Small parts stay in the
+  // caches, but need more stitching: along a curve, it changes most of the edges.
   static std::size_t part_count(std::size_t samples) {
     constexpr std::size_t kMost = 8;
     constexpr std::size_t kLeastInPart = 20000;
@@ -189,8 +189,8 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
   void insert_all(Part& part, JobControl& job) {
     const auto order = insertion_order(part.samples, d_.samples_.extent(),
                                        [this](SampleSlot sample) { return position_of(sample); });
-    // The order is not that of the rows: what lies in many places is read and written apart from the triangulation, so
-    // that no step waits for it.
+    // This order is not that of the rows: scattered data is read and written apart from the triangulation, so that no
+    // step waits for it.
     std::vector<Vec2> positions;
     positions.reserve(order.size());
     for (const Keyed<SampleSlot>& item : order) positions.push_back(position_of(item.slot));
@@ -218,7 +218,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
       DelaunayStitch<Triangulation>::run(part.triangulation, far.triangulation, far.before);
       return;
     }
-    // What lies on a line has no sides to be stitched at: its sites are given vertices of the other triangulation.
+    // A collinear part has no sides to be stitched at: its sites become vertices of the other triangulation.
     if (part.triangulation.dimension() < far.triangulation.dimension()) {
       part.triangulation.swap(far.triangulation);
       part.samples.swap(far.samples);
@@ -259,7 +259,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
     return site == kNoSlot ? last_face_ : vertex_[site]->face();
   }
 
-  // `reuse` is the row of a site that has just been taken out in order to be moved, or kNoSlot.
+  // `reuse` is the row of a site that has just been taken out for a move, or kNoSlot.
   bool insert_at(SampleSlot sample, Vec2 p, FaceHandle start, SiteSlot reuse) {
     const Point point(p.x, p.y);
     typename Triangulation::Locate_type type{};
@@ -284,8 +284,8 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
       d_.site_recorder_.note(v->info().slot, false);
     }
     d_.attach_sample(sample, v->info().slot);
-    // CGAL inserts by splitting one face and flipping: what changed is the star of the new vertex, and every face of
-    // the old zone is in it.
+    // CGAL inserts by splitting one face and flipping: the changed faces are the star of the new vertex, which contains
+    // every face of the old zone.
     zone_.clear();
     old_rows_.clear();
     collect_star(v);
@@ -296,7 +296,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
     return true;
   }
 
-  // Takes the vertex out of the triangulation; the site's row stays with the caller.
+  // Takes the vertex out of the triangulation; the caller keeps the site's row.
   bool remove_site(SiteSlot site) {
     const VertexHandle v = vertex_[site];
     zone_.clear();
@@ -363,9 +363,9 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
     return true;
   }
 
-  // Lawson's flips; the faces flipped join the zone. An entry may be stale after a flip; testing another edge instead
-  // does no harm, because a flip puts all edges of both faces on the stack again. False, with the work left undone,
-  // after `most` flips.
+  // Lawson's flips; flipped faces join the zone. An entry may be stale after a flip; testing another edge instead does
+  // no harm, because a flip puts all edges of both faces on the stack again. False, with the work left undone, after
+  // `most` flips.
   bool flip_suspects(std::uint32_t in_zone, std::size_t most) {
     std::size_t flips = 0;
     while (!suspects_.empty()) {
@@ -387,7 +387,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
     return true;
   }
 
-  // After flips: the faces of the zone have the rows they had.
+  // After flips, the faces of the zone keep their rows.
   void mirror_flipped_zone() {
     old_rows_.clear();
     for (const FaceHandle f : zone_) old_rows_.push_back(row_of(f));
@@ -395,7 +395,7 @@ class Delaunay::Mirror final : public Delaunay::MirrorBase, private Delaunay::Ro
     last_face_ = zone_.front();
   }
 
-  // Sites of one sample that are not on the hull.
+  // Lists sites that have one sample and are not on the hull.
   void list_movers(const std::vector<SampleSlot>& samples) {
     movers_.clear();
     for (const SampleSlot sample : samples) {

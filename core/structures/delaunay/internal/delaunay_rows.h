@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the faces of a CGAL triangulation are mirrored to the rows of `Delaunay`. Private to delaunay.cpp.
+// Mirrors the faces of a CGAL triangulation to the rows of `Delaunay`. Private to delaunay.cpp.
 #pragma once
 
 #include <CGAL/Delaunay_triangulation_2.h>
@@ -19,10 +19,10 @@
 
 namespace mes {
 
-/// Of a face with these corners; nothing where one of them is at infinity.
+/// Sets the circumcircle of a face with these corners; does nothing if one of them is at infinity.
 inline void set_circumcircle(FaceRow& row, const Vec2 (&corner)[3]) {
   if (row.is_infinite()) return;
-  // Beginning at the smallest corner makes the doubles independent of how the triangle came about.
+  // Beginning at the smallest corner makes the doubles independent of the triangle's history.
   int first = lexicographically_less(corner[1], corner[0]) ? 1 : 0;
   if (lexicographically_less(corner[2], corner[first])) first = 2;
   const Circle circle = circumcircle(corner[first], corner[next3(first)], corner[prev3(first)]);
@@ -35,18 +35,18 @@ struct MirroredFace {
   FaceSlot slot;
 };
 
-/// One of the sites that are moved together.
+/// A site that is moved together with others.
 using MoverSlot = Slot<struct MoverTag>;
 
 /// Row of a CGAL vertex; new ones have none.
 struct MirroredVertex {
   SiteSlot slot;
-  MoverSlot mover;  ///< while it is moved together with others
+  MoverSlot mover;  ///< set while it is moved together with others
 };
 
-/// The central step is `mirror_zone`: given the CGAL faces that an edit changed, and the rows those faces and their
-/// dead predecessors had, rewrite the rows. Rows of edges on the rim of the zone are kept, all others of the old zone
-/// are given to the new inner edges, so an edit allocates nothing in the long run.
+/// The central step is `mirror_zone`: given the CGAL faces that an edit changed, and the rows of those faces and of
+/// their dead predecessors, it rewrites the rows. Rows of edges on the rim of the zone are kept; all others of the old
+/// zone are given to the new inner edges, so edits allocate nothing in the long run.
 template <class Kernel>
 class Delaunay::Rows {
  protected:
@@ -95,7 +95,7 @@ class Delaunay::Rows {
       d_.free_faces_.push_back(row);
     }
     for (const FaceHandle f : zone_) write_corners(f);
-    // Rim: the edge stays, what lies on our side of it is new.
+    // Rim: the edge stays, its inner side is new.
     for (const FaceHandle f : zone_) {
       FaceRow& row = d_.face_[row_of(f)];
       for (int i = 0; i < 3; ++i) {
@@ -180,10 +180,10 @@ class Delaunay::Rows {
     return row;
   }
 
-  // Every row and every field of it is written by one thread.
+  // Each row and each of its fields is written by one thread.
   void mirror_all() {
     const std::size_t count = triangulation_.tds().number_of_faces();
-    // Faces lie in the triangulation in the order of their rows. Where chunks of them begin:
+    // Faces lie in the triangulation in the order of their rows. `starts` holds the first face of each chunk.
     std::vector<FaceIterator> starts;
     const auto number_faces = [&] {
       starts.reserve(chunk_count(count));
@@ -210,7 +210,7 @@ class Delaunay::Rows {
       make_edges(fill_faces(read_placed_chunk));
       return;
     }
-    // No edit will ask the triangulation again. It is larger than the rows, so it goes before they come.
+    // No edit will use the triangulation again. It is larger than the rows, so it is freed before they are made.
     number_faces();
     find_faces_of_sites();
     std::vector<Topology> kept(count);
@@ -229,12 +229,12 @@ class Delaunay::Rows {
     make_edges(first_edge);
   }
 
-  // For the rows, while another core runs `task`. The system clears each page when it is first written to, which takes
-  // several times as long as filling it then: all cores share it.
+  // Makes room for the rows while another core runs `task`. The system clears each page at the first write, which takes
+  // several times as long as filling it; all cores share this work.
   template <class Task>
   void make_room(std::size_t faces, Task task) {
     constexpr std::size_t kFacesAtOnce = std::size_t{1} << 15U;
-    const std::size_t edges = faces / 2 * 3;  // more by those to infinity
+    const std::size_t edges = faces / 2 * 3;  // includes those to infinity
     const std::size_t pieces = faces / kFacesAtOnce;
     d_.face_.reserve(faces);
     d_.edge_.reserve(edges);
@@ -247,7 +247,7 @@ class Delaunay::Rows {
     d_.edge_.resize(edges);
   }
 
-  // Writes to the pages of rows that are not there yet.
+  // Writes to the pages of rows that do not exist yet.
   template <class Row, class Value>
   static void touch_pages(const Table<Row, Value>& table, std::size_t begin, std::size_t end) {
     constexpr std::size_t kPage = 4096;
@@ -256,7 +256,7 @@ class Delaunay::Rows {
     for (std::size_t i = 0; i < bytes; i += kPage) at[i] = 0;
   }
 
-  /// What a triangulation says of a face, in rows.
+  /// Corners and neighbours of a face in a triangulation, as rows.
   struct Topology {
     SiteSlot v[3]{};
     FaceSlot n[3]{};
@@ -278,7 +278,7 @@ class Delaunay::Rows {
     return out;
   }
 
-  /// With the corners' positions, which lie beside their rows; that at infinity has none.
+  /// Adds the positions of the corners, which lie beside their rows; the corner at infinity has none.
   struct PlacedTopology : Topology {
     Vec2 position[3]{};
   };
@@ -289,15 +289,15 @@ class Delaunay::Rows {
     return out;
   }
 
-  // `reader(first, chunk)` gives a function that gives the topology of one face after the other, with positions or
-  // without. Returns the first row of the edges that each chunk makes, and the number of edges.
+  // `reader(first, chunk)` returns a function that yields the topology of one face after the other, with or without
+  // positions. Returns the first row of the edges that each chunk makes, and the number of edges.
   template <class Reader>
   std::vector<std::size_t> fill_faces(Reader reader) {
     const std::size_t count = d_.face_.size();
     std::vector<std::size_t> first_edge(chunk_count(count) + 1, 0);
     parallel_for(count, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
       auto next = reader(begin, chunk);
-      // Not counted in place: the threads would take a cache line from each other all the time.
+      // A local count, since counting in place would make threads take a cache line from each other all the time.
       std::size_t edges = 0;
       for (const FaceSlot face : slots_between<FaceSlot>(begin, end)) {
         FaceRow& row = d_.face_[face];
@@ -342,7 +342,7 @@ class Delaunay::Rows {
     });
   }
 
-  // Of the two faces at a finite edge, the one with the larger row makes the edge's row.
+  // The face with the larger row makes the row of a finite edge.
   bool owns_edge(FaceSlot face, int i) const {
     const FaceRow& row = d_.face_[face];
     return row.n[i] < face && row.v[next3(i)] != kInfiniteSite && row.v[prev3(i)] != kInfiniteSite;
@@ -367,7 +367,7 @@ class Delaunay::Rows {
   Triangulation triangulation_;
   Table<SiteSlot, VertexHandle> vertex_;
 
-  // Of one edit, kept to save allocations.
+  // State of one edit, kept to save allocations.
   std::vector<FaceHandle> zone_;
   std::vector<FaceSlot> old_rows_;
 

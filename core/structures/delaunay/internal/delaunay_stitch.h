@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One Delaunay triangulation out of two that lie side by side.
+// Merges two Delaunay triangulations that lie side by side.
 #pragma once
 
 #include <CGAL/enum.h>
@@ -8,9 +8,9 @@
 
 namespace mes {
 
-/// An order of the plane by its distance along x or y. Ties are broken by the other
-/// coordinate as if the direction were turned to the left by less than any angle, so two sets of which one comes
-/// before the other can always be divided by a line.
+/// An order of the plane by distance along x or y. Ties are broken by the other coordinate, as if the direction were
+/// turned left by an infinitesimal angle, so that a line can always separate two sets of which one comes before the
+/// other.
 struct SweepOrder {
   bool along_y = false;
   bool operator()(Vec2 a, Vec2 b) const {
@@ -19,15 +19,15 @@ struct SweepOrder {
   }
 };
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. `into` becomes the Delaunay triangulation of both sets; `from` is left empty, fit for destruction only.
 ///  2. Finite vertices keep their handles and what is stored with them.
 /// Both must be of dimension two, and every point of `into` must come before every point of `from`.
 ///
 /// Cost: O(hull + edges that vanish or are new). How: the outsides of the two become one along the common tangent on
-/// one side. That leaves an infinite face above the tangent, which climbs to the other common tangent: each step
-/// flips an infinite edge of it, which makes a triangle between the two sets, after edges that this triangle's circle
-/// forbids were flipped to the outside. So all is done by flips, and the triangulation is a whole one all the time.
+/// one side. That leaves an infinite face above the tangent, which climbs to the other common tangent. Each step first
+/// flips edges that the next triangle's circle forbids to the outside; then it flips an infinite edge of the face,
+/// which makes that triangle between the two sets. All is done by flips, so the triangulation is complete all the time.
 /// Source: the merge step of Guibas and Stolfi, "Primitives for the manipulation of general subdivisions", 1985.
 template <class Triangulation>
 class DelaunayStitch {
@@ -55,13 +55,13 @@ class DelaunayStitch {
   CGAL::Orientation turn(VertexHandle a, VertexHandle b, VertexHandle c) const {
     return t_.geom_traits().orientation_2_object()(a->point(), b->point(), c->point());
   }
-  // `d` lies inside the circle through a, b, c, which turn left. Of cocircular points CGAL's perturbation decides,
-  // here as in insertions and removals, so that the result depends on the points alone.
+  // True if `d` lies inside the circle through a, b, c, which turn left. CGAL's perturbation decides cocircular cases,
+  // as in insertions and removals, so that the result depends on the points alone.
   bool encloses(VertexHandle a, VertexHandle b, VertexHandle c, VertexHandle d) const {
     return t_.side_of_oriented_circle(a->point(), b->point(), c->point(), d->point(), true) == CGAL::ON_POSITIVE_SIDE;
   }
 
-  // The infinite face whose first vertex is the last of all by `before`.
+  // The infinite face whose first vertex is the last of all in the order `before`.
   template <class Before>
   FaceHandle at_extreme(VertexHandle infinite, Before before) const {
     const auto point = [&](FaceHandle f) {
@@ -76,7 +76,7 @@ class DelaunayStitch {
     return best;
   }
 
-  // Joins the two along the tangent that has both on its left, seen from `into`; gives the infinite face above it.
+  // Joins the two along the tangent that has both on its left, seen from `into`; returns the infinite face above it.
   FaceHandle join_outsides(Triangulation& from, SweepOrder before) {
     infinite_ = t_.infinite_vertex();
     FaceHandle after_l = at_extreme(infinite_, before);
@@ -124,7 +124,7 @@ class DelaunayStitch {
       const VertexHandle l = first(above);
       const VertexHandle r = second(above);
       const auto is_above = [&](VertexHandle v) { return turn(l, r, v) == CGAL::LEFT_TURN; };
-      // Hull edges that the circle through l, r and their upper end forbids go; what lies behind them comes out.
+      // Flip hull edges that the circle through l, r and their upper end forbids; what lies behind them comes out.
       const bool can_left = is_above(first(before_first(above)));
       while (can_left) {
         const FaceHandle f = before_first(above);

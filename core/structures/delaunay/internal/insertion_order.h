@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// In which order samples enter a triangulation that is built from nothing, and where many are cut in two.
+// The order in which samples enter a new triangulation, and the line that cuts many samples in two.
 #pragma once
 
 #include <algorithm>
@@ -13,8 +13,8 @@
 namespace mes {
 
 /// Biased randomised insertion order (Amenta, Choi, Rote 2003): rounds of doubling size, each along a Hilbert curve.
-/// The rounds keep bad inputs from being bad; the curve keeps the walk to each new site short. `position(slot)` gives
-/// the place of a sample.
+/// The rounds protect against bad inputs; the curve keeps the walk to each new site short. `position(slot)` returns the
+/// position of a sample.
 template <class Position>
 std::vector<Keyed<SampleSlot>> insertion_order(const std::vector<SampleSlot>& samples, const Box2& extent,
                                                Position position) {
@@ -45,7 +45,7 @@ template <class Position>
 Halves cut_in_two(const std::vector<SampleSlot>& samples, Position position) {
   Halves halves;
   if (samples.empty()) return halves;
-  // The median of some hundred samples is near enough to that of all.
+  // The median of some hundred samples is close enough to that of all.
   constexpr std::size_t kProbes = 255;
   std::vector<Vec2> probes;
   Box2 extent;

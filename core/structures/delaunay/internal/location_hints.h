@@ -10,8 +10,8 @@
 
 namespace mes {
 
-/// Keeps a random eighth of the sites sorted along a Hilbert curve. A lookup is a binary search in a small array;
-/// what has died since is skipped, what was born since is found by the walk. Made when first needed, O(n).
+/// Keeps a random eighth of the sites sorted along a Hilbert curve. A lookup is a binary search in a small array; it
+/// skips sites that have died since, and the walk finds those born since. Built at the first use, O(n).
 class LocationHints {
  public:
   void clear() {
