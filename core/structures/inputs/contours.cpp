@@ -10,7 +10,7 @@
 namespace mes {
 namespace {
 
-// With fewer corners, the last one is linked to the first already.
+// Below three corners, the link from the last to the first exists already.
 constexpr std::uint32_t kLeastOfLoop = 3;
 
 }  // namespace
@@ -22,7 +22,7 @@ bool Contours::has_link(ContourSlot row) const {
   if (place.sample == kNoSlot || place.sample == places_[place.next].sample) return false;
   const Contour& contour = contours_[place.contour];
   if (!contour.closed) return place.next > row;
-  // Of the way there and the way back, the one that begins where the contour does.
+  // Both directions are the same link; count the one that begins where the contour does.
   return contour.corners >= kLeastOfLoop || place.sample == places_[contour.head].sample;
 }
 
@@ -36,13 +36,13 @@ void Contours::for_each_place(SampleId id, Visit visit) const {
   for (const auto& [other, row] : std::ranges::equal_range(of_sample_, id, {}, first)) visit(row);
 }
 
-// The rows whose links begin or end at a live place.
+// Notes the rows whose links begin or end at a live place.
 void Contours::note_around(ContourSlot row) {
   note(row);
   note(places_[row].previous);
 }
 
-// Before any place changes: what else has a link, with these corners and this sample at the first place, is noted.
+// Notes the other links that appear or vanish as the contour gets these corners and this first sample. Call it first.
 void Contours::become(Contour& contour, std::uint32_t corners, ContourSlot head, SampleSlot head_sample) {
   const bool was_loop = contour.corners >= kLeastOfLoop;
   const bool is_loop = corners >= kLeastOfLoop;
@@ -71,7 +71,7 @@ void Contours::kill(ContourSlot row) {
   --contour.live;
 }
 
-// Itself where no other is alive.
+// The live place before `row`; `row` itself if no other is alive.
 ContourSlot Contours::live_before(ContourSlot row) const {
   const Contour& contour = contours_[places_[row].contour];
   if (contour.live == 0) return row;
@@ -142,7 +142,7 @@ void Contours::rebuild(JobControl&) {
       id_[slot] = samples_.id(slot);
     });
   }
-  // In the order of the rows a live place is put behind the one before.
+  // Reviving in the order of rows puts each live place behind the one before.
   for (const ContourSlot row : places_.rows())
     if (const SampleSlot slot = std::exchange(places_[row].sample, kNoSlot); slot != kNoSlot) revive(row, slot);
 }
@@ -169,7 +169,7 @@ bool Contours::update(JobControl&) {
   };
   for (const SampleSlot slot : samples_.changes().removed) take(slot);
   for (const SampleSlot slot : samples_.changes().touched) take(slot);
-  // In this order the way back to a live place is gone once for all places on it.
+  // In this order, the walk back to a live place is made once for all places on it.
   std::ranges::sort(revived);
   for (const auto& [row, slot] : revived) revive(row, slot);
   recorder_.finish(changes_, [this](ContourSlot row) { return has_link(row); });

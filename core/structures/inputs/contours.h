@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The contours of the document: which sample follows which on the curves that came with the samples, or were made by hand.
+// The contours of the document: which sample follows which on curves that came with the samples or were drawn by hand.
 #pragma once
 
 #include <memory>
@@ -15,22 +15,22 @@ namespace mes {
 
 using ContourSlot = Slot<struct ContourTag>;
 
-/// One row for each place on a contour, in the order of the contours. A place whose sample is alive has a link to the
-/// next such place; the last one of a closed contour is linked to the first if it has at least three corners. Ids of
-/// samples that are not alive are passed over, and count again when the sample comes back. A sample is never linked to
-/// itself: where it follows itself, around the end of a closed contour too, it is one corner.
+/// One row for each *place*, a position on a contour, in the order of the contours. A place whose sample is alive has a
+/// link to the next such place; the last one of a closed contour is linked to the first if it has at least three
+/// corners. Samples that are not alive are skipped, and count again when they come back. A sample is never linked to
+/// itself: where it follows itself, also around the end of a closed contour, it is one corner.
 ///
-/// Cost: an edit looks at the places of its samples and at their neighbours, and at all places of a closed contour that
-/// has fewer than three corners before or after; other contours are a rebuild, O(places).
+/// Cost: an edit visits the places of its samples and their neighbours, and all places of a closed contour that has
+/// fewer than three corners before or after; new contours cause a rebuild, O(places).
 class Contours final : public Structure {
  public:
   explicit Contours(Samples& samples);
 
   std::size_t row_count() const { return places_.size(); }
   bool has_link(ContourSlot row) const;
-  /// Of a row with a link: the two samples, in the sense of the contour.
+  /// The two samples of a row with a link, in the direction of the contour.
   std::pair<SampleSlot, SampleSlot> link(ContourSlot row) const;
-  /// Its contour, from 0.
+  /// Index of its contour, from 0.
   std::uint32_t contour(ContourSlot row) const { return places_[row].contour; }
   bool is_closed(std::uint32_t contour) const { return contours_[contour].closed; }
   const ChangeSet<ContourSlot>& changes() const { return changes_; }
@@ -46,9 +46,9 @@ class Contours final : public Structure {
  private:
   struct Place {
     SampleId id;
-    SampleSlot sample;  // none: not alive
+    SampleSlot sample;  // kNoSlot if not alive
     std::uint32_t contour = 0;
-    ContourSlot next;  // of a live one, the live places around it; of the last one, the first
+    ContourSlot next;  // for a live place, its live neighbours, cyclically
     ContourSlot previous;
   };
   struct Contour {
@@ -56,7 +56,7 @@ class Contours final : public Structure {
     std::uint32_t size = 0;
     std::uint32_t live = 0;
     std::uint32_t corners =
-        0;             // live places followed by another sample, the last one by the first; 0 with one sample
+        0;             // live places followed by a different sample, the last one by the first; 0 with one sample
     ContourSlot head;  // the first live place
     bool closed = true;
   };

@@ -17,11 +17,11 @@ class CurveSourceInput final : public SourceStructure {
   CurveSourceInput() : SourceStructure("curve-source") {}
 
   void post(std::shared_ptr<const DocumentDelta> delta) override {
-    // A replacement says all, whatever there was before.
+    // A replacement gives the whole state, whatever was there before.
     if (delta->changes_source() || delta->replaces_all()) pending_ = delta->source_after;
   }
   bool has_pending() const override { return pending_.has_value(); }
-  /// Null: the samples were not taken from curves.
+  /// Null if the samples were not taken from curves.
   const std::shared_ptr<const CurveSource>& current() const { return current_; }
 
   void rebuild(JobControl&) override {
@@ -34,7 +34,7 @@ class CurveSourceInput final : public SourceStructure {
     return true;
   }
   void clear_changes() override { touched_ = 0; }
-  /// Other curves, or another way to sample them, count as one.
+  /// A change of the curves or of the way to sample them counts as one.
   std::size_t touched() const override { return touched_; }
   StatList statistics() const override;
 

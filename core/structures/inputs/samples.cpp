@@ -8,15 +8,15 @@ namespace mes {
 
 Samples::Samples() : SourceStructure("samples"), curve_(std::make_shared<const CurveOrder>()) {}
 
-// Whatever needs memory comes first: what is pending is applied whole or not at all, as nothing else could bring the
-// rows back.
+// Allocates all memory first, so that pending deltas are applied completely or not at all; nothing else could restore
+// the rows.
 void Samples::make_room() {
   recorder_.begin(position_.size());
   std::size_t rows = position_.size();
   for (const auto& delta : pending_) {
     if (delta->replaces_all()) rows = std::max(rows, delta->after->position.size());
     for (const auto& edit : delta->edits) {
-      // The first note of a row counts, and none of them is applied yet.
+      // Only the first note of a row counts, and no delta is applied yet.
       recorder_.note(edit.slot, is_alive(edit.slot));
       rows = std::max(rows, edit.slot.index() + std::size_t{1});
     }
@@ -29,7 +29,7 @@ void Samples::make_room() {
 }
 
 void Samples::apply(const DocumentDelta& delta) {
-  // What changes nothing makes no revision, here as in the document.
+  // An empty delta makes no revision, here as in the document.
   if (delta.is_empty()) return;
   if (delta.replaces_all()) {
     position_ = delta.after->position;

@@ -20,7 +20,7 @@ class Samples final : public SourceStructure {
   void post(std::shared_ptr<const DocumentDelta> delta) override { pending_.push_back(std::move(delta)); }
   bool has_pending() const override { return !pending_.empty(); }
 
-  /// Rows, by the document's slots.
+  /// Number of rows, indexed by the document's slots.
   std::size_t row_count() const { return position_.size(); }
   bool is_alive(SampleSlot slot) const { return id_.has(slot) && id_[slot].is_valid(); }
   Vec2 position(SampleSlot slot) const { return position_[slot]; }
@@ -39,7 +39,7 @@ class Samples final : public SourceStructure {
     changes_.clear();
     has_other_contours_ = false;
   }
-  /// Other contours count as one.
+  /// A change of contours counts as one.
   std::size_t touched() const override { return changes_.size() + (has_other_contours_ ? 1 : 0); }
   StatList statistics() const override;
   std::vector<TableColumns> table_columns() const override;
@@ -53,7 +53,7 @@ class Samples final : public SourceStructure {
   Table<SampleSlot, SampleId> id_;
   std::shared_ptr<const CurveOrder> curve_;
   std::size_t count_ = 0;
-  bool has_other_contours_ = false;  // than before the last run
+  bool has_other_contours_ = false;  // contours differ from those before the last run
   std::uint64_t document_revision_ = 0;
   Box2 extent_;
   ChangeRecorder<SampleSlot> recorder_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The user's balls as their union takes them and as they are drawn: with their radii scaled.
+// The user's balls with their radii scaled, as their union takes them and as they are drawn.
 #pragma once
 
 #include "core/structures/inputs/settings_source.h"
@@ -7,8 +7,8 @@
 
 namespace mes {
 
-/// Rows: those of `UserBalls`. Radii are multiplied by the parameter `b-scale` and rounded. Nothing is kept, so an
-/// edit costs what it changes; another scale makes every row new.
+/// Rows: those of `UserBalls`. Radii are multiplied by the parameter `b-scale` and rounded. Nothing is stored, so an
+/// edit costs what it changes; a new scale changes every row.
 class ScaledUserBalls final : public Structure {
  public:
   ScaledUserBalls(SettingsSource& settings, UserBalls& balls);

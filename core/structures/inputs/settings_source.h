@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the user chose about computing: a source of the graph like the data, so that a change of mind is an edit.
+// The user's settings for computations: a source of the graph like the data, so that changing a setting is an edit.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,7 @@
 
 namespace mes {
 
-/// Consumers list it as an input and compare what concerns them: `update` is called on every change.
+/// Consumers list it as an input and compare the settings that they use: `update` is called on every change.
 class SettingsSource final : public SourceStructure {
  public:
   SettingsSource() : SourceStructure("settings") {}

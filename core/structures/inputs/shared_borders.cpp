@@ -11,7 +11,7 @@ bool SharedBorders::holds(const std::vector<Link>& links, SampleSlot a, SampleSl
   return std::ranges::binary_search(links, Link(std::min(a, b), std::max(a, b)));
 }
 
-// Ids of one document follow each other, so a bit for each of them is enough.
+// Ids of one document are consecutive, so one bit per id suffices.
 void SharedBorders::find_repeated_samples() {
   is_repeated_.clear();
   std::uint32_t low = ~std::uint32_t{0};
@@ -64,7 +64,7 @@ void SharedBorders::find_borders(JobControl& job) {
         if (row != kNoSlot && (corners.empty() || row != corners.back())) corners.push_back(row);
       }
       while (corners.size() > 1 && corners.front() == corners.back()) corners.pop_back();
-      // With two corners the way back is the way there.
+      // Two corners give the same link in both directions.
       constexpr std::size_t kLeastOfLoop = 3;
       if (corners.size() < kLeastOfLoop) continue;
       const auto is_repeated = [this](SampleSlot row) { return is_repeated_[samples_.id(row).value - first_id_]; };

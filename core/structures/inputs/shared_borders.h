@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where contours of the document meet: links that they have in common, and those at samples that they have in common.
+// Where contours of the document meet: links that they share, and other links at samples that they share.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +14,17 @@
 namespace mes {
 
 /// Two samples share a border if closed contours link them an even number of times, twice or more: neighbouring parcels
-/// have their common side in two contours. By the even-odd rule such a side separates nothing from the outside; inside
-/// is on both sides of it, or on neither. Other links at a sample that closed contours go through twice are *seams*: where
-/// four curves meet, angles do not tell which of them go on to which.
+/// have their common side in two contours. By the even-odd rule such a side separates nothing from the outside: both of
+/// its sides are inside, or neither is. Other links at a sample that closed contours pass twice are *seams*: where four
+/// curves meet, angles do not tell which curves continue each other.
 ///
-/// What it guarantees:
-///  1. Links pass over samples that are not alive, as those of `Contours` do.
+/// Guarantees:
+///  1. Links skip samples that are not alive, as those of `Contours` do.
 ///  2. The table depends on the contours and on which samples are alive, never on history or on positions.
-///  3. Nothing is kept where no sample lies on contours twice, which is the usual case.
+///  3. Nothing is stored where no sample lies on contours twice, which is the usual case.
 ///
-/// Cost: O(places on contours) to rebuild, and again when a sample on a contour comes or goes while borders are shared;
-/// otherwise an update is O(changed samples). A question is O(log borders).
+/// Cost: a rebuild takes O(places on contours), also when a sample on a contour is added or removed while borders are
+/// shared; any other update takes O(changed samples), a query O(log borders).
 class SharedBorders final : public Structure {
  public:
   explicit SharedBorders(Samples& samples);
@@ -33,7 +33,7 @@ class SharedBorders final : public Structure {
   bool is_between(SampleSlot a, SampleSlot b) const { return holds(borders_, a, b); }
   bool is_seam(SampleSlot a, SampleSlot b) const { return holds(seams_, a, b); }
   const Samples& samples() const { return samples_; }
-  /// The table differs from before the last run.
+  /// True if the table differs from before the last run.
   bool has_changed() const { return has_changed_; }
 
   void rebuild(JobControl& job) override;
@@ -52,9 +52,9 @@ class SharedBorders final : public Structure {
 
   Samples& samples_;
   std::shared_ptr<const CurveOrder> order_;
-  std::vector<bool> is_repeated_;  // by id, from `first_id_` on; empty: no sample lies on closed contours twice
+  std::vector<bool> is_repeated_;  // by id, from `first_id_` on; empty if no sample lies on closed contours twice
   std::uint32_t first_id_ = 0;
-  Table<SampleSlot, SampleId> known_;  // the samples that were alive; empty where none is repeated
+  Table<SampleSlot, SampleId> known_;  // the samples that were alive; empty if none is repeated
   std::vector<Link> seams_;            // sorted
   std::vector<Link> borders_;          // sorted
   bool has_changed_ = false;

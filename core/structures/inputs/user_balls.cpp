@@ -13,15 +13,15 @@ void UserBalls::post(std::shared_ptr<const DocumentDelta> delta) {
   if (delta->replaces_all() || !delta->ball_edits.empty()) pending_.push_back(std::move(delta));
 }
 
-// Whatever needs memory comes first: what is pending is applied whole or not at all, as nothing else could bring the
-// rows back.
+// Allocates all memory first, so that pending deltas are applied completely or not at all; nothing else could restore
+// the rows.
 void UserBalls::make_room() {
   recorder_.begin(disk_.size());
   std::size_t rows = disk_.size();
   for (const auto& delta : pending_) {
     if (delta->replaces_all()) rows = std::max(rows, delta->balls_after->disk.size());
     for (const auto& edit : delta->ball_edits) {
-      // The first note of a row counts, and none of them is applied yet.
+      // Only the first note of a row counts, and no delta is applied yet.
       recorder_.note(edit.slot, is_alive(edit.slot));
       rows = std::max(rows, edit.slot.index() + std::size_t{1});
     }

@@ -11,17 +11,17 @@
 
 namespace mes {
 
-/// A source beside `Samples`: `post` queues deltas; the next run applies them all as one change. A ball of radius
-/// zero has a row like any other; what it counts for is for the consumers to say.
+/// A source beside `Samples`: `post` queues deltas; the next run applies them all as one change. A ball of radius zero
+/// has a row like any other; consumers decide how it counts.
 class UserBalls final : public SourceStructure {
  public:
   UserBalls() : SourceStructure("balls") {}
 
-  /// Deltas that do not touch balls are left out: an edit of a sample costs nothing here.
+  /// Deltas that do not touch balls are dropped: an edit of a sample costs nothing here.
   void post(std::shared_ptr<const DocumentDelta> delta) override;
   bool has_pending() const override { return !pending_.empty(); }
 
-  /// Rows, by the document's slots.
+  /// Number of rows, indexed by the document's slots.
   std::size_t row_count() const { return disk_.size(); }
   bool is_alive(BallSlot slot) const { return id_.has(slot) && id_[slot].is_valid(); }
   const Disk& disk(BallSlot slot) const { return disk_[slot]; }
