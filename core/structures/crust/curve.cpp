@@ -20,7 +20,7 @@ EdgeSlot Curve::other_crust_edge(SiteSlot site, EdgeSlot edge) const {
 
 void Curve::trace_from(EdgeSlot edge) {
   Chain chain;
-  // Backwards to an end, or once around.
+  // Walk backwards to an end, or once around.
   EdgeSlot first_edge = edge;
   SiteSlot first_site = delaunay_.edge(edge).v[0];
   while (crust_.degree(first_site) == 2) {
@@ -78,7 +78,7 @@ void Curve::orient(Chain& chain) const {
   if (chain.has_inside) {
     turn = right != 0;
   } else if (!chain.closed) {
-    // A chain may come back to the site it left from; then the site after it decides.
+    // A chain may return to the site where it begins; then the next site decides.
     const std::size_t inwards = chain.sites.front() == chain.sites.back() ? 1 : 0;
     turn = lexicographically_less(position(chain.sites[chain.sites.size() - 1 - inwards]),
                                   position(chain.sites[inwards]));
@@ -106,7 +106,7 @@ void Curve::orient(Chain& chain) const {
 
 void Curve::set_normals(const Chain& chain) {
   const std::size_t n = chain.sites.size();
-  // Right of the direction: outside, when the inside is on the left.
+  // To the right of the direction: outside if the inside is on the left.
   const auto unit_normal = [&](SiteSlot from, SiteSlot to) {
     Vec2 d = delaunay_.site_position(to) - delaunay_.site_position(from);
     // Near the largest doubles the difference or its length overflows.
@@ -116,7 +116,7 @@ void Curve::set_normals(const Chain& chain) {
   };
   for (std::size_t i = 0; i < n; ++i) {
     const SiteSlot site = chain.sites[i];
-    // The ends have none; they may be ends of other chains too.
+    // The ends have no normal; they may be ends of other chains, too.
     if (!chain.closed && (i == 0 || i + 1 == n)) continue;
     const SiteSlot before = chain.sites[i == 0 ? n - 1 : i - 1];
     const SiteSlot after = chain.sites[i + 1 == n ? 0 : i + 1];

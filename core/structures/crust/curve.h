@@ -12,7 +12,7 @@ namespace mes {
 
 using ChainSlot = Slot<struct ChainTag>;
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. Every crust edge is in exactly one chain. Chains end at sites of degree other than two; what remains are
 ///     loops.
 ///  2. A chain whose edges all have the inside on the same side runs with the inside on its left: outer loops
@@ -27,7 +27,7 @@ class Curve final : public Structure {
  public:
   struct Chain {
     bool closed = false;
-    bool has_inside = false;      ///< the inside is on the left all along
+    bool has_inside = false;      ///< the inside is on the left everywhere
     std::vector<SiteSlot> sites;  ///< in order; the first is not repeated when closed. Empty: the row is free
     std::vector<EdgeSlot> edges;  ///< edges[i] joins sites[i] and the next
   };
@@ -38,12 +38,12 @@ class Curve final : public Structure {
   bool has_normal(SiteSlot site) const {
     return normal_.has(site) && (normal_[site].x != 0.0 || normal_[site].y != 0.0);
   }
-  /// Unit length; (0, 0) where there is none.
+  /// Unit length; (0, 0) if the site has no normal.
   Vec2 normal(SiteSlot site) const { return normal_[site]; }
   /// Mean length of the two curve edges at a site with a normal.
   double spacing(SiteSlot site) const { return spacing_[site]; }
 
-  /// Sites that moved, came or went, and those whose normal or spacing differs from before.
+  /// Sites that moved, were added or removed, and those whose normal or spacing differs from before.
   const ChangeSet<SiteSlot>& site_changes() const { return site_changes_; }
 
   void rebuild(JobControl& job) override;
@@ -76,7 +76,7 @@ class Curve final : public Structure {
   ChangeRecorder<SiteSlot> recorder_;
   ChangeSet<SiteSlot> site_changes_;
   std::vector<EdgeSlot> seeds_;
-  // Of the present update:
+  // State of the current update:
   std::vector<SiteSlot> dissolved_;  ///< sites of chains that no longer exist
   SlotMarks<SiteSlot> has_new_normal_;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What crust, labels and Voronoi vertices know of the rows they share with `Delaunay`.
+// Explains the part of crust, labels and Voronoi vertices in rows that they share with `Delaunay`.
 #include <algorithm>
 #include <vector>
 
@@ -30,8 +30,8 @@ void Labels::explain(ElementKind kind, RowNumber row, Explanation& out) const {
     out.rename(is_inside(face) ? "Inner Voronoi ball" : "Outer Voronoi ball");
 }
 
-// `Delaunay` explains the face itself. The other faces on its circle, and which Voronoi edges have positive length, are
-// known here.
+// `Delaunay` explains the face itself. This adds the other faces on its circle, and which Voronoi edges have positive
+// length.
 void VoronoiVertices::explain(ElementKind kind, RowNumber row, Explanation& out) const {
   const FaceSlot face(row);
   if (kind != ElementKind::voronoi_vertex || !delaunay_.is_finite_face(face)) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Changes that a further sample would make in the one-step crust.
+// Changes that a new sample would make in the one-step crust.
 #include <optional>
 
 #include "core/structures/crust/one_step_crust.h"
@@ -17,7 +17,7 @@ void OneStepCrust::explain_insertion(Vec2 at, Explanation& out) const {
     return site == kInfiniteSite ? std::nullopt : std::optional(position(site));
   };
   FilterCounts counts;
-  // With the apex that is finite on the left.
+  // Puts a finite apex on the left.
   const auto is_curve = [&](Vec2 from, Vec2 to, std::optional<Vec2> left, std::optional<Vec2> right) {
     if (!left) return right && classify_edge({*right, to, from, {}}, counts).is_crust;
     return classify_edge({*left, from, to, right}, counts).is_crust;

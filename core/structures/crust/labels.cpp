@@ -16,8 +16,8 @@ namespace mes {
 
 namespace {
 
-// Roughly in the order of the table, in which neighbours mostly lie near each other: who follows the change sets then
-// finds one row beside the other. By `room`, which is work space. O(rows).
+// Sorts rows roughly in the order of the table, in which neighbours mostly lie near each other: readers of the change
+// sets then find one row beside the other. `room` is work space. O(rows).
 template <class Row>
 void bring_near(std::vector<Row>& rows, std::size_t table_rows, std::vector<Row>& room) {
   constexpr std::size_t kFew = 256;
@@ -84,7 +84,7 @@ void Labels::read_all_conflicts() {
   for (const std::size_t count : counts) conflict_count_ += count;
 }
 
-// By clusters if they are small, otherwise by the tree, which may be known. Open strokes are known.
+// Chooses clusters if they are small, otherwise the tree, which may be known. Open strokes must be known.
 void Labels::choose_way(Table<EdgeSlot, std::uint8_t> is_in_tree, JobControl& job) {
   tree_.reset();
   if (join_.rebuild(job)) return;
@@ -113,7 +113,7 @@ void Labels::rebuild(JobControl& job) {
   join_.clear();
   is_idle_ = crust_.odd_count() == 0 || delaunay_.dimension() < 2;
   order_.clear();
-  // Among so many odd sites clusters are not small, and where strokes end is found sooner along the tree.
+  // If this many sites are odd, clusters are not small, and the ends of strokes are found sooner along the tree.
   Table<EdgeSlot, std::uint8_t> is_in_tree;
   if (!is_idle_ && crust_.odd_count() > std::max(kManyOddSites, delaunay_.site_count() / kFewSites)) {
     order_.find_keys();
@@ -138,9 +138,9 @@ void Labels::rebuild(JobControl& job) {
   if (!tree_) label_all(job);
 }
 
-// Sites at which an edge is another one or has another crust bit or other corners, the neighbours of those whose degree
-// changed, and the ends of edges that are long now or not any more: what an edge mends, and whether it is long, depends
-// on both of its ends.
+// Finds the sites at which an edge changed, or has another crust bit or other corners; the neighbours of those whose
+// degree changed; and the ends of edges that are now long or not any more. Whether an edge mends, and whether it is
+// long, depends on both of its ends.
 void Labels::find_touched_sites() {
   touched_.clear();
   touched_marks_.begin(delaunay_.site_rows());
@@ -158,7 +158,7 @@ void Labels::find_touched_sites() {
     for (const SiteSlot site : delaunay_.edge(edge).v) touch(site);
 }
 
-// True if all labels have been made anew on the way.
+// True if all labels were recomputed on the way.
 bool Labels::follow_conflicts(JobControl& job) {
   is_idle_ = is_idle_ && crust_.odd_count() == 0;
   if (is_idle_ && !order_.keeps_lengths()) return false;
@@ -238,7 +238,7 @@ void Labels::label_new_faces() {
   }
 }
 
-// Collects the edges that labels contradict, and turns over what must be.
+// Collects the edges that labels contradict, and turns over the labels that must change.
 bool Labels::repair(JobControl& job) {
   violations_.clear();
   const auto check = [this](EdgeSlot edge) {
@@ -271,10 +271,10 @@ bool Labels::repair(JobControl& job) {
       delaunay_.face_rows(), job);
 }
 
-// In the tree of faces it is known which side of a violated edge is the one away from infinity, across an odd number of
-// violated edges: what lies there is turned over, and nothing else is looked at. It can be thousands of faces, so each
-// is looked at once, with the rows of those ahead on their way. Whether an edge is in conflict changes where one of its
-// faces is turned, and changes back where both are.
+// The tree of faces tells which side of a violated edge is cut off from infinity by an odd number of violated edges.
+// This side is turned over, and nothing else is looked at. It can have thousands of faces, so each is visited once,
+// while the rows ahead are fetched. The conflict bit of an edge changes if one of its faces is turned, and changes back
+// if both are.
 bool Labels::turn_along_tree(JobControl& job) {
   constexpr std::size_t kAhead = 8;
   tree_->find_odd_sides(violations_, queue_);
@@ -333,7 +333,7 @@ bool Labels::turn_along_tree(JobControl& job) {
   return true;
 }
 
-// The change sets after `turn_along_tree`.
+// Makes the change sets after `turn_along_tree`.
 void Labels::list_turned() {
   for (const EdgeSlot edge : conflict_edges_) {
     if (!delaunay_.edge(edge).is_alive() || (conflict_[edge] & kIsListed) != 0) continue;

@@ -19,22 +19,22 @@
 
 namespace mes {
 
-/// What it guarantees:
-///  1. Faces at infinity are outside. Across an edge the label changes exactly if it is a wall, except at conflict edges.
-///     Walls are the crust edges, but for borders that regions share (one_step_crust.h).
-///  2. There are conflict edges only if some sample has an odd number of walls, and then those of a canonical rule that
-///     depends on the samples and the borders alone, never on history: the edges of open strokes (internal/open_strokes.h) and the
-///     join of the other odd samples in the minimum spanning tree in the order of certainty
-///     (internal/certainty_order.h, internal/conflict_join.h).
-///  3. An edit changes labels only of faces it made, unless conflicts moved or a gap opened or closed.
+/// Guarantees:
+///  1. Faces at infinity are outside. Across an edge the label changes exactly if it is a wall, except at conflict
+///     edges. Walls are the crust edges, but for borders that regions share (one_step_crust.h).
+///  2. There are conflict edges only if some sample has an odd number of walls. They follow a canonical rule that
+///     depends on the samples and the borders alone, never on history: they are the edges of open strokes
+///     (internal/open_strokes.h) and the join of the other odd samples in the minimum spanning tree in the order of
+///     certainty (internal/certainty_order.h, internal/conflict_join.h).
+///  3. An edit changes labels only of faces that it made, unless conflicts moved or a gap opened or closed.
 ///
 /// Cost: rebuild O(n), O(n log n) where a good part of the samples is odd. Update O(new faces + faces whose label
 /// changes), and O(log n) for each changed edge in the latter case. How: new faces take tentative labels from their
-/// neighbours; where two faces then disagree with the edge between them, the smaller side of the disagreement, found by
-/// searching all sides in lock-step, is turned over, or the side that the tree of faces says. Few odd samples are joined in clusters (`ConflictJoin`), and
-/// labels follow from the conflicts. Where clusters would take up a good part of the plane, as in noise, labels are
-/// handed on along the tree of faces (`CertaintyTree`), and the conflicts follow from the labels. Both ways give the
-/// same labels. Source: even-odd parity; the locality lemma of docs/geometry.md.
+/// neighbours. Where two faces then disagree with the edge between them, one side of the disagreement is turned over:
+/// the smaller, found by searching all sides in lock-step, or the one that the tree of faces selects. Few odd samples
+/// are joined in clusters (`ConflictJoin`), and labels follow from the conflicts. Where clusters would fill a good part
+/// of the plane, as in noise, labels are handed on along the tree of faces (`CertaintyTree`), and conflicts follow from
+/// them. Both ways give the same labels. Source: even-odd parity; the locality lemma of docs/geometry.md.
 class Labels final : public Structure {
  public:
   Labels(Delaunay& delaunay, OneStepCrust& crust);
@@ -59,28 +59,28 @@ class Labels final : public Structure {
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  private:
-  /// A tree is grown anew when an edit changes more than one of so many edges.
+  /// The tree is rebuilt when an edit changes more than one in this many edges.
   static constexpr std::size_t kFewEdges = 16;
-  /// Samples are noise when more than one of so many sites is odd, ...
+  /// Samples are noise when more than one in this many sites is odd, ...
   static constexpr std::size_t kFewSites = 4;
-  /// ... and there are so many of them that threads pay.
+  /// ... and there are so many odd sites that threads pay.
   static constexpr std::size_t kManyOddSites = 4096;
   static constexpr std::uint8_t kIsConflict = 1;
-  /// In labels and conflicts, while change sets are made: the row is in its change set already.
+  /// In labels and conflicts, while change sets are made: the row is already in its change set.
   static constexpr std::uint8_t kIsListed = 2;
 
   // The next four are about edge `i` of a face, opposite its corner `i`.
   bool is_wall(FaceSlot face, int i) const {
     return ((static_cast<unsigned>(crust_.wall_bits_of_face(face)) >> static_cast<unsigned>(i)) & 1U) != 0;
   }
-  /// The label must change across it.
+  /// True if the label must change across the edge.
   bool is_border(FaceSlot face, int i) const {
     if (is_idle_) return is_wall(face, i);
     const EdgeSlot edge = delaunay_.face(face).e[i];
     if (edge == kNoSlot) return false;
     return is_wall(face, i) != (tree_ ? strokes_.has_edge(edge) : is_conflict(edge));
   }
-  /// Labels follow from one face to the other.
+  /// True if the label of one face follows from that of the other.
   bool is_passage(FaceSlot face, int i) const {
     if (!tree_) return true;
     const EdgeSlot edge = delaunay_.face(face).e[i];
@@ -102,7 +102,7 @@ class Labels final : public Structure {
   void list_turned();
   void list_changes();
   void set_conflict(EdgeSlot edge, bool is_conflict);
-  /// By the trees or clusters, or by the labels that follow from them.
+  /// Decides by the trees or clusters, or by the labels that follow from them.
   bool is_in_conflict(EdgeSlot edge) const;
   void read_all_conflicts();
   void read_conflict(EdgeSlot edge);
@@ -112,7 +112,7 @@ class Labels final : public Structure {
   CertaintyOrder order_;
   OpenStrokes strokes_;
   ConflictJoin join_;
-  std::unique_ptr<CertaintyTree> tree_;  ///< none while clusters do
+  std::unique_ptr<CertaintyTree> tree_;  ///< null while clusters are used
   std::size_t odd_when_tree_grew_ = 0;
   bool is_idle_ = true;  ///< no site is odd, and there is nothing to forget
   Table<FaceSlot, std::uint8_t> inside_;
@@ -132,7 +132,7 @@ class Labels final : public Structure {
   std::vector<FaceSlot> queue_;
   std::vector<EdgeSlot> conflict_edges_;
   std::vector<FaceSlot> turned_;
-  std::vector<EdgeSlot> turned_edges_;  ///< of these faces, unless they are among the changes of the triangulation
+  std::vector<EdgeSlot> turned_edges_;  ///< edges of these faces, unless the triangulation's changes include them
   std::vector<EdgeSlot> edge_room_;
   struct Reached {
     FaceSlot face;

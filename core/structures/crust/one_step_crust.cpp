@@ -17,7 +17,7 @@ OneStepCrust::OneStepCrust(Delaunay& delaunay, SharedBorders& borders)
 
 EdgeCorners OneStepCrust::corners(EdgeSlot edge) const {
   const EdgeRow& row = delaunay_.edge(edge);
-  // Which corner it is follows no pattern: looked up without a branch, which would be foreseen wrongly every other time.
+  // The corner follows no pattern, so it is found without a branch, which would be mispredicted every other time.
   const auto apex = [this, edge](FaceSlot slot) {
     const FaceRow& face = delaunay_.face(slot);
     return face.v[(face.e[1] == edge ? 1U : 0U) | (face.e[2] == edge ? 2U : 0U)];
@@ -32,7 +32,7 @@ EdgeCorners OneStepCrust::corners(EdgeSlot edge) const {
   return corners;
 }
 
-// Samples at one place are one site: any two of them may share the border.
+// Samples at one position are one site: any two of them may share the border.
 std::uint8_t OneStepCrust::flags_of_contours(EdgeSlot edge) const {
   const EdgeRow& row = delaunay_.edge(edge);
   std::uint8_t out = 0;
@@ -52,7 +52,7 @@ std::uint8_t OneStepCrust::flags_for(EdgeSlot edge, FilterCounts& counts) const 
                                    known);
 }
 
-// Where samples have changed places with each other, sites and edges are what they were, but their samples are others.
+// If samples have exchanged positions, sites and edges are unchanged, but their samples are others.
 bool OneStepCrust::shares_what_it_should() const {
   bool out = true;
   FilterCounts uncounted;
@@ -91,13 +91,13 @@ void OneStepCrust::rebuild(JobControl& job) {
     std::size_t cocircular = 0;
   };
   std::vector<Tally> tallies(chunk_count(delaunay_.edge_rows()));
-  // Edges of different threads may have a site or a face in common.
+  // Edges of different threads may share a site or a face.
   const auto add = [](std::uint8_t& sum, unsigned term) {
     std::atomic_ref(sum).fetch_add(static_cast<std::uint8_t>(term), std::memory_order_relaxed);
   };
   parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
     job.checkpoint();
-    Tally own;  // not counted in place: the threads would take a cache line from each other all the time
+    Tally own;  // a local count: counting in place, threads would keep taking a cache line from each other
     for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end)) {
       delaunay_.expect_faces_after(edge);
       const EdgeRow& row = delaunay_.edge(edge);
@@ -126,7 +126,7 @@ void OneStepCrust::rebuild(JobControl& job) {
 }
 
 bool OneStepCrust::update(JobControl&) {
-  // A sample that joins others at their place, or leaves them, may change what edges share that are not touched.
+  // A sample that joins others at their position, or leaves them, may change what untouched edges share.
   const bool had_duplicates = std::exchange(had_duplicates_, has_duplicates());
   if (borders_ != nullptr && borders_->has_changed()) return false;
   if (has_borders() && (had_duplicates || had_duplicates_)) return false;
@@ -217,7 +217,7 @@ StatList OneStepCrust::statistics() const {
                {"decided_by_static_filter", static_cast<std::int64_t>(counts_.static_filter)},
                {"decided_by_intervals", static_cast<std::int64_t>(counts_.interval)},
                {"decided_exactly", static_cast<std::int64_t>(counts_.exact)}};
-  // Where no curve is shared, there is nothing to say of it.
+  // Nothing to report where no curve is shared.
   if (has_borders()) out.push_back({"shared_edges", shared});
   return out;
 }

@@ -14,27 +14,27 @@
 
 namespace mes {
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. An edge is crust exactly when some circle through its ends, centred on its dual Voronoi edge, is empty of both
 ///     ends of that Voronoi edge: the two opposite angles sum to at most 90 degrees, ties included, hull edges
 ///     included.
 ///  2. The decision is exact for the given doubles and does not depend on how cocircular sites were triangulated.
 ///  3. Collinear sites: every edge is crust.
-///  4. An edge between two samples that share a border (core/structures/inputs/shared_borders.h) is *shared*, and one along a seam
-///     there is crust, whatever their angles. A *wall* is a crust edge that is not shared: labels change across walls.
+///  4. An edge between two samples that share a border (core/structures/inputs/shared_borders.h) is *shared*, and one
+///     along a seam there is crust, whatever the angles. Labels change across *walls*: unshared crust edges.
 ///
-/// Rows are those of the Delaunay edges and sites. Cost: 3n exact-sign tests, some 10 ns each; updates cost the
-/// changed edges only. Source: Gold and Snoeyink, "A one-step crust and skeleton extraction algorithm", 2001.
+/// Rows are those of the Delaunay edges and sites. Cost: 3n exact-sign tests, some 10 ns each; an update tests only the
+/// changed edges. Source: Gold and Snoeyink, "A one-step crust and skeleton extraction algorithm", 2001.
 class OneStepCrust final : public Structure {
  public:
-  /// Of samples without contours: nothing is shared.
+  /// For samples without contours: nothing is shared.
   explicit OneStepCrust(Delaunay& delaunay);
   OneStepCrust(Delaunay& delaunay, SharedBorders& borders);
 
   bool is_crust(EdgeSlot edge) const { return (flags_[edge] & kCrust) != 0; }
   bool is_shared(EdgeSlot edge) const { return (flags_[edge] & kShared) != 0; }
   bool is_wall(EdgeSlot edge) const { return (flags_[edge] & (kCrust | kShared)) == kCrust; }
-  /// The dual Voronoi edge has length exactly zero.
+  /// True if the dual Voronoi edge has length exactly zero.
   bool is_cocircular(EdgeSlot edge) const { return (flags_[edge] & kCocircular) != 0; }
   /// Bit i: the face's edge i is a wall. Edges to infinity never are.
   std::uint8_t wall_bits_of_face(FaceSlot face) const { return face_bits_[face]; }
@@ -44,7 +44,7 @@ class OneStepCrust final : public Structure {
   int wall_degree(SiteSlot site) const {
     return degree_[site] - (shared_degree_.empty() ? 0 : static_cast<int>(shared_degree_[site]));
   }
-  /// It has an odd number of walls.
+  /// True if the site has an odd number of walls.
   bool is_odd(SiteSlot site) const { return (wall_degree(site) & 1) != 0; }
   std::size_t odd_count() const { return odd_count_; }
   std::size_t cocircular_count() const { return cocircular_count_; }
@@ -55,7 +55,7 @@ class OneStepCrust final : public Structure {
 
   /// Live sites whose degree, or number of walls, differs from before.
   const std::vector<SiteSlot>& degree_changes() const { return degree_changes_; }
-  /// Sites that changed themselves or have a new degree.
+  /// Sites that changed or have a new degree.
   const ChangeSet<SiteSlot>& site_changes() const { return site_changes_; }
 
   void rebuild(JobControl& job) override;
@@ -81,10 +81,10 @@ class OneStepCrust final : public Structure {
   void classify(EdgeSlot edge);
   bool has_borders() const { return borders_ != nullptr && !borders_->is_empty(); }
   bool has_duplicates() const { return borders_ != nullptr && delaunay_.site_count() != borders_->samples().count(); }
-  /// `kShared` of a shared border, `kCrust` along a seam, or 0.
+  /// `kShared` for a shared border, `kCrust` along a seam, or 0.
   std::uint8_t flags_of_contours(EdgeSlot edge) const;
   bool shares_what_it_should() const;
-  /// Crust edges that come, and those of them that are shared.
+  /// Adds these numbers of crust edges, and of shared ones among them.
   void add_to_degrees(SiteSlot site, int crust, int shared);
 
   Delaunay& delaunay_;
@@ -92,9 +92,9 @@ class OneStepCrust final : public Structure {
   Table<EdgeSlot, std::uint8_t> flags_;
   Table<FaceSlot, std::uint8_t> face_bits_;
   Table<SiteSlot, std::uint8_t> degree_;
-  Table<SiteSlot, std::uint8_t> shared_degree_;  ///< of the crust edges, those that are shared; empty: none is
+  Table<SiteSlot, std::uint8_t> shared_degree_;  ///< number of shared crust edges; empty if there are none
   std::size_t odd_count_ = 0;
-  bool had_duplicates_ = false;  ///< several samples at one place, when last asked
+  bool had_duplicates_ = false;  ///< several samples at one position, at the last check
   std::size_t cocircular_count_ = 0;
   FilterCounts counts_;
   ChangeRecorder<SiteSlot> site_recorder_;

@@ -45,7 +45,7 @@ void VoronoiVertices::gather_group(FaceSlot face) {
       members.push_back(row.n[i]);
     }
   }
-  // Each face of the group has the circle rounded in its own way, and other corners to make balls of. The first of
+  // Each face of the group rounds the circle in its own way, and has other corners to make balls from. The first of
   // them stands for all.
   const auto comes_before = [this](FaceSlot x, FaceSlot y) {
     const FaceRow& a = delaunay_.face(x);
@@ -93,9 +93,9 @@ bool VoronoiVertices::update(JobControl&) {
   for (const FaceSlot face : faces.removed) recorder_.note(face, true);
   for (const FaceSlot face : faces.touched) recorder_.note(face, true);
   work_.assign(faces.touched.begin(), faces.touched.end());
-  // A group that met the change may have lost, gained or been split; its other faces, and groups across changed
-  // edges, are asked again. A group lost nothing across an edge that is not cocircular: the face that it was cocircular
-  // with is among those that went or changed, and stands for the group below.
+  // A group that met the change may have lost or gained faces or been split; its other faces, and groups across changed
+  // edges, are checked again. A group loses nothing across an edge that is not cocircular: the face that it was
+  // cocircular with is among those removed or changed, and stands for the group below.
   for (const EdgeSlot edge : delaunay_.edge_changes().touched)
     if (crust_.is_cocircular(edge))
       for (const FaceSlot face : delaunay_.edge(edge).f) work_.push_back(face);

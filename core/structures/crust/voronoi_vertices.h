@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The vertices of the Voronoi diagram: finite Delaunay faces, with those of one circumcircle known as one.
+// The vertices of the Voronoi diagram: finite Delaunay faces, with those of one circumcircle identified.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@
 
 namespace mes {
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. Two finite faces have the same `vertex` exactly when their circumcircles are equal as real circles (cocircular
 ///     sites); the decision is exact.
-///  2. `vertex(face)` is one face of the group; the first by centre and radius in doubles, then by corners.
+///  2. `vertex(face)` is one face of the group: the first by centre and radius in doubles, then by corners.
 ///
-/// Rows are those of the Delaunay faces. Cost: O(faces); updates O(changed faces + sizes of changed groups), the
-/// first with a group O(faces).
+/// Rows are those of the Delaunay faces. Cost: O(faces); updates O(changed faces + sizes of changed groups), the first
+/// update with a group O(faces).
 class VoronoiVertices final : public Structure {
  public:
   VoronoiVertices(Delaunay& delaunay, OneStepCrust& crust);
@@ -29,17 +29,17 @@ class VoronoiVertices final : public Structure {
     return group == kNoSlot ? face : groups_[group].front();
   }
   bool is_vertex(FaceSlot face) const { return delaunay_.is_finite_face(face) && vertex(face) == face; }
-  /// Faces with the same circumcircle, for a face for which there are several; otherwise null.
+  /// Faces with the same circumcircle, if there are several; otherwise null.
   const std::vector<FaceSlot>* group(FaceSlot face) const {
     const GroupSlot group = group_of(face);
     return group == kNoSlot ? nullptr : &groups_[group];
   }
-  /// The last changes are just those of the triangulation: no group came, changed or went.
+  /// True if the last changes are just those of the triangulation: no group appeared, changed or vanished.
   bool follows_faces() const { return follows_faces_; }
   /// The sites on the circle, each once, appended to `out`.
   void append_sites(FaceSlot face, std::vector<SiteSlot>& out) const;
 
-  /// Faces that came, changed or went, and those whose group changed.
+  /// Faces that were added, changed or removed, and those whose group changed.
   const ChangeSet<FaceSlot>& changes() const { return changes_; }
 
   void rebuild(JobControl& job) override;
@@ -60,7 +60,7 @@ class VoronoiVertices final : public Structure {
 
   Delaunay& delaunay_;
   OneStepCrust& crust_;
-  // Groups of two or more faces. Until there is one, all are empty; faces of rows that came later are in none.
+  // Groups of two or more faces. Until there is one, all tables are empty; faces of later rows are in none.
   Table<FaceSlot, GroupSlot> group_of_;
   Table<GroupSlot, std::vector<FaceSlot>> groups_;
   std::vector<GroupSlot> free_groups_;

@@ -13,28 +13,28 @@
 namespace mes {
 
 /// Grows the minimum spanning tree of the triangulation in the order of certainty from one site (Prim). Each time the
-/// next edge is surer than all so far, what has grown is a component that Kruskal's algorithm makes as well, and what
-/// happens inside it depends on nothing outside. The growth *closes* at the first such component with an even number
+/// next edge is surer than all so far, the grown part is a component that Kruskal's algorithm makes as well, and
+/// nothing inside it depends on what lies outside. The growth *closes* at the first such component with an even number
 /// of odd sites.
 ///
 /// Cost: O(sites grown, times log). Threads: none; work space is kept from one growth to the next.
 class CertaintyGrowth {
  public:
-  /// Position among the sites of a growth.
+  /// Index among the sites of a growth.
   using Place = Slot<struct GrowthTag>;
   struct Step {
-    CertaintyOrder::Rank rank;  ///< the edge through which the site was reached; none for the seed
+    CertaintyOrder::Rank rank;  ///< the edge through which the site was reached; unset for the seed
     SiteSlot site;
     Place from;  ///< the other end of that edge; it comes before this site
   };
 
-  /// Given the spanning tree (spanning_tree.h), the growth looks at its edges only: those are all that it can take.
+  /// If the spanning tree (spanning_tree.h) is given, the growth looks at its edges only: it can take no others.
   CertaintyGrowth(const Delaunay& delaunay, const CertaintyOrder& order,
                   const Table<EdgeSlot, std::uint8_t>* tree = nullptr)
       : delaunay_(delaunay), order_(order), tree_(tree) {}
 
-  /// From `seed`, which is odd; `is_odd(site)` says which sites are, of which there is an even number. False if the
-  /// component would have more than `limit` sites; what has grown by then is what that depends on.
+  /// Grows from `seed`, which is odd; `is_odd(site)` tells which sites are, and their number is even. False if the
+  /// component would have more than `limit` sites; that outcome depends on the sites grown by then.
   template <class IsOdd>
   bool grow(SiteSlot seed, std::size_t limit, IsOdd is_odd, JobControl& job);
 

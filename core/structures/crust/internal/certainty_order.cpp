@@ -40,7 +40,7 @@ double CertaintyOrder::longest_at(SiteSlot site) const {
   return longest;
 }
 
-// The bits of doubles that are not negative are in the order of their values, so the largest is found on all cores.
+// The bits of non-negative doubles have the order of their values, so all cores can look for the largest at once.
 void CertaintyOrder::find_all_longest() {
   longest_.assign(delaunay_.site_rows(), 0.0);
   parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t) {
@@ -72,8 +72,8 @@ bool CertaintyOrder::is_long(EdgeSlot edge) const {
   return is_longer_than_all;
 }
 
-// Site by site, each with what the table says of the others: an edge that changes does so in one of these steps. Where
-// rounded lengths do not tell, it may have. If one end of an edge is unknown, nothing depends on the edge.
+// Site by site, against the table's entries of the others: an edge that changes does so in one of these steps. If
+// rounding decides, it may have changed. If one end of an edge is unknown, nothing depends on the edge.
 void CertaintyOrder::update(const std::vector<SiteSlot>& touched) {
   changed_edges_.clear();
   if (longest_.empty()) return;
@@ -105,7 +105,7 @@ void CertaintyOrder::find_keys() {
   forget_keys();
   Table<EdgeSlot, double> keys;
   run_tasks(2, [&](std::size_t i) { i == 0 ? find_all_longest() : keys.assign(delaunay_.edge_rows(), 0.0); });
-  // Of the two faces, the rows of the first come in order.
+  // Prefetch the second face only: the rows of the first come in order.
   constexpr std::size_t kAhead = 16;
   parallel_for(keys.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end)) {
@@ -117,8 +117,8 @@ void CertaintyOrder::find_keys() {
   keys_ = std::move(keys);
 }
 
-// Edges of a lattice are alike, or nearly so: comparing them two by two would make the same rational numbers again and
-// again.
+// Edges of a lattice are equally certain, or nearly so: comparing them in pairs would compute the same rational numbers
+// again and again.
 void CertaintyOrder::sort_run(std::span<Rank> run, JobControl& job) const {
   std::vector<EdgeCorners> corners;
   corners.reserve(run.size());
@@ -149,7 +149,7 @@ void CertaintyOrder::sort(std::vector<Rank>& ranks, JobControl& job) const {
     std::ranges::sort(ranks, exactly);
     return;
   }
-  // By the keys first: into groups of some four, which are sorted on their own.
+  // First by keys: into groups of about four, each of which is sorted on its own.
   const auto [low, high] = std::ranges::minmax(ranks, {}, &Rank::key);
   const std::size_t groups = ranks.size() / 4;
   const double per_group = static_cast<double>(groups) / std::max(high.key - low.key, 4.0 * kAmbiguityKeyError);
@@ -168,7 +168,7 @@ void CertaintyOrder::sort(std::vector<Rank>& ranks, JobControl& job) const {
       std::sort(at(group == 0 ? 0 : end[group - 1]), at(end[group]),
                 [](const Rank& a, const Rank& b) { return a.key < b.key; });
   });
-  // Then exactly, in each run of keys that differ from the one before by no more than their errors.
+  // Then exactly, in each run of keys that differ from the one before by at most their errors.
   for (std::size_t begin = 0; begin < sorted.size();) {
     std::size_t next = begin + 1;
     while (next < sorted.size() && sorted[next].key - sorted[next - 1].key <= 2.0 * kAmbiguityKeyError) ++next;
@@ -185,7 +185,7 @@ bool CertaintyOrder::mends(EdgeSlot edge) const {
   if (!keys_.empty()) return keys_[edge] < 0.0;
   const SiteSlot* end = delaunay_.edge(edge).v;
   if (!crust_.is_odd(end[0]) || !crust_.is_odd(end[1])) return false;
-  // Which diagonals cocircular sites have is chance, and their triangles are one ball: never between different
+  // The diagonals of cocircular sites are arbitrary, and their triangles are one ball, which never has different
   // labels.
   if (crust_.is_cocircular(edge)) return false;
   if (crust_.is_wall(edge)) return crust_.wall_degree(end[0]) >= 3 && crust_.wall_degree(end[1]) >= 3;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which Delaunay edges give way first where labels cannot follow all of the crust.
+// Which Delaunay edges give way first where labels cannot follow the whole crust.
 #pragma once
 
 #include <span>
@@ -18,22 +18,22 @@ namespace mes {
 /// |cot(alpha + beta)|, the long ones and those between cocircular sites after the rest. Ties are decided by the
 /// lexicographic order of the ends.
 ///
-/// What it guarantees: `is_surer` is exact. Keys are doubles with a proved bound, and where two are closer than that,
-/// the exact predicates of core/kernel/edge_predicates.h decide; so they do where a length is close to the limit.
+/// Guarantee: `is_surer` is exact. Keys are doubles with a proved bound. Where two keys are closer than that, or a
+/// length is close to the limit, the exact predicates of core/kernel/edge_predicates.h decide.
 ///
-/// Why mending edges come first: at a sharp corner the test accepts rungs between its two legs, and by certainty alone
-/// the legs may give way instead, which cuts the corner off and makes a hole of it. Taking out the shortest rungs
-/// leaves every site at degree two.
+/// Why mending edges come first: at a sharp corner the test accepts rungs between its two legs. By certainty alone, the
+/// legs may give way instead, which cuts the corner off and makes a hole of it. Removing the shortest rungs leaves
+/// every site at degree two.
 ///
 /// Why long edges come last: where one of them gives way, the border of the labels runs along it, far from any curve.
 /// Certainty does not see that: an edge across a bay, or of the hull between two capes, is doubtful if the angles
 /// opposite happen to be near 90 degrees. The whole bay then changes sides.
 ///
-/// Under edits: `update` follows them. Lengths are found when they are asked for, and kept. Threads: rank edges in
-/// several only after `find_keys`.
+/// Under edits: `update` follows them. Lengths are found when they are needed, and kept. Threads: several may rank
+/// edges only after `find_keys`.
 class CertaintyOrder {
  public:
-  /// The place of an edge: its key, for most comparisons enough, and the edge.
+  /// The rank of an edge: its key, which is enough for most comparisons, and the edge.
   struct Rank {
     double key = 0.0;  ///< approximate, grows along the order; negative for edges that mend
     EdgeSlot edge;
@@ -48,36 +48,36 @@ class CertaintyOrder {
   }
   /// Forgets everything, as before a rebuild.
   void clear();
-  /// Takes note of an edit. `touched` are all sites at which an edge came or went, or changed its crust bit or an end.
+  /// Records an edit. `touched`: all sites at which an edge was added or removed, or changed its crust bit or an end.
   void update(const std::vector<SiteSlot>& touched);
-  /// Lengths have been asked for since all was forgotten, so that `update` has something to do.
+  /// True if lengths have been needed since the last `clear`, so that `update` has something to do.
   bool keeps_lengths() const { return !longest_.empty(); }
-  /// Edges that were there before and may be long now or not any more, by the last update.
+  /// Older edges that the last update may have made long, or not long any more.
   const std::vector<EdgeSlot>& changed_edges() const { return changed_edges_; }
-  /// The edge would have another kind of key now: one that mends, one of those that come last, or of the others.
+  /// True if the edge would now have another kind of key: mending, last, or other.
   bool has_other_kind(const Rank& rank) const;
 
-  /// Finds the keys of all edges, on all cores, for when most of them will be asked for. They hold until `take_keys`
-  /// or `forget_keys`, one of which has to come before the next edit.
+  /// Finds the keys of all edges, on all cores, for when most of them will be needed. They hold until `take_keys` or
+  /// `forget_keys`, one of which must be called before the next edit.
   void find_keys();
   Table<EdgeSlot, double> take_keys() { return std::exchange(keys_, {}); }
   void forget_keys() { keys_ = {}; }
-  /// The first comes later in the order than the second.
+  /// True if the first comes later in the order than the second.
   bool is_surer(const Rank& a, const Rank& b) const {
     if (std::abs(a.key - b.key) > 2.0 * kAmbiguityKeyError) return a.key > b.key;
     return a.edge != b.edge && is_surer_by_exact_test(a, b);
   }
-  /// The most doubtful first. May throw `Cancelled`. O(n) where keys are well apart, otherwise O(n log n).
+  /// Sorts the most doubtful first. May throw `Cancelled`. O(n) where keys are well apart, otherwise O(n log n).
   void sort(std::vector<Rank>& ranks, JobControl& job) const;
-  /// Contradicting the edge brings both of its ends, which are odd, to degree two or nearer to it.
+  /// True if contradicting the edge brings both of its ends, which are odd, to degree two or nearer to it.
   bool mends(EdgeSlot edge) const;
 
  private:
-  /// Less, and coasts and noisy shapes are lost as a whole where samples lie far apart; from 12 on strokes with jittery
-  /// samples have an inside more often.
+  /// If smaller, coasts and noisy shapes are lost as a whole where samples lie far apart; from 12 on, strokes with
+  /// jittery samples have an inside more often.
   static constexpr double kLong = 8.0;
-  /// Keys of edges that come last begin here, those of the others end at 1. Adding it costs one rounding, for which the
-  /// bound of the keys has room.
+  /// Keys of edges that come last begin here; those of the others end at 1. Adding it costs one rounding, which the
+  /// bound of the keys allows for.
   static constexpr double kLast = 2.0;
   static constexpr double kUnknown = -1.0;
 
@@ -90,7 +90,7 @@ class CertaintyOrder {
   double find_longest_at(SiteSlot site) const;
   void find_all_longest();
 
-  /// From -2 for the shortest to -1, exact up to `kAmbiguityKeyError` and to spare.
+  /// Ranges from -2 for the shortest to -1; exact to better than `kAmbiguityKeyError`.
   double mending_key(EdgeSlot edge) const {
     const SiteSlot* end = delaunay_.edge(edge).v;
     const Vec2 along = delaunay_.site_position(end[1]) - delaunay_.site_position(end[0]);

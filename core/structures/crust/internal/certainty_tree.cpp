@@ -9,8 +9,8 @@ namespace mes {
 
 namespace {
 
-// Keys of edges that are about to go: surer than all others, and all different. No exact test sees such an edge, which
-// may not be there any more.
+// Keys of edges that are about to be removed: surer than all others, and all different. No exact test sees such an
+// edge, which may be dead already.
 constexpr double kGoing = 16.0;
 
 }  // namespace
@@ -51,7 +51,7 @@ void CertaintyTree::make_forests(JobControl& job) {
   });
   job.checkpoint();
 
-  // Both trees, from their roots down.
+  // Build both trees from their roots down.
   std::vector<std::pair<SiteSlot, EdgeSlot>> sites;
   for (const SiteSlot site : delaunay_.site_slots()) {
     if (!delaunay_.is_site(site)) continue;
@@ -153,7 +153,7 @@ void CertaintyTree::update(JobControl& job) {
   };
   for (const EdgeSlot edge : delaunay_.edge_changes().removed) note(edge);
   for (const EdgeSlot edge : delaunay_.edge_changes().touched) note(edge);
-  // What an edge mends depends on the degrees at both of its ends, and whether it is long on the crust edges there.
+  // Whether an edge mends depends on the degrees at both of its ends; whether it is long, on the crust edges there.
   const auto note_other_kind = [&](EdgeSlot edge) {
     if (order_.has_other_kind({key_[edge], edge})) note(edge);
   };
@@ -161,8 +161,8 @@ void CertaintyTree::update(JobControl& job) {
     delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot, FaceSlot) { note_other_kind(edge); });
   for (const EdgeSlot edge : order_.changed_edges()) note_other_kind(edge);
 
-  // Those that go become the surest of all: what is left of the tree of sites without them is then the minimum spanning
-  // forest of the edges that stay.
+  // Edges to be removed become the surest of all. The rest of the tree of sites is then the minimum spanning forest of
+  // the edges that stay.
   for (std::size_t i = 0; i < going_.size(); ++i) key_[going_[i]] = kGoing + static_cast<double>(i);
   for (const EdgeSlot edge : going_)
     if (place_[edge] == Place::faces) faces_.refresh(edge);
@@ -178,7 +178,7 @@ void CertaintyTree::update(JobControl& job) {
     put_between_faces(edge);
   }
   for (const EdgeSlot edge : going_) take_out(edge);
-  // No cycle is closed in either forest on the way: edges that have not come yet hold all together.
+  // Neither forest gets a cycle on the way: edges yet to be inserted hold everything together.
   for (std::size_t i = 0; i < coming_.size(); ++i) {
     if ((i & 1023U) == 0) job.checkpoint();
     const EdgeSlot edge = coming_[i];

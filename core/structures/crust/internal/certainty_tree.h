@@ -15,40 +15,40 @@
 namespace mes {
 
 /// Every Delaunay edge is in one of two trees. The minimum spanning tree of the sites, in the order of certainty, has
-/// the doubtful ones; the faces, with all that lies at infinity as one face, are spanned by the edges that cross the
-/// others, the sure ones. Labels handed on from infinity through the tree of faces are what `ConflictJoin` comes to:
-/// only edges of the tree of sites can contradict the crust.
+/// the doubtful ones. The others, the sure ones, are crossed by the tree of the faces, in which everything at infinity
+/// is one face. Labels handed on from infinity through the tree of faces agree with `ConflictJoin`: only edges of the
+/// tree of sites can contradict the crust.
 ///
-/// What it guarantees: the trees depend on the positions of the sites alone, whatever the history.
+/// Guarantee: the trees depend on the positions of the sites alone, whatever the history.
 ///
-/// Cost: rebuild O(n log n), see `spanning_tree`; update O(log n) for an edge that came, went or has another rank,
-/// amortised. Some 300 bytes a site. How: an edge that is removed is replaced by the most doubtful edge on the path
-/// between its two faces; an edge that is inserted takes the place of the surest edge on the path between its two
-/// sites, if that is surer than itself. Source: Eppstein, Italiano, Tamassia, Tarjan, Westbrook and Yung, "Maintenance
-/// of a minimum spanning forest in a dynamic plane graph", 1992.
+/// Cost: rebuild O(n log n), see `spanning_tree`; update O(log n), amortised, for each edge that was added, removed or
+/// ranked differently. About 300 bytes per site. How: a removed edge is replaced by the most doubtful edge on the path
+/// between its two faces; an inserted edge replaces the surest edge on the path between its two sites, if that is surer
+/// than itself. Source: Eppstein, Italiano, Tamassia, Tarjan, Westbrook and Yung, "Maintenance of a minimum spanning
+/// forest in a dynamic plane graph", 1992.
 class CertaintyTree {
  public:
   CertaintyTree(const Delaunay& delaunay, const OneStepCrust& crust, const CertaintyOrder& order);
   CertaintyTree(const CertaintyTree&) = delete;
   CertaintyTree& operator=(const CertaintyTree&) = delete;
 
-  /// The edge is in the tree of faces; otherwise in that of the sites.
+  /// True if the edge is in the tree of faces; otherwise it is in that of the sites.
   bool is_between_faces(EdgeSlot edge) const { return place_[edge] >= Place::faces; }
   void expect(EdgeSlot edge) const { prefetch(place_.address(edge)); }
 
-  /// Tells which edge is in which tree, and no more. Takes the spanning tree (spanning_tree.h) and the keys of all edges.
+  /// Only records which edge is in which tree. Takes the spanning tree (spanning_tree.h) and the keys of all edges.
   void rebuild(const Table<EdgeSlot, std::uint8_t>& is_in_tree, Table<EdgeSlot, double> keys);
-  /// Makes what `update` needs besides, and is the larger part of the work.
+  /// Builds the other data that `update` needs, which is the larger part of the work.
   void make_forests(JobControl& job);
-  /// `make_forests` has been called since `rebuild`.
+  /// True if `make_forests` has been called since `rebuild`.
   bool has_forests() const { return has_forests_; }
-  /// Follows the change sets of the triangulation and the crust.
+  /// Applies the change sets of the triangulation and the crust.
   void update(JobControl& job);
-  /// Of each two neighbours, in the tree of faces, the one between which and infinity lies an odd number of those pairs.
-  /// The forests must be there. O(log n) for each pair, amortised.
+  /// Each pair are neighbours in the tree of faces. Finds the one of the two that an odd number of these pairs
+  /// separates from infinity. Requires the forests. O(log n) for each pair, amortised.
   void find_odd_sides(const std::vector<std::pair<FaceSlot, FaceSlot>>& pairs, std::vector<FaceSlot>& out);
-  /// Walls for a walk through the tree of faces, each of which can be noted to have been met. To be lowered before the
-  /// next update.
+  /// Walls for a walk through the tree of faces; each can be marked as met. They must be lowered before the next
+  /// update.
   void raise(std::span<const EdgeSlot> walls) {
     for (const EdgeSlot edge : walls) place_[edge] = Place::wall;
   }
@@ -63,7 +63,7 @@ class CertaintyTree {
 
  private:
   enum class Place : std::uint8_t { none, sites, faces, wall, met_wall };  // the last two are between faces
-  /// Vertices of the two forests. Face 0 is all at infinity.
+  /// Vertices of the two forests. Face 0 is everything at infinity.
   using Vertex = std::uint32_t;
   struct Ends {
     Vertex sites[2]{};

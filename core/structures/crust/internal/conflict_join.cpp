@@ -27,7 +27,7 @@ bool ConflictJoin::grow(SiteSlot seed, JobControl& job) {
   Cluster cluster;
   parity_.assign(steps.size(), 0);
   for (const auto& step : steps) {
-    // Clusters inside this one.
+    // Dissolve clusters inside this one.
     if (cluster_of_[step.site].is_valid()) dissolve(cluster_of_[step.site]);
     cluster.sites.push_back(step.site);
   }

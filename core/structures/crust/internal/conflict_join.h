@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where labels must contradict the crust when few samples are odd: pieces of the spanning tree around them.
+// Where labels must contradict the crust if few samples are odd: pieces of the spanning tree around them.
 #pragma once
 
 #include <unordered_map>
@@ -11,15 +11,15 @@
 namespace mes {
 
 /// The join of the odd sites in the spanning tree of the triangulation: the edges of the tree that separate an odd
-/// number of them from the rest. Odd are sites of odd crust degree that are not the end of an open stroke. Where labels
-/// contradict the crust at these edges, and at those of open strokes, they are consistent.
+/// number of them from the rest. A site is odd if its crust degree is odd and it is not the end of an open stroke. If
+/// labels contradict the crust at these edges, and at those of open strokes, they are consistent.
 ///
-/// Why it is local. What grows from an odd site (`CertaintyGrowth`) closes in a component whose edges of the join
+/// Why it is local: the growth from an odd site (`CertaintyGrowth`) closes in a component whose edges of the join
 /// depend on nothing outside it. These *clusters* are nested or disjoint; the outermost ones are kept, and an edit
 /// touches only the clusters that share a site with it.
 ///
-/// Cost: O(sites in the clusters touched, times log). Near a corner a cluster has a handful of sites. Where clusters
-/// grow to a good part of the plane, as among random points, `CertaintyTree` is the way.
+/// Cost: O(k log k) for k sites in the clusters touched. Near a corner a cluster has a handful of sites. Where clusters
+/// grow to a good part of the plane, as among random points, `CertaintyTree` is used instead.
 class ConflictJoin {
  public:
   ConflictJoin(const Delaunay& delaunay, const OneStepCrust& crust, const CertaintyOrder& order,
@@ -31,9 +31,9 @@ class ConflictJoin {
   void clear();
   /// False if clusters would take up a good part of the plane; the object must then be cleared or rebuilt.
   bool rebuild(JobControl& job);
-  /// As `rebuild`. `touched` is as for `OpenStrokes::update`, whose changes are taken as well.
+  /// Like `rebuild`. `touched` is as for `OpenStrokes::update`, whose changes are included.
   bool update(const std::vector<SiteSlot>& touched, JobControl& job);
-  /// Of the last update; among them may be edges that are not alive any more and some that are as they were.
+  /// Edges that the last update may have changed; some may be dead, and some unchanged.
   const std::vector<EdgeSlot>& changed_edges() const { return changed_edges_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Labels of all faces, handed on from infinity.
+// Spreads labels from infinity to all faces.
 #pragma once
 
 #include <algorithm>
@@ -14,13 +14,12 @@
 
 namespace mes {
 
-/// Labels every live face: those at infinity 0, and from a face to its neighbour `i` the label changes exactly if
-/// `is_border(face, i)`, wherever `is_passage(face, i)`. Both are to be the same seen from the neighbour. Passages join
-/// all faces to infinity, and no closed way through them crosses an odd number of borders. Rows that are not alive are
-/// 0.
+/// Labels every live face: 0 at infinity; from a face to its neighbour `i`, wherever `is_passage(face, i)`, the label
+/// changes exactly if `is_border(face, i)`. Both must be the same seen from the neighbour. Passages must join all faces
+/// to infinity, and no closed path through them may cross an odd number of borders. Dead rows get 0.
 ///
-/// Cost: O(faces). How: the rows are cut into `parts`, in each of which faces that hang together are labelled up to
-/// their sign; the signs follow from the passages between parts. Threads: borrows other cores.
+/// Cost: O(faces). How: the rows are cut into `parts`, in each of which connected faces are labelled up to their sign;
+/// the signs follow from the passages between parts. Threads: borrows other cores.
 template <class IsPassage, class IsBorder>
 class LabelSpread {
  public:
@@ -61,13 +60,13 @@ class LabelSpread {
   struct Part {
     FaceSlot begin, end;
     std::uint32_t pieces = 0;
-    std::size_t first_piece = 0;            // among those of all parts
-    std::vector<std::uint8_t> at_infinity;  // by piece: how it labels what lies there, if it has any
+    std::size_t first_piece = 0;            // index among the pieces of all parts
+    std::vector<std::uint8_t> at_infinity;  // by piece: its label for faces at infinity, if it has any
     std::vector<Link> links;                // to later parts
     bool holds(FaceSlot face) const { return begin <= face && face < end; }
   };
 
-  // A piece's sign is that of the piece above it, turned over where `turns_` says so.
+  // A piece's sign is that of the piece above it, flipped where `turns_` says so.
   std::size_t top_of(std::size_t piece) {
     std::size_t top = piece;
     std::uint8_t sign = 0;
@@ -80,7 +79,7 @@ class LabelSpread {
     return top;
   }
 
-  // Pieces on either side of a link have signs that fit; those with a face at infinity know theirs.
+  // Pieces on either side of a link have matching signs; those with a face at infinity know theirs.
   void find_signs(const Table<FaceSlot, std::uint8_t>& inside) {
     std::size_t pieces = 0;
     for (Part& part : parts_) {
@@ -125,7 +124,7 @@ class LabelSpread {
     std::vector<FaceSlot> next_front;
     std::uint64_t done = 0;
     const bool is_whole = parts_.size() == 1;
-    // In breadth, so that a face's row is on its way while others are looked at.
+    // Breadth first, so that a face's row is being fetched while others are looked at.
     const auto spread = [&](FaceSlot seed) {
       inside[seed] = 0;
       front.push_back(seed);
@@ -177,7 +176,7 @@ class LabelSpread {
   IsBorder is_border_;
   std::vector<Part> parts_;
   Table<FaceSlot, std::uint32_t> piece_of_;  // within its part
-  // By piece, those of all parts.
+  // Indexed by piece, over all parts.
   std::vector<std::uint32_t> above_;
   std::vector<std::uint8_t> turns_;
   std::vector<std::uint8_t> sign_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Whether one length exceeds a multiple of another, exactly.
+// Decides exactly whether one length exceeds a multiple of another.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +10,8 @@
 
 namespace mes {
 
-/// Of |ab| and |cd| from their rounded squares: 1 if |ab| exceeds `times` |cd|, -1 if it is less, 0 if rounding decides.
-/// `times` is a power of two.
+/// Compares |ab| with `times` |cd| by their rounded squares: 1 if |ab| is larger, -1 if it is smaller, 0 if rounding
+/// decides. `times` is a power of two.
 inline int compare_rounded(double square_of_ab, double times, double square_of_cd) {
   const double limit = times * times * square_of_cd;
   const double size = std::max(square_of_ab, limit);
@@ -20,7 +20,7 @@ inline int compare_rounded(double square_of_ab, double times, double square_of_c
   return square_of_ab > limit ? 1 : -1;
 }
 
-/// |ab| exceeds `times` |cd|, exactly. `times` is a power of two.
+/// True if |ab| exceeds `times` |cd|, exactly. `times` is a power of two.
 inline bool is_longer(Vec2 a, Vec2 b, double times, Vec2 c, Vec2 d) {
   const double size = std::max({std::abs(c.x), std::abs(c.y), std::abs(d.x), std::abs(d.y)});
   if (size < 1e300) return compare_lengths(a, b, times * c, times * d) > 0;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Trees that are linked and cut, and asked for the best edge on the way between two of their vertices.
+// Trees that can be linked and cut, with a query for the best edge on the path between two of their vertices.
 #pragma once
 
 #include <array>
@@ -21,7 +21,7 @@ namespace mes {
 ///     forest.link(EdgeSlot(1), 1, 2);
 ///     const EdgeSlot best = forest.best_between(0, 2);
 ///
-/// Cost: O(log n) a call, amortised; 20 bytes a vertex and 20 an edge. Threads: none, not even for two questions at
+/// Cost: O(log n) per call, amortised; 20 bytes per vertex and 20 per edge. Threads: none, not even two queries at
 /// once. Source: Sleator and Tarjan, "Self-adjusting binary search trees", 1985: every tree is cut into paths, each of
 /// which is a splay tree in the order of the path. Vertices and edges are its nodes.
 template <class Edge, class Better>
@@ -36,21 +36,21 @@ class LinkCutForest {
     nodes_[0].assign(vertices, {});
     nodes_[1].assign(edges, {});
   }
-  /// Makes room; what is new is not linked.
+  /// Makes room; new rows are not linked.
   void grow(std::size_t vertices, std::size_t edges) {
     if (vertices > nodes_[0].size()) nodes_[0].resize(vertices);
     if (edges > nodes_[1].size()) nodes_[1].resize(edges);
   }
 
-  /// As `link`, where `child` is linked to nothing above it yet and never was: builds a tree from its root down in O(1)
-  /// an edge.
+  /// Like `link`, for a `child` that is not linked to anything above it and never was: builds a tree from its root down
+  /// in O(1) per edge.
   void hang(Edge edge, Vertex parent, Vertex child) {
     const Node e = node_of(edge);
     at(e).best = edge;
     at(e).parent = node_of_vertex(parent);
     at(node_of_vertex(child)).parent = e;
   }
-  /// Joins two trees by an edge, which is in neither.
+  /// Joins two trees by an edge that is in neither.
   void link(Edge edge, Vertex a, Vertex b) {
     const Node e = node_of(edge);
     at(e) = {};
@@ -60,12 +60,12 @@ class LinkCutForest {
     access(node_of_vertex(b));
     at(e).parent = node_of_vertex(b);
   }
-  /// Takes out an edge between these two.
+  /// Removes an edge between these two.
   void cut(Edge edge, Vertex a, Vertex b) {
     const Node e = node_of(edge);
     make_root(e);
     for (const Vertex end : {a, b}) {
-      // The way from the edge to its end is these two.
+      // The path from the edge to its end consists of these two.
       const Node v = node_of_vertex(end);
       access(v);
       at(at(v).child[0]).parent = kNone;
@@ -80,29 +80,29 @@ class LinkCutForest {
     access(node_of_vertex(b));
     return at(node_of_vertex(a)).parent != kNone;
   }
-  /// Of two different vertices of one tree.
+  /// The best edge on the path between two different vertices of one tree.
   Edge best_between(Vertex a, Vertex b) {
     make_root(node_of_vertex(a));
     access(node_of_vertex(b));
     return at(node_of_vertex(b)).best;
   }
-  /// Marks are gone when the edge is linked again.
+  /// Linking an edge again clears its mark.
   void set_mark(Edge edge, bool is_marked) {
     access(node_of(edge));
     at(node_of(edge)).is_marked = is_marked;
     pull(node_of(edge));
   }
-  /// On the way between two vertices of one tree, an odd number of edges is marked.
+  /// True if an odd number of edges is marked on the path between two vertices of one tree.
   bool are_marks_odd(Vertex a, Vertex b) {
     make_root(node_of_vertex(a));
     access(node_of_vertex(b));
     return at(node_of_vertex(b)).has_odd_marks;
   }
-  /// To be called when the edge has become better or worse.
+  /// Must be called when the edge has become better or worse.
   void refresh(Edge edge) { access(node_of(edge)); }
 
  private:
-  // The last bit says vertex or edge.
+  // The last bit tells an edge from a vertex.
   using Node = std::uint32_t;
   static constexpr Node kNone = 0xffffffffU;
   static Node node_of_vertex(Vertex vertex) { return vertex << 1U; }
@@ -111,10 +111,10 @@ class LinkCutForest {
   struct Body {
     Node parent = kNone;  // in the splay tree, or above its path
     std::array<Node, 2> child{kNone, kNone};
-    Edge best;  // of the splay tree from here down
+    Edge best;  // best edge of the splay tree from here down
     bool is_reversed = false;
     bool is_marked = false;      // the edge itself
-    bool has_odd_marks = false;  // the splay tree from here down
+    bool has_odd_marks = false;  // for the splay tree from here down
   };
   Body& at(Node node) { return nodes_[node & 1U][node >> 1U]; }
 
@@ -173,7 +173,7 @@ class LinkCutForest {
     }
     pull(node);
   }
-  // Afterwards the node is the top of the path from the root of its tree to itself.
+  // Makes the node the top of the path from the root of its tree to itself.
   void access(Node node) {
     Node below = kNone;
     for (Node up = node; up != kNone; up = at(up).parent) {

@@ -25,7 +25,7 @@ void OpenStrokes::set_match(SiteSlot site, const Match& match) {
   degree_change_[site] = match.partner == kNoSlot ? 0 : (crust_.is_wall(match.edge) ? -1 : 1);
 }
 
-// The site and its partner, if any, are free again, and look for others.
+// Frees the site and its partner, if any, to look for others.
 void OpenStrokes::part(SiteSlot site) {
   const SiteSlot partner = match_[site].partner;
   set_match(site, {});
@@ -34,8 +34,8 @@ void OpenStrokes::part(SiteSlot site) {
   proposers_.push_back(partner);
 }
 
-// Sites propose along their most doubtful edge to those that are free or prefer it to theirs. What comes out is the
-// same whatever the order: all agree on which edges are better.
+// Sites propose along their most doubtful edge to those that are free or prefer it to theirs. The result does not
+// depend on the order of proposals, since all agree on which edges are better.
 void OpenStrokes::match_all(JobControl& job) {
   std::size_t done = 0;
   while (!proposers_.empty()) {
@@ -123,7 +123,7 @@ bool OpenStrokes::finds_partner(SiteSlot site, std::size_t reach, Walk& walk, Jo
   return finds;
 }
 
-// Where one end finds a partner that is not the other end, the other's growth does not count: looking a little way from
+// If one end finds a partner that is not the other end, the other's growth does not matter: looking a little way from
 // both first decides most chains of noise.
 bool OpenStrokes::finds_other_nearby(SiteSlot a, SiteSlot b, Walk& walk, JobControl& job) const {
   for (const auto& [from, to] : {std::pair(b, a), std::pair(a, b)}) {
@@ -170,7 +170,7 @@ bool OpenStrokes::is_open(SiteSlot a, SiteSlot b, Walk& walk, JobControl& job) c
   return apart > 2 && edges + 1 < kStrokeSites * component;
 }
 
-// The curve edge at the site that is not `last`; there is one. The search ends there, which halves it.
+// The curve edge at the site that is not `last`; there is only one, so stopping there halves the search.
 EdgeSlot OpenStrokes::next_on_curve(SiteSlot site, EdgeSlot last) const {
   FaceSlot at = delaunay_.site_face(site);
   for (;;) {
@@ -195,12 +195,12 @@ SiteSlot OpenStrokes::end_of_stroke(SiteSlot begin, Walk& walk, JobControl& job)
     walk.edges.push_back(on);
     site = delaunay_.edge(on).v[delaunay_.edge(on).v[0] == site ? 1 : 0];
     if ((walk.edges.size() & 1023U) == 0) job.checkpoint();
-    // Around a closed curve with a gap it is a long way, and the partner is near.
+    // Around a closed curve with a gap the walk is long, but the partner is near.
     if (walk.edges.size() == kLong && finds_partner(begin, kReach, walk, job))
       most_edges = kStrokeSites * walk.growth.steps().size();
     if (walk.edges.size() + 1 >= most_edges) return {};
   }
-  // Noted once, at that of its two ends whose row comes first: the other may depend on fewer sites.
+  // A stroke is recorded once, at its end with the lower row: the other end may depend on fewer sites.
   if (curve_degree(site) != 1) return {};
   walk.end = site;
   if (site < begin || !is_open(begin, site, walk, job)) return {};
@@ -229,7 +229,7 @@ void OpenStrokes::note_stroke(ChainSlot slot, SiteSlot end, const std::vector<Ed
 
 void OpenStrokes::find_chain(SiteSlot begin, JobControl& job) {
   if (!delaunay_.is_site(begin) || curve_degree(begin) != 1) return;
-  // What begins here is known already.
+  // The chain that begins here is known already.
   for (WatchSlot at = first_watch_[begin]; at != kNoSlot; at = watches_[at].next)
     if (chains_[watches_[at].chain].begin == begin) return;
   const ChainSlot slot = new_chain(begin);
@@ -238,7 +238,7 @@ void OpenStrokes::find_chain(SiteSlot begin, JobControl& job) {
   if (end != kNoSlot) note_stroke(slot, end, walk_.edges);
 }
 
-// On all cores, without noting what the outcome depends on.
+// Runs on all cores, without recording the sites that the outcome depends on.
 void OpenStrokes::find_strokes(const std::vector<SiteSlot>& begins, const Table<EdgeSlot, std::uint8_t>& tree,
                                JobControl& job) {
   constexpr std::size_t kPiece = 512;
@@ -291,8 +291,8 @@ void OpenStrokes::clear() {
   changed_ends_.clear();
 }
 
-// What `match_all` comes to, where the keys of all edges are known: all agree on which edges are better, so they are
-// taken in that order, each if both of its ends are still free. Nothing was matched before.
+// Gives the result of `match_all` if the keys of all edges are known: all agree on which edges are better, so they are
+// taken in that order, each if both of its ends are still free. Nothing may be matched before.
 void OpenStrokes::match_in_order(JobControl& job) {
   std::vector<std::vector<CertaintyOrder::Rank>> found(chunk_count(delaunay_.edge_rows()));
   parallel_for(delaunay_.edge_rows(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
@@ -317,7 +317,7 @@ void OpenStrokes::match_in_order(JobControl& job) {
 }
 
 void OpenStrokes::rebuild(JobControl& job) {
-  // Interrupted, it is done again before anything is updated.
+  // If interrupted, the rebuild is done again before anything is updated.
   is_ready_to_update_ = false;
   clear();
   if (crust_.odd_count() == 0 || delaunay_.dimension() < 2) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which sides of a set of violated edges must be turned over.
+// Decides which sides of a set of violated edges must be turned over.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@
 
 namespace mes {
 
-/// Faces are cut apart by the violated edges into regions. Every violated edge has two different regions on its
-/// sides, and exactly one of the two must be turned over; regions with a face at infinity stay. `SideSearch` finds
-/// the regions by searching from all violated edges in lock-step and stops when all but one are known whole, so that
-/// the largest region, usually the rest of the plane, is hardly visited.
+/// Violated edges cut the faces into regions. Every violated edge has two different regions on its sides, and exactly
+/// one of the two must be turned over; regions with a face at infinity stay. `SideSearch` finds the regions by
+/// searching from all violated edges in lock-step. It stops when all but one are known completely, so that the largest
+/// region, usually the rest of the plane, is hardly visited.
 ///
 /// Cost: O(faces of all regions but the largest, times the number of fronts still open).
 class SideSearch {
  public:
   /// `for_each_open_neighbour(face, visit)` calls `visit(neighbour)` across edges that are not violated;
-  /// `is_infinite(face)` tells faces at infinity. `turn(face)` is called once for every face to be turned over.
-  /// Faces are rows below `face_rows`. False when the demands contradict each other; nothing has been turned then.
+  /// `is_infinite(face)` tells faces at infinity. `turn(face)` is called once for every face to be turned over. Faces
+  /// are rows below `face_rows`. False if the demands contradict each other; nothing has been turned then.
   template <class ForEachOpenNeighbour, class IsInfinite, class Turn>
   bool run(const std::vector<std::pair<FaceSlot, FaceSlot>>& violated, ForEachOpenNeighbour for_each_open_neighbour,
            IsInfinite is_infinite, Turn turn, std::size_t face_rows, JobControl& job);
@@ -30,7 +30,7 @@ class SideSearch {
  private:
   struct Front {
     std::uint32_t parent = 0;
-    std::vector<FaceSlot> faces;  // reached; those from `next` on are still to be left
+    std::vector<FaceSlot> faces;  // reached faces; those from `next` on have yet to be searched from
     std::size_t next = 0;
     bool anchored = false;  // holds a face at infinity
     bool is_exhausted() const { return next == faces.size(); }
@@ -42,7 +42,7 @@ class SideSearch {
     }
     return front;
   }
-  // True when no front had reached the face.
+  // True if no front had reached the face.
   bool reach(FaceSlot face, std::uint32_t front) {
     if (!reached_.insert(face)) return false;
     front_of_[face] = front;
@@ -56,14 +56,14 @@ class SideSearch {
     }
     return front_of_[face];
   }
-  // The smaller joins the larger. Faces that either has not searched from yet remain to be searched from.
+  // The smaller joins the larger. Faces of either that have not been searched from remain to be.
   std::uint32_t merge(std::uint32_t a, std::uint32_t b) {
     if (fronts_[a].faces.size() < fronts_[b].faces.size()) std::swap(a, b);
     Front& large = fronts_[a];
     Front& small = fronts_[b];
     small.parent = a;
     large.anchored = large.anchored || small.anchored;
-    // Left faces go to the front part, open ones to the back, so `next` keeps its meaning.
+    // Searched faces go to the front part, the others to the back, so `next` keeps its meaning.
     large.faces.insert(large.faces.begin() + static_cast<std::ptrdiff_t>(large.next), small.faces.begin(),
                        small.faces.begin() + static_cast<std::ptrdiff_t>(small.next));
     large.next += small.next;
@@ -76,7 +76,7 @@ class SideSearch {
 
   std::vector<Front> fronts_;
   SlotMarks<FaceSlot> reached_;
-  Table<FaceSlot, std::uint32_t> front_of_;  // of those reached
+  Table<FaceSlot, std::uint32_t> front_of_;  // for reached faces
 };
 
 template <class ForEachOpenNeighbour, class IsInfinite, class Turn>
@@ -127,8 +127,8 @@ bool SideSearch::run(const std::vector<std::pair<FaceSlot, FaceSlot>>& violated,
     open.resize(distinct);
   }
 
-  // Colour the regions: neighbours across a violated edge differ. Anchored regions stay, and so does, in a component
-  // without one, the region that was not searched to its end.
+  // Colour the regions: neighbours across a violated edge differ. Anchored regions stay; in a component without one,
+  // the region that was not searched completely stays.
   std::vector<std::vector<std::uint32_t>> across(fronts_.size());
   for (auto& [a, b] : demands) {
     a = root(a);
@@ -165,7 +165,7 @@ bool SideSearch::run(const std::vector<std::pair<FaceSlot, FaceSlot>>& violated,
 
   for (std::uint32_t f = 0; f < fronts_.size(); ++f) {
     if (root(f) != f || colour[f] != 1) continue;
-    // The one region that is not known whole may have to be turned as well: then its rest is searched now.
+    // The one region that is not known completely may have to be turned as well: then the rest of it is searched now.
     while (!fronts_[f].is_exhausted()) {
       if ((++steps & 4095U) == 0) job.checkpoint();
       const FaceSlot face = fronts_[f].faces[fronts_[f].next++];

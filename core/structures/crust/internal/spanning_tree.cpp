@@ -60,7 +60,7 @@ class SpanningTree {
     return all;
   }
 
-  // Cells of a grid, so that uniform sites fill the blocks equally.
+  // Blocks are runs of cells of a grid, so that uniform sites fill them equally.
   std::size_t cut_into_blocks(std::size_t sites_per_block) {
     const double cells = static_cast<double>(delaunay_.site_count()) / static_cast<double>(sites_per_block);
     const auto side = static_cast<std::uint32_t>(std::clamp(std::sqrt(cells), 1.0, 256.0));
@@ -82,8 +82,8 @@ class SpanningTree {
     return std::size_t{side} * side;
   }
 
-  // The edges that have an end in a block come to lie together; those between two blocks lie in both, and once more at
-  // the end.
+  // Brings the edges with an end in a block together; those between two blocks are in both groups, and once more in a
+  // last one.
   void distribute_edges(std::size_t blocks) {
     const std::size_t rows = delaunay_.edge_rows();
     const std::size_t parts = worker_count();
@@ -98,7 +98,7 @@ class SpanningTree {
       visit(b);
       visit(blocks);
     };
-    std::vector<std::vector<std::size_t>> place(parts);  // first how many there are, then where the next one goes
+    std::vector<std::vector<std::size_t>> place(parts);  // first the counts, then the next positions
     run_tasks(parts, [&](std::size_t part) {
       std::vector<std::size_t> counts(blocks + 1, 0);
       for (const EdgeSlot edge : rows_of(part)) {
@@ -132,9 +132,9 @@ class SpanningTree {
     return ranks;
   }
 
-  // Kruskal's algorithm twice at once: `joined_` has the components that edges of this block make, and `kept_` those of
-  // the edges that are in the tree for certain, where what is outside the block is one component, too, with all that
-  // `reaches_out_`.
+  // Runs Kruskal's algorithm twice at once. `joined_` has the components that edges of this block make. `kept_` has
+  // those of the edges that are certainly in the tree; there, everything outside the block is one component, together
+  // with all that `reaches_out_`.
   void decide_within(std::size_t block, JobControl& job) {
     std::vector<Rank> ranks = ranks_of_group(block);
     order_.sort(ranks, job);
@@ -184,10 +184,10 @@ class SpanningTree {
   const CertaintyOrder& order_;
   Table<EdgeSlot, std::uint8_t> is_in_tree_;
   Table<SiteSlot, Block> block_of_;
-  std::unique_ptr<RowNumber[]> edges_;   // by block
-  std::vector<std::size_t> begin_;       // of each block in `edges_`, of the edges between blocks, and the end of all
-  std::vector<std::vector<Rank>> open_;  // by block: what is not decided within it
-  // Rows of one block are those of one thread.
+  std::unique_ptr<RowNumber[]> edges_;   // grouped by block
+  std::vector<std::size_t> begin_;       // start of each block in `edges_`, of the edges between blocks, and the end
+  std::vector<std::vector<Rank>> open_;  // by block: edges that are not decided within it
+  // Rows of one block belong to one thread.
   DisjointSets<SiteSlot> kept_;
   DisjointSets<SiteSlot> joined_;
   Table<SiteSlot, std::uint8_t> reaches_out_;  // by root of `kept_`
