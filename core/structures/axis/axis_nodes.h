@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which nodes of the medial axis changed.
+// Tracks which nodes of the medial axis changed.
 #pragma once
 
 #include "core/base/change_set.h"
@@ -14,7 +14,7 @@ class AxisNodes final : public Structure {
  public:
   AxisNodes(Delaunay& delaunay, InnerBalls& balls, MedialAxis& axis);
 
-  /// Faces that may have become a node, ceased to be one, or have a new degree.
+  /// Faces that may have become a node, ceased to be one, or changed degree.
   const ChangeSet<FaceSlot>& changes() const { return changes_; }
 
   void rebuild(JobControl& job) override;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What inner balls and axis know of the rows they share with `Delaunay`.
+// Explains the part of inner balls and axis in the rows that they share with `Delaunay`.
 #include <algorithm>
 #include <vector>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Inner Voronoi balls: the circumdisks of inside triangles, with equal ones known as one.
+// Inner Voronoi balls: the circumdisks of inside triangles, with equal ones identified.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace mes {
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. A face is a ball exactly when it is finite and inside.
 ///  2. Two faces have the same `ball` exactly when their circumcircles are equal as real circles. Such faces always
 ///     have the same label.
@@ -30,7 +30,7 @@ class InnerBalls final : public Structure {
 
   const VoronoiVertices& vertices() const { return vertices_; }
 
-  /// Faces that became, are still or stopped being balls, or whose group changed.
+  /// Faces that became, remained or ceased to be balls, or whose group changed.
   const ChangeSet<FaceSlot>& changes() const { return changes_; }
 
   void rebuild(JobControl& job) override;

@@ -8,7 +8,7 @@
 
 namespace mes {
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. An edge of the axis is a Voronoi edge whose two Voronoi vertices are inside, unless its samples share a border:
 ///     each region has an axis of its own. Edges of length exactly zero join faces of one node and are not edges of the
 ///     graph.
@@ -23,21 +23,21 @@ class MedialAxis final : public Structure {
  public:
   MedialAxis(Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls);
 
-  /// The dual of the Delaunay edge joins two inside faces of one region (its length may be zero).
+  /// True if the dual of the Delaunay edge joins two inside faces of one region (its length may be zero).
   bool is_axis_edge(EdgeSlot edge) const {
     const EdgeRow& row = delaunay_.edge(edge);
     return row.f[0] != kNoSlot &&
            (labels_.is_inside(row.f[0]) & labels_.is_inside(row.f[1]) & !crust_.is_shared(edge));
   }
   bool is_zero_length(EdgeSlot edge) const { return crust_.is_cocircular(edge); }
-  /// The face stands for a node of the axis.
+  /// True if the face stands for a node of the axis.
   bool is_node(FaceSlot face) const { return balls_.is_ball(face) && balls_.ball(face) == face; }
-  /// Axis edges of positive length at a node. O(faces of the node), which is one unless samples are cocircular.
+  /// Number of axis edges of positive length at a node. O(faces of the node): one unless samples are cocircular.
   int node_degree(FaceSlot face) const;
 
   const ChangeSet<EdgeSlot>& edge_changes() const { return labels_.edge_changes(); }
 
-  // The axis has no rows of its own: it is a view of labels and balls, so there is nothing to follow.
+  // The axis has no rows of its own: it is a view of labels and balls, so there is nothing to update.
   void rebuild(JobControl&) override {}
   bool update(JobControl&) override { return true; }
   void clear_changes() override {}
