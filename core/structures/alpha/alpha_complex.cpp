@@ -66,12 +66,12 @@ void AlphaComplex::clear_changes() {
 Vec2 AlphaComplex::crossing(SiteSlot site, SiteSlot other) const {
   const Vec2 p = delaunay_.site_position(site);
   const Vec2 q = delaunay_.site_position(other);
-  // From the first end on, so that both arcs that meet there have it to the last bit.
+  // Starts from the smaller end, so that both arcs that meet at the crossing have the same bits.
   const bool is_turned = lexicographically_less(q, p);
   const Vec2 first = is_turned ? q : p;
   const Vec2 along = is_turned ? p - q : q - p;
   const double size = length(along);
-  // In twice the digits: where circles all but touch, half of them cancel.
+  // Twice the digits: half of them cancel where circles all but touch.
   const TwoDoubles x = TwoDoubles::difference(p.x, q.x), y = TwoDoubles::difference(p.y, q.y);
   const TwoDoubles square = TwoDoubles(radius_) * TwoDoubles(radius_) - TwoDoubles(0.25) * (x * x + y * y);
   const double height = std::sqrt(std::max(0.0, square.value()));
@@ -81,7 +81,7 @@ Vec2 AlphaComplex::crossing(SiteSlot site, SiteSlot other) const {
 
 SiteSlot AlphaComplex::next_held(SiteSlot site, EdgeSlot edge, FaceSlot left) const {
   if (delaunay_.dimension() < 2) {
-    // At most one other.
+    // The site has at most one other held edge.
     SiteSlot out = kNoSlot;
     SiteSlot own = kNoSlot;
     delaunay_.for_each_edge_at(site, [&](EdgeSlot at, SiteSlot end, FaceSlot) {
@@ -108,15 +108,15 @@ std::optional<Arc> AlphaComplex::arc(EdgeEndSlot row) const {
   if (!is_open(left)) return std::nullopt;
   const SiteSlot next = next_held(site, edge, left);
   const Vec2 from = crossing(site, other);
-  // To the right of the next edge, which is to the left of it seen from its other end.
+  // The crossing to the right of the next edge is the one to its left, seen from its other end.
   const Vec2 to = crossing(next, site);
-  // Circles that touch leave everything of a circle that touches one other only, and else arcs of length zero between
-  // equal ends, which would mean the whole circle.
+  // The ends coincide where circles touch. A circle that touches only one other keeps its whole boundary; otherwise the
+  // arc has length zero, and equal ends would mean the whole circle.
   if (from == to && next != other) return std::nullopt;
   const Vec2 center = delaunay_.site_position(site);
   const Arc out{center, radius_, from, to};
-  // The arc lies between the two edges. One that is shorter than its ends are rounded may have them the wrong way round,
-  // and then goes nearly all the way about the centre.
+  // The arc lies between the two edges. Rounding may exchange the ends of an arc shorter than the rounding error, which
+  // then goes nearly all the way around the centre.
   if (next != other) {
     const double between = sweep_of({center, 1.0, delaunay_.site_position(other), delaunay_.site_position(next)});
     if (sweep_of(out) > 0.5 * between + std::numbers::pi) return std::nullopt;

@@ -17,26 +17,26 @@ namespace mes {
 using EdgeEndSlot = Slot<struct EdgeEndTag>;
 using ClassSlot = Slot<struct ClassTag>;
 
-/// What it guarantees:
-///  1. `holds` is exact: what comes at `alpha-radius` or before, ties included.
+/// Guarantees:
+///  1. `holds` is exact: true for what enters at `alpha-radius` or before, ties included.
 ///  2. `arc` gives each arc of the boundary of the union of the disks once, to the left of the edge at whose crossing it
 ///     begins; a disk that meets no other has a whole circle instead (`is_alone`). Arcs are rounded.
-///  3. A class is alive if it is born at the radius or before, and does not die by then.
+///  3. A persistence pair is alive if it is born at the radius or before, and has not died by then.
 ///
-/// Cost: an update costs what comes or goes between the old radius and the new one, and O(n) where disks are shown. Rows
-/// are those of `Delaunay`, and of `AlphaFiltration::classes`.
+/// Cost: an update takes O(simplices that enter or leave between the old radius and the new one), plus O(n) where disks
+/// are shown. Rows are those of `Delaunay`, and of `AlphaFiltration::classes`.
 class AlphaComplex final : public Structure {
  public:
   AlphaComplex(SettingsSource& settings, Delaunay& delaunay, AlphaFiltration& filtration);
 
   double radius() const { return radius_; }
   bool holds(EdgeSlot edge) const { return filtration_.rank(edge) <= last_; }
-  /// Of a finite face.
+  /// The face must be finite.
   bool holds(FaceSlot face) const { return filtration_.rank(face) <= last_; }
   bool is_alive(const AlphaFiltration::Class& one) const { return one.birth <= last_ && last_ < one.death; }
-  /// No edge at the site is held.
+  /// True if no edge at the site is held.
   bool is_alone(SiteSlot site) const { return is_alone_[site] != 0; }
-  /// That begins at the crossing to the left of the edge, seen from this end, and goes around the end.
+  /// The arc that begins at the crossing to the left of the edge, seen from this end, and runs around the end.
   std::optional<Arc> arc(EdgeEndSlot row) const;
 
   const ChangeSet<EdgeSlot>& edge_changes() const { return edge_changes_; }
@@ -61,11 +61,11 @@ class AlphaComplex final : public Structure {
   void explain_class(const AlphaFiltration::Class& one, Explanation& out) const;
   double wish() const { return settings_.current()[Parameter::alpha_radius]; }
   void set_radius();
-  /// Turns counter-clockwise around `site` from a held edge that has the face `left` to its left, and returns the far end
-  /// of the first held edge. If `edge` is the only one, that is its own far end. O(edges at the site) for all held edges
-  /// of the site together.
+  /// Turns counter-clockwise around `site` from a held edge that has the face `left` to its left, and returns the far
+  /// end of the next held edge; if `edge` is the only one, its own far end. Takes O(edges at the site) for all held
+  /// edges of the site together.
   SiteSlot next_held(SiteSlot site, EdgeSlot edge, FaceSlot left) const;
-  /// Where the circles around the ends of an edge cross, to its left seen from `site`.
+  /// The crossing of the circles around the ends of an edge that lies to its left, seen from `site`.
   Vec2 crossing(SiteSlot site, SiteSlot other) const;
   bool is_open(FaceSlot face) const { return face == kNoSlot || delaunay_.face(face).is_infinite() || !holds(face); }
 

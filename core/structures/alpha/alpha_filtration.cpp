@@ -18,7 +18,7 @@ std::array<Vec2, 3> sorted_corners(const Delaunay& delaunay, FaceSlot face) {
   return out;
 }
 
-/// Those with a rank, by rank, and where that is equal by their corners.
+/// The rows with a rank, sorted by rank and then by corners.
 template <class Row, class Corners>
 std::vector<Row> in_order(const Table<Row, std::uint32_t>& ranks, std::uint32_t none, Corners corners) {
   struct Entry {
@@ -141,7 +141,7 @@ void AlphaFiltration::find_classes() {
 }
 
 std::uint32_t AlphaFiltration::last_rank(double r) const {
-  // Exact: no double lies between a radius and its rounding up.
+  // Exact, since no double lies between a radius and its rounded-up value.
   const auto at = std::ranges::upper_bound(radius_, r) - radius_.begin();
   return at == 0 ? 0 : static_cast<std::uint32_t>(at - 1);
 }

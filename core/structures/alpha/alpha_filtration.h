@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Disks of one radius about the samples, for all radii at once: when each edge and triangle of the alpha complex comes,
-// and which components and holes are born and die.
+// The alpha complexes of the samples for all radii at once: when each edge and triangle enters, and which components
+// and holes are born and die.
 #pragma once
 
 #include <cstdint>
@@ -14,19 +14,19 @@
 namespace mes {
 
 /// The alpha complex of radius r holds a Delaunay edge or triangle if the disks of radius r about its corners and the
-/// Voronoi cells of its corners have a point in common: if its smallest empty circle has at most this radius. It
-/// has the homotopy type of the union of these disks. That union is additive growth of balls of radius 0: radii grow from
-/// 0 to r as sqrt(0 + r^2).
+/// Voronoi cells of its corners have a point in common, that is, if its smallest empty circle has at most this radius.
+/// It has the homotopy type of the union of these disks. That union is additive growth of balls of radius 0: radii grow
+/// from 0 to r as sqrt(0 + r^2).
 ///
-/// What it guarantees:
-///  1. Simplices that come at the same radius, as a real number, have the same *rank*; others have the ranks in the
-///     order of their radii. Rank 0 is the radius 0, at which the samples come.
-///  2. Which edges and triangles bear and end which classes is a function of the sites: of simplices of one rank and
-///     dimension those with the lexicographically smaller corners come first. Classes that live for no time are left out.
-///  3. A radius is the least double that is not smaller than it: at a parameter of this value, what comes there has come.
+/// Guarantees:
+///  1. Simplices that enter at the same radius, as a real number, have the same *rank*; different ranks have the order
+///     of their radii. Rank 0 is the radius 0, at which the samples enter.
+///  2. The edges and triangles at which pairs are born and die are a function of the sites: among simplices of one rank
+///     and dimension, lexicographically smaller corners come first. Pairs without a lifetime are left out.
+///  3. `radius` is the least double that is not smaller than the true radius: at this parameter, its simplices are in.
 ///
-/// Cost: O(n log n), some times that of the triangulation, and more where most radii are equal to others or nearly so, as
-/// on a lattice or on one circle; updates make it anew. Rows are those of `Delaunay`.
+/// Cost: O(n log n), a few times that of the triangulation, and more where most radii are equal or nearly so, as on a
+/// lattice or on one circle; every update recomputes all. Rows are those of `Delaunay`.
 /// Source: Edelsbrunner, Kirkpatrick and Seidel 1983; Edelsbrunner, Letscher and Zomorodian 2002.
 class AlphaFiltration final : public Structure {
  public:
@@ -35,25 +35,25 @@ class AlphaFiltration final : public Structure {
   explicit AlphaFiltration(Delaunay& delaunay);
 
   std::uint32_t rank(EdgeSlot edge) const { return edge_rank_[edge]; }
-  /// Of a finite face.
+  /// The face must be finite.
   std::uint32_t rank(FaceSlot face) const { return face_rank_[face]; }
   std::size_t rank_count() const { return radius_.size(); }
   double radius(std::uint32_t rank) const { return radius_[rank]; }
-  /// The largest rank that has come at this radius, exactly. `r` is not negative.
+  /// The largest rank whose radius is at most `r`, exactly. `r` is not negative.
   std::uint32_t last_rank(double r) const;
 
-  /// In the order in which they come.
+  /// Edges and faces in the order in which they enter.
   const std::vector<EdgeSlot>& edges() const { return edges_; }
   const std::vector<FaceSlot>& faces() const { return faces_; }
 
   /// A component of the union, or a hole in it.
   struct Class {
     bool is_hole = false;
-    std::uint32_t birth = 0;       ///< rank
-    std::uint32_t death = kNever;  ///< rank; `kNever`: it stays
-    SiteSlot site{};               ///< of a component: where it is born
-    EdgeSlot edge{};               ///< joins the component to an older one, or closes the hole; kNoSlot: it stays
-    FaceSlot face{};               ///< of a hole: fills it
+    std::uint32_t birth = 0;       ///< rank of its birth
+    std::uint32_t death = kNever;  ///< rank of its death; `kNever` if it stays
+    SiteSlot site{};               ///< for a component: the site where it is born
+    EdgeSlot edge{};               ///< joins the component to an older one, or closes the hole; kNoSlot if it stays
+    FaceSlot face{};               ///< for a hole: the face that fills it
   };
   const std::vector<Class>& classes() const { return classes_; }
 
@@ -66,8 +66,8 @@ class AlphaFiltration final : public Structure {
   std::string_view kernel() const override { return "doubles with a proved bound, rationals"; }
 
  private:
-  /// The triangle that the edge comes with, as its third corner is in the smallest circle around both ends; kNoSlot: the
-  /// edge comes by itself.
+  /// The triangle that the edge enters with, because its third corner is in the smallest circle around both ends;
+  /// kNoSlot if the edge enters by itself.
   FaceSlot comes_with(EdgeSlot edge) const;
   void find_ranks(JobControl& job);
   void find_order();

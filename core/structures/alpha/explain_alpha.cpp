@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What rows of the alpha complex of the samples are, and what it knows of rows of `Delaunay`.
+// Explains rows of the alpha complex of the samples, and its part in rows of `Delaunay`.
 #include <string>
 
 #include "core/structures/alpha/alpha_complex.h"

@@ -7,7 +7,7 @@
 namespace mes {
 namespace {
 
-/// Disjoint sets, each with the element that stands for it.
+/// Disjoint sets, each represented by one element.
 class Parts {
  public:
   explicit Parts(std::size_t count) : above_(count), size_(count, 1), chief_(count) {
@@ -54,7 +54,7 @@ std::vector<PersistentClass> persistent_classes(const PlaneFiltration& plane) {
       out.push_back({false, younger, i, plane.corners[younger].rank, edge.rank});
   }
 
-  // The outside is one more triangle, which comes after all others.
+  // The outside counts as one more triangle, later than all others.
   const auto outside = static_cast<std::uint32_t>(plane.triangles.size());
   const auto number_of = [outside](std::uint32_t side) { return side == PlaneFiltration::kOutside ? outside : side; };
   Parts holes(plane.triangles.size() + 1);
