@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Of which samples a Voronoi vertex is a pole, and the poles of a sample.
+// Explains of which samples a Voronoi vertex is a pole, and the poles of a sample.
 #include "core/structures/delaunay/explain_parts.h"
 #include "core/structures/poles/poles.h"
 

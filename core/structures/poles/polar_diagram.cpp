@@ -57,7 +57,7 @@ StatList PowerCrust::statistics() const {
     joined.grow(std::max(edge.face[0], edge.face[1]).index() + std::size_t{1});
     const TriangleSlot a = joined.root(edge.face[0]);
     const TriangleSlot b = joined.root(edge.face[1]);
-    // Every vertex has two crust edges: a curve closes just once.
+    // Every vertex has two crust edges, so a curve closes just once.
     loops += a == b ? 1 : 0;
     joined.join(b, a);
   }

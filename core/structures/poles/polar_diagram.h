@@ -25,9 +25,9 @@ class PolarDiagram final : public PowerDiagram {
   PolarBalls& polar_balls_;
 };
 
-/// Edges of the polar power diagram between the cell of an inside pole and that of an outside one. At each vertex of
-/// the diagram two of them meet or none: they form closed curves. Every sample lies on the crust, as it touches a
-/// pole on either side and no ball holds it.
+/// Edges of the polar power diagram between the cell of an inside pole and that of an outside one. Either two of them
+/// meet at a vertex of the diagram or none, so they form closed curves. Every sample lies on the crust, as it touches a
+/// polar ball on either side and no ball holds it.
 ///
 /// Rows: edges of `PolarDiagram`. O(n); no local update. Source: Amenta, Choi and Kolluri 2001.
 class PowerCrust final : public Structure {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The union of the interior polar balls: what the union of the inner Voronoi balls would be if only poles counted.
+// The union of the interior polar balls: the counterpart of the union of the inner Voronoi balls for poles only.
 #pragma once
 
 #include "core/structures/balls/axis_ball_union.h"
@@ -11,7 +11,7 @@
 
 namespace mes {
 
-/// Rows of balls: Delaunay faces. It has no shortcut: neighbours need not share a sample.
+/// Rows of balls: Delaunay faces. There is no shortcut, since neighbours need not share a sample.
 class PUnion final : public BallUnion {
  public:
   PUnion(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Poles& poles, PoleLabels& labels);

@@ -11,14 +11,14 @@
 namespace mes {
 namespace {
 
-/// If one pole is inside then so is the other, or just then not.
+/// The labels of the two poles are equal or, if `is_opposite`, different.
 struct Link {
   InputSlot pole;
   bool is_opposite = false;
   double confidence = 0.0;
 };
 
-/// Labels spread along links from poles that are outside for certain.
+/// Spreads labels along links from poles that are certainly outside.
 class PoleGraph {
  public:
   explicit PoleGraph(const Table<InputSlot, PipelineBall>& balls)
@@ -47,7 +47,7 @@ class PoleGraph {
     Vec2 center;
     Label label;
     InputSlot pole;
-    /// Ties by what does not depend on numbering.
+    /// Breaks ties by values that do not depend on numbering.
     friend bool operator<(const Candidate& a, const Candidate& b) {
       return std::tie(a.confidence, a.center.x, a.center.y, a.label) <
              std::tie(b.confidence, b.center.x, b.center.y, b.label);
@@ -105,7 +105,7 @@ void PoleLabels::spread(JobControl& job) {
     is_visible[a] = is_visible[b] = true;
     link_if_deep(a, b);
   }
-  // A hidden ball has no neighbours there, but on the Voronoi diagram.
+  // A hidden ball has no neighbours in the regular triangulation, so use those in the Voronoi diagram.
   for (const EdgeRow& edge : delaunay_.edges()) {
     if (!edge.is_alive() || delaunay_.face(edge.f[0]).is_infinite() || delaunay_.face(edge.f[1]).is_infinite())
       continue;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which poles are inside.
+// Decides which poles are inside.
 #pragma once
 
 #include <vector>
@@ -10,25 +10,25 @@
 
 namespace mes {
 
-/// Two ways, by the parameter `pole-propagation`:
+/// The parameter `pole-propagation` selects one of two ways:
 ///  0. A pole has the label of its triangle.
 ///  1. Poles at infinity are outside. The two poles of a sample have opposite labels, and polar balls that are
-///     neighbours in the regular triangulation and overlap deeply have equal ones; labels spread from there, the
-///     surest link first (opposite poles by the angle at the sample, overlapping balls by the angle of their
-///     circles). Poles that nothing reaches have the label of their triangle. Which balls overlap deeply is exact; in
-///     which order links count is decided in doubles, ties by coordinates.
+///     neighbours in the regular triangulation and overlap deeply have equal ones. Labels spread from the poles at
+///     infinity, along the surest link first (opposite poles by the angle at the sample, overlapping balls by the angle
+///     of their circles). Poles that no link reaches have the label of their triangle. Deep overlap is decided exactly,
+///     the order of links in doubles, with ties by coordinates.
 ///
-/// Cost: the first O(changes); the second a regular triangulation of the poles, anew after every change.
+/// Cost: the first way O(changes); the second a regular triangulation of the poles after every change.
 /// Source of the second: Amenta, Choi and Kolluri 2001.
 class PoleLabels final : public Structure {
  public:
   PoleLabels(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices, Labels& labels, Poles& poles);
 
-  /// Of a pole: a face for which `Poles::is_pole` holds.
+  /// The face must be a pole, that is, `Poles::is_pole` holds.
   bool is_inside(FaceSlot face) const { return is_spread_ ? inside_[face] != 0 : labels_.is_inside(face); }
   bool is_inside_pole(FaceSlot face) const { return poles_.is_pole(face) && is_inside(face); }
 
-  /// Faces that became, are still or stopped being poles, or changed their label.
+  /// Faces that became, remained or ceased to be poles, or whose label changed.
   const ChangeSet<FaceSlot>& changes() const { return changes_; }
 
   void rebuild(JobControl& job) override;
@@ -51,7 +51,7 @@ class PoleLabels final : public Structure {
   Poles& poles_;
   bool is_spread_ = false;
   Precision made_with_ = Precision::fast;
-  Table<FaceSlot, std::uint8_t> inside_;  // when spread
+  Table<FaceSlot, std::uint8_t> inside_;  // filled if labels are spread
   std::int64_t unreached_ = 0;
   ChangeRecorder<FaceSlot> recorder_;
   ChangeSet<FaceSlot> changes_;

@@ -4,8 +4,8 @@
 namespace mes {
 namespace {
 
-// Calls `visit(face, right, left)` for the faces around the site, counter-clockwise; seen from the site, `right` and
-// `left` are the face's other corners.
+// Calls `visit(face, right, left)` for the faces around the site, counter-clockwise; `right` and `left` are the face's
+// other corners, seen from the site.
 template <class Visit>
 void for_each_face_at(const Delaunay& delaunay, SiteSlot site, Visit visit) {
   const FaceSlot start = delaunay.site_face(site);
@@ -85,7 +85,7 @@ void Poles::use(FaceSlot pole, int change) {
 }
 
 void Poles::assign(SiteSlot site, FaceSlot plus, FaceSlot minus) {
-  // A face of the same name may be another face than before; the change set of the triangulation names it.
+  // The slot may denote another face than before; then it is in the change set of the triangulation.
   use(plus_[site], -1);
   use(minus_[site], -1);
   plus_[site] = plus;
@@ -124,7 +124,7 @@ bool Poles::update(JobControl&) {
   site_marks_.begin(delaunay_.site_rows());
   sites_.clear();
   for (const SiteSlot site : delaunay_.site_changes().removed) assign(site, kNoSlot, kNoSlot);
-  // A star that changed has a new face, or one that got another name.
+  // A changed star has a new face or a face with a new slot.
   for (const FaceSlot face : faces.touched) {
     recorder_.note(face, true);
     for (const SiteSlot site : delaunay_.face(face).v)

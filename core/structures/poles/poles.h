@@ -16,29 +16,29 @@ namespace mes {
 /// Stands for a Voronoi vertex at infinity.
 inline constexpr FaceSlot kInfinitePole{0xfffffffeU};
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. `plus(site)` is the Voronoi vertex farthest from the site among those of its cell; `kInfinitePole` for a hull
 ///     site, in the direction of the sum of the outward unit normals of its two hull edges.
-///  2. `minus(site)` is the farthest one on the other side of the site, seen from `plus`; kNoSlot if there is none,
-///     as happens where samples are too few.
-///  3. Decisions are exact for the given doubles. Of two equally far vertices the lexicographically smaller counts.
+///  2. `minus(site)` is the farthest one on the other side of the site, seen from `plus`; kNoSlot if there is none, as
+///     happens where samples are too few.
+///  3. Decisions are exact for the given doubles. Of two equally far vertices, the lexicographically smaller counts.
 ///  4. Below dimension 2 there are no poles.
 ///
-/// Rows: Voronoi vertices are Delaunay faces, the one that `VoronoiVertices` names for its circle. Cost: rebuild
-/// O(n), updates O(faces around the change). Source: Amenta, Bern and Eppstein 1998.
+/// Rows: a Voronoi vertex is the Delaunay face that `VoronoiVertices` names for its circle. Cost: rebuild O(n), updates
+/// O(faces around the change). Source: Amenta, Bern and Eppstein 1998.
 class Poles final : public Structure {
  public:
   Poles(Delaunay& delaunay, VoronoiVertices& vertices);
 
-  /// A face, `kInfinitePole`, or kNoSlot.
+  /// Returns a face, `kInfinitePole`, or kNoSlot.
   FaceSlot plus(SiteSlot site) const { return plus_[site]; }
   FaceSlot minus(SiteSlot site) const { return minus_[site]; }
-  /// The face's circumcentre is a pole of some site, and the face stands for its circle.
+  /// True if the face's circumcentre is a pole of some site, and the face stands for its circle.
   bool is_pole(FaceSlot face) const { return uses_[face] != 0; }
   /// Unit vector towards a pole at infinity.
   Vec2 direction_to_infinity(SiteSlot site) const;
 
-  /// Faces that are new or became or stopped being poles. Never empty when anything about poles changed.
+  /// Faces that are new, or became or ceased to be poles. Never empty if anything about poles changed.
   const ChangeSet<FaceSlot>& face_changes() const { return face_changes_; }
 
   void rebuild(JobControl& job) override;
@@ -58,7 +58,7 @@ class Poles final : public Structure {
   void explain_site(SiteSlot site, Explanation& out) const;
   void explain_vertex(FaceSlot face, Explanation& out) const;
   HullNeighbours hull_neighbours(SiteSlot site) const;
-  /// Finite faces around the site go to `star_`.
+  /// Collects the finite faces around the site in `star_`.
   HullNeighbours gather_star(SiteSlot site);
   void find_poles(SiteSlot site);
   void use(FaceSlot pole, int change);

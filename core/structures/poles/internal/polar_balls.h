@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The polar balls, with a large ball in place of each pole at infinity.
+// The polar balls, with a large ball for each pole at infinity.
 #pragma once
 
 #include <algorithm>
@@ -12,9 +12,9 @@
 
 namespace mes {
 
-/// A ball around a pole at infinity is the half plane beyond the sample. Power diagrams want balls; so a hull sample
-/// gets one of `kReach` times the extent of all samples, through the sample and in that direction. Rows: faces, then
-/// for these balls sites. `measure` must have been called since the last change.
+/// A ball around a pole at infinity is the half plane beyond the sample, but power diagrams need balls. So a hull
+/// sample gets a ball through the sample, in the direction of its pole, whose size is `kReach` times the extent of all
+/// samples. Rows: faces, then sites for these balls. `measure` must be called after each change.
 class PolarBalls final : public VoronoiBalls {
  public:
   PolarBalls(const Delaunay& delaunay, const VoronoiVertices& vertices, const Poles& poles)
@@ -25,7 +25,7 @@ class PolarBalls final : public VoronoiBalls {
     for (const SiteSlot site : delaunay_.site_slots())
       if (delaunay_.is_site(site)) box.add(delaunay_.site_position(site));
     const double extent = box.is_empty() ? 1.0 : std::max(box.width(), box.height());
-    // A power of two: the balls stay the same while the extent changes little.
+    // A power of two, so that the balls stay the same while the extent changes little.
     reach_ = std::ldexp(kReach, std::isfinite(extent) && extent > 0.0 ? std::ilogb(extent) : 0);
   }
 
