@@ -17,7 +17,7 @@ Corners AxisCertificate::corners_of(FaceSlot face) const {
 }
 
 std::uint8_t AxisCertificate::verdict_on_arc(EdgeSlot edge) {
-  // More faces than this on one arc make it uncertified; a bound that no dense sample comes near.
+  // An arc with more faces than this stays uncertified; no dense sample comes near this bound.
   constexpr std::size_t kMostFaces = 4096;
   const EdgeRow& row = delaunay_.edge(edge);
   const FaceSlot inner = labels_.is_inside(row.f[0]) ? row.f[0] : row.f[1];
@@ -45,7 +45,7 @@ std::uint8_t AxisCertificate::verdict_on_arc(EdgeSlot edge) {
       const FaceSlot other = at.n[side];
       if (!seen_.insert(other)) continue;
       if (labels_.is_inside(other)) {
-        // A ball on the arc of a crust edge is also reached across an edge that is none.
+        // A ball on the arc of a crust edge can also be reached across a border edge that is no crust edge.
         if (is_crust && !labels_.is_conflict(at.e[side])) {
           seen_.erase(other);
           continue;
@@ -174,9 +174,9 @@ void AxisCertificate::get_ready_to_update(JobControl& job) {
   if (!is_searched_ && delaunay_.dimension() == 2) search_all(job);
 }
 
-// As `judge_edge` and `judge_site` for each, from one walk along the edges.
+// Does the work of `judge_edge` and `judge_site` for all rows in one walk along the edges.
 void AxisCertificate::find_borders() {
-  // How many border edges there are, up to three; and whether an inner ball touches it.
+  // For each site, the number of border edges, up to three, and whether an inner ball touches it.
   constexpr std::uint8_t kMany = 3;
   constexpr std::uint8_t kTouched = 4;
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
@@ -233,9 +233,9 @@ bool AxisCertificate::update(JobControl& job) {
     note_watchers(face);
     for (const SiteSlot site : delaunay_.face(face).v) note_site(site);
   };
-  // Faces that went need no note. A search came to such a face through a chain of neighbours that begins beside its
-  // edge. Of the first face in the chain that went or changed, the one before it has a changed neighbour now, and is
-  // watched or at an end of the edge; or it is the face beside the edge, and that one's place is taken by a changed face.
+  // Removed faces need no note. A search reached such a face through a chain of neighbours that begins beside its edge.
+  // Take the first face in the chain that was removed or changed. The face before it has a changed neighbour now, and
+  // is watched or at an end of the edge. If none is before it, it was beside the edge, where a changed face is now.
   const auto note_around = [&](const ChangeSet<FaceSlot>& faces) {
     for (const FaceSlot face : faces.touched) {
       note_face(face);
@@ -259,7 +259,7 @@ bool AxisCertificate::update(JobControl& job) {
     judge_edge(edge);
     edge_recorder_.note(edge, true);
   }
-  // Searches are due now, or arcs that are too long have another verdict.
+  // Rebuild if searches have become necessary, or if the verdict on arcs that are too long changes.
   const bool is_doubtful = doubtful_edges_ != 0;
   if (is_doubtful && !is_searched_) return false;
   if (is_doubtful != was_doubtful && too_long_edges_ != 0) return false;

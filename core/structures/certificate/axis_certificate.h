@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Proof that the one-step axis is the medial axis of the union of the inner balls, or the places where there is none.
+// Proof that the one-step axis is the medial axis of the union of the inner balls, or the places where the proof fails.
 #pragma once
 
 #include <unordered_map>
@@ -13,9 +13,9 @@
 namespace mes {
 
 /// Border edges are Delaunay edges between an inside and an outside face. Each is an arc of its inner ball's circle,
-/// the part beyond the edge. What it guarantees:
-///  1. `is_certified()` exactly if (a) every sample that touches an inner ball has two border edges, and (b) no other
-///     inner ball meets the open arc of a border edge, touching included. Decided exactly.
+/// the part beyond the edge. Guarantees:
+///  1. `is_certified()` is true exactly if (a) every sample that touches an inner ball has two border edges, and (b) no
+///     other inner ball meets the open arc of a border edge, touching included. Decided exactly.
 ///  2. Then these arcs are the boundary of the union, its vertices are samples, and with Q_p the convex hull of the
 ///     centres of the inner balls that touch sample p:
 ///       - the dual complex of the union (closed convention) is the union of all Q_p;
@@ -25,25 +25,25 @@ namespace mes {
 ///
 /// Why it is local: the Delaunay disks that contain a point form a connected region of faces. If an inner ball meets
 /// the arc beyond pq at x, the faces whose open disk contains x are connected to it, and include the outside face at
-/// pq. So the search goes from that face through outside faces that meet the arc and looks at their neighbours.
-/// In a dense sample these are faces at p or q.
+/// pq. So the search starts at that face, passes through outside faces that meet the arc, and looks at their
+/// neighbours. In a dense sample these are faces at p or q.
 ///
 /// Where every border edge passes the crust test, (b) holds (docs/union_of_balls.md) and nothing is searched. Searches
-/// are made when there is a border edge that does not, or before the first edit that may bring one
+/// are made once a border edge fails the test, or before the first edit that may bring such an edge
 /// (`get_ready_to_update`).
 ///
-/// Cost: rebuild O(n), and for dense samples some 1 us a border edge where arcs are searched; update O(changed faces),
-/// and once a rebuild where the first border edge that fails the crust test comes before `get_ready_to_update`.
+/// Cost: rebuild O(n), plus about 1 us per border edge for dense samples where arcs are searched; update O(changed
+/// faces), plus one rebuild if the first border edge that fails the crust test appears before `get_ready_to_update`.
 class AxisCertificate final : public Structure {
  public:
   AxisCertificate(Delaunay& delaunay, Labels& labels, InnerBalls& balls);
 
   bool is_certified() const { return bad_edge_count() == 0 && bad_sites_ == 0; }
-  /// Another inner ball meets the arc of this border edge.
+  /// True if another inner ball meets the arc of this border edge.
   bool is_bad_edge(EdgeSlot edge) const {
     return edge_.has(edge) && (edge_[edge] & (doubtful_edges_ != 0 ? kBad | kTooLong : kBad)) != 0;
   }
-  /// Touches inner balls but has no border edge, or more than two.
+  /// True if the site touches inner balls but has no border edge, or more than two.
   bool is_bad_site(SiteSlot site) const { return bad_site_.has(site) && bad_site_[site] != 0; }
   std::size_t bad_edge_count() const { return bad_edges_ + (doubtful_edges_ != 0 ? too_long_edges_ : 0); }
   std::size_t bad_site_count() const { return bad_sites_; }
@@ -52,7 +52,7 @@ class AxisCertificate final : public Structure {
     const EdgeRow& row = delaunay_.edge(edge);
     return row.f[0] != kNoSlot && labels_.is_inside(row.f[0]) != labels_.is_inside(row.f[1]);
   }
-  /// Edges whose verdict was taken anew.
+  /// Edges whose verdict was recomputed.
   const ChangeSet<EdgeSlot>& edge_changes() const { return edge_changes_; }
   const ChangeSet<SiteSlot>& site_changes() const { return site_changes_; }
 
@@ -69,16 +69,16 @@ class AxisCertificate final : public Structure {
   std::string_view kernel() const override { return "intervals, then rationals"; }
   void find(std::vector<Finding>& out) const override;
   bool is_judge() const override { return true; }
-  /// Without inner balls there is nothing to prove.
+  /// False if there are no inner balls: there is nothing to prove then.
   bool has_verdict() const override { return border_edges_ != 0; }
 
  private:
   static constexpr std::uint8_t kBorder = 1;
   static constexpr std::uint8_t kBad = 2;
   static constexpr std::uint8_t kDoubtful = 4;  ///< fails the crust test
-  static constexpr std::uint8_t kTooLong = 8;   ///< its arc has more faces than are searched
+  static constexpr std::uint8_t kTooLong = 8;   ///< its arc has more faces than the search visits
 
-  /// Of which nothing is known yet.
+  /// Judge an edge or a site of which nothing is known yet.
   void judge_edge(EdgeSlot edge);
   void judge_site(SiteSlot site);
   void find_borders();
@@ -86,7 +86,7 @@ class AxisCertificate final : public Structure {
   void search(EdgeSlot edge);
   void forget_searches();
   void forget_edge(EdgeSlot edge);
-  /// `kBad`, `kTooLong` or 0.
+  /// Returns `kBad`, `kTooLong` or 0.
   std::uint8_t verdict_on_arc(EdgeSlot edge);
   Corners corners_of(FaceSlot face) const;
 
@@ -99,15 +99,15 @@ class AxisCertificate final : public Structure {
   std::size_t bad_edges_ = 0;
   std::size_t doubtful_edges_ = 0;
   std::size_t too_long_edges_ = 0;
-  bool is_searched_ = false;  ///< every arc
+  bool is_searched_ = false;  ///< every arc has been searched
   std::size_t bad_sites_ = 0;
-  // Searches that went beyond the faces at the ends of their edge watch the far faces they saw. A far face may be watched
-  // by thousands of edges, so its watches are a list that each can leave at once.
+  // Searches that went beyond the faces at the ends of their edge watch the far faces they saw. A far face may be
+  // watched by thousands of edges, so its watches form a list that each can leave in O(1).
   using WatchSlot = Slot<struct WatchTag>;
   struct Watch {
     EdgeSlot edge{};
     FaceSlot face{};
-    WatchSlot before{};  ///< of the same face
+    WatchSlot before{};  ///< previous watch of the same face
     WatchSlot after{};
   };
   void watch(EdgeSlot edge, FaceSlot face);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the certificate of the axis holds and where it does not, as columns.
+// The certificate of the axis as columns: where it holds and where it does not.
 #include "core/graph/table_maker.h"
 #include "core/structures/certificate/axis_certificate.h"
 
