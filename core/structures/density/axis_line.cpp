@@ -8,14 +8,14 @@
 namespace mes {
 namespace {
 
-/// A rounded cotangent is wrong by some 3 (1 + cot^2) / |cot| units in the last place; above this one, by more than
+/// A rounded cotangent is off by some 3 (1 + cot^2) / |cot| units in the last place; above this one, by more than
 /// `kHeightError`.
 constexpr double kSteepest = 2.0 * kSteep;
 
 }  // namespace
 
-// Heights are half the edge times the cotangent of the angle opposite, as in `Delaunay::dual_length`: from differences
-// of samples, not from centres, which may be far away.
+// Heights are half the edge times the cotangent of the opposite angle, as in `Delaunay::dual_length`: computed from
+// differences of samples, not from centres, which may be far away.
 AxisLine axis_line(const Delaunay& delaunay, EdgeSlot edge, double unit) {
   const auto place_of = [&](SiteSlot site) {
     const Vec2 at = delaunay.site_position(site);
@@ -23,7 +23,7 @@ AxisLine axis_line(const Delaunay& delaunay, EdgeSlot edge, double unit) {
   };
   const EdgeRow& row = delaunay.edge(edge);
   const Vec2 ends[2] = {place_of(row.v[0]), place_of(row.v[1])};
-  // Neither which end is first nor which corner is the apex follows a pattern: both are found without a branch.
+  // Neither the order of the ends nor the corner of the apex follows a pattern: both are found without a branch.
   const bool is_less = ends[1].x < ends[0].x;
   const bool is_as_far = ends[1].x <= ends[0].x;
   const auto first = static_cast<std::size_t>(is_less | (is_as_far & (ends[1].y < ends[0].y)));
@@ -46,7 +46,7 @@ AxisLine axis_line(const Delaunay& delaunay, EdgeSlot edge, double unit) {
     out.is_steep = out.is_steep || !(std::abs(cotangent) < kSteepest);
     return out.half * cotangent;
   };
-  // A triangle lies on the left of q -> r, the other on the right; without one the bisector goes on.
+  // One triangle lies on the left of q -> r, the other on the right; where one is missing, the bisector goes on.
   const double left = height(row.f[first]);
   const double right = height(row.f[1 - first]);
   out.high = std::max(left, -right);

@@ -18,41 +18,41 @@ namespace {
 
 constexpr std::uint32_t kNone = 0xffffffffU;
 
-/// Samples that walk together, in pairs that a processor computes with at once.
+/// Samples that walk together, in pairs that the processor handles at once.
 constexpr std::size_t kLanes = 4;
 constexpr std::size_t kPairs = kLanes / 2;
 
-/// The group's samples are that near to each other, over the least distance of a sample of their block to the axis of its
-/// own cell.
+/// The samples of a group are at most this far apart, relative to the least distance from a sample of their block to
+/// the axis of its own cell.
 constexpr double kSpread = 1.0;
-/// Cells of one block at most.
+/// Largest number of cells in a block.
 constexpr std::uint32_t kBlock = 8;
-/// Blocks of one part of the searches.
+/// Number of blocks in one part of the searches.
 constexpr std::uint32_t kPart = 256;
-/// Blocks of one walk at most, and axis edges.
+/// Largest numbers of blocks and of axis edges in one walk.
 constexpr std::uint32_t kLongest = 160;
 constexpr std::uint32_t kMostLines = 800;
 /// The same for samples that were given up, and how many of these walks may become too long.
 constexpr std::uint32_t kLongestAgain = 8192;
 constexpr std::uint32_t kMostLinesAgain = 40960;
 constexpr int kMostFailures = 3;
-/// So many groups do without a walk after one that was too long; twice as many after each that follows, up to the most.
+/// After a walk that was too long, this many groups go without; twice as many after each further one, up to the most.
 constexpr std::size_t kPause = 24;
 constexpr std::size_t kLongestPause = 1536;
-/// Axis edges within this factor of the best are crossed. Two errors of heights, and room.
+/// Axis edges within this factor of the best are crossed: two errors of heights, and room.
 constexpr double kCrossed = 1.0 + 4.0 * kHeightError;
-/// Cells at vague edges; where there are more, all samples are left to another way of searching.
+/// Largest number of cells at vague edges; beyond it, all samples are left to another way of searching.
 constexpr std::size_t kMostVague = 32;
 
-/// Not above, whatever the rounding of heights and that to a float have done to it.
+/// A float that is not above the true square, whatever the rounding of heights and of the float did to it.
 float lowered(double squared) {
   constexpr double kMost = std::numeric_limits<float>::max();
   const double low = squared * ((1.0 - kHeightError) * (1.0 - kHeightError));
-  // Below the normal floats there are too few.
+  // Subnormal floats are too coarse.
   return low < std::numeric_limits<float>::min() ? 0.0F : static_cast<float>(std::min(kMost, low));
 }
 
-/// How far apart two intervals are; 0 where they meet.
+/// Distance of two intervals; 0 where they meet.
 inline double gap(double low, double high, double other_low, double other_high) {
   const double below = low - other_high;
   const double above = other_low - high;
@@ -71,9 +71,9 @@ inline double squared_distance(const Box2& a, const Box2& b) {
 struct CellWalk::Group {
   std::array<DoublePair, kPairs> x, y;
   std::array<DoublePair, kPairs> best;     // squared
-  std::array<DoublePair, kPairs> crossed;  // squared, of what is nearly as near
+  std::array<DoublePair, kPairs> crossed;  // squared; edges up to this distance are crossed
   std::array<std::uint32_t, kLanes> line;
-  std::size_t pairs = kPairs;  // the others are the same
+  std::size_t pairs = kPairs;  // number of pairs in use
   Box2 box;
   double far = kInfinity;  // the largest of `crossed`
 
@@ -96,13 +96,13 @@ struct CellWalk::Trail {
         marks(std::bit_ceil(2 * most_blocks + 1)),
         last_mark(marks.size() - 1) {}
 
-  const std::uint32_t longest;  ///< blocks that there is room for
+  const std::uint32_t longest;  ///< number of blocks that there is room for
   const std::uint32_t longest_in_lines;
   std::vector<std::uint32_t> queue;
   std::uint32_t head = 0;
   std::uint32_t tail = 0;
   std::uint32_t line_count = 0;
-  /// The blocks of the queue, each at its number or behind, with the number of the walk: others are free.
+  /// A hash set of the blocks in the queue, each at its number or behind. Entries with another walk's number are free.
   struct Mark {
     std::uint32_t walk = 0;
     std::uint32_t block = 0;
@@ -116,7 +116,7 @@ struct CellWalk::Trail {
     ++number;
     head = tail = line_count = 0;
   }
-  /// Adds a block that the walk has not come to yet. Returns false if the queue is full.
+  /// Adds a block that the walk has not reached yet. Returns false if the queue is full.
   bool add(std::uint32_t block) {
     std::size_t at = block & last_mark;
     for (; marks[at].walk == number; at = (at + 1) & last_mark)
@@ -131,7 +131,7 @@ struct CellWalk::Trail {
 struct CellWalk::Chunk {
   std::vector<EdgeSlot> axis;
   std::vector<EdgeSlot> curve;
-  std::uint32_t first = 0;  // of its lines
+  std::uint32_t first = 0;  // index of its first line
   std::vector<std::uint32_t> steep;
 
   // Curve edges and axis edges alternate without a pattern that a processor could predict, so no branch depends on them.
@@ -194,7 +194,7 @@ std::size_t CellWalk::part_count() const {
   return (blocks_.size() - 1 + kPart - 1) / kPart;
 }
 
-// Along each chain of crust edges from where it is met first. A block ends where the curve does.
+// Follows each chain of crust edges from where it is met first. A block ends where the curve does.
 void CellWalk::order_cells(const Delaunay& delaunay, const std::vector<Chunk>& chunks) {
   // Most samples have two neighbours.
   struct Neighbours {
@@ -251,8 +251,8 @@ void CellWalk::order_cells(const Delaunay& delaunay, const std::vector<Chunk>& c
   blocks_.back().first_link = static_cast<std::uint32_t>(links_.size());
 }
 
-// Runs of chunks first count, then write where what they counted begins. There are few, whatever the number of edges, for
-// each counts for all blocks.
+// Runs of chunks first count, then write at the positions that the counts give. There are only a few runs, whatever the
+// number of edges, because each counts for all blocks.
 void CellWalk::list_lines(const Delaunay& delaunay, const std::vector<Chunk>& chunks) {
   constexpr std::size_t kMostRuns = 8;
   std::vector<std::vector<std::uint32_t>> places(std::min(kMostRuns, chunks.size()));
@@ -307,7 +307,7 @@ void CellWalk::measure_blocks(const Delaunay& delaunay, double unit) {
   });
 }
 
-// Most blocks have some twenty entries: each counts how many are less, four at a time.
+// Most blocks have some twenty entries: each counts the smaller ones, four at a time.
 void CellWalk::sort_by_reach(std::span<AxisEntry> entries) {
   constexpr std::size_t kFew = 64;
   using Quad = float __attribute__((vector_size(4 * sizeof(float))));
@@ -334,7 +334,7 @@ void CellWalk::sort_by_reach(std::span<AxisEntry> entries) {
 bool CellWalk::walk(Group& group, std::uint32_t own, Trail& trail) const {
   trail.begin();
   trail.add(own);
-  // Measures these edges, and adds the blocks beyond those that the walk crosses. Returns false if it becomes too long.
+  // Measures these edges and adds the blocks beyond those that the walk crosses. Returns false if it becomes too long.
   const auto look_at = [&](std::span<const AxisEntry> entries) {
     for (const AxisEntry& entry : entries) {
       if (entry.reach > group.far) break;
@@ -367,10 +367,10 @@ bool CellWalk::walk(Group& group, std::uint32_t own, Trail& trail) const {
     }
     return true;
   };
-  // Most often the one that is nearest to the group before, or not far from it.
+  // The edge nearest to the group before is most often the nearest here, or not much farther.
   if (trail.guess.line != kNone) look_at(std::span(&trail.guess, 1));
   if (!look_at(entries_of(own))) return false;
-  // Where vague edges end, and whether the walk crosses them, is not known: their cells are visited in any case.
+  // It is unknown where vague edges end and whether the walk crosses them, so their cells are visited in any case.
   if (!look_at(vague_)) return false;
   for (const AxisEntry& entry : vague_)
     if (!trail.add(entry.other)) return false;
@@ -382,11 +382,11 @@ bool CellWalk::walk(Group& group, std::uint32_t own, Trail& trail) const {
     for (std::uint32_t i = block.first_link; i < blocks_[number + 1].first_link; ++i)
       if (!trail.add(links_[i])) return false;
   }
-  // So far away the ends of steep edges matter.
+  // At larger distances the ends of steep edges matter.
   return !has_steep_ || group.far <= reach_ * reach_;
 }
 
-/// Of the cells of a block that walk with its cell `first`, `kLanes` at most.
+/// End of the group of cells in a block that walk with its cell `first`; `kLanes` cells at most.
 std::uint32_t CellWalk::end_of_group(std::uint32_t first, std::uint32_t block) const {
   const std::span<const AxisEntry> entries = entries_of(block);
   const double room = entries.empty() ? kInfinity : kSpread * kSpread * double{entries[0].reach};
@@ -396,7 +396,7 @@ std::uint32_t CellWalk::end_of_group(std::uint32_t first, std::uint32_t block) c
   return end;
 }
 
-/// Of the cells from `begin` to `end` in one block. False if the walk becomes too long.
+/// Searches for the cells from `begin` to `end`, all in one block. False if the walk becomes too long.
 bool CellWalk::search_group(std::uint32_t begin, std::uint32_t end, std::uint32_t block, Trail& trail,
                             Table<SiteSlot, double>& squared, Table<SiteSlot, EdgeSlot>& nearest) const {
   Group group;
@@ -455,7 +455,7 @@ void CellWalk::search_longer(std::vector<SiteSlot>& given_up, Table<SiteSlot, do
     const std::uint32_t block = block_of_[given_up[i]];
     std::uint32_t first = blocks_[block].first;
     while (sites_[first] != given_up[i]) ++first;
-    // They were given up in these groups.
+    // The samples were given up in these groups.
     const std::uint32_t last = end_of_group(first, block);
     if (failures == kMostFailures || !search_group(first, last, block, trail, squared, nearest)) {
       failures = std::min(failures + 1, kMostFailures);

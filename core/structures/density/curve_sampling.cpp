@@ -13,7 +13,7 @@
 namespace mes {
 namespace {
 
-/// Curves that need more places are not measured while one looks at something else.
+/// Curves that need more positions than this are not measured in passing.
 constexpr std::size_t kMostPlacesOfCurves = 100'000;
 
 void add_place(Finding& finding, Vec2 place) {
@@ -83,7 +83,7 @@ void CurveSampling::measure(JobControl& job) {
   }
   SamplingRequest request = source->sampling;
   if (request.count == 0) request.count = kUsualSamples;
-  // What says where samples lie, and not what the curves are.
+  // These settings say where samples lie, not what the curves are.
   request.rule = SamplingRule::feature_size;
   request.epsilon = kDenseEpsilon;
   request.jitter = request.spacing = 0.0;

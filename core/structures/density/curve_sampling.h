@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the samples stand for the curves that they were taken from.
+// Measures how well the samples represent the curves that they were taken from.
 #pragma once
 
 #include <memory>
@@ -20,32 +20,32 @@
 
 namespace mes {
 
-/// What speaks for and against samples that stand for curves so, with this crust: a note that says the epsilon, and
-/// doubts, which are intervals of the curves with an epsilon above 1, and neighbours along the curves that the crust does
-/// not join. Where samples lie off the curves, a note of that and nothing else. `slots` are the samples that the standing
-/// numbers.
+/// Findings for and against samples that represent curves in this way, with this crust: a note with the epsilon, and
+/// doubts for intervals of the curves with an epsilon above 1 and for neighbours along the curves that the crust does
+/// not join. If samples lie off the curves, only a note of that. `slots` maps the sample numbers of the standing to
+/// samples.
 std::vector<Finding> findings_of(const CurveStanding& standing, std::span<const SampleSlot> slots,
                                  const Delaunay& delaunay, const OneStepCrust& crust);
 
-/// Where the document knows the curves that its samples were taken from, and all samples still lie on them: how densely
-/// they do, by the feature size of the curves themselves (core/curves/feature_field.h), and whether the crust joins those
-/// that follow each other. A judge: the theorem is about the samples, and green says little of curves that they do not
-/// stand for.
+/// Judges samples that all lie on the curves that the document says they were taken from: how dense they are, by the
+/// feature size of the curves themselves (core/curves/feature_field.h), and whether the crust joins neighbours along
+/// the curves. It is a judge because the theorem is about the samples: green says little of curves that they do not
+/// represent.
 ///
-/// What it guarantees:
+/// Guarantees:
 ///  1. The epsilon is `FeatureField::standing`, the same as that of `take_samples` for the same curves and samples.
-///  2. Samples that lie off the curves, as those moved by hand do, are counted, and then nothing is said of an epsilon.
+///  2. Samples off the curves, such as those moved by hand, are counted; no epsilon is given then.
 ///
-/// Cost: once for curves, that of `FeatureField::of`; of curves that would need more than 100,000 places nothing is said.
-/// An edit costs O(edited log places) while samples lie off the curves, and O(n log places) otherwise.
+/// Cost: once for given curves, that of `FeatureField::of`; curves that need more than 100,000 positions are not
+/// measured. An edit costs O(edited log positions) while samples lie off the curves, and O(n log positions) otherwise.
 class CurveSampling final : public Structure {
  public:
   CurveSampling(CurveSourceInput& source, Samples& samples, Delaunay& delaunay, OneStepCrust& crust);
 
-  /// There is something to say.
+  /// True if a standing is known.
   bool has_standing() const { return standing_.has_value(); }
   const CurveStanding& standing() const { return *standing_; }
-  /// Of the curves, if they were measured; else null.
+  /// Feature field of the curves, if they were measured; else null.
   const FeatureField* field() const { return field_ ? &*field_ : nullptr; }
 
   void rebuild(JobControl& job) override;
@@ -66,10 +66,10 @@ class CurveSampling final : public Structure {
   Samples& samples_;
   Delaunay& delaunay_;
   OneStepCrust& crust_;
-  std::shared_ptr<const CurveSet> curves_;  // that the field is of; kept, so that no other has its address
+  std::shared_ptr<const CurveSet> curves_;  // curves of the field; kept so that their address is not reused
   SamplingRequest request_;
   std::optional<FeatureField> field_;
-  std::string no_field_;  // why not
+  std::string no_field_;  // the reason why there is none
   Table<SampleSlot, std::uint8_t> is_off_;
   std::size_t off_ = 0;
   std::optional<CurveStanding> standing_;

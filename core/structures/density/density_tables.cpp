@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How dense the samples are, as columns; rows are those of `Delaunay` and of `Samples`.
+// The density of the samples as columns; rows are those of `Delaunay` and of `Samples`.
 #include "core/graph/table_maker.h"
 #include "core/structures/density/curve_sampling.h"
 #include "core/structures/density/feature_size.h"

@@ -19,19 +19,19 @@
 namespace mes {
 namespace {
 
-/// By so much may coordinates be larger than those that the unit was chosen for, or smaller, before another one is.
+/// Exponents of coordinates may differ this much from those that the unit was chosen for, before another is chosen.
 constexpr int kExponentsApart = 200;
-/// Sites that ask together at most, and the size of their box over the smallest distance that one of them has to begin
-/// with.
+/// Largest number of sites that query together, and largest size of their box over the smallest distance that one of
+/// them begins with.
 constexpr std::size_t kGroup = 8;
 constexpr double kGroupWidth = 0.5;
 
-/// In degrees.
+/// Turn of the curve at a point, in degrees.
 double turn_of(Vec2 before, Vec2 at, Vec2 after) {
   return 180.0 - angle_at(at, before, after);
 }
 
-/// The turn is less than 20 degrees, which products alone tell; false for some that are.
+/// True if products alone show that the turn is less than 20 degrees; false for some such turns.
 bool goes_on_nearly_straight(Vec2 before, Vec2 at, Vec2 after) {
   constexpr double kLeastCosine = 0.94;
   const Vec2 in = at - before;
@@ -91,13 +91,13 @@ std::array<SiteSlot, 2> FeatureSize::crust_neighbours(SiteSlot site) const {
   delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
     if (crust_.is_crust(edge) && count < out.size()) out[count++] = other;
   });
-  // In an order that does not depend on that of the edges.
+  // Their order must not depend on that of the edges.
   if (count == 2 && lexicographically_less(delaunay_.site_position(out[1]), delaunay_.site_position(out[0])))
     std::swap(out[0], out[1]);
   return out;
 }
 
-/// In degrees; 0 where the crust does not go on in one way.
+/// Turn of the crust at a site, in degrees; 0 unless the site has two crust edges.
 double FeatureSize::turn_at(SiteSlot site) const {
   if (crust_.degree(site) != 2) return 0.0;
   const auto [a, b] = crust_neighbours(site);
@@ -119,7 +119,7 @@ bool FeatureSize::ends_at_exempt(EdgeSlot edge) const {
   return is_exempt(a) || is_exempt(b);
 }
 
-// By the lesser ends, and then by the greater ones.
+// Compares the lesser ends, and then the greater ones.
 bool FeatureSize::is_first(EdgeSlot a, EdgeSlot b) const {
   const auto key = [this](EdgeSlot edge) {
     const EdgeRow& row = delaunay_.edge(edge);
@@ -131,8 +131,8 @@ bool FeatureSize::is_first(EdgeSlot a, EdgeSlot b) const {
   return key(a) < key(b);
 }
 
-// Coordinates have exponents of 500 in either direction, and squares of distances must not leave the range of doubles.
-// A unit that is a power of two changes no last bit, so any will do that is not too far from the coordinates.
+// Coordinates have exponents up to 500 in either direction, and squares of distances must not leave the range of
+// doubles. A unit that is a power of two changes no last bit, so any unit not too far from the coordinates will do.
 bool FeatureSize::fits(SiteSlot site) const {
   const Vec2 at = delaunay_.site_position(site);
   return std::ranges::all_of(std::array{at.x, at.y}, [this](double x) {
@@ -213,13 +213,13 @@ void FeatureSize::detach(SiteSlot site) {
   (links.before != kNoSlot ? links_[links.before].after : first_site_[edge]) = links.after;
 }
 
-// Sites that lie together ask the tree together: what none of them is near to is passed over once, by the distance from
-// the middle of the group. `sites` are along a curve through the plane; a group ends where it would become large against
-// the distances it asks for.
+// Sites that lie together query the tree together: boxes that are near to none of them are skipped at once, by the
+// distance from the middle of the group. `sites` follow a curve through the plane; a group ends where it would become
+// large against the distances it asks for.
 void FeatureSize::search_in_groups(std::span<const SiteSlot> sites) {
   struct Group {
     std::array<Vec2, kGroup> at;
-    std::array<double, kGroup> aside;  // from the middle
+    std::array<double, kGroup> aside;  // distance from the middle
     std::array<Found, kGroup> found;
     std::size_t count = 0;
   };
@@ -254,7 +254,7 @@ void FeatureSize::search_in_groups(std::span<const SiteSlot> sites) {
       group.aside[i] = distance(middle, group.at[i]) * (1.0 + 0x1p-40);
       radius = std::max(radius, group.aside[i]);
     }
-    // What is farther from the middle than this is nearest to none.
+    // Anything farther from the middle than this is nearest to no site of the group.
     double bound = kInfinity;
     const auto lower_bound = [&] {
       double far = 0.0;
@@ -304,7 +304,7 @@ void FeatureSize::rebuild(JobControl& job) {
   });
   std::size_t left = 0;
   for (const std::vector<SiteSlot>& sites : given_up) left += sites.size();
-  // A tree costs about as much as longer walks of so many.
+  // A tree costs about as much as longer walks for this share of the samples.
   constexpr std::size_t kFew = 32;
   if (kFew * left < delaunay_.site_count())
     run_tasks(given_up.size(),
@@ -312,7 +312,7 @@ void FeatureSize::rebuild(JobControl& job) {
   if (std::ranges::all_of(given_up, [](const auto& sites) { return sites.empty(); })) return;
   const std::vector<AxisLine> lines = all_lines();
   make_line_tree(lines);
-  // To begin with, some edge of the site's own cell.
+  // Every site starts with some edge of its own cell.
   for (const AxisLine& line : lines)
     for (const SiteSlot site : delaunay_.edge(line.edge).v)
       if (nearest_[site] == kNoSlot) nearest_[site] = line.edge;
@@ -379,7 +379,7 @@ void FeatureSize::search_anew(SiteSlot site) {
 }
 
 void FeatureSize::shrink_balls_at(const AxisLine& line) {
-  // A box that the line meets is within its half diagonal of it, about its centre.
+  // If a box meets the line, its centre is within half its diagonal of the line.
   const auto may_hold = [&line](const Box2& box, double reach) {
     const double x = 0.5 * box.width();
     const double y = 0.5 * box.height();
@@ -401,7 +401,7 @@ bool FeatureSize::update(JobControl& job) {
   if (delaunay_.dimension() != 2 || line_count_ == 0) return false;
   if (!std::ranges::all_of(delaunay_.site_changes().touched, [this](SiteSlot site) { return fits(site); }))
     return false;
-  // Of a new edge, all samples ask for it; so many are slower than all samples asking for all edges.
+  // All samples are tested against each new edge; where these are many, a rebuild is quicker.
   if (delaunay_.edge_changes().touched.size() > 64 + delaunay_.edge_rows() / 8) return false;
   get_ready_to_update(job);
   squared_.resize(delaunay_.site_rows(), kInfinity);
@@ -464,8 +464,8 @@ double FeatureSize::epsilon_or_none(EdgeSlot edge) const {
   return has_epsilon(edge) && !ends_at_exempt(edge) ? epsilon(edge) : -kInfinity;
 }
 
-// A sample is exempt or not by its crust neighbours and theirs: so a site that moved or has another neighbour counts for
-// the edges of all that are two steps away along the crust. One that has lost a crust edge has another degree, or a new one.
+// Exemption of a sample depends on its crust neighbours and theirs. So a site that moved or has another neighbour
+// affects the edges of all sites two steps away. One that lost a crust edge has another degree or a new edge.
 std::vector<EdgeSlot> FeatureSize::edges_to_count_anew() {
   std::vector<EdgeSlot> out = edge_changes_.removed;
   counted_.begin(delaunay_.edge_rows());

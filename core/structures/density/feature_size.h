@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How dense the samples are: their distance to the axis against the distance of their neighbours.
+// The density of the samples: their distance to the axis against the distance of their neighbours.
 #pragma once
 
 #include <array>
@@ -19,55 +19,55 @@
 
 namespace mes {
 
-/// What counts as dense: the tests' samples of smooth shapes with this epsilon have the axis that the theorem promises.
+/// The limit of dense samples: with this epsilon, the tests' smooth shapes have the axis that the theorem promises.
 inline constexpr double kDenseEpsilon = 0.25;
 
 /// The local feature size of a point of a curve is its distance to the medial axis on both sides; samples are an
-/// epsilon-sample if every point of the curve has one within epsilon times its feature size. Neither curve nor axis are
+/// epsilon-sample if every point of the curve has one within epsilon times its feature size. Neither curve nor axis is
 /// known, so both are estimated from the samples: the axis by the Voronoi edges of Delaunay edges that are not crust
-/// (layer `all-medial-axis`), the curve by the crust. Where samples are dense the estimate is near the truth; where they
-/// are not, the crust skips what it does not see, and the estimate may be too good.
+/// (layer `all-medial-axis`), the curve by the crust. Where samples are dense the estimate is near the truth; elsewhere
+/// the crust skips details that it does not see, and the estimate may be too good.
 ///
-/// What it guarantees:
-///  1. `size(site)` is the distance to the nearest point of that axis: all of its edges, with rays and lines.
-///  2. `epsilon(edge)` of a crust edge is half its length over the smaller size of its ends. The largest of all is what
-///     the samples achieve by this estimate.
-///  3. At corners the ratio stays as it is however short edges become, and where the curve ends or meets itself the
-///     estimate says nothing: these sites are *exempt*, and edges that end there do not count for the epsilon of all.
-///  4. Where the curves of the samples are known, the epsilon of all is that by these (CurveSampling), and no note says
-///     another one.
-///  5. Numbers that are there are finite and above 0. Without an axis there are none.
+/// Guarantees:
+///  1. `size(site)` is the distance to the nearest point of that axis: all of its edges, including rays and lines.
+///  2. `epsilon(edge)` of a crust edge is half its length over the smaller size of its ends. The largest of all is the
+///     epsilon that the samples achieve by this estimate.
+///  3. At corners the ratio stays the same however short edges become, and where the curve ends or meets itself the
+///     estimate says nothing. These sites are *exempt*: edges that end there do not count for the overall epsilon.
+///  4. Where the curves of the samples are known, the overall epsilon is computed from them (CurveSampling), and no
+///     note gives a second one.
+///  5. All values are finite and above 0. Without an axis there are no values.
 ///
-/// A corner is a sample at which the crust turns by more than twice the arc sine of `kDenseEpsilon`, which half an edge over
-/// the distance to the axis beside a corner comes to however short the edge is, and by more than four times as much as at
-/// its two neighbours together, which a smooth curve with too few samples does not.
+/// A corner is a sample at which the crust turns by more than two limits: twice the arc sine of `kDenseEpsilon`, which
+/// half an edge over the distance to the axis reaches beside a corner however short the edge is, and four times the
+/// turns at its two neighbours together, which a smooth curve with too few samples does not exceed.
 ///
 /// Rows are those of the Delaunay sites and edges. Cost: rebuild O(n log n) typically, by walks along the curve
-/// (cell_walk.h) or in a tree of all edges; an update O(changed edges times what their search meets).
+/// (cell_walk.h) or in a tree of all edges; an update O(changed edges times the rows that their search visits).
 /// Source: Amenta, Bern and Eppstein, "The crust and the beta-skeleton", 1998.
 class FeatureSize final : public Structure {
  public:
   FeatureSize(Delaunay& delaunay, OneStepCrust& crust);
   FeatureSize(Delaunay& delaunay, OneStepCrust& crust, CurveSampling& curves);
 
-  /// There is an edge of the axis.
+  /// True if the axis has an edge.
   bool has_axis() const { return line_count_ != 0; }
-  /// Why there is none, as a sentence without a full stop; empty if there is one.
+  /// The reason why there is no axis, as a sentence without a full stop; empty if there is one.
   std::string_view reason() const;
   bool has_size(SiteSlot site) const { return nearest_.has(site) && nearest_[site] != kNoSlot; }
   double size(SiteSlot site) const { return std::sqrt(squared_[site]) / unit_; }
-  /// The crust edge has an epsilon: both its ends have a size.
+  /// True if the crust edge has an epsilon, that is, if both its ends have a size.
   bool has_epsilon(EdgeSlot edge) const;
   double epsilon(EdgeSlot edge) const;
-  /// The sample is exempt: a corner, or an end or junction of the crust. O(edges at it and its neighbours).
+  /// True if the sample is exempt: a corner, or an end or junction of the crust. O(edges at it and its neighbours).
   bool is_exempt(SiteSlot site) const;
-  /// The edge with the largest epsilon of those that end at no exempt sample; of several the first by the places of its
-  /// ends; kNoSlot if none has one. O(1) once updates have begun, before O(edges).
+  /// The edge with the largest epsilon among those that end at no exempt sample; ties go to the first by the positions
+  /// of its ends; kNoSlot if none has one. O(1) once updates have begun, O(edges) before.
   EdgeSlot sparsest_edge() const;
 
-  /// Sites that came, moved or went, or whose size differs from before.
+  /// Sites that were added, moved or removed, or whose size differs from before.
   const ChangeSet<SiteSlot>& site_changes() const { return site_changes_; }
-  /// Crust edges that changed, or whose epsilon may differ, and edges that changed.
+  /// Crust edges that changed or whose epsilon may differ, and other edges that changed.
   const ChangeSet<EdgeSlot>& edge_changes() const { return edge_changes_; }
 
   void rebuild(JobControl& job) override;
@@ -122,15 +122,15 @@ class FeatureSize final : public Structure {
   Delaunay& delaunay_;
   OneStepCrust& crust_;
   const CurveSampling* curves_;      ///< may be null
-  double unit_ = 1.0;                ///< a power of two: squares of what is multiplied by it are normal doubles
-  int exponent_ = 0;                 ///< of the largest coordinate when it was chosen
-  Table<SiteSlot, double> squared_;  ///< of the size in scaled units; infinite without one
+  double unit_ = 1.0;                ///< a power of two: squares of coordinates times it are normal doubles
+  int exponent_ = 0;                 ///< exponent of the largest coordinate when it was chosen
+  Table<SiteSlot, double> squared_;  ///< squared size in scaled units; infinite without one
   Table<SiteSlot, EdgeSlot> nearest_;
   std::size_t line_count_ = 0;
-  BoxTree<AxisLine> lines_;                 ///< for updates, and for what is searched in it; else empty
-  Table<EdgeSlot, std::uint32_t> line_at_;  ///< its place in the tree
+  BoxTree<AxisLine> lines_;                 ///< for updates and for searches in the tree; else empty
+  Table<EdgeSlot, std::uint32_t> line_at_;  ///< index of the edge in the tree
 
-  // What updates alone need. The sites of one nearest edge, as a list through the table of sites:
+  // Needed by updates alone. The sites with one nearest edge form a list through the table of sites:
   bool is_ready_ = false;
   Table<EdgeSlot, SiteSlot> first_site_;
   struct Links {
@@ -138,14 +138,14 @@ class FeatureSize final : public Structure {
     SiteSlot after{};
   };
   Table<SiteSlot, Links> links_;
-  /// Disks about sites up to their nearest point, or larger ones, as points with a reach.
+  /// Disks about sites up to their nearest axis point, or larger, stored as points with a reach.
   struct Ball {
     Vec2 center{};
     SiteSlot site{};
   };
   BoxTree<Ball> balls_;
   Table<SiteSlot, std::uint32_t> ball_at_;
-  Table<SiteSlot, double> reach_;  ///< in the tree, squared
+  Table<SiteSlot, double> reach_;  ///< squared reach in the tree
   MaxTree<EdgeSlot> epsilons_;
 
   ChangeRecorder<SiteSlot> site_recorder_;

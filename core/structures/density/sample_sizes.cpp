@@ -18,14 +18,14 @@ namespace mes {
 
 class SampleSizes::Measured {
  public:
-  /// `positions` are all, of which those from `first` on are new.
+  /// `positions` are all samples; those from `first` on are new.
   Expected<void> take(std::span<const Vec2> positions, std::size_t first, JobControl& job) {
     auto delta = first == 0 ? replace_all(document_, {.positions = {positions.begin(), positions.end()}})
                             : insert_samples(document_, positions.subspan(first));
     if (!delta) return std::unexpected(delta.error());
     document_.apply(*delta);
     samples_.post(std::make_shared<const DocumentDelta>(*std::move(delta)));
-    // Until there have been a few insertions, the trees that an update of sizes asks cost more than all sizes anew.
+    // For the first few insertions, the trees that an update of sizes needs cost more than computing all sizes.
     constexpr int kFew = 2;
     const bool is_updated = bring_up_to_date(job, {&samples_, &delaunay_, &crust_}, first != 0);
     bring_up_to_date(job, {&sizes_}, is_updated && ++insertions_ > kFew);
@@ -37,7 +37,7 @@ class SampleSizes::Measured {
   }
 
  private:
-  /// False if one of them was made anew.
+  /// False if one of the structures was rebuilt.
   static bool bring_up_to_date(JobControl& job, std::initializer_list<Structure*> structures, bool may_update) {
     for (Structure* structure : structures) structure->clear_changes();
     for (Structure* structure : structures) {
@@ -63,13 +63,13 @@ Expected<std::vector<double>> SampleSizes::of(std::span<const Vec2> positions) {
   std::vector<Vec2> wanted(positions.begin(), positions.end());
   if (std::string fault = bring_into_range(wanted); !fault.empty())
     return std::unexpected(Error{ErrorCode::bad_input, "of the samples, " + fault});
-  // Beyond such a share making it anew is quicker.
+  // Beyond this share of new samples a rebuild is quicker.
   constexpr std::size_t kMany = 32;
   const std::size_t before = positions_.size();
   const bool goes_on = measured_ && before != 0 && before <= wanted.size() &&
                        kMany * (wanted.size() - before) < before &&
                        std::equal(positions_.begin(), positions_.end(), wanted.begin());
-  positions_.clear();  // worthless until all is done
+  positions_.clear();  // invalid until all is done
   if (!goes_on) measured_ = std::make_unique<Measured>();
   if (auto done = measured_->take(wanted, goes_on ? before : 0, job_); !done) return std::unexpected(done.error());
   positions_ = std::move(wanted);

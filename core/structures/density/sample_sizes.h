@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Feature sizes of lists of samples, each of which may be the one before and some more.
+// Feature sizes of lists of samples, where a list may extend the one before.
 #pragma once
 
 #include <memory>
@@ -12,7 +12,7 @@
 
 namespace mes {
 
-/// What curves are measured with (core/curves/feature_field.h).
+/// Provides the sizes by which curves are measured (core/curves/feature_field.h).
 ///
 /// Smallest use:
 ///     SampleSizes sizes(job);
@@ -21,8 +21,8 @@ class SampleSizes {
  public:
   explicit SampleSizes(JobControl& job);
   ~SampleSizes();
-  /// Distances of the samples to their axis (FeatureSize); infinite where there is none. A few more samples than in the
-  /// call before cost what they change. Error: a coordinate out of range. Throws `Cancelled`.
+  /// Distances of the samples to their axis (FeatureSize); infinite if there is no axis. Adding a few samples to those
+  /// of the call before costs only what they change. Error: a coordinate out of range. Throws `Cancelled`.
   Expected<std::vector<double>> of(std::span<const Vec2> positions);
 
  private:
