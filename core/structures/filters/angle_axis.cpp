@@ -29,11 +29,11 @@ double AngleAxis::largest(EdgeSlot edge) const {
 }
 
 double AngleAxis::end_value(EdgeSlot edge, int end) const {
-  // The left face of the row is that of p.
+  // The face to the left of the edge is that of the apex p.
   return edge_angles(crust_.corners(edge)).end(end == 0);
 }
 
-// The two samples that are farthest apart: for each, the ones next to the opposite of it.
+// Finds the two samples that are farthest apart: compares each with those next to the point opposite it.
 double AngleAxis::group_value(FaceSlot node) const {
   const Vec2 center = delaunay_.circumcenter(node);
   std::vector<SiteSlot> sites;
@@ -82,8 +82,8 @@ void AngleAxis::take(const Wish& wish) {
   limit_ = AngleLimit(wish.limit);
 }
 
-// The largest angle on an edge is 90 degrees where it crosses the edge of its two samples, so that both corners opposite
-// are not obtuse; else it is at one of the ends.
+// The largest angle on an edge is 90 degrees if the edge crosses the segment between its two samples, that is, if
+// neither opposite corner is obtuse; else it is at one of the ends.
 AngleAxis::Reached AngleAxis::reached(CornerBits at_p, CornerBits at_s) const {
   const CornerBits not_cut = angle_mode() == AngleMode::clip ? CornerBits{0} : kAngleReaches;
   return {(((at_p | at_s) & kAngleReaches) | (at_p & at_s & kNotObtuse)) != 0,
@@ -93,7 +93,7 @@ AngleAxis::Reached AngleAxis::reached(CornerBits at_p, CornerBits at_s) const {
 AngleAxis::Reached AngleAxis::reached(EdgeSlot edge) const {
   if (wish().limit <= 0.0) return {true, {true, true}};
   if (angle_mode() == AngleMode::mean) return {value(edge) >= wish().limit, {true, true}};
-  // The left face of the row is that of p.
+  // The face to the left of the edge is that of the apex p.
   const EdgeCorners at = crust_.corners(edge);
   return reached(limit_.corner(at.p, at.q, at.r), limit_.corner(*at.s, at.r, at.q));
 }
@@ -102,8 +102,8 @@ bool AngleAxis::reaches(EdgeSlot edge) const {
   return reached(edge).anywhere;
 }
 
-// The two corners opposite an edge lie in rows of faces anywhere; so each face is read once and hands its corners to its
-// edges.
+// The two corners opposite an edge are in scattered rows of faces, so each face is read once and hands its corners to
+// its edges.
 void AngleAxis::begin_all() {
   end_all();  // a run that failed may have left them
   if (wish().limit <= 0.0 || angle_mode() == AngleMode::mean) return;
@@ -116,7 +116,7 @@ void AngleAxis::begin_all() {
       const std::array<CornerBits, 3> bits = limit_.corners(
           delaunay_.site_position(row.v[0]), delaunay_.site_position(row.v[1]), delaunay_.site_position(row.v[2]));
       for (int i = 0; i < 3; ++i) {
-        // The row of the edge, far away, would say which of its faces this is.
+        // Reading from the edge's row which of its faces this is would be a cache miss.
         const std::size_t side = face < row.n[i] ? 0 : 1;
         corners_[2 * std::size_t{row.e[i].index()} + side] = bits[static_cast<std::size_t>(i)];
       }

@@ -12,15 +12,15 @@
 
 namespace mes {
 
-/// What stands for an edge of the axis, along which the angle varies; the parameter `angle-mode`.
+/// The value that stands for an edge of the axis, along which the angle varies; the parameter `angle-mode`.
 enum class AngleMode : std::uint8_t {
   clip,     ///< each point for itself: an edge is cut where the angle reaches the limit
   largest,  ///< the largest angle on the edge decides about all of it
-  mean,     ///< the mean of the angles at its two ends does
+  mean,     ///< the mean of the angles at its two ends decides about all of it
 };
 
 /// The angle at a node is the largest half angle between two samples of its circle. Values are degrees in [0, 90],
-/// computed from differences of samples by `atan2`; they are compared as the doubles that they are.
+/// computed from differences of samples by `atan2` and compared as doubles.
 ///
 /// Source: Dey and Zhao, "Approximate medial axis as a Voronoi subcomplex", 2002; Foskey, Lin and Manocha, "Efficient
 /// computation of a simplified medial axis", 2003 (the theta-simplified axis, which `clip` is).
@@ -39,7 +39,7 @@ class AngleAxis final : public AxisFilter {
   AngleMode angle_mode() const { return static_cast<AngleMode>(wish().mode); }
   /// The largest angle on an edge of the axis, whatever the mode of the filter.
   double largest(EdgeSlot edge) const;
-  /// At the end `EdgeRow::f[end]` of an edge.
+  /// The angle at the end `EdgeRow::f[end]` of an edge.
   double end_value(EdgeSlot edge, int end) const;
 
  protected:
@@ -60,8 +60,8 @@ class AngleAxis final : public AxisFilter {
   Reached reached(CornerBits at_p, CornerBits at_s) const;
 
   AngleLimit limit_{0.0};
-  // While everything is decided: what is known of the corners of inside faces. Two for each edge, first that of its face
-  // with the smaller row; and of each face, all together.
+  // Facts known about the corners of inside faces while everything is decided. Two per edge, that of its face with the
+  // smaller row first; and one per face, for all its corners together.
   std::unique_ptr<CornerBits[]> corners_;
   std::unique_ptr<CornerBits[]> nodes_;
 };

@@ -29,7 +29,7 @@ class Tracer {
         is_done_(delaunay_.edge_rows(), 0) {}
 
   std::vector<AxisBranch> run() {
-    // From every end of a branch first; what is left then is closed.
+    // Start from every end of a branch first; what is left then is closed.
     for (const EdgeSlot edge : delaunay_.edge_slots())
       for (int end = 0; end < 2; ++end)
         if (is_open(edge) && end_of({edge, end}).kind != BranchEndKind::none) trace({edge, end});
@@ -44,7 +44,7 @@ class Tracer {
   bool is_open(EdgeSlot edge) const { return filter_.is_kept(edge) && is_done_[edge] == 0; }
   FaceSlot node_of(const Step& step) const { return balls_.ball(delaunay_.edge(step.edge).f[step.from]); }
 
-  /// Kept edges that end at a node and are not cut before it, leading away from it.
+  /// Kept edges, leading away from a node, that end there and are not cut before it.
   std::vector<Step> kept_at(FaceSlot node) const {
     std::vector<Step> out;
     const auto add = [&](FaceSlot face) {
@@ -61,7 +61,7 @@ class Tracer {
     return out;
   }
 
-  /// What the branch has where the step begins; `none` where it goes on.
+  /// The end of the branch where the step begins; `none` if the branch continues.
   AxisBranch::End end_of(const Step& step) const {
     if (filter_.is_cut(step.edge, step.from)) return {filter_.kept_end(step.edge, step.from), BranchEndKind::cut};
     const FaceSlot node = node_of(step);
@@ -102,8 +102,8 @@ class Tracer {
     return delaunay_.circumcenter(is_first ? first : node_of({branch.edges[i], 1}));
   }
 
-  /// Which end comes first depends on places alone: the smaller one; where both are equal, as in a loop at a junction, the
-  /// way that comes to the smaller node first.
+  /// The order of the ends depends on positions alone: the smaller comes first. If both are equal, as in a loop at a
+  /// junction, the branch runs the way that reaches the smaller node first.
   void arrange_open(AxisBranch& branch) const {
     const auto order = [](const AxisBranch::End& end) { return std::tuple(end.place.x, end.place.y, end.kind); };
     bool is_backwards = order(branch.to) < order(branch.from);
@@ -122,7 +122,7 @@ class Tracer {
     std::ranges::reverse(branch.edges);
   }
 
-  /// Where a closed branch may begin, and which way it may go.
+  /// A possible start and direction of a closed branch.
   struct Start {
     std::size_t first = 0;
     bool is_backwards = false;
@@ -131,8 +131,8 @@ class Tracer {
     }
   };
 
-  /// A closed branch was traced from an arbitrary edge in an arbitrary direction. It begins at its smallest node, and goes
-  /// on to the smaller of the two nodes next to it.
+  /// A closed branch was traced from an arbitrary edge in an arbitrary direction. Makes it begin at its smallest node
+  /// and run towards the smaller of the two nodes next to it.
   void arrange_closed(AxisBranch& branch) const {
     const std::size_t n = branch.edges.size();
     std::vector<Vec2> places(n);
@@ -166,8 +166,8 @@ class Tracer {
     out_.push_back(std::move(branch));
   }
 
-  // The balls of an edge touch its two samples: at height t over their middle the radius is the root of h^2 + t^2. The
-  // heights are those of the ends, from the middle, so that nothing depends on which end comes first.
+  // The balls of an edge touch its two samples: at height t over their middle the radius is the root of h^2 + t^2.
+  // Heights of the ends are measured from the middle, so nothing depends on which end comes first.
   void measure(AxisBranch& branch) const {
     Sum length;
     Sum area;

@@ -75,7 +75,7 @@ int AxisFilter::kept_edges_at(FaceSlot node) const {
   return count;
 }
 
-// Leaves that the limit has left reach it somewhere, as the leaf of the least value is the next to go.
+// Every leaf that the limit leaves reaches it somewhere, since the leaf of the least value is the next to go.
 void AxisFilter::cut_free_ends(EdgeSlot edge) {
   if (!is_kept(edge)) return;
   const Reached at = reached(edge);
@@ -92,7 +92,7 @@ std::uint8_t AxisFilter::flags_of(FaceSlot node) const {
     for (const EdgeSlot edge : delaunay_.face(face).e) {
       if (edge == kNoSlot || !is_kept(edge)) continue;
       has_kept = true;
-      // Most edges are whole, and which of its ends this is is asked of a row that is often far away.
+      // Most edges are whole, and finding which of its ends this is costs a cache miss.
       is_end = is_end || !is_cut(edge) || !is_cut(edge, delaunay_.edge(edge).f[0] == face ? 0 : 1);
     }
   });
@@ -118,7 +118,7 @@ void AxisFilter::prune(JobControl& job) {
     for (std::size_t i = begin; i < end; ++i) order[i].value = value(order[i].edge);
   });
   job.checkpoint();
-  // Values that are nearly equal are compared exactly, and equal ones by place: no trace of the numbers of rows.
+  // Nearly equal values are compared exactly, and equal ones by position, so that row numbers leave no trace.
   const auto place = [this](EdgeSlot edge) {
     const EdgeRow& row = delaunay_.edge(edge);
     const Vec2 a = delaunay_.site_position(row.v[0]);
@@ -155,8 +155,8 @@ void AxisFilter::reached_each(std::span<const EdgeSlot> edges, std::span<Reached
   for (std::size_t i = 0; i < edges.size(); ++i) out[i] = reached(edges[i]);
 }
 
-// Decides a run of rows, where the filter is raw. Nodes at which a kept edge ends are kept; several edges, also of other
-// threads, may say so of one node.
+// Decides a run of rows of a raw filter. Nodes at which a kept edge ends are kept; several edges, also of other
+// threads, may mark the same node.
 void AxisFilter::decide_edges(std::size_t begin, std::size_t end) {
   constexpr std::size_t kBatch = 512;
   std::array<EdgeSlot, kBatch> edges;
@@ -179,7 +179,7 @@ void AxisFilter::decide_edges(std::size_t begin, std::size_t end) {
   }
 }
 
-// Decides the nodes at which no kept edge ends; all edges are decided before.
+// Decides the nodes at which no kept edge ends, after all edges have been decided.
 void AxisFilter::decide_nodes(std::size_t begin, std::size_t end) {
   constexpr std::size_t kBatch = 512;
   std::array<FaceSlot, kBatch> nodes;
@@ -210,7 +210,7 @@ void AxisFilter::refresh_everything() {
     for_all_edges([this](std::size_t begin, std::size_t end) {
       for (const EdgeSlot edge : slots_between<EdgeSlot>(begin, end)) edge_flags_[edge] = flags_of(edge);
     });
-    // No mark of a cut decides about another one.
+    // The mark of one cut does not affect another one.
     for (const EdgeSlot edge : edge_flags_.rows()) cut_free_ends(edge);
     for_all_nodes([this](std::size_t begin, std::size_t end) {
       for (const FaceSlot node : slots_between<FaceSlot>(begin, end)) node_flags_[node] = flags_of(node);
@@ -231,7 +231,7 @@ void AxisFilter::rebuild(JobControl& job) {
   refresh_everything();
 }
 
-// Whatever the limit is: rows whose values may differ.
+// Notes rows whose values may differ, whatever the limit is.
 void AxisFilter::note_inputs() {
   edge_recorder_.begin(delaunay_.edge_rows());
   node_recorder_.begin(delaunay_.face_rows());
@@ -283,7 +283,7 @@ bool AxisFilter::update(JobControl& job) {
   const Table<FaceSlot, std::uint8_t> nodes_before = node_flags_;
   if (axis_changed || wish_.keeps_topology != before.keeps_topology) prune(job);
   refresh_everything();
-  // A cut is at another place for another limit.
+  // Another limit moves the cuts.
   const auto may_differ = [&](EdgeSlot edge) {
     return edge_flags_[edge] != edges_before[edge] ||
            (wish_.limit != before.limit && (edge_flags_[edge] & (kCut[0] | kCut[1])) != 0);
@@ -334,7 +334,7 @@ StatList AxisFilter::statistics() const {
     joined.join(a, b);
     ++joins;
   }
-  // A cut is an end of its own. What is cut at both ends is a component without a node.
+  // A cut is an end of its own. An edge that is cut at both ends is a component without a node.
   std::int64_t nodes = 0;
   std::int64_t isolated = 0;
   std::int64_t leaves = cuts;

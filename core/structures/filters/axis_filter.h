@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of the one-step axis on which a measure reaches a limit: what lambda and object angle have in common.
+// The part of the one-step axis on which a measure reaches a limit: the common base of lambda and object angle.
 #pragma once
 
 #include <cstddef>
@@ -18,40 +18,40 @@ namespace mes {
 /// A piece at one end of an axis edge: row 2 e + i at the end `EdgeRow::f[i]` of edge e.
 using AxisEndSlot = Slot<struct AxisEndTag>;
 
-/// What it guarantees:
-///  1. *Raw* (parameter `keep-topology` off): an edge of positive length is kept where its measure reaches the limit, a
-///     node where its own does, or where a kept edge ends at it. So what is kept is closed.
-///  2. *Topology preserving*: of what the raw part leaves, only what can be pruned from the ends inwards is taken away
-///     (axis_pruning.h). For every limit there are as many components and cycles as in the whole axis.
-///  3. A measure that varies along an edge may *cut* it: the edge is kept up to a place between its ends. Where the
+/// Guarantees:
+///  1. *Raw* (parameter `keep-topology` off): an edge of positive length is kept if its measure reaches the limit, a
+///     node if its own does or if a kept edge ends at it. So the kept part is closed.
+///  2. *Topology preserving*: of the edges outside the raw part, only those that can be pruned from the ends inwards
+///     are removed (axis_pruning.h). Every limit leaves as many components and cycles as the whole axis has.
+///  3. A measure that varies along an edge may *cut* it: the edge is kept up to a point between its ends. Where the
 ///     topology is preserved only free ends are cut.
-///  4. Values are finite doubles, for all inputs. Whether a value reaches the limit is decided as the filter says.
+///  4. Values are finite doubles, for all inputs. Each filter defines how it decides that a value reaches the limit.
 ///
 /// Rows are those of the Delaunay edges and faces. Cost: rebuild O(n), an edit O(changed rows) where raw; O(n log n)
-/// each where the topology is preserved. A change of the limit alone is O(n) and tells which rows differ.
+/// each where the topology is preserved. A change of the limit alone is O(n) and reports which rows differ.
 class AxisFilter : public Structure {
  public:
   const Delaunay& delaunay() const { return delaunay_; }
 
   bool is_kept(EdgeSlot edge) const { return (edge_flags_[edge] & kKept) != 0; }
-  /// A kept edge ends before its end `EdgeRow::f[end]`.
+  /// True if a kept edge ends before its end `EdgeRow::f[end]`.
   bool is_cut(EdgeSlot edge, int end) const { return (edge_flags_[edge] & kCut[end]) != 0; }
-  /// An edge of the axis of which something is missing.
+  /// True for an edge of the axis of which some part is missing.
   bool is_removed(EdgeSlot edge) const;
-  /// The node, which is a face of `MedialAxis::is_node`.
+  /// True if the node, which is a face of `MedialAxis::is_node`, is kept.
   bool is_kept(FaceSlot node) const { return node_flags_[node] != 0; }
-  /// Where what is kept of a kept edge ends: the node, or the cut.
+  /// The end of the kept part of a kept edge: the node, or the cut.
   Vec2 kept_end(EdgeSlot edge, int end) const;
-  /// Whether a removed piece lies in that row, and its ends.
+  /// True if that row has a removed piece; `a` and `b` are then its ends.
   bool removed_piece(AxisEndSlot row, Vec2& a, Vec2& b) const;
 
-  /// Of an edge of the axis: the largest value on it, except for an angle that is a mean.
+  /// Value of an edge of the axis: the largest on it, except for an angle that is a mean.
   virtual double value(EdgeSlot edge) const = 0;
-  /// Of a node of the axis.
+  /// Value of a node of the axis.
   virtual double value(FaceSlot node) const = 0;
-  /// The value as a sentence names it, e.g. "object angle 31.2 degrees".
+  /// The value in words, e.g. "object angle 31.2 degrees".
   virtual std::string spoken(double value) const = 0;
-  /// The name of the measure as a column of values has it, in snake case.
+  /// The name of the measure as the name of a column, in snake case.
   virtual std::string_view measure() const = 0;
 
   const ChangeSet<EdgeSlot>& edge_changes() const { return edge_changes_; }
@@ -66,50 +66,50 @@ class AxisFilter : public Structure {
   StatList statistics() const override;
   std::vector<TableColumns> table_columns() const override;
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
-  /// Why nothing is kept, as one sentence without a full stop; empty if something is.
+  /// The reason why nothing is kept, as one sentence without a full stop; empty if something is.
   std::string reason() const;
 
  protected:
-  /// What the settings ask for.
+  /// The settings that the filter uses.
   struct Wish {
     double limit = 0.0;
     bool keeps_topology = false;
-    int mode = 0;  ///< of the measure; another one is another measure
+    int mode = 0;  ///< mode of the measure; another mode is another measure
     friend bool operator==(const Wish&, const Wish&) = default;
   };
 
-  /// `measure`: one more structure that values are taken of.
+  /// `measure`: a further structure that values are taken from.
   AxisFilter(std::string_view id, SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels,
              InnerBalls& balls, MedialAxis& axis, const Parameter& limit, Structure* measure = nullptr);
 
   const Wish& wish() const { return wish_; }
   virtual int mode(const ComputationSettings&) const { return 0; }
-  /// Called when there is another wish, before anything is decided by it.
+  /// Called when there is a new wish, before anything is decided by it.
   virtual void take(const Wish&) {}
-  /// The value of an edge reaches the limit.
+  /// True if the value of an edge reaches the limit.
   virtual bool reaches(EdgeSlot edge) const = 0;
-  /// Where along an edge the value reaches the limit.
+  /// The parts of an edge where the value reaches the limit.
   struct Reached {
     bool anywhere = false;
-    bool at_end[2] = {true, true};  ///< of an edge that reaches it anywhere
+    bool at_end[2] = {true, true};  ///< for an edge that reaches it anywhere
   };
   virtual Reached reached(EdgeSlot edge) const { return {reaches(edge), {true, true}}; }
-  /// The same for many edges of the axis, in `out`. Where all edges and nodes are decided, `begin_all` is called before
-  /// and `end_all` after: what several of them have in common can then be found once.
+  /// The same for many edges of the axis, written to `out`. Where all edges and nodes are decided, `begin_all` is
+  /// called before and `end_all` after, so that work that several of them share can be done once.
   virtual void reached_each(std::span<const EdgeSlot> edges, std::span<Reached> out) const;
   virtual void begin_all() {}
   virtual void end_all() {}
-  /// Where along the edge it begins to.
+  /// The point of the edge where the value begins to reach the limit.
   virtual Vec2 cut_place(EdgeSlot, int /*end*/) const { return {}; }
-  /// The node's own value reaches the limit, whatever the edges do.
+  /// True if the node's own value reaches the limit, whatever the edges do.
   virtual bool node_reaches(FaceSlot node) const = 0;
   /// Order of the values of two edges: -1, 0 or 1.
   virtual int compare(EdgeSlot a, EdgeSlot b) const = 0;
-  /// More counters, about all values.
+  /// Adds further counters, about all values.
   virtual void add_statistics(StatList& out) const = 0;
 
   bool is_edge(EdgeSlot edge) const {
-    // Whether a row is one follows no pattern, so no branch depends on it.
+    // Axis edges follow no pattern among the rows, so no branch depends on it.
     return delaunay_.edge(edge).is_alive() && (axis_.is_axis_edge(edge) & !axis_.is_zero_length(edge));
   }
   template <class Visit>
@@ -124,7 +124,7 @@ class AxisFilter : public Structure {
  private:
   static constexpr std::uint8_t kKept = 1;
   static constexpr std::uint8_t kCut[2] = {2, 4};
-  static constexpr std::uint8_t kIsolated = 2;  // of a node: kept, and no kept edge ends there
+  static constexpr std::uint8_t kIsolated = 2;  // the node is kept, and no kept edge ends there
 
   bool is_cut(EdgeSlot edge) const { return (edge_flags_[edge] & (kCut[0] | kCut[1])) != 0; }
   Wish wanted() const;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pruning of a graph from its free ends inwards, for all limits at once.
+// Prunes a graph from its free ends inwards, for all limits at once.
 //
-// Leaf edges are taken away, the one of the least value first; what has been taken away has the *level* at which it
-// went, the largest value until then. What has at least the level L is left at the limit L. Only leaves ever go, so for
-// every L the rest is a deformation retract of the graph: as many components, as many cycles.
+// Leaf edges are removed, the one of the least value first. The *level* of a removed edge is the largest value removed
+// up to then. A limit L leaves the edges of level L or more. Only leaves are ever removed, so for every L the rest is a
+// deformation retract of the graph: as many components, as many cycles.
 //
-// Instead of a queue of leaves, all edges are sorted once and visited in this order. A visited edge that is a leaf goes,
-// and with it, one after the other, the edges behind it that become leaves and have been visited before. That is the
-// same order up to ties, and the level is the value of the visited edge.
+// Instead of a queue of leaves, all edges are sorted once and visited in this order. A visited edge that is a leaf is
+// removed, and with it, one after the other, the edges behind it that become leaves and were visited before. The order
+// is the same up to ties, and the level is the value of the visited edge.
 #pragma once
 
 #include <cstdint>
@@ -20,10 +20,10 @@
 
 namespace mes {
 
-/// What it guarantees: the result depends on the graph and the order of the edges alone. A component without cycles
-/// keeps one node, its *root*, at every limit.
+/// Guarantees: the result depends on the graph and the order of the edges alone. A component without cycles keeps one
+/// node, its *root*, at every limit.
 ///
-/// Cost: O(edges) and the sorting, which is the caller's.
+/// Cost: O(edges), plus the sorting, which the caller does.
 ///
 /// Smallest use:
 ///     AxisPruning pruning;
@@ -36,13 +36,13 @@ class AxisPruning {
   void clear();
   void begin(std::size_t edge_rows, std::size_t node_rows);
   void add(EdgeSlot edge, FaceSlot a, FaceSlot b);
-  /// `is_better_root(a, b)`: which of the ends of a last edge stays.
+  /// `is_better_root(a, b)` tells which end of a last edge stays.
   template <class IsBetterRoot>
   void run(IsBetterRoot is_better_root);
 
-  /// The edge whose value is the level of this one, which was added; none when it is never taken away.
+  /// The added edge whose value is the level of this one; kNoSlot if it is never removed.
   EdgeSlot level_of(EdgeSlot edge) const { return level_[edge]; }
-  /// A node that stays although all its edges go. Nodes without edges are not known here.
+  /// True for a node that stays although all its edges are removed. Nodes without edges are not known here.
   bool is_root(FaceSlot node) const { return is_root_.has(node) && is_root_[node] != 0; }
   std::size_t degree(FaceSlot node) const { return end_.has(node) ? end_[node].degree_at_first : 0; }
 
@@ -53,7 +53,7 @@ class AxisPruning {
   };
   struct End {
     std::uint32_t degree = 0;
-    std::uint32_t items = 0;  ///< exclusive or of the positions of the edges that are left: of a leaf, its edge
+    std::uint32_t items = 0;  ///< xor of the positions of the remaining edges: for a leaf, its edge
     std::uint32_t degree_at_first = 0;
   };
   bool is_leaf(const Item& item) const { return end_[item.end[0]].degree == 1 || end_[item.end[1]].degree == 1; }

@@ -7,15 +7,15 @@
 
 namespace mes {
 
-/// The limit is `scale-axis-factor`: a node is kept if no other inner ball, grown by a smaller factor, swallows its ball
-/// grown by the same. An edge has the smaller cover date of its two ends. So at one setting there are two answers to the
-/// question what remains when balls grow: this filter, which takes parts of the axis away, and the scale axis, which is
+/// The limit is `scale-axis-factor`: a node is kept if no other inner ball, grown by a smaller factor, swallows its
+/// ball grown by the same. An edge has the smaller cover date of its two ends. So one setting has two answers to the
+/// question of what remains when balls grow: this filter, which removes parts of the axis, and the scale axis, which is
 /// another axis.
 ///
 /// Values are 1 - 1/s of the cover date s: 0 for balls that are swallowed at once, 1 for those that never are, which
 /// every limit leaves.
 ///
-/// Cost, besides `AxisFilter`: `CoverDates`, and a rebuild for every edit.
+/// Cost, besides that of `AxisFilter`: `CoverDates`, and a rebuild for every edit.
 class CoverAxis final : public AxisFilter {
  public:
   CoverAxis(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,

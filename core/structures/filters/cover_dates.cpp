@@ -27,13 +27,13 @@ void CoverDates::rebuild(JobControl& job) {
   for (const FaceSlot face : delaunay_.face_slots()) {
     if (!delaunay_.is_finite_face(face) || !is_node(face)) continue;
     const Disk ball{delaunay_.circumcenter(face), delaunay_.circumradius(face)};
-    // What no double can hold swallows nothing that can be shown.
+    // A ball that no double can hold swallows nothing that can be shown.
     if (!is_finite(ball)) continue;
     number_of[face] = static_cast<std::uint32_t>(nodes.size());
     nodes.push_back(face);
     balls.push_back(ball);
   }
-  // Where nothing else is known, a ball is swallowed by one beside it.
+  // Hints: where nothing else is known, a ball is swallowed by one beside it.
   std::vector<CoverSearch::Hints> hints(nodes.size());
   parallel_for(nodes.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     for (std::size_t i = begin; i < end; ++i) {

@@ -7,16 +7,16 @@
 
 namespace mes {
 
-/// What it guarantees, with c the centre and r the radius of a ball as doubles:
-///  1. `date(i)` is the least of |c_i - c_j| / (r_j - r_i) over all balls j with r_j > r_i: at this factor the grown ball j
-///     holds the grown ball i. Infinite for the largest balls, which are never swallowed; elsewhere 1 or more, as no inner
-///     ball lies inside another; what rounding brings below 1 is 1.
-///  2. It is the least of the same doubles that looking at all pairs gives, bit for bit.
+/// Guarantees, with c the centre and r the radius of a ball as doubles:
+///  1. `date(i)` is the least of |c_i - c_j| / (r_j - r_i) over all balls j with r_j > r_i: at this factor the grown
+///     ball j holds the grown ball i. It is infinite for the largest balls, which are never swallowed; for others it is
+///     1 or more, as no inner ball lies inside another. Values that rounding brings below 1 are set to 1.
+///  2. It equals, bit for bit, the least of these doubles over all pairs.
 ///
-/// Not to be confused with the scale axis, which is of the union of grown balls.
+/// Not to be confused with the scale axis, which belongs to the union of grown balls.
 ///
-/// Rows: nodes, faces that stand for their ball (`InnerBalls::ball`). Cost: rebuild O(n log n) typically, O(n^2) at worst
-/// (internal/cover_search.h). An edit asks for a rebuild, as a new ball may swallow any other.
+/// Rows: nodes, that is, faces that stand for their ball (`InnerBalls::ball`). Cost: rebuild O(n log n) typically,
+/// O(n^2) at worst (internal/cover_search.h). Every edit causes a rebuild, as a new ball may swallow any other.
 class CoverDates final : public Structure {
  public:
   CoverDates(Delaunay& delaunay, InnerBalls& balls);
@@ -37,7 +37,7 @@ class CoverDates final : public Structure {
 
   const Delaunay& delaunay_;
   const InnerBalls& balls_;
-  Table<FaceSlot, double> date_;  ///< below 0: no node
+  Table<FaceSlot, double> date_;  ///< below 0 if the face is no node
 };
 
 }  // namespace mes

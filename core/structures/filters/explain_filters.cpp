@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the filters of the axis know of the rows they share with `Delaunay`, and of the pieces they removed.
+// Explains the part of the axis filters in rows that they share with `Delaunay`, and the pieces they removed.
 #include <string>
 
 #include "core/structures/delaunay/explain_parts.h"

@@ -25,9 +25,8 @@ double LambdaAxis::value(EdgeSlot edge) const {
   return 0.5 * distance(delaunay_.site_position(row.v[0]), delaunay_.site_position(row.v[1]));
 }
 
-// The triangles of a node cover the polygon of its samples. If the centre lies in it, it lies in one of them, which is
-// not obtuse; else all are obtuse, and the longest of their sides is that between the two samples that are farthest
-// apart.
+// The triangles of a node cover the polygon of its samples. If the centre lies in the polygon, it lies in one of them,
+// which is not obtuse. Otherwise all are obtuse, and their longest side joins the two samples that are farthest apart.
 double LambdaAxis::value(FaceSlot node) const {
   double out = 0.0;
   for_each_face_of(node, [&](FaceSlot face) {
@@ -67,8 +66,8 @@ int LambdaAxis::compare(EdgeSlot a, EdgeSlot b) const {
                          delaunay_.site_position(row_b.v[0]), delaunay_.site_position(row_b.v[1]));
 }
 
-// The centre of a circle lies in the closed polygon of its samples where it lies in one of the closed triangles: inside
-// one, or on a side of one, which then is a diameter.
+// The centre of a circle lies in the closed polygon of its samples if it lies in one of the closed triangles: inside
+// it, or on a side of it, which is then a diameter.
 std::optional<double> LambdaAxis::critical_value(FaceSlot node) const {
   std::optional<double> out;
   for_each_face_of(node, [&](FaceSlot face) {
@@ -78,7 +77,7 @@ std::optional<double> LambdaAxis::critical_value(FaceSlot node) const {
     if (std::ranges::min(sign) > 0) out = delaunay_.circumradius(node);
     if (std::ranges::min(sign) != 0) return;
     const auto right = static_cast<std::size_t>(std::ranges::find(sign, 0) - sign.begin());
-    // As a crossed edge has it, so that both are one value.
+    // Computed as for a crossed edge, so that both give one value.
     out = 0.5 * distance(corner[(right + 1) % 3], corner[(right + 2) % 3]);
   });
   return out;
@@ -91,7 +90,7 @@ std::vector<double> LambdaAxis::critical_values() const {
     if (const auto value = critical_value(node)) out.push_back(*value);
   }
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
-    // Edges of length zero, too: the diagonals of samples on one circle are crossed where the centre lies on them.
+    // Includes edges of length zero: diagonals of samples on one circle are crossed where the centre lies on them.
     if (!delaunay_.edge(edge).is_alive() || !axis_.is_axis_edge(edge)) continue;
     const EdgeCorners at = crust_.corners(edge);
     if (at.s && sign_of_corner(at.p, at.q, at.r) >= 0 && sign_of_corner(*at.s, at.r, at.q) >= 0)

@@ -22,25 +22,25 @@ constexpr double folded(double degrees) {
   return degrees > 90.0 ? 180.0 - degrees : degrees;
 }
 
-/// What is known of the corner of a triangle, as bits.
+/// Facts about the corner of a triangle, as bits.
 using CornerBits = std::uint8_t;
 inline constexpr CornerBits kAngleReaches = 1;  ///< its folded angle reaches the limit
-inline constexpr CornerBits kNotObtuse = 2;     ///< it has 90 degrees at most
+inline constexpr CornerBits kNotObtuse = 2;     ///< it has at most 90 degrees
 
-/// A limit of folded angles, as one decides by: a corner reaches it where `folded(angle_at(p, q, r)) >= degrees`. The arc
-/// tangent is computed only where rounding may decide.
+/// A limit of folded angles: a corner reaches it if `folded(angle_at(p, q, r)) >= degrees`. The arc tangent is computed
+/// only where rounding may decide.
 class AngleLimit {
  public:
   explicit AngleLimit(double degrees);
 
-  /// Of the corner at p.
+  /// Facts about the corner at p.
   CornerBits corner(Vec2 p, Vec2 q, Vec2 r) const {
     const Vec2 u = q - p;
     const Vec2 v = r - p;
     CornerBits out{};
     return decide(dot(u, v), cross(u, v), dot(u, u) * dot(v, v), out) ? out : corner_by_angle(p, q, r);
   }
-  /// Of all three corners, with their differences and lengths computed once.
+  /// Facts about all three corners, with their differences and lengths computed once.
   std::array<CornerBits, 3> corners(Vec2 a, Vec2 b, Vec2 c) const {
     const Vec2 ab = b - a;
     const Vec2 bc = c - b;
@@ -56,8 +56,8 @@ class AngleLimit {
   }
 
  private:
-  /// By the scalar product of the two sides, their determinant and the product of their squared lengths. Returns false
-  /// where rounding may decide, or products leave the range of doubles.
+  /// Decides by the scalar product of the two sides, their determinant and the product of their squared lengths.
+  /// Returns false where rounding may decide, or products leave the range of doubles.
   bool decide(double product, double det, double size, CornerBits& out) const {
     // The tangent of the folded angle is |det| / |product|.
     const double more = std::abs(det) * cosine_ - std::abs(product) * sine_;
@@ -73,9 +73,9 @@ class AngleLimit {
   double sine_;
 };
 
-/// Of the Voronoi edge between two triangles.
+/// Angles of the Voronoi edge between two triangles.
 struct EdgeAngles {
-  double at_p = 0.0;  ///< of the triangle with the apex p, in [0, 180]
+  double at_p = 0.0;  ///< angle of the triangle with the apex p, in [0, 180]
   double at_s = 0.0;
 
   /// Half angles in degrees, in [0, 90].
@@ -86,11 +86,10 @@ struct EdgeAngles {
   }
   double mean() const { return 0.5 * (end(true) + end(false)); }
 };
-/// `corners.s` is there.
+/// `corners.s` must be set.
 EdgeAngles edge_angles(const EdgeCorners& corners);
 
-/// The place on the bisector of q and r, on the side of their left, where the half angle is that many degrees; more
-/// than 0.
+/// The point on the bisector of q and r, to the left of q -> r, where the half angle is `degrees`, which is above 0.
 Vec2 place_of_angle(Vec2 q, Vec2 r, double degrees);
 
 }  // namespace mes

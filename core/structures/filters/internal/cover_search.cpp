@@ -11,29 +11,29 @@
 namespace mes {
 namespace {
 
-/// Balls of one leaf, in pairs that a processor computes with at once.
+/// Balls per leaf, in pairs that the processor handles at once.
 constexpr std::uint32_t kLeaf = 8;
 constexpr std::size_t kLeafPairs = kLeaf / 2;
 
 /// Balls that search together: a few leaves.
 constexpr std::uint32_t kBlockBalls = 32;
 constexpr std::size_t kLeaves = kBlockBalls / kLeaf;
-/// Blocks of one part of the searches.
+/// Number of blocks in one part of the searches.
 constexpr std::size_t kPartBlocks = 64;
-/// Of the tree at most, as nodes are halved.
+/// Largest depth of the tree, as nodes are halved.
 constexpr std::size_t kDepth = 64;
-/// Balls of a subtree that is built on one core.
+/// Largest number of balls in a subtree that one core builds.
 constexpr std::uint32_t kSubtree = 8192;
-/// In larger nodes radii do not change evenly.
+/// Largest number of balls fitted with a plane: in larger nodes radii do not change evenly.
 constexpr std::uint32_t kMostOfPlane = 2048;
 
-/// More than what rounding adds up to in the few operations on a plane, relative to the largest of their operands.
+/// More than the rounding of the few operations on a plane adds up to, relative to the largest of their operands.
 constexpr double kPlaneRounding = 0x1p-46;
-/// Beyond this, values and their differences are not fitted with planes.
+/// Values and differences beyond this are not fitted with planes.
 constexpr double kWide = 0x1p400;
 
-/// Whether the square root of `squared` is `reach` or more, beyond what rounding can do to a quotient of both. False where
-/// squares would leave the range of doubles.
+/// True if the square root of `squared` is at least `reach`, beyond what rounding can do to a quotient of both. False
+/// where squares would leave the range of doubles.
 template <class Number>
 auto is_beyond(Number squared, Number reach) {
   constexpr double kGivesWay = 1.0 - 0x1p-48;
@@ -50,21 +50,21 @@ double squared_gap(const Box2& a, const Box2& b) {
 
 }  // namespace
 
-/// No date of a group of balls is larger.
+/// An upper bound of the dates of a group of balls.
 struct CoverSearch::Bound {
   Bound() = default;
   explicit Bound(double most_) : most(most_), rate((1.0 - kPlaneRounding) * (1.0 - kPlaneRounding) / most_) {}
 
   double most = kNever;
-  double rate = 0.0;  // less than its inverse
+  double rate = 0.0;  // a little less than its inverse
 };
 
-/// The balls of a leaf, and the least quotients that they have so far.
+/// The balls of a leaf, and their least quotients so far.
 struct CoverSearch::Lanes {
   std::array<DoublePair, kLeafPairs> x, y, radius;
-  std::array<DoublePair, kLeafPairs> best;  // no date is larger
+  std::array<DoublePair, kLeafPairs> best;  // upper bounds of the dates
   std::array<double, kLeaf> date;
-  // A ball that is better than all that `date` is of, whose date is not computed yet, but for rounding.
+  // A ball that beats those behind `date`, up to rounding, and whose own date is not computed yet.
   std::array<double, kLeaf> quotient;
   std::array<std::uint32_t, kLeaf> pending;
   const Node* leaf = nullptr;
@@ -77,11 +77,11 @@ struct CoverSearch::Lanes {
   }
 };
 
-/// From a group of balls to a box: what is beyond has to come up at `up` * way.
+/// Slope from a group of balls to a box: only balls of the box that rise above it can swallow one of the group earlier.
 struct CoverSearch::Direction {
   Vec2 up{};
-  double way = 0.0;       // `up` times the way from middle to middle
-  double rounding = 0.0;  // of all comparisons
+  double way = 0.0;       // `up` times the vector from middle to middle
+  double rounding = 0.0;  // error of all comparisons
   bool is_known = false;
 };
 
@@ -113,7 +113,7 @@ CoverSearch::CoverSearch(std::span<const Disk> balls, std::span<const Hints> hin
     split(below[i], 0, kLeaf);
   });
   for (std::size_t i = 0; i < roots.size(); ++i) {
-    // The root itself is there.
+    // The root itself is in the tree already.
     const auto offset = static_cast<std::uint32_t>(tree_.size() - 1);
     for (Node& node : below[i])
       if (node.child != 0) node.child += offset;
@@ -142,7 +142,7 @@ void CoverSearch::measure(Node& node) const {
     node.most = std::max(node.most, balls_[i].radius);
     node.least = std::min(node.least, balls_[i].radius);
   }
-  // The middle is rounded: far from the origin it may be at a side of its box.
+  // The middle is rounded: far from the origin it may lie on a side of its box.
   node.middle = node.box.center();
   node.half = {std::max(node.box.high.x - node.middle.x, node.middle.x - node.box.low.x),
                std::max(node.box.high.y - node.middle.y, node.middle.y - node.box.low.y)};
@@ -152,8 +152,8 @@ void CoverSearch::measure(Node& node) const {
     fit_planes(node);
 }
 
-// Any slope is right. That of the least squares is good, and where balls lie along an axis, so that across is nothing but
-// noise, that of the least squares along it.
+// Any slope is correct. The least-squares slope is good; where balls lie along an axis, so that the direction across is
+// only noise, the least-squares slope along the axis is.
 void CoverSearch::fit_planes(Node& node) const {
   const double count = node.last - node.first;
   Vec2 sum{};
@@ -210,7 +210,7 @@ void CoverSearch::fit_planes(Node& node) const {
   node.high = high[better] + room;
 }
 
-// Leaves and blocks are full, but for the last ones.
+// All leaves and blocks are full, except the last ones.
 void CoverSearch::split(std::vector<Node>& nodes, std::uint32_t at, std::uint32_t down_to) {
   measure(nodes[at]);
   const Node node = nodes[at];
@@ -222,7 +222,7 @@ void CoverSearch::split(std::vector<Node>& nodes, std::uint32_t at, std::uint32_
     std::nth_element(balls_.begin() + node.first, balls_.begin() + middle, balls_.begin() + node.last,
                      [number_of](const Ball& a, const Ball& b) { return number_of(a) < number_of(b); });
   };
-  // A node whose balls differ in radius promises the largest at the nearest place: radii are split as places are.
+  // Where radii differ, the bound assumes the largest at the nearest position: radii are split like positions.
   const double range = node.most - node.least;
   if (range >= node.box.width() && range >= node.box.height())
     split_by([](const Ball& ball) { return ball.radius; });
@@ -252,7 +252,7 @@ std::size_t CoverSearch::part_count() const {
   return (blocks_.size() + kPartBlocks - 1) / kPartBlocks;
 }
 
-/// The distance of the boxes over the largest difference of radii bounds every quotient.
+/// The distance of the boxes over the largest difference of radii bounds every quotient from below.
 bool CoverSearch::is_apart(const Node& asked, const Bound& bound, const Node& node) {
   const double more = node.most - asked.least;
   return !(more > 0.0) || is_beyond(squared_gap(asked.box, node.box), bound.most * more);
@@ -284,7 +284,7 @@ double CoverSearch::date_of(const Ball& ball, const Ball& by) const {
   return std::max(1.0, distance(ball.center, by.center) / (by.radius - ball.radius));
 }
 
-// Roots and quotients tell what is better, unless it is only by rounding; the date itself is computed once at the end.
+// Square roots and quotients tell the better ball, except within rounding; the date itself is computed once at the end.
 void CoverSearch::take(Lanes& lanes, std::size_t lane, std::uint32_t by) const {
   if (lanes.pending[lane] == by) return;
   const Ball& ball = balls_[lanes.leaf->first + lane];
@@ -349,7 +349,7 @@ void CoverSearch::look_into(Lanes& lanes, const Node& leaf) const {
   if (is_better) lanes.find_bound();
 }
 
-// Balls near to each other are mostly swallowed by the same ones.
+// Balls that are close to each other are mostly swallowed by the same ones.
 void CoverSearch::begin(Lanes& lanes, const Node& leaf, const Guesses& guesses) const {
   const std::uint32_t count = leaf.last - leaf.first;
   lanes.leaf = &leaf;
@@ -357,7 +357,7 @@ void CoverSearch::begin(Lanes& lanes, const Node& leaf, const Guesses& guesses) 
   lanes.quotient.fill(kNever);
   lanes.pending.fill(kNone);
   for (std::uint32_t i = 0; i < kLeaf; ++i) {
-    // Behind the last ball there is nothing that could be swallowed.
+    // Lanes behind the last ball are never swallowed.
     const bool is_there = i < count;
     const Ball& ball = balls_[is_there ? leaf.first + i : leaf.first];
     lanes.x[i / 2][i % 2] = ball.center.x;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// For each of many balls, the least factor at which another one, grown by it, holds it, grown as well.
+// For each ball, the least factor such that growing all balls by it puts the ball inside another one.
 #pragma once
 
 #include <array>
@@ -14,19 +14,19 @@
 
 namespace mes {
 
-/// The date of ball i is the least of |c_i - c_j| / (r_j - r_i) over all balls j with r_j > r_i, and at least 1; infinite
-/// for the largest balls. It is the least of the same doubles that looking at all pairs gives, bit for bit.
+/// The date of ball i is the least of |c_i - c_j| / (r_j - r_i) over all balls j with r_j > r_i, and at least 1;
+/// infinite for the largest balls. It equals, bit for bit, the least of the same doubles over all pairs.
 ///
-/// A tree of boxes is searched by blocks of balls that lie together in it, and what can be nearest to none of a block is
-/// passed over at once. Let B be the largest of the least quotients that a block's balls have so far. With a vector
-/// u no longer than 1 / B, no ball j of a box does better than what is known if r_j - r_i <= u * (c_j - c_i) for all i
-/// of the block. Radii on both sides are bounded by planes, above the balls of the box and below those of the block, so
-/// that this is a comparison of a few numbers: along an axis, and from the curve to it, radii change evenly, and a plane
-/// is near to them where the largest radius is not. Of a leaf and a box of the last level the balls themselves are
-/// compared in the direction of u, and what is left in pairs that a processor computes with at once.
+/// Blocks of neighbouring balls search a tree of boxes together, and boxes that can improve no ball of the block are
+/// skipped at once. Let B be the largest of the least quotients that a block's balls have so far. With a vector u no
+/// longer than 1 / B, no ball j of a box improves anything if r_j - r_i <= u * (c_j - c_i) for all i of the block.
+/// Radii on both sides are bounded by planes, above the balls of the box and below those of the block, so this compares
+/// a few numbers: along an axis, and from the curve to it, radii change evenly, and a plane is near to them where the
+/// largest radius is not. For a leaf and a box of the last level, the balls themselves are compared in the direction of
+/// u, and the remaining ones in pairs that the processor handles at once.
 ///
-/// Cost: building O(n log n), a search of all O(n log n) typically, O(n^2) at worst.
-/// Threads: building borrows other cores; searches may run side by side.
+/// Cost: building O(n log n); searching for all balls O(n log n) typically, O(n^2) at worst.
+/// Threads: building borrows other cores; searches may run in parallel.
 class CoverSearch {
  public:
   /// The date of a ball that no other one ever holds.
@@ -35,12 +35,12 @@ class CoverSearch {
   /// For each ball a few others that may swallow it early; kNone where there are fewer.
   using Hints = std::array<std::uint32_t, 3>;
 
-  /// Balls are finite, and counted from 0. There are as many hints, or none.
+  /// Balls are finite, and counted from 0. There is one entry of hints per ball, or none at all.
   CoverSearch(std::span<const Disk> balls, std::span<const Hints> hints);
 
-  /// Searches are made in so many parts, independent of each other.
+  /// Number of parts into which the searches are divided, independent of each other.
   std::size_t part_count() const;
-  /// Finds the dates of the balls of a part, to their places in `dates`. Throws `Cancelled`.
+  /// Finds the dates of the balls of a part and writes them to their indices in `dates`. Throws `Cancelled`.
   void search(std::size_t part, std::span<double> dates, JobControl& job) const;
 
  private:
@@ -51,19 +51,19 @@ class CoverSearch {
   struct Ball {
     Vec2 center{};
     double radius = 0.0;
-    std::uint32_t number = 0;  ///< of the input
+    std::uint32_t number = 0;  ///< index in the input
   };
-  /// Balls from `first` on, up to `last`.
+  /// The balls from index `first` on, up to `last`.
   struct alignas(64) Node {
     Box2 box{};
     Vec2 middle{};
-    Vec2 half{};                     ///< no place in the box is farther from the middle
-    double most = 0.0, least = 0.0;  ///< radius
-    /// Radii are between `low` and `high` + `slope` * (centre - middle). Rounding is seen to.
+    Vec2 half{};                     ///< no point of the box is farther from the middle
+    double most = 0.0, least = 0.0;  ///< radii
+    /// Radii are between `low` and `high` + `slope` * (centre - middle), rounding included.
     double low = 0.0, high = 0.0;
     Vec2 slope{};
     std::uint32_t first = 0, last = 0;
-    std::uint32_t child = 0;  ///< the first of two; 0 = none
+    std::uint32_t child = 0;  ///< first of its two children; 0 if it has none
   };
 
   void measure(Node& node) const;
@@ -81,11 +81,11 @@ class CoverSearch {
   void search_block(const Node& block, Guesses& guesses, std::span<double> dates) const;
 
   std::vector<Ball> balls_;              ///< in the order of the tree
-  std::vector<double> x_, y_, radius_;   ///< the same, and some behind that swallow nothing
-  std::vector<std::uint32_t> place_of_;  ///< of a ball of the input
+  std::vector<double> x_, y_, radius_;   ///< the same, with some behind that swallow nothing
+  std::vector<std::uint32_t> place_of_;  ///< index in the tree, by index in the input
   std::span<const Hints> hints_;
   std::vector<Node> tree_;
-  std::vector<std::uint32_t> blocks_;  ///< nodes
+  std::vector<std::uint32_t> blocks_;  ///< their nodes
 };
 
 }  // namespace mes
