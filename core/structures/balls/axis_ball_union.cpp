@@ -13,9 +13,9 @@
 namespace mes {
 namespace {
 
-constexpr double kShareOfSampling = 0.05;  // of what sampling an axis and the union after it take
+constexpr double kShareOfSampling = 0.05;  // fraction of the work of sampling an axis and making the union after it
 
-/// Balls of a list, or of another union where the factor is 1.
+/// Balls from a list, or those of another union if the factor is 1.
 class ListedBalls final : public BallFamily {
  public:
   ListedBalls(const BallUnion* plain, std::shared_ptr<const DiskList> disks)
@@ -40,7 +40,7 @@ class ListedBalls final : public BallFamily {
   void touched_samples(FamilySlot row, std::vector<TouchedSample>& out) const override {
     if (is_from_samples()) plain_->family().touched_samples(row, out);
   }
-  // The structure that fills the list knows.
+  // The structure that fills the list tracks changes.
   bool has_changed() const override { return false; }
   bool is_plain() const { return plain_ != nullptr && scale() == 1.0; }
 
@@ -57,7 +57,7 @@ struct AxisSpacing {
   Table<AxisPieceSlot, double> along;
 };
 
-/// The distance of the two samples on the circle of a ball between which the middle of an arc lies; infinite if the ball
+/// The distance of the two samples on the circle of a ball that enclose the middle of an arc; infinite if the ball
 /// touches fewer than two samples.
 class TouchedGaps {
  public:
@@ -78,7 +78,7 @@ class TouchedGaps {
   }
 
  private:
-  /// Counter-clockwise, from 0 to a whole turn.
+  /// Counter-clockwise angle, from 0 to a whole turn.
   static double turn_between(double from, double to) {
     constexpr double kWhole = 2.0 * std::numbers::pi;
     const double turn = std::fmod(to - from, kWhole);
@@ -110,8 +110,8 @@ AxisSpacing along_axis(const UnionTables& t, const Table<FamilySlot, double>& sp
   return out;
 }
 
-/// If the balls touch samples, or did before they were scaled: chords of the arcs that they bear, as long as those were
-/// before, but no longer than the samples there are apart. Of a scaled union an arc may be the cap of a narrow end.
+/// For balls that touch samples, or did before they were scaled: the longest chord of their arcs, in unscaled length,
+/// but no longer than the samples there are apart. In a scaled union an arc may be the cap of a narrow end.
 AxisSpacing spacing_of_arcs(const BallUnion& balls) {
   const UnionTables& t = balls.tables();
   const BallFamily& family = balls.family();
@@ -133,7 +133,7 @@ AxisSpacing spacing_handed_on(const UnionTables& t, const DiskList& disks) {
   return along_axis(t, spacing, false);
 }
 
-/// Balls along the axis of a union, as dense as they have to be for growing or shrinking them; outside of the graph.
+/// Balls along the axis of a union, as dense as growing or shrinking requires; not part of the graph.
 class AlongAxis final : public BallSampling {
  public:
   AlongAxis(SettingsSource& settings, BallUnion& balls)
@@ -141,7 +141,7 @@ class AlongAxis final : public BallSampling {
         tables_(balls.tables()),
         shrinking_(std::min(1.0, settings.current()[Parameter::scale_axis_factor])) {}
 
-  /// With radii divided by `divisor`.
+  /// The balls as a list, with radii divided by `divisor`.
   AxisDisks listed(const AxisSpacing& spacing, double divisor) const {
     const SampledBalls& balls = medial();
     const Table<SampledSlot, double> at = by_row(spacing);
@@ -149,7 +149,7 @@ class AlongAxis final : public BallSampling {
     for (const SampledSlot row : at.rows()) {
       if (!balls.is_alive(row)) continue;
       const Disk& disk = balls.disk(row);
-      // The angle alone does not say how far apart they are where parts are short, or there is a tolerance.
+      // The angle alone does not determine their distance where parts are short, or a tolerance is used.
       const double apart = halving().widest(shrinking_ * disk.radius);
       out.list.push_back({{disk.center, disk.radius / divisor}, std::max(at[row], apart)});
     }
@@ -164,7 +164,7 @@ class AlongAxis final : public BallSampling {
     Table<SampledSlot, double> out(medial().rows(), 0.0);
     for (const AxisPieceSlot piece : spacing.along.rows())
       for_each_inside(piece, [&](SampledSlot row) { out[row] = spacing.along[piece]; });
-    // Of the faces of v-points with one circle one is sampled; which one is a matter of rows.
+    // One of the faces of v-points with one circle is sampled; which one depends on the row numbers.
     std::map<std::pair<double, double>, double> largest;
     for (const VFaceSlot face : tables_.v_faces.rows()) {
       const Vec2 center = tables_.v_faces[face].center;
@@ -187,7 +187,7 @@ class AlongAxis final : public BallSampling {
   double shrinking_;
 };
 
-/// A step of the skeleton: outside of the graph, with settings of its own.
+/// A step of the skeleton: not part of the graph, with settings of its own.
 class StepUnion final : public DiskListUnion {
  public:
   StepUnion(SettingsSource& settings, DiskList disks) : DiskListUnion("skeleton-step", {&settings}, settings) {
@@ -261,7 +261,7 @@ bool AxisBallUnion::update(JobControl& job) {
   return BallUnion::update(job);
 }
 
-// At a factor of 1 the other union says it.
+// At a factor of 1 the other union reports the findings.
 void AxisBallUnion::find(std::vector<Finding>& out) const {
   if (factor() == 1.0) return;
   BallUnion::find(out);
@@ -316,7 +316,7 @@ AxisDisks SkeletonUnion::disks(JobControl& job) {
                       AxisBallUnion::disks(job)};
   if (beginning != beginning_) kept_.clear();
   beginning_ = std::move(beginning);
-  // What rounding leaves between the last step and the factor is none.
+  // A remainder that rounding leaves between the last step and the factor is no step.
   while (factor_of(steps_ + 1) < wanted_factor() * (1.0 - 0x1p-40)) ++steps_;
   Step now{0, beginning_.disks};
   if (steps_ == 0) return now.disks;
@@ -326,7 +326,7 @@ AxisDisks SkeletonUnion::disks(JobControl& job) {
   const std::size_t before = now.number;
   while (now.number < steps_) {
     job.checkpoint();
-    // Each step is a union, and so is what follows the last one.
+    // Each step makes a union, and so does the factor after the last step.
     const JobShare share(job,
                          static_cast<double>(now.number + 1 - before) / static_cast<double>(steps_ + 1 - before));
     now.disks = after_step(now.disks, factor_of(now.number + 1), job);
@@ -336,7 +336,7 @@ AxisDisks SkeletonUnion::disks(JobControl& job) {
   return now.disks;
 }
 
-// The last one always stays: it is what the next factor begins with.
+// The last step is always kept: the next factor begins with it.
 void SkeletonUnion::keep(const Step& step) {
   kept_.insert(std::ranges::upper_bound(kept_, step.number, {}, &Step::number), step);
   const auto balls = [this] {

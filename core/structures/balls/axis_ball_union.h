@@ -15,28 +15,29 @@
 
 namespace mes {
 
-/// A ball that stands in no table of the document.
+/// A ball that is in no table of the document.
 struct ListedBall {
   Disk disk;
-  double spacing = 0.0;  ///< of the samples about the ball; 0 = not known, and that of the angle counts
+  double spacing = 0.0;  ///< of the samples about the ball; 0 if unknown: then the angle alone decides
   friend bool operator==(const ListedBall&, const ListedBall&) = default;
 };
 using DiskList = Table<FamilySlot, ListedBall>;
-/// Those along an axis.
+/// Balls along an axis.
 struct AxisDisks {
   DiskList list;
-  double tolerance = 0.0;  ///< with which they were sampled (`next_tolerance`)
+  double tolerance = 0.0;  ///< tolerance with which they were sampled (`next_tolerance`)
   friend bool operator==(const AxisDisks&, const AxisDisks&) = default;
 };
 
 /// The union of balls from a list, with radii multiplied by `scale-axis-factor`.
 ///
-/// At factors other than 1 hairs are taken off its axis, as off that of `ScaleUnion`: the spacing of a ball is that of the
-/// list, or the distance at which `medial-sampling-angle` has equal balls of its radius, or of its shrunk radius below 1,
-/// whichever is larger. In `fast`, many balls are decided by rounded numbers unless these are in doubt (`BallUnion`).
+/// At factors other than 1, spurious branches (*hairs*) are cut off its axis, as off that of `ScaleUnion`. The spacing
+/// of a ball is that of the list or, if larger, the distance at which `medial-sampling-angle` has equal balls of its
+/// radius (below 1: its shrunk radius). In `fast`, many balls are decided by rounded numbers unless these are in doubt
+/// (`BallUnion`).
 class DiskListUnion : public BallUnion {
  public:
-  /// What radii were multiplied by.
+  /// The factor that radii were multiplied by.
   double factor() const { return family().scale(); }
   std::vector<std::string_view> parameters() const override {
     return {Parameter::union_shortcut.id, Parameter::scale_axis_factor.id, Parameter::medial_sampling_angle.id};
@@ -44,7 +45,7 @@ class DiskListUnion : public BallUnion {
   StatList statistics() const override;
 
  protected:
-  /// At a factor of 1 the balls are those of `plain`, if there is one, and not those of the list.
+  /// At a factor of 1 the balls are those of `plain`, if it is given, instead of those of the list.
   DiskListUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
                 const BallUnion* plain = nullptr);
   void set_disks(DiskList disks) { *disks_ = std::move(disks); }
@@ -62,23 +63,23 @@ class DiskListUnion : public BallUnion {
 };
 
 /// The union of the balls that are sampled along the axis of another union, with radii multiplied by
-/// `scale-axis-factor`: its axis, with radii divided by the factor again, is the *scale axis* of that union.
+/// `scale-axis-factor`. Its axis, with radii divided by the factor again, is the *scale axis* of that union.
 ///
-/// What it guarantees:
+/// Guarantees:
 ///  1. At a factor of 1 its tables are those of the other union.
-///  2. At other factors the balls are those of `BallSampling::medial`, as doubles, whatever the number type; below 1 as
-///     dense as the shrunk balls need it. Neighbours along a piece meet, as it is halved up to twenty times until they do,
-///     however short its parts are.
-///  3. Between the nodes of the axis there are at most `kMostBallsBetween`. If these were more, neighbours are as far from
-///     each other as a tolerance allows, which `findings` gives, or it fails (as `AxisSampling`).
+///  2. At other factors the balls are those of `BallSampling::medial`, as doubles, whatever the number type; below 1
+///     they are as dense as the shrunk balls require. Neighbours along a piece meet: it is halved up to twenty times
+///     until they do, however short its parts are.
+///  3. Between the nodes of the axis there are at most `kMostBallsBetween`. If there would be more, neighbours are as
+///     far apart as a tolerance allows, which `findings` reports, or the structure fails (as `AxisSampling`).
 ///
-/// Spacings: a ball of the other union that touches samples has the longest chord of an arc that it bears there, which is
-/// an edge of the curve where the shape is certified; a ball between has the larger one at the ends of its piece. Of a ball
-/// that has been scaled the chord is divided by the scale, and no longer than the two samples are apart between which the
-/// middle of the arc was before. Balls of the document touch no samples: of these only the angle counts.
+/// Spacings: a ball of the other union that touches samples has the longest chord of its arcs, which is an edge of the
+/// curve where the shape is certified. A ball between has the larger spacing of the two ends of its piece. For a scaled
+/// ball the chord is divided by the scale, and is at most the distance of the two samples that enclosed the middle of
+/// the arc before. Balls of the document touch no samples: for these only the angle counts.
 ///
-/// Rows of balls: at a factor of 1 those of the other union, whose changes are its own; otherwise of a list, which each
-/// change makes anew. `ScaleUnion` does the same with the one-step axis.
+/// Rows of balls: at a factor of 1 those of the other union, with its changes; otherwise those of a list that each
+/// change recomputes. `ScaleUnion` does the same with the one-step axis.
 /// Source: Giesen, Miklos, Pauly and Wormser 2009.
 class AxisBallUnion : public DiskListUnion {
  public:
@@ -90,9 +91,9 @@ class AxisBallUnion : public DiskListUnion {
 
  protected:
   AxisBallUnion(std::string_view id, SettingsSource& settings, BallUnion& plain);
-  /// What is to grow by the factor: the balls along the axis of the other union.
+  /// The balls that grow by the factor: those along the axis of the other union.
   virtual AxisDisks disks(JobControl& job);
-  /// "the axis of the union", along which these balls lie.
+  /// The axis along which these balls lie, in words.
   virtual std::string axis_text() const { return "the axis of the union"; }
 
  private:
@@ -105,22 +106,22 @@ class AxisBallUnion : public DiskListUnion {
   std::size_t listed_ = 0;
 };
 
-/// The *scale skeleton*: as `AxisBallUnion`, but the factor is reached in steps of `scale-skeleton-step`, 1 + k d in step
-/// k, and each step but the last replaces the balls by those along the axis of their grown union, with radii divided by
-/// its factor.
+/// The *scale skeleton*: like `AxisBallUnion`, but the factor is reached in steps of `scale-skeleton-step`: 1 + k d in
+/// step k. Each step but the last replaces the balls by those along the axis of their grown union, with radii divided
+/// by its factor.
 ///
 /// Spacings are handed on from step to step: a ball that stays keeps its own, and one along the axis of the grown union
 /// takes the largest of the balls that cross at the v-points nearest to it. Arcs of grown unions do not count, since at
 /// narrow ends they are large.
 ///
-/// What it guarantees:
+/// Guarantees:
 ///  1. Up to a factor of 1 + d it is the scale axis.
-///  2. It does not depend on the factors that were looked at before.
+///  2. It does not depend on the factors used before.
 ///
-/// Steps before the last are made in `fast`, whatever the number type. What balls remain is kept for each step; so as long
-/// as the balls that it begins with are the same, a step forwards is one more union. Beyond `kMostKept` balls each second
-/// step is kept, then each fourth, and so on: a step backwards is then a few unions. Otherwise the cost is that of
-/// (factor - 1) / d unions.
+/// Steps before the last are made in `fast`, whatever the number type. The balls after each step are kept, so as long
+/// as the first balls are the same, a step forwards is one more union. Beyond `kMostKept` balls every second step is
+/// kept, then every fourth, and so on: a step backwards is then a few unions. Otherwise the cost is that of (factor -
+/// 1) / d unions.
 class SkeletonUnion : public AxisBallUnion {
  public:
   bool update(JobControl& job) override;
@@ -146,7 +147,7 @@ class SkeletonUnion : public AxisBallUnion {
   AxisDisks after_step(const AxisDisks& disks, double factor, JobControl& job) const;
   void keep(const Step& step);
 
-  /// What the steps depend on.
+  /// Inputs that the steps depend on.
   struct Beginning {
     double step = 0.0;
     double angle = 0.0;
@@ -156,8 +157,8 @@ class SkeletonUnion : public AxisBallUnion {
 
   const SettingsSource& settings_;
   Beginning beginning_;
-  std::vector<Step> kept_;  // from `beginning_`, by number
-  std::size_t steps_ = 0;   // before the last
+  std::vector<Step> kept_;  // made from `beginning_`, by number
+  std::size_t steps_ = 0;   // number of steps before the last
 };
 
 class AScaleUnion final : public AxisBallUnion {

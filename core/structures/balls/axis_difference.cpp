@@ -30,7 +30,7 @@ void AxisDifference::rebuild(JobControl& job) {
   std::set<std::pair<FaceSlot, FaceSlot>> common;
   for (const AxisPiece& piece : union_.tables().axis) {
     if (!piece.is_alive() || piece.is_zero != 0) continue;
-    // Nodes that are not balls come after all faces, so no pair of the one-step axis is theirs.
+    // Nodes that are not balls come after all faces, so no pair of the one-step axis contains them.
     const auto pair = key(same_row<FaceSlot>(piece.node[0]), same_row<FaceSlot>(piece.node[1]));
     if (one_step.contains(pair)) {
       common.insert(pair);

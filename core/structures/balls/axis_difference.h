@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the one-step axis and the axis of the union of the inner balls do not have in common.
+// The difference between the one-step axis and the axis of the union of the inner balls.
 #pragma once
 
 #include <vector>
@@ -9,9 +9,9 @@
 
 namespace mes {
 
-/// Compared as graphs: a piece of either axis counts as common when it joins the same two balls in both. Where the
+/// The two are compared as graphs: a piece of either axis is common if it joins the same two balls in both. Where the
 /// union follows from the certified shortcut there is no difference, and an edit costs nothing here; otherwise it is
-/// made anew with the union.
+/// recomputed with the union.
 class AxisDifference final : public Structure {
  public:
   struct Piece {

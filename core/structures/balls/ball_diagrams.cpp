@@ -108,8 +108,8 @@ AVDiagram::AVDiagram(Delaunay& delaunay, OneStepCrust& crust, Labels& labels, In
       balls_(balls),
       union_(a_union) {}
 
-// The samples on the circle of a ball are the corners of its faces. Going around the outer edges of these faces, the
-// arc beyond a border edge is free and that beyond any other is covered; a sample that only this ball touches is no
+// The samples on the circle of a ball are the corners of its faces. Along the outer edges of these faces, the arc
+// beyond a border edge is free and that beyond any other is covered. A sample that only this ball touches is no
 // v-point, and then lies between two border edges.
 KnownVPoints AVDiagram::known_v_points(const Table<InputSlot, PipelineBall>& balls) const {
   KnownVPoints out;

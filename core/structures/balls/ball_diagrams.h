@@ -31,9 +31,9 @@ class PowerDiagram : public Structure {
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  protected:
-  /// The cell of a ball.
+  /// Explains the cell of a ball.
   void explain_cell(FamilySlot ball, Explanation& out) const;
-  /// Without `scale` the balls are taken as they are.
+  /// If there is no `scale`, the balls keep their radii.
   PowerDiagram(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
                std::unique_ptr<BallFamily> family, std::optional<Parameter> scale = std::nullopt);
   BallFamily& own_family() { return *family_; }
@@ -48,11 +48,11 @@ class PowerDiagram : public Structure {
   Table<PowerEdgeSlot, PowerEdge> edges_;
 };
 
-/// Delaunay triangulation and Voronoi diagram of the v-points, with what of it belongs to the axis. The union's own
-/// where its pipeline made one; after the shortcut, whose v-points are samples, made here. No local update.
+/// Delaunay triangulation and Voronoi diagram of the v-points, with their parts in the axis. The union's own where its
+/// pipeline made one; after the shortcut, whose v-points are samples, made here. No local update.
 class VDiagram : public Structure {
  public:
-  /// Holds `v_points`, `v_faces` and `v_edges`.
+  /// Has `v_points`, `v_faces` and `v_edges`.
   const UnionTables& tables() const { return union_.rung() == UnionRung::shortcut ? own_ : union_.tables(); }
 
   void rebuild(JobControl& job) override;
@@ -65,7 +65,7 @@ class VDiagram : public Structure {
 
  protected:
   VDiagram(std::string_view id, std::vector<Structure*> inputs, const BallUnion& balls);
-  /// For the shortcut: how the v-points lie on the circles.
+  /// For the shortcut: the positions of the v-points on the circles.
   virtual KnownVPoints known_v_points(const Table<InputSlot, PipelineBall>& balls) const;
 
  private:
@@ -79,7 +79,7 @@ class APowerDiagram final : public PowerDiagram {
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 };
 
-/// Of all finite Voronoi balls, inside and outside.
+/// Power diagram of all finite Voronoi balls, inside and outside.
 class VoronoiBallDiagram final : public PowerDiagram {
  public:
   VoronoiBallDiagram(SettingsSource& settings, Delaunay& delaunay, VoronoiVertices& vertices);

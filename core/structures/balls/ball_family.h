@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A set of balls whose union is to be analysed, seen alike whatever it comes from.
+// A set of balls whose union is analysed, with the same interface for every source.
 #pragma once
 
 #include <array>
@@ -22,31 +22,31 @@ struct TouchedSample {
   Vec2 position{};
 };
 
-/// What exactly a ball is before scaling; `BallFamily::plain_disk` may be rounded.
+/// The exact definition of a ball before scaling; `BallFamily::plain_disk` may be rounded.
 enum class BallOrigin : std::uint8_t {
-  disk,            ///< the disk as it stands
-  circumdisk,      ///< of three samples
-  through_sample,  ///< with the centre as it stands, and the one sample it touches on its circle
+  disk,            ///< the disk as given
+  circumdisk,      ///< circle through three samples
+  through_sample,  ///< centre as given, and the one sample that it touches lies on its circle
 };
 
-/// Threads: const is safe.
+/// Threads: const functions are safe.
 class BallFamily {
  public:
   virtual ~BallFamily() = default;
   virtual std::size_t rows() const = 0;
-  /// The table whose rows these are, as in "delaunay/faces"; empty if no structure has it.
+  /// The table that these rows belong to, as in "delaunay/faces"; empty if no structure has it.
   virtual std::string_view rows_of() const { return {}; }
-  /// Each real ball has one row of which this holds, or several that are equal as doubles.
+  /// Each real ball has one row for which this is true, or several that are equal as doubles.
   virtual bool is_ball(FamilySlot row) const = 0;
-  /// Before scaling, rounded to doubles.
+  /// The disk before scaling, rounded to doubles.
   virtual Disk plain_disk(FamilySlot row) const = 0;
-  /// Scaled, rounded to doubles.
+  /// The scaled disk, rounded to doubles.
   Disk disk(FamilySlot row) const {
     const Disk plain = plain_disk(row);
     return {plain.center, plain.radius * scale_};
   }
   virtual bool is_from_samples() const = 0;
-  /// Every ball touches samples, which give its circle and its crossings with others exactly. False for scaled balls.
+  /// True if balls touch samples, which give their circles and crossings exactly. False for scaled balls.
   bool touch_samples() const { return is_from_samples() && scale_ == 1.0; }
   virtual BallOrigin origin(FamilySlot) const {
     return is_from_samples() ? BallOrigin::circumdisk : BallOrigin::disk;
@@ -55,12 +55,12 @@ class BallFamily {
   virtual std::array<Vec2, 3> corners(FamilySlot row) const = 0;
   /// Appends every sample on the circle before scaling: more than three when samples are cocircular.
   virtual void touched_samples(FamilySlot row, std::vector<TouchedSample>& out) const = 0;
-  /// A ball came, changed or went in the last update of what the family is made of.
+  /// True if the last update of the family's source added, changed or removed a ball.
   virtual bool has_changed() const = 0;
-  /// The ball of the document that it is, or none.
+  /// The ball of the document in this row, or kNoSlot.
   virtual BallSlot ball_of_document(FamilySlot) const { return {}; }
 
-  /// What radii are multiplied by.
+  /// The factor that radii are multiplied by.
   double scale() const { return scale_; }
   void set_scale(double scale) { scale_ = scale; }
 

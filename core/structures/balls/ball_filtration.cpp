@@ -10,7 +10,7 @@
 namespace mes {
 namespace {
 
-/// The least double whose square is not smaller, or nearly so; negative for a negative power.
+/// The square root of a power, rounded up to the least double or nearly so; negative for a negative power.
 double growth_above(double power) {
   const double root = std::sqrt(std::abs(power));
   const bool is_exact = std::fma(root, root, -std::abs(power)) == 0.0;
@@ -23,7 +23,7 @@ std::vector<double> growths_of(const std::vector<BallBirths::Level>& levels, con
   out.reserve(levels.size());
   double most = std::numeric_limits<double>::lowest();
   for (const BallBirths::Level& level : levels) {
-    // What is nearly flat may come beyond doubles.
+    // Nearly flat triangles may enter beyond the range of doubles.
     const double here =
         std::min(frame.to_document_length(growth_above(level.high)), std::numeric_limits<double>::max());
     out.push_back(most = std::max(most, here));

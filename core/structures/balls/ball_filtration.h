@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Additive growth of the balls of a family, for all amounts at once: when each ball, edge and triangle of the dual complex
-// comes, and which components and holes are born and die.
+// Additive growth of the balls of a family, for all amounts at once: when each ball, edge and triangle of the dual
+// complex enters, and which components and holes are born and die.
 #pragma once
 
 #include <cstdint>
@@ -15,35 +15,35 @@
 
 namespace mes {
 
-/// When what has each rank comes. Does not change, so it may be read from any thread.
+/// The growth at which each rank enters. It does not change, so it may be read from any thread.
 struct GrowthRanks {
   LocalBalls balls;
-  std::vector<BallBirths::Level> levels;  ///< by rank, as the next
-  std::vector<double> growth;             ///< not smaller; guarantee 3 below
+  std::vector<BallBirths::Level> levels;  ///< by rank, like `growth`
+  std::vector<double> growth;             ///< rounded up; guarantee 3 below
 
-  /// How many ranks have come at this growth, exactly. `a` is not negative.
+  /// Number of ranks that have entered at this growth, exactly. `a` is not negative.
   std::uint32_t within(double a) const { return levels_within(balls.input(), levels, a); }
 };
 
 /// Grown by a, a ball of radius r has the radius sqrt(r^2 + a^2), so that all power cells stay as they are; grown by a
-/// negative a it has sqrt(r^2 - a^2), and is not there where that is not a number. The dual complexes of the grown balls
+/// negative a it has sqrt(r^2 - a^2), and is missing where that is not a number. The dual complexes of the grown balls
 /// are nested: they are the alpha complexes of weighted points. They have the homotopy type of the union, and at a = 0
-/// are the dual complex of the family's own union. With all radii 0 they are those of `AlphaFiltration`, in the same order;
-/// what that calls a radius is here a growth, which is rounded less closely.
+/// they are the dual complex of the family's own union. If all radii are 0, they are those of `AlphaFiltration`, in the
+/// same order; its radius is a growth here, which is rounded less closely.
 ///
-/// What it guarantees:
-///  1. What comes at the same growth, as a real number, has the same *rank*; other ranks are in the order of growth. Exact
-///     for the balls as they are: disks with the doubles that they have, circumdisks of samples with centre and radius as
-///     rationals, radii times the family's scale; whatever the number type of the settings.
-///  2. Which edges and triangles bear and end which classes is a function of the balls. Classes that live for no time are
-///     left out. A component is born at the ball that comes first.
-///  3. `growth` of a rank is a double that is not smaller than it, and larger by less than a part in 10^11 of it. At a
-///     parameter of this value, what comes there has come. It is for words and scales; what has come is for
-///     `ranks_within` to say, which is exact.
-///  4. Balls without a power cell, duplicates, and balls beyond doubles are left out; those of radius 0 are not.
+/// Guarantees:
+///  1. Simplices that enter at the same growth, as a real number, have the same *rank*; other ranks are in the order of
+///     growth. This is exact for the balls as they are: disks with their doubles, circumdisks of samples with centre
+///     and radius as rationals, radii times the family's scale; whatever the number type of the settings.
+///  2. The edges and triangles at which pairs are born and die are a function of the balls. Pairs without a lifetime
+///     are left out. A component is born at the ball that enters first.
+///  3. `growth` of a rank is a double that is not smaller than the true growth, and larger by less than a part in
+///     10^11. At a parameter of this value, the rank has entered. It is for texts and scales; `ranks_within` tells
+///     exactly which ranks have entered.
+///  4. Balls without a power cell, duplicates, and balls beyond the doubles are left out; those of radius 0 are not.
 ///
-/// Cost: O(n log n), of intervals mostly; a rational number for each growth that is equal to another, or nearly so.
-/// Updates make it anew. Threads: those of the graph.
+/// Cost: O(n log n), mostly of intervals, plus a rational number for each growth that equals another or nearly so.
+/// Every update recomputes all. Threads: those of the graph.
 /// Source: Edelsbrunner 1995; Edelsbrunner, Letscher and Zomorodian 2002.
 class BallFiltration : public Structure {
  public:
@@ -54,26 +54,26 @@ class BallFiltration : public Structure {
   const Table<GrownEdgeSlot, BallBirths::Edge>& edges() const { return births_.edges; }
   const Table<GrownTriangleSlot, BallBirths::Triangle>& triangles() const { return births_.triangles; }
   FamilySlot ball(GrownCornerSlot corner) const { return ranks_->balls.balls[births_.corners[corner].ball].row; }
-  /// As large as it is before it grows, rounded.
+  /// The disk before it grows, rounded.
   const Disk& disk(GrownCornerSlot corner) const { return ranks_->balls.balls[births_.corners[corner].ball].drawn; }
 
   std::size_t rank_count() const { return ranks_->growth.size(); }
   double growth(std::uint32_t rank) const { return ranks_->growth[rank]; }
-  /// How many ranks have come at this growth, exactly. `a` is not negative.
+  /// Number of ranks that have entered at this growth, exactly. `a` is not negative.
   std::uint32_t ranks_within(double a) const { return ranks_->within(a); }
-  /// All balls as they were before they grew, in their frame; a corner names its own.
+  /// All balls before they grow, in their frame; a corner names its own.
   PipelineInput balls() const { return ranks_->balls.input(); }
-  /// Those of now, to be kept.
+  /// The current ranks, to be kept.
   std::shared_ptr<const GrowthRanks> ranks() const { return ranks_; }
 
   /// A component of the union of the grown balls, or a hole in it.
   struct Class {
     bool is_hole = false;
-    std::uint32_t birth = 0;       ///< rank
-    std::uint32_t death = kNever;  ///< rank; `kNever`: it stays
-    GrownCornerSlot corner{};      ///< of a component: where it is born
-    GrownEdgeSlot edge{};          ///< joins the component to an older one, or closes the hole; kNoSlot: it stays
-    GrownTriangleSlot triangle{};  ///< of a hole: fills it
+    std::uint32_t birth = 0;       ///< rank of its birth
+    std::uint32_t death = kNever;  ///< rank of its death; `kNever` if it stays
+    GrownCornerSlot corner{};      ///< for a component: where it is born
+    GrownEdgeSlot edge{};          ///< joins the component to an older one, or closes the hole; kNoSlot if it stays
+    GrownTriangleSlot triangle{};  ///< for a hole: the triangle that fills it
   };
   const std::vector<Class>& classes() const { return classes_; }
 
@@ -101,13 +101,13 @@ class BallFiltration : public Structure {
   std::vector<Class> classes_;
 };
 
-/// Of the inner Voronoi balls.
+/// Filtration of the inner Voronoi balls.
 class ABallFiltration final : public BallFiltration {
  public:
   ABallFiltration(SettingsSource& settings, Delaunay& delaunay, Labels& labels, InnerBalls& balls);
 };
 
-/// Of the user's balls.
+/// Filtration of the user's balls.
 class BBallFiltration final : public BallFiltration {
  public:
   BBallFiltration(SettingsSource& settings, UserBalls& balls);

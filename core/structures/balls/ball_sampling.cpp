@@ -10,8 +10,8 @@
 namespace mes {
 namespace {
 
-constexpr double kShortest = 1e-4;  // of the diameter
-constexpr double kThinnest = 0.1;   // of the smaller ball
+constexpr double kShortest = 1e-4;  // relative to the diameter
+constexpr double kThinnest = 0.1;   // relative to the smaller ball
 constexpr std::size_t kBallsALook = 1024;
 constexpr std::array<AxisNodeSlot, 2> kDead{};
 
@@ -42,7 +42,7 @@ double BallSampling::diameter() const {
   return std::hypot(reach_.side[0] + reach_.side[2], reach_.side[1] + reach_.side[3]);
 }
 
-// Of the samples, since one ball that touches three almost collinear samples may be a million times as large.
+// Uses the samples, since one ball that touches three almost collinear samples may be a million times as large.
 double BallSampling::diameter_of_shape() const {
   if (!union_.family().is_from_samples()) return diameter();
   Box2 box;
@@ -56,7 +56,7 @@ double BallSampling::diameter_of_shape() const {
   return box.is_empty() ? 0.0 : distance(box.low, box.high);
 }
 
-// Rounded down to a power of two, so that an edit at the border of the data seldom concerns what lies inside.
+// Rounded down to a power of two, so that an edit at the border of the data seldom affects the inside.
 double BallSampling::shortest() const {
   const double length = kShortest * diameter();
   return std::isnormal(length) ? std::ldexp(1.0, std::ilogb(length)) : 0.0;
@@ -66,7 +66,7 @@ void BallSampling::set_ends(Sampling& sampling, LinkSlot link, const std::array<
   if (!sampling.ends.has(link)) sampling.ends.resize(link.index() + std::size_t{1}, kDead);
   const auto note = [this](AxisNodeSlot node) {
     if (!is_recording_) return;
-    // Updates know no faces of v-points.
+    // Updates have no faces of v-points.
     const FamilySlot ball = ball_of(node);
     marks_.grow(ball.index() + std::size_t{1});
     if (marks_.insert(ball)) touched_balls_.push_back(ball);
@@ -144,8 +144,8 @@ void BallSampling::remake_ball(FamilySlot ball) {
   }
 }
 
-// Nodes of the axis that are centres of no ball. Several triangles of v-points have one circle, and are one node,
-// where more than three lie on it.
+// Nodes of the axis that are not centres of balls. Where more than three v-points lie on one circle, several triangles
+// have this circle and are one node.
 void BallSampling::add_vertices_of_axis() {
   const UnionTables& t = union_.tables();
   struct Node {
@@ -212,7 +212,7 @@ void BallSampling::rebuild(JobControl& job) {
   }
 }
 
-// Only the certified shortcut follows edits. It knows no faces of v-points, and its pieces and dual edges share rows.
+// Only the certified shortcut has local updates. It has no faces of v-points, and its pieces and dual edges share rows.
 bool BallSampling::update(JobControl&) {
   clear_changes();
   if (angle() != made_with_) return false;
@@ -246,7 +246,7 @@ bool BallSampling::update(JobControl&) {
     for (const DualEdgeSlot edge : *rows) {
       remake_piece(same_row<AxisPieceSlot>(edge));
       remake_edge(edge);
-      // A rebuild takes a tolerance.
+      // Beyond this, a rebuild uses a tolerance.
       if (std::max(medial_.between, convex_.between) > 2 * most_between_) return false;
     }
   }

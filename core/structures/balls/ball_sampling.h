@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Balls along the medial axis of a union, and along the boundary of its dual complex, as densely as a parameter says.
+// Balls along the medial axis of a union, and along the boundary of its dual complex, as dense as a parameter requires.
 #pragma once
 
 #include <array>
@@ -11,22 +11,23 @@
 
 namespace mes {
 
-/// What it guarantees:
-///  1. `medial` holds the ball of each node of the axis once, and balls of points in between. A ball of the axis is
-///     the largest in the union about its centre: its radius is the distance to the v-points of its piece.
-///  2. `convex` holds the balls that singular or regular dual edges join, and in between circles through both
+/// Guarantees:
+///  1. `medial` holds the ball of each node of the axis once, and balls of points in between. A ball of the axis is the
+///     largest in the union about its centre: its radius is the distance to the v-points of its piece.
+///  2. `convex` holds the balls that singular or regular dual edges join, and between them circles through both
 ///     crossings of the two (their pencil), none thinner than a tenth of the smaller ball.
 ///  3. A piece or edge is halved until the circles at both ends of each part cross at `medial-sampling-angle` or more
 ///     (their radii at the crossing enclose 180 degrees less that), or the part is shorter than 1e-4 of the union's
-///     diameter, or twenty times.
-///  4. There are at most `kMostBallsBetween` inside pieces, and as many inside edges. If these were more, neighbours may
-///     cross at 120 degrees where the dents between them are no deeper than a *tolerance*, the least that suffices, or the
-///     largest of `wider_tolerance` if none does. `findings` says so. At 120 degrees or less there are as many as it takes.
+///     diameter, or it has been halved twenty times.
+///  4. There are at most `kMostBallsBetween` inside pieces, and as many inside edges. If there would be more,
+///     neighbours may cross at 120 degrees where the dents between them are no deeper than a *tolerance*: the least
+///     that suffices, or the largest of `wider_tolerance` if none does. `findings` reports it. At 120 degrees or less
+///     there are as many as needed.
 ///
 /// For display and for growing: radii and decisions are those of doubles. The samples of a piece depend on that piece
-/// only, so updates of the union are followed locally; a diameter that doubles asks for a rebuild, and so does every change
-/// where there is a tolerance.
-/// Cost: O(samples made anew), and O(n) when the ball farthest out on one side changes.
+/// only, so updates of the union are followed locally. A rebuild is needed when the diameter doubles, and for every
+/// change while there is a tolerance.
+/// Cost: O(recomputed samples), and O(n) when the ball farthest out on one side changes.
 class BallSampling : public Structure {
  public:
   const SampledBalls& medial() const { return medial_.balls; }
@@ -44,8 +45,8 @@ class BallSampling : public Structure {
  protected:
   BallSampling(std::string_view id, SettingsSource& settings, BallUnion& balls,
                std::size_t most_between = kMostBallsBetween);
-  /// `visit(row)` for the rows of `medial` about a node of the axis, and inside a piece of it. Of several nodes with one
-  /// place and radius one has it.
+  /// Calls `visit(row)` for the rows of `medial` about a node of the axis, and inside a piece of it. Of several nodes
+  /// with one position and radius, one has the row.
   template <class Visit>
   void for_each_about(AxisNodeSlot node, Visit visit) const {
     medial_.balls.for_each_of(owner_of(node), visit);
@@ -54,10 +55,10 @@ class BallSampling : public Structure {
   void for_each_inside(AxisPieceSlot piece, Visit visit) const {
     medial_.balls.for_each_of(owner_of_link(piece), visit);
   }
-  /// The circles that are to cross at the angle along the axis are these times as large; at most 1.
+  /// The circles that must cross at the angle along the axis are scaled by this factor; at most 1.
   virtual double shrinking() const { return 1.0; }
-  /// For growing and shrinking: there are no convex balls, it fails where no tolerance suffices, and parts shorter than
-  /// 1e-4 of the diameter are halved on as long as their circles are apart.
+  /// True for growing and shrinking: there are no convex balls, the structure fails if no tolerance suffices, and parts
+  /// shorter than 1e-4 of the diameter are still halved as long as their circles are apart.
   virtual bool is_for_growing() const { return false; }
   const BallHalving& halving() const { return halving_; }
 
@@ -67,11 +68,11 @@ class BallSampling : public Structure {
   /// One of the two samplings: balls of nodes, and of the links between them.
   struct Sampling {
     SampledBalls balls;
-    std::size_t between = 0;                            ///< balls inside links
-    Table<LinkSlot, std::array<AxisNodeSlot, 2>> ends;  ///< kNoSlot: the link is dead
-    Table<AxisNodeSlot, std::uint32_t> degree;          ///< links at a node
+    std::size_t between = 0;                            ///< number of balls inside links
+    Table<LinkSlot, std::array<AxisNodeSlot, 2>> ends;  ///< kNoSlot if the link is dead
+    Table<AxisNodeSlot, std::uint32_t> degree;          ///< number of links at a node
   };
-  /// Where the balls reach: each side of their box, and the ball there.
+  /// The extent of the balls: each side of their box, and the ball there.
   struct Reach {
     std::array<double, 4> side{};
     std::array<FamilySlot, 4> ball{};
@@ -89,7 +90,7 @@ class BallSampling : public Structure {
   double diameter_of_shape() const;
   double shortest() const;
   bool has_too_many(const Sampling& sampling) const { return is_bounded_ && sampling.between > most_between_; }
-  /// All balls; false: there are too many inside links.
+  /// Makes all balls; false if there are too many inside links.
   bool fill(JobControl& job);
   void set_ends(Sampling& sampling, LinkSlot link, const std::array<AxisNodeSlot, 2>& ends);
   void remake_piece(AxisPieceSlot row);
@@ -100,7 +101,7 @@ class BallSampling : public Structure {
   const SettingsSource& settings_;
   const BallUnion& union_;
   std::size_t most_between_;
-  bool is_bounded_ = true;  ///< false: no tolerance suffices, or none is of use
+  bool is_bounded_ = true;  ///< false if no tolerance suffices, or none is of use
   double made_with_ = 0.0;
   double shortest_ = 0.0;
   BallHalving halving_;

@@ -23,7 +23,7 @@ TableMaker<FamilySlot> family_columns(const BallFamily& family) {
   return balls;
 }
 
-/// Every row is alive.
+/// A table in which every row is alive.
 template <class Row, class Value>
 TableMaker<Row> whole_table(std::string name, std::string description, const Table<Row, Value>& rows) {
   TableMaker<Row> out(std::move(name), std::move(description), rows.size(), [](Row) { return true; });

@@ -79,7 +79,7 @@ class OwnBalls final : public BallFamily {
   const UserBalls& balls_;
 };
 
-/// Vertices and pieces that no double can place: crossings so nearly in line that their circle reaches beyond.
+/// Vertices and pieces beyond the range of doubles: crossings so nearly in line that their circle reaches beyond it.
 struct BeyondDoubles {
   std::int64_t count = 0;
   std::vector<Vec2> places;
@@ -89,7 +89,7 @@ BeyondDoubles beyond_doubles(const UnionTables& t) {
   for (const VFace& face : t.v_faces) {
     if (is_finite(Disk{face.center, face.radius})) continue;
     ++out.count;
-    // The centre cannot be shown; the v-points that have it can.
+    // The centre cannot be shown, but the v-points on its circle can.
     const Vec2 place = t.v_points[face.v[0]].position;
     if (out.places.size() < kMostPlaces && is_finite(place)) out.places.push_back(place);
   }
@@ -106,7 +106,7 @@ AxisCounts count_axis(const UnionTables& t) {
   const std::size_t nodes = t.node_count();
   DisjointSets<AxisNodeSlot> joined(nodes);
   Table<AxisNodeSlot, std::uint32_t> degree(nodes, 0);
-  // Ends of pieces without length are one node.
+  // Ends of pieces of length zero are one node.
   for (const AxisPiece& piece : t.axis)
     if (piece.is_alive() && piece.is_zero != 0) joined.join(joined.root(piece.node[1]), joined.root(piece.node[0]));
   Table<AxisNodeSlot, AxisNodeSlot> merged(nodes);
@@ -140,11 +140,11 @@ AxisCounts count_axis(const UnionTables& t) {
   return out;
 }
 
-/// So many balls are decided exactly within some hundredths of a second.
+/// This many balls are decided exactly within some hundredths of a second.
 constexpr std::size_t kFewBalls = 1000;
 
-/// Rounding has put dual complex and axis at odds; or crossings lie so near to each other that it may have made two of one,
-/// or have changed their order on a circle, as where balls nearly coincide.
+/// True if rounding makes dual complex and axis contradict each other, or if crossings lie so near to each other that
+/// it may have made two of one or changed their order on a circle, as where balls nearly coincide.
 bool is_in_doubt(const UnionTables& t) {
   const UnionCounts& c = t.counts;
   if (c.lost_crossings + c.contradictions + c.negative_radicands + c.near_duplicates != 0) return true;
@@ -228,7 +228,7 @@ void BallUnion::take_over(const BallUnion& other) {
   taken_from_ = &other;
 }
 
-// Only the shortcut changes tables by parts; it has no faces and edges of the v-points, and counts nothing.
+// Only the shortcut changes parts of tables; it has no faces and edges of the v-points, and counts nothing.
 bool BallUnion::follow(const BallUnion& other) {
   changes_.clear();
   const bool is_same_rung = rung_ == other.rung_ && why_ == other.why_;
@@ -263,7 +263,7 @@ void BallUnion::run_pipeline(Precision precision, JobControl& job) {
   const LocalBalls balls = local_balls(*family_, job);
   ignored_ = balls.ignored;
   const bool may_be_exact = precision == Precision::fast && made_with_.use_shortcut;
-  // Rounded balls that touch samples have another union than these: around each sample, signs are a matter of chance.
+  // Rounding changes the union of balls that touch samples: around each sample, signs are a matter of chance.
   const bool costs_little = balls.balls.size() <= kFewBalls;
   const bool is_exact = may_be_exact && (family_->is_from_samples() || costs_little);
   tables_ = run_pipeline(is_exact ? Precision::exact : precision, balls.input(), job);
@@ -401,7 +401,7 @@ void BallUnion::find(std::vector<Finding>& out) const {
     auto& places =
         say(FindingLevel::wrong, t.counts.sign_flips,
             "triangles of balls with a common sample have orthogonal radius zero, and were judged otherwise");
-    // The misjudged ones that are left out cannot be shown; those beside them have lost their neighbours.
+    // Misjudged triangles that were left out cannot be shown, but the edges beside them that lost a neighbour can.
     for (const DualEdge& edge : t.dual_edges) {
       if (places.size() >= kMostPlaces) break;
       if (edge.is_alive() && edge.kind == DualClass::singular)

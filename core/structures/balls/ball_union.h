@@ -16,7 +16,7 @@
 
 namespace mes {
 
-/// How a union was computed.
+/// The way in which a union was computed.
 enum class UnionRung : std::uint8_t {
   shortcut,  ///< from shared samples, certified: exact, no arithmetic
   naive,     ///< the pipeline in plain doubles, in a process of its own
@@ -27,21 +27,21 @@ enum class UnionRung : std::uint8_t {
 };
 std::string_view name_of(UnionRung rung);
 
-/// What it guarantees:
+/// Guarantees:
 ///  1. With `exact` and `exact_roots` the tables are those of the balls as real disks: for Voronoi balls the
 ///     circumdisks of the samples, not their rounded images. Positions are rounded at the very end.
-///  2. `fast` gives the same for balls of samples, by the shortcut where `AxisCertificate` holds, else as `exact` does; and
-///     for up to a thousand other balls. Of more the result is that of rounded numbers, unless it is in doubt: where dual
-///     complex and axis contradict each other, or v-points are nearer to each other than rounding tells apart. With the
-///     parameter `union-shortcut` off it is always that of rounded numbers, which may differ in kind, and `findings` says
-///     so where it shows.
+///  2. `fast` gives the same for balls of samples, by the shortcut where `AxisCertificate` holds, else as `exact` does;
+///     and for up to a thousand other balls. For more, the result is that of rounded numbers, unless it is in doubt:
+///     where dual complex and axis contradict each other, or v-points are nearer to each other than rounding tells
+///     apart. If the parameter `union-shortcut` is off, it is always that of rounded numbers, which may differ in kind;
+///     `findings` reports this where it shows.
 ///  3. `naive` may give anything or fail, but ends.
-///  4. Closed convention: balls that touch are joined. Balls of radius zero take no part.
-///  5. Balls are scaled about their centres before all else: where decisions are exact, by the double that the parameter
-///     holds, exactly. Scaled Voronoi balls touch no samples, so the shortcut is for scale 1.
+///  4. Closed convention: balls that touch are joined. Balls of radius zero are left out.
+///  5. Balls are scaled about their centres before anything else: where decisions are exact, by exactly the double that
+///     the parameter holds. Scaled Voronoi balls touch no samples, so the shortcut is for scale 1.
 ///
-/// Cost: the shortcut O(n), updates O(changes), no arithmetic; `doubles` some three times the regular triangulation;
-/// `exact` two to five times as much as `doubles` for 10^4 balls, up to twenty times for 10^5.
+/// Cost: the shortcut O(n), updates O(changes), without arithmetic; `doubles` about three times the regular
+/// triangulation; `exact` two to five times as much as `doubles` for 10^4 balls, up to twenty times for 10^5.
 /// Source: Edelsbrunner 1995 (dual complex), Attali and Montanvert 1997 (axis); the theorem of the demo paper.
 class BallUnion : public Structure {
  public:
@@ -49,7 +49,7 @@ class BallUnion : public Structure {
   const UnionTables& tables() const { return tables_; }
   const UnionChanges& changes() const { return changes_; }
   UnionRung rung() const { return rung_; }
-  /// Why this rung and not a cheaper one.
+  /// The reason for this rung instead of a cheaper one.
   const std::string& why() const { return why_; }
   /// Dual edges and faces of the balls as real disks, whatever the number type of the settings.
   UnionTables exact_dual_complex(JobControl& job) const;
@@ -67,19 +67,19 @@ class BallUnion : public Structure {
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
  protected:
-  /// What the union makes of one of its balls.
+  /// Explains the role of one of its balls in the union.
   void explain_place(FamilySlot row, Explanation& out) const;
-  /// Its radius, if balls are scaled.
+  /// Explains its radius, if balls are scaled.
   void explain_scale(FamilySlot row, Explanation& out) const;
-  /// `certificate` and `shortcut` only for the inner Voronoi balls.
+  /// `certificate` and `shortcut` are given only for the inner Voronoi balls.
   BallUnion(std::string_view id, std::vector<Structure*> inputs, const SettingsSource& settings,
             const Parameter& scale, std::unique_ptr<BallFamily> family, const AxisCertificate* certificate = nullptr,
             std::unique_ptr<SampleUnion> shortcut = nullptr);
-  /// Called with what the pipeline gave, before anything else reads it.
+  /// Called with the result of the pipeline, before anything else reads it.
   virtual void refine(UnionTables&) {}
-  /// In place of `rebuild`: the balls are those of another union, which outlives this one. O(size of its tables).
+  /// Used instead of `rebuild`: the balls are those of another union, which outlives this one. O(size of its tables).
   void take_over(const BallUnion& other);
-  /// In place of `update`, after `take_over`: the changes of the other union. O(changes); false: it asks for `take_over`.
+  /// Used instead of `update` after `take_over`: takes the other union's changes. O(changes); false: call `take_over`.
   bool follow(const BallUnion& other);
 
  private:
@@ -100,7 +100,7 @@ class BallUnion : public Structure {
   std::unique_ptr<BallFamily> family_;
   const AxisCertificate* certificate_;
   std::unique_ptr<SampleUnion> shortcut_;
-  const BallUnion* taken_from_ = nullptr;  ///< null: the tables are its own
+  const BallUnion* taken_from_ = nullptr;  ///< null if the tables are its own
   Choice made_with_;
   UnionRung rung_ = UnionRung::doubles;
   std::string why_;
@@ -112,7 +112,7 @@ class BallUnion : public Structure {
 /// The inner Voronoi balls as a family. Rows: Delaunay faces.
 std::unique_ptr<BallFamily> inner_voronoi_balls(const Delaunay& delaunay, const InnerBalls& balls);
 
-/// Rows of balls: Delaunay faces. The inner Voronoi balls.
+/// The inner Voronoi balls. Rows of balls: Delaunay faces.
 class AUnion final : public BallUnion {
  public:
   AUnion(SettingsSource& settings, Delaunay& delaunay, OneStepCrust& crust, Labels& labels, InnerBalls& balls,

@@ -38,7 +38,7 @@ bool overlap_deeply(const PipelineBall& a, const PipelineBall& b) {
 }
 
 double cosine_at_crossing(const Disk& a, const Disk& b) {
-  // Squares of lengths within the range of coordinates may leave that of doubles.
+  // Squares of lengths within the range of coordinates may leave the range of doubles.
   const int exponent = -std::ilogb(std::max(a.radius, b.radius));
   const auto length = [exponent](double x) { return std::ldexp(x, exponent); };
   const Vec2 d{length(b.center.x - a.center.x), length(b.center.y - a.center.y)};

@@ -5,8 +5,8 @@
 
 namespace mes {
 
-/// Two circles cross, and the radii at a crossing enclose less than 45 degrees. Exact for balls as their origin gives
-/// them: T = w_1 + w_2 - d^2 > 0 and T^2 > 2 w_1 w_2. Source: Amenta, Choi and Kolluri 2001.
+/// True if two circles cross and the radii at a crossing enclose less than 45 degrees. Exact for balls as their origin
+/// defines them: T = w_1 + w_2 - d^2 > 0 and T^2 > 2 w_1 w_2. Source: Amenta, Choi and Kolluri 2001.
 bool overlap_deeply(const PipelineBall& a, const PipelineBall& b);
 
 /// Cosine of that angle, in doubles; beyond [-1, 1] where the circles do not cross.

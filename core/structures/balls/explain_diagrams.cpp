@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What rows of the diagrams of a union of balls are.
+// Explains rows of the diagrams of a union of balls.
 #include <algorithm>
 #include <array>
 #include <unordered_map>
@@ -12,10 +12,10 @@
 namespace mes {
 namespace {
 
-/// Which balls meet at triangles of a diagram, where these are of the document. O(edges), for any number of triangles.
+/// The balls that meet at triangles of a diagram, if they are of the document. O(edges), for any number of triangles.
 class MeetingBalls {
  public:
-  /// At both sides of the edges that are `wanted`.
+  /// Finds them at both sides of the edges that are `wanted`.
   template <class Wanted>
   MeetingBalls(const PowerDiagram& diagram, const BallPlaces& places, Wanted wanted, Explanation& out)
       : places_(places) {
@@ -77,7 +77,7 @@ void add_edge(ProvenanceShapes& shapes, const MeetingBalls& meeting, const BallP
     case PowerEdge::Kind::line: {
       Followed before = places.both(edge.ball[0], edge.ball[1]);
       if (before.balls[0] == kNoSlot) return shapes.line(edge.from, edge.to);
-      // On both sides of it, half the way between the centres away.
+      // On both sides of the edge, half the distance of the centres away.
       const Vec2 half = 0.5 * (places.center(edge.ball[1]).at - places.center(edge.ball[0]).at);
       Followed after = before;
       before.along = -0.5;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What rows of the balls of a family are that have grown additively.
+// Explains rows of the additively grown balls of a family.
 #include <algorithm>
 #include <array>
 #include <string>

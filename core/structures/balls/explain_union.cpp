@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What rows of a union of balls are.
+// Explains rows of a union of balls.
 #include <algorithm>
 #include <array>
 #include <map>
@@ -192,7 +192,7 @@ void BallUnion::explain_place(FamilySlot row, Explanation& out) const {
   }
   std::size_t free_arcs = 0;
   std::vector<ShapePlace> ends;
-  std::map<std::array<double, 2>, std::size_t> found;  // by place: which end
+  std::map<std::array<double, 2>, std::size_t> found;  // index of the end at a position
   for (const BoundaryArc& arc : t.arcs) {
     out.look();
     if (!arc.is_alive() || arc.ball != row) continue;
@@ -201,7 +201,7 @@ void BallUnion::explain_place(FamilySlot row, Explanation& out) const {
     for (const Vec2 end : {arc.from, arc.to})
       if (found.try_emplace({end.x, end.y}, ends.size()).second) ends.emplace_back(end);
   }
-  // As `arc_end`, in one pass.
+  // Does the same as `arc_end`, in one pass.
   for (const VOrigin& origin : t.v_origins) {
     out.look();
     if (found.empty()) break;
@@ -267,7 +267,7 @@ void AUnion::explain(ElementKind kind, RowNumber row, Explanation& out) const {
       if (inner != nullptr && inner->is_ball(face)) explain_place(same_row<FamilySlot>(inner->ball(face)), out);
       return;
     case ElementKind::ball:
-      // Its place in this union is part of what its Voronoi vertex is.
+      // The explanation of its Voronoi vertex includes its role in this union.
       if (!family().is_ball(FamilySlot(row))) return;
       out.about(ElementKind::voronoi_vertex, face);
       return explain_scale(FamilySlot(row), out);

@@ -86,7 +86,7 @@ namespace {
 
 constexpr double kHalfTurn = std::numbers::pi;
 
-/// Counter-clockwise from `a` to `b`, which is less than half a turn exactly if a triangle lies between them.
+/// Counter-clockwise angle from `a` to `b`, which is less than half a turn exactly if a triangle lies between them.
 double turn_between(Vec2 a, Vec2 b, bool is_triangle) {
   // Rounding carries an angle beyond the ends of its range, but never half as far.
   const double turn = std::atan2(cross(a, b), dot(a, b));
@@ -112,7 +112,7 @@ double GrownComplex::half_chord(GrownEdgeSlot edge) const {
 Vec2 GrownComplex::crossing(GrownEndSlot end) const {
   const GrownEdgeSlot edge = edge_of(end);
   const BallBirths::Edge& row = filtration_.edges()[edge];
-  // From one centre for both arcs that meet there, so that they have it to the last bit: that of the smaller ball.
+  // Both arcs that meet there start from the centre of the smaller ball, so that they have the same bits.
   const auto size_of = [&](std::size_t i) {
     return std::pair(filtration_.disk(row.v[i]).radius, filtration_.corners()[row.v[i]].ball);
   };
@@ -170,7 +170,7 @@ std::optional<BoundaryArc> GrownComplex::arc(GrownEndSlot row) const {
   const std::size_t i = row.index() % 2;
   if (!is_open(ends.f[i])) return std::nullopt;
   const Spoke next = next_held(row);
-  // To the right of the next edge, which is to the left of it seen from its other end.
+  // The crossing to the right of the next edge is the one to its left, seen from its other end.
   return BoundaryArc{filtration_.ball(ends.v[i]), 0, crossing(row), crossing(other_end(next.end)),
                      std::max(0.0, next.turn - half_angle(row) - half_angle(next.end))};
 }

@@ -15,16 +15,16 @@ namespace mes {
 using GrownEndSlot = Slot<struct GrownEndTag>;
 using GrownClassSlot = Slot<struct GrownClassTag>;
 
-/// What it guarantees:
-///  1. `holds` is exact: what comes at a growth of `alpha-radius` or before, ties included.
+/// Guarantees:
+///  1. `holds` is exact: true for what enters at a growth of `alpha-radius` or before, ties included.
 ///  2. `arc` gives each arc of the boundary of the union of the grown balls once, to the left of the edge at whose
-///     crossing it begins; a ball that meets no other has a whole circle instead (`is_alone`). Which arcs there are is
-///     exact, and of balls about nearly one centre, too. Their ends are rounded; the angle that they turn through is not
-///     taken from these.
-///  3. A class is alive if it is born at that growth or before, and does not die by then.
+///     crossing it begins; a ball that meets no other has a whole circle instead (`is_alone`). The set of arcs is
+///     exact, even for balls about nearly one centre. Their ends are rounded; the angle that they turn through is not
+///     computed from these.
+///  3. A persistence pair is alive if it is born at that growth or before, and has not died by then.
 ///
-/// Cost: an update costs what comes or goes between the old growth and the new one, and O(n) for disks and boundary.
-/// Rows are those of the filtration.
+/// Cost: an update takes O(simplices that enter or leave between the old growth and the new one), plus O(n) for disks
+/// and boundary. Rows are those of the filtration.
 class GrownComplex : public Structure {
  public:
   const BallFiltration& filtration() const { return filtration_; }
@@ -33,13 +33,13 @@ class GrownComplex : public Structure {
   bool holds(GrownEdgeSlot edge) const { return filtration_.edges()[edge].rank < come_; }
   bool holds(GrownTriangleSlot triangle) const { return filtration_.triangles()[triangle].rank < come_; }
   bool is_alive(const BallFiltration::Class& one) const { return one.birth < come_ && come_ <= one.death; }
-  /// It is held, and no edge at it is.
+  /// True if the corner is held, and no edge at it is.
   bool is_alone(GrownCornerSlot corner) const { return holds(corner) && !has_edge_[corner]; }
-  /// Rounded.
+  /// The grown disk, rounded.
   Disk disk(GrownCornerSlot corner) const;
-  /// That begins at the crossing to the left of the edge, seen from this end, and goes around the end. May have no length.
+  /// The arc that begins at the crossing left of the edge, seen from this end, and goes around it. May have length 0.
   std::optional<BoundaryArc> arc(GrownEndSlot row) const;
-  /// As it is drawn, if it can be seen.
+  /// The arc as it is drawn, if it can be seen.
   std::optional<Arc> drawn(GrownEndSlot row) const;
 
   const ChangeSet<GrownCornerSlot>& corner_changes() const { return corner_changes_; }
@@ -71,32 +71,32 @@ class GrownComplex : public Structure {
   double wish() const { return settings_.current()[Parameter::alpha_radius]; }
   void find_ways();
   void set_growth();
-  /// Row 2 e + i: where the circles about the ends of a held edge cross, to its left seen from end i.
+  /// For row 2 e + i: the crossing of the circles about the ends of a held edge, to its left seen from end i.
   Vec2 crossing(GrownEndSlot end) const;
-  /// Of the two crossings, in the frame.
+  /// Half the distance of the two crossings, in the frame.
   double half_chord(GrownEdgeSlot edge) const;
-  /// The angle at an end of a held edge between the edge and the way to either crossing.
+  /// The angle at an end of a held edge between the edge and the direction of either crossing.
   double half_angle(GrownEndSlot end) const;
   GrownEndSlot end_at(GrownCornerSlot corner, GrownEdgeSlot edge) const {
     return GrownEndSlot(2 * edge.index() + (filtration_.edges()[edge].v[0] == corner ? 0U : 1U));
   }
-  /// Along the edge, away from the end.
+  /// Direction of the edge, away from the end.
   Vec2 direction(GrownEndSlot end) const;
   struct Spoke {
     GrownEndSlot end;
-    double turn = 0.0;  ///< a whole turn if it is the edge itself
+    double turn = 0.0;  ///< a whole turn if the spoke is the edge itself
   };
-  /// The first held edge counter-clockwise about an end of an edge, and how far it is from there. No angle is decided by
-  /// rounded numbers: that of a triangle is below half a turn, and that outside of the hull is not.
+  /// The first held edge counter-clockwise about an end of an edge, and the angle to it. Rounded numbers decide no
+  /// angle: inside a triangle it is below half a turn, and outside of the hull it is not.
   Spoke next_held(GrownEndSlot from) const;
   bool is_open(GrownTriangleSlot triangle) const { return triangle == kNoSlot || !holds(triangle); }
 
   const SettingsSource& settings_;
   const BallFiltration& filtration_;
   double growth_ = 0.0;
-  std::uint32_t come_ = 0;                 // ranks below it
-  Table<GrownCornerSlot, bool> has_edge_;  // that is held
-  /// Of a corner of the hull, the edge that has the outside to its right. Where all centres are collinear, both edges.
+  std::uint32_t come_ = 0;                 // ranks below it have entered
+  Table<GrownCornerSlot, bool> has_edge_;  // an edge that is held
+  /// For a corner of the hull, the edge with the outside to its right. If all centres are collinear, both edges.
   Table<GrownCornerSlot, std::array<GrownEdgeSlot, 2>> hull_edge_;
   ChangeSet<GrownCornerSlot> corner_changes_;
   ChangeSet<GrownEdgeSlot> edge_changes_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Balls that grow additively, for all amounts and at one, as columns.
+// Balls that grow additively as columns, for all amounts and for one.
 #include <array>
 #include <limits>
 

@@ -26,7 +26,7 @@ class KeptBalls final : public BallFamily {
     const EdgeSlot edge(row.index() / 4);
     return edge.index() < delaunay_.edge_rows() && filter_.is_kept(edge) && filter_.is_cut(edge, end_of(row));
   }
-  // A ball about a point of an edge touches both samples; its radius is the distance to the one that comes first.
+  // A ball about a point of an edge touches both samples; its radius is the distance to the smaller one.
   Disk plain_disk(FamilySlot row) const override {
     if (row.index() % 2 == 0) {
       const FaceSlot face(row.index() / 2);
@@ -69,8 +69,8 @@ KeptUnion::KeptUnion(std::string_view id, SettingsSource& settings, Delaunay& de
 double KeptUnion::segment_area(const FaceRow& row, int i) const {
   const Vec2 q = delaunay_.site_position(row.v[next3(i)]);
   const Vec2 r = delaunay_.site_position(row.v[prev3(i)]);
-  // The angle at the corner opposite is half that at the centre. By the chord instead of the radius, which may be beyond
-  // all doubles where the segment is not.
+  // The angle at the opposite corner is half that at the centre. The chord is used instead of the radius, which may be
+  // beyond the range of doubles where the segment is not.
   const double half = angle_at(delaunay_.site_position(row.v[i]), q, r) * (std::numbers::pi / 180.0);
   const double sine = std::sin(half);
   const double chord = distance(q, r);
@@ -79,7 +79,7 @@ double KeptUnion::segment_area(const FaceRow& row, int i) const {
 }
 
 StatList KeptUnion::statistics() const {
-  constexpr double kDigits = 1e9;  // of the area of the balls, which rounding leaves
+  constexpr double kDigits = 1e9;  // digits that rounding leaves of the area of the balls
   StatList out = BallUnion::statistics();
   Sum shape;
   Sum beyond;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How much of the shape is left of a filtered axis: the union of the balls along what a filter keeps.
+// Measures how much of the shape a filtered axis preserves: the union of the balls along its kept part.
 #pragma once
 
 #include "core/structures/balls/ball_union.h"
@@ -9,23 +9,23 @@
 
 namespace mes {
 
-/// The balls of the kept nodes and those at cuts of edges, which hold all balls between; scaled by `a-scale`, as the inner
-/// balls are.
+/// The balls of the kept nodes and those at cuts of edges, which hold all balls between; scaled by `a-scale`, like the
+/// inner balls.
 ///
-/// `shape_area` is that of the shape: of the inside triangles. `share_of_shape` is how much of it the union holds. A ball
-/// reaches beyond the shape in a circular segment behind each edge of the curve at its own triangle, and the segments of
-/// kept balls are taken off; so the large ball of an open place counts with what it has of the shape. At a limit that
-/// takes nothing away the share is 1. It is an estimate in two respects: what a kept ball has beyond the edge of a triangle
-/// whose own ball is not kept is not taken off, and where samples are so far apart that segments overlap, too much is;
-/// what comes out above 1 is 1. There is none where balls are so large that their area has no digits left for the shape,
-/// or are scaled.
+/// `shape_area` is the area of the shape, that is, of the inside triangles. `share_of_shape` is the share of it that
+/// the union holds. A ball reaches beyond the shape in a circular segment behind each edge of the curve at its own
+/// triangle. The segments of kept balls are subtracted, so the large ball of an open place counts only with its part of
+/// the shape. At a limit that removes nothing the share is 1. It is an estimate in two respects: the part of a kept
+/// ball beyond the edge of a triangle whose own ball is not kept is not subtracted, and where samples are so far apart
+/// that segments overlap, too much is; results above 1 are set to 1. There is no share if balls are scaled, or so large
+/// that their area has no digits left for the shape.
 ///
 /// Rows of balls: face f has row 2f, and the piece of an axis end in row i of `AxisFilter` has row 2i + 1. Balls are
-/// rounded; made anew for every change, by the general pipeline.
+/// rounded; the general pipeline recomputes the union for every change.
 class KeptUnion : public BallUnion {
  public:
   StatList statistics() const override;
-  /// It is only measured, and says nothing about the theorem.
+  /// The union is only measured, and says nothing about the theorem.
   void find(std::vector<Finding>&) const override {}
   void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
 
@@ -34,7 +34,7 @@ class KeptUnion : public BallUnion {
             AxisFilter& filter);
 
  private:
-  /// What a kept ball has beyond the edge opposite corner i of its triangle.
+  /// Area of a kept ball beyond the edge opposite corner i of its triangle.
   double segment_area(const FaceRow& row, int i) const;
 
   const Delaunay& delaunay_;

@@ -18,7 +18,7 @@ std::array<Vec2, 3> corners_in_order(const BallFamily& family, FamilySlot row) {
   return out;
 }
 
-// Neighbours in the plane come one after the other, and so do their rows in all tables made of them.
+// Neighbours in the plane are consecutive, and so are their rows in all tables made from them.
 std::vector<FamilySlot> rows_by_place(const BallFamily& family, JobControl& job) {
   struct Found {
     std::vector<Keyed<FamilySlot>> rows;
@@ -58,7 +58,7 @@ std::vector<FamilySlot> rows_by_place(const BallFamily& family, JobControl& job)
   // A ball far away makes the grid coarse, so that many balls have the same key.
   constexpr std::uint32_t kOften = 1U << 16U;
   std::uint32_t compared = 0;
-  // Where ties are broken the order decides, so it must not depend on how rows came to be numbered.
+  // The order decides ties, so it must not depend on the numbers of rows.
   for (auto begin = order.begin(); begin != order.end();) {
     const auto end =
         std::find_if(begin, order.end(), [&](const Keyed<FamilySlot>& item) { return item.key != begin->key; });
@@ -69,7 +69,7 @@ std::vector<FamilySlot> rows_by_place(const BallFamily& family, JobControl& job)
         const Disk q = family.disk(b.slot);
         if (p.center != q.center) return lexicographically_less(p.center, q.center);
         if (p.radius != q.radius) return p.radius < q.radius;
-        // Circles that differ may be rounded to one disk; the first of the two then stands for both.
+        // Different circles may be rounded to one disk; the first of the two then stands for both.
         return std::ranges::lexicographical_compare(corners_in_order(family, a.slot),
                                                     corners_in_order(family, b.slot), lexicographically_less);
       });
@@ -81,7 +81,7 @@ std::vector<FamilySlot> rows_by_place(const BallFamily& family, JobControl& job)
   return rows;
 }
 
-/// The balls of some rows, as they are.
+/// The balls of some rows as they are.
 struct PlainBalls {
   std::vector<PipelineBall> balls;
   std::vector<TouchedSample> samples;
@@ -117,7 +117,7 @@ PlainBalls plain_balls(const BallFamily& family, std::span<const FamilySlot> row
       std::ranges::rotate(ball.corner, std::ranges::min_element(ball.corner, lexicographically_less));
     }
     ball.drawn = {ball.disk.center, ball.radius()};
-    // What no double can hold cannot be drawn either.
+    // A ball that no double can hold cannot be drawn either.
     if (!is_finite(ball.drawn) || (!(ball.drawn.radius > 0.0) && points == PointBalls::ignored)) {
       ++out.ignored;
       continue;
@@ -131,7 +131,7 @@ PlainBalls plain_balls(const BallFamily& family, std::span<const FamilySlot> row
   return out;
 }
 
-// A circumdisk is rounded once more: at home in the frame, where there is more room for digits.
+// A circumdisk is rounded once more, in the frame, where there is more room for digits.
 void bring_into(const LocalFrame& frame, PipelineBall& ball) {
   ball.disk = {frame.to_local(ball.disk.center), frame.to_local_length(ball.disk.radius)};
   if (ball.origin == BallOrigin::disk) return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The balls of a family as the pipelines take them.
+// The balls of a family as input of the pipelines.
 #pragma once
 
 #include <cstdint>
@@ -10,16 +10,16 @@
 
 namespace mes {
 
-/// What it guarantees:
-///  1. Neighbours in the plane come one after the other; the order does not depend on how rows are numbered.
-///  2. What a ball is made of, by its `origin`, is exact in the frame. So of all that follows nothing depends on
-///     where the balls lie or on the unit of length, but the rounding of what is computed, `disk` of a circumdisk
-///     for one: that is done in the frame.
+/// Guarantees:
+///  1. Neighbours in the plane are consecutive; the order does not depend on how rows are numbered.
+///  2. The data that define a ball, by its `origin`, are exact in the frame. So no result depends on where the balls
+///     lie or on the unit of length, except the rounding of computed values, such as `disk` of a circumdisk: that is
+///     done in the frame.
 struct LocalBalls {
   Table<InputSlot, PipelineBall> balls;
-  std::vector<TouchedSample> samples;  ///< what `PipelineBall::samples` points to
+  std::vector<TouchedSample> samples;  ///< storage that `PipelineBall::samples` points to
   std::size_t rows = 0;
-  std::size_t ignored = 0;  ///< beyond doubles, or, as long as they are not asked for, of radius zero
+  std::size_t ignored = 0;  ///< balls beyond the range of doubles and, unless they are kept, of radius zero
   LocalFrame frame;
 
   PipelineInput input() const { return {balls, rows, frame}; }

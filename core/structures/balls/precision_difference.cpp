@@ -61,7 +61,7 @@ void PrecisionDifference::compare_edges(const UnionTables& exact) {
     if (!chosen.contains(pair)) compare(pair, -1, kind);
 }
 
-// The least sample that all three touch; kNoSlot = none.
+// The least sample that all three touch; kNoSlot if there is none.
 SiteSlot PrecisionDifference::common_sample_of(const FamilySlot (&ball)[3]) const {
   if (!union_.family().touch_samples()) return kNoSlot;
   std::vector<TouchedSample> touched[3];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Where the number type of the settings judges the dual complex of a union otherwise than exact arithmetic does.
+// Where the number type of the settings judges the dual complex of a union differently from exact arithmetic.
 #pragma once
 
 #include <array>
@@ -9,21 +9,21 @@
 
 namespace mes {
 
-/// Compared are the classes of dual edges (none, singular, regular, interior) and which triangles belong to the dual
+/// Compares the classes of dual edges (none, singular, regular, interior), and which triangles belong to the dual
 /// complex. Where more than three balls have a point of equal power, as around every sample that several balls touch,
-/// the triangulation of their centres is arbitrary: there an edge between two triangles counts as equal to none, and
-/// triangles are compared by number.
+/// the triangulation of their centres is arbitrary: there an edge between two triangles counts as none, and triangles
+/// are compared by number.
 ///
-/// Nothing to do while the union is exact; otherwise a dual complex in rationals, or from the certificate.
+/// Nothing is compared while the union is exact; otherwise a dual complex in rationals, or from the certificate.
 class PrecisionDifference : public Structure {
  public:
   struct Edge {
     FamilySlot ball[2]{};
-    std::int8_t chosen = -1, exact = -1;  ///< dual triangles at it; -1 = not in the dual complex
+    std::int8_t chosen = -1, exact = -1;  ///< number of dual triangles at it; -1 = not in the dual complex
   };
   struct Face {
     FamilySlot ball[3]{};
-    bool is_exact = false;  ///< it belongs to the exact dual complex, and is missed; otherwise the other way round
+    bool is_exact = false;  ///< true: missing from the chosen dual complex; false: only in the chosen one
   };
   const BallUnion& balls() const { return union_; }
   const std::vector<Edge>& edges() const { return edges_; }

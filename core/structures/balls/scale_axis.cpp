@@ -15,7 +15,7 @@ OwnerSlot edge_owner(EdgeSlot edge) {
   return same_row<OwnerSlot>(edge);
 }
 
-/// Inner Voronoi balls, and balls between them unless the factor is 1.
+/// Inner Voronoi balls, plus balls between them unless the factor is 1.
 class BallsAlongAxis final : public VoronoiBalls {
  public:
   BallsAlongAxis(const Delaunay& delaunay, const InnerBalls& balls, const SampledBalls& between)
@@ -79,7 +79,7 @@ bool AxisSampling::is_edge(EdgeSlot edge) const {
   return delaunay_.edge(edge).is_alive() && axis_.is_axis_edge(edge) && !axis_.is_zero_length(edge);
 }
 
-// A ball about a place of the edge touches both samples; its radius is the distance to the one that comes first.
+// A ball about a point of the edge touches both samples; its radius is the distance to the smaller one.
 void AxisSampling::remake(EdgeSlot edge) {
   between_.drop(edge_owner(edge));
   if (made_with_.angle == kNone || !is_edge(edge)) return;
@@ -121,7 +121,7 @@ bool AxisSampling::fill(JobControl& job) {
     if (looked == 0) job.checkpoint(edge.index(), delaunay_.edge_rows());
     remake(edge);
     if (between_.count() > kMostBallsBetween) return false;
-    // An edge may have as many balls as others have together.
+    // One edge may have as many balls as all others together.
     looked = looked == kEdgesALook || between_.count() - made > kEdgesALook ? 0 : looked + 1;
     if (looked == 0) made = between_.count();
   }

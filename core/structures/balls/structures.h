@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The structures of this room, a line each, inputs before consumers.
+// Registers the structures of this room, one line each, inputs before consumers.
 #pragma once
 
 #include "core/graph/registry.h"
@@ -28,7 +28,7 @@
 
 namespace mes {
 
-/// After the rooms that it uses.
+/// Call after the rooms that this one uses.
 inline void add_ball_structures(Registry& registry) {
   registry.add_structure<AUnion, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis,
                          AxisCertificate>();

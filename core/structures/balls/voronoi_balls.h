@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Families of Voronoi balls: circumdisks of Delaunay faces. Rows: the faces, of those with one circle the one that
+// Families of Voronoi balls: circumdisks of Delaunay faces. Rows: the faces; of those with one circle, the one that
 // `VoronoiVertices` names.
 #pragma once
 
@@ -8,7 +8,7 @@
 
 namespace mes {
 
-/// All of them; subclasses choose. Rows of the family are rows of faces.
+/// All Voronoi balls; subclasses choose. Rows of the family are rows of faces.
 class VoronoiBalls : public BallFamily {
  public:
   VoronoiBalls(const Delaunay& delaunay, const VoronoiVertices& vertices)

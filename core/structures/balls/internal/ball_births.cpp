@@ -21,11 +21,11 @@ namespace {
 using Rational = CGAL::Exact_rational;
 using Interval = CGAL::Interval_nt<false>;
 using Balls = UnionBalls<ExactKernel, ExactKernel>;
-using Span = std::array<InputSlot, 3>;  // the balls of a circle; the last ones are kNoSlot where there are fewer
+using Span = std::array<InputSlot, 3>;  // the balls of a circle; missing ones at the end are kNoSlot
 
-constexpr double kTooWide = 0x1p-40;  // of an interval, against what it holds
+constexpr double kTooWide = 0x1p-40;  // width of an interval, relative to the values in it
 
-/// Power of the smallest circle orthogonal to the balls: least power that all have at one point.
+/// Power of the smallest circle orthogonal to the balls: the least power that all of them have at one point.
 template <class Number>
 Number power_of(const BallOf<Number>& a) {
   return Number(0) - a.w;
@@ -48,7 +48,7 @@ Number power_of(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<N
   return (nx * nx + ny * ny) / (Number(4) * det * det) - a.w;
 }
 
-/// `ball(slot)` gives a ball in the numbers wanted.
+/// `ball(slot)` returns a ball in the required numbers.
 template <class Ball>
 auto power_of_span(const Span& span, Ball ball) {
   if (span[1] == kNoSlot) return power_of(ball(span[0]));
@@ -102,7 +102,7 @@ class BirthSearch {
     of_triangle_.assign(tables_.faces.size(), kUnknown);
     of_edge_.assign(tables_.edges.size(), kUnknown);
     of_ball_.assign(input_.balls.size(), kUnknown);
-    // From the ball with the smallest radius on: what is subtracted at the end is then least.
+    // Starts from the ball with the smallest radius, so that the subtraction at the end loses least.
     const auto sorted = [&](Span span, std::size_t count) {
       std::ranges::sort(span.begin(), span.begin() + static_cast<std::ptrdiff_t>(count),
                         [&](InputSlot a, InputSlot b) {
@@ -156,7 +156,7 @@ class BirthSearch {
   }
 
   void find_ranks() {
-    // An interval that says little would be compared with many others.
+    // An interval that is too wide would be compared with many others.
     std::size_t looks = 0;
     for (SpannedPower& circle : circles_) {
       const double size = std::max(std::abs(circle.low), std::abs(circle.high));
@@ -178,7 +178,7 @@ class BirthSearch {
     }
   }
 
-  /// Of circles whose intervals overlap one another.
+  /// Ranks circles whose intervals overlap one another.
   void rank_run(std::span<const std::uint32_t> run) {
     const auto rank_of_first = static_cast<std::uint32_t>(levels_.size());
     const bool is_one = run.size() == 1 || std::ranges::all_of(run, [&](std::uint32_t i) {
@@ -239,7 +239,7 @@ class BirthSearch {
     std::ranges::sort(out, lexicographically_less);
     return out;
   }
-  /// The rows that are there, by their ranks, and where these are equal by their centres.
+  /// Existing rows, sorted by rank and, where ranks are equal, by centre.
   template <class Row, class Places>
   std::vector<Row> sorted_rows(const Table<Row, std::uint32_t>& rank, Places places) const {
     std::vector<Row> out;
@@ -271,7 +271,7 @@ class BirthSearch {
     }
     Table<TriangleSlot, GrownTriangleSlot> triangle_of(tables_.faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) triangle_of[faces[i]] = GrownTriangleSlot(i);
-    // Where they are drawn, nothing is decided by them.
+    // Positions for drawing; nothing is decided by them.
     Table<InputSlot, BallOf<double>> rounded_balls;
     rounded_balls.reserve(input_.balls.size());
     for (const PipelineBall& ball : input_.balls) rounded_balls.push_back(ball_in<double>(ball));
@@ -313,7 +313,7 @@ class BirthSearch {
   std::vector<SpannedPower> circles_;
   std::vector<std::uint32_t> rank_;  // by circle
   std::vector<BallBirths::Level> levels_;
-  // First the circle, then the rank.
+  // These hold first the circle, then its rank.
   Table<TriangleSlot, std::uint32_t> of_triangle_;
   Table<RegularEdgeSlot, std::uint32_t> of_edge_;
   Table<InputSlot, std::uint32_t> of_ball_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What balls of a family and v-points follow, for shapes of explanations.
+// The elements that balls of a family and v-points follow, for shapes of explanations.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@
 
 namespace mes {
 
-/// Balls of the document follow themselves, circumdisks the samples on their circle; others nothing, nor does anything
-/// where the triangulation is not up to date. Of one union. Threads: none.
+/// Balls of the document follow themselves, circumdisks the samples on their circle; others follow nothing, nor does
+/// anything while the triangulation is not up to date. For one union. Threads: none.
 class BallPlaces {
  public:
   BallPlaces(const BallFamily& family, Explanation& out)
@@ -32,13 +32,13 @@ class BallPlaces {
     for (std::size_t i = 0; i < out.samples.size(); ++i) out.samples[i] = delaunay_->site_sample(touched[i].site);
     return out;
   }
-  /// The balls are those of the document, all of them or none.
+  /// True if the balls are those of the document; either all are or none.
   bool follow_balls() const { return family_.ball_of_document(FamilySlot(0)) != kNoSlot; }
   ShapePlace center(FamilySlot ball) const { return {family_.disk(ball).center, follows(ball)}; }
   void add_circle(ProvenanceShapes& shapes, FamilySlot ball) const {
     shapes.circle(family_.disk(ball), follows(ball));
   }
-  /// Two balls of the document; of others nothing.
+  /// Follows two balls of the document; for others it follows nothing.
   Followed both(FamilySlot a, FamilySlot b) const {
     if (!follow_balls()) return {};
     return {.balls = {family_.ball_of_document(a), family_.ball_of_document(b)}, .scale = family_.scale()};
@@ -49,12 +49,12 @@ class BallPlaces {
     BallSlot second = family_.ball_of_document(b);
     if (first == kNoSlot || second == kNoSlot) return at;
     const Vec2 from = family_.disk(a).center;
-    // Both crossings are on the line of the centres, and the same, where rounding could choose the wrong one.
+    // Where rounding could choose the wrong crossing, both are on the line of the centres and the same.
     if (cross(family_.disk(b).center - from, at - from) < 0.0) std::swap(first, second);
     return {at, {.balls = {first, second}, .scale = family_.scale()}};
   }
-  /// A v-point that is a sample follows it, one of balls of the document two of those that cross there. The first
-  /// time O(v-points), then O(1).
+  /// A v-point that is a sample follows it; one of balls of the document follows two of those that cross there.
+  /// O(v-points) the first time, then O(1).
   ShapePlace at(const UnionTables& t, VPointSlot row) const {
     const VPoint& v = t.v_points[row];
     if (v.site != kNoSlot && delaunay_ != nullptr && delaunay_->is_site(v.site))
@@ -65,7 +65,7 @@ class BallPlaces {
     const DualEdge& edge = t.dual_edges[t.v_origins[first].edge];
     return crossing(v.position, edge.ball[0], edge.ball[1]);
   }
-  /// A place of equal distance to two v-points follows the balls that cross there. As `at`.
+  /// A point at equal distance from two v-points follows the balls that cross there. Costs as much as `at`.
   ShapePlace between(const UnionTables& t, Vec2 place, VPointSlot first, VPointSlot second) const {
     if (!follow_balls()) return place;
     for (const VPointSlot v : {first, second})
@@ -108,7 +108,7 @@ class BallPlaces {
   const BallFamily& family_;
   Explanation& out_;
   const Delaunay* delaunay_;
-  mutable Table<VPointSlot, VOriginSlot> first_origin_;  // of each v-point; made when it is asked for
+  mutable Table<VPointSlot, VOriginSlot> first_origin_;  // for each v-point; made on demand
 };
 
 }  // namespace mes

@@ -23,10 +23,10 @@ struct Place {
   Number x, y;
 };
 
-/// How many bits of a crossing two doubles have to tell; otherwise it has forty digits.
+/// Error up to which two doubles suffice for a crossing; otherwise it gets forty digits.
 constexpr double kEnough = 0x1p-64;
 
-/// Of a direction. Along the axes many crossings of a symmetric figure are equal, which is what takes longest to see.
+/// Slope of the sweep. Along the axes many crossings of a symmetric figure are equal, which takes longest to detect.
 constexpr double kSlope = 0.6180339887498949;
 
 /// The point (x, y) + sqrt(radicand) (x_root, y_root).
@@ -71,7 +71,7 @@ Place<BigInterval<kDigits>> big_place(const CrossingSource& source, const Terms<
   return {terms.x + terms.x_root * root, terms.y + terms.y_root * root};
 }
 
-// What a polynomial is evaluated at: a crossing, or the centre of a ball.
+// The point at which a polynomial is evaluated: a crossing, or the centre of a ball.
 template <unsigned kDigits>
 Place<BigInterval<kDigits>> place_at(const CrossingPoint& p) {
   if constexpr (kDigits == 40) {
@@ -122,7 +122,7 @@ int exact_sign(const Polynomial& polynomial, const Operand&... operand) {
   return polynomial(exact_place(operand, radicands, roots)...).sign();
 }
 
-/// From the second step on; see the head of the header.
+/// Takes the steps from the second on; see the head of the header.
 template <class Polynomial, class... Operand>
 int sign_of(const Polynomial& polynomial, const Operand&... operand) {
   {
@@ -165,7 +165,7 @@ double rounded_quotient(const Numerator& numerator, const Denominator& denominat
   return std::abs(ends.low) < std::abs(ends.high) ? ends.low : ends.high;
 }
 
-// Which coordinate, for polynomials of either.
+// Selects a coordinate, for polynomials of either.
 struct X {
   template <class Number>
   static const Number& of(const Place<Number>& p) {
@@ -215,7 +215,7 @@ bool are_on_one_circle(const Crossing& p, const Crossing& q, const Crossing& r, 
   });
 }
 
-/// As `coordinate_in_document`.
+/// Like `coordinate_in_document`.
 template <class Numerator, class Denominator, class... Operand>
 double document_coordinate(double local, double origin, int exponent, const Numerator& numerator,
                            const Denominator& denominator, const Operand&... operand) {

@@ -10,8 +10,8 @@
 //  4. in intervals of 40, 80, 160 and 320 decimal digits (`BigInterval`);
 //  5. in the field of the rationals and the roots at hand (`RootElement`).
 //
-// Several crossings on one circle are the rule, and their in-circle test is zero, which the first step sees. What gets
-// to the last step is zero by coincidence, as in symmetric figures. Threads may share crossings.
+// Several crossings on one circle are the rule; their in-circle test is zero, which the first step sees. Only signs
+// that are zero by coincidence reach the last step, as in symmetric figures. Threads may share crossings.
 #pragma once
 
 #include <CGAL/Interval_nt.h>
@@ -32,13 +32,13 @@
 
 namespace mes {
 
-/// How a crossing follows from two balls whose circles meet.
+/// Defines a crossing by two balls whose circles meet.
 struct CrossingSource {
   enum class Kind : std::uint8_t {
     sample,    ///< a sample that both circles pass through
     mirrored,  ///< such a sample, mirrored at the line of the centres
     touch,     ///< the one point of circles that touch
-    root,      ///< to the left or right of the way from the first centre to the second
+    root,      ///< to the left or right of the line from the first centre to the second
   };
   Kind kind = Kind::root;
   bool left = false;
@@ -46,10 +46,10 @@ struct CrossingSource {
   Vec2 sample{};
 };
 
-/// Circles with a crossing on them: balls by their position in the input, ascending.
+/// Circles through a crossing: balls by their index in the input, ascending.
 using CirclesThrough = std::vector<InputSlot>;
 
-/// What is known of a crossing.
+/// The known data of a crossing.
 struct Crossing {
   using Interval = CGAL::Interval_nt<false>;
   using First = TwoDoubles;
@@ -60,9 +60,9 @@ struct Crossing {
   CrossingSource source;
   Interval x, y;                             ///< at most four doubles wide, unless the balls are all but degenerate
   First first_x, first_y;                    ///< the same with more digits
-  std::shared_ptr<const FortyDigits> forty;  ///< where these are not enough for the intervals
-  const Crossing* same = nullptr;            ///< of crossings known to be equal, the one that stands for all
-  CirclesThrough circles;                    ///< of that one: through any of the equal ones
+  std::shared_ptr<const FortyDigits> forty;  ///< set if these are not enough for the intervals
+  const Crossing* same = nullptr;            ///< the representative of crossings known to be equal
+  CirclesThrough circles;                    ///< for the representative: circles through any of the equal ones
 };
 
 /// Computes the intervals of a crossing from those of its two balls, as `ball_in` gives them; `same` and `circles` are
@@ -70,16 +70,16 @@ struct Crossing {
 Crossing crossing_of(const CrossingSource& source, const BallOf<Crossing::First>& a,
                      const BallOf<Crossing::First>& b);
 
-/// A crossing as CGAL's triangulation holds it. Refers to what it stands for.
+/// A crossing as CGAL's triangulation holds it. Refers to the crossing that it represents.
 struct CrossingPoint {
   const Crossing* at = nullptr;
 };
 
-/// What the Delaunay triangulation of CGAL asks of its points, and the pipeline of its numbers. Balls are rational.
+/// The operations that CGAL's Delaunay triangulation needs of points, and the pipeline of numbers. Balls are rational.
 struct CrossingKernel {
   using FT = ExactKernel::FT;
   using Point_2 = CrossingPoint;
-  // Named by CGAL's triangulation, never made.
+  // CGAL's triangulation names these types but never makes them.
   struct Segment_2 {};
   struct Triangle_2 {};
 
@@ -95,8 +95,8 @@ struct CrossingKernel {
   struct Side_of_oriented_circle_2 {
     CGAL::Oriented_side operator()(CrossingPoint p, CrossingPoint q, CrossingPoint r, CrossingPoint s) const;
   };
-  /// Along one of two directions at a right angle; which two they are is not said. Of points that are equal in one of them
-  /// the other one decides, so that both orders are those of a plane that is turned by a right angle.
+  /// Order along one of two unspecified directions at a right angle. The other direction decides ties, so that both
+  /// orders are those of a plane that is turned by a right angle.
   struct Less_along {
     bool operator()(CrossingPoint p, CrossingPoint q, bool by_second) const;
   };
@@ -110,15 +110,15 @@ struct CrossingKernel {
   Side_of_oriented_circle_2 side_of_oriented_circle_2_object() const { return {}; }
 };
 
-/// Of the signed distances of two centres from the line pq, that of the first less that of the second.
+/// Sign of the signed distance of the first centre from the line pq, less that of the second.
 int compare_distances_to_line(CrossingPoint p, CrossingPoint q, const PipelineBall& a, const PipelineBall& b);
 
-/// Rounded once each to the nearest doubles; a coordinate in the middle between two doubles, up to some 300 digits, to that
-/// nearer to zero.
+/// Each coordinate is rounded once to the nearest double. One that is midway between two doubles, up to some 300
+/// digits, is rounded towards zero.
 PlacedPoint place_of(CrossingPoint p, const LocalFrame& frame);
 /// The centre of the circle through the three, which are not collinear; rounded in the same way.
 PlacedPoint place_of_circumcenter(CrossingPoint p, CrossingPoint q, CrossingPoint r, const LocalFrame& frame);
-/// From the centre of the ball; rounded in the same way.
+/// Vector from the centre of the ball to the crossing; rounded in the same way.
 Vec2 rounded_vector(const PipelineBall& ball, CrossingPoint p);
 
 }  // namespace mes

@@ -8,8 +8,8 @@
 
 namespace mes {
 
-/// By divide and conquer, on all cores. Crossings that are equal without being known to be are found here. The result
-/// depends on the crossings alone, but for the names of equal ones.
+/// Divide and conquer, on all cores. Also finds crossings that are equal without being known to be. The result depends
+/// on the crossings alone, except for the choice among equal ones.
 template <>
 PointTriangulation point_triangulation<CrossingKernel>(const Table<InputSlot, CrossingPoint>& points,
                                                        JobControl& job);

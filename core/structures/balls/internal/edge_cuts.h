@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sixth stage of the union pipeline: the Voronoi edges of the v-points, cut at the centres of balls on them, and
-// which of the cuts lie in the dual complex |R|. The boundary of |R| is met at such centres only. What lies towards an
-// arc of the ball's circle is known from the arc; what lies between is labelled from its ends: every part of |R|
-// reaches a centre. Nothing is located.
+// Sixth stage of the union pipeline: cuts the Voronoi edges of the v-points at the centres of balls on them, and
+// decides which of the cuts lie in the dual complex |R|. The boundary of |R| is met at such centres only. The arc of
+// the ball's circle labels the cut towards it; cuts between are labelled from their ends, as every part of |R| reaches
+// a centre. No point is located.
 #pragma once
 
 #include <algorithm>
@@ -19,25 +19,25 @@
 
 namespace mes {
 
-/// Where a cut lies: outside |R|, along a singular dual edge, in |R|. With doubles the two ends of a cut may
+/// Position of a cut: outside |R|, along a singular dual edge, or in |R|. In doubles the two ends of a cut may
 /// contradict each other; then the greater label counts.
 enum class CutLabel : std::uint8_t { unknown, out, singular, in };
 
 /// A part of a Voronoi edge, from its left face to its right one.
 struct EdgeCut {
   VEdgeSlot edge;
-  InputSlot end[2];  ///< balls, or kNoSlot: the end of the Voronoi edge
+  InputSlot end[2];  ///< balls, or kNoSlot for the end of the Voronoi edge
   CutLabel label;
 
-  /// The face whose circumcentre end i is; kNoSlot = it is a ball's centre, or the cut is unbounded.
+  /// The face whose circumcentre is end i; kNoSlot if the end is a ball's centre, or the cut is unbounded.
   VFaceSlot face_at(const VTriangulation& v, std::size_t i) const {
     return end[i] == kNoSlot ? v.edges[edge].f[i] : VFaceSlot();
   }
 };
 
 struct EdgeCuts {
-  std::vector<EdgeCut> cuts;         ///< by edge
-  std::vector<std::uint32_t> begin;  ///< by edge, and one more
+  std::vector<EdgeCut> cuts;         ///< sorted by edge
+  std::vector<std::uint32_t> begin;  ///< start of each edge, and the end of all
   Table<VEdgeSlot, VEdgeKind> kind;
   Table<VFaceSlot, std::uint8_t> is_inside;  ///< its circumcentre lies in |R|
   std::int64_t contradictions = 0;           ///< see `UnionCounts`
@@ -100,7 +100,7 @@ class EdgeCutter {
       return order > 0 || (order == 0 && balls_.comes_before(a, b));
     });
   }
-  // Of the signed distances of two centres from the line pq.
+  // Sign of the signed distance of the first centre from the line pq, less that of the second.
   int compare_distances(const typename Points::Point_2& p, const typename Points::Point_2& q, InputSlot a,
                         InputSlot b) const {
     if constexpr (kAreCrossings<Points>) {
@@ -119,7 +119,7 @@ class EdgeCutter {
   std::vector<InputSlot> on_edge_;
 };
 
-/// Stable; O(events + edges). Returns where the events of each edge begin.
+/// Sorts stably; O(events + edges). Returns where the events of each edge begin.
 inline std::vector<std::uint32_t> sort_by_edge(std::vector<CenterEvent>& events, std::size_t edges) {
   std::vector<std::uint32_t> begin(edges + 1, 0);
   for (const CenterEvent& event : events) ++begin[event.edge.index()];
@@ -131,7 +131,7 @@ inline std::vector<std::uint32_t> sort_by_edge(std::vector<CenterEvent>& events,
   return begin;
 }
 
-/// What lies in |R| at one end does so up to the next centre, through all faces on the way. Fills in `is_inside` and
+/// A cut that is in |R| at one end is so up to the next centre, through all faces on the way. Fills in `is_inside` and
 /// the labels that are not yet known.
 inline void spread_labels(const VTriangulation& v, const Table<VFaceSlot, InputSlot>& ball_of_face, EdgeCuts& out) {
   out.is_inside.resize(v.faces.size());

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coordinates near which the pipelines compute: about the data, in units of their size. What they find then does not
-// depend on where the data lie, nor on the unit of length.
+// Coordinates in which the pipelines compute: near the data, in units of their size. Results then depend neither on the
+// position of the data nor on the unit of length.
 #pragma once
 
 #include <algorithm>
@@ -15,7 +15,7 @@
 
 namespace mes {
 
-/// document = origin + 2^exponent * local. Into the frame the way is exact for the numbers it was made for.
+/// document = origin + 2^exponent * local. Conversion into the frame is exact for the numbers it was made for.
 struct LocalFrame {
   Vec2 origin{};
   int exponent = 0;
@@ -27,14 +27,14 @@ struct LocalFrame {
   double to_document_length(double length) const { return times_power_of_two(length, exponent); }
 };
 
-/// Length of a vector in a frame. Its square leaves the range of doubles only where it is small, so this does without
-/// the care of `length`.
+/// Length of a vector in a frame. Its square leaves the range of doubles only if it is small, so this needs less care
+/// than `length`.
 inline double local_length(Vec2 v) {
   const double square = dot(v, v);
   return square > 0x1p-900 ? std::sqrt(square) : length(v);
 }
 
-/// Collects what a frame is to hold.
+/// Collects the numbers that a frame has to hold.
 class FrameExtent {
  public:
   /// A position that must stay exact.
@@ -48,7 +48,7 @@ class FrameExtent {
     longest_ = std::max(longest_, std::abs(length));
     note_magnitude(length);
   }
-  /// Something that is computed, such as a circumcircle: it may be rounded, but not overflow.
+  /// A computed object, such as a circumcircle: it may be rounded, but must not overflow.
   void add_derived(const Disk& disk) {
     derived_.add(disk.center);
     longest_ = std::max(longest_, disk.radius);
@@ -64,7 +64,7 @@ class FrameExtent {
     if (positions_.is_empty()) return out;
     out.origin = {origin_within(positions_.low.x, positions_.high.x),
                   origin_within(positions_.low.y, positions_.high.y)};
-    // Halves, because distances of doubles need not be doubles.
+    // Halved, because distances of doubles need not be doubles.
     double half = 0.5 * longest_;
     for (const Box2& box : {positions_, derived_}) {
       if (box.is_empty()) continue;
@@ -73,7 +73,7 @@ class FrameExtent {
             {half, std::abs(0.5 * corner.x - 0.5 * out.origin.x), std::abs(0.5 * corner.y - 0.5 * out.origin.y)});
     }
     if (!(half > 0.0)) return out;
-    // No bit of a number may fall below the range of doubles; that the largest stay within it goes before.
+    // No bit of a number may fall below the range of doubles, but keeping the largest within it takes precedence.
     const int size = std::ilogb(half) + 2;
     const int most = std::ilogb(smallest_) - std::numeric_limits<double>::min_exponent + 1;
     out.exponent = std::max(std::min(size, most), size - kLargestLocal);
@@ -83,8 +83,8 @@ class FrameExtent {
  private:
   static constexpr int kLargestLocal = 200;
 
-  // From numbers of one sign of which none is more than twice as large as another, each difference is exact
-  // (Sterbenz). Where others occur, the data are not far from zero compared with their size.
+  // If numbers have one sign and none is more than twice as large as another, their differences are exact (Sterbenz).
+  // Otherwise the data are not far from zero compared with their size.
   static double origin_within(double low, double high) {
     const bool is_far = (low > 0.0 && 0.5 * high <= low) || (high < 0.0 && 0.5 * low >= high);
     return is_far ? std::midpoint(low, high) : 0.0;

@@ -10,8 +10,8 @@
 
 namespace mes {
 
-/// Splits loops into parts that run side by side, where all numbers are doubles; numbers of other kinds belong to one
-/// thread, and for these there is one part.
+/// Splits loops into parts that run in parallel if all numbers are doubles. Numbers of other kinds belong to one
+/// thread, so there is one part for these.
 template <class... Numbers>
 struct NumberParts {
   static constexpr bool kIsDouble = (std::is_same_v<Numbers, double> && ...);
@@ -25,7 +25,7 @@ struct NumberParts {
     const std::size_t parts = part_count(count);
     run_tasks(parts, [&](std::size_t part) { body(count * part / parts, count * (part + 1) / parts, part); });
   }
-  /// Calls both, side by side where `count` rows are worth it.
+  /// Calls both, in parallel if `count` rows are worth it.
   template <class First, class Second>
   static void both(std::size_t count, First first, Second second) {
     if (part_count(count) > 1) {

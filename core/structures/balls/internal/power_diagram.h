@@ -17,7 +17,7 @@
 
 namespace mes {
 
-/// Point of equal power; a's centre where there is none.
+/// Point of equal power; a's centre if there is none.
 template <class Number>
 PlacedPoint power_center(const BallOf<Number>& a, const BallOf<Number>& b, const BallOf<Number>& c,
                          const LocalFrame& frame) {
@@ -26,7 +26,7 @@ PlacedPoint power_center(const BallOf<Number>& a, const BallOf<Number>& b, const
   const Number pc = cx * cx + cy * cy - c.w + a.w;
   const Number twice = Number(2) * (bx * cy - by * cx);
   if constexpr (std::is_same_v<Number, double>) {
-    // With centres nearly in line, as of half planes along a straight side, rounding would carry the point anywhere.
+    // If centres are nearly in line, as for half planes along a straight side, rounding would carry the point anywhere.
     // Nor must products below the range of doubles decide.
     if (!(std::abs(twice) > 1e-6 * (std::abs(bx * cy) + std::abs(by * cx)) && std::abs(twice) > 0x1p-400)) {
       using Exact = CGAL::Exact_rational;
@@ -38,7 +38,7 @@ PlacedPoint power_center(const BallOf<Number>& a, const BallOf<Number>& b, const
   return placed(Number(a.x + (pb * cy - pc * by) / twice), Number(a.y + (pc * bx - pb * cx) / twice), frame);
 }
 
-/// The point of equal power on the way from one centre to another, for balls alone on a line.
+/// The point of equal power on the line from one centre to another, for collinear balls.
 inline Vec2 power_foot(const PipelineBall& from, const PipelineBall& to, const LocalFrame& frame) {
   // The centres may be so close together that the square of their distance underflows.
   using Exact = CGAL::Exact_rational;
@@ -79,7 +79,7 @@ PowerCenters power_centers(const PipelineInput& input, const Table<InputSlot, Ba
         out.center[f] = {sample->position, input.frame.to_document(sample->position)};
         continue;
       }
-      // Rounding must not depend on the order in which the balls came.
+      // Rounding must not depend on the order of the balls.
       std::array<InputSlot, 3> order{v[0], v[1], v[2]};
       std::ranges::rotate(order, std::ranges::min_element(order, comes_before));
       out.center[f] = power_center(balls[order[0]], balls[order[1]], balls[order[2]], input.frame);

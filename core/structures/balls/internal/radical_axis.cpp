@@ -21,12 +21,12 @@ using Interval = CGAL::Interval_nt<false>;
 
 constexpr double kTolerance = 0x1p-36;
 
-/// What the axis is made of, without roots.
+/// The terms that define the axis, without roots.
 template <class Number>
 struct AxisTerms {
-  Number x, y;         ///< from the first centre to the second
-  Number dd;           ///< its square
-  Number first, last;  ///< what a foot is the half of, times the distance
+  Number x, y;         ///< vector from the first centre to the second
+  Number dd;           ///< its squared length
+  Number first, last;  ///< twice a foot, times the distance
   Number power;
 };
 template <class Number>
@@ -38,7 +38,7 @@ AxisTerms<Number> axis_terms(const BallOf<Number>& a, const BallOf<Number>& b) {
   const Number more = a.w - b.w;
   out.first = out.dd + more;
   out.last = out.dd - more;
-  // From the smaller ball on: what is subtracted at the end is then least.
+  // Starts from the smaller ball, so that the subtraction at the end loses least.
   const bool is_first = !(CGAL::to_double(more) > 0.0);
   const Number& twice = is_first ? out.first : out.last;
   out.power = twice * twice / (Number(4) * out.dd) - (is_first ? a.w : b.w);
@@ -48,7 +48,7 @@ AxisTerms<Number> axis_terms(const BallOf<Number>& a, const BallOf<Number>& b) {
 double middle(const Interval& x) {
   return 0.5 * x.inf() + 0.5 * x.sup();
 }
-/// How far any number of the interval may be from its middle, or a little more.
+/// Bounds how far any number of the interval is from its middle.
 double width(const Interval& x) {
   return x.sup() - x.inf();
 }
@@ -71,7 +71,7 @@ bool is_within(double power_error, double half, double tolerance) {
   return power_error <= 2.0 * tolerance * half;
 }
 
-/// Nothing where intervals are too wide.
+/// Returns nothing if intervals are too wide.
 std::optional<RadicalAxis> quick_axis(const BallOf<Interval>& a, const BallOf<Interval>& b) {
   const AxisTerms<Interval> terms = axis_terms(a, b);
   const double radius = std::sqrt(std::max(0.0, std::min(a.w.inf(), b.w.inf())));

@@ -9,7 +9,7 @@
 
 namespace mes {
 
-/// Signs cost by the depth of an expression, so those of roots begin at numbers, not at how these came about.
+/// Finding a sign costs more the deeper the expression is, so expressions with roots start from plain numbers.
 template <>
 inline BallOf<RootsKernel::FT> ball_in(const PipelineBall& ball) {
   const BallOf<CORE::BigRat> exact = ball_in<CORE::BigRat>(ball);

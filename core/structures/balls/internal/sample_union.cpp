@@ -8,7 +8,7 @@
 namespace mes {
 namespace {
 
-// Which rows of the union those of the triangulation are.
+// Rows of the union that belong to rows of the triangulation.
 FamilySlot ball_at(FaceSlot face) {
   return same_row<FamilySlot>(face);
 }
@@ -70,8 +70,8 @@ void SampleUnion::free_edge(UnionTables& t, DualEdgeSlot row) {
   free_edges_.push_back(row);
 }
 
-// Two balls that share a Voronoi edge: a dual edge and a piece of the axis at once. At each of its two samples it
-// bounds a dual triangle if a third ball touches the sample.
+// Two balls that share a Voronoi edge give a dual edge and a piece of the axis at once. At each of its two samples the
+// edge bounds a dual triangle if a third ball touches the sample.
 void SampleUnion::remake_chain(UnionTables& t, EdgeSlot edge) {
   const EdgeRow& row = delaunay_.edge(edge);
   const bool is_chain =
@@ -154,7 +154,7 @@ void SampleUnion::remake_arc(UnionTables& t, EdgeSlot edge) const {
   t.arcs[arc_at(edge)] = BoundaryArc{};
   const EdgeRow& row = delaunay_.edge(edge);
   if (!row.is_alive() || !certificate_.is_border(edge)) return;
-  // Counter-clockwise around the ball, the arc runs as the edge does when the ball is to its left.
+  // The arc runs counter-clockwise around the ball, in the direction of the edge if the ball is to the edge's left.
   const bool is_left = labels_.is_inside(row.f[0]);
   t.arcs[arc_at(edge)] =
       BoundaryArc{ball_at(balls_.ball(row.f[is_left ? 0 : 1])), 0, delaunay_.site_position(row.v[is_left ? 0 : 1]),
@@ -250,7 +250,7 @@ void SampleUnion::update(UnionTables& t, UnionChanges& changes) {
   arc_recorder_.finish(changes.arcs, [&](ArcSlot row) { return t.arcs[row].is_alive(); });
 }
 
-// The union consists of the inside triangles and of what the arcs cut off beyond the border edges.
+// The union consists of the inside triangles and of the circular segments beyond the border edges.
 UnionMeasures SampleUnion::measures() const {
   Sum area, perimeter, axis_length;
   const auto at = [this](SiteSlot site) { return delaunay_.site_position(site); };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The union of the inner balls when `AxisCertificate` holds: everything follows from which balls touch which sample.
-// No arithmetic at all.
+// The union of the inner balls when `AxisCertificate` holds: everything follows from which balls touch which sample,
+// without any arithmetic.
 #pragma once
 
 #include <vector>
@@ -15,9 +15,9 @@ namespace mes {
 
 struct UnionChanges {
   ChangeSet<FamilySlot> balls;
-  ChangeSet<DualEdgeSlot> dual_edges;  ///< rows of `axis` too
+  ChangeSet<DualEdgeSlot> dual_edges;  ///< also the rows of `axis`
   ChangeSet<DualFaceSlot> dual_faces;
-  ChangeSet<VPointSlot> v_points;  ///< rows of `v_origins` too
+  ChangeSet<VPointSlot> v_points;  ///< also the rows of `v_origins`
   ChangeSet<ArcSlot> arcs;
 
   void clear() {
@@ -43,7 +43,7 @@ class SampleUnion {
 
   void rebuild(UnionTables& tables, JobControl& job);
   void update(UnionTables& tables, UnionChanges& changes);
-  /// From the samples alone, whose differences are exact however far away they lie. O(faces).
+  /// Computed from the samples alone, whose differences are exact however far away they lie. O(faces).
   UnionMeasures measures() const;
 
  private:
@@ -69,9 +69,9 @@ class SampleUnion {
   const MedialAxis& axis_;
   const AxisCertificate& certificate_;
 
-  Table<SiteSlot, std::uint32_t> balls_at_;   // distinct inner balls
-  Table<EdgeSlot, DualEdgeSlot> chain_row_;   // of two balls with a common Voronoi edge
-  Table<SiteSlot, DualEdgeSlot> first_edge_;  // of the other dual edges of a site; then `next_edge_`
+  Table<SiteSlot, std::uint32_t> balls_at_;   // number of distinct inner balls
+  Table<EdgeSlot, DualEdgeSlot> chain_row_;   // dual edge of two balls with a common Voronoi edge
+  Table<SiteSlot, DualEdgeSlot> first_edge_;  // first of the other dual edges of a site; `next_edge_` has the rest
   Table<DualEdgeSlot, DualEdgeSlot> next_edge_;
   Table<SiteSlot, DualFaceSlot> first_face_;
   Table<DualFaceSlot, DualFaceSlot> next_face_;

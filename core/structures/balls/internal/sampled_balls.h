@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A table of disks made from elements that come and go: each element owns some rows, which live as long as it.
+// A table of disks owned by elements that are added and removed: the rows of an element live as long as it does.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ class SampledBalls {
   const Disk& disk(SampledSlot row) const { return disks_[row]; }
   const Table<SampledSlot, Disk>& disks() const { return disks_; }
   std::size_t count() const { return disks_.size() - free_.size(); }
-  /// `visit(row)` for all rows of an owner.
+  /// Calls `visit(row)` for all rows of an owner.
   template <class Visit>
   void for_each_of(OwnerSlot owner, Visit visit) const {
     if (!first_.has(owner)) return;
@@ -29,7 +29,7 @@ class SampledBalls {
   const ChangeSet<SampledSlot>& changes() const { return changes_; }
   void clear_changes() { changes_.clear(); }
 
-  /// Drops everything; what follows is a rebuild.
+  /// Drops everything, before a rebuild.
   void reset() {
     disks_.clear();
     next_.clear();
@@ -38,7 +38,7 @@ class SampledBalls {
     changes_.clear();
     is_recording_ = false;
   }
-  /// What follows, up to `finish`, is an update.
+  /// Begins an update, which lasts until `finish`.
   void begin() {
     recorder_.begin(disks_.size());
     is_recording_ = true;
@@ -62,7 +62,7 @@ class SampledBalls {
     next_[row] = first_[owner];
     first_[owner] = row;
   }
-  /// Drops all rows of an owner; says how many.
+  /// Drops all rows of an owner and returns their number.
   std::size_t drop(OwnerSlot owner) {
     if (!first_.has(owner)) return 0;
     std::size_t dropped = 0;
@@ -79,7 +79,7 @@ class SampledBalls {
  private:
   static constexpr double kDead = -1.0;
   Table<SampledSlot, Disk> disks_;
-  Table<SampledSlot, SampledSlot> next_;  // of the same owner
+  Table<SampledSlot, SampledSlot> next_;  // next row of the same owner
   Table<OwnerSlot, SampledSlot> first_;
   std::vector<SampledSlot> free_;
   bool is_recording_ = false;

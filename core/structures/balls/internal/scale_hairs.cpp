@@ -13,7 +13,7 @@
 namespace mes {
 namespace {
 
-constexpr double kRounding = 1e-9;  // of a radius: shorter pieces are what rounding has left of none
+constexpr double kRounding = 1e-9;  // relative to a radius: shorter pieces have no length but for rounding
 
 class HairCutter {
  public:
@@ -41,7 +41,7 @@ class HairCutter {
     return distance(t_.v_points[piece.v[0]].position, t_.v_points[piece.v[1]].position);
   }
 
-  /// The smallest distance of a point of the piece from its v-points: where it is seen at the largest angle.
+  /// The smallest distance of a point of the piece from its v-points: there they are seen at the largest angle.
   double nearest(const AxisPiece& piece) const {
     const Vec2 middle = place_of_middle(piece);
     const Vec2 along = piece.b - piece.a;
@@ -54,7 +54,7 @@ class HairCutter {
 
   bool is_short(AxisPieceSlot row) const {
     const AxisPiece& piece = t_.axis[row];
-    // A crossing that rounding has taken away, as the number type `naive` may, says nothing.
+    // A crossing that rounding has lost, as the number type `naive` may, decides nothing.
     if (piece.v[0] == kNoSlot || piece.v[1] == kNoSlot) return false;
     if (distance(piece.a, piece.b) <= kRounding * piece.radius_a) return true;
     const double across = chord(piece);
@@ -62,7 +62,7 @@ class HairCutter {
   }
   bool may_go(AxisPieceSlot piece) const { return may_go_[piece] != 0; }
 
-  // Ends of pieces without length are one node.
+  // Ends of pieces of length zero are one node.
   void join_ends() {
     for (const AxisPiece& piece : t_.axis)
       if (piece.is_alive() && piece.is_zero != 0)
@@ -78,7 +78,7 @@ class HairCutter {
     }
   }
 
-  /// Of two pieces of one component, all of which may go.
+  /// Compares two pieces of one component, all of which may go.
   bool is_better(AxisPieceSlot a, AxisPieceSlot b) const {
     const auto key = [&](AxisPieceSlot row) {
       const AxisPiece& piece = t_.axis[row];
@@ -95,7 +95,7 @@ class HairCutter {
     for (const AxisPieceSlot piece : t_.axis.rows())
       if (is_edge(piece)) whole.join(whole.root(end(piece, 0)), whole.root(end(piece, 1)));
     struct Component {
-      bool stays = false;  ///< whatever goes: a piece may not, or there is a cycle
+      bool stays = false;  ///< a piece of it may not go, or there is a cycle
       std::int64_t pieces = 0, nodes = 0;
       AxisPieceSlot best;
     };
@@ -115,7 +115,7 @@ class HairCutter {
       if (!at.stays && at.best != kNoSlot && at.pieces == at.nodes - 1) may_go_[at.best] = 0;
   }
 
-  /// It, if it is at a free end, and what is then.
+  /// Cuts the piece if it is at a free end, and then those that become free.
   void cut_from(AxisPieceSlot piece) {
     for (;;) {
       const std::size_t free = degree_[end(piece, 0)] == 1 ? 0 : 1;
@@ -132,7 +132,7 @@ class HairCutter {
       is_cut_off_[free_end] = true;
       if (degree_[rest] != 1) return;
       piece = AxisPieceSlot(pieces_[rest]);
-      // Those after it have their turn.
+      // A piece that stays ends the run; later pieces are tried on their own.
       if (!may_go(piece)) return;
     }
   }
@@ -148,9 +148,9 @@ class HairCutter {
   UnionTables& t_;
   Table<VPointSlot, double> spacing_;
   DisjointSets<AxisNodeSlot> joined_;
-  Table<AxisNodeSlot, std::uint32_t> degree_;  // edges that are left
-  Table<AxisNodeSlot, RowNumber> pieces_;      // exclusive or of their rows: of a free end, its only one
-  Table<AxisNodeSlot, bool> is_cut_off_;       // was a free end that went
+  Table<AxisNodeSlot, std::uint32_t> degree_;  // number of edges left
+  Table<AxisNodeSlot, RowNumber> pieces_;      // xor of the rows of these edges: for a free end, its only one
+  Table<AxisNodeSlot, bool> is_cut_off_;       // was a free end and has been cut off
   Table<AxisPieceSlot, std::uint8_t> may_go_;
   std::int64_t cut_ = 0;
   Sum length_;

@@ -14,8 +14,8 @@ struct SectorBall {
   EdgeSlot edge;  ///< Delaunay edge between it and the ball before; kNoSlot for the first
 };
 
-/// Writes the distinct inner balls around the site, counter-clockwise from its border edge on. For sites with two
-/// border edges; others give some of their balls.
+/// Writes the distinct inner balls around the site, counter-clockwise from its border edge. For sites with two border
+/// edges; for others it finds only some of the balls.
 inline void collect_sector(const Delaunay& delaunay, const Labels& labels, const InnerBalls& balls, SiteSlot site,
                            std::vector<SectorBall>& out) {
   out.clear();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Seventh stage of the union pipeline: edge cuts -> the medial axis, and where its nodes lie. The axis consists of the
-// cuts that lie in |R|, and of the singular dual edges.
+// Seventh stage of the union pipeline: edge cuts -> the medial axis, and the positions of its nodes. The axis consists
+// of the cuts that lie in |R|, and of the singular dual edges.
 #pragma once
 
 #include <CGAL/number_utils.h>
@@ -37,7 +37,7 @@ struct PlacedCircle {
 template <class Balls, class Points>
 PlacedCircle placed_circumcircle(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points,
                                  const std::array<VPointSlot, 3>& v) {
-  // Where rounding matters it must not depend on which corner comes first.
+  // Rounding must not depend on which corner comes first.
   std::array<VPointSlot, 3> first = v;
   std::ranges::rotate(first, std::ranges::min_element(first, lexicographically_less,
                                                       [&](VPointSlot corner) { return points.local[corner]; }));
@@ -80,7 +80,7 @@ UnionFaces place_faces(const UnionBalls<Balls, Points>& balls, const VPoints<Poi
   return out;
 }
 
-/// Reads cuts as pieces of the axis.
+/// Interprets cuts as pieces of the axis.
 template <class Balls, class Points>
 class AxisReader {
  public:
@@ -88,14 +88,14 @@ class AxisReader {
       : balls_(balls), v_(v), faces_(faces) {}
 
   bool is_unbounded(const EdgeCut& cut) const { return node_at(cut, 0) == kNoSlot || node_at(cut, 1) == kNoSlot; }
-  /// Cuts between two triangles of one circle have no length, and are none of the axis.
+  /// Cuts between two triangles of one circle have no length and are not part of the axis.
   bool is_axis(const EdgeCut& cut) const {
     if (cut.label != CutLabel::in) return false;
     const AxisNodeSlot a = node_at(cut, 0);
     const AxisNodeSlot b = node_at(cut, 1);
     return a != kNoSlot && b != kNoSlot && a != b;
   }
-  /// From the positions in the frame, which have the most digits.
+  /// Computed from the positions in the frame, which have the most digits.
   double length_of(const EdgeCut& cut) const { return local_length(local_at(cut, 1) - local_at(cut, 0)); }
   AxisPiece piece_of(const EdgeCut& cut) const {
     const VEdge& edge = v_.edges[cut.edge];
@@ -109,7 +109,7 @@ class AxisReader {
   }
 
  private:
-  // kNoSlot = none, the cut is unbounded.
+  // Returns kNoSlot if the cut is unbounded at this end.
   AxisNodeSlot node_at(const EdgeCut& cut, std::size_t i) const {
     if (cut.end[i] != kNoSlot) return node_of(balls_.input[cut.end[i]].row);
     const VFaceSlot face = cut.face_at(v_, i);
@@ -138,7 +138,7 @@ class AxisReader {
 struct UnionAxis {
   Table<AxisPieceSlot, AxisPiece> pieces;
   std::int64_t contradictions = 0;  ///< unbounded cuts in |R|
-  Sum length;                       ///< in the frame, of the cuts; singular dual edges come beside them
+  Sum length;                       ///< in the frame, of the cuts; singular dual edges are added separately
 };
 
 /// Appends the singular dual edges.
@@ -168,8 +168,8 @@ UnionAxis union_axis(const UnionBalls<Balls, Points>& balls, const RegularTables
   UnionAxis out;
   const AxisReader reader(balls, v, faces);
   struct Part {
-    std::vector<std::uint32_t> cuts;  // that are pieces of the axis
-    std::size_t begin = 0;            // of their pieces
+    std::vector<std::uint32_t> cuts;  // those that are pieces of the axis
+    std::size_t begin = 0;            // index of the first of their pieces
     std::int64_t unbounded = 0;
     Sum length;
   };

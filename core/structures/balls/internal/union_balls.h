@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What every stage of the union pipeline reads: the balls in the numbers of both kernels, and how work is split.
+// The common input of all stages of the union pipeline: the balls in numbers of both kernels, and the split of work.
 #pragma once
 
 #include <algorithm>
@@ -47,10 +47,10 @@ struct UnionBalls : NumberParts<typename Balls::FT, typename Points::FT> {
 
   std::size_t size() const { return input.size(); }
   Vec2 center(InputSlot ball) const { return input[ball].disk.center; }
-  /// Signs that follow from a common sample are not computed: rationals find zero last.
+  /// Signs that follow from a common sample are not computed: zero takes rationals longest to find.
   static constexpr bool kKnowsSamples = std::is_same_v<Balls, ExactKernel>;
 
-  /// The three balls and the other one touch one sample.
+  /// True if the three balls and the other one touch one sample.
   bool have_common_sample(const InputSlot (&three)[3], InputSlot other) const {
     return std::ranges::any_of(input[other].samples, [&](const TouchedSample& sample) {
       return std::ranges::all_of(three, [&](InputSlot ball) { return input[ball].find(sample.site) != nullptr; });

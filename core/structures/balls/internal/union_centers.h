@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The centres of balls in the Voronoi diagram of the v-points: the circle of a ball holds v-points and its interior
-// none, so the centre lies on the Voronoi edge of each two that are neighbours on the circle.
+// none, so the centre lies on the Voronoi edge of any two that are neighbours on the circle.
 #pragma once
 
 #include <cstdint>
@@ -22,18 +22,18 @@ struct CenterEvent {
   CircleArc arc = CircleArc::free;
 };
 
-/// Of a ball by its position in the input.
+/// An arc of a ball that is given by its index in the input.
 using InputArc = ArcOf<InputSlot>;
 
-/// What the circles of all balls say, in the order of the balls.
+/// Results of the circles of all balls, in the order of the balls.
 struct CenterTables {
   std::vector<CenterEvent> events;
-  Table<VFaceSlot, InputSlot> ball_of_face;  ///< whose centre is the circumcentre of the face; kNoSlot = none
+  Table<VFaceSlot, InputSlot> ball_of_face;  ///< ball whose centre is the face's circumcentre; kNoSlot = none
   std::vector<InputArc> arcs;
   std::int64_t lost_crossings = 0;  ///< see `UnionCounts`
 };
 
-/// A range of balls, one after the other, and work space of one ball.
+/// Takes a range of balls, one after the other; holds the work space for one ball.
 class CenterFinder {
  public:
   explicit CenterFinder(const VTriangulation& v) : v_(&v) {}
@@ -54,7 +54,7 @@ class CenterFinder {
     out.arcs.insert(out.arcs.end(), arcs.begin(), arcs.end());
     out.lost_crossings += lost_crossings_;
     for (const auto& [face, ball] : on_circle_) {
-      // With rounded points a triangle may seem to be on two circles; which takes it must not depend on the order.
+      // Rounding may put a triangle on two circles; which one takes it must not depend on the order.
       InputSlot& owner = out.ball_of_face[face];
       if (owner == kNoSlot || balls.comes_before(ball, owner)) owner = ball;
     }
@@ -73,7 +73,7 @@ class CenterFinder {
       ++lost_crossings_;
       return;
     }
-    // The arc runs from `from` to `to` to the right of the straight way.
+    // The arc runs from `from` to `to`, to the right of the straight line.
     const std::uint8_t side = v_->edges[edge].v[0] == from ? 1 : 0;
     events_.push_back({edge, ball, side, arc});
   }
@@ -111,12 +111,12 @@ class CenterFinder {
   std::vector<OnCircle> on_circle_;
   std::int64_t lost_crossings_ = 0;
   std::vector<VFaceSlot> stack_;
-  Table<VPointSlot, std::uint32_t> point_stamp_;  // of the circle at hand
+  Table<VPointSlot, std::uint32_t> point_stamp_;  // stamps for the current circle
   Table<VFaceSlot, std::uint32_t> face_stamp_;
   std::uint32_t now_ = 0;
 };
 
-/// Calls `look(ball, finder)` for every ball, several side by side; `make_look()` gives each thread its own.
+/// Calls `look(ball, finder)` for every ball, in parallel; `make_look()` gives each thread its own.
 template <class Balls, class Points, class MakeLook>
 CenterTables find_centers(const UnionBalls<Balls, Points>& balls, const VTriangulation& v, JobControl& job,
                           MakeLook make_look) {
@@ -142,7 +142,7 @@ CenterTables find_centers(const UnionBalls<Balls, Points>& balls, const VTriangu
   return out;
 }
 
-/// From v-points that are known beforehand.
+/// Finds the centres from v-points that are known beforehand.
 template <class Balls, class Points>
 CenterTables known_centers(const UnionBalls<Balls, Points>& balls, const VTriangulation& v, const KnownVPoints& known,
                            JobControl& job) {

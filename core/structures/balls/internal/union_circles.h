@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Fifth stage of the union pipeline: dual complex and v-points -> what lies on the circle of each ball, and from that
-// the arcs of the boundary of the union and the Voronoi edges through the centre.
+// Fifth stage of the union pipeline: dual complex and v-points -> the v-points on the circle of each ball, and from
+// these the arcs of the boundary of the union and the Voronoi edges through the centre.
 #pragma once
 
 #include <cmath>
@@ -20,7 +20,7 @@
 
 namespace mes {
 
-/// A free part of a circle, counter-clockwise, and the balls that cover what is before and after it.
+/// A free part of a circle, counter-clockwise, and the balls that cover the parts before and after it.
 struct CircleGap {
   VPointSlot from, to;  ///< kNoSlot = lost
   InputSlot before, after;
@@ -32,15 +32,15 @@ struct CircleTour {
   std::vector<CircleGap> gaps;
 };
 
-/// Walks around balls. The triangles around a ball come in the same order as the corners of its power cell, and
-/// those corners that lie on the circle are v-points.
+/// Walks around balls. The triangles around a ball are in the order of the corners of its power cell, and those corners
+/// that lie on the circle are v-points.
 template <class Points>
 class CircleWalker {
  public:
   CircleWalker(const UnionTriangulation& triangulation, const DualComplex& complex, const VPoints<Points>& points)
       : rt_(triangulation), complex_(complex), points_(points) {}
 
-  /// Holds until the next call.
+  /// The result is valid until the next call.
   const CircleTour& walk_around(InputSlot ball) {
     tour_.places.clear();
     tour_.gaps.clear();
@@ -135,9 +135,9 @@ class CircleWalker {
   CircleTour tour_;
 };
 
-/// Whether a gap between covers that end close to each other is nearly all of the circle or nearly nothing of it. In
-/// the first case both covers are short; then the one that ends where the gap begins does not come before the other,
-/// counter-clockwise. So this is exact, and for one v-point at both ends, too.
+/// Decides whether a gap between covers that end close to each other is nearly all of the circle or nearly none of it.
+/// In the first case both covers are short, and the one that ends where the gap begins does not come before the other,
+/// counter-clockwise. So this is exact, even if both ends are one v-point.
 template <class Balls, class Points>
 bool is_gap_all_around(const UnionBalls<Balls, Points>& balls, InputSlot ball, const CircleGap& gap) {
   constexpr double kShort = 0.9;  // cosine of half of the angle covered; any value well between 0 and 1 will do
@@ -161,7 +161,7 @@ template <class Balls, class Points>
 void add_arc(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points, InputSlot ball,
              const CircleGap& gap, std::vector<InputArc>& arcs) {
   if (gap.from == kNoSlot || gap.to == kNoSlot) return;
-  // Between ends as close as that rounding may have changed their order.
+  // Ends this close may have been exchanged by rounding.
   constexpr double kClose = 0x1p-16;
   const double r = balls.input[ball].radius();
   const bool is_one_point = gap.from == gap.to;
@@ -189,7 +189,7 @@ struct UnionCircles {
   Table<InputSlot, BallState> state;
 };
 
-/// Splits the visible balls without a dual edge: one whose cell lies outside of it is part of another ball and hidden.
+/// Splits the visible balls without a dual edge: one with its cell outside of it is part of another ball, hence hidden.
 template <class Balls, class Points>
 Table<InputSlot, BallState> ball_states(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
                                         const DualComplex& complex) {

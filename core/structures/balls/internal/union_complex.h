@@ -16,26 +16,26 @@ namespace mes {
 /// Triangles of radius zero about one centre.
 using ZeroGroupSlot = Slot<struct ZeroGroupTag>;
 
-/// Triangles by the sign of their orthogonal radius, edges by their triangles or by themselves.
+/// Contains triangles by the sign of their orthogonal radius, edges by their triangles or by themselves.
 struct DualComplex {
   static constexpr std::int8_t kInfinite = 2;
 
   Table<DualEdgeSlot, DualEdge> edges;
   Table<DualFaceSlot, DualFace> faces;
   Table<RegularEdgeSlot, DualEdgeSlot> row_of_edge;  ///< kNoSlot = not in the complex
-  Table<TriangleSlot, std::int8_t> face_sign;        ///< of the orthogonal radius; or `kInfinite`
+  Table<TriangleSlot, std::int8_t> face_sign;        ///< sign of the orthogonal radius, or `kInfinite`
   Table<TriangleSlot, ZeroGroupSlot> zero_group;     ///< triangles of radius zero about one centre; kNoSlot = none
   std::size_t zero_groups = 0;                       ///< how many groups there are
-  std::int64_t finite_faces = 0;                     ///< of the triangulation
+  std::int64_t finite_faces = 0;                     ///< finite faces of the triangulation
   std::int64_t sign_flips = 0;                       ///< see `UnionCounts`
   std::int64_t negative_faces = 0;                   ///< see `UnionCounts`
   std::int64_t edges_without_sample = 0;             ///< see `UnionCounts`
 
-  /// The complex has this triangle.
+  /// True if the complex has this triangle.
   bool has(TriangleSlot face) const { return face != kNoSlot && face_sign[face] <= 0; }
 };
 
-/// Fills in `face_sign`, `faces` and what is counted of them.
+/// Fills in `face_sign`, `faces` and their counters.
 template <class Balls, class Points>
 void classify_faces(const UnionBalls<Balls, Points>& balls, const UnionTriangulation& triangulation, JobControl& job,
                     DualComplex& out) {
@@ -75,7 +75,7 @@ void classify_faces(const UnionBalls<Balls, Points>& balls, const UnionTriangula
   }
 }
 
-/// Groups triangles of radius zero that have their centre in common: around a sample, for Voronoi balls.
+/// Groups triangles of radius zero that share their centre: for Voronoi balls, those around a sample.
 template <class Balls, class Points>
 void group_zero_faces(const UnionBalls<Balls, Points>& balls, const RegularTables& tables, DualComplex& out) {
   out.zero_group.assign(tables.faces.size(), kNoSlot);
@@ -124,7 +124,7 @@ std::int8_t dual_triangles_at(const UnionBalls<Balls, Points>& balls, const Unio
   return sign_of_edge_radius<Balls>(a, b) > 0 ? std::int8_t{-1} : std::int8_t{0};
 }
 
-/// Fills in `edges`, `row_of_edge` and what is counted of them.
+/// Fills in `edges`, `row_of_edge` and their counters.
 template <class Balls, class Points>
 void classify_edges(const UnionBalls<Balls, Points>& balls, const UnionTriangulation& triangulation,
                     DualComplex& out) {

@@ -28,7 +28,7 @@
 
 namespace mes {
 
-/// Points are crossings, not numbers.
+/// True if points are crossings instead of numbers.
 template <class Points>
 inline constexpr bool kAreCrossings = std::is_same_v<Points, CrossingKernel>;
 
@@ -42,11 +42,11 @@ struct VPoints {
   Table<VOriginSlot, VOrigin> origins;
   Table<VPointSlot, Vec2> local;                                ///< rounded, in the frame
   Table<VPointSlot, Point> exact;                               ///< in the frame; empty for doubles
-  Table<InputSlot, Crossing> crossings;                         ///< what points of `CrossingKernel` refer to
+  Table<InputSlot, Crossing> crossings;                         ///< crossings that points of `CrossingKernel` name
   Table<DualEdgeSlot, std::array<VPointSlot, 2>> of_dual_edge;  ///< left and right of it; kNoSlot = none
   Table<ZeroGroupSlot, VPointSlot> of_zero_group;  ///< the common centre of the group, if that is a v-point
   PointTriangulation triangulation;                ///< of the crossings
-  Table<InputSlot, VPointSlot> row_of_crossing;    ///< for the crossings that stand for others
+  Table<InputSlot, VPointSlot> row_of_crossing;    ///< for the crossings that represent others
   std::int64_t raw_v_points = 0;                   ///< see `UnionCounts`
   std::int64_t roots = 0;                          ///< see `UnionCounts`
   std::int64_t negative_radicands = 0;             ///< see `UnionCounts`
@@ -60,14 +60,14 @@ struct VPoints {
   }
 };
 
-/// Makes crossings of the circles of two balls in the numbers of `Points`: of a square root; for `CrossingKernel`,
-/// where two circles share a sample, that and its mirror image.
+/// Makes crossings of the circles of two balls in the numbers of `Points`, with a square root. For `CrossingKernel`, if
+/// two circles share a sample, these are the sample and its mirror image.
 template <class Balls, class Points>
 class CrossingMaker {
  public:
   using Number = typename Points::FT;
   using Point = typename Points::Point_2;
-  /// A point, or what it follows from.
+  /// A point, or the data that define it.
   using Made = std::conditional_t<kAreCrossings<Points>, CrossingSource, Point>;
   struct Found {
     Made made;
@@ -76,9 +76,9 @@ class CrossingMaker {
 
   explicit CrossingMaker(const UnionBalls<Balls, Points>& balls) : balls_(balls) {}
 
-  /// To the left or right of the way from a to b; nothing where the circles do not meet as the numbers have it.
+  /// The crossing left or right of the line from a to b; nothing if the circles do not meet in these numbers.
   std::optional<Found> make(InputSlot a, InputSlot b, bool left) const {
-    // Where rounding matters it must not depend on the order in which the balls came.
+    // Rounding must not depend on the order of the balls.
     const bool is_turned = balls_.comes_before(b, a);
     if (is_turned) std::swap(a, b);
     return in_order(a, b, left != is_turned);
@@ -149,7 +149,7 @@ class CrossingMaker {
   const UnionBalls<Balls, Points>& balls_;
 };
 
-/// Crossings as dual edges give them; equal ones are not yet joined.
+/// Crossings made from dual edges; equal ones are not joined yet.
 template <class Balls, class Points>
 struct RawCrossings {
   struct Origin {
@@ -197,8 +197,8 @@ RawCrossings<Balls, Points> raw_crossings(const UnionBalls<Balls, Points>& balls
   return out;
 }
 
-/// Three circles meet in the centre of a triangle of radius zero: in one of the two crossings of each pair, that away
-/// from the third ball exactly if the third one has no more power than the two in the middle between the crossings.
+/// Three circles meet in the centre of a triangle of radius zero, at one of the two crossings of each pair: the one
+/// away from the third ball exactly if that ball has no more power than the two midway between the crossings.
 template <class Balls, class Points>
 bool is_center_away(const UnionBalls<Balls, Points>& balls, const RegularTables& tables, RegularEdgeSlot edge,
                     TriangleSlot inner_face) {
@@ -210,7 +210,7 @@ bool is_center_away(const UnionBalls<Balls, Points>& balls, const RegularTables&
   return false;
 }
 
-/// The group of triangles of radius zero whose common centre a crossing is; kNoSlot = none.
+/// The group of triangles of radius zero whose common centre is the crossing; kNoSlot = none.
 template <class Balls, class Points>
 ZeroGroupSlot zero_group_at(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
                             const DualComplex& complex, const typename RawCrossings<Balls, Points>::Origin& origin) {
@@ -220,7 +220,7 @@ ZeroGroupSlot zero_group_at(const UnionBalls<Balls, Points>& balls, const Regula
   return is_center_away(balls, tables, origin.edge, inner) ? complex.zero_group[inner] : ZeroGroupSlot();
 }
 
-/// Of crossings, without what they have in common. Intervals of each ball are computed once.
+/// Makes the crossings with their intervals, but does not join equal ones. Intervals of each ball are computed once.
 template <class Balls, class Points>
 Table<InputSlot, Crossing> intervals_of(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
                                         const RawCrossings<Balls, Points>& raw, JobControl& job) {
@@ -246,8 +246,8 @@ Table<InputSlot, Crossing> intervals_of(const UnionBalls<Balls, Points>& balls, 
   return out;
 }
 
-/// Joins crossings of which it is known that they are equal: in one sample, of circles that touch, or in the common
-/// centre of triangles of radius zero. Notes all circles of which it is known that they pass there.
+/// Joins crossings that are known to be equal: in one sample, of circles that touch, or in the common centre of
+/// triangles of radius zero. Notes all circles that are known to pass there.
 template <class Balls, class Points>
 void join_equal_crossings(const UnionBalls<Balls, Points>& balls, const RegularTables& tables,
                           const DualComplex& complex, const RawCrossings<Balls, Points>& raw,
@@ -265,7 +265,7 @@ void join_equal_crossings(const UnionBalls<Balls, Points>& balls, const RegularT
   for (const InputSlot i : crossings.rows()) {
     if (group[i] != kNoSlot) join(first_of_group[group[i]], i);
     if (raw.origin[i].site != kNoSlot) join(first_at_site[raw.origin[i].site], i);
-    // Both sides of an edge come one after the other.
+    // The two sides of an edge are consecutive.
     if (i.index() == 0 || crossings[i].source.kind != CrossingSource::Kind::touch) continue;
     if (const InputSlot before(i.index() - 1); raw.origin[before].edge == raw.origin[i].edge)
       sets.join(sets.root(before), sets.root(i));
@@ -344,7 +344,7 @@ VPoints<Points> v_points(const UnionBalls<Balls, Points>& balls, const RegularTa
   return out;
 }
 
-/// V-points that are known beforehand.
+/// Makes the v-points that are known beforehand.
 template <class Balls, class Points>
 VPoints<Points> known_v_points(const UnionBalls<Balls, Points>& balls, const KnownVPoints& known, JobControl& job) {
   using Number = typename Points::FT;
@@ -364,8 +364,8 @@ VPoints<Points> known_v_points(const UnionBalls<Balls, Points>& balls, const Kno
 }
 
 /// The crossing `v` of the circles of two balls, as the vector from the centre of the first; it lies to the left or
-/// right of the way from there to the centre of the other. Rounded positions have few digits for a ball that is small
-/// beside its distance from the origin of the frame.
+/// right of the line from there to the centre of the other. Rounded positions have few digits for a ball that is small
+/// compared with its distance from the origin of the frame.
 template <class Balls, class Points>
 Vec2 seen_from_center(const UnionBalls<Balls, Points>& balls, const VPoints<Points>& points, InputSlot ball,
                       InputSlot other, bool left, VPointSlot v) {

@@ -14,10 +14,10 @@
 
 namespace mes {
 
-/// Adds up in the coordinates of the frame. The union consists of the dual triangles, of the triangle between each
-/// dual edge and each v-point that it made, and of the sectors of the free arcs; which follows from Green's formula by
-/// cutting off the sectors and then these triangles. All of them are small and where they are: sums about one origin
-/// would lose what is small beside the distance from it.
+/// Sums in the coordinates of the frame. The union consists of the dual triangles, of the triangle between each dual
+/// edge and each v-point that it made, and of the sectors of the free arcs; this follows from Green's formula by
+/// cutting off the sectors and then these triangles. All of them are small and stay where they are: sums about one
+/// origin would lose details that are small beside the distance from it.
 template <class Balls, class Points>
 class UnionMeter {
  public:
@@ -54,7 +54,7 @@ class UnionMeter {
     });
   }
   void add_axis(const UnionAxis& axis) { totals_.axis_length.add(axis.length); }
-  /// In the coordinates of the document.
+  /// Returns measures in the coordinates of the document.
   UnionMeasures measures() const {
     const LocalFrame& frame = balls_.frame;
     UnionMeasures out;
@@ -74,7 +74,7 @@ class UnionMeter {
       axis_length.add(other.axis_length);
     }
   };
-  // Calls `look(row, totals)` for the rows below `count`, side by side, and adds up in their order.
+  // Calls `look(row, totals)` for the rows below `count`, in parallel, and adds up in their order.
   template <class Row, class Look>
   void add_all(std::size_t count, const Look& look) {
     std::vector<Totals> parts(balls_.part_count(count));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Balls in the number type of a kernel, and positions on the way back to doubles.
+// Balls in the number type of a kernel, and the conversion of positions back to doubles.
 #pragma once
 
 #include <algorithm>
@@ -16,7 +16,7 @@
 
 namespace mes {
 
-/// `ball_in`, before scaling.
+/// Like `ball_in`, before scaling.
 template <class Number>
 BallOf<Number> plain_ball_in(const PipelineBall& ball) {
   if constexpr (std::is_same_v<Number, double>) {
@@ -46,13 +46,13 @@ BallOf<Number> plain_ball_in(const PipelineBall& ball) {
   }
 }
 
-/// Squared radius, and centre, in the field of the kernel: from samples exactly when the field is exact.
+/// Squared radius and centre in the field of the kernel: computed from samples exactly if the field is exact.
 template <class Number>
 BallOf<Number> ball_in(const PipelineBall& ball) {
   BallOf<Number> out = plain_ball_in<Number>(ball);
   if (ball.scale == 1.0) return out;
   if constexpr (std::is_same_v<Number, double>) {
-    // The square of the radius that is drawn: a disk of that radius is the same ball.
+    // Uses the radius that is drawn: a disk of that radius is the same ball.
     out.w = ball.origin == BallOrigin::disk ? ball.radius() * ball.radius() : out.w * (ball.scale * ball.scale);
   } else {
     const Number scale(ball.scale);
@@ -61,7 +61,7 @@ BallOf<Number> ball_in(const PipelineBall& ball) {
   return out;
 }
 
-/// A coordinate of the frame in the document, rounded once; `local` is the same rounded in the frame.
+/// A coordinate of the frame in the document, rounded once; `local` is the coordinate rounded in the frame.
 template <class Number>
 double coordinate_in_document(const Number& exact, double local, double origin, int exponent) {
   if constexpr (!std::is_same_v<Number, double>) {
@@ -83,12 +83,12 @@ PlacedPoint placed(const Number& x, const Number& y, const LocalFrame& frame) {
            coordinate_in_document(y, local.y, frame.origin.y, frame.exponent)}};
 }
 
-/// Of a point of CGAL.
+/// Rounds a point of CGAL.
 template <class Point>
 PlacedPoint place_of(const Point& p, const LocalFrame& frame) {
   return placed(p.x(), p.y(), frame);
 }
-/// Of the centre of the circle through three points of CGAL, which are not collinear.
+/// Rounds the centre of the circle through three points of CGAL, which are not collinear.
 template <class Point>
 PlacedPoint place_of_circumcenter(const Point& p, const Point& q, const Point& r, const LocalFrame& frame) {
   const auto center = CGAL::circumcenter(p, q, r);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The general way from balls to the medial axis of their union, in any number type. Each stage is a header with its
+// The general way from balls to the medial axis of their union, in any number type. Each stage is a header that has its
 // input and its output as types:
 //
 //   UnionBalls          the balls in the numbers of both kernels            union_balls.h
@@ -13,13 +13,12 @@
 //   UnionAxis           the medial axis                                     union_axis.h
 //   UnionMeasures       area, perimeter, length of the axis                 union_measures.h
 //
-// The axis consists of the singular dual edges and of the part of the Voronoi diagram of the v-points that lies in
-// the union |R| of the dual triangles (Attali and Montanvert 1997). No point is located for that. The circle of a
-// ball c holds v-points; none lies inside it, so c lies on the Voronoi edge of each two that are neighbours on the
-// circle, and this edge leaves c towards the arc between them. The boundary of |R| is met at such centres only. The
-// edge goes into |R| if the arc is covered by dual triangles at c, runs along a singular dual edge if that covers the
-// arc, and leaves |R| if the arc is free. What lies between is labelled from its ends: every part of the axis reaches
-// a centre.
+// The axis consists of the singular dual edges and of the part of the Voronoi diagram of the v-points that lies in the
+// union |R| of the dual triangles (Attali and Montanvert 1997). No point is located for that. The circle of a ball c
+// holds v-points; none lies inside it, so c lies on the Voronoi edge of any two that are neighbours on the circle, and
+// this edge leaves c towards the arc between them. The boundary of |R| is met at such centres only. The edge goes into
+// |R| if the arc is covered by dual triangles at c, runs along a singular dual edge if that covers the arc, and leaves
+// |R| if the arc is free. Parts between are labelled from their ends, since every part of the axis reaches a centre.
 //
 // `Balls` is the kernel of triangulation and dual complex, `Points` that of the v-points. For doubles (`fast`) each
 // decision is exact for the doubles at hand, and the v-points are rounded; for `naive` nothing is exact.
@@ -44,7 +43,7 @@
 
 namespace mes::union_pipeline {
 
-/// By row of the family.
+/// States by row of the family.
 template <class Balls, class Points>
 Table<FamilySlot, BallState> by_row(const UnionBalls<Balls, Points>& balls,
                                     const Table<InputSlot, BallState>& state) {
@@ -53,7 +52,7 @@ Table<FamilySlot, BallState> by_row(const UnionBalls<Balls, Points>& balls,
   return out;
 }
 
-/// From positions in the input to rows of the family.
+/// Converts indices in the input to rows of the family.
 template <class Balls, class Points>
 Table<ArcSlot, BoundaryArc> by_row(const UnionBalls<Balls, Points>& balls, const std::vector<InputArc>& arcs) {
   Table<ArcSlot, BoundaryArc> out;
@@ -124,7 +123,7 @@ UnionTables run(const PipelineInput& input, JobControl& job) {
   return out;
 }
 
-/// Only the balls and the dual complex.
+/// Runs only the stages of the balls and the dual complex.
 template <class Balls, class Points>
 UnionTables run_dual_complex(const PipelineInput& input, JobControl& job) {
   const UnionBalls<Balls, Points> balls(input);
@@ -136,7 +135,7 @@ UnionTables run_dual_complex(const PipelineInput& input, JobControl& job) {
   return out;
 }
 
-/// Only the Voronoi diagram of v-points that are known.
+/// Runs only the Voronoi diagram, from v-points that are known.
 template <class Balls, class Points>
 UnionTables run_v_diagram(const PipelineInput& input, const KnownVPoints& known, JobControl& job) {
   const UnionBalls<Balls, Points> balls(input);

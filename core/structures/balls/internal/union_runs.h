@@ -13,20 +13,20 @@
 
 namespace mes {
 
-/// A ball as the pipeline takes it, in the coordinates of a `LocalFrame`.
+/// A ball as input of the pipeline, in the coordinates of a `LocalFrame`.
 struct PipelineBall {
-  // First what all stages look at.
-  FamilySlot row;  ///< of its family
+  // Fields that all stages read come first.
+  FamilySlot row;  ///< row in its family
   BallOrigin origin = BallOrigin::disk;
   Disk disk{};                               ///< before scaling; may be rounded
   std::span<const TouchedSample> samples{};  ///< all on the circle
-  double scale = 1.0;                        ///< what the radius is multiplied by, exactly
+  double scale = 1.0;                        ///< the radius is multiplied by this, exactly
   Disk drawn{};                              ///< scaled, rounded, in the coordinates of the document
-  /// Of a circumdisk, counter-clockwise from the first in lexicographic order, so that nothing depends on how the triangle
-  /// came about; `corner[0]` is the one sample of `through_sample`.
+  /// Corners of a circumdisk, counter-clockwise from the lexicographically first, so that nothing depends on the
+  /// triangle's history; `corner[0]` is the one sample of `through_sample`.
   Vec2 corner[3] = {};
 
-  /// Of the scaled ball, rounded.
+  /// Radius of the scaled ball, rounded.
   double radius() const { return disk.radius * scale; }
   const TouchedSample* find(SiteSlot site) const {
     for (const TouchedSample& sample : samples)
@@ -47,17 +47,17 @@ inline const TouchedSample* common_sample(const PipelineBall& a, const PipelineB
   return nullptr;
 }
 
-/// What the pipeline starts from. Radii are positive. What it gives is in the coordinates of the document.
+/// Input of the pipeline. Radii are positive. The results are in the coordinates of the document.
 struct PipelineInput {
   TableView<InputSlot, PipelineBall> balls;
-  std::size_t rows = 0;  ///< of the family's table
+  std::size_t rows = 0;  ///< rows of the family's table
   LocalFrame frame{};
 };
 
-/// What the arc of a circle before a v-point is, counter-clockwise.
+/// State of the arc of a circle before a v-point, counter-clockwise.
 enum class CircleArc : std::uint8_t {
-  covered,   ///< by dual triangles at the ball
-  singular,  ///< by the ball of a singular dual edge
+  covered,   ///< covered by dual triangles at the ball
+  singular,  ///< covered by the ball of a singular dual edge
   free,      ///< on the boundary of the union
 };
 struct CirclePlace {
@@ -65,14 +65,14 @@ struct CirclePlace {
   CircleArc before = CircleArc::free;
 };
 
-/// Which samples are v-points, and how they lie on the circles, when that is known beforehand.
+/// The samples that are v-points, and their positions on the circles, if these are known beforehand.
 struct KnownVPoints {
   Table<VPointSlot, Vec2> points;  ///< in the coordinates of the document
   Table<VPointSlot, SiteSlot> sites;
   Table<InputSlot, std::vector<CirclePlace>> places;
 };
 
-/// Only `v_points`, `v_faces` and `v_edges` are filled in.
+/// Fills in only `v_points`, `v_faces` and `v_edges`.
 UnionTables run_v_diagram(const PipelineInput& input, const KnownVPoints& known, JobControl& job);
 
 using PowerEdgeSlot = Slot<struct PowerEdgeTag>;
@@ -84,8 +84,8 @@ struct PowerEdge {
   Kind kind = Kind::segment;
   Vec2 from{};             ///< a power centre, or any point of the line
   Vec2 to{};               ///< the other power centre; for rays and lines the direction
-  TriangleSlot face[2]{};  ///< the triangles whose power centres the ends are; kNoSlot = no end
-  double length = 0.0;     ///< of a segment; not taken from its rounded ends
+  TriangleSlot face[2]{};  ///< triangles whose power centres are the ends; kNoSlot if there is no end
+  double length = 0.0;     ///< length of a segment; not computed from its rounded ends
 };
 Table<PowerEdgeSlot, PowerEdge> run_power_diagram_naive(const PipelineInput& input, JobControl& job);
 Table<PowerEdgeSlot, PowerEdge> run_power_diagram_doubles(const PipelineInput& input, JobControl& job);
@@ -95,7 +95,7 @@ UnionTables run_union_naive(const PipelineInput& input, JobControl& job);
 UnionTables run_union_doubles(const PipelineInput& input, JobControl& job);
 UnionTables run_union_exact(const PipelineInput& input, JobControl& job);
 UnionTables run_union_roots(const PipelineInput& input, JobControl& job);
-/// In rationals; only `dual_edges` and `dual_faces` are filled in. Needs no roots.
+/// Computes in rationals; fills in only `dual_edges` and `dual_faces`. Needs no roots.
 UnionTables run_dual_complex_exact(const PipelineInput& input, JobControl& job);
 
 }  // namespace mes

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is known of a union of balls, as plain tables: dual complex, v-points, Voronoi diagram of the v-points, medial
+// The results for a union of balls as plain tables: dual complex, v-points, Voronoi diagram of the v-points, medial
 // axis. Rows of balls are those of the ball family.
 #pragma once
 
@@ -29,7 +29,7 @@ using ArcSlot = Slot<struct ArcTag>;
 /// A node of the axis: a ball, by its row in the family, or, after all of these, a face of the v-points.
 using AxisNodeSlot = Slot<struct AxisNodeTag>;
 
-/// By the number of dual triangles at an edge: none, one, two.
+/// Class of an edge by its number of dual triangles: none, one, two.
 enum class DualClass : std::uint8_t { singular, regular, interior };
 
 struct DualEdge {
@@ -39,10 +39,10 @@ struct DualEdge {
   bool is_alive() const { return ball[0] != kNoSlot; }
 };
 
-/// Counter-clockwise.
+/// Corners run counter-clockwise.
 struct DualFace {
   FamilySlot ball[3]{};
-  std::int8_t sign = 0;  ///< of the squared radius of the orthogonal circle as the number type has it: -1 or 0
+  std::int8_t sign = 0;  ///< of the squared radius of the orthogonal circle, in the given number type: -1 or 0
   std::uint8_t is_exactly_zero = 0;  ///< the three balls touch a common sample, so the radius is zero
   bool is_alive() const { return ball[0] != kNoSlot; }
 };
@@ -50,12 +50,12 @@ struct DualFace {
 /// A crossing of two circles on the boundary of the union.
 struct VPoint {
   Vec2 position{};
-  SiteSlot site;                   ///< the sample site it is; kNoSlot = none (foreign)
-  std::uint32_t multiplicity = 0;  ///< balls that touch it (shortcut), dual edges that gave it (pipeline); 0 = dead
+  SiteSlot site;                   ///< the site whose sample it is; kNoSlot = none (foreign)
+  std::uint32_t multiplicity = 0;  ///< balls that touch it (shortcut), dual edges that made it (pipeline); 0 = dead
   bool is_alive() const { return multiplicity != 0; }
 };
 
-/// A dual edge gave a v-point.
+/// Records that a dual edge made a v-point.
 struct VOrigin {
   VPointSlot v;
   DualEdgeSlot edge;
@@ -99,14 +99,14 @@ struct ArcOf {
   Ball ball;
   std::uint8_t is_whole = 0;  ///< the whole circle, but for at most one point
   Vec2 from{}, to{};
-  /// The angle it turns through, whatever became of its ends by rounding; or `kAsDrawn`, from end to end.
+  /// The angle it turns through, free of the rounding of its ends; or `kAsDrawn`, which means from end to end.
   double turn = kAsDrawn;
   bool is_alive() const { return ball != kNoSlot; }
 };
 using BoundaryArc = ArcOf<FamilySlot>;
 
-/// As it is drawn; `disk` is its ball. Rounded ends may be equal, or have changed places: then a short arc is
-/// nothing, and one that lacks as little of the circle is the circle.
+/// The arc as it is drawn; `disk` is its ball. Rounding may make the ends equal or exchange them: then a short arc is
+/// nothing, and one that lacks only as little of the circle is the whole circle.
 inline std::optional<Arc> drawn_arc(const BoundaryArc& arc, const Disk& disk) {
   constexpr double kHalf = std::numbers::pi;
   const Vec2 rightmost{disk.center.x + disk.radius, disk.center.y};
@@ -130,11 +130,11 @@ struct UnionCounts {
   std::int64_t negative_radicands = 0;
   std::int64_t near_duplicates = 0;  ///< distinct v-points closer than 1e-7 of the diameter
   std::int64_t lost_crossings = 0;   ///< arcs whose two v-points are not joined in the triangulation of the v-points
-  std::int64_t contradictions = 0;   ///< pieces that one end has inside and the other outside
+  std::int64_t contradictions = 0;   ///< pieces that one end puts inside and the other outside
 };
 
 /// Lengths and areas, summed up where numbers have the most digits. The tables are rounded to the coordinates of the
-/// document, which far from the origin have few.
+/// document, which have few digits far from the origin.
 struct UnionMeasures {
   double area = 0.0;
   double perimeter = 0.0;
@@ -160,11 +160,11 @@ struct UnionTables {
   bool is_ball(AxisNodeSlot node) const { return node.index() < balls.size(); }
 };
 
-/// Of the ball's centre.
+/// Node of the ball's centre.
 constexpr AxisNodeSlot node_of(FamilySlot ball) {
   return same_row<AxisNodeSlot>(ball);
 }
-/// Of a node that is a ball's centre.
+/// Ball whose centre is the node.
 constexpr FamilySlot ball_of(AxisNodeSlot node) {
   return same_row<FamilySlot>(node);
 }

@@ -14,24 +14,24 @@
 
 namespace mes {
 
-/// The tables of the regular triangulation, and the ways from a triangle and from a ball to the edges there.
+/// The tables of the regular triangulation, with links from triangles and balls to their edges.
 struct UnionTriangulation {
   RegularTables tables;
   Table<TriangleSlot, std::array<RegularEdgeSlot, 3>> face_edge;  ///< edge i lies opposite corner i
-  Table<InputSlot, TriangleSlot> some_face;                       ///< one of the faces there
-  Table<InputSlot, std::vector<RegularEdgeSlot>> line_edges;      ///< its edges; only when all centres are collinear
+  Table<InputSlot, TriangleSlot> some_face;                       ///< one of the faces at a ball
+  Table<InputSlot, std::vector<RegularEdgeSlot>> line_edges;      ///< edges of a ball; only if centres are collinear
 
   bool is_infinite(TriangleSlot face) const { return tables.is_infinite(face); }
 };
 
-/// Holds a triangulation of rounded balls against the balls as they are.
+/// Checks a triangulation of rounded balls against the balls as they are.
 template <class Balls, class Points>
 class TriangulationCheck {
  public:
   TriangulationCheck(const UnionBalls<Balls, Points>& balls, const RegularTables& tables)
       : balls_(balls), ball_(balls.in_balls), tables_(tables) {}
 
-  /// The triangulation is one of the exact balls: its triangles run counter-clockwise within a boundary that is convex,
+  /// True if the triangulation is one of the exact balls: its triangles run counter-clockwise within a convex boundary,
   /// and over them the surface of the lifted balls is locally convex, hence convex; every ball that it leaves out lies
   /// above that surface. A ball on the surface is visible in exact triangulations.
   bool passes(JobControl& job) {
@@ -62,7 +62,7 @@ class TriangulationCheck {
     });
   }
 
-  // Flat corners may be part of the boundary, which goes around once.
+  // The boundary may have flat corners, and goes around once.
   bool is_hull_convex() const {
     Table<InputSlot, InputSlot> next(balls_.size());  // counter-clockwise
     for (const TriangleSlot f : tables_.faces.rows()) {
@@ -109,13 +109,13 @@ class TriangulationCheck {
     }
     return true;
   }
-  // Walks towards the centre; kNoSlot = it lies outside, or the walk is long. Input comes in the order of neighbours.
+  // Walks towards the centre; kNoSlot if it lies outside, or the walk is long. Consecutive inputs are close.
   TriangleSlot face_with(InputSlot ball, TriangleSlot at) const {
     for (std::size_t steps = 0; steps < tables_.faces.size(); ++steps) {
       const auto& face = tables_.faces[at];
       TriangleSlot next;
       for (std::size_t k = 0; k < 3 && next == kNoSlot; ++k) {
-        const std::size_t i = (steps + k) % 3;  // not always the same first, or the walk might go in circles
+        const std::size_t i = (steps + k) % 3;  // not always the same first, or the walk might go around forever
         if (turn(face.v[(i + 1) % 3], face.v[(i + 2) % 3], ball) < 0) next = face.n[i];
       }
       if (next == kNoSlot) return at;
@@ -130,7 +130,7 @@ class TriangulationCheck {
   const RegularTables& tables_;
 };
 
-/// The triangulation of the rounded balls, if it is one of the balls as they are; nothing otherwise.
+/// The triangulation of the rounded balls if it is also one of the balls as they are; nothing otherwise.
 template <class Balls, class Points>
 std::optional<RegularTables> confirmed_triangulation(const UnionBalls<Balls, Points>& balls, JobControl& job) {
   Table<InputSlot, BallOf<double>> rounded;
@@ -149,9 +149,9 @@ RegularTables first_triangulation(const UnionBalls<Balls, Points>& balls, JobCon
   return regular_triangulation<Balls>(balls.in_balls, job);
 }
 
-/// A ball in another one that it touches from inside has a power cell and a dual edge, but no part in the union:
-/// without it the tables are those of a set in which no such thing happens. Circumdisks of Delaunay triangles never
-/// hold each other before they are scaled.
+/// A ball inside another one that it touches has a power cell and a dual edge, but adds nothing to the union. If it is
+/// left out, the tables are those of a set without such balls. Circumdisks of Delaunay triangles never hold each other
+/// before they are scaled.
 template <class Balls, class Points>
 void leave_out_covered(const UnionBalls<Balls, Points>& balls, RegularTables& tables, JobControl& job) {
   Table<InputSlot, bool> left_out;

@@ -15,7 +15,7 @@
 
 namespace mes {
 
-/// Its edges stand for their duals, the Voronoi edges.
+/// Edges of the triangulation stand for their duals, the Voronoi edges.
 struct VTriangulation {
   struct EdgeTo {
     VPointSlot to;
@@ -25,11 +25,11 @@ struct VTriangulation {
   Table<VFaceSlot, std::array<VPointSlot, 3>> faces;     ///< corners, counter-clockwise
   Table<VFaceSlot, std::array<VEdgeSlot, 3>> face_edge;  ///< edge i lies opposite corner i
   Table<VEdgeSlot, VEdge> edges;
-  std::vector<EdgeTo> edges_at;            ///< those at a v-point begin at `begin_at` of it
-  std::vector<std::uint32_t> edges_begin;  ///< by v-point, and one more
+  std::vector<EdgeTo> edges_at;            ///< the edges at a v-point start at its `begin_at`
+  std::vector<std::uint32_t> edges_begin;  ///< start of each v-point, and the end of all
   std::int64_t near_duplicates = 0;        ///< see `UnionCounts`
 
-  /// O(smaller degree); kNoSlot = the two are not joined.
+  /// O(smaller degree); kNoSlot if the two are not joined.
   VEdgeSlot edge_between(VPointSlot from, VPointSlot to) const {
     const auto degree = [this](VPointSlot v) { return end_at(v) - begin_at(v); };
     if (degree(to) < degree(from)) std::swap(from, to);
