@@ -35,6 +35,8 @@ build          libgl1              libglvnd-glx        libglvnd       -
 build          libegl1             libglvnd-egl        libglvnd       -
 build          libgl1-mesa-dri     mesa-dri-drivers    mesa           -
 build          libglx-mesa0        mesa-libGL          mesa           -
+build          libpng-dev          libpng-devel        libpng         libpng
+build          libjpeg-dev         libjpeg-turbo-devel  libjpeg-turbo  jpeg-turbo
 build          libstb-dev          stb-devel           stb            -
 build          libdeflate-dev      libdeflate-devel    libdeflate     libdeflate
 build          libcairo2-dev       cairo-devel         cairo          cairo

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decodes PNG, JPEG and BMP files and those of Netpbm (PBM, PGM, PPM, PAM), as other programs write them.
 //
-// What it guarantees: any bytes give either a picture or a one-line error. Needs memory only for the file and its
-// pixels.
-// Threads: any.
+// Guarantees: any bytes give either a picture or a one-line error. Memory: the file, and its pixels three times.
+// Threads: any. libpng and libjpeg decode PNG and JPEG, stb_image BMP.
 #pragma once
 
 #include <cstddef>
@@ -41,10 +40,8 @@ enum class PictureTurn : std::uint8_t { upright, as_stored };
 bool looks_like_picture(std::string_view bytes);
 
 /// Decodes a picture, recognised by its first bytes, to `channels` channels; 0: as many as it has. `name` stands for
-/// the file in messages. Broken Exif data are ignored. A JPEG without its end marker is accepted if it has no restart
-/// markers and its pixels do not depend on the missing bytes. Error: `bad_input`, also for more than `most_pixels`;
-/// `out_of_memory`. Decoding cannot be cancelled: a JPEG of 2^27 pixels in three channels took 1.6 s of processor time,
-/// a progressive one 3.7 s.
+/// the file in messages. Broken Exif data are ignored. A JPEG that lacks nothing but its end marker is accepted. Error:
+/// `bad_input`, also for more than `most_pixels`; `out_of_memory`. Decoding cannot be cancelled.
 Expected<Pixels> decode_pixels(std::span<const std::byte> bytes, const std::string& name, int channels = 0,
                                std::size_t most_pixels = kMostPicturePixels, PictureTurn turn = PictureTurn::upright);
 

@@ -47,7 +47,7 @@ TEST_CASE("files that are missing, folders and pictures are refused") {
                    "mesecina: " + folder.path().string() + ": cannot be read: Is a directory");
   const std::string picture = folder.write("p.csv", "\x89PNG\r\n\x1a\n").string();
   require_one_line(run({"compute", picture}), 3,
-                   "mesecina: " + picture + ": this is not a PNG, JPEG, BMP or PGM picture");
+                   "mesecina: " + picture + ": the picture is broken: the file ends at byte 8, ");
 }
 
 TEST_CASE("a file of bundles is not a file of samples, and is recognised") {

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// BMP, PBM, PGM, PPM and PAM, written here byte by byte; PNG and JPEG are in tests/render. What a decoder would take at its word
-// is refused before.
+// BMP, PBM, PGM, PPM and PAM, written here byte by byte; PNG is in tests/render. Truncated and damaged pictures
+// are refused.
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <string>
 #include <vector>
 
 #include "core/base/base64.h"
 #include "core/raster/picture_decoder.h"
-#include "core/raster/picture_guard.h"
 #include "tests/raster/small_jpeg.h"
 
 using namespace mes;
@@ -54,6 +54,34 @@ constexpr std::string_view kProgressiveJpeg =
     "AAAAAAAAAREhABAxcYEgQVGh/9oACAEBAAE/EMnUbARU+AW5C0rBBXYsdxiiZa0CBkg1iXlBIyB7VW6WME/YKGOWXvT87UHCbtlNlIFo"
     "78zlhvhWvL53mxhJUpW1YS8oDGVPYqny/9k=";
 
+/// A black square from (6, 5) to (14, 13) on white, 24 x 20, with a restart marker after each block of pixels. Written
+/// by libjpeg.
+constexpr std::string_view kRestartJpeg =
+    "/9j/4AAQSkZJRgABAQAAAQABAAD/2wBDAAMCAgMCAgMDAwMEAwMEBQgFBQQEBQoHBwYIDAoMDAsKCwsNDhIQDQ4RDgsLEBYQERMUFRUVDA8X"
+    "GBYUGBIUFRT/wAALCAAUABgBAREA/8QAFgABAQEAAAAAAAAAAAAAAAAACQcI/8QAJRAAAQIFBAIDAQAAAAAAAAAAAQIDBAUGBxEACBMUCSES"
+    "FTEi/90ABAAB/9oACAEBAAA/AETv3euR7drTz24VSQswjZLJ+DsMSttDkQrlfbYT8ErWhJwp1JOVD0D+n0f/0Lpb3y7WeuVX9NUhLKbrhiZT"
+    "+Zw0qhXYuAg0sodfdS0hSymLUQkKWCSATjOAfzX/0VT1/9Lae/W1tT3p2nVzRtGyz7mpJl0epBdhpjk44+HdX/bqkoGENrPtQzjA9kDX/9OJ"
+    "7evHDuJoa/ttKkndvOlJZPU0smEdE/dy5zhYaim3HF/FEQVKwlJOEgk49AnX/9RU9f/VVPX/1lT1/9dU9f/Z";
+
+/// The same square in magenta and yellow ink, as CMYK and as YCCK, both with the marker of Adobe. Written by libjpeg.
+constexpr std::string_view kCmykJpeg =
+    "/9j/7gAOQWRvYmUAZAAAAAAA/9sAQwADAgIDAgIDAwMDBAMDBAUIBQUEBAUKBwcGCAwKDAwLCgsLDQ4SEA0OEQ4LCxAWEBETFBUVFQwPFxgW"
+    "FBgSFBUU/8AAFAgAFAAYBEMRAE0RAFkRAEsRAP/EABYAAQEBAAAAAAAAAAAAAAAAAAAJCP/EACUQAAECBgEEAwEAAAAAAAAAAAECAwAEBQYH"
+    "EQgJExQhEhUxIv/aAA4EQwBNAFkASwAAPwCqcUTz3muh8dsT13IVyStQnaLR+x5DFLbQ5MK7r7bCfgla0JOlOpJ2oegf0+jRPPea6Hx2xPXc"
+    "hXJK1CdotH7HkMUttDkwruvtsJ+CVrQk6U6knah6B/T6NU4RmDHvV2w9kq/7atCmW3fDFSr9TlqVKuzchJpZQ6+6lpCllM2ohIUsEkAnW9A/"
+    "kZgx71dsPZKv+2rQplt3wxUq/U5alSrs3ISaWUOvupaQpZTNqISFLBJAJ1vQP5CEbfjb8IRn/nri25808Tr5s2zaZ9zclS8HxJLyGmO525+X"
+    "dX/bqkoGkNrPtQ3rQ9kCM/8APXFtz5p4nXzZtm0z7m5Kl4PiSXkNMdztz8u6v+3VJQNIbWfahvWh7IEIRMDj104eRNjZ9xpclbx54VFo9zUy"
+    "oT0z93TnOyw1NNuOL+KJgqVpKSdJBJ16BMTA49dOHkTY2fcaXJW8eeFRaPc1MqE9M/d05zssNTTbji/iiYKlaSknSQSdegTCEW/i38IQhCEI"
+    "QhCEI//Z";
+constexpr std::string_view kYcckJpeg =
+    "/9j/7gAOQWRvYmUAZAAAAAAC/9sAQwADAgIDAgIDAwMDBAMDBAUIBQUEBAUKBwcGCAwKDAwLCgsLDQ4SEA0OEQ4LCxAWEBETFBUVFQwPFxgW"
+    "FBgSFBUU/9sAQwEDBAQFBAUJBQUJFA0LDRQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQUFBQU/8AAFAgA"
+    "FAAYBAEiAAIRAQMRAQQiAP/EABcAAQEBAQAAAAAAAAAAAAAAAAAJBwj/xAAoEAABAwMDAgYDAAAAAAAAAAABAAIDBAUGBxETCBIJFBUhIkEx"
+    "UXH/xAAWAQEBAQAAAAAAAAAAAAAAAAAABgf/xAAhEQACAgICAQUAAAAAAAAAAAABAgAEBREDQQYSISIxcf/aAA4EAQACEQMRBAAAPwCa2lOm"
+    "l01gz614jZp6SmuVx5eKWue5kLeOJ8ru4ta4j4sIGwPvt/VuGX+HzqJheJ3rIa684xLRWminr546eqqDI6OKNz3BoMABcQ07bkDf7CzzpTzm"
+    "x6a6+YvkeR1vp1movNc9TxPl7O+lmjb8WNc47ue0ewP5/S7g1d6ydH8o0nzWzWzL/M3K42StpKWD0ysZySyQPYxvc6EAbuIG5IA+yqTH1aPN"
+    "Wd7DgOCdD1AdDXt+zE/MM55Vjs5Wq4auz12VCzDjZwCXYN8gNDSgHXX33KpoiKYyIim5tkIiIiIkQiIiIiRCIi//2Q==";
+
 }  // namespace
 
 TEST_CASE("PGM and PPM are read with comments between their numbers") {
@@ -74,16 +102,61 @@ TEST_CASE("PGM and PPM are read with comments between their numbers") {
 
 TEST_CASE("a JPEG that is cut within its pixels is refused") {
   using namespace std::string_literals;
-  const auto hazard = [](const std::string& bytes) { return decoding_hazard(std::as_bytes(std::span(bytes))); };
-  // Begin, a scan with data in which 0xFF is followed by zero or a restart, and the end; what follows that is ignored.
-  const std::string cut = "\xFF\xD8\xFF\xDA\x00\x03\x01\x12\xFF\x00\x34\xFF\xD0\x56"s;
-  CHECK(hazard(cut) == "the file ends at byte 14, before the marker that ends a picture");
-  CHECK(hazard(cut + "\xFF"s) == "the file ends at byte 15, before the marker that ends a picture");
-  CHECK(hazard(cut + "\xFF\xD9"s).empty());
-  CHECK(hazard(cut + "\xFF\xD9 and more"s).empty());
+  const std::string whole = from_base64(kJpeg);
+  const auto picture = decoded(whole);
+  REQUIRE(picture.has_value());
+  const std::string cut = whole.substr(0, whole.size() - 40);
+  CHECK(refusal(cut) == kBroken + "the file ends at byte " + std::to_string(cut.size()) + ", before its last pixels");
+  // Bytes after the end are ignored.
+  const auto longer = decoded(whole + " and more"s);
+  REQUIRE(longer.has_value());
+  CHECK(longer->values == picture->values);
+  CHECK_FALSE(longer->lacks_end);
   // The end of a thumbnail in another segment is not that of the picture.
-  CHECK_FALSE(hazard("\xFF\xD8\xFF\xE1\x00\x06\xFF\xDA\xFF\xD9"s + cut.substr(2)).empty());
-  CHECK(refusal(cut).starts_with(kBroken + "the file ends at byte 14"));
+  const std::string thumbnail = "\xFF\xE1\x00\x06\xFF\xDA\xFF\xD9"s;
+  CHECK(decoded(whole.substr(0, 2) + thumbnail + whole.substr(2))->values == picture->values);
+  CHECK(refusal(cut.substr(0, 2) + thumbnail + cut.substr(2)).starts_with(kBroken + "the file ends at byte "));
+  // A scan without a frame.
+  CHECK(refusal("\xFF\xD8\xFF\xDA\x00\x03\x01\x12\xFF\x00\x34\xFF\xD0\x56"s).starts_with(kBroken));
+}
+
+TEST_CASE("a JPEG with damaged pixels is refused, with the byte up to which it was read") {
+  const std::string whole = from_base64(kJpeg);
+  std::size_t refused = 0;
+  for (std::size_t i = whole.size() - 60; i < whole.size() - 10; ++i) {
+    std::string damaged = whole;
+    damaged[i] = '\xFF';
+    damaged[i + 1] = '\xD9';  // the end, too early
+    INFO(i);
+    const auto pixels = decoded(damaged);
+    if (pixels) continue;
+    CHECK(pixels.error().message().starts_with(kBroken + "before byte "));
+    ++refused;
+  }
+  CHECK(refused >= 49);
+}
+
+TEST_CASE("a JPEG of many scans is refused") {
+  const std::string whole = from_base64(kProgressiveJpeg);
+  const std::size_t scan = whole.rfind("\xFF\xDA");
+  const std::string last = whole.substr(scan, whole.size() - scan - 2);
+  std::string many = whole.substr(0, scan);
+  for (int i = 0; i < 70; ++i) many += last;
+  CHECK(refusal(many + "\xFF\xD9").contains("it has more than 64 scans"));
+}
+
+TEST_CASE("a JPEG in inks becomes RGB") {
+  for (const std::string_view text : {kCmykJpeg, kYcckJpeg}) {
+    const auto pixels = decoded(from_base64(text));
+    REQUIRE(pixels.has_value());
+    CHECK(pixels->channels == 3);
+    REQUIRE(pixels->values.size() == 24 * 20 * 3);
+    const auto color = [&](std::size_t x, std::size_t y) { return &pixels->values[3 * (24 * y + x)]; };
+    for (int k = 0; k < 3; ++k) CHECK(std::abs(color(1, 1)[k] - 255) <= 12);
+    CHECK(std::abs(color(10, 9)[0] - 255) <= 12);
+    CHECK(color(10, 9)[1] <= 12);
+    CHECK(color(10, 9)[2] <= 12);
+  }
 }
 
 TEST_CASE("a JPEG that lacks only its last marker is a picture, and one that lacks more is refused") {
@@ -113,23 +186,19 @@ TEST_CASE("a JPEG that lacks only its last marker is a picture, and one that lac
   }
 }
 
-// A decoder that misses the restart marker after a part takes the picture to be over.
-TEST_CASE("a JPEG with restart markers is refused without its last marker") {
-  using namespace std::string_literals;
-  const std::string plain = from_base64(kJpeg);
-  const auto picture = decoded(plain);
+TEST_CASE("a JPEG with restart markers lacks nothing but its last marker, or is refused") {
+  const std::string whole = from_base64(kRestartJpeg);
+  const auto picture = decoded(whole);
   REQUIRE(picture.has_value());
-  const auto with_interval = [&](const std::string& interval) {
-    return plain.substr(0, 2) + "\xFF\xDD" + "\0\x04"s + interval + plain.substr(2);
-  };
-  const std::string whole = with_interval("\x10\x10");
-  REQUIRE(decoded(whole).has_value());
-  CHECK(decoded(whole)->values == picture->values);
-  CHECK(refusal(whole.substr(0, whole.size() - 2)).starts_with(kBroken + "the file ends at byte "));
-  const std::string without = with_interval("\0\0"s);
-  const auto cut = decoded(without.substr(0, without.size() - 2));
-  REQUIRE(cut.has_value());
-  CHECK(cut->lacks_end);
+  CHECK(picture->values[24 * 9 + 10] <= 12);
+  CHECK(picture->values[0] >= 243);
+  const auto without_end = decoded(whole.substr(0, whole.size() - 2));
+  REQUIRE(without_end.has_value());
+  CHECK(without_end->values == picture->values);
+  CHECK(without_end->lacks_end);
+  std::size_t accepted = 0;
+  for (std::size_t size = 2; size + 2 < whole.size(); ++size) accepted += decoded(whole.substr(0, size)) ? 1U : 0U;
+  CHECK(accepted <= 1);  // the last bits may be of no effect
 }
 
 TEST_CASE("PGM and PPM that lack what they announce are refused") {
