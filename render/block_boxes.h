@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Bounding boxes of blocks of consecutive instances, so that blocks out of view are not drawn. Private to render.
 //
-// What it guarantees: an instance that meets a box is in one of the runs of that box. Boxes only grow until `clear`,
+// Guarantees: an instance that meets a box is in one of the runs of that box. Boxes only grow until `clear`,
 // because old extents are not kept: after many edits all over the plane more is drawn than necessary.
 //
 // Smallest use:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The view of the plane: its centre, its scale, and its size in pixels.
 //
-// What it guarantees:
+// Guarantees:
 //  1. Every result is finite: arguments that are not finite are ignored, all others are clamped.
 //  2. `zoom_at` keeps the world point under the cursor fixed, to a small fraction of a pixel, at every scale.
 //  3. Moving by n pixels and back by n pixels shows the same picture: the centre has twice the bits of a double, so

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Colour maps: the colour of a scalar. Plain data and arithmetic.
 //
-// What it guarantees:
+// Guarantees:
 //  1. A graded map interpolates its colours linearly over a range. Scalars beyond an end of the range, including
 //     infinite ones, have the colour of that end. NaN has no colour.
 //  2. A categorical map rounds the scalar to a whole number and gives each number a colour, whatever the range; numbers

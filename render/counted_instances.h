@@ -2,7 +2,7 @@
 // The disks, segments or points of one layer as a mask. The processor counts them where painting would take longer
 // (`DiskField`, `StrokeField`).
 //
-// What it guarantees:
+// Guarantees:
 //  1. The mask is that of the instances, the view and the look of the last `show`. If only instances have changed
 //     since, only their rows are counted and uploaded again. A preview keeps its grid meanwhile.
 //  2. `is_cheaper` depends only on the instances, the view and the device (for segments and points, only on their

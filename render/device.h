@@ -2,7 +2,7 @@
 // The graphics interface that the scene needs: instance buffers, off-screen targets, textures, and draw calls of
 // instances.
 //
-// What it guarantees:
+// Guarantees:
 //  1. A handle is never reused; using a destroyed one is a broken invariant (MES_ASSERT).
 //  2. `resize_buffer` keeps the requested bytes; all others are undefined until they are updated.
 //  3. A draw call does not depend on the state left by an earlier one.

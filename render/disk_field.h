@@ -5,7 +5,7 @@
 // where a disk begins, -1 where it ends" (`Sums::differences`). So the cost of a disk is that of its rows and the
 // pixels of its rim instead of its area. A pixel at the rim whose part c is covered counts as the factor 1 - a c.
 //
-// What it guarantees:
+// Guarantees:
 //  1. The opacity of a pixel is that of painting the disks one over the other without rounding, to 1/1000: rims are
 //     ramps one pixel wide and disks smaller than a pixel are fainter, as in `shaders/disk.frag`.
 //  2. It is a function of the set of disks.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // An OpenGL context without a window or a display server, for pictures from the command line and for tests.
 //
-// What it guarantees: `create` returns a current context of OpenGL 3.3 core or later, or an error `no_display` whose
+// Guarantees: `create` returns a current context of OpenGL 3.3 core or later, or an error `no_display` whose
 // text names the missing part. The context stays current on the thread that created it until it is destroyed.
 //
 // Smallest use:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Captures successive pictures of a scene, without waiting for the graphics card.
 //
-// What it guarantees:
+// Guarantees:
 //  1. A picture is the same as that of `draw_image` for the same camera. Pictures larger than the hardware can hold are
 //     drawn in tiles. No disk is left out.
 //  2. With supersampling a picture is drawn larger and averaged, in premultiplied colours as they are stored. The

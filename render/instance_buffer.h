@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The instances of one layer and kind on a device.
 //
-// What it guarantees: after `apply` the first `count()` instances are those of the patches. It uploads only the
+// Guarantees: after `apply` the first `count()` instances are those of the patches. It uploads only the
 // instances in the patch, or all of them for a patch with `reset`. The buffer grows geometrically and is copied on the
 // device.
 //

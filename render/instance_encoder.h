@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Encodes an instance of a patch in the form stored in the buffer.
 //
-// What it guarantees:
+// Guarantees:
 //  1. Coordinates become `(p - origin) * scale`, computed in double and not rounded further.
 //  2. Segments, rays and lines that leave the buffer's range of +-kDrawingLimit are cut to it along their own line, so
 //     their visible part does not move. Disks, circles and arcs that large are invisible: doubles do not determine

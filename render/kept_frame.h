@@ -6,7 +6,7 @@
 
 namespace mes::render {
 
-/// What it guarantees: `show` draws exactly the pixels that the last `keep` read. Cost: one copy of the picture each,
+/// Guarantees: `show` draws exactly the pixels that the last `keep` read. Cost: one copy of the picture each,
 /// on the graphics card. Needs a current OpenGL context for its life. Threads: that of the context.
 class KeptFrame {
  public:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Draws a scene into a picture of any size.
 //
-// What it guarantees:
+// Guarantees:
 //  1. The picture is that of a window of its size, whatever the limits of the graphics hardware: large pictures are
 //     drawn in seamless tiles.
 //  2. A size that is too large for the format or for memory is an error, not a crash.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads pictures that lie under a drawing, in all formats of core/raster/picture_decoder.h.
 //
-// What it guarantees: any bytes give either a picture or a one-line error. Needs memory only for the file and
+// Guarantees: any bytes give either a picture or a one-line error. Needs memory only for the file and
 // kMostPicturePixels pixels. Threads: any.
 #pragma once
 

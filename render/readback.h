@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Reads pixels from the graphics card while it continues drawing.
 //
-// What it guarantees:
+// Guarantees:
 //  1. `ask` copies the contents of the target at that moment; later drawing does not change the picture.
 //  2. Pictures are returned in the order in which they were requested, each once.
 //  3. `ask` waits only if kPlaces pictures are already in flight; no picture is dropped. If it throws for lack of

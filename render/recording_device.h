@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A device without a GPU: checks every call against the contract of `Device`, keeps buffer contents, and counts.
 //
-// What it guarantees: a call that breaks the contract throws AssertionFailure. Among these are calls with destroyed
+// Guarantees: a call that breaks the contract throws AssertionFailure. Among these are calls with destroyed
 // handles, ranges outside their buffer, data of another size than its ranges, more instances than the buffer holds, and
 // uniforms that are not finite.
 //

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scalars of a set of instances, and the range of their finite ones.
 //
-// What it guarantees: after `settle`, `range` is that of the finite values stored.
+// Guarantees: after `settle`, `range` is that of the finite values stored.
 //
 // Smallest use:
 //     store.resize(count);

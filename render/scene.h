@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The layers as instance buffers on a device, updated by patches and drawn through a camera.
 //
-// What it guarantees:
+// Guarantees:
 //  1. `apply` uploads the changed instances of a patch and nothing else. Adjacent instances are uploaded together.
 //  2. `draw` uploads no instances: camera, style, colour map and range are uniforms, and the stacking of layers is the
 //     order of draw calls.

@@ -2,7 +2,7 @@
 // The opacity of many strokes and dots of one colour, pixel by pixel, without painting them (`OpacityField`): for
 // drawings with so many short lines that a processor spends its time on placing them.
 //
-// What it guarantees:
+// Guarantees:
 //  1. The opacity of a pixel is that of painting the strokes one over the other without rounding, to 1/1000: ends are
 //     round and rims are ramps one pixel wide, as in `shaders/stroke.frag` and `shaders/point.frag`.
 //  2. It is a function of the set of strokes.

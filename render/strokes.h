@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Paints lines, arcs and polygons on a picture in memory, for annotations.
 //
-// What it guarantees: the same shapes yield the same pixels, with neither a display nor OpenGL. Edges are antialiased.
+// Guarantees: the same shapes yield the same pixels, with neither a display nor OpenGL. Edges are antialiased.
 // Parts outside the picture are left out; shapes with coordinates that are not finite are not painted.
 //
 // Cost: O(pixels of the bounding box within the picture). Threads: any, with a picture of its own.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Paints text and rectangles on a picture in memory, for legends and captions.
 //
-// What it guarantees:
+// Guarantees:
 //  1. The same font, text and position yield the same pixels. It needs neither a display nor OpenGL.
 //  2. Pixels outside the picture are left out. Letters that the font lacks, and bytes that are not UTF-8, are drawn as
 //     the font's empty box.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The texts of one layer as a mask (`Device::paint_mask`), for one view.
 //
-// What it guarantees:
+// Guarantees:
 //  1. The mask is that of the texts, the view and the scale of the last `show`; repeating these costs nothing.
 //  2. Positions are rounded to a quarter of a pixel, but not letters: they look the same at every position.
 //

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Successive uniform blocks for draw calls, in one OpenGL buffer.
 //
-// What it guarantees: a block that was bound keeps its contents until the draw calls that read it are done, and no call
+// Guarantees: a block that was bound keeps its contents until the draw calls that read it are done, and no call
 // waits for drawing. Each block has its own slot in the buffer; when all slots are used, the driver allocates fresh
 // memory and keeps the old memory while draw calls need it.
 //

@@ -32,8 +32,7 @@ class CurveSampler {
  public:
   static constexpr std::size_t kMostLive = 20'000;
 
-  CurveSampler(Editor& editor, Waker wake)
-      : editor_(editor), job_(wake), curves_job_(std::move(wake)) {}
+  CurveSampler(Editor& editor, Waker wake) : editor_(editor), job_(wake), curves_job_(std::move(wake)) {}
 
   /// Null if the samples were not taken from curves.
   const CurveSource* source() const { return editor_.document().source().get(); }

@@ -38,8 +38,7 @@ Expected<std::string> sweep_as_csv(const Registry& registry, const ParameterSwee
 /// Runs one sweep at a time on a thread of its own. Threads: the window's; `wake` is called from the other.
 class SweepDesk {
  public:
-  SweepDesk(LiveRegistry registry, Waker wake)
-      : registry_(std::move(registry)), job_(std::move(wake)) {}
+  SweepDesk(LiveRegistry registry, Waker wake) : registry_(std::move(registry)), job_(std::move(wake)) {}
 
   void begin(ParameterSweep sweep);
   void give_up() { job_.give_up(); }

@@ -17,7 +17,8 @@ void PersistenceDesk::follow(std::uint64_t digest, const std::function<Persisten
   const PersistenceRow& old = before->rows[*chosen_];
   const std::vector<PersistenceRow>& now = table()->rows;
   const auto same = std::ranges::find_if(now, [&](const PersistenceRow& row) {
-    return row.is_hole == old.is_hole && row.place == old.place && row.has_edge == old.has_edge && row.edge == old.edge;
+    return row.is_hole == old.is_hole && row.place == old.place && row.has_edge == old.has_edge &&
+           row.edge == old.edge;
   });
   chosen_ = same == now.end() ? std::nullopt : std::optional(static_cast<std::size_t>(same - now.begin()));
 }

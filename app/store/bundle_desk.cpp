@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 #include <algorithm>
 
-#include "core/io/files/atomic_file.h"
 #include "core/io/bundle_file.h"
+#include "core/io/files/atomic_file.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes {

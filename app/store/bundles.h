@@ -13,8 +13,8 @@
 #include "app/layers/layer_stack.h"
 #include "core/base/error.h"
 #include "core/document/bundle.h"
-#include "core/io/files/atomic_file.h"
 #include "core/io/bundle_file.h"
+#include "core/io/files/atomic_file.h"
 #include "core/io/files/file_lock.h"
 
 namespace mes {

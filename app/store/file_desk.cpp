@@ -32,8 +32,7 @@ fs::path key_of(const fs::path& file) {
 
 }  // namespace
 
-FileDesk::FileDesk(LiveRegistry registry, Editor& editor, std::function<Session()> session_now,
-                   Waker wake)
+FileDesk::FileDesk(LiveRegistry registry, Editor& editor, std::function<Session()> session_now, Waker wake)
     : registry_(std::move(registry)),
       editor_(editor),
       session_now_(std::move(session_now)),

@@ -6,8 +6,8 @@
 #include <span>
 #include <utility>
 
-#include "core/io/format.h"
 #include "core/io/files/read_file.h"
+#include "core/io/format.h"
 #include "core/raster/picture_decoder.h"
 
 namespace mes {

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/panels/bars/evolution_strip.h"
 #include "app/panels/on_canvas/canvas_legend.h"
 #include "app/panels/on_canvas/canvas_marks.h"
 #include "app/panels/on_canvas/empty_hint.h"
 #include "app/panels/on_canvas/empty_view_note.h"
-#include "app/panels/bars/evolution_strip.h"
 #include "app/panels/on_canvas/hidden_samples_note.h"
 #include "app/panels/on_canvas/pane_headers.h"
 #include "app/panels/on_canvas/problem_note.h"
@@ -66,8 +66,8 @@ Panels::Panels(const Uses& uses)
           uses.screen.gui, uses.actions, uses.settings.details,
           {uses.screen.gui, uses.board.picture(), uses.screen.times},
           {uses.screen.gui, uses.work.computation(), uses.board.picture(), uses.work.editor(), uses.work.layers(),
-           uses.work.insight().scale_events, uses.work.insight().critical_values, uses.work.insight().persistence, uses.work.insight().sweep,
-           uses.messages},
+           uses.work.insight().scale_events, uses.work.insight().critical_values, uses.work.insight().persistence,
+           uses.work.insight().sweep, uses.messages},
           {uses.screen.gui, uses.messages}, {uses.screen.gui, uses.actions, uses.lesson.desk()},
           {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.board.canvas(), uses.messages},
           {uses.screen.gui, uses.actions, uses.work.curve_sampler()},

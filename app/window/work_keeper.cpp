@@ -7,8 +7,7 @@
 
 namespace mes {
 
-WorkKeeper::WorkKeeper(Workspace& work, Messages& messages, std::function<Session()> session_now,
-                       Waker wake)
+WorkKeeper::WorkKeeper(Workspace& work, Messages& messages, std::function<Session()> session_now, Waker wake)
     : work_(work),
       messages_(messages),
       session_now_(std::move(session_now)),

@@ -11,8 +11,7 @@
 
 namespace mes {
 
-Workspace::Workspace(LiveRegistry registry, const std::filesystem::path& assets, Messages& messages,
-                     Waker wake)
+Workspace::Workspace(LiveRegistry registry, const std::filesystem::path& assets, Messages& messages, Waker wake)
     : registry_(std::move(registry)),
       messages_(messages),
       engine_(registry_.share(), {.wake = wake}),

@@ -41,8 +41,7 @@ namespace mes {
 /// Depends on no window, panels or OpenGL. Threads: the window's; `wake` is called from others.
 class Workspace {
  public:
-  Workspace(LiveRegistry registry, const std::filesystem::path& assets, Messages& messages,
-            Waker wake);
+  Workspace(LiveRegistry registry, const std::filesystem::path& assets, Messages& messages, Waker wake);
 
   /// Takes another registry, made from the present one by removals and additions. Layers, parameters and the
   /// evolution that it lacks disappear, and look as before if they return. Computations begun with the present

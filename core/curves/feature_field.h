@@ -45,10 +45,10 @@ struct MeasuredCurve;
 
 /// The quality with which samples represent curves.
 struct CurveStanding {
-  double epsilon = 0.0;    ///< maximum over all intervals; 0 without an axis, infinite where a curve has no sample
-  Vec2 place{};            ///< point of the curves in the middle of that interval
-  std::size_t exempt = 0;  ///< number of corners and meetings of curves (guarantee 2)
-  std::size_t off_curve = 0;   ///< number of samples that lie on no curve
+  double epsilon = 0.0;       ///< maximum over all intervals; 0 without an axis, infinite where a curve has no sample
+  Vec2 place{};               ///< point of the curves in the middle of that interval
+  std::size_t exempt = 0;     ///< number of corners and meetings of curves (guarantee 2)
+  std::size_t off_curve = 0;  ///< number of samples that lie on no curve
   std::vector<Vec2> sparse{};  ///< middle points of all intervals with an epsilon above 1 (`kMostEpsilon`)
   /// Index pairs of samples that are neighbours along the curves, at different positions.
   std::vector<std::array<std::uint32_t, 2>> neighbours{};

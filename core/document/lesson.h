@@ -28,7 +28,7 @@ struct LessonStep {
   LayerConfiguration layers{};                    ///< empty: as in the timeline at this position
   std::optional<ComputationSettings> settings{};  ///< unset: as in the timeline at this position
   Box2 view{};                                    ///< document units; empty: as in the timeline at this position
-  double seconds = 0.0;  ///< duration in a video; 0: depends on the length of the caption
+  double seconds = 0.0;                           ///< duration in a video; 0: depends on the length of the caption
   friend bool operator==(const LessonStep&, const LessonStep&) = default;
 };
 

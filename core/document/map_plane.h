@@ -22,9 +22,8 @@ enum class MapDegrees : std::uint8_t {
 /// Guarantees: converting to the plane and back has an error below 1e-12 degrees for positions on the Earth.
 struct MapPlane {
   MapDegrees degrees = MapDegrees::projected;
-  double longitude =
-      0.0;  ///< origin of the plane, in degrees, may exceed 180; ignored if degrees are kept
-  double latitude = 0.0;  ///< between -90 and 90
+  double longitude = 0.0;  ///< origin of the plane, in degrees, may exceed 180; ignored if degrees are kept
+  double latitude = 0.0;   ///< between -90 and 90
 
   /// Kilometres in a degree of longitude and of latitude.
   Vec2 scale() const {

@@ -52,9 +52,10 @@ struct LayerDescriptor {
   std::string tooltip{};  ///< one sentence, no full stop
   LayerGroup group = LayerGroup::samples;
   LayerData data = LayerData::other;
-  std::string of_any_family{};  ///< common name of layers that show the same for several families of balls; else empty
-  bool in_paper = false;        ///< one of the 41 layers of the 2007 paper
-  bool in_fit_box = true;       ///< included in "fit to view"
+  std::string
+      of_any_family{};     ///< common name of layers that show the same for several families of balls; else empty
+  bool in_paper = false;   ///< one of the 41 layers of the 2007 paper
+  bool in_fit_box = true;  ///< included in "fit to view"
   bool visible_at_start = false;
   std::string scalar{};                   ///< meaning of an instance's scalar; empty = none
   bool scalars_are_names = false;         ///< scalars only tell elements apart, and depend on history

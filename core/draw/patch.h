@@ -122,7 +122,7 @@ struct FramePatch {
   std::uint64_t demand = 0;          ///< identifies the demand for which they were last written
   std::vector<NodeReport> nodes;     ///< main computation first, then the variants
   std::vector<LayerReport> reports;  ///< main computation first, then the variants
-  bool complete = true;  ///< false: the run was stopped; the patch has no layers, and the picture stays
+  bool complete = true;              ///< false: the run was stopped; the patch has no layers, and the picture stays
 };
 
 }  // namespace mes

@@ -7,10 +7,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/io/bnd.h"
+#include "core/io/files/read_file.h"
 #include "core/io/session/json_layers.h"
 #include "core/io/session/json_text.h"
 #include "core/io/session/json_view.h"
-#include "core/io/files/read_file.h"
 
 namespace mes {
 namespace {

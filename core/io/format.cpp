@@ -10,8 +10,8 @@
 #include "core/base/lower_case.h"
 #include "core/io/bundle_file.h"
 #include "core/io/carried_session.h"
-#include "core/io/format_spec.h"
 #include "core/io/files/read_file.h"
+#include "core/io/format_spec.h"
 #include "core/io/text/text_numbers.h"
 #include "core/io/xml/xml_source.h"
 

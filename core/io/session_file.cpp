@@ -2,8 +2,8 @@
 // Reads samples and balls from a session: its last state.
 #include "core/document/commands.h"
 #include "core/io/format_spec.h"
-#include "core/io/text/repeated_corners.h"
 #include "core/io/session/session.h"
+#include "core/io/text/repeated_corners.h"
 
 namespace mes {
 namespace {

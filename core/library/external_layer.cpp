@@ -15,7 +15,7 @@ using DrawnRow = mes::Slot<struct DrawnRowTag>;
 
 /// Draws the rows of one table by the function that the experiment prepared.
 ///
-/// What it guarantees: an experiment that omits changes draws outdated things, or fails, but rows beyond the end of the
+/// Guarantees: an experiment that omits changes draws outdated things, or fails, but rows beyond the end of the
 /// table are never written.
 class ExternalPart final : public mes::LayerPart {
  public:

@@ -31,7 +31,7 @@ struct Decimation {
 
 /// Removes samples while the remaining ones are an epsilon-sample by the estimate (FeatureSize).
 ///
-/// What it guarantees:
+/// Guarantees:
 ///  1. Let two remaining samples be neighbours on the curve with removed samples between them. Half their distance is
 ///     at most `epsilon` times the least original feature size of the two and of the removed ones; and the epsilon of
 ///     their curve edge, estimated from the remaining samples, is at most `epsilon` too. Pairs that were neighbours

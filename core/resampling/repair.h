@@ -50,7 +50,7 @@ struct Repair {
 /// While the light is yellow, samples nearer to the corners, and denser ones, are tried too, and kept if they help.
 /// Otherwise:
 ///
-/// What it guarantees:
+/// Guarantees:
 ///  1. Old samples stay. New ones lie on the curve through the old ones: centripetal Catmull-Rom splines, interrupted
 ///     at corners and ends, and therefore straight between two corners.
 ///  2. The curve is that of the given loops, or else the one-step crust of the old samples.

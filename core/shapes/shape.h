@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parametric shapes: curves with a formula, point sets, balls.
 //
-// What they guarantee: equal requests give equal samples, whatever was made before. Random numbers come from
+// Guarantees: equal requests give equal samples, whatever was made before. Random numbers come from
 // core/base/rng.h; sine, cosine and powers from libm.
 //
 // Smallest use:

@@ -17,7 +17,7 @@ namespace mes_python {
 
 /// Keeps a workbench, brings it up to date when results are read, and guards the arrays that show its memory.
 ///
-/// What it guarantees:
+/// Guarantees:
 ///  1. An array over a table or over instances keeps its values while it lives, also after the session: while such
 ///     arrays live, a run that could move memory throws `BufferError` and changes nothing. Edits and settings take
 ///     effect at the next reading, so live arrays never block them.

@@ -5,7 +5,7 @@
 // corner of the page, y grows downwards. Coordinates and radii are multiples of one power of ten (`Figure::decimals`),
 // finer than any output resolves.
 //
-// What it guarantees:
+// Guarantees:
 //  1. Layers, groups, runs and shapes are in drawing order, bottom first.
 //  2. Each shape stands for one primitive of its layer; a primitive that is invisible on the page has no shape, one
 //     that is cut by it may have two. Only segments of opaque runs are reordered.

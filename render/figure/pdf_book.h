@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Several pages in one PDF file, each with figures side by side.
 //
-// What it guarantees beside the guarantees of `render/figure/writers.h` for all formats:
+// Guarantees beside the guarantees of `render/figure/writers.h` for all formats:
 //  1. A layer is one optional content group for all its pages; viewers list the groups of the visible page.
 //  2. Fonts are embedded once, with the letters of all pages.
 //  3. Pages with a bookmark are in the outline, in their order.

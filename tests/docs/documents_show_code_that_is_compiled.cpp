@@ -134,7 +134,8 @@ TEST_CASE("the documented layer draws the curve") {
 
 TEST_CASE("paths and links in documents exist") {
   // A folder of the project, then a path; capitals stand for a name that a reader chooses.
-  const std::regex path("`((?:app|assets|cmake|core|docs|examples|packaging|python|render|scripts|tests)/[a-z0-9_./-]*)`");
+  const std::regex path(
+      "`((?:app|assets|cmake|core|docs|examples|packaging|python|render|scripts|tests)/[a-z0-9_./-]*)`");
   const std::regex link("\\]\\(([^)#: ]+)");
   std::vector<fs::path> documents = files_below("docs", ".md");
   documents.insert(documents.end(), {"README.md", "CONTRIBUTING.md"});

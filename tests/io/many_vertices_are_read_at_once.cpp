@@ -14,9 +14,9 @@
 
 #include "core/base/rng.h"
 #include "core/document/curve_source.h"
-#include "core/io/text/coordinate_pairs.h"
 #include "core/io/format.h"
 #include "core/io/svg/svg_path.h"
+#include "core/io/text/coordinate_pairs.h"
 #include "core/io/xml/xml_long_values.h"
 
 using namespace mes;

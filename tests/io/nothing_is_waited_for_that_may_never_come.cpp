@@ -7,8 +7,8 @@
 #include <optional>
 #include <thread>
 
-#include "core/io/format.h"
 #include "core/io/files/read_file.h"
+#include "core/io/format.h"
 #include "temporary_folder.h"
 
 using namespace mes;

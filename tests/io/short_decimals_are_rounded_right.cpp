@@ -10,8 +10,8 @@
 #include <string_view>
 
 #include "core/base/rng.h"
-#include "core/io/text/short_decimal.h"
 #include "core/io/svg/svg_values.h"
+#include "core/io/text/short_decimal.h"
 
 using namespace mes;
 

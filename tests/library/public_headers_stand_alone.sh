@@ -34,7 +34,7 @@ for header in "${headers[@]}"; do
     "$compiler" -std=c++20 -fsyntax-only -Wall -Wextra -Wpedantic -Wconversion -Wsign-conversion -Wold-style-cast \
       -Wshadow -Werror -I"$scratch/include" "$scratch/main.cpp" || complain "$name does not compile with $compiler"
   done
-  for part in 'What it guarantees' 'Smallest use' 'Threads:'; do
+  for part in 'Guarantees' 'Smallest use' 'Threads:'; do
     # The header that includes all others has nothing of its own.
     [[ $name == mesecina.h && $part == 'Smallest use' ]] && continue
     grep -q "$part" "$header" || complain "$name does not say: $part"

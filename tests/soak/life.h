@@ -12,7 +12,7 @@
 
 namespace mes::test {
 
-/// What it guarantees: the same seed gives the same life. `session` is its timeline so far; what it cannot tell are
+/// Guarantees: the same seed gives the same life. `session` is its timeline so far; what it cannot tell are
 /// the runs that were stopped.
 ///
 /// Smallest use:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sampled shapes with a known formula for the medial axis: the reference of the tests.
 //
-// What they guarantee:
+// Guarantees:
 //  1. Samples run along each contour in order, outer contours counter-clockwise; `data.contours` lists them.
 //  2. `graded` shapes are epsilon-samples: every curve point x has a sample within epsilon * lfs(x), jitter included.
 //     Reason: neighbours are at most 2 ln(1 + epsilon) apart in the measure ds / lfs, and lfs is 1-Lipschitz.

@@ -21,7 +21,7 @@ namespace mes::test {
 /// Every layer of the registry.
 std::vector<LayerIndex> all_layers();
 
-/// What it guarantees: after each edit the graph has run completely, every structure and layer is up to date, and both
+/// Guarantees: after each edit the graph has run completely, every structure and layer is up to date, and both
 /// a plain buffer and a `LayerMirror`, which refuse malformed patches, have taken the patch; otherwise the test fails.
 ///
 /// Smallest use:

@@ -20,9 +20,7 @@ namespace mes {
 class TextDialog final : public Dialog {
  public:
   /// Sets the receiver of the samples, and the waker of the window.
-  void set_uses(SampleMaker::Make make, Waker wake) {
-    maker_.set_uses(std::move(make), std::move(wake));
-  }
+  void set_uses(SampleMaker::Make make, Waker wake) { maker_.set_uses(std::move(make), std::move(wake)); }
   /// Sets the font of the program, which is first in the list; without it the list has only the system's fonts.
   void set_own_font(FontFile font) { own_font_ = std::move(font); }
 

@@ -25,9 +25,8 @@ FeatureLimits feature_limits(const SamplingRequest& request, double length, doub
 struct MeasuredPlace {
   double at = 0.0;  ///< arc length from the beginning of its stretch
   Vec2 position{};
-  double size = 0.0;  ///< distance to the axis of these samples
-  double epsilon =
-      0.0;  ///< the larger of both adjacent intervals: half its length over the smaller size at its ends
+  double size = 0.0;     ///< distance to the axis of these samples
+  double epsilon = 0.0;  ///< the larger of both adjacent intervals: half its length over the smaller size at its ends
 };
 /// For each curve and each of its stretches, from its beginning to its end.
 using MeasuredPlaces = std::vector<std::vector<std::vector<MeasuredPlace>>>;

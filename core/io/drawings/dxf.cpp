@@ -15,10 +15,10 @@
 #include "core/curves/b_spline.h"
 #include "core/curves/cubic_interpolation.h"
 #include "core/curves/joined_ends.h"
-#include "core/io/text/counted_remarks.h"
 #include "core/io/curve_samples.h"
 #include "core/io/drawings/dxf_pairs.h"
 #include "core/io/format_spec.h"
+#include "core/io/text/counted_remarks.h"
 #include "core/io/text/text_numbers.h"
 #include "core/io/text/written_decimals.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files that stay locked while the process that made them lives.
 //
-// What it guarantees: a process that follows the protocol below never sees a file of `create_locked` unlocked, although
+// Guarantees: a process that follows the protocol below never sees a file of `create_locked` unlocked, although
 // creating and locking are two system calls.
 //
 // The protocol: to judge whether a file was abandoned, open it, lock it with `try_lock`, then check with `is_named`

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Temporary files and folders for unfinished output.
 //
-// What it guarantees:
+// Guarantees:
 //  1. Each has a new name that cannot be guessed, and is made without following a link.
 //  2. Its owner removes it in the destructor, or, when a signal ends the process, by `remove_own_temporaries`.
 //  3. A later process removes the remains of a killed one. It recognises them by a lock, which the owner holds while it

@@ -12,9 +12,9 @@
 
 #include "core/base/coordinate_range.h"
 #include "core/io/format_spec.h"
+#include "core/io/maps/map_shapes.h"
 #include "core/io/session/json_text.h"
 #include "core/io/session/json_view.h"
-#include "core/io/maps/map_shapes.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes {

@@ -12,10 +12,10 @@
 
 #include "core/base/coordinate_range.h"
 #include "core/base/lower_case.h"
-#include "core/io/text/counted_remarks.h"
+#include "core/io/files/read_file.h"
 #include "core/io/format_spec.h"
 #include "core/io/maps/map_shapes.h"
-#include "core/io/files/read_file.h"
+#include "core/io/text/counted_remarks.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes {

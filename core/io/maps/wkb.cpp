@@ -11,8 +11,8 @@
 
 #include "core/base/coordinate_range.h"
 #include "core/io/format_spec.h"
-#include "core/io/text/line_end.h"
 #include "core/io/maps/map_shapes.h"
+#include "core/io/text/line_end.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes {

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "core/base/lower_case.h"
-#include "core/io/text/ascii_text.h"
 #include "core/io/format_spec.h"
 #include "core/io/maps/map_shapes.h"
+#include "core/io/text/ascii_text.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes {

@@ -4,8 +4,8 @@
 #include <fmt/core.h>
 
 #include "core/io/format_spec.h"
-#include "core/io/text/line_words.h"
 #include "core/io/meshes/vertex_graph.h"
+#include "core/io/text/line_words.h"
 
 namespace mes {
 namespace {

@@ -6,10 +6,10 @@
 #include <array>
 #include <optional>
 
-#include "core/io/text/ascii_text.h"
 #include "core/io/format_spec.h"
-#include "core/io/text/line_words.h"
 #include "core/io/meshes/vertex_graph.h"
+#include "core/io/text/ascii_text.h"
+#include "core/io/text/line_words.h"
 #include "core/io/text/written_decimals.h"
 
 namespace mes {

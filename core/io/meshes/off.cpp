@@ -5,8 +5,8 @@
 #include <fmt/core.h>
 
 #include "core/io/format_spec.h"
-#include "core/io/text/line_words.h"
 #include "core/io/meshes/vertex_graph.h"
+#include "core/io/text/line_words.h"
 #include "core/io/text/written_decimals.h"
 
 namespace mes {

@@ -6,10 +6,10 @@
 #include <fmt/core.h>
 #include <system_error>
 
-#include "core/io/format_spec.h"
-#include "core/io/text/line_words.h"
 #include "core/io/files/read_file.h"
+#include "core/io/format_spec.h"
 #include "core/io/meshes/vertex_graph.h"
+#include "core/io/text/line_words.h"
 
 namespace mes {
 namespace {

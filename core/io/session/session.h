@@ -4,7 +4,7 @@
 // A session file is one JSON object. A journal, for recovery after a crash, has a session without timeline on its first
 // line and a timeline entry on each further line; its last line may be torn.
 //
-// What it guarantees:
+// Guarantees:
 //  1. A written session reads back equal, every double bit for bit; equal sessions give equal bytes.
 //  2. Readers skip unknown keys and unknown kinds of entries, so that they can open files of later versions; the
 //     positions of a lesson count the remaining entries. Entries that change the document or can be undone are never

@@ -13,9 +13,9 @@
 #include "core/io/session/json_panes.h"
 #include "core/io/session/json_text.h"
 #include "core/io/session/json_view.h"
-#include "core/io/text/read_job.h"
 #include "core/io/session/session.h"
 #include "core/io/session/session_values.h"
+#include "core/io/text/read_job.h"
 
 namespace mes {
 namespace {

@@ -11,15 +11,15 @@
 #include <utility>
 
 #include "core/base/lower_case.h"
-#include "core/io/text/ascii_text.h"
-#include "core/io/xml/css_text.h"
 #include "core/io/svg/svg_clip_paths.h"
 #include "core/io/svg/svg_context.h"
 #include "core/io/svg/svg_geometry.h"
 #include "core/io/svg/svg_shape_queue.h"
 #include "core/io/svg/svg_style.h"
 #include "core/io/svg/svg_values.h"
+#include "core/io/text/ascii_text.h"
 #include "core/io/text/text_numbers.h"
+#include "core/io/xml/css_text.h"
 #include "core/io/xml/xml_source.h"
 
 namespace mes {

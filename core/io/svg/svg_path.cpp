@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/lower_case.h"
-#include "core/io/text/coordinate_pairs.h"
 #include "core/io/svg/svg_values.h"
+#include "core/io/text/coordinate_pairs.h"
 
 namespace mes {
 namespace {

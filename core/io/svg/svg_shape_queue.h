@@ -8,9 +8,9 @@
 
 #include "core/base/box2.h"
 #include "core/base/error.h"
-#include "core/io/text/read_job.h"
 #include "core/io/svg/svg_context.h"
 #include "core/io/svg/svg_geometry.h"
+#include "core/io/text/read_job.h"
 #include "core/io/xml/xml_source.h"
 
 namespace mes {

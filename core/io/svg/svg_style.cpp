@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "core/base/lower_case.h"
+#include "core/io/svg/svg_values.h"
 #include "core/io/text/ascii_text.h"
 #include "core/io/xml/css_text.h"
-#include "core/io/svg/svg_values.h"
 
 namespace mes {
 namespace {

@@ -15,9 +15,9 @@
 #include <optional>
 #include <system_error>
 
+#include "core/io/files/read_file.h"
 #include "core/io/format_spec.h"
 #include "core/io/meshes/off_header.h"
-#include "core/io/files/read_file.h"
 #include "core/io/text/repeated_corners.h"
 #include "core/io/text/text_numbers.h"
 

@@ -72,7 +72,7 @@ constexpr std::uint64_t eight_digits(std::uint64_t bytes) {
 /// Reads a number at the beginning of the text into `value` and returns its length. A number is an optional sign,
 /// digits, and digits after a point, of which either may be missing.
 ///
-/// What it guarantees: the value is the double nearest to the number, as for `std::from_chars`. Returns 0 and leaves
+/// Guarantees: the value is the double nearest to the number, as for `std::from_chars`. Returns 0 and leaves
 /// `value` alone for more than 18 digits, digits that are together above 2^53, an exponent, or text that is not a
 /// number. Cost: a few nanoseconds.
 inline std::size_t short_decimal(std::string_view text, double& value) {

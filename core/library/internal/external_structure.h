@@ -24,7 +24,7 @@ struct ExternalStructureSpec {
   std::function<std::unique_ptr<Structure>()> make;
 };
 
-/// What it guarantees: everything that mes::Structure promises, provided that the experiment's `update` reports all
+/// Guarantees: everything that mes::Structure promises, provided that the experiment's `update` reports all
 /// rows that it changed. Throws only `mes::GeometryError`, `mes::Cancelled` and `std::bad_alloc`.
 class ExternalStructure final : public mes::Structure {
  public:

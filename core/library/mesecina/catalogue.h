@@ -2,7 +2,7 @@
 // The catalogue: available structures, layers, parameters, evolutions, shapes, file formats and number types, with
 // their public ids.
 //
-// What it guarantees:
+// Guarantees:
 //  1. Ids are those of the command line (`mesecina list`) and of files. New ones may be added, but none is renamed
 //     within a major version.
 //  2. Descriptions are values: later changes of the catalogue do not affect them.

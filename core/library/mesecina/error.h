@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The one exception of the library.
 //
-// What it guarantees:
+// Guarantees:
 //  1. Functions of the library throw `Error`, or `std::bad_alloc` if there is no memory for an `Error`. An exception of
 //     the caller's callback passes through unchanged.
 //  2. `what()` is one printable line, with file, line and column where they are known.

@@ -5,7 +5,7 @@
 // it is styled, recorded, exported and undone like everything else; `compute`, `render`, `play` and `list` take the
 // same option. A program that links the library adds the same functions to a catalogue (`with_experiment`).
 //
-// What it guarantees:
+// Guarantees:
 //  1. An experiment reads the results of its inputs after they have been brought up to date, never half of a change.
 //  2. If it throws, its structure or layer fails with the text of the exception. Everything that does not depend on it
 //     continues.

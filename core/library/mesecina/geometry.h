@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Points, balls, their ids, exact predicates, and the primitives that layers draw. Plain values without invariants.
 //
-// What it guarantees:
+// Guarantees:
 //  1. The types are trivially copyable and have no significant padding: a `Point` is two doubles, a `Ball` three.
 //  2. Within a workbench, an id names the same sample or ball through undo and redo, and is never reused.
 //     `Workbench::load` and `open` assign new ids.

@@ -8,7 +8,7 @@
 //   catalogue.h   available structures, layers, parameters, evolutions, shapes and formats
 //   workbench.h   data, edits, settings, runs, and their results
 //
-// What it guarantees: these headers compile as C++20 on their own, and include nothing but each other and the standard
+// Guarantees: these headers compile as C++20 on their own, and include nothing but each other and the standard
 // library.
 //
 // Threads: see each class.

@@ -5,7 +5,7 @@
 // element and keeps its number while the element lives; rows of dead elements are reused, so some rows of a table are
 // not alive. `Catalogue::structures` lists the tables and their columns.
 //
-// What it guarantees:
+// Guarantees:
 //  1. `Column::values` copies nothing: it views the memory of the structure. Values are returned by copy, so the view
 //     has no aliasing rules of its own.
 //  2. Every column can be read for each row below `rows()`. Values of rows that are not alive mean nothing.

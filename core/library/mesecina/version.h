@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The version of the library, and the version of its binary interface (ABI).
 //
-// What it guarantees:
+// Guarantees:
 //  1. `kVersion` is the version of the headers that a program was compiled with; `version()` is that of the library it
 //     runs with.
 //  2. Libraries with the same `MESECINA_ABI` can replace one another without compiling a program again. The number is

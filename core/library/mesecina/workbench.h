@@ -26,7 +26,7 @@ inline namespace v1 {
 
 /// Stops a long call and reports its progress.
 ///
-/// What it guarantees: once stopped, it stays stopped; a call with a stopped job throws `cancelled` and changes no
+/// Guarantees: once stopped, it stays stopped; a call with a stopped job throws `cancelled` and changes no
 /// data, except `get_ready`, which just ends. A stop takes effect within a moment, except while a library reads XML or
 /// decodes a picture. One job may serve several calls in sequence.
 ///
@@ -149,7 +149,7 @@ MESECINA_API Data make_shape(const Catalogue& catalogue, std::string_view shape,
 /// An edit changes the data at once; `run` brings the results up to date, in time that depends on the change, not on
 /// the size of the data.
 ///
-/// What it guarantees:
+/// Guarantees:
 ///  1. After a `run` that returns, every needed structure and every shown layer is that of the current data and
 ///     settings. A run computes only what has changed since the previous run. Results do not depend on the edits that
 ///     led to the data, except the numbering of rows and instances.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs of the target in a process that is watched by another, which outlives whatever an input does to it.
 //
-// What it guarantees: an input that ends the process, by a signal, by a sanitizer, or by taking more processor time
+// Guarantees: an input that ends the process, by a signal, by a sanitizer, or by taking more processor time
 // than any input may, is still at hand afterwards. Processor time is limited rather than time, so that a busy machine
 // fails nothing; a process that does not get on at all is given up after minutes.
 #pragma once
