@@ -15,7 +15,7 @@ constexpr std::array<Words, kContourChanges> kWords{{{"Join contours", "Joined"}
                                                      {"Cut contours", "Cut"},
                                                      {"Close contours", "Closed"},
                                                      {"Open contours", "Opened"},
-                                                     {"Turn contours around", "Turned around"},
+                                                     {"Reverse contours", "Reversed"},
                                                      {"Forget contours", "Forgotten"}}};
 
 std::string counted_contours(std::size_t count) {

@@ -37,7 +37,7 @@ void LiveRecording::bind(ActionBindings& actions) {
                {[this, &settings] { desk_.start_video(settings); },
                 {{[this] { return !desk_.is_recording(); }, "a recording is under way"},
                  {[this] { return !desk_.is_making_video(); }, "a video is being made"},
-                 {[this] { return desk_.can_make_video(); }, "there is no take to make it of"}}});
+                 {[this] { return desk_.can_make_video(); }, "there is no take to make it from"}}});
 }
 
 void LiveRecording::start(const RecordSettings& settings) {

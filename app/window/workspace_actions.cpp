@@ -155,7 +155,7 @@ void Workspace::bind_bundles(ActionBindings& actions) {
   for (std::size_t index = 0; index < kNumberedBundles; ++index) {
     actions.bind(nth(ActionId::first_bundle, index),
                  {[this, index] { choose_bundle(index); },
-                  {[this, index] { return index < bundles_.bundles().size(); }, "there are fewer bundles"},
+                  {[this, index] { return index < bundles_.bundles().size(); }, "there is no such bundle"},
                   [this, index] { return bundles_.current() == index; }});
   }
   const auto bind_step = [&](ActionId id, bool is_forward) {

@@ -23,7 +23,7 @@ constexpr std::array<std::string_view, kContourChanges> kNothingToDo{
     "to cut contours, select two or more samples that are neighbours on a contour",
     "to close contours, select a sample of each: open ones of three samples or more",
     "to open contours, select a sample of each: closed ones",
-    "to turn contours around, select a sample of each",
+    "to reverse contours, select a sample of each",
     "to forget contours, select a sample of each"};
 
 class Editing {

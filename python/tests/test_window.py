@@ -111,7 +111,7 @@ def test_contours_and_settings_go_both_ways(display):
     press("key", "ctrl+a")
     find("close contours")
     until(window, lambda: session.contours[0][1])
-    find("turn contours around")
+    find("reverse contours")
     until(window, lambda: session.ids[session.contours[0][0]].tolist() != ring.tolist())
     assert set(session.ids[session.contours[0][0]].tolist()) == set(ring.tolist())
     # A switch that was turned here is turned back there, and a number type chosen there is chosen here.

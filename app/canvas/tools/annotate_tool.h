@@ -24,7 +24,7 @@ class AnnotateTool final : public Tool {
   ToolFeedback feedback() const override;
   PointerShape pointer_shape() const override;
   std::string_view hint() const override {
-    return "Click to write; drag for an arrow, from a sample or ball for a line to words; drag words to move them";
+    return "Click to write; drag for an arrow, from a sample or ball for a line to text; drag text to move it";
   }
 
  private:

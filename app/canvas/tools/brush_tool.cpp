@@ -13,9 +13,9 @@ struct ModeWords {
   std::string_view hint;
 };
 constexpr std::array<ModeWords, kBrushModes> kWords{
-    {{"Erase", "Drag to erase samples, and balls by their centres"},
-     {"Thin out", "Drag to take away every other sample along the curve"},
-     {"Refine", "Drag to put a sample between neighbours along the curve"}}};
+    {{"Erase", "Drag to erase samples, and balls at their centres"},
+     {"Thin out", "Drag to remove every other sample along the curve"},
+     {"Refine", "Drag to insert a sample between neighbours along the curve"}}};
 
 const ModeWords& words_of(BrushMode mode) {
   return kWords[static_cast<std::size_t>(mode)];

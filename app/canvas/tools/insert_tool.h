@@ -24,7 +24,7 @@ class InsertTool final : public Tool {
   }
   ToolFeedback feedback() const override;
   PointerShape pointer_shape() const override { return PointerShape::crosshair; }
-  std::string_view hint() const override { return "Click to add a sample; keep the button down to place it"; }
+  std::string_view hint() const override { return "Click to add a sample; hold the button down to position it"; }
 
  private:
   /// Excludes samples as snap targets: a sample on top of another one would change nothing.

@@ -26,7 +26,7 @@ class MeasureTool final : public Tool {
   std::optional<Annotation> measurement() const override;
   PointerShape pointer_shape() const override { return PointerShape::crosshair; }
   std::string_view hint() const override {
-    return "Click two places for their distance, a third for angle and circle; K keeps them, Esc clears";
+    return "Click two points for their distance, a third for angle and circle; K keeps them, Esc clears";
   }
 
  private:
