@@ -76,7 +76,7 @@ void buttons(const EvolutionStrip& strip, float size) {
 }
 
 std::string meaning_of_step(const EvolutionPlayer& player) {
-  std::string out = "Step: how many from the beginning";
+  std::string out = "Number of steps from the beginning";
   if (const auto value = player.parameter_value()) {
     const ParameterMove* const move = player.choice().moved_parameter();
     const bool is_additive = move != nullptr && move->parameter == Parameter::alpha_radius;
@@ -142,7 +142,7 @@ void slider(const EvolutionStrip& strip, Row& row, float most) {
   std::uint64_t new_end = end;
   ImGui::SetNextItemWidth(56 * unit);
   if (number_field("##end", new_end, std::max(std::uint64_t{1}, player.target()))) player.set_end(new_end);
-  tooltip(strip.gui, "Where the slider ends; playing goes on beyond it");
+  tooltip(strip.gui, "Last step on the slider; playing continues beyond it");
 }
 
 void speed(const EvolutionStrip& strip) {
@@ -157,7 +157,7 @@ void speed(const EvolutionStrip& strip) {
       if (ImGui::Selectable(label(value).c_str(), value == player.speed())) player.set_speed(value);
     ImGui::EndCombo();
   }
-  tooltip(strip.gui, "How fast it plays; a step waits until the picture of the one before is complete");
+  tooltip(strip.gui, "Speed of playing; each step waits until the previous picture is complete");
 }
 
 void seed(const EvolutionStrip& strip) {
@@ -169,10 +169,10 @@ void seed(const EvolutionStrip& strip) {
   std::uint64_t value = player.choice().seed;
   ImGui::SetNextItemWidth(70 * unit);
   if (number_field("##seed", value)) player.set_seed(value);
-  tooltip(strip.gui, "The same seed gives the same random numbers, always");
+  tooltip(strip.gui, "The same seed always gives the same random numbers");
   ImGui::SameLine(0, 4 * unit);
   if (ImGui::Button("New seed")) player.set_seed(Rng(player.choice().seed).at(0) >> 40U);
-  tooltip(strip.gui, "Use another seed: other random numbers");
+  tooltip(strip.gui, "Use another seed for other random numbers");
 }
 
 void parameter_field(const EvolutionStrip& strip, const Parameter& parameter) {
@@ -230,7 +230,7 @@ void parameters(const EvolutionStrip& strip, float size) {
   EvolutionPlayer& player = strip.evolution;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (icon_button("parameters", Icon::parameters, size)) ImGui::OpenPopup("##evolution-parameters");
-  tooltip(strip.gui, "Parameters\nWhat steers this evolution; a change shows the present step anew");
+  tooltip(strip.gui, "Parameters\nSettings of this evolution; a change recomputes the present step");
   ImGui::SetNextWindowPos({at.x, ImGui::GetWindowPos().y - 6 * strip.gui.unit()}, ImGuiCond_Always, {0.0F, 1.0F});
   if (!begin_popup(strip.gui, "##evolution-parameters")) return;
   const std::vector<Parameter> all = parameters_of(*player.choice().evolution);

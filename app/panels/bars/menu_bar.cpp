@@ -47,7 +47,7 @@ void geometry_menu(const MenuBar& menu) {
   for (const LayerTextFormat& format : layer_text_formats()) {
     if (!format.is_of_many) continue;
     if (ImGui::MenuItem(std::string(format.title).c_str())) menu.export_geometry(format);
-    tooltip(menu.gui, "All layers that are shown: " + std::string(format.help));
+    tooltip(menu.gui, "All visible layers: " + std::string(format.help));
   }
   ImGui::EndMenu();
 }
@@ -130,9 +130,9 @@ void snap_menu(const MenuBar& menu) {
   ImGui::MenuItem("Curves", nullptr, &snap.curves);
   tooltip(menu.gui, "The curves of a drawing, map, picture or shape, from which samples were taken");
   ImGui::MenuItem("Grid", nullptr, &snap.grid);
-  tooltip(menu.gui, "Lines at round numbers, also where they are not shown");
+  tooltip(menu.gui, "Lines at round numbers, even when they are hidden");
   ImGui::MenuItem("Pixels", nullptr, &snap.pixels);
-  tooltip(menu.gui, "Where nothing else is near: coordinates with as few digits as tell pixels of the screen apart");
+  tooltip(menu.gui, "If nothing else is near: coordinates with as few digits as distinguish pixels of the screen");
   ImGui::EndMenu();
 }
 
@@ -141,7 +141,7 @@ void canvas_menu(const MenuBar& menu) {
     const char* name;
     std::optional<Rgb> color;
   };
-  static constexpr std::array<Choice, 5> kChoices{{{"As the theme", {}},
+  static constexpr std::array<Choice, 5> kChoices{{{"Like the theme", {}},
                                                    {"White", kWhiteCanvas},
                                                    {"Light grey", kLightGreyCanvas},
                                                    {"Dark", kDarkCanvas},
@@ -213,7 +213,7 @@ void view_menu(const MenuBar& menu) {
     ImGui::EndMenu();
   }
   if (ImGui::MenuItem("Reset layers")) menu.editor.change_layers("Reset layers", [&] { menu.layers.reset(); });
-  tooltip(menu.gui, "Give every layer its first place, visibility and style back");
+  tooltip(menu.gui, "Reset the order, visibility and style of every layer");
 }
 
 void evolution_menu(const MenuBar& menu) {

@@ -37,7 +37,7 @@ void draw_size(const Gui& gui, RecordSettings& record, float column) {
     record.width = kFirstSize.width;
     record.height = kFirstSize.height;
   }
-  tooltip(gui, "Any size, whatever the window's; the frame shows all that is between the panels");
+  tooltip(gui, "Any size, independent of the window; the frame shows everything between the panels");
   if (is_canvas) return;
   ImGui::Dummy({1, 1});
   ImGui::SameLine(column);
@@ -72,7 +72,7 @@ void draw_background(const RecordPopup& popup, RecordSettings& record, float col
     record.transparent = false;
     record.background.reset();
   }
-  tooltip(gui, "The colour that the window has behind the drawing");
+  tooltip(gui, "The background colour of the canvas");
   ImGui::SameLine();
   if (choice_button("Transparent", record.transparent)) record.transparent = true;
   tooltip(gui, "Nothing behind the drawing");
@@ -81,7 +81,7 @@ void draw_background(const RecordPopup& popup, RecordSettings& record, float col
     record.transparent = false;
     if (!record.background) record.background = popup.picture.canvas();
   }
-  tooltip(gui, "A colour of its own");
+  tooltip(gui, "A custom colour");
   if (record.transparent || !record.background) return;
   ImGui::SameLine();
   glm::vec3 color = render::to_vec3(*record.background);
@@ -120,10 +120,10 @@ void draw_contents(const RecordPopup& popup) {
   ImGui::EndDisabled();
   row_name("Pan and zoom", column);
   if (choice_button("At rest", !record.each_motion)) record.each_motion = false;
-  tooltip(gui, "One frame where a motion ends");
+  tooltip(gui, "One frame at the end of a motion");
   ImGui::SameLine();
   if (choice_button("Each step", record.each_motion)) record.each_motion = true;
-  tooltip(gui, "A frame of each step of a motion");
+  tooltip(gui, "One frame for each step of a motion");
   row_name("Folder", column);
   ImGui::SetNextItemWidth(230 * unit);
   ImGui::InputTextWithHint("##folder", takes_folder().c_str(), &record.folder);
@@ -132,14 +132,14 @@ void draw_contents(const RecordPopup& popup) {
   ImGui::Checkbox("Document in snapshots and takes", &record.with_source);
   tooltip(gui,
           "A snapshot holds samples, balls, view and layers, without the history; the manifest of a recording holds "
-          "the session, with its history. Opened here again, it is the document");
+          "the session, with its history. Either opens here again as the document");
   ImGui::EndDisabled();
   row_name("Pace of video", column);
   if (choice_button("Steady", !record.real_time)) record.real_time = false;
-  tooltip(gui, "Each frame is seen equally long");
+  tooltip(gui, "Every frame is shown equally long");
   ImGui::SameLine();
   if (choice_button("Real time", record.real_time)) record.real_time = true;
-  tooltip(gui, "Each frame is seen as long as it was when it was recorded");
+  tooltip(gui, "Each frame is shown as long as it was during the recording");
   row_name("Video", column);
   slider(gui, "##fps", record.fps, 1.0, 60.0, {.format = "%.0f fps", .is_whole = true, .width = 170 * unit});
   tooltip(gui, "Frames per second");

@@ -113,7 +113,8 @@ void StatusBar::draw(const PanelArea& area) const {
       ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
       ImGui::TextUnformatted(share.c_str());
       ImGui::PopStyleColor();
-      tooltip(gui, "All of these large disks would make the window slow. Snapshots and recordings have them all");
+      tooltip(gui,
+              "Drawing all of these large disks would slow the window down. Snapshots and recordings show them all");
     }
     ImGui::PopClipRect();
     ImGui::SameLine(chips_at);

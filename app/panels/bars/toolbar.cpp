@@ -102,7 +102,7 @@ void Toolbar::draw_spray() const {
   ImGui::SameLine();
   slider(gui, "##spacing", settings.spray_spacing_px, 2.0, 100.0,
          {.format = "%.0f px", .is_logarithmic = true, .width = 210 * gui.unit()});
-  tooltip(gui, "Distance of neighbouring samples of a stroke, in pixels of the screen");
+  tooltip(gui, "Distance between neighbouring samples of a stroke, in screen pixels");
 }
 
 void Toolbar::draw_brush() const {
@@ -113,7 +113,7 @@ void Toolbar::draw_brush() const {
   }
   slider(gui, "##radius", settings.brush.radius_px, 4.0, 200.0,
          {.format = "%.0f px", .is_logarithmic = true, .width = 180 * gui.unit()});
-  tooltip(gui, "Radius of the brush, in pixels of the screen");
+  tooltip(gui, "Radius of the brush, in screen pixels");
 }
 
 float Toolbar::draw(ImVec2 at, float room) const {

@@ -108,7 +108,7 @@ void draw_reasons(const Verdict& verdict) {
       for (std::size_t k = 0; k < std::min(finding.places.size(), kShown); ++k) {
         if (k > 0) ImGui::SameLine(0, 4 * unit);
         if (ImGui::SmallButton(std::to_string(k + 1).c_str())) show_place(verdict, finding.places[k]);
-        tooltip(verdict.gui, "Show this place");
+        tooltip(verdict.gui, "Show this position");
       }
       if (static_cast<std::size_t>(finding.count) > std::min(finding.places.size(), kShown) &&
           !finding.places.empty()) {

@@ -105,7 +105,7 @@ bool WorkInProgress::draw() const {
     if (!sweep.is_under_way()) return draw_compilation();
     progress_bar(gui, "Making a table", sweep.progress());
     if (ImGui::SmallButton("Cancel")) sweep.give_up();
-    tooltip(gui, "Make no table of the values of the parameter");
+    tooltip(gui, "Cancel the table of parameter values");
     return true;
   }
   progress_bar(gui, task_text(status.task), status.progress);

@@ -108,7 +108,7 @@ AskConflict::Pressed AskConflict::draw_question(const Gui& gui) const {
       if (conflict_->theirs)
         draw_counts(gui, conflict_->mine, *conflict_->theirs);
       else
-        ImGui::Text("What it holds now cannot be shown: %s", conflict_->problem.c_str());
+        ImGui::Text("Its present contents cannot be shown: %s", conflict_->problem.c_str());
       if (conflict_->shared_edits) {
         ImGui::Dummy({1, 2 * unit});
         ImGui::TextDisabled("%s", shared_text(*conflict_->shared_edits).c_str());

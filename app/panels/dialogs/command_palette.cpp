@@ -143,7 +143,7 @@ std::optional<std::size_t> CommandPalette::draw_rows(const Gui& gui, float heigh
       if (draw_row(gui, static_cast<std::size_t>(row))) clicked = static_cast<std::size_t>(row);
   if (list_.hits().empty()) {
     ImGui::SetCursorPos({kKindWidth * unit, 6 * unit});
-    ImGui::TextDisabled("Nothing here has a name with these letters");
+    ImGui::TextDisabled("No name matches these letters");
   }
   ImGui::EndChild();
   ImGui::PopStyleVar();

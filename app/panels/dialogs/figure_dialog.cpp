@@ -27,9 +27,9 @@ constexpr const char* kFigureDialogId = "##figure";
 
 // In the order of `FigureExtent` and `FigurePaper`.
 constexpr std::array kExtents{std::pair{"View", "What the window shows between its panels"},
-                              std::pair{"Everything", "All samples and balls, and what belongs to them"},
-                              std::pair{"Drawing", "The view, cut to what is drawn"}};
-constexpr std::array kPapers{std::pair{"White", "White paper, on which black is black"},
+                              std::pair{"All contents", "All samples and balls, and their structures"},
+                              std::pair{"Cropped view", "The view, cropped to the drawing"}};
+constexpr std::array kPapers{std::pair{"White", "White paper, with black kept black"},
                              std::pair{"Canvas", "The colour of the canvas"},
                              std::pair{"None", "Nothing behind the drawing"}};
 
@@ -207,7 +207,7 @@ void FigureDialog::draw_look(const Gui& gui) const {
   choice<FigurePaper>(gui, kPapers, settings.paper);
   row_title(gui, "Lines");
   if (choice_button("As on screen", settings.as_on_screen)) settings.as_on_screen = true;
-  tooltip(gui, "Lines and points are to the page as they are to the canvas");
+  tooltip(gui, "Lines and points in the same proportion to the page as to the canvas");
   ImGui::SameLine();
   if (choice_button("Times", !settings.as_on_screen)) settings.as_on_screen = false;
   tooltip(gui, "Widths of the styles times a factor; a pixel of a style is three quarters of a point");
@@ -219,30 +219,28 @@ void FigureDialog::draw_look(const Gui& gui) const {
   }
   row_title(gui, "Title");
   ImGui::SetNextItemWidth(-1.0F);
-  ImGui::InputTextWithHint("##title", "Words above the drawing", &settings.title);
+  ImGui::InputTextWithHint("##title", "Text above the drawing", &settings.title);
   tooltip(
       gui,
       "Text and a little LaTeX, as in annotations: $x_i^2 \\le \\varepsilon$, \\textbf{...}, \\\\ for a new line");
   row_title(gui, "Legend");
   ImGui::Checkbox("Of colour maps", &settings.with_legend);
-  tooltip(gui, "Where it was dragged to on the canvas, or else in the corner where it hides least");
+  tooltip(gui, "At its dragged position on the canvas, otherwise in the corner where it hides least");
   ImGui::SameLine();
   ImGui::Checkbox("Of all layers", &settings.with_key);
   tooltip(gui, "The names of the layers, with a sample of how each is drawn");
   row_title(gui, "Scale");
   ImGui::Checkbox("Bar", &settings.marks.bar);
-  tooltip(gui,
-          "A line of a round length, with its length in units of the samples, where it was dragged to on the "
-          "canvas");
+  tooltip(gui, "A bar of a round length, labelled in units of the samples, at its dragged position on the canvas");
   ImGui::SameLine();
   ImGui::Checkbox("Axes", &settings.marks.axes);
-  tooltip(gui, "Numbers along the lower and the left edge");
+  tooltip(gui, "Numbers along the bottom and left edges");
   ImGui::SameLine();
   ImGui::Checkbox("Grid", &settings.marks.grid);
-  tooltip(gui, "Faint lines at round numbers, those of the axes");
+  tooltip(gui, "Faint lines at the round numbers of the axes");
   row_title(gui, "Annotations");
   ImGui::Checkbox("Text, arrows, dimensions, highlights", &settings.with_annotations);
-  tooltip(gui, "What the annotation tool has put on the drawing, as a layer of its own");
+  tooltip(gui, "Annotations on the drawing, as a separate layer");
   row_title(gui, "Source");
   const figure::Format* const format = figure::format_for(settings.extension);
   const bool can_carry = format != nullptr && format->carries_session;
@@ -250,10 +248,11 @@ void FigureDialog::draw_look(const Gui& gui) const {
   ImGui::BeginDisabled(!can_carry);
   if (ImGui::Checkbox("Document in the file", &carries)) settings.with_source = carries;
   ImGui::EndDisabled();
-  tooltip(gui, can_carry
-                   ? "The file holds samples, balls, view and layers, without the history: opened here again, it "
-                     "is the document"
-                   : "Files of this format cannot hold it");
+  tooltip(
+      gui,
+      can_carry
+          ? "The file holds samples, balls, view and layers, without the history: it opens here again as the document"
+          : "Files of this format cannot hold it");
 }
 
 void FigureDialog::draw_settings(const Gui& gui) const {
@@ -280,14 +279,14 @@ void FigureDialog::draw_layers(const Gui& gui) {
   ImGui::Dummy({1, 4 * unit});
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Layers as pictures");
-  tooltip(gui, "A picture in the place of thousands of shapes makes a smaller file");
+  tooltip(gui, "A picture instead of thousands of shapes makes a smaller file");
   ImGui::SameLine();
   ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 8 * unit);
   ImGui::SetNextItemWidth(58 * unit);
   double dots = settings.dots_per_inch;
   if (number_field("dpi", dots, "%.0f", NumberRange{kLeastDotsPerInch, kMostDotsPerInch}))
     settings.dots_per_inch = dots;
-  tooltip(gui, "Dots an inch of these pictures");
+  tooltip(gui, "Resolution of these pictures");
   const float foot = 92 * unit;  // height of the messages below
   ImGui::BeginChild("layers", {0, std::max(96 * unit, ImGui::GetContentRegionAvail().y - foot)}, true);
   for (auto layer = preview->layers.rbegin(); layer != preview->layers.rend(); ++layer) {
@@ -331,7 +330,7 @@ void FigureDialog::draw_facts(const Gui& gui) {
   if (const std::string memory = tex_warning(preview->shapes, uses_->settings.extension); !memory.empty())
     warning(gui, memory);
   if (bytes == nullptr || bytes->size() <= kLargeFigure) return;
-  warning(gui, "Files of this size are slow to open, and mail refuses them.");
+  warning(gui, "Files of this size are slow to open and often too large for mail.");
   const auto largest = std::ranges::max_element(preview->layers, {}, &FigurePreview::Layer::shapes);
   const figure::Format* const format = figure::format_for(uses_->settings.extension);
   if (largest == preview->layers.end() || largest->shapes == 0 || format == nullptr || !format->has_images) return;
@@ -355,7 +354,7 @@ void FigureDialog::draw_buttons(const Gui& gui) {
   ImGui::BeginDisabled(!is_text || desk.bytes() == nullptr);
   if (ImGui::Button("Copy", size)) ImGui::SetClipboardText(desk.bytes()->c_str());
   ImGui::EndDisabled();
-  tooltip(gui, "Copy the text of the file, of SVG, Ipe and TikZ, to the clipboard");
+  tooltip(gui, "Copy the text of the file (SVG, Ipe or TikZ) to the clipboard");
   ImGui::SameLine();
   if (ImGui::Button("Cancel", size)) close();
 }

@@ -28,17 +28,17 @@ Box2 extent_of(const SampleData& data) {
 void SamplingControls::draw(const Gui& gui) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::Checkbox("Number of samples", &has_samples_);
-  tooltip(gui, "Evenly along curves; otherwise some 400, more where parts are near to each other");
+  tooltip(gui, "Evenly along curves; otherwise about 400, more where parts are close together");
   ImGui::BeginDisabled(!has_samples_);
   slider(gui, "##samples", samples_, 3.0, kMostSamples,
          {.format = "%.0f", .is_logarithmic = true, .is_whole = true, .width = width});
   ImGui::EndDisabled();
   ImGui::TextUnformatted("Jitter");
   slider(gui, "##jitter", jitter_, 0.0, 1.0, {.format = "%.2f", .width = width});
-  tooltip(gui, "Each sample is moved by up to so many mean spacings, in any direction");
+  tooltip(gui, "Each sample is moved by up to this many mean spacings, in any direction");
   ImGui::TextUnformatted("Seed");
   slider(gui, "##seed", seed_, 0.0, kMostSeed, {.format = "%.0f", .is_whole = true, .width = width});
-  tooltip(gui, "Of random points and of the jitter");
+  tooltip(gui, "Seed of random points and of the jitter");
 }
 
 ShapeSampling SamplingControls::sampling() const {

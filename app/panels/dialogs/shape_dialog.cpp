@@ -126,7 +126,7 @@ void ShapeDialog::draw(const Gui& gui) {
     follow_wish();
     maker_.draw_facts(gui);
     ImGui::EndChild();
-    if (maker_.draw_buttons(gui, chosen_->shape->name, "The shape becomes a document of its own")) cancel();
+    if (maker_.draw_buttons(gui, chosen_->shape->name, "The shape becomes a new document")) cancel();
     ImGui::EndChild();
     ImGui::SameLine(0, 16 * unit);
     ImGui::BeginChild("preview");

@@ -39,7 +39,7 @@ void TextDialog::press(const KeyChord& chord) {
 void TextDialog::draw_fonts(const Gui& gui) {
   ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
   ImGui::InputTextWithHint("##filter", "Find a font", &filter_);
-  tooltip(gui, "Letters that the name of the family contains");
+  tooltip(gui, "Part of the name of the font family");
   ImGui::BeginChild("families");
   const std::string wanted = lower_case(filter_);
   const auto row = [&](const std::string& family, const std::string& shown) {
@@ -47,7 +47,7 @@ void TextDialog::draw_fonts(const Gui& gui) {
     if (ImGui::Selectable(fmt::format("{}##{}", shown, family).c_str(), wish_.family == family))
       wish_.family = family;
   };
-  if (own_font_) row({}, fmt::format("{}, of this program", own_font_->name));
+  if (own_font_) row({}, fmt::format("{}, built in", own_font_->name));
   for (const std::string& family : families_) row(family, family);
   ImGui::EndChild();
 }
@@ -64,7 +64,7 @@ void TextDialog::draw_settings(const Gui& gui) {
   ImGui::EndDisabled();
   ImGui::SameLine();
   ImGui::Checkbox("Kerning", &wish_.request.has_kerning);
-  tooltip(gui, "Letters move together where the font says so, as A and V do");
+  tooltip(gui, "Letters move together where the font defines it, such as A and V");
   ImGui::TextUnformatted("Size");
   slider(gui, "##size", wish_.request.size, kLeastTextSize, kMostTextSize,
          {.format = "%.4g", .is_logarithmic = true, .width = width});
@@ -72,7 +72,7 @@ void TextDialog::draw_settings(const Gui& gui) {
   ImGui::TextUnformatted("Line spacing");
   slider(gui, "##line-spacing", wish_.request.line_spacing, 0.0, kMostLineSpacing,
          {.format = "%.2f", .width = width});
-  tooltip(gui, "From line to line, as a multiple of what the font says");
+  tooltip(gui, "Distance of lines, as a multiple of the font's own");
   ImGui::Dummy({1, 2 * gui.unit()});
   sampling_.draw(gui);
 }
@@ -107,7 +107,7 @@ void TextDialog::draw(const Gui& gui) {
     follow_wish();
     maker_.draw_facts(gui);
     ImGui::EndChild();
-    if (maker_.draw_buttons(gui, "Text", "The text becomes a document of its own")) cancel();
+    if (maker_.draw_buttons(gui, "Text", "The text becomes a new document")) cancel();
     ImGui::EndChild();
     ImGui::SameLine(0, 16 * unit);
     ImGui::BeginChild("preview");

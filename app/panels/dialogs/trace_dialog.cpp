@@ -28,9 +28,9 @@ struct SideWord {
   const char* explanation;
 };
 constexpr std::array kSides{
-    SideWord{FigureSide::found, "Found", "What there is less of along the edge of the picture"},
-    SideWord{FigureSide::dark, "Dark", "What is darker than the threshold"},
-    SideWord{FigureSide::light, "Light", "What is lighter than the threshold"},
+    SideWord{FigureSide::found, "Found", "Whichever is rarer along the edge of the picture"},
+    SideWord{FigureSide::dark, "Dark", "Pixels darker than the threshold"},
+    SideWord{FigureSide::light, "Light", "Pixels lighter than the threshold"},
 };
 
 std::string count_with_noun(std::size_t count, const char* one) {
@@ -101,11 +101,11 @@ void TraceDialog::draw_choices(const Gui& gui) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::TextUnformatted("Threshold");
   slider(gui, "##threshold", threshold_, 0.0, 254.0, {.format = "%.0f", .is_whole = true, .width = width});
-  tooltip(gui, "Grey value, from black (0) to white (255), that separates what is traced from the rest");
+  tooltip(gui, "Grey value, from black (0) to white (255), that separates the figure from the rest");
   ImGui::TextUnformatted("Leave out specks below");
   slider(gui, "##specks", specks_, 1.0, kMostSpecks,
          {.format = "%.0f px", .is_logarithmic = true, .is_whole = true, .width = width});
-  tooltip(gui, "Outlines and holes around less than so many square pixels are no part of it");
+  tooltip(gui, "Outlines and holes of less than this many square pixels are left out");
   ImGui::TextUnformatted("Figure");
   bool is_first = true;
   for (const SideWord& side : kSides) {
@@ -147,11 +147,11 @@ void TraceDialog::draw_buttons(const Gui& gui) {
   ImGui::BeginDisabled(!is_possible);
   const bool is_clicked = default_button(gui, "Trace into samples", size, true);
   ImGui::EndDisabled();
-  tooltip(gui, "The outlines, sampled, become a document of their own");
+  tooltip(gui, "The sampled outlines become a new document");
   if ((is_clicked || is_accepted_) && is_possible) uses_->trace(request());
   is_accepted_ = false;
   if (ImGui::Button("Lay underneath", size)) uses_->lay_underneath();
-  tooltip(gui, "Show the picture below the drawing, to set samples along it by hand");
+  tooltip(gui, "Show the picture below the drawing, to place samples along it by hand");
   if (ImGui::Button("Cancel", size)) cancel();
 }
 

@@ -119,7 +119,7 @@ void BundlesPanel::draw_menu() {
   menu_item(uses_.gui, uses_.actions, ActionId::export_bundles);
   ImGui::Separator();
   if (ImGui::MenuItem("Add the starting set")) tell(uses_.bundles.add_starting_set());
-  tooltip(uses_.gui, "Bring back the bundles that come with the program, at the end, where they are missing");
+  tooltip(uses_.gui, "Append the bundles that come with the program and are missing");
   menu_item(uses_.gui, uses_.actions, ActionId::undo_bundles);
   close_on_escape();
   end_roomy_popup();
@@ -137,7 +137,7 @@ void BundlesPanel::draw_save_popup() {
   const bool is_taken = checked && uses_.bundles.has(*checked);
   const bool is_meant = draw_name_field(uses_.gui, field_, name_, is_taken ? "Overwrite" : "Save");
   ImGui::PushStyleColor(ImGuiCol_Text, uses_.gui.colors().warning);
-  ImGui::TextUnformatted(is_taken ? "There is a bundle of this name" : " ");
+  ImGui::TextUnformatted(is_taken ? "A bundle of this name exists" : " ");
   ImGui::PopStyleColor();
   if (is_meant) {
     tell(uses_.bundles.save(name_));
@@ -153,7 +153,7 @@ void BundlesPanel::draw_context_menu(std::size_t index) {
   if (begin_context_popup(uses_.gui, "menu")) {
     if (ImGui::MenuItem("Rename...")) asks_rename_ = index;
     if (ImGui::BeginMenu("Overwrite")) {
-      ImGui::TextDisabled("By the layers as they are now?");
+      ImGui::TextDisabled("With the layers as they are now?");
       if (ImGui::MenuItem("Yes, overwrite")) tell(uses_.bundles.save(uses_.bundles.bundles()[index].name));
       ImGui::EndMenu();
     }
@@ -200,7 +200,7 @@ void BundlesPanel::draw_row(std::size_t index) {
   std::string explanation = name;
   if (index < kDigits) explanation += fmt::format(" ({})", index + 1);
   if (!description.empty()) explanation += "\n" + description;
-  if (is_changed) explanation += "\n\nThe layers were changed since; click to have them back as saved";
+  if (is_changed) explanation += "\n\nThe layers have changed since; click to restore them as saved";
   tooltip(uses_.gui, explanation + "\n\nDrag to reorder, right click for more");
   if (ImGui::BeginDragDropSource()) {
     ImGui::SetDragDropPayload(kBundleDragKind, &index, sizeof index);

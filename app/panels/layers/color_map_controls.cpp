@@ -75,10 +75,10 @@ void ColorMapControls::draw_range(LayerIndex layer, LayerStyle& style) {
   double low = range.low;
   double high = range.high;
   if (field("##low", low)) set_range(style, {low, std::max(low, range.high)});
-  tooltip(gui_, "What has the first colour of the map; a number typed here locks the range");
+  tooltip(gui_, "Value of the first colour of the map; a number typed here locks the range");
   ImGui::SameLine(0, 4 * unit);
   if (field("##high", high)) set_range(style, {std::min(range.low, high), high});
-  tooltip(gui_, "What has the last colour of the map; a number typed here locks the range");
+  tooltip(gui_, "Value of the last colour of the map; a number typed here locks the range");
   ImGui::SameLine(0, 6 * unit);
   bool locked = style.range_locked;
   if (ImGui::Checkbox("Lock", &locked)) {
@@ -87,19 +87,19 @@ void ColorMapControls::draw_range(LayerIndex layer, LayerStyle& style) {
     else
       style.range_locked = false;
   }
-  tooltip(gui_, "Keep this range; otherwise it is always that of what is shown");
+  tooltip(gui_, "Keep this range; otherwise it follows the values shown");
   ImGui::BeginDisabled(now.is_empty());
   if (ImGui::Button("Fit now")) set_range(style, now);
   ImGui::EndDisabled();
-  tooltip(gui_, "Take the range of what is shown now, and keep it");
+  tooltip(gui_, "Lock the range to the values shown now");
   ImGui::SameLine(0, 4 * unit);
   if (ImGui::Button("Copy range")) copied_ = range;
-  tooltip(gui_, "Remember this range, to give it to another layer");
+  tooltip(gui_, "Copy this range, to use it for another layer");
   ImGui::SameLine(0, 4 * unit);
   ImGui::BeginDisabled(!copied_.has_value());
   if (ImGui::Button("Paste range") && copied_) set_range(style, *copied_);
   ImGui::EndDisabled();
-  tooltip(gui_, "Give this layer the range that was copied");
+  tooltip(gui_, "Use the copied range for this layer");
 }
 
 void ColorMapControls::draw_selection(LayerIndex layer) {
@@ -117,14 +117,14 @@ void ColorMapControls::draw_selection(LayerIndex layer) {
     return number_field(label, value, "%.5g");
   };
   const bool has_low = field("##from", range.low);
-  tooltip(gui_, "The least value of what is to be selected");
+  tooltip(gui_, "The least value to be selected");
   ImGui::SameLine(0, 4 * unit);
   const bool has_high = field("##to", range.high);
-  tooltip(gui_, "The largest value of what is to be selected");
+  tooltip(gui_, "The largest value to be selected");
   if (has_low || has_high) wanted_[layer] = range;
   ImGui::SameLine(0, 6 * unit);
-  if (ImGui::Button("Select values")) select_(layer, range.low, range.high);
-  tooltip(gui_, "Select the samples, or balls, that the elements with a value between these two come from");
+  if (ImGui::Button("Select by value")) select_(layer, range.low, range.high);
+  tooltip(gui_, "Select the samples or balls that the elements with a value in this range derive from");
 }
 
 void ColorMapControls::draw(LayerIndex layer, LayerStyle& style) {

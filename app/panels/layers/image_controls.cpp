@@ -50,22 +50,22 @@ void ImageControls::draw() const {
   if (aspect == 0.0) ImGui::TextDisabled("Not shown: it is still being read, or cannot be read");
   bool is_new =
       place_field(gui, "Width", image.width, true, "From its left to its right edge, in units of the samples");
-  is_new = place_field(gui, "Middle, x", image.center.x, false, "Where its middle lies") || is_new;
-  is_new = place_field(gui, "Middle, y", image.center.y, false, "Where its middle lies") || is_new;
+  is_new = place_field(gui, "Middle, x", image.center.x, false, "Position of its middle") || is_new;
+  is_new = place_field(gui, "Middle, y", image.center.y, false, "Position of its middle") || is_new;
   if (is_new) layers.set_image(image);
   ImGui::BeginDisabled(aspect == 0.0);
   if (ImGui::Button("Fit to view")) layers.set_image(placed_in(canvas.view().free_box(), image, aspect));
   ImGui::EndDisabled();
-  tooltip(gui, "As large as it can be in what is seen now");
+  tooltip(gui, "As large as fits in the present view");
   ImGui::SameLine(0, 4 * unit);
   choose("Replace...");
-  tooltip(gui, "Lay another picture underneath");
+  tooltip(gui, "Choose another picture");
   ImGui::SameLine(0, 4 * unit);
   if (ImGui::Button("Remove")) {
     layers.set_image({});
     ImGui::CloseCurrentPopup();
   }
-  tooltip(gui, "Take the picture away; its file stays");
+  tooltip(gui, "Remove the picture; its file stays");
 }
 
 }  // namespace mes

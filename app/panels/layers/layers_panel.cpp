@@ -87,8 +87,8 @@ std::string LayersPanel::explanation(LayerIndex layer) const {
   if (report == nullptr || !layers_.is_visible(layer)) return out;
   if (is_failed(report->state)) return out + "\n\nNot up to date: " + report->reason;
   if (report->state == NodeState::computing) return out + "\n\nBeing computed";
-  if (is_without_content(layer)) return out + "\n\nNothing of it is in this document";
-  return out + "\n\nUp to date; drawn from the structures in " + milliseconds(report->emit_ms);
+  if (is_without_content(layer)) return out + "\n\nEmpty in this document";
+  return out + "\n\nUp to date; drawing data prepared in " + milliseconds(report->emit_ms);
 }
 
 // True if the layer is up to date and has nothing to draw.
@@ -113,10 +113,10 @@ void LayersPanel::draw_head() {
   const float width = ImGui::CalcTextSize("SubjectOrder").x + 4 * padding + 2 * unit;
   ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
   if (choice_button("Subject", !options_.by_order)) options_.by_order = false;
-  tooltip(gui_, "List what is shown, and then every layer by what it is about");
+  tooltip(gui_, "List the shown layers first, then all layers by subject");
   ImGui::SameLine(0, 2 * unit);
   if (choice_button("Order", options_.by_order)) options_.by_order = true;
-  tooltip(gui_, "List the layers as they lie on each other, top first");
+  tooltip(gui_, "List the layers in drawing order, topmost first");
   draw_search();
   draw_families();
   ImGui::Dummy({0, 1 * unit});
@@ -227,14 +227,14 @@ void LayersPanel::draw_style_popup(LayerIndex layer) {
   if (is_made_of_samples(descriptor) && (has_points(descriptor) || has_strokes(descriptor))) {
     ImGui::Checkbox("Thinner where dense", &style.thin_when_dense);
     tooltip(gui_,
-            "Where samples stand closer than two pixels, dots and lines are drawn finer than these numbers, so that "
-            "they do not run together; dots of samples, as large as they are at first, are kept apart before");
+            "Where samples are closer than two pixels, dots and lines are drawn finer than set here, so that they do "
+            "not merge; dots of samples in their default size are kept apart earlier");
   }
   // Letters do not overlap, so they have no such option.
   const bool may_overlap = !is_picture && descriptor.points_as == PointsAs::dots;
-  if (may_overlap) ImGui::Checkbox("Flat", &style.flat);
+  if (may_overlap) ImGui::Checkbox("Merge overlaps", &style.flat);
   if (may_overlap)
-    tooltip(gui_, "Where parts of this layer overlap they do not add up: a union of disks is one even area");
+    tooltip(gui_, "Overlapping parts of this layer do not darken each other: a union of disks is one even area");
   layers_.set_style(layer, style);
   ImGui::BeginDisabled(layers_.has_default_style(layer));
   if (ImGui::Button("Reset style")) layers_.reset_style(layer);
@@ -388,9 +388,9 @@ bool LayersPanel::draw_heading(std::size_t index) {
     if (hit_area("eye", {eye, eye})) toggle_group(now);
     const bool is_eye_hovered = ImGui::IsItemHovered();
     ImGui::EndDisabled();
-    tooltip(gui_, shown != 0    ? "Hide what is shown of this group"
-                  : is_possible ? "Show again what was hidden of this group"
-                                : "Nothing of this group is shown");
+    tooltip(gui_, shown != 0    ? "Hide the shown layers of this group"
+                  : is_possible ? "Show the hidden layers of this group again"
+                                : "No layer of this group is shown");
     const ImU32 quiet = is_eye_hovered ? colors.accent : colors.text_quiet;
     draw_icon(list, shown != 0 ? Icon::eye : Icon::eye_closed, eye_at, eye, is_possible ? quiet : colors.text_faint);
   }

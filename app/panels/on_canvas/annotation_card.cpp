@@ -34,13 +34,13 @@ const char* kind_name(AnnotationKind kind) {
 
 const char* explanation_of(AnnotationKind kind) {
   switch (kind) {
-    case AnnotationKind::text: return "Words at a place";
-    case AnnotationKind::leader: return "Words with a line to an element";
-    case AnnotationKind::arrow: return "An arrow from the first place to the second one";
-    case AnnotationKind::distance: return "A dimension line between the two places";
-    case AnnotationKind::angle: return "The angle at the second place";
-    case AnnotationKind::radius: return "The circle through the three places, and its radius";
-    case AnnotationKind::highlight: return "Elements that stay highlighted, with words if there are any";
+    case AnnotationKind::text: return "Text at a point";
+    case AnnotationKind::leader: return "Text with a line to an element";
+    case AnnotationKind::arrow: return "An arrow from the first point to the second one";
+    case AnnotationKind::distance: return "A dimension line between the two points";
+    case AnnotationKind::angle: return "The angle at the second point";
+    case AnnotationKind::radius: return "The circle through the three points, and its radius";
+    case AnnotationKind::highlight: return "Elements that stay highlighted, with optional text";
   }
   return "";
 }
@@ -80,11 +80,10 @@ bool AnnotationCard::draw_words(const Gui& gui, Annotation& annotation, bool is_
   ImGui::PushFont(gui.small());
   const bool is_dimension = annotation.kind != AnnotationKind::highlight && anchor_count(annotation.kind) > 1 &&
                             annotation.kind != AnnotationKind::arrow;
-  const std::string hint = is_dimension ? "Nothing for the number alone; \\value is the number, as in $d = \\value$"
+  const std::string hint = is_dimension ? "Empty for the number alone; \\value is the number, as in $d = \\value$"
                                         : "$r_i^2$, \\alpha, \\textbf{bold}; Ctrl+Enter: another line";
   ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + kAnnotationWidth * unit);
-  ImGui::TextDisabled("%s",
-                      (words.complaint.empty() ? hint : words.complaint + "; it is shown as it stands").c_str());
+  ImGui::TextDisabled("%s", (words.complaint.empty() ? hint : words.complaint + "; it is shown as typed").c_str());
   ImGui::PopTextWrapPos();
   ImGui::PopFont();
   return is_entered || is_left;
@@ -94,7 +93,7 @@ void AnnotationCard::draw_look(const Gui& gui, Annotation& annotation) {
   const float unit = gui.unit();
   slider(gui, "##letters", annotation.letters, kLeastLetters, kMostLetters,
          {.format = "%.0f px", .is_logarithmic = true, .width = 130 * unit});
-  tooltip(gui, "Size of the letters");
+  tooltip(gui, "Size of the text");
   ImGui::SameLine();
   bool has_color = annotation.color.has_value();
   if (ImGui::Checkbox("Colour", &has_color)) {
@@ -103,13 +102,13 @@ void AnnotationCard::draw_look(const Gui& gui, Annotation& annotation) {
     else
       annotation.color.reset();
   }
-  tooltip(gui, "Without one it is dark on a light canvas, and light on a dark one");
+  tooltip(gui, "Without one, it is dark on a light canvas and light on a dark one");
   if (!annotation.color) return;
   ImGui::SameLine();
   glm::vec3 color = render::to_vec3(*annotation.color);
   if (ImGui::ColorEdit3("##color", glm::value_ptr(color), ImGuiColorEditFlags_NoInputs))
     annotation.color = render::to_rgb(color);
-  tooltip(gui, "Colour of words and lines");
+  tooltip(gui, "Colour of text and lines");
 }
 
 void AnnotationCard::draw(const Gui& gui, AnnotationDesk& desk, ImVec2 beside, const ImVec2 (&room)[2],
@@ -142,7 +141,7 @@ void AnnotationCard::draw(const Gui& gui, AnnotationDesk& desk, ImVec2 beside, c
   draw_look(gui, changed);
   ImGui::SameLine();
   const bool is_erased = ImGui::Button("Delete");
-  tooltip(gui, "Take the annotation away");
+  tooltip(gui, "Delete the annotation");
   ImGui::End();
   ImGui::PopStyleVar();
   const auto check = [&](const Expected<void>& done) {

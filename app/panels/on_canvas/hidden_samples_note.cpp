@@ -26,7 +26,7 @@ void HiddenSamplesNote::draw(ImVec2 top) const {
   const bool is_wanted = ImGui::Button(label.c_str());
   ImGui::SameLine(0, 6 * unit);
   if (icon_button("close", Icon::close, ImGui::GetFrameHeight())) hidden.dismiss();
-  tooltip(gui, "Close, until samples have been shown");
+  tooltip(gui, "Close until samples have been shown");
   ImGui::End();
   ImGui::PopStyleVar();
   if (is_wanted) editor.change_layers(label, [&] { show_instead(ShowInstead::samples, layers); });

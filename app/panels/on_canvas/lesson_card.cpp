@@ -60,7 +60,7 @@ LessonCard::Wish LessonCard::draw_buttons(const PanelArea& area) const {
     tooltip(gui, "Show the drawing of this step again");
     bool keeps = presenter.keeps_edits();
     if (ImGui::Checkbox("Keep it in the next steps", &keeps)) presenter.set_keeps_edits(keeps);
-    tooltip(gui, "On: going on changes what is shown of your drawing; off: it shows the drawing of the lesson again");
+    tooltip(gui, "On: the next steps apply to your drawing; off: they show the drawing of the lesson again");
   }
   const auto step_button = [&](const char* id, Icon icon, ActionId action, bool enabled, Wish wish) {
     if (icon_button(id, icon, button, ButtonLook::plain, enabled)) out = wish;
@@ -81,7 +81,7 @@ LessonCard::Wish LessonCard::draw_buttons(const PanelArea& area) const {
   tooltip(gui, "Show the edits between two steps one after the other; off: all at once");
   ImGui::SameLine(0, 4 * unit);
   if (icon_button("end", Icon::close, button)) out = Wish::end;
-  tooltip(gui, "End the lesson (Esc); the document is then as before");
+  tooltip(gui, "End the lesson (Esc) and restore the document");
   ImGui::End();
   return out;
 }

@@ -22,8 +22,8 @@ bool MarkDrag::follow(const Gui& gui, const Mark& mark, std::optional<PaperPlace
   const float unit = gui.unit();
   const ImVec2 low = corner_on_screen(mark, mark.box.low, unit);
   const ImVec2 high = corner_on_screen(mark, mark.box.high, unit);
-  const SplitterMove move =
-      drag_handle(gui, mark.id, {low, {high.x - low.x, high.y - low.y}}, mark.explanation, "Back to its own place");
+  const SplitterMove move = drag_handle(gui, mark.id, {low, {high.x - low.x, high.y - low.y}}, mark.explanation,
+                                        "Back to its own position");
   if (move.is_reset) place.reset();
   if (!move.is_dragged) {
     if (held_ && held_->id == mark.id) held_.reset();

@@ -51,10 +51,10 @@ void PaneHeaders::draw_header(std::size_t pane, const PanePlace& place) const {
   const std::string text = elided(pane_label(pane, words[pane]), room);
   if (pane == 0) {
     ImGui::TextUnformatted(text.c_str());
-    tooltip(gui, "The main pane: what the layers, the number type and the parameters say");
+    tooltip(gui, "The main pane: shows the layers with the chosen number type and parameters");
   } else {
     if (ImGui::SmallButton(text.c_str())) ImGui::OpenPopup("pane");
-    tooltip(gui, "Choose what this pane shows otherwise than the main one");
+    tooltip(gui, "Choose how this pane differs from the main one");
     draw_value(pane - 1);
     draw_step(pane - 1);
     if (begin_popup(gui, "pane")) {
@@ -126,11 +126,11 @@ void PaneHeaders::draw_menu(std::size_t pane) const {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Document")) {
-    item(words_of(BeforeLastEdit{}), BeforeLastEdit{}, "The document as it was before the last step of undo");
+    item(words_of(BeforeLastEdit{}), BeforeLastEdit{}, "The document as it was before the last undo step");
     const bool is_evolved = std::holds_alternative<EvolvedChoice>(now);
     for (const std::uint64_t step : {0U, 1U, 10U, 50U, 100U})
       item(fmt::format("{}, step {}", evolution.descriptor().name, step), EvolvedChoice{step},
-           "This state of the evolution that is chosen in the window, of the document as it is");
+           "This step of the evolution chosen in the window, applied to the present document");
     if (is_evolved) ImGui::TextDisabled("Other steps: the slider beside the menu");
     ImGui::EndMenu();
   }

@@ -145,7 +145,7 @@ ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, const Layer
   out.kept = ImGui::Button("Keep");
   ImGui::PopStyleVar();
   tooltip(gui, "Keep all of this highlighted, as an annotation" + (keep_key.empty() ? "" : " (" + keep_key + ')') +
-                   "; Shift+click on a row: that alone");
+                   "; Shift+click on a row keeps it alone");
   ImGui::SameLine(width - 30 * unit);
   out.closed = icon_button("close", Icon::close, ImGui::GetTextLineHeight());
   tooltip(gui, "Close (Esc)");
@@ -202,7 +202,7 @@ void ProvenanceCard::draw_rows(const Gui& gui, float width) {
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetTextLineHeight();
   if (hit_area("rows", {width - 20 * unit, height})) shows_rows_ = !shows_rows_;
-  tooltip(gui, shows_rows_ ? "Fold the row away" : "Show the values that the tables have here");
+  tooltip(gui, shows_rows_ ? "Fold the row away" : "Show the table values of this element");
   ImDrawList& list = *ImGui::GetWindowDrawList();
   draw_fold(list, {at.x + 6 * unit, at.y + 0.5F * height}, 4 * unit, shows_rows_, gui.colors().text_quiet);
   list.AddText({at.x + 18 * unit, at.y}, gui.colors().text_quiet, title(answer_->rows.front()).c_str());
@@ -226,7 +226,7 @@ void ProvenanceCard::draw_rows(const Gui& gui, float width) {
 
 void ProvenanceCard::draw_foot(const Gui& gui) {
   if (ImGui::SmallButton("Select the samples")) wants_sources_ = true;
-  tooltip(gui, "Select the samples, or balls, that this is or comes from");
+  tooltip(gui, "Select the samples or balls that this is or derives from");
   if (beneath_ == Beneath::no_layer) return;
   ImGui::SameLine();
   if (beneath_ == Beneath::nothing) {

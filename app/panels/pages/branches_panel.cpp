@@ -22,7 +22,7 @@ struct Column {
 };
 constexpr std::array<Column, kBranchColumns> kColumns{
     {{BranchColumn::number, "#", "Number: 1 is the longest branch"},
-     {BranchColumn::from, "from", "Where it begins: a leaf, a junction of three or more, or where the filter cuts"},
+     {BranchColumn::from, "from", "Where it begins: a leaf, a junction of three or more, or a cut of the filter"},
      {BranchColumn::to, "to", "Where it ends"},
      {BranchColumn::length, "length", "Length of the branch"},
      {BranchColumn::radius_least, "r min", "Least radius of the balls along it"},
@@ -93,7 +93,7 @@ void BranchesPanel::draw_choices() {
       if (ImGui::Selectable(kAxes[static_cast<std::size_t>(axis)], axis == axis_)) axis_ = axis;
     ImGui::EndCombo();
   }
-  tooltip(uses_.gui, "The axis whose branches are listed; the filters have their limits among the parameters");
+  tooltip(uses_.gui, "The axis whose branches are listed; the limits of the filters are among the parameters");
   ImGui::SameLine(0, 4 * unit);
   const char* const export_label = "Export...";
   const float button = ImGui::CalcTextSize(export_label).x + 2 * ImGui::GetStyle().FramePadding.x;
@@ -120,10 +120,9 @@ void BranchesPanel::draw_choices() {
     ImGui::PopTextWrapPos();
   }
   ImGui::Checkbox("Share of the shape", &measures_area_);
-  tooltip(
-      uses_.gui,
-      "How much of the shape, which is the triangles inside, the balls along what is kept hold. Their union takes "
-      "much longer than the table");
+  tooltip(uses_.gui,
+          "Share of the shape, the union of the inside triangles, covered by the balls along the kept axis. Their "
+          "union takes much longer than the table");
 }
 
 // Bar heights show lengths of the axis. The limit of lambda is a line that can be dragged.
@@ -136,10 +135,10 @@ void BranchesPanel::draw_histogram() {
     histogram_ = histogram_of(shows_lambda_ ? table.lambdas : table.radii, kBins);
   }
   if (ImGui::RadioButton("Lambda", shows_lambda_)) shows_lambda_ = true;
-  tooltip(uses_.gui, "How much of the whole axis has which lambda; drag the line to set the limit");
+  tooltip(uses_.gui, "Length of the whole axis by its lambda; drag the line to set the limit");
   ImGui::SameLine(0, 8 * unit);
   if (ImGui::RadioButton("Radius", !shows_lambda_)) shows_lambda_ = false;
-  tooltip(uses_.gui, "How much of the whole axis has balls of which radius");
+  tooltip(uses_.gui, "Length of the whole axis by the radius of its balls");
   if (histogram_.lengths.empty()) return;
 
   const ImVec2 at = ImGui::GetCursorScreenPos();

@@ -66,7 +66,7 @@ void CurvesPanel::draw() {
     ImGui::TextUnformatted(
         fmt::format("{} of {}", count_words(curves, "curve", "curves"), count_words(pieces_, "piece", "pieces"))
             .c_str());
-    tooltip(gui_, "As the file, the picture or the shape had them; they are saved with sessions");
+    tooltip(gui_, "As the file, the picture or the shape defined them; sessions store them");
     SamplingRequest request = sampler_.request();
     draw_rule(request);
     draw_density(request);
@@ -81,8 +81,8 @@ void CurvesPanel::draw() {
 void CurvesPanel::draw_none() {
   ImGui::PushTextWrapPos(0.0F);
   ImGui::TextDisabled(
-      "These samples were not taken from curves. Drawings, maps, traced pictures and shapes have curves, from which "
-      "other samples can be taken here. A curve can also be laid through the samples that there are.");
+      "These samples were not taken from curves. Drawings, maps, traced pictures and shapes have curves, which can "
+      "be sampled again here. A curve can also be laid through the existing samples.");
   ImGui::PopTextWrapPos();
   ImGui::BeginDisabled(!actions_.is_enabled(ActionId::curves_of_samples));
   if (ImGui::Button("Curves through samples")) actions_.run(ActionId::curves_of_samples);
@@ -113,33 +113,29 @@ void CurvesPanel::draw_density(SamplingRequest& request) {
     case SamplingRule::vertices: break;
     case SamplingRule::spacing:
       number("Distance", request.spacing, 1e-4 * extent_, extent_, "%.4g", true,
-             "Between neighbours along the curve, at most; in units of the samples");
+             "Largest distance between neighbours along the curve, in units of the samples");
       break;
-    case SamplingRule::count: count(request, "As many samples at most, but for corners and short curves"); break;
+    case SamplingRule::count: count(request, "Largest number of samples, apart from corners and short curves"); break;
     case SamplingRule::adaptive:
     case SamplingRule::refined:
-      count(request,
-            "As many as there would be if they were even; where curves are near to each other, up to eight "
-            "times as dense");
+      count(request, "The number for even spacing; where curves are close together, up to eight times as dense");
       number(
           "Share of the distance", request.share, 0.05, 2.0, "%.2f", true,
           "Neighbours are no farther apart than this share of the distance to the nearest other part of the curves");
       break;
     case SamplingRule::curvature: {
-      count(request, "As many as there would be if they were even; in bends, up to eight times as dense");
+      count(request, "The number for even spacing; in bends, up to eight times as dense");
       const double before = kDegrees * request.turn;
       double degrees = before;
-      number("Turn", degrees, 1.0, 90.0, "%.3g\u00b0", true, "Between neighbours the direction turns by no more");
+      number("Turn", degrees, 1.0, 90.0, "%.3g\u00b0", true, "Largest turn of the direction between neighbours");
       if (degrees != before) request.turn = degrees / kDegrees;
       break;
     }
     case SamplingRule::feature_size:
       number("Epsilon", request.epsilon, 0.05, kMostEpsilon, "%.3g", true,
-             "Half the length between neighbours is at most so many times the local feature size, the distance of "
-             "the curve "
-             "to its axis on both sides; corners are exempt. The theorem is proved where samples are dense enough: "
-             "if it is not for this epsilon, "
-             "smaller ones are tried");
+             "Half the length between neighbours is at most this multiple of the local feature size, the distance of "
+             "the curve to its axis on both sides; corners are exempt. The theorem is proved where samples are dense "
+             "enough; if it is not for this epsilon, smaller ones are tried");
       break;
   }
 }
@@ -148,10 +144,9 @@ void CurvesPanel::draw_corners(SamplingRequest& request) {
   const float unit = gui_.unit();
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(count_words(sampler_.corners().size(), "corner", "corners").c_str());
-  tooltip(gui_,
-          fmt::format("Where the tangent turns by more than {:.0f} degrees. The local feature size is zero there: no "
-                      "density of samples has an epsilon",
-                      kDegrees * request.corner_angle));
+  tooltip(gui_, fmt::format("Where the tangent turns by more than {:.0f} degrees. The local feature size is zero "
+                            "there: no density satisfies an epsilon",
+                            kDegrees * request.corner_angle));
   ImGui::SameLine(0, 10 * unit);
   bool is_rounded = request.corner_radius > 0.0;
   if (ImGui::Checkbox("Rounded", &is_rounded)) request.corner_radius = is_rounded ? 0.02 * extent_ : 0.0;
@@ -161,12 +156,12 @@ void CurvesPanel::draw_corners(SamplingRequest& request) {
   tooltip(gui_, actions_.tooltip_of(ActionId::mark_corners));
   if (is_rounded)
     number("Radius", request.corner_radius, 1e-4 * extent_, 0.5 * extent_, "%.4g", true,
-           "Of the arcs, in units of the samples; smaller where corners are near to each other");
+           "Radius of the arcs, in units of the samples; smaller where corners are close together");
 }
 
 void CurvesPanel::draw_jitter(SamplingRequest& request) {
   number("Jitter", request.jitter, 0.0, 2.0, "%.2f", false,
-         "Each sample is moved by up to so many mean spacings, in any direction");
+         "Each sample is moved by up to this many mean spacings, in any direction");
   if (request.jitter == 0.0) return;
   constexpr double kMostSeed = 9999.0;
   auto seed = static_cast<double>(std::min<std::uint64_t>(request.seed, 9999));
@@ -174,7 +169,7 @@ void CurvesPanel::draw_jitter(SamplingRequest& request) {
   ImGui::TextUnformatted("Seed");
   slider(gui_, "##seed", seed, 0.0, kMostSeed,
          {.format = "%.0f", .is_whole = true, .width = ImGui::GetContentRegionAvail().x});
-  tooltip(gui_, "Of the jitter: another number moves them otherwise");
+  tooltip(gui_, "Seed of the jitter: another number moves samples differently");
   if (seed != before) request.seed = static_cast<std::uint64_t>(seed);
 }
 
@@ -183,7 +178,7 @@ void CurvesPanel::draw_facts() {
   ImGui::PushTextWrapPos(0.0F);
   const std::string remark = sampler_.remark();
   ImGui::TextDisabled("%s%s", count_words(sampler_.source()->count, "sample", "samples").c_str(),
-                      sampler_.is_busy() ? ", others are being taken ..." : "");
+                      sampler_.is_busy() ? ", being sampled again ..." : "");
   if (!remark.empty()) ImGui::TextDisabled("%s", remark.c_str());
   ImGui::PopTextWrapPos();
 }

@@ -34,8 +34,8 @@ std::string contents_in_words(const ExperimentContents& contents) {
 
 std::string state_in_words(const ExperimentDesk::Entry& entry) {
   switch (entry.state) {
-    case ExperimentDesk::State::waiting: return "Waits for its turn";
-    case ExperimentDesk::State::preparing: return "Is being compiled";
+    case ExperimentDesk::State::waiting: return "Waiting for its turn";
+    case ExperimentDesk::State::preparing: return "Being compiled";
     case ExperimentDesk::State::added:
       return fmt::format("Adds {} ({:.1f} s)", contents_in_words(entry.contents), entry.seconds);
     case ExperimentDesk::State::failed: break;
@@ -52,7 +52,7 @@ std::string place_of(const CompilerMessage& message) {
 
 void ExperimentsPanel::draw_more() const {
   if (ImGui::SmallButton("Add...")) ask_file();
-  tooltip(gui, "Compile and load a C++ source, or load a shared library; saving the source shows its new version");
+  tooltip(gui, "Compile and load a C++ source, or load a shared library; saving the source loads its new version");
   const float unit = gui.unit();
   const auto menu = [&](const char* label, const char* popup, bool is_empty, const char* explanation,
                         auto draw_items) {
@@ -79,7 +79,7 @@ void ExperimentsPanel::draw_more() const {
     ImGui::TextUnformatted("Compiler");
     ImGui::SetNextItemWidth(200 * unit);
     ImGui::InputTextWithHint("##compiler", "$CXX, g++ or clang++", &compiler);
-    tooltip(gui, "A program and its first words, as in \"clang++-16 -O3\"");
+    tooltip(gui, "A program and its first arguments, as in \"clang++-16 -O3\"");
   });
 }
 
@@ -132,10 +132,10 @@ void ExperimentsPanel::draw_entry(std::size_t index) const {
   tooltip(gui, "Open the source in the editor of the desktop, or the one that VISUAL names");
   ImGui::SameLine(0, 6 * unit);
   if (ImGui::SmallButton("Reload")) desk.reload(index);
-  tooltip(gui, "Compile and load it again, though it has not changed");
+  tooltip(gui, "Compile and load it again, even if it has not changed");
   ImGui::SameLine(0, 6 * unit);
   if (ImGui::SmallButton("Remove")) is_removed = true;
-  tooltip(gui, "Take away what it adds; layers that are shown come back with it");
+  tooltip(gui, "Remove what it adds; layers shown now return with it");
   ImGui::PopFont();
   ImGui::Dummy({1, 4 * unit});
   ImGui::PopID();
@@ -149,9 +149,8 @@ void ExperimentsPanel::draw() const {
   if (desk.entries().empty()) {
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextDisabled(
-        "Structures, layers, evolutions and shapes of your own, as C++ sources. \"mesecina new structure NAME\" "
-        "writes "
-        "one to begin with.");
+        "Your own structures, layers, evolutions and shapes, as C++ sources. \"mesecina new structure NAME\" writes "
+        "one to start from.");
     ImGui::PopTextWrapPos();
   }
   for (std::size_t i = 0; i < desk.entries().size(); ++i) draw_entry(i);

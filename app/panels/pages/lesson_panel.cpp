@@ -43,8 +43,8 @@ void LessonPanel::draw() {
   if (shown_.steps.empty()) {
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextDisabled(
-        "A step is a moment: the samples, the layers, the number type and the view as they are now. Bring about what "
-        "is to be seen, and mark it.");
+        "A step records the samples, the layers, the number type and the view as they are now. Set up what it should "
+        "show, then mark it.");
     ImGui::PopTextWrapPos();
     return;
   }
@@ -71,7 +71,7 @@ void LessonPanel::draw_head() {
   const float size = ImGui::GetFrameHeight();
   ImGui::SameLine(ImGui::GetContentRegionMax().x - size);
   if (icon_button("take-back", Icon::undo, size, ButtonLook::plain, desk_.can_take_back())) desk_.take_back();
-  tooltip(gui_, "Take the last change of the lesson back");
+  tooltip(gui_, "Undo the last change of the lesson");
   ImGui::SetNextItemWidth(-1.0F);
   ImGui::InputTextWithHint("##title", "Title of the lesson", &title_);
   if (ImGui::IsItemDeactivatedAfterEdit()) desk_.set_title(title_);
@@ -109,7 +109,7 @@ void LessonPanel::draw_chosen(float height) {
 void LessonPanel::draw_buttons() {
   const float unit = gui_.unit();
   if (ImGui::Button("Mark again")) desk_.mark_again();
-  tooltip(gui_, "Make this step of what is shown now; its caption stays");
+  tooltip(gui_, "Replace this step by the present state; its caption stays");
   const auto move_button = [&](const char* id, ImGuiDir direction, int places, const char* explanation) {
     ImGui::SameLine(0, 4 * unit);
     ImGui::BeginDisabled(!desk_.can_move(places));
@@ -130,7 +130,7 @@ void LessonPanel::draw_buttons() {
   ImGui::SetNextItemWidth(std::max(48 * unit, ImGui::GetContentRegionAvail().x));
   double seconds = desk_.lesson().steps[*chosen].seconds;
   if (number_field("##seconds", seconds, "%.3g s", NumberRange{0.0, kLongestLessonStep})) desk_.set_seconds(seconds);
-  tooltip(gui_, "How long it stays in a video; 0: as long as its caption needs to be read");
+  tooltip(gui_, "Duration in a video; 0: long enough to read its caption");
 }
 
 }  // namespace mes

@@ -48,7 +48,7 @@ void ParametersPanel::draw_animation(const Parameter& parameter) {
       if (parameter.is_length) animation.to = 0.5 * longest();
     }
     ImGui::PushFont(gui_.bold());
-    ImGui::TextUnformatted(("Let it run: " + title_of(parameter)).c_str());
+    ImGui::TextUnformatted(("Animate: " + title_of(parameter)).c_str());
     ImGui::PopFont();
     ImGui::BeginDisabled(animation.is_running());
     const auto bound = [&](const char* label, double& value, const char* meaning) {
@@ -64,13 +64,13 @@ void ParametersPanel::draw_animation(const Parameter& parameter) {
     ImGui::EndDisabled();
     slider(gui_, "Speed", animation.steps_per_second, 0.5, 60.0,
            {.format = "%.3g steps/s", .is_logarithmic = true, .width = 210 * unit});
-    tooltip(gui_, "At most; each step waits until its picture is complete");
+    tooltip(gui_, "Highest speed; each step waits until its picture is complete");
     if (animation.is_running()) {
       if (ImGui::Button("Stop here")) animation.stop();
       tooltip(gui_, "Keep the value that is shown now");
       ImGui::SameLine();
       if (ImGui::Button("Stop and go back")) computation_.give_back();
-      tooltip(gui_, "Give the parameter the value that it had before");
+      tooltip(gui_, "Restore the value that the parameter had before");
       ImGui::SameLine();
       ImGui::TextDisabled("%d of %d", animation.position(), animation.steps);
     } else if (ImGui::Button("Play", {130 * unit, 0})) {
@@ -101,8 +101,8 @@ void ParametersPanel::draw_sweep(const Parameter& parameter) {
   }
   ImGui::EndDisabled();
   tooltip(gui_,
-          "Compute what is shown for each of these values, and write its counts and measures to a file, as mesecina "
-          "sweep does");
+          "Compute the shown layers for each of these values, and write their counts and measures to a file, as "
+          "mesecina sweep does");
 }
 
 void ParametersPanel::take_within(const Parameter& descriptor, double& value) const {
@@ -163,9 +163,9 @@ void ParametersPanel::draw_scale_events(double& factor) {
   const std::string problem = scale_events_.problem();
   std::string words =
       !problem.empty()    ? "Factors at which components merge cannot be found: " + problem
-      : events == nullptr ? "Looking for factors at which components merge or part, or holes open or close"
-      : events->empty()   ? "No components merge or part and no holes open or close at any factor"
-                          : "Factors at which components merge or part, or holes open or close; a click goes there";
+      : events == nullptr ? "Looking for factors at which components merge or split, or holes open or close"
+      : events->empty()   ? "No components merge or split and no holes open or close at any factor"
+                          : "Factors at which components merge or split, or holes open or close; a click goes there";
   if (events != nullptr) {
     const ScaleEvent* nearest = nullptr;
     for (const ScaleEvent& event : *events) {
@@ -174,7 +174,8 @@ void ParametersPanel::draw_scale_events(double& factor) {
     }
     if (nearest != nullptr) {
       words = fmt::format("{:.4g}: {}", nearest->factor, nearest->words());
-      if (nearest->within > 1e-3) words += fmt::format(" (to {:.2g}: there is too much to look at)", nearest->within);
+      if (nearest->within > 1e-3)
+        words += fmt::format(" (to within {:.2g}: there is too much to examine)", nearest->within);
       if (marks.is_clicked()) factor = nearest->factor;
     }
   }
@@ -216,7 +217,8 @@ void ParametersPanel::draw_critical_values(double& limit) {
     }
     if (nearest != nullptr) {
       words = fmt::format("{:.4g}: {}", *nearest,
-                          nearest == &values->front() ? "estimate of the weak feature size" : "critical value");
+                          nearest == &values->front() ? "estimate of the weak feature size"
+                                                      : "critical value of the distance to the samples");
       if (marks.is_clicked()) limit = *nearest;
     }
   }
@@ -296,7 +298,7 @@ void ParametersPanel::draw_parameter(const Parameter& parameter) {
   } else {
     if (icon_button("run", Icon::play, button, runs ? ButtonLook::on : ButtonLook::plain))
       ImGui::OpenPopup("animate");
-    tooltip(gui_, "Let it run from one value to another");
+    tooltip(gui_, "Animate it from one value to another");
   }
   ImGui::SameLine(0, 2 * unit);
   if (icon_button("reset", Icon::undo, button, ButtonLook::plain, value != parameter.default_value))
@@ -328,7 +330,7 @@ void ParametersPanel::draw() {
     computation_.set(settings);
   }
   ImGui::EndDisabled();
-  tooltip(gui_, "Give every parameter its default");
+  tooltip(gui_, "Reset every parameter to its default");
   ImGui::BeginChild("list");
   bool any = false;
   const auto draw_those = [&](std::span<const Parameter> parameters) {

@@ -70,8 +70,8 @@ void PersistencePanel::draw_growths() {
     ImGui::EndCombo();
   }
   tooltip(uses_.gui,
-          "What grows: disks about the samples from radius 0 on, or the balls of a family, from radius r to "
-          "sqrt(r^2 + alpha-radius^2)");
+          "What grows: disks around the samples from radius 0, or the balls of a family, from radius r to sqrt(r^2 + "
+          "alpha-radius^2)");
 }
 
 void PersistencePanel::draw_choices() {
@@ -111,8 +111,7 @@ void PersistencePanel::draw_words() {
 // Drawn below the diagram, which would otherwise move under the pointer when the text takes another line.
 void PersistencePanel::draw_chosen() {
   const auto chosen = uses_.desk.chosen();
-  const std::string words =
-      chosen ? in_words(uses_.desk.table()->rows[*chosen]) : std::string("Click on a point, or on its place");
+  const std::string words = chosen ? in_words(uses_.desk.table()->rows[*chosen]) : std::string("Click on a point");
   ImGui::PushTextWrapPos(0.0F);
   // Dear ImGui would break a line within a number, after its point.
   for (std::size_t from = 0; from < words.size();) {
@@ -236,7 +235,7 @@ void PersistencePanel::draw_diagram() {
       ImGui::SetTooltip("%s", in_words(table.rows[*pointed_at_]).c_str());
     else
       ImGui::SetTooltip("Birth to the right, death upwards; drag to set the radius of the alpha complex%s",
-                        begin < 0.0 ? ". Left of the line at 0 is what the balls have before they grow" : "");
+                        begin < 0.0 ? ". Left of the line at 0 are births before the balls grow" : "");
   }
   ImGui::TextDisabled("%s", begin < 0.0 ? fmt::format("{:.4g}", begin).c_str() : "0");
   const std::string high = fmt::format("{:.4g}", end);

@@ -43,10 +43,9 @@ void SamplingPanel::draw_wishes() {
     uses_.desk.epsilon = std::clamp(epsilon, kLeast, kMost);
     if (uses_.desk.epsilon != epsilon) uses_.messages.remark(beyond_words("epsilon", epsilon, kLeast, kMost));
   }
-  tooltip(
-      uses_.gui,
-      "Half the distance of neighbours on the curve is to be at most this part of their distance to the axis, 0.01 "
-      "to 1; at 0.25 smooth curves have the axis that the theorem promises");
+  tooltip(uses_.gui,
+          "Target epsilon, 0.01 to 1: half the distance of neighbours on the curve is at most this part of their "
+          "distance to the axis; at 0.25 smooth curves have the axis that the theorem promises");
   for (const auto& [id, label] :
        {std::pair{ActionId::repair_sampling, "Repair"}, {ActionId::decimate_sampling, "Decimate"}}) {
     ImGui::SameLine(0, 4 * unit);
@@ -69,7 +68,7 @@ void SamplingPanel::draw_places(std::span<const Vec2> places, std::int64_t count
     ImGui::PushID(static_cast<int>(i));
     if (ImGui::SmallButton(label.c_str())) uses_.canvas.view().fit(neighborhood_of(uses_.document, places[i]), 0.0);
     ImGui::PopID();
-    tooltip(uses_.gui, "Show this place");
+    tooltip(uses_.gui, "Show this position");
   }
   if (count > static_cast<std::int64_t>(places.size()) && !places.empty()) ImGui::TextDisabled("and more");
 }
@@ -93,8 +92,8 @@ void SamplingPanel::draw_findings() {
   const TheoremLight light = light_of(uses_.picture.nodes());
   std::string sentence(sentence_of(light));
   sentence.front() = 'T';
-  wrapped(light == TheoremLight::green ? sentence + ": nothing speaks against it"
-                                       : "Nothing is known of these samples yet, or they enclose nothing");
+  wrapped(light == TheoremLight::green ? sentence + ": no problems were found"
+                                       : "No result for these samples yet, or they enclose no area");
 }
 
 void SamplingPanel::draw_report() {
@@ -110,7 +109,7 @@ void SamplingPanel::draw_report() {
   if (!corners.empty()) ImGui::TextDisabled("Corners");
   draw_places(corners, static_cast<std::int64_t>(report.corners.size()));
   ImGui::PopID();
-  if (!report.places.empty()) ImGui::TextDisabled("Edges that are too long, and ends");
+  if (!report.places.empty()) ImGui::TextDisabled("Overlong edges, and ends");
   draw_places(report.places, 0);
 }
 

@@ -30,7 +30,7 @@ bool SelectionPanel::report(const Expected<void>& done) {
   refusal_.forget();
   if (desk_.numbers().is_in(canvas_.view().free_box())) return true;
   const std::string key = actions_.keymap().key_of(ActionId::fit_selection);
-  messages_.remark("What is selected lies outside the view: " + descriptor_of(ActionId::fit_selection).name +
+  messages_.remark("The selection lies outside the view: " + descriptor_of(ActionId::fit_selection).name +
                    (key.empty() ? "" : " (" + key + ")") + " shows it");
   return true;
 }
@@ -81,7 +81,7 @@ void SelectionPanel::draw() {
   if (numbers.samples + numbers.balls == 0) {
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextDisabled(
-        "Nothing is selected. Click a sample or a ball, or drag a box around some, to set them by number.");
+        "Nothing is selected. Click a sample or a ball, or drag a box around several, to set them by number.");
     ImGui::PopTextWrapPos();
     return;
   }
@@ -100,7 +100,7 @@ void SelectionPanel::draw_place() {
   const SelectionDesk::Numbers numbers = desk_.numbers();
   const float unit = gui_.unit();
   const bool is_one = numbers.samples + numbers.balls == 1;
-  label(gui_, is_one ? "Place" : "Middle");
+  label(gui_, is_one ? "Position" : "Middle");
   const float half = 0.5F * (ImGui::GetContentRegionAvail().x - kSelectionGap * unit);
   number("##x", numbers.middle.x, half, "x; an expression such as 2/3 or sqrt(2) is computed when the field is left",
          [&](double x) {
@@ -189,8 +189,8 @@ void SelectionPanel::draw_arrangement() {
 void SelectionPanel::draw_formulas() {
   const SelectionDesk::Numbers numbers = desk_.numbers();
   const char* const explanation =
-      "A formula for each by itself. x, y, r: its own numbers; i: its place, from 0; n: how many there are; cx, cy: "
-      "the middle; pi, e, deg. For example cx + 10 * cos(2*pi*i/n)";
+      "A formula for each one. x, y, r: its own numbers; i: its index, from 0; n: how many there are; cx, cy: the "
+      "middle; pi, e, deg. For example cx + 10 * cos(2*pi*i/n)";
   const auto field = [&](const char* name, const char* id, std::string& text) {
     label(gui_, name);
     ImGui::SetNextItemWidth(-1.0F);
