@@ -8,9 +8,9 @@ namespace mes {
 namespace {
 
 // In the order of `Wish`.
-constexpr std::array<const char*, 3> kNothingChanged{"No selected sample has more of a curve than is selected",
-                                                     "Nothing on a curve is next to what is selected",
-                                                     "Nothing that is selected is next to something else on a curve"};
+constexpr std::array<const char*, 3> kNothingChanged{"The curves of the selected samples are selected already",
+                                                     "The selection has no neighbours on a curve",
+                                                     "No selected sample has an unselected neighbour on a curve"};
 
 }  // namespace
 

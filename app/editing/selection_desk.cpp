@@ -207,10 +207,10 @@ Expected<std::string> SelectionDesk::put_on_circle() {
 
 Expected<void> SelectionDesk::add_circle() {
   const Places all = places();
-  if (all.at.size() != 3) return std::unexpected(Error{ErrorCode::bad_input, "select three places for a circle"});
+  if (all.at.size() != 3) return std::unexpected(Error{ErrorCode::bad_input, "select three points for a circle"});
   const Circle circle = circumcircle(all.at[0], all.at[1], all.at[2]);
   if (!std::isfinite(circle.radius))
-    return std::unexpected(Error{ErrorCode::bad_input, "the three places are on one line"});
+    return std::unexpected(Error{ErrorCode::bad_input, "the three points are on one line"});
   return add({}, {{circle.center, circle.radius}}, {}, "Circle through three");
 }
 

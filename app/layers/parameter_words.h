@@ -9,7 +9,7 @@
 
 namespace mes {
 
-/// "smooth-mu" -> "Way to the middle", "a-scale" -> "Inner balls: scale"; an unknown id gets spaces for hyphens.
+/// "smooth-mu" -> "Move to the middle", "a-scale" -> "Inner balls: scale"; an unknown id gets spaces for hyphens.
 std::string title_of(const Parameter& descriptor);
 
 /// The message for a number outside [low, high]: "Scale axis: factor: 99 is above 3, which is taken instead".

@@ -22,7 +22,7 @@ constexpr auto kNames = std::to_array<Name>({
     {"samples", "the samples"},
     {"contours", "the contours"},
     {"curve-source", "the curves of the samples"},
-    {"curve-sampling", "how samples stand for their curves"},
+    {"curve-sampling", "how well samples represent their curves"},
     {"balls", "your own balls"},
     {"scaled-balls", "your own balls"},
     {"settings", "the parameters"},
@@ -69,8 +69,8 @@ struct Spoken {
 };
 constexpr auto kSpokenFindings = std::to_array<Spoken>({
     {"curve edges beyond which another inner ball shows: the sample is not dense enough there",
-     "curve edges beyond which another inner ball shows: too few samples there",
-     "curve edge beyond which another inner ball shows: too few samples there"},
+     "curve edges that another inner ball protrudes beyond: too few samples there",
+     "curve edge that another inner ball protrudes beyond: too few samples there"},
     {"intervals of the curves with too few samples to stand for them, epsilon above 1",
      "intervals of the curves with too few samples to stand for them, epsilon above 1",
      "interval of the curves with too few samples to stand for it, epsilon above 1"},
@@ -122,7 +122,7 @@ Mood mood_of(FindingLevel level) {
 
 VerdictWord verdict_word(TheoremLight light, bool lacks_memory, Checking checking) {
   if (checking == Checking::under_way)
-    return {Mood::quiet, "Checking", "What the light says about these samples is being computed"};
+    return {Mood::quiet, "Checking", "The verdict on these samples is being computed"};
   if (checking == Checking::cancelled)
     return {Mood::warning, "Not checked", "The computation was cancelled; resume it for an answer"};
   switch (light) {
@@ -132,7 +132,7 @@ VerdictWord verdict_word(TheoremLight light, bool lacks_memory, Checking checkin
           "The one-step axis is the medial axis of the union of the inner balls: proved exactly for these samples"};
     case TheoremLight::yellow:
       return {Mood::doubtful, "Not proved",
-              "Computed exactly, but the samples are not dense enough everywhere. Click for the places"};
+              "Computed exactly, but the samples are not dense enough everywhere. Click for the positions"};
     case TheoremLight::red:
       return {Mood::wrong, "Wrong", "The chosen number type gave a wrong or inconsistent result. Click to see what"};
     case TheoremLight::none: break;

@@ -127,7 +127,7 @@ void DocumentFlow::ask_before_read_file() {
   const bool is_in_question = uses_.dialogs.unsaved.is_open() || files_.is_saving() || after_save_;
   if (asks_about_read_) {
     if (is_in_question) return;
-    if (!recovering_) uses_.messages.remark(files_.reading_name() + " was read, and not opened");
+    if (!recovering_) uses_.messages.remark(files_.reading_name() + " was read but not opened");
     files_.cancel_reading();
     return;
   }
@@ -194,7 +194,7 @@ void DocumentFlow::say_opened(const FileDesk::Outcome& outcome) {
   }
   std::vector<std::string> warnings = outcome.warnings;
   if (!warnings.empty() && outcome.degrees == MapDegrees::projected && outcome.files.size() == 1)
-    warnings.front() += fmt::format(" (File > {} leaves them)", descriptor_of(ActionId::keep_degrees).name);
+    warnings.front() += fmt::format(" (File > {} avoids this)", descriptor_of(ActionId::keep_degrees).name);
   uses_.messages.problems(warnings);
 }
 
@@ -244,14 +244,14 @@ void DocumentFlow::offer_left_work() {
 }
 
 void DocumentFlow::say_left_work_waits() {
-  uses_.messages.remark("The work that was left is offered again at the next start");
+  uses_.messages.remark("The unsaved work is offered again at the next start");
 }
 
 // Ending a demo marks the document as saved, so it must happen before the recovered work becomes the document.
 void DocumentFlow::recover(LeftWork work) {
   uses_.demo.end(true);
   if (files_.is_reading())
-    uses_.messages.problem(files_.reading_name() + " is not opened: work that was left is recovered");
+    uses_.messages.problem(files_.reading_name() + " is not opened: unsaved work is being recovered");
   traced_with_next_.clear();
   recovering_.emplace(std::move(work));
   uses_.dialogs.recover.set_waits(true);
@@ -259,7 +259,7 @@ void DocumentFlow::recover(LeftWork work) {
 }
 
 void DocumentFlow::take_recovered(const FileDesk::Outcome& outcome, LeftWork work) {
-  uses_.messages.remark("Recovered " + files_.title() + "; no file holds it yet");
+  uses_.messages.remark("Recovered " + files_.title() + "; not saved in a file yet");
   leave_document();
   uses_.board.note_new_document();
   show_as_in(*outcome.session);

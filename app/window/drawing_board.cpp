@@ -90,7 +90,7 @@ void DrawingBoard::bind(ActionBindings& actions) {
   bind_tool(ActionId::tool_annotate, ToolId::annotate);
   actions.bind(ActionId::select_sources,
                {[this] { select_sources(); },
-                {[this] { return provenance_.shown() != nullptr; }, "click something that is drawn first"}});
+                {[this] { return provenance_.shown() != nullptr; }, "click a drawn element first"}});
   actions.bind(ActionId::keep_measurement,
                {[this] { keep_measurement(); },
                 {[this] { return canvas_.tool().measurement().has_value(); }, "nothing is measured"}});
@@ -174,7 +174,7 @@ void DrawingBoard::take_answer(Provenance answer) {
 // The engine would answer for the document that it knows.
 bool DrawingBoard::may_ask() {
   if (work_.hold().waiting().empty()) return true;
-  messages_.problem("Release the held update first: the structures are not those of the samples");
+  messages_.problem("Release the held update first: the structures are behind the samples");
   return false;
 }
 
@@ -205,7 +205,7 @@ void DrawingBoard::select_sources() {
   provenance_.keep_for(work_.editor());
   const Selection& selection = work_.editor().selection();
   if (count == 0)
-    messages_.problem("It comes from no sample or ball of the document");
+    messages_.problem("It derives from no sample or ball of the document");
   else
     messages_.remark("Selected " + counted(selection.sample_count(), selection.ball_count()));
 }

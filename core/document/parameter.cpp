@@ -9,7 +9,7 @@ namespace mes {
 const Parameter Parameter::union_shortcut{
     .id = "union-shortcut",
     .explanation =
-        "1: unions of balls of samples are exact in fast, too, and follow from shared samples where that is "
+        "1: unions of balls of samples are exact even in fast, and derived from shared samples where that is "
         "certified; 0: the general pipeline in the number type",
     .default_value = 1.0,
     .is_whole = true,
@@ -17,8 +17,7 @@ const Parameter Parameter::union_shortcut{
 const Parameter Parameter::pole_propagation{
     .id = "pole-propagation",
     .explanation =
-        "0: a pole is inside where its triangle is; 1: labels spread from pole to pole, as Amenta, Choi "
-        "and Kolluri do",
+        "0: a pole is inside if its triangle is; 1: labels spread from pole to pole, as Amenta, Choi and Kolluri do",
     .is_whole = true,
     .title = "Pole labels by propagation"};
 const Parameter Parameter::medial_sampling_angle{
@@ -32,7 +31,8 @@ const Parameter Parameter::medial_sampling_angle{
     .title = "Angle of sampled balls"};
 const Parameter Parameter::a_scale{
     .id = "a-scale",
-    .explanation = "The radii of the inner Voronoi balls are multiplied by it, exactly, before their union is taken",
+    .explanation =
+        "Exact factor by which the radii of the inner Voronoi balls are multiplied before their union is taken",
     .low = 0.01,
     .high = 100.0,
     .default_value = 1.0,
@@ -41,7 +41,8 @@ const Parameter Parameter::a_scale{
     .title = "Inner balls: scale"};
 const Parameter Parameter::p_scale{
     .id = "p-scale",
-    .explanation = "The radii of the inner polar balls are multiplied by it, exactly, before their union is taken",
+    .explanation =
+        "Exact factor by which the radii of the inner polar balls are multiplied before their union is taken",
     .low = 0.01,
     .high = 100.0,
     .default_value = 1.0,
@@ -50,7 +51,7 @@ const Parameter Parameter::p_scale{
     .title = "Polar balls: scale"};
 const Parameter Parameter::b_scale{
     .id = "b-scale",
-    .explanation = "The radii of your own balls are multiplied by it, exactly, before their union is taken",
+    .explanation = "Exact factor by which the radii of your own balls are multiplied before their union is taken",
     .low = 0.01,
     .high = 100.0,
     .default_value = 1.0,
@@ -59,7 +60,8 @@ const Parameter Parameter::b_scale{
     .title = "Own balls: scale"};
 const Parameter Parameter::lambda_limit{
     .id = "lambda-limit",
-    .explanation = "The lambda axis is where the smallest circle around the nearest samples has at least this radius",
+    .explanation =
+        "The lambda axis keeps points whose nearest samples need an enclosing circle of at least this radius",
     .unit = "units",
     .low = 0.0,
     .high = 1e150,
@@ -69,7 +71,7 @@ const Parameter Parameter::lambda_limit{
     .title = "Lambda: limit"};
 const Parameter Parameter::angle_limit{
     .id = "angle-limit",
-    .explanation = "The angle axis is where half the angle between the nearest samples is at least this",
+    .explanation = "The angle axis keeps points where half the angle between the nearest samples is at least this",
     .unit = "degrees",
     .low = 0.0,
     .high = 90.0,
@@ -79,20 +81,20 @@ const Parameter Parameter::angle_limit{
 const Parameter Parameter::angle_mode{
     .id = "angle-mode",
     .explanation =
-        "0: the angle axis is cut at the places where the angle reaches the limit; 1: whole edges, by "
-        "their largest angle; 2: by the mean of the angles at their ends",
+        "0: the angle axis is cut at the points where the angle reaches the limit; 1: whole edges, by their largest "
+        "angle; 2: by the mean of the angles at their ends",
     .unit = "",
     .low = 0.0,
     .high = 2.0,
     .is_whole = true,
     .title = "Object angle of an edge",
-    .window_explanation = "What stands for an axis edge, along which the angle varies",
+    .window_explanation = "Which angle decides for an axis edge, along which it varies",
     .choices = {"Each point by its own angle", "Edges by their largest angle", "Edges by the mean of their ends"}};
 const Parameter Parameter::keep_topology{
     .id = "keep-topology",
     .explanation =
-        "1: the lambda and the angle axis are pruned from their free ends inwards, so that components and "
-        "cycles stay; 0: all that is below the limit goes",
+        "1: the lambda and the angle axis are pruned from their free ends inwards, so that components and cycles "
+        "stay; 0: all parts below the limit are removed",
     .unit = "",
     .low = 0.0,
     .high = 1.0,
@@ -101,8 +103,8 @@ const Parameter Parameter::keep_topology{
 const Parameter Parameter::scale_axis_factor{
     .id = "scale-axis-factor",
     .explanation =
-        "The balls along the medial axis are grown by it, below 1 shrunk, before the scale axis is taken "
-        "of their union; 1: the axis itself",
+        "Factor by which the balls along the medial axis grow, or shrink below 1, before the scale axis of their "
+        "union is taken; 1: the axis itself",
     .unit = "",
     .low = 0.1,
     .high = 3.0,
@@ -110,21 +112,20 @@ const Parameter Parameter::scale_axis_factor{
     .is_of_document = true,
     .is_limit = true,
     .title = "Scale axis: factor"};
-const Parameter Parameter::scale_skeleton_step{
-    .id = "scale-skeleton-step",
-    .explanation =
-        "The scale skeleton reaches scale-axis-factor in steps of this size, and takes the balls along its "
-        "axis anew after each",
-    .unit = "%",
-    .low = 1.0,
-    .high = 100.0,
-    .default_value = 3.0,
-    .title = "Scale skeleton: step"};
+const Parameter Parameter::scale_skeleton_step{.id = "scale-skeleton-step",
+                                               .explanation =
+                                                   "The scale skeleton reaches scale-axis-factor in steps of this "
+                                                   "size, and samples the balls along its axis again after each",
+                                               .unit = "%",
+                                               .low = 1.0,
+                                               .high = 100.0,
+                                               .default_value = 3.0,
+                                               .title = "Scale skeleton: step"};
 const Parameter Parameter::alpha_radius{
     .id = "alpha-radius",
     .explanation =
-        "The alpha complex is that of disks of this radius about the samples; balls of a family grow from "
-        "radius r to the root of r^2 and its square",
+        "Radius of the disks around the samples in the alpha complex; balls of a family grow from radius r to "
+        "sqrt(r^2 + alpha-radius^2)",
     .unit = "units",
     .low = 0.0,
     .high = 1e150,

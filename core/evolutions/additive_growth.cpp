@@ -9,7 +9,7 @@ namespace mes {
 namespace {
 
 const Parameter kAlphaStep{.id = "alpha-step",
-                           .explanation = "What a step adds to alpha-radius or takes from it",
+                           .explanation = "Amount that a step adds to alpha-radius or subtracts",
                            .unit = "units",
                            .low = 0.0,
                            .high = 1e150,
@@ -35,7 +35,7 @@ double shrunk_radius(double first, std::uint64_t k, const ParameterValues& value
 Evolution alpha_growing_evolution() {
   return {{"alpha-growing",
            "Additive growth: grow",
-           "Disks about the samples grow, and balls as sqrt(r^2 + alpha-radius^2), with nested alpha complexes",
+           "Disks around the samples grow, and balls to sqrt(r^2 + alpha-radius^2), with nested alpha complexes",
            false,
            {kAlphaStep},
            "disks grown additively"},
@@ -44,7 +44,7 @@ Evolution alpha_growing_evolution() {
 Evolution alpha_shrinking_evolution() {
   return {{"alpha-shrinking",
            "Additive growth: shrink",
-           "Disks and balls grown by alpha-radius shrink back, down to points and balls as they are",
+           "Disks and balls grown by alpha-radius shrink back, to points and to the original balls",
            false,
            {kAlphaStep},
            "disks grown additively"},

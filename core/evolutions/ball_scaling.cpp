@@ -7,13 +7,13 @@ namespace {
 
 const Parameter kGrowingStep{
     .id = "growing-step",
-    .explanation = "What a step adds to the factor that radii are multiplied or divided by",
+    .explanation = "Increase per step of the factor that radii are multiplied or divided by",
     .unit = "%",
     .low = 0.01,
     .high = 100.0,
     .default_value = 3.0,
     .title = "Step",
-    .window_explanation = "How much is added in each step to the factor by which radii are multiplied or divided"};
+    .window_explanation = "Increase per step of the factor by which radii are multiplied or divided"};
 
 double factor(std::uint64_t k, const ParameterValues& values) {
   return 1.0 + static_cast<double>(k) * (values[kGrowingStep] / 100.0);
@@ -77,11 +77,10 @@ Evolution scale_axis_shrinking_evolution() {
 }
 
 Evolution scale_skeleton_evolution() {
-  Evolution out =
-      growing("scale-skeleton", "Balls along the axis: simplify",
-              "Balls sampled along the medial axis grow, and those along the scale axis take their place after each "
-              "scale-skeleton-step",
-              kAlongAxis, Parameter::scale_axis_factor);
+  Evolution out = growing("scale-skeleton", "Balls along the axis: simplify",
+                          "Balls sampled along the medial axis grow, and those along the scale axis replace them "
+                          "after each scale-skeleton-step",
+                          kAlongAxis, Parameter::scale_axis_factor);
   std::get<ParameterMove>(out.move).renews_balls = true;
   return out;
 }

@@ -12,16 +12,15 @@
 namespace mes {
 namespace {
 
-const Parameter kFreezeChains{
-    .id = "freeze-chains",
-    .explanation =
-        "Where the document has no contours. 0: the crust says at each step who follows whom; 1: the crust "
-        "of the beginning does",
-    .is_whole = true,
-    .title = "Keep the order of the beginning",
-    .window_explanation =
-        "Where the document has no contours. On: the crust of the beginning says who follows whom; "
-        "off: the crust of each step does"};
+const Parameter kFreezeChains{.id = "freeze-chains",
+                              .explanation =
+                                  "For documents without contours. 0: the crust of each step gives the order of the "
+                                  "samples; 1: the crust of the beginning does",
+                              .is_whole = true,
+                              .title = "Keep the initial order",
+                              .window_explanation =
+                                  "For documents without contours. On: the crust of the beginning gives the order of "
+                                  "the samples; off: the crust of each step does"};
 
 std::unexpected<Error> failure(std::string text) {
   return std::unexpected(Error{ErrorCode::cannot_compute, std::move(text), {}, 0, 0});

@@ -8,7 +8,7 @@ namespace {
 
 const Parameter kFactor{
     .id = "noise-factor",
-    .explanation = "Largest distance a sample moves, in distances between its two neighbours",
+    .explanation = "Largest distance a sample moves, as a multiple of that between its two neighbours",
     .high = 10.0,
     .default_value = 0.05,
     .title = "Strength",
@@ -18,7 +18,7 @@ const Parameter kIsotropic{.id = "noise-isotropic",
                            .explanation = "0: along the normal of the curve; 1: in every direction",
                            .is_whole = true,
                            .title = "Direction",
-                           .window_explanation = "Where a sample may move",
+                           .window_explanation = "Direction of the moves",
                            .choices = {"Along the normal", "In every direction"}};
 constexpr std::uint64_t kStream = 0x6e6f697365ULL;  // a stream that no other evolution uses
 

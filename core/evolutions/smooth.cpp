@@ -12,19 +12,19 @@ namespace mes {
 namespace {
 
 const Parameter kMu{.id = "smooth-mu",
-                    .explanation = "How far a sample goes towards the middle of its neighbours",
+                    .explanation = "How far a sample moves towards the middle of its neighbours",
                     .low = 0.001,
                     .default_value = 0.5,
-                    .title = "Way to the middle"};
+                    .title = "Move to the middle"};
 const Parameter kBack{.id = "smooth-back",
                       .explanation =
-                          "How far it then goes back, which keeps the curve from shrinking (Taubin); usually a "
-                          "little more than smooth-mu; 0: it does not go back",
+                          "How far it then moves back, which keeps the curve from shrinking (Taubin); usually a "
+                          "little more than smooth-mu; 0: it does not move back",
                       .high = 1.5,
-                      .title = "Way back",
+                      .title = "Move back",
                       .window_explanation =
-                          "How far it then goes back, which keeps the curve from shrinking (Taubin); usually "
-                          "a little more than the way to the middle. 0: it does not go back"};
+                          "How far it then moves back, which keeps the curve from shrinking (Taubin); usually a "
+                          "little more than the move to the middle. 0: it does not move back"};
 const Parameter kKeepArea{
     .id = "smooth-keep-area",
     .explanation = "1: each loop is scaled about its middle to the area it had; 0: loops shrink",

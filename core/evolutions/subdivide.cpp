@@ -122,7 +122,7 @@ Expected<EvolutionState> subdivide_step(const EvolutionState& state, const Evolu
 Evolution subdivide_evolution() {
   return {{"subdivide",
            "Subdivide",
-           "A new sample between each two neighbours on the curve, by a subdivision scheme",
+           "A subdivision scheme inserts a sample between every two neighbours on the curve",
            false,
            {kScheme}},
           subdivide_step};

@@ -100,8 +100,8 @@ Layer make_alpha_components_layer(const StructureSet& set) {
   const auto& complex = set.get<AlphaComplex>();
   return make_layer(
       descriptor_of("alpha-components", "Alpha components",
-                    "The sample that each component of the alpha complex is counted by in the persistence diagram",
-                    {}, {.color = palette::vermilion, .point_size_px = 9.0}, {PrimitiveKind::point}),
+                    "The sample that represents each component of the alpha complex in the persistence diagram", {},
+                    {.color = palette::vermilion, .point_size_px = 9.0}, {PrimitiveKind::point}),
       {&delaunay, &filtration, &complex},
       classes_part(PrimitiveKind::point, filtration, complex,
                    [&delaunay](const AlphaFiltration::Class& one, Instance& out) {

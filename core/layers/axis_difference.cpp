@@ -9,7 +9,7 @@ Layer make_axis_difference_layer(const StructureSet& set) {
   return make_layer(
       {.id = "axis-difference",
        .name = "Axis difference",
-       .tooltip = "Pieces in only one of the medial axis and the medial axis of the union of its balls",
+       .tooltip = "Pieces of the medial axis or of that of the union of its balls, but not of both",
        .group = LayerGroup::diagnostics,
        .scalar = "1: only in the one-step axis, 2: only in that of the union",
        .style = {.color = palette::vermilion, .line_width_px = 4},

@@ -32,19 +32,18 @@ constexpr FilterLayers kLambda{
      "Inner disks whose samples need an enclosing circle of radius lambda-limit or more"},
     {"lambda-medial-circles", "Lambda medial circles",
      "Inner circles whose samples need an enclosing circle of radius lambda-limit or more"},
-    {"removed-by-lambda", "Removed by lambda",
-     "The rest of the medial axis, which the lambda medial axis is without"},
+    {"removed-by-lambda", "Removed by lambda", "The part of the medial axis that the lambda medial axis lacks"},
     {"lambda-kept-boundary", "Lambda kept boundary",
      "Boundary of the union of the balls along the lambda medial axis: the part of the shape that is kept"}};
 constexpr FilterLayers kAngle{
     "angle (degrees)",
     {"angle-medial-axis", "Angle medial axis",
-     "Where the axis sees its two nearest samples under at least twice angle-limit, or what pruning leaves"},
+     "Points of the axis that see their two nearest samples at twice angle-limit or more, or what pruning leaves"},
     {"angle-medial-disks", "Angle medial disks",
-     "Inner disks with two samples that the centre sees under at least twice angle-limit"},
+     "Inner disks with two samples that the centre sees at twice angle-limit or more"},
     {"angle-medial-circles", "Angle medial circles",
-     "Inner circles with two samples that the centre sees under at least twice angle-limit"},
-    {"removed-by-angle", "Removed by angle", "The rest of the medial axis, which the angle medial axis is without"},
+     "Inner circles with two samples that the centre sees at twice angle-limit or more"},
+    {"removed-by-angle", "Removed by angle", "The part of the medial axis that the angle medial axis lacks"},
     {"angle-kept-boundary", "Angle kept boundary",
      "Boundary of the union of the balls along the angle medial axis: the part of the shape that is kept"}};
 constexpr FilterLayers kCover{
@@ -55,8 +54,7 @@ constexpr FilterLayers kCover{
      "Inner disks that no other swallows while all grow by scale-axis-factor"},
     {"cover-medial-circles", "Cover medial circles",
      "Inner circles that no other swallows while all grow by scale-axis-factor"},
-    {"removed-by-cover", "Removed by cover date",
-     "The rest of the medial axis, which the cover medial axis is without"},
+    {"removed-by-cover", "Removed by cover date", "The part of the medial axis that the cover medial axis lacks"},
     {"cover-kept-boundary", "Cover kept boundary",
      "Boundary of the union of the balls along the cover medial axis: the part of the shape that is kept"}};
 

@@ -9,7 +9,7 @@ Layer make_indices_layer(const StructureSet& set) {
   const auto& samples = set.get<Samples>();
   return make_layer({.id = "indices",
                      .name = "Indices",
-                     .tooltip = "The numbers of the samples, from 0; where they would overlap, the rounder ones",
+                     .tooltip = "The indices of the samples, from 0; where they would overlap, only the rounder ones",
                      .group = LayerGroup::samples,
                      .points_as = PointsAs::numbers,
                      .style = {.color = palette::black, .point_size_px = 13},

@@ -29,8 +29,8 @@ Layer make_precision_difference_layer(const StructureSet& set) {
   return make_layer(
       {.id = "precision-difference",
        .name = "Precision difference",
-       .tooltip =
-           "Dual edges and triangles of unions A and B that the number type judges otherwise than exact arithmetic",
+       .tooltip = "Dual edges and triangles of the unions of inner and own balls that the number type and exact "
+                  "arithmetic judge differently",
        .group = LayerGroup::diagnostics,
        .scalar = "1: missed, 2: invented, 3: of another class",
        .style = {.color = palette::vermilion, .opacity = 0.7, .line_width_px = 3},

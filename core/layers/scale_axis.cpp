@@ -82,13 +82,12 @@ Layer make_scale_axis_boundary_layer(const StructureSet& set) {
 
 Layer make_scale_axis_layer(const StructureSet& set) {
   const auto& balls = set.get<ScaleUnion>();
-  return make_layer(
-      descriptor_of("scale-axis", "Scale axis",
-                    "Medial axis of the union of the scaled disks without hairs of the sampling, radii divided by "
-                    "scale-axis-factor again",
-                    {.color = palette::vermilion, .line_width_px = 2.5},
-                    {PrimitiveKind::segment, PrimitiveKind::point}),
-      {&balls}, scale_axis_pieces(balls), scale_axis_points(balls));
+  return make_layer(descriptor_of("scale-axis", "Scale axis",
+                                  "Medial axis of the union of the scaled disks without spurious branches of the "
+                                  "sampling, radii divided by scale-axis-factor again",
+                                  {.color = palette::vermilion, .line_width_px = 2.5},
+                                  {PrimitiveKind::segment, PrimitiveKind::point}),
+                    {&balls}, scale_axis_pieces(balls), scale_axis_points(balls));
 }
 
 }  // namespace mes

@@ -11,7 +11,7 @@ Layer make_theorem_check_layer(const StructureSet& set) {
       {.id = "theorem-check",
        .name = "Theorem check",
        .tooltip =
-           "Curve edges beyond which another inner ball shows, and samples where balls touch from several sides",
+           "Curve edges that another inner ball protrudes beyond, and samples that balls touch from several sides",
        .group = LayerGroup::diagnostics,
        .style = {.color = palette::vermilion, .point_size_px = 9, .line_width_px = 5},
        .kinds = {PrimitiveKind::segment, PrimitiveKind::point}},

@@ -296,16 +296,16 @@ SamplingRequest sampling_of_tracing(const CurveSet& curves) {
 }
 
 std::string remark_of(const Tracing& tracing) {
-  std::string out = fmt::format("traced what is {} than {:.1f} of 255",
+  std::string out = fmt::format("traced all pixels {} than {:.1f} of 255",
                                 tracing.is_figure_light ? "lighter" : "darker", tracing.level.value());
   if (tracing.counts.blur > 0.0)
-    out += fmt::format(", blurred by {:.2g} pixels, for it is noisy", tracing.counts.blur);
+    out += fmt::format(", blurred by {:.2g} pixels because of noise", tracing.counts.blur);
   if (tracing.counts.specks + tracing.counts.pinholes == 0) return out;
   out += "; left out: ";
   if (tracing.counts.specks != 0) out += number_of(tracing.counts.specks, "speck");
   if (tracing.counts.specks != 0 && tracing.counts.pinholes != 0) out += " and ";
   if (tracing.counts.pinholes != 0) out += number_of(tracing.counts.pinholes, "hole");
-  return out + fmt::format(" of less than {:.4g} square pixels", tracing.speck_size);
+  return out + fmt::format(" smaller than {:.4g} square pixels", tracing.speck_size);
 }
 
 }  // namespace mes

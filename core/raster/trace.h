@@ -89,7 +89,7 @@ inline constexpr double kMostNoise = 0.2;
 /// are near to each other; elsewhere at most one a pixel of its length.
 SamplingRequest sampling_of_tracing(const CurveSet& curves);
 
-/// "traced what is darker than 127.5 of 255; left out: 12 specks and 3 holes of less than 26 square pixels".
+/// "traced all pixels darker than 127.5 of 255; left out: 12 specks and 3 holes smaller than 26 square pixels".
 std::string remark_of(const Tracing& tracing);
 
 }  // namespace mes

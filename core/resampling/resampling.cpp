@@ -314,7 +314,7 @@ std::string remark_of(const TakenSamples& taken, const SamplingRequest& request)
     if (taken.extra_edges.empty()) return out;
     const std::size_t count = taken.extra_edges.size();
     const Vec2 first = taken.extra_edges.front();
-    return out + fmt::format(", whose crust has {} {} beside the curves ({}at {:.6g} {:.6g})", count,
+    return out + fmt::format(", but the crust has {} {} off the curves ({}at {:.6g} {:.6g})", count,
                              count == 1 ? "edge" : "edges", count == 1 ? "" : "the first ", first.x, first.y);
   }
   if (taken.corners.empty() && taken.other_places.empty())
@@ -323,7 +323,7 @@ std::string remark_of(const TakenSamples& taken, const SamplingRequest& request)
   if (!taken.corners.empty()) {
     const auto sharpest = std::ranges::min_element(taken.corners, {}, &CurveCorner::angle);
     constexpr double kDegrees = 180.0 / std::numbers::pi;
-    out += fmt::format(" at {} {} (the sharpest, {:.3g} degrees, at {:.6g} {:.6g}), where no density is enough",
+    out += fmt::format(" at {} {} (the sharpest, {:.3g} degrees, at {:.6g} {:.6g}), where no density suffices",
                        taken.corners.size(), taken.corners.size() == 1 ? "corner" : "corners",
                        kDegrees * sharpest->angle, sharpest->place.x, sharpest->place.y);
   }

@@ -80,8 +80,8 @@ std::vector<ShapeDescriptor> formula_shapes() {
   return {
       {"spiral",
        "Spiral",
-       "a stroke whose turns lie at one distance from each other",
-       {{"turns", "How often it turns around", "", 0.1, 1000.0, 3.0},
+       "a stroke whose turns are equally far apart",
+       {{"turns", "The number of its turns", "", 0.1, 1000.0, 3.0},
         length_parameter("inner", "Where it begins", 0.2),
         length_parameter("gap", "Between its turns", 1.0)},
        {},

@@ -73,7 +73,7 @@ std::vector<ShapeDescriptor> round_shapes() {
        ellipse},
       {"stadium",
        "Stadium",
-       "the points at one distance from a segment",
+       "the points at a fixed distance from a segment",
        {length_parameter("half-length", "Half the length of the segment", 1.5),
         length_parameter("radius", "The distance", 1.0)},
        {},

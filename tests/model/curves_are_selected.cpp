@@ -112,11 +112,11 @@ TEST_CASE("what was selected along the curve is said, and why nothing changed") 
   static_cast<void>(bench.after(whole));
   CHECK(bench.selector.take_remark() == "Selected 25 samples");
   static_cast<void>(bench.after(whole));
-  CHECK_THAT(bench.selector.take_remark(), Catch::StartsWith("No selected sample has more"));
+  CHECK_THAT(bench.selector.take_remark(), Catch::StartsWith("The curves of the selected samples"));
   static_cast<void>(bench.after(grow));
-  CHECK_THAT(bench.selector.take_remark(), Catch::StartsWith("Nothing on a curve is next to"));
+  CHECK_THAT(bench.selector.take_remark(), Catch::StartsWith("The selection has no neighbours"));
   static_cast<void>(bench.after(shrink));
-  CHECK_THAT(bench.selector.take_remark(), Catch::StartsWith("Nothing that is selected is next to"));
+  CHECK_THAT(bench.selector.take_remark(), Catch::StartsWith("No selected sample has an unselected neighbour"));
   bench.select({});
   static_cast<void>(bench.after(grow));
   CHECK(bench.selector.take_remark().empty());

@@ -263,7 +263,7 @@ TEST_CASE("specks and pinholes are left out and counted") {
   CHECK(found.counts.pinholes == 1);
   CHECK(found.speck_size == 16.0);
   CHECK(remark_of(found) ==
-        "traced what is lighter than 127.5 of 255; left out: 3 specks and 1 hole of less than 16 square pixels");
+        "traced all pixels lighter than 127.5 of 255; left out: 3 specks and 1 hole smaller than 16 square pixels");
   const Tracing more = traced(image, {.specks = 5.0});
   CHECK(more.curves.curves.size() == 3);
   CHECK(more.counts.specks == 2);

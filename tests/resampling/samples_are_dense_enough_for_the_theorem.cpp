@@ -104,9 +104,9 @@ TEST_CASE("what is said of samples that are proved names edges of the crust that
   REQUIRE(samples.is_proved());
   CHECK(samples.extra_edges.empty());
   samples.extra_edges = {{0.5, 2.0}};
-  CHECK_THAT(remark_of(samples, request), Catch::EndsWith("whose crust has 1 edge beside the curves (at 0.5 2)"));
+  CHECK_THAT(remark_of(samples, request), Catch::EndsWith("but the crust has 1 edge off the curves (at 0.5 2)"));
   samples.extra_edges.push_back({7.0, 8.0});
-  CHECK_THAT(remark_of(samples, request), Catch::EndsWith("has 2 edges beside the curves (the first at 0.5 2)"));
+  CHECK_THAT(remark_of(samples, request), Catch::EndsWith("has 2 edges off the curves (the first at 0.5 2)"));
   // Where two circles cross, some edges lead from one to the other.
   CurveSet cross;
   cross.curves = {ellipse_around({0, 0}, 2, 2), ellipse_around({2.5, 0.1}, 2, 2)};

@@ -61,7 +61,7 @@ void draw_node(const Gui& gui, const NodeReport& node) {
     ImGui::PushFont(gui.small());
     ImGui::TextDisabled("%s", std::string(node.kernel).c_str());
     ImGui::PopFont();
-    tooltip(gui, "Number type used for decisions here");
+    tooltip(gui, "Number type that is used here");
   }
   if (!node.stats.empty() && ImGui::BeginTable("stats", 2, ImGuiTableFlags_SizingStretchProp)) {
     for (const Stat& stat : node.stats) {

@@ -9,7 +9,7 @@ Layer make_union_alpha_components_layer(const UnionFamily& family) {
       family,
       {.id = "alpha-components",
        .name = "alpha components",
-       .tooltip = "The ball that each component of the grown balls is counted by in the persistence diagram",
+       .tooltip = "The ball that represents each component of the grown balls in the persistence diagram",
        .style = {.color = palette::vermilion, .point_size_px = 9.0},
        .kinds = {PrimitiveKind::point}},
       table_part(

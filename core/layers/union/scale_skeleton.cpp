@@ -8,7 +8,7 @@ Layer make_union_scale_skeleton_layer(const UnionFamily& family) {
       family, family.skeleton,
       {.id = "scale-skeleton",
        .name = "scale skeleton",
-       .tooltip = "Scale axis reached in steps: after each, the balls along the axis replace those before",
+       .tooltip = "Scale axis reached in steps: after each, the balls along it replace the previous ones",
        .scalar = "radius",
        .style = {.color = palette::purple, .line_width_px = 2.5},
        .kinds = {PrimitiveKind::segment, PrimitiveKind::point}},

@@ -50,9 +50,10 @@ void OneStepCrust::explain_insertion(Vec2 at, Explanation& out) const {
     }
   }
   if (goes != 0)
-    out.say(ProvenanceRole::origin, count_text(goes, "edge of the curve goes", "edges of the curve go"), gone, true);
+    out.say(ProvenanceRole::origin, count_text(goes, "edge of the curve removed", "edges of the curve removed"), gone,
+            true);
   if (comes != 0)
-    out.say(ProvenanceRole::product, count_text(comes, "edge of the curve comes", "edges of the curve come"), come,
+    out.say(ProvenanceRole::product, count_text(comes, "edge of the curve added", "edges of the curve added"), come,
             true);
 }
 

@@ -48,8 +48,9 @@ void Delaunay::explain_insertion(Vec2 at, Explanation& out) const {
   }
   out.say(ProvenanceRole::itself, "Sample at " + place_text(at) + ", with its Voronoi cell", itself);
   if (finite != 0)
-    out.say(ProvenanceRole::origin, count_text(finite, "Delaunay triangle goes", "Delaunay triangles go"), triangles);
-  out.say(ProvenanceRole::product, count_text(neighbours, "Delaunay edge comes", "Delaunay edges come"), edges);
+    out.say(ProvenanceRole::origin, count_text(finite, "Delaunay triangle removed", "Delaunay triangles removed"),
+            triangles);
+  out.say(ProvenanceRole::product, count_text(neighbours, "Delaunay edge added", "Delaunay edges added"), edges);
 }
 
 }  // namespace mes
