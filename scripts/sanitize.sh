@@ -25,7 +25,7 @@ case $kind in
   python)
     kind=asan
     options=(-DMESECINA_PYTHON=ON -DPython3_EXECUTABLE=/usr/bin/python3)
-    targets=(mesecina_python mesecina_embedded_python mesecina)
+    targets=(mesecina_python mesecina)
     tests='^python\.test_(experiments|input|results|views)$'
     ;;
   *) fail "unknown kind '$kind'; there are asan, tsan and python" ;;
