@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/kernel/edge_predicates.h"
 
-#include <CGAL/Exact_rational.h>
 #include <CGAL/FPU.h>
 #include <CGAL/Interval_nt.h>
 #include <CGAL/Mpzf.h>
@@ -9,14 +8,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
+#include <numeric>
 
 #include "core/base/power_of_two.h"
+#include "core/kernel/two_doubles.h"
 
 namespace mes {
 namespace {
 
 using Interval = CGAL::Interval_nt<false>;
-using Rational = CGAL::Exact_rational;
 using Integer = CGAL::Mpzf;  ///< integers times powers of two: a ring that holds the doubles, quicker than fractions
 
 template <class Number>
@@ -153,6 +154,49 @@ double ambiguity_key(const EdgeCorners& corners) {
   return is_flat ? 1.41421356237309505 - smaller : smaller;
 }
 
+namespace {
+
+// |cot(alpha + beta)|, infinite where `under` is 0.
+template <class Number>
+struct Cotangent {
+  Number over, under;
+};
+
+TwoDoubles absolute(const TwoDoubles& number) {
+  return number.value() < 0.0 ? -number : number;
+}
+Integer absolute(const Integer& number) {
+  return CGAL::abs(number);
+}
+int sign_of(const TwoDoubles& number) {
+  return number.sign();
+}
+int sign_of(const Integer& number) {
+  return CGAL::sign(number);
+}
+
+template <class Number>
+Cotangent<Number> cotangent_in(const EdgeCorners& e) {
+  const GeneralPhase<Number> phase = phase_in<Number>(e);
+  return {absolute(phase.h), phase.i};
+}
+
+// -1, 0 or 1; in `TwoDoubles`, 0 means not known.
+template <class Number>
+int compare_cotangents(const Cotangent<Number>& a, const Cotangent<Number>& b) {
+  return sign_of(a.over * b.under - b.over * a.under);
+}
+
+// The square of |ab|.
+template <class Number>
+Number square_in(Vec2 a, Vec2 b) {
+  const Number x = Number(b.x) - Number(a.x);
+  const Number y = Number(b.y) - Number(a.y);
+  return x * x + y * y;
+}
+
+}  // namespace
+
 int compare_ambiguity(const EdgeCorners& a, const EdgeCorners& b) {
   const double size_a = largest_difference(a);
   const double size_b = largest_difference(b);
@@ -170,46 +214,42 @@ int compare_ambiguity(const EdgeCorners& a, const EdgeCorners& b) {
       return left_rest < right_rest ? -1 : (right_rest < left_rest ? 1 : 0);
     }
   }
-  const GeneralPhase<Rational> pa = phase_in<Rational>(a);
-  const GeneralPhase<Rational> pb = phase_in<Rational>(b);
-  const Rational left = abs(pa.h) * pb.i;
-  const Rational right = abs(pb.h) * pa.i;
-  if (pa.i == 0 || pb.i == 0) {
-    const int sure_a = pa.i == 0 ? 1 : 0;
-    const int sure_b = pb.i == 0 ? 1 : 0;
-    return sure_a - sure_b;
-  }
-  return left < right ? -1 : (right < left ? 1 : 0);
+  const int order = compare_cotangents(cotangent_in<TwoDoubles>(a), cotangent_in<TwoDoubles>(b));
+  return order != 0 ? order : compare_cotangents(cotangent_in<Integer>(a), cotangent_in<Integer>(b));
 }
 
 std::vector<std::uint32_t> ambiguity_places(std::span<const EdgeCorners> edges,
                                             const std::function<void()>& checkpoint) {
   constexpr std::size_t kBetweenLooks = 4096;
-  struct Entry {
-    Rational cotangent;  // |cot(alpha + beta)|
-    bool is_infinite = false;
-    std::size_t edge = 0;
+  std::size_t looks = 0;
+  const auto look = [&] {
+    if (looks++ % kBetweenLooks == 0) checkpoint();
   };
-  std::vector<Entry> order;
-  order.reserve(edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    if (i % kBetweenLooks == 0) checkpoint();
-    const GeneralPhase<Rational> phase = phase_in<Rational>(edges[i]);
-    const bool is_infinite = phase.i == 0;
-    order.push_back({is_infinite ? Rational(0) : Rational(abs(phase.h) / phase.i), is_infinite, i});
+  std::vector<TwoDoubles> rounded;
+  rounded.reserve(edges.size());
+  for (const EdgeCorners& edge : edges) {
+    look();
+    const Cotangent<TwoDoubles> cotangent = cotangent_in<TwoDoubles>(edge);
+    rounded.push_back(cotangent.over / cotangent.under);
   }
-  std::size_t comparisons = 0;
-  const auto is_before = [&](const Entry& a, const Entry& b) {
-    if (++comparisons % kBetweenLooks == 0) checkpoint();
-    if (a.is_infinite || b.is_infinite) return b.is_infinite && !a.is_infinite;
-    return a.cotangent < b.cotangent;
+  std::vector<std::unique_ptr<const Cotangent<Integer>>> exact(edges.size());
+  const auto exactly = [&](std::uint32_t i) -> const Cotangent<Integer>& {
+    if (exact[i] == nullptr) exact[i] = std::make_unique<const Cotangent<Integer>>(cotangent_in<Integer>(edges[i]));
+    return *exact[i];
   };
+  const auto is_before = [&](std::uint32_t a, std::uint32_t b) {
+    look();
+    const int order = (rounded[a] - rounded[b]).sign();
+    return (order != 0 ? order : compare_cotangents(exactly(a), exactly(b))) < 0;
+  };
+  std::vector<std::uint32_t> order(edges.size());
+  std::iota(order.begin(), order.end(), 0U);
   std::ranges::sort(order, is_before);
   std::vector<std::uint32_t> out(edges.size());
   std::uint32_t place = 0;
   for (std::size_t i = 0; i < order.size(); ++i) {
     if (i > 0 && is_before(order[i - 1], order[i])) ++place;
-    out[order[i].edge] = place;
+    out[order[i]] = place;
   }
   return out;
 }
@@ -222,14 +262,8 @@ int compare_lengths(Vec2 a, Vec2 b, Vec2 c, Vec2 d) {
   const double size = std::max(left, right);
   // Each side is within 4 u of its true value unless it under- or overflows.
   if (size > 1e-280 && size < 1e300 && std::abs(left - right) > 0x1p-49 * size) return left < right ? -1 : 1;
-  const auto squared = [](Vec2 from, Vec2 to) {
-    const Rational x = Rational(to.x) - Rational(from.x);
-    const Rational y = Rational(to.y) - Rational(from.y);
-    return Rational(x * x + y * y);
-  };
-  const Rational exact_left = squared(a, b);
-  const Rational exact_right = squared(c, d);
-  return exact_left < exact_right ? -1 : (exact_right < exact_left ? 1 : 0);
+  const int order = (square_in<TwoDoubles>(a, b) - square_in<TwoDoubles>(c, d)).sign();
+  return order != 0 ? order : CGAL::sign(square_in<Integer>(a, b) - square_in<Integer>(c, d));
 }
 
 }  // namespace mes

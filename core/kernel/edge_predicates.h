@@ -82,8 +82,8 @@ inline constexpr double kAmbiguityKeyError = 1e-13;
 /// other.
 int compare_ambiguity(const EdgeCorners& a, const EdgeCorners& b);
 
-/// The ranks of Delaunay edges in that order, from 0; edges that compare equal share a rank. O(n log n), with one
-/// rational number per edge instead of several per comparison. Calls `checkpoint` now and then, which may throw.
+/// The ranks of Delaunay edges in that order, from 0; edges that compare equal share a rank. O(n log n), quicker than by
+/// comparisons alone: the polynomials of an edge are evaluated once. Calls `checkpoint` now and then, which may throw.
 std::vector<std::uint32_t> ambiguity_places(std::span<const EdgeCorners> edges,
                                             const std::function<void()>& checkpoint);
 

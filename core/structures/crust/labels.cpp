@@ -113,9 +113,10 @@ void Labels::rebuild(JobControl& job) {
   join_.clear();
   is_idle_ = crust_.odd_count() == 0 || delaunay_.dimension() < 2;
   order_.clear();
-  // If this many sites are odd, clusters are not small, and the ends of strokes are found sooner along the tree.
+  // If this many sites are odd and clusters are not small, the ends of strokes are found sooner along the tree.
   Table<EdgeSlot, std::uint8_t> is_in_tree;
-  if (!is_idle_ && crust_.odd_count() > std::max(kManyOddSites, delaunay_.site_count() / kFewSites)) {
+  if (!is_idle_ && crust_.odd_count() > std::max(kManyOddSites, delaunay_.site_count() / kFewSites) &&
+      !join_.promises_to_be_small(job)) {
     order_.find_keys();
     is_in_tree = spanning_tree(delaunay_, order_, job);
     strokes_.rebuild_for_labels_alone(is_in_tree, job);

@@ -31,7 +31,7 @@ namespace mes {
 /// Cost: rebuild O(n), O(n log n) where a good part of the samples is odd. Update O(new faces + faces whose label
 /// changes), and O(log n) for each changed edge in the latter case. How: new faces take tentative labels from their
 /// neighbours. Where two faces then disagree with the edge between them, one side of the disagreement is turned over:
-/// the smaller, found by searching all sides in lock-step, or the one that the tree of faces selects. Few odd samples
+/// the smaller, found by searching all sides in lock-step, or the one that the tree of faces selects. Odd samples
 /// are joined in clusters (`ConflictJoin`), and labels follow from the conflicts. Where clusters would fill a good part
 /// of the plane, as in noise, labels are handed on along the tree of faces (`CertaintyTree`), and conflicts follow from
 /// them. Both ways give the same labels. Source: even-odd parity; the locality lemma of docs/geometry.md.
@@ -61,7 +61,7 @@ class Labels final : public Structure {
  private:
   /// The tree is rebuilt when an edit changes more than one in this many edges.
   static constexpr std::size_t kFewEdges = 16;
-  /// Samples are noise when more than one in this many sites is odd, ...
+  /// Samples are noise when more than one in this many sites is odd, clusters are large, ...
   static constexpr std::size_t kFewSites = 4;
   /// ... and there are so many odd sites that threads pay.
   static constexpr std::size_t kManyOddSites = 4096;

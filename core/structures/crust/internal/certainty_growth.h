@@ -43,6 +43,10 @@ class CertaintyGrowth {
   bool holds(SiteSlot site) const { return grown_.contains(site); }
 
  private:
+  template <class IsOdd>
+  bool closes_in_a_pair(IsOdd is_odd);
+  template <class Visit>
+  void for_each_edge_to_take(SiteSlot site, Visit visit) const;
   void push_edges_of(SiteSlot site, Place place);
 
   const Delaunay& delaunay_;
@@ -53,12 +57,41 @@ class CertaintyGrowth {
   Table<Place, Step> steps_;
 };
 
-inline void CertaintyGrowth::push_edges_of(SiteSlot site, Place place) {
+template <class Visit>
+void CertaintyGrowth::for_each_edge_to_take(SiteSlot site, Visit visit) const {
   delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
-    if ((tree_ != nullptr && (*tree_)[edge] == 0) || grown_.contains(other)) return;
+    if (tree_ == nullptr || (*tree_)[edge] != 0) visit(edge, other);
+  });
+}
+
+inline void CertaintyGrowth::push_edges_of(SiteSlot site, Place place) {
+  for_each_edge_to_take(site, [&](EdgeSlot edge, SiteSlot other) {
+    if (grown_.contains(other)) return;
     heap_.push_back({order_.rank_of(edge), other, place});
     std::ranges::push_heap(heap_, [this](const Step& a, const Step& b) { return order_.is_surer(a.rank, b.rank); });
   });
+}
+
+// Most components are the seed and another odd site, with an edge between them that is more doubtful than all others
+// there. Those others need not be put in order, which takes long where they are equally certain, as in a lattice.
+template <class IsOdd>
+bool CertaintyGrowth::closes_in_a_pair(IsOdd is_odd) {
+  const SiteSlot seed = steps_[Place(0)].site;
+  Step best{{}, seed, Place(0)};
+  for_each_edge_to_take(seed, [&](EdgeSlot edge, SiteSlot other) {
+    const CertaintyOrder::Rank rank = order_.rank_of(edge);
+    if (best.rank.edge == kNoSlot || order_.is_surer(best.rank, rank)) best = {rank, other, Place(0)};
+  });
+  if (best.rank.edge == kNoSlot || !is_odd(best.site)) return false;
+  bool is_most_doubtful = true;
+  for_each_edge_to_take(best.site, [&](EdgeSlot edge, SiteSlot) {
+    is_most_doubtful =
+        is_most_doubtful && (edge == best.rank.edge || order_.is_surer(order_.rank_of(edge), best.rank));
+  });
+  if (!is_most_doubtful) return false;
+  grown_.insert(best.site);
+  steps_.push_back(best);
+  return true;
 }
 
 template <class IsOdd>
@@ -68,6 +101,7 @@ bool CertaintyGrowth::grow(SiteSlot seed, std::size_t limit, IsOdd is_odd, JobCo
   steps_.clear();
   steps_.push_back({{}, seed, kNoSlot});
   grown_.insert(seed);
+  if (limit >= 2 && closes_in_a_pair(is_odd)) return true;
   push_edges_of(seed, Place(0));
   bool is_even = false;
   CertaintyOrder::Rank surest;

@@ -199,6 +199,8 @@ bool CertaintyOrder::is_surer_by_exact_test(const Rank& a, const Rank& b) const 
     const SiteSlot* of_b = delaunay_.edge(b.edge).v;
     order = compare_lengths(delaunay_.site_position(of_a[0]), delaunay_.site_position(of_a[1]),
                             delaunay_.site_position(of_b[0]), delaunay_.site_position(of_b[1]));
+  } else if (const bool is_infinite = crust_.is_cocircular(a.edge); is_infinite || crust_.is_cocircular(b.edge)) {
+    order = (is_infinite ? 1 : 0) - (crust_.is_cocircular(b.edge) ? 1 : 0);
   } else {
     order = compare_ambiguity(crust_.corners(a.edge), crust_.corners(b.edge));
   }

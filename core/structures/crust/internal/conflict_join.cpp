@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/crust/internal/conflict_join.h"
 
+#include <algorithm>
+
 namespace mes {
 
 void ConflictJoin::toggle(const Cluster& cluster) {
@@ -20,10 +22,10 @@ void ConflictJoin::dissolve(ClusterId id) {
 bool ConflictJoin::grow(SiteSlot seed, JobControl& job) {
   if (!delaunay_.is_site(seed) || !is_odd(seed) || cluster_of_[seed].is_valid()) return true;
   const bool closes = growth_.grow(
-      seed, 64 + delaunay_.site_count() / 4, [this](SiteSlot site) { return is_odd(site); }, job);
+      seed, a_good_part(), [this](SiteSlot site) { return is_odd(site); }, job);
   const auto& steps = growth_.steps();
-  grown_sites_ += steps.size();
-  if (!closes || is_too_much(grown_sites_)) return false;
+  if (!closes || steps.size() > may_grow_) return false;
+  may_grow_ -= steps.size();
   Cluster cluster;
   parity_.assign(steps.size(), 0);
   for (const auto& step : steps) {
@@ -59,13 +61,39 @@ void ConflictJoin::clear() {
   changed_edges_.clear();
 }
 
+// Among random samples, 43 to 45 % are odd, and a cluster has thousands. In a lattice of shapes that are close together
+// half of the samples may be odd, and a cluster has two.
+bool ConflictJoin::promises_to_be_small(JobControl& job) {
+  constexpr std::size_t kTries = 64;
+  constexpr std::size_t kLimit = 256;
+  const std::size_t rows = delaunay_.site_rows();
+  const std::size_t step = rows / kTries + 1;
+  std::size_t tries = 0;
+  std::size_t grown = 0;
+  for (std::size_t begin = 0; begin < rows; begin += step) {
+    for (const SiteSlot site : slots_between<SiteSlot>(begin, std::min(begin + step, rows))) {
+      if (!delaunay_.is_site(site) || !crust_.is_odd(site)) continue;
+      if (!growth_.grow(
+              site, kLimit, [this](SiteSlot one) { return crust_.is_odd(one); }, job))
+        return false;
+      ++tries;
+      grown += growth_.steps().size();
+      break;
+    }
+  }
+  // A cluster is found from one of its odd sites, of which it has two or more.
+  return tries == 0 || crust_.odd_count() / 2 * grown / tries < delaunay_.site_count();
+}
+
 bool ConflictJoin::rebuild(JobControl& job) {
   clear();
   if (crust_.odd_count() == 0 || delaunay_.dimension() < 2) return true;
   make_room();
-  // Among random samples 43 to 45 % are odd.
-  if (crust_.odd_count() > 64 + delaunay_.site_count() / 3) return false;
-  grown_sites_ = 0;
+  may_grow_ = a_good_part();
+  if (crust_.odd_count() > 64 + delaunay_.site_count() / 3) {
+    if (!promises_to_be_small(job)) return false;
+    may_grow_ = delaunay_.site_count();
+  }
   for (const SiteSlot site : delaunay_.site_slots())
     if (!grow(site, job)) return false;
   return true;
@@ -85,7 +113,7 @@ bool ConflictJoin::update(const std::vector<SiteSlot>& touched, JobControl& job)
   };
   for (const SiteSlot site : touched) touch(site);
   for (const SiteSlot site : strokes_.changed_ends()) touch(site);
-  grown_sites_ = 0;
+  may_grow_ = a_good_part();
   for (const SiteSlot site : seeds_)
     if (!grow(site, job)) return false;
   return true;

@@ -19,7 +19,8 @@ namespace mes {
 /// touches only the clusters that share a site with it.
 ///
 /// Cost: O(k log k) for k sites in the clusters touched. Near a corner a cluster has a handful of sites. Where clusters
-/// grow to a good part of the plane, as among random points, `CertaintyTree` is used instead.
+/// grow to a good part of the plane, as among random points, `CertaintyTree` is used instead. The number of odd sites
+/// does not tell: in a lattice of shapes close together half of all sites are odd, in clusters of two.
 class ConflictJoin {
  public:
   ConflictJoin(const Delaunay& delaunay, const OneStepCrust& crust, const CertaintyOrder& order,
@@ -29,7 +30,9 @@ class ConflictJoin {
   bool has_edge(EdgeSlot edge) const { return in_join_.has(edge) && in_join_[edge] != 0; }
 
   void clear();
-  /// False if clusters would take up a good part of the plane; the object must then be cleared or rebuilt.
+  /// True if the clusters of a few odd sites are small. Takes no time to speak of. Open strokes need not be known.
+  bool promises_to_be_small(JobControl& job);
+  /// False if clusters would be large; the object must then be cleared or rebuilt.
   bool rebuild(JobControl& job);
   /// Like `rebuild`. `touched` is as for `OpenStrokes::update`, whose changes are included.
   bool update(const std::vector<SiteSlot>& touched, JobControl& job);
@@ -44,7 +47,8 @@ class ConflictJoin {
   };
 
   bool is_odd(SiteSlot site) const { return crust_.is_odd(site) && !strokes_.ends_at(site); }
-  bool is_too_much(std::size_t sites) const { return sites > 64 + delaunay_.site_count() / 4; }
+  /// Changes no result, only when the tree takes over.
+  std::size_t a_good_part() const { return 64 + delaunay_.site_count() / 4; }
   /// Makes the cluster around an odd site, unless it is in one already. False if it would be too large.
   bool grow(SiteSlot seed, JobControl& job);
   void dissolve(ClusterId id);
@@ -62,7 +66,7 @@ class ConflictJoin {
   Table<EdgeSlot, std::uint8_t> in_join_;
 
   // Work space.
-  std::size_t grown_sites_ = 0;  ///< in this call, over all growths
+  std::size_t may_grow_ = 0;  ///< number of sites, in this call, over all growths
   Table<CertaintyGrowth::Place, std::uint8_t> parity_;
   std::vector<SiteSlot> seeds_;
   std::vector<EdgeSlot> changed_edges_;

@@ -537,6 +537,43 @@ TEST_CASE("the rule holds where so many samples are odd that all labels follow f
   }
 }
 
+TEST_CASE("the rule holds in a lattice of circles, where half of the samples are odd and find partners beside them") {
+  std::vector<Vec2> positions;
+  for (int row = 0; row < 10; ++row)
+    for (int column = 0; column < 10; ++column)
+      for (int i = 0; i < 8; ++i) {
+        const double angle = i * 0.78539816339744831;
+        positions.push_back({10.0 * column + 3.0 * std::cos(angle), 10.0 * row + 3.0 * std::sin(angle)});
+      }
+  ComparedBench bench(positions);
+  // What `ConflictJoin` asks for before it tries.
+  CHECK(bench.get<OneStepCrust>().odd_count() > 64 + positions.size() / 3);
+  Rng rng(12);
+  for (int step = 0; step < 8; ++step) {
+    INFO("step " << step);
+    const std::set<PlaceEdge> conflicts = conflicts_of(bench);
+    CHECK(conflicts.size() > 150);
+    REQUIRE(conflicts == conflicts_by_rule(bench));
+    const std::vector<SampleId> ids = bench.ids();
+    const SampleId id = ids[rng.below(ids.size())];
+    if (step % 3 == 0) {
+      bench.remove({id});
+    } else {
+      bench.move(id, bench.document().position(bench.document().slot_of(id)) + Vec2{rng.uniform(-3.0, 3.0), 0.0});
+    }
+  }
+  // To noise and back.
+  std::vector<std::pair<SampleId, Vec2>> targets;
+  const std::vector<SampleId> ids = bench.ids();
+  for (std::size_t i = 0; i < ids.size(); ++i) targets.emplace_back(ids[i], positions[i]);
+  std::vector<std::pair<SampleId, Vec2>> noise = targets;
+  for (auto& [id, at] : noise) at = {rng.uniform(0.0, 100.0), rng.uniform(0.0, 100.0)};
+  for (const auto& moves : {noise, targets}) {
+    bench.move(moves);
+    REQUIRE(conflicts_of(bench) == conflicts_by_rule(bench));
+  }
+}
+
 TEST_CASE("the tree of faces follows edits of noise one by one as it would be made anew") {
   for (const std::uint64_t seed : {1U, 2U}) {
     Rng rng(seed);
