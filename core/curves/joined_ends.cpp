@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/curves/joined_ends.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
@@ -25,25 +26,36 @@ class Ends {
         cells_[key_of(cell.x, cell.y)].push_back(end);
       }
     }
+    for (auto& [key, ends] : cells_)
+      std::ranges::stable_sort(ends, lexicographically_less, [this](std::size_t end) { return place_of(end); });
   }
 
   /// The only other end at the same position, or else the only other end nearby; nothing if there are none or several.
+  /// The search ends at the second, so many ends at one place cost no more than two.
   std::size_t partner_of(std::size_t end) const {
+    const auto is_candidate = [&](std::size_t other) {
+      return other != end && (other != (end ^ 1U) || may_close(end / 2));
+    };
     const Cell cell = cell_of(place_of(end));
     Only here;
+    for (const std::size_t other :
+         std::ranges::equal_range(cells_.at(key_of(cell.x, cell.y)), place_of(end), lexicographically_less,
+                                  [this](std::size_t one) { return place_of(one); })) {
+      if (is_candidate(other)) here.add(other);
+      if (here.count > 1) return kNone;
+    }
+    if (here.count == 1) return here.end;
     Only near;
     for (std::int64_t x = cell.x - 1; x <= cell.x + 1; ++x)
       for (std::int64_t y = cell.y - 1; y <= cell.y + 1; ++y) {
         const auto found = cells_.find(key_of(x, y));
         if (found == cells_.end()) continue;
         for (const std::size_t other : found->second) {
-          if (other == end || (other == (end ^ 1U) && !may_close(end / 2))) continue;
-          const double gap = distance(place_of(other), place_of(end));
-          if (gap <= tolerance_) near.add(other);
-          if (gap == 0.0) here.add(other);
+          if (is_candidate(other) && distance(place_of(other), place_of(end)) <= tolerance_) near.add(other);
+          if (near.count > 1) return kNone;
         }
       }
-    return here.count != 0 ? here.get() : near.get();
+    return near.end;
   }
 
  private:
@@ -58,7 +70,6 @@ class Ends {
       end = other;
       ++count;
     }
-    std::size_t get() const { return count == 1 ? end : kNone; }
   };
   /// False for a single line or an arc below half a turn, however short it is.
   bool may_close(std::size_t curve) const {
@@ -85,8 +96,8 @@ class Ends {
 
   const std::vector<PlaneCurve>& curves_;
   double tolerance_;
-  Vec2 origin_;  // origin of the cells
-  std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
+  Vec2 origin_;                                                        // origin of the cells
+  std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;  ///< ends at one position are side by side
 };
 
 void append(PlaneCurve& out, const Piece& piece) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace mes {
 namespace {
@@ -14,15 +15,25 @@ double nearest_on_line(const Piece& line, Vec2 p) {
   return size > 0.0 ? std::clamp(dot(p - line.points[0], along) / size, 0.0, 1.0) : 0.0;
 }
 
+// Adds the points at which the arc runs along an axis. Those just beyond its ends count too, so that no rounding leaves
+// one out.
+void add_extremes(Box2& box, const EllipticArc& arc) {
+  constexpr double kTurn = 2.0 * std::numbers::pi;
+  constexpr double kSlack = 1e-9;
+  const double low = std::min(arc.start, arc.start + arc.sweep) - kSlack;
+  const double high = std::max(arc.start, arc.start + arc.sweep) + kSlack;
+  for (const double first : {std::atan2(arc.v.x, arc.u.x), std::atan2(arc.v.y, arc.u.y)})
+    for (const double angle : {first, first + std::numbers::pi})
+      if (angle + kTurn * std::ceil((low - angle) / kTurn) <= high)
+        box.add(arc.center + std::cos(angle) * arc.u + std::sin(angle) * arc.v);
+}
+
 }  // namespace
 
 Box2 box_of(const Piece& piece) {
   Box2 out;
   if (piece.kind == PieceKind::arc) {
-    const EllipticArc& arc = piece.arc;
-    const Vec2 half{std::hypot(arc.u.x, arc.v.x), std::hypot(arc.u.y, arc.v.y)};
-    out.add(arc.center - half);
-    out.add(arc.center + half);
+    add_extremes(out, piece.arc);
     out.add(piece.from());
     out.add(piece.to());
     return out;

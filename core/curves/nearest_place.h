@@ -20,7 +20,7 @@ std::optional<Vec2> nearest_place(const CurveSet& curves, Vec2 p, double reach);
 /// Parameter of the point of a piece that is nearest to `p`, with the same precision.
 double nearest_parameter(const Piece& piece, Vec2 p);
 
-/// A box that contains the piece: that of its control points, or of the whole ellipse for an arc.
+/// A box that contains the piece, up to rounding: that of its control points, or the least one for an arc.
 Box2 box_of(const Piece& piece);
 
 }  // namespace mes

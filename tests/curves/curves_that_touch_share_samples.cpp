@@ -11,6 +11,7 @@
 #include "core/curves/cuts.h"
 #include "core/curves/resolution.h"
 #include "core/curves/sampling.h"
+#include "tests/curves/curve_parts.h"
 #include "tests/support/parcels.h"
 #include "tests/support/pi.h"
 
@@ -149,6 +150,30 @@ TEST_CASE("arcs and cubics that two outlines have in common are one") {
   CHECK(length_of_links(samples, links, 2) == Approx(along).epsilon(1e-3));
   CHECK(length_of_links(samples, links, 1) == Approx(2.0 * kPi + 10.0).epsilon(1e-3));
   CHECK(are_all_different(samples.positions));
+}
+
+TEST_CASE("of many nested circles a line meets the one on which it begins") {
+  constexpr int kCircles = 400;
+  std::vector<PlaneCurve> curves;
+  for (int i = 1; i <= kCircles; ++i) curves.push_back(circle_around({0.5, 0.25}, i));
+  std::vector<Vec2> begins;
+  for (int i = 1; i <= kCircles; i += 21) {
+    const double angle = 0.3 * i;
+    const Vec2 out{std::cos(angle), std::sin(angle)};
+    const auto rounded = [](Vec2 p) { return Vec2{std::round(1e6 * p.x) / 1e6, std::round(1e6 * p.y) / 1e6}; };
+    begins.push_back(rounded(Vec2{0.5, 0.25} + static_cast<double>(i) * out));
+    curves.push_back(polygon({begins.back(), rounded(begins.back() + 0.5 * out)}, false));
+  }
+  const SampledCurves samples = sampled_together(set_of(curves), {.rule = SamplingRule::adaptive, .count = 3000});
+  for (const Vec2 begin : begins) {
+    const auto at = std::ranges::find(samples.positions, begin);
+    REQUIRE(at != samples.positions.end());
+    const auto index = static_cast<std::uint32_t>(at - samples.positions.begin());
+    std::size_t chains = 0;
+    for (const SampledCurves::Chain& chain : samples.chains)
+      chains += std::ranges::count(places_of(samples, chain), index) != 0 ? 1U : 0U;
+    CHECK(chains == 2);
+  }
 }
 
 TEST_CASE("a curve that repeats another says nothing new, but one around the other way fills a hole") {

@@ -69,6 +69,18 @@ TEST_CASE("where three meet none are joined, and ends that are too far apart nei
   CHECK(joined_ends(star, 0.0).size() == 4);
 }
 
+TEST_CASE("a star of ends stays apart, whatever lies near its middle") {
+  std::vector<PlaneCurve> rays;
+  for (int i = 0; i < 3000; ++i) rays.push_back(line({0, 0}, {1.0 + i, 5.0}));
+  // Two ends at one place are joined, though many others are near.
+  rays.push_back(line({1e-4, 0}, {0, -9}));
+  rays.push_back(line({1e-4, 0}, {1, -9}));
+  const std::vector<PlaneCurve> joined = joined_ends(rays, 1e-3);
+  REQUIRE(joined.size() == 3001);
+  CHECK(joined.back().piece_count() == 2);
+  CHECK(joined.front().points().size() == 2);
+}
+
 TEST_CASE("a slot of two lines and two arcs is closed exactly, though its ends are not") {
   const auto half = [](Vec2 center, double from) {
     const EllipticArc arc{center, {1, 0}, {0, 1}, from, std::numbers::pi};

@@ -152,6 +152,26 @@ TEST_CASE("waves that lie between the samples of the first look are found") {
   CHECK(static_cast<double>(samples->positions.size()) > 2.5 * kWaves);
 }
 
+TEST_CASE("rays from one point have equal samples, few rays or many") {
+  for (const int rays : {6, 60, 70, 3000}) {
+    INFO(rays << " rays");
+    CurveSet star;
+    for (int i = 0; i < rays; ++i) {
+      PlaneCurve ray({0, 0});
+      // As whole numbers, so that the middle is one point.
+      ray.line_to(
+          {std::round(1e6 * std::cos(2.0 * kPi * i / rays)), std::round(1e6 * std::sin(2.0 * kPi * i / rays))});
+      star.curves.push_back(ray);
+    }
+    const auto samples = sample(star, {.rule = SamplingRule::adaptive, .count = static_cast<std::size_t>(20 * rays)});
+    REQUIRE(samples);
+    REQUIRE(samples->chains.size() == static_cast<std::size_t>(rays));
+    const auto [least, most] = std::ranges::minmax(samples->chains, {}, &SampledCurves::Chain::count);
+    CHECK(least.count > 5);
+    CHECK(most.count <= least.count + 1);
+  }
+}
+
 TEST_CASE("a stop that is requested ends the sampling of one curve, whatever the rule") {
   PlaneCurve circle({1, 0});
   constexpr int kPieces = 100'000;

@@ -2,8 +2,12 @@
 #include "core/curves/internal/contacts.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <tuple>
+#include <utility>
 
 #include "core/base/box2.h"
 #include "core/base/box_tree.h"
@@ -25,6 +29,8 @@ constexpr double kOfSlanted = 1.0 / 128.0;
 constexpr double kOfOthers = 1.0 / 4096.0;
 // Limit for one vertex. More pieces this near to it, none of which ends in it, are noise.
 constexpr std::size_t kMostContacts = 256;
+// A cancelled search ends after so many vertices.
+constexpr std::size_t kVertices = 256;
 
 Box2 grown(Box2 box, double by) {
   return {{box.low.x - by, box.low.y - by}, {box.high.x + by, box.high.y + by}};
@@ -63,10 +69,24 @@ double size_of(const Piece& piece) {
   return std::max(box.width(), box.height());
 }
 
+// True if the point is certainly farther than `reach` from the whole ellipse of the arc. A map with the least stretch s
+// takes the unit circle to the ellipse, so a point whose preimage is r from the centre is at least s |r - 1| away.
+bool is_far_from(const EllipticArc& arc, Vec2 p, double reach) {
+  const double area = cross(arc.u, arc.v);
+  const double most = dot(arc.u, arc.u) + dot(arc.v, arc.v);
+  const Vec2 q = p - arc.center;
+  const double r = length({cross(q, arc.v), cross(arc.u, q)}) / std::abs(area);
+  const double least = std::sqrt(0.5 * (most - std::sqrt(std::max(most * most - 4.0 * area * area, 0.0))));
+  constexpr double kLessRounding = 1.0 - 1e-6;
+  return kLessRounding * least * std::abs(r - 1.0) > 2.0 * reach;
+}
+
 /// Parameter of the point on the piece; negative if it is not on the piece.
 double parameter_of_contact(const Piece& piece, Vec2 p, double tolerance, double tolerance_if_slanted) {
   if (distance(piece.from(), p) <= tolerance) return 0.0;
   if (distance(piece.to(), p) <= tolerance) return 1.0;
+  if (piece.kind == PieceKind::arc && is_far_from(piece.arc, p, std::max(tolerance, tolerance_if_slanted)))
+    return -1.0;
   const Vec2 along = piece.to() - piece.from();
   const bool is_slanted = piece.kind != PieceKind::line || (along.x != 0.0 && along.y != 0.0);
   const double t = nearest_parameter(piece, p);
@@ -74,6 +94,45 @@ double parameter_of_contact(const Piece& piece, Vec2 p, double tolerance, double
       t > 0.0 && t < 1.0 && distance(piece.at(t), p) <= (is_slanted ? tolerance_if_slanted : tolerance);
   return is_on ? t : -1.0;
 }
+
+/// Finds the pieces near a point, by the boxes of their parts. Of nested or parallel bends the boxes of whole pieces
+/// would hold nearly all points.
+class PieceFinder {
+ public:
+  PieceFinder(const std::vector<TouchingPiece>& pieces, int parts_per_bend) {
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      const Piece& piece = pieces[i].piece;
+      const int count = piece.kind == PieceKind::line ? 1 : parts_per_bend;
+      for (int k = 0; k < count; ++k) {
+        const double share = 1.0 / count;
+        parts_.push_back({box_of(count == 1 ? piece : piece.part(share * k, share * (k + 1))), i});
+      }
+    }
+    std::vector<std::uint32_t> numbers(parts_.size());
+    std::iota(numbers.begin(), numbers.end(), 0U);
+    tree_.build(
+        std::span<const std::uint32_t>(numbers), [&](std::uint32_t i) { return TreeBounds{parts_[i].box}; },
+        [](std::uint32_t, std::uint32_t) {});
+  }
+
+  /// Visits pieces, some of them several times, while `visit` returns true.
+  template <class Visit>
+  void visit_near(const Box2& around, Visit visit) const {
+    bool goes_on = true;
+    tree_.visit_where([&](const Box2& box, double) { return goes_on && overlap(around, box); },
+                      [&](std::uint32_t number) {
+                        if (goes_on && overlap(around, parts_[number].box)) goes_on = visit(parts_[number].piece);
+                      });
+  }
+
+ private:
+  struct Part {
+    Box2 box;
+    std::uint32_t piece;
+  };
+  std::vector<Part> parts_;
+  BoxTree<std::uint32_t> tree_;
+};
 
 /// Merges equal vertices.
 void number_equal_vertices(Contacts& out) {
@@ -157,34 +216,41 @@ Contacts contacts_of(const std::vector<PlaneCurve>& curves, double resolution, b
   for (const TouchingPiece& piece : out.pieces)
     for (const std::uint32_t vertex : {piece.from, piece.to})
       local[vertex] = std::min(local[vertex], size_of(piece.piece));
-  std::vector<std::uint32_t> numbers(out.pieces.size());
-  for (std::uint32_t i = 0; i < numbers.size(); ++i) numbers[i] = i;
-  BoxTree<std::uint32_t> tree;
-  tree.build(
-      std::span<const std::uint32_t>(numbers),
-      [&](std::uint32_t i) { return TreeBounds{box_of(out.pieces[i].piece)}; }, [](std::uint32_t, std::uint32_t) {});
-  std::vector<std::vector<Contact>> found(chunk_count(out.vertices.size()));
-  parallel_for(out.vertices.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
-    checkpoint();
-    for (std::size_t v = begin; v < end; ++v) {
-      const Vec2 p = out.vertices[v];
-      const Box2 around = grown({p, p}, out.tolerance);
-      std::size_t left = kMostContacts;
-      tree.visit_where([&](const Box2& box, double) { return left > 0 && overlap(around, box); },
-                       [&](std::uint32_t number) {
-                         const TouchingPiece& other = out.pieces[number];
-                         if (left == 0 || other.from == v || other.to == v) return;
-                         if (!overlap(around, box_of(other.piece))) return;
-                         const double here = std::min(local[v], size_of(other.piece));
-                         const double t =
-                             parameter_of_contact(other.piece, p, std::clamp(kOfOthers * here, least, out.tolerance),
-                                                  std::clamp(kOfSlanted * here, least, out.tolerance));
-                         if (t < 0.0) return;
-                         found[chunk].push_back({static_cast<std::uint32_t>(v), number, t});
-                         --left;
-                       });
-    }
-  });
+  const auto find = [&](const PieceFinder& finder, std::size_t most_visits) {
+    std::vector<std::vector<Contact>> found(chunk_count(out.vertices.size()));
+    std::atomic<std::size_t> visits = 0;
+    parallel_for(out.vertices.size(), [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+      std::vector<Contact>& here = found[chunk];
+      for (std::size_t v = begin; v < end; ++v) {
+        if (v % kVertices == 0) checkpoint();
+        const Vec2 p = out.vertices[v];
+        const std::size_t first = here.size();
+        std::size_t visits_of_one = 0;
+        finder.visit_near(grown({p, p}, out.tolerance), [&](std::uint32_t number) {
+          ++visits_of_one;
+          const TouchingPiece& other = out.pieces[number];
+          if (other.from == v || other.to == v) return true;
+          const double of_both = std::min(local[v], size_of(other.piece));
+          const double t = parameter_of_contact(other.piece, p, std::clamp(kOfOthers * of_both, least, out.tolerance),
+                                                std::clamp(kOfSlanted * of_both, least, out.tolerance));
+          if (t < 0.0) return true;
+          const auto before = here.begin() + static_cast<std::ptrdiff_t>(first);
+          if (std::ranges::find(before, here.end(), number, &Contact::piece) == here.end())
+            here.push_back({static_cast<std::uint32_t>(v), number, t});
+          return here.size() - first < kMostContacts;
+        });
+        if ((visits += visits_of_one) > most_visits) return;
+      }
+    });
+    return std::pair(std::move(found), visits <= most_visits);
+  };
+  // Boxes of a few parts find a few pieces too many, which costs less than more boxes.
+  constexpr std::size_t kFewVisits = 16;
+  const std::size_t few = kFewVisits * (out.vertices.size() + kVertices);
+  auto [found, is_quick] = find(PieceFinder(out.pieces, 1), few);
+  if (!is_quick) std::tie(found, is_quick) = find(PieceFinder(out.pieces, 4), few);
+  if (!is_quick)
+    std::tie(found, is_quick) = find(PieceFinder(out.pieces, 16), std::numeric_limits<std::size_t>::max());
   for (const std::vector<Contact>& part : found) out.contacts.insert(out.contacts.end(), part.begin(), part.end());
   return out;
 }

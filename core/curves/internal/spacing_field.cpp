@@ -10,12 +10,15 @@
 #include <utility>
 
 #include "core/base/box_tree.h"
+#include "core/base/parallel.h"
 
 namespace mes {
 namespace {
 
 // Limit for arc length over straight distance: a half circle has pi / 2, a right angle at most the square root of 2.
 constexpr double kDetour = 1.5;
+// Probes at most so many steps away along the curve are never near it.
+constexpr double kOwn = 2.0;
 
 struct Probe {
   Vec2 position;
@@ -76,7 +79,7 @@ struct Surroundings {
  private:
   bool is_elsewhere(const Probe& probe, const Probe& other, double away, double step) const {
     const double along = other.curve == probe.curve ? along_curve(probe, other) : along_arcs(probe, other);
-    return along > kDetour * away && along > 2.0 * step;
+    return along > kDetour * away && along > kOwn * step;
   }
   double along_curve(const Probe& probe, const Probe& other) const {
     const double along = std::abs(other.along - probe.along);
@@ -144,6 +147,30 @@ std::vector<double> StretchSpacing::places() const {
 
 namespace {
 
+/// The nodes at which so many arcs meet that some have hardly an angle between them. Around such a node, others are as
+/// near as one likes, and a search would find all arcs for each of them.
+std::vector<bool> crowded_nodes(std::span<const MeasuredCurve> curves) {
+  constexpr std::uint32_t kCrowd = 64;
+  std::vector<std::uint32_t> arcs;
+  for (const MeasuredCurve& curve : curves)
+    for (const std::uint32_t node : curve.nodes) {
+      if (node == MeasuredCurve::kNoNode) continue;
+      if (node >= arcs.size()) arcs.resize(node + std::size_t{1});
+      ++arcs[node];
+    }
+  std::vector<bool> out;
+  for (const std::uint32_t count : arcs) out.push_back(count > kCrowd);
+  return out;
+}
+
+bool is_at_crowd(const Probe& probe, const MeasuredCurve& curve, double length, double step,
+                 const std::vector<bool>& is_crowded) {
+  const auto is_near = [&](std::uint32_t node, double along) {
+    return node != MeasuredCurve::kNoNode && is_crowded[node] && along <= kOwn * step;
+  };
+  return is_near(curve.nodes[0], probe.along) || is_near(curve.nodes[1], length - probe.along);
+}
+
 /// Whether a stretch begins at a corner or a node, and whether it ends at one.
 std::array<bool, 2> corners_at(const MeasuredCurve& curve, const Stretch& stretch, double corner_angle) {
   const std::size_t count = curve.pieces.size();
@@ -194,20 +221,29 @@ std::vector<std::vector<StretchSpacing>> spacings_of(std::span<const MeasuredCur
       },
       [](std::uint32_t, std::uint32_t) {});
   const Surroundings surroundings{probes, curves, lengths, tree};
+  const std::vector<bool> is_crowded = crowded_nodes(curves);
+  std::vector<double> spacing_at(probes.size());
+  parallel_for(probes.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
+    for (std::size_t k = begin; k < end; ++k) {
+      constexpr std::size_t kOften = 1024;
+      if (job != nullptr && k % kOften == 0) job->checkpoint();
+      const Probe& probe = probes[k];
+      const auto [widest, finest, step] = scales[probe.curve];
+      const double reach = (limits.is_finest_by_curve ? widest : limits.widest) / limits.share;
+      const double nearest = (limits.is_finest_by_curve ? finest : limits.finest) / limits.share;
+      const double away = is_at_crowd(probe, curves[probe.curve], lengths[probe.curve], step, is_crowded)
+                              ? nearest
+                              : surroundings.distance_to_others(probe, step, nearest, reach);
+      spacing_at[k] = std::clamp(limits.share * away, finest, widest);
+    }
+  });
   std::vector<std::vector<StretchSpacing>> out(curves.size());
   std::size_t next = 0;
   for (std::uint32_t i = 0; i < curves.size(); ++i) {
-    const auto [widest, finest, step] = scales[i];
-    const double reach = (limits.is_finest_by_curve ? widest : limits.widest) / limits.share;
-    const double nearest = (limits.is_finest_by_curve ? finest : limits.finest) / limits.share;
+    const double finest = scales[i].finest;
     for (const Stretch& stretch : curves[i].stretches) {
-      StretchSpacing& here = out[i].emplace_back(even_nodes(stretch.length, step));
-      for (double& spacing : here.spacing) {
-        constexpr std::size_t kOften = 1024;
-        if (job != nullptr && next % kOften == 0) job->checkpoint();
-        const double away = surroundings.distance_to_others(probes[next++], step, nearest, reach);
-        spacing = std::clamp(limits.share * away, finest, widest);
-      }
+      StretchSpacing& here = out[i].emplace_back(even_nodes(stretch.length, scales[i].step));
+      for (double& spacing : here.spacing) spacing = spacing_at[next++];
       if (!limits.is_finest_by_curve) continue;
       constexpr double kGrowth = 0.5;  // growth of the spacing for each unit of length from a corner
       const auto [begins, ends] = corners_at(curves[i], stretch, limits.corner_angle);
