@@ -2,6 +2,10 @@
 #include "core/structures/certificate/axis_certificate.h"
 
 #include <algorithm>
+#include <atomic>
+#include <utility>
+
+#include "core/base/parallel.h"
 
 namespace mes {
 
@@ -16,7 +20,7 @@ Corners AxisCertificate::corners_of(FaceSlot face) const {
   return {delaunay_.site_position(row.v[0]), delaunay_.site_position(row.v[1]), delaunay_.site_position(row.v[2])};
 }
 
-std::uint8_t AxisCertificate::verdict_on_arc(EdgeSlot edge) {
+std::uint8_t AxisCertificate::verdict_on_arc(EdgeSlot edge, Search& search) const {
   // An arc with more faces than this stays uncertified; no dense sample comes near this bound.
   constexpr std::size_t kMostFaces = 4096;
   const EdgeRow& row = delaunay_.edge(edge);
@@ -31,23 +35,25 @@ std::uint8_t AxisCertificate::verdict_on_arc(EdgeSlot edge) {
   const FaceSlot own_ball = balls_.ball(inner);
   const bool is_crust = (edge_[edge] & kDoubtful) == 0;
 
-  seen_.begin(delaunay_.face_rows());
-  seen_.insert(inner);
-  seen_.insert(outer);
-  queue_.assign(1, outer);
-  for (std::size_t next = 0; next < queue_.size(); ++next) {
-    if (queue_.size() > kMostFaces) return kTooLong;
-    const FaceSlot face = queue_[next];
+  auto& [seen, queue, far] = search;
+  seen.begin(delaunay_.face_rows());
+  seen.insert(inner);
+  seen.insert(outer);
+  queue.assign(1, outer);
+  far.clear();
+  for (std::size_t next = 0; next < queue.size(); ++next) {
+    if (queue.size() > kMostFaces) return kTooLong;
+    const FaceSlot face = queue[next];
     const FaceRow& at = delaunay_.face(face);
     const auto touches = [&at](SiteSlot site) { return at.v[0] == site || at.v[1] == site || at.v[2] == site; };
-    if (!forgoes_updates() && !touches(p) && !touches(q)) watch(edge, face);
+    if (!forgoes_updates() && !touches(p) && !touches(q)) far.push_back(face);
     for (int side = 0; side < 3; ++side) {
       const FaceSlot other = at.n[side];
-      if (!seen_.insert(other)) continue;
+      if (!seen.insert(other)) continue;
       if (labels_.is_inside(other)) {
         // A ball on the arc of a crust edge can also be reached across a border edge that is no crust edge.
         if (is_crust && !labels_.is_conflict(at.e[side])) {
-          seen_.erase(other);
+          seen.erase(other);
           continue;
         }
         if (balls_.ball(other) == own_ball) continue;
@@ -55,13 +61,13 @@ std::uint8_t AxisCertificate::verdict_on_arc(EdgeSlot edge) {
         if (!filter.misses(corners) && meets_arc(arc, corners)) return kBad;
       } else if (delaunay_.face(other).is_infinite()) {
         const FaceRow& row_of_other = delaunay_.face(other);
-        const int far = row_of_other.index_of_site(kInfiniteSite);
-        if (meets_arc_quickly(arc, delaunay_.site_position(row_of_other.v[next3(far)]),
-                              delaunay_.site_position(row_of_other.v[prev3(far)])) != Meets::no)
-          queue_.push_back(other);
+        const int at_infinity = row_of_other.index_of_site(kInfiniteSite);
+        if (meets_arc_quickly(arc, delaunay_.site_position(row_of_other.v[next3(at_infinity)]),
+                              delaunay_.site_position(row_of_other.v[prev3(at_infinity)])) != Meets::no)
+          queue.push_back(other);
       } else {
         const Corners corners = corners_of(other);
-        if (!filter.misses(corners) && meets_arc_quickly(arc, corners) != Meets::no) queue_.push_back(other);
+        if (!filter.misses(corners) && meets_arc_quickly(arc, corners) != Meets::no) queue.push_back(other);
       }
     }
   }
@@ -69,10 +75,11 @@ std::uint8_t AxisCertificate::verdict_on_arc(EdgeSlot edge) {
 }
 
 void AxisCertificate::search(EdgeSlot edge) {
-  const std::uint8_t verdict = verdict_on_arc(edge);
+  const std::uint8_t verdict = verdict_on_arc(edge, search_);
   edge_[edge] |= verdict;
   bad_edges_ += verdict == kBad ? 1 : 0;
   too_long_edges_ += verdict == kTooLong ? 1 : 0;
+  for (const FaceSlot face : search_.far) watch(edge, face);
 }
 
 void AxisCertificate::forget_searches() {
@@ -88,10 +95,31 @@ void AxisCertificate::forget_searches() {
 
 void AxisCertificate::search_all(JobControl& job) {
   forget_searches();
-  for (const EdgeSlot edge : delaunay_.edge_slots()) {
-    if ((edge.index() & 0x3ffU) == 0) job.checkpoint(edge.index(), delaunay_.edge_rows());
-    if ((edge_[edge] & kBorder) != 0) search(edge);
-  }
+  constexpr std::size_t kPiece = 128;
+  const std::size_t rows = delaunay_.edge_rows();
+  const std::size_t pieces = (rows + kPiece - 1) / kPiece;
+  std::vector<std::vector<std::pair<EdgeSlot, FaceSlot>>> watched(pieces);
+  std::atomic<std::size_t> next_piece = 0;
+  std::atomic<std::size_t> bad = 0;
+  std::atomic<std::size_t> too_long = 0;
+  run_tasks(std::min(worker_count(), pieces), [&](std::size_t) {
+    Search search;
+    for (std::size_t piece = next_piece++; piece < pieces; piece = next_piece++) {
+      job.checkpoint(piece, pieces);
+      for (const EdgeSlot edge : slots_between<EdgeSlot>(piece * kPiece, std::min(rows, (piece + 1) * kPiece))) {
+        if ((edge_[edge] & kBorder) == 0) continue;
+        const std::uint8_t verdict = verdict_on_arc(edge, search);
+        edge_[edge] |= verdict;
+        bad += verdict == kBad ? 1U : 0U;
+        too_long += verdict == kTooLong ? 1U : 0U;
+        for (const FaceSlot face : search.far) watched[piece].emplace_back(edge, face);
+      }
+    }
+  });
+  bad_edges_ = bad;
+  too_long_edges_ = too_long;
+  for (const auto& of_piece : watched)
+    for (const auto& [edge, face] : of_piece) watch(edge, face);
   is_searched_ = true;
 }
 

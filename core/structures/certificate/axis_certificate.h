@@ -34,6 +34,7 @@ namespace mes {
 ///
 /// Cost: rebuild O(n), plus about 1 us per border edge for dense samples where arcs are searched; update O(changed
 /// faces), plus one rebuild if the first border edge that fails the crust test appears before `get_ready_to_update`.
+/// Threads: all arcs are searched on all cores.
 class AxisCertificate final : public Structure {
  public:
   AxisCertificate(Delaunay& delaunay, Labels& labels, InnerBalls& balls);
@@ -86,8 +87,14 @@ class AxisCertificate final : public Structure {
   void search(EdgeSlot edge);
   void forget_searches();
   void forget_edge(EdgeSlot edge);
+  /// Work space of searches; one per thread.
+  struct Search {
+    SlotMarks<FaceSlot> seen{};
+    std::vector<FaceSlot> queue{};
+    std::vector<FaceSlot> far{};  ///< faces that decided and do not touch an end of the edge; if updates will follow
+  };
   /// Returns `kBad`, `kTooLong` or 0.
-  std::uint8_t verdict_on_arc(EdgeSlot edge);
+  std::uint8_t verdict_on_arc(EdgeSlot edge, Search& search) const;
   Corners corners_of(FaceSlot face) const;
 
   Delaunay& delaunay_;
@@ -120,10 +127,9 @@ class AxisCertificate final : public Structure {
   ChangeSet<EdgeSlot> edge_changes_;
   ChangeSet<SiteSlot> site_changes_;
   // Work space.
-  SlotMarks<FaceSlot> seen_;
+  Search search_;
   SlotMarks<SiteSlot> judged_sites_;
   SlotMarks<EdgeSlot> judged_edges_;
-  std::vector<FaceSlot> queue_;
 };
 
 }  // namespace mes
