@@ -34,30 +34,52 @@ void OpenStrokes::part(SiteSlot site) {
   proposers_.push_back(partner);
 }
 
+// The most doubtful edge of the site that it and the other end would take.
+OpenStrokes::Proposal OpenStrokes::best_proposal(SiteSlot site) const {
+  Proposal best{{}, site, kNoSlot};
+  if (!delaunay_.is_site(site) || !crust_.is_odd(site)) return best;
+  delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
+    if (!repairs(edge)) return;
+    const CertaintyOrder::Rank rank = order_.rank_of(edge);
+    if (best.partner != kNoSlot && order_.is_surer(rank, best.rank)) return;
+    if (would_take(site, rank) && would_take(other, rank)) best = {rank, site, other};
+  });
+  return best;
+}
+
 // Sites propose along their most doubtful edge to those that are free or prefer it to theirs. The result does not
-// depend on the order of proposals, since all agree on which edges are better.
+// depend on the order of proposals, since all agree on which edges are better. The best come first, so that no match is
+// undone: what a site that is left proposes next is worse than what it had.
 void OpenStrokes::match_all(JobControl& job) {
+  const auto is_worse = [this](const Proposal& a, const Proposal& b) { return order_.is_surer(a.rank, b.rank); };
+  const auto propose = [&](SiteSlot site) {
+    const Proposal best = best_proposal(site);
+    if (best.partner == kNoSlot) return;
+    proposals_.push_back(best);
+    std::ranges::push_heap(proposals_, is_worse);
+  };
+  proposals_.clear();
   std::size_t done = 0;
-  while (!proposers_.empty()) {
-    if ((++done & 1023U) == 0) job.checkpoint();
-    const SiteSlot site = proposers_.back();
-    proposers_.pop_back();
-    if (!delaunay_.is_site(site) || !crust_.is_odd(site)) continue;
-    CertaintyOrder::Rank best;
-    SiteSlot partner;
-    delaunay_.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
-      if (!repairs(edge)) return;
-      const CertaintyOrder::Rank rank = order_.rank_of(edge);
-      if (partner != kNoSlot && order_.is_surer(rank, best)) return;
-      if (!would_take(site, rank) || !would_take(other, rank)) return;
-      best = rank;
-      partner = other;
-    });
-    if (partner == kNoSlot) continue;
+  for (;;) {
+    for (; !proposers_.empty(); ++done) {
+      if ((done & 1023U) == 0) job.checkpoint();
+      const SiteSlot site = proposers_.back();
+      proposers_.pop_back();
+      propose(site);
+    }
+    if (proposals_.empty()) return;
+    const auto [rank, site, partner] = proposals_.front();
+    std::ranges::pop_heap(proposals_, is_worse);
+    proposals_.pop_back();
+    if (match_[site].edge == rank.edge) continue;
+    if (!would_take(site, rank) || !would_take(partner, rank)) {
+      proposers_.push_back(site);
+      continue;
+    }
     part(site);
     part(partner);
-    set_match(site, {best.edge, partner});
-    set_match(partner, {best.edge, site});
+    set_match(site, {rank.edge, partner});
+    set_match(partner, {rank.edge, site});
   }
 }
 

@@ -101,6 +101,12 @@ class OpenStrokes {
     std::vector<EdgeSlot> edges;
   };
 
+  struct Proposal {
+    CertaintyOrder::Rank rank;
+    SiteSlot site;
+    SiteSlot partner;  ///< kNoSlot: there is none
+  };
+  Proposal best_proposal(SiteSlot site) const;
   void set_match(SiteSlot site, const Match& match);
   void part(SiteSlot site);
   void match_all(JobControl& job);
@@ -146,6 +152,7 @@ class OpenStrokes {
 
   // Work space.
   std::vector<SiteSlot> proposers_;  ///< sites that may find a partner, or a better one
+  std::vector<Proposal> proposals_;  ///< a heap
   struct Before {
     SiteSlot site;
     Match match;
