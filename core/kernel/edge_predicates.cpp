@@ -187,6 +187,24 @@ int compare_cotangents(const Cotangent<Number>& a, const Cotangent<Number>& b) {
   return sign_of(a.over * b.under - b.over * a.under);
 }
 
+// Exact for numbers of at most 51 bits: so are their products as sums of two doubles.
+int compare_cotangents(const Cotangent<double>& a, const Cotangent<double>& b) {
+  const double left = a.over * b.under;
+  const double right = b.over * a.under;
+  if (left != right) return left < right ? -1 : 1;
+  const double left_rest = std::fma(a.over, b.under, -left);
+  const double right_rest = std::fma(b.over, a.under, -right);
+  return left_rest < right_rest ? -1 : (right_rest < left_rest ? 1 : 0);
+}
+
+// Exact; nothing unless the corners lie on a coarse grid.
+std::optional<Cotangent<double>> cotangent_on_grid(const EdgeCorners& e) {
+  const double size = largest_difference(e);
+  if (!(size > 1e-30 && size < 1e30 && is_on_coarse_grid(e, size))) return std::nullopt;
+  const Phase phase = phase_of(e);
+  return Cotangent<double>{std::abs(phase.h), phase.i};
+}
+
 // The square of |ab|.
 template <class Number>
 Number square_in(Vec2 a, Vec2 b) {
@@ -198,22 +216,8 @@ Number square_in(Vec2 a, Vec2 b) {
 }  // namespace
 
 int compare_ambiguity(const EdgeCorners& a, const EdgeCorners& b) {
-  const double size_a = largest_difference(a);
-  const double size_b = largest_difference(b);
-  if (std::min(size_a, size_b) > 1e-30 && std::max(size_a, size_b) < 1e30 && is_on_coarse_grid(a, size_a) &&
-      is_on_coarse_grid(b, size_b)) {
-    // All four numbers are exact; so are their products as sums of two doubles.
-    const Phase pa = phase_of(a);
-    const Phase pb = phase_of(b);
-    if (pa.i != 0.0 && pb.i != 0.0) {
-      const double left = std::abs(pa.h) * pb.i;
-      const double right = std::abs(pb.h) * pa.i;
-      if (left != right) return left < right ? -1 : 1;
-      const double left_rest = std::fma(std::abs(pa.h), pb.i, -left);
-      const double right_rest = std::fma(std::abs(pb.h), pa.i, -right);
-      return left_rest < right_rest ? -1 : (right_rest < left_rest ? 1 : 0);
-    }
-  }
+  if (const auto of_a = cotangent_on_grid(a))
+    if (const auto of_b = cotangent_on_grid(b)) return compare_cotangents(*of_a, *of_b);
   const int order = compare_cotangents(cotangent_in<TwoDoubles>(a), cotangent_in<TwoDoubles>(b));
   return order != 0 ? order : compare_cotangents(cotangent_in<Integer>(a), cotangent_in<Integer>(b));
 }
@@ -225,10 +229,13 @@ std::vector<std::uint32_t> ambiguity_places(std::span<const EdgeCorners> edges,
   const auto look = [&] {
     if (looks++ % kBetweenLooks == 0) checkpoint();
   };
+  std::vector<std::optional<Cotangent<double>>> on_grid;
   std::vector<TwoDoubles> rounded;
+  on_grid.reserve(edges.size());
   rounded.reserve(edges.size());
   for (const EdgeCorners& edge : edges) {
     look();
+    on_grid.push_back(cotangent_on_grid(edge));
     const Cotangent<TwoDoubles> cotangent = cotangent_in<TwoDoubles>(edge);
     rounded.push_back(cotangent.over / cotangent.under);
   }
@@ -239,6 +246,7 @@ std::vector<std::uint32_t> ambiguity_places(std::span<const EdgeCorners> edges,
   };
   const auto is_before = [&](std::uint32_t a, std::uint32_t b) {
     look();
+    if (on_grid[a] && on_grid[b]) return compare_cotangents(*on_grid[a], *on_grid[b]) < 0;
     const int order = (rounded[a] - rounded[b]).sign();
     return (order != 0 ? order : compare_cotangents(exactly(a), exactly(b))) < 0;
   };
