@@ -211,11 +211,13 @@ Contacts contacts_of(const std::vector<PlaneCurve>& curves, double resolution, b
       out.vertices.push_back(curves[c].end());
   }
   number_equal_vertices(out);
+  std::vector<double> sizes;
   // For each vertex, the size of the smallest piece at it.
   std::vector<double> local(out.vertices.size(), std::numeric_limits<double>::infinity());
-  for (const TouchingPiece& piece : out.pieces)
-    for (const std::uint32_t vertex : {piece.from, piece.to})
-      local[vertex] = std::min(local[vertex], size_of(piece.piece));
+  for (const TouchingPiece& piece : out.pieces) {
+    sizes.push_back(size_of(piece.piece));
+    for (const std::uint32_t vertex : {piece.from, piece.to}) local[vertex] = std::min(local[vertex], sizes.back());
+  }
   const auto find = [&](const PieceFinder& finder, std::size_t most_visits) {
     std::vector<std::vector<Contact>> found(chunk_count(out.vertices.size()));
     std::atomic<std::size_t> visits = 0;
@@ -230,7 +232,7 @@ Contacts contacts_of(const std::vector<PlaneCurve>& curves, double resolution, b
           ++visits_of_one;
           const TouchingPiece& other = out.pieces[number];
           if (other.from == v || other.to == v) return true;
-          const double of_both = std::min(local[v], size_of(other.piece));
+          const double of_both = std::min(local[v], sizes[number]);
           const double t = parameter_of_contact(other.piece, p, std::clamp(kOfOthers * of_both, least, out.tolerance),
                                                 std::clamp(kOfSlanted * of_both, least, out.tolerance));
           if (t < 0.0) return true;
