@@ -65,8 +65,4 @@ class ClipRegion {
   std::shared_ptr<const Body> body_;
 };
 
-/// The smallest box around a piece or a curve. Empty for no curves. O(pieces).
-Box2 bounds_of(const Piece& piece);
-Box2 bounds_of(std::span<const PlaneCurve> curves);
-
 }  // namespace mes

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/curves/curve_bounds.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-
-#include "core/curves/clip_region.h"
 
 namespace mes {
 namespace {

@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "core/curves/curve_bounds.h"
 
 namespace mes {
 namespace {
@@ -15,33 +16,7 @@ double nearest_on_line(const Piece& line, Vec2 p) {
   return size > 0.0 ? std::clamp(dot(p - line.points[0], along) / size, 0.0, 1.0) : 0.0;
 }
 
-// Adds the points at which the arc runs along an axis. Those just beyond its ends count too, so that no rounding leaves
-// one out.
-void add_extremes(Box2& box, const EllipticArc& arc) {
-  constexpr double kTurn = 2.0 * std::numbers::pi;
-  constexpr double kSlack = 1e-9;
-  const double low = std::min(arc.start, arc.start + arc.sweep) - kSlack;
-  const double high = std::max(arc.start, arc.start + arc.sweep) + kSlack;
-  for (const double first : {std::atan2(arc.v.x, arc.u.x), std::atan2(arc.v.y, arc.u.y)})
-    for (const double angle : {first, first + std::numbers::pi})
-      if (angle + kTurn * std::ceil((low - angle) / kTurn) <= high)
-        box.add(arc.center + std::cos(angle) * arc.u + std::sin(angle) * arc.v);
-}
-
 }  // namespace
-
-Box2 box_of(const Piece& piece) {
-  Box2 out;
-  if (piece.kind == PieceKind::arc) {
-    add_extremes(out, piece.arc);
-    out.add(piece.from());
-    out.add(piece.to());
-    return out;
-  }
-  const std::size_t count = piece.kind == PieceKind::line ? 2 : piece.kind == PieceKind::quadratic ? 3 : 4;
-  for (std::size_t i = 0; i < count; ++i) out.add(piece.points[i]);
-  return out;
-}
 
 double nearest_parameter(const Piece& piece, Vec2 p) {
   if (piece.kind == PieceKind::line) return nearest_on_line(piece, p);
@@ -77,7 +52,7 @@ std::optional<Vec2> nearest_place(const CurveSet& curves, Vec2 p, double reach) 
   std::optional<Vec2> best;
   for (const PlaneCurve& curve : curves.curves)
     curve.for_each_piece([&](const Piece& piece) {
-      const Box2 box = box_of(piece);
+      const Box2 box = bounds_of(piece);
       if (p.x < box.low.x - reach || p.x > box.high.x + reach || p.y < box.low.y - reach || p.y > box.high.y + reach)
         return;
       const Vec2 place = piece.at(nearest_parameter(piece, p));

@@ -7,7 +7,6 @@
 
 #include <optional>
 
-#include "core/base/box2.h"
 #include "core/curves/curve.h"
 
 namespace mes {
@@ -19,8 +18,5 @@ std::optional<Vec2> nearest_place(const CurveSet& curves, Vec2 p, double reach);
 
 /// Parameter of the point of a piece that is nearest to `p`, with the same precision.
 double nearest_parameter(const Piece& piece, Vec2 p);
-
-/// A box that contains the piece, up to rounding: that of its control points, or the least one for an arc.
-Box2 box_of(const Piece& piece);
 
 }  // namespace mes

@@ -4,7 +4,7 @@
 
 #include "core/base/rng.h"
 #include "core/curves/curve.h"
-#include "core/curves/nearest_place.h"
+#include "core/curves/curve_bounds.h"
 #include "tests/support/pi.h"
 
 using namespace mes;
@@ -108,7 +108,7 @@ TEST_CASE("the box of an arc holds it and no more") {
     constexpr int kPoints = 4000;
     Box2 seen;
     for (int k = 0; k <= kPoints; ++k) seen.add(on(arc, static_cast<double>(k) / kPoints));
-    const Box2 box = box_of(piece);
+    const Box2 box = bounds_of(piece);
     constexpr double kRounding = 1e-12;
     constexpr double kBetweenPoints = 1e-4;
     for (const auto& [least, seen_least] : {std::pair(box.low.x, seen.low.x), std::pair(box.low.y, seen.low.y)}) {

@@ -7,6 +7,7 @@
 
 #include "core/base/rng.h"
 #include "core/curves/clip_region.h"
+#include "core/curves/curve_bounds.h"
 #include "tests/curves/curve_parts.h"
 #include "tests/support/pi.h"
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/curves/clip_region.h"
+#include "core/curves/curve_bounds.h"
 #include "core/io/svg/svg_drawing.h"
 #include "tests/support/pi.h"
 

@@ -12,6 +12,7 @@
 #include "core/base/box2.h"
 #include "core/base/box_tree.h"
 #include "core/base/parallel.h"
+#include "core/curves/curve_bounds.h"
 #include "core/curves/nearest_place.h"
 
 namespace mes {
@@ -65,7 +66,7 @@ std::vector<bool> overlapping(const std::vector<PlaneCurve>& curves, const std::
 
 double size_of(const Piece& piece) {
   if (piece.kind == PieceKind::line) return distance(piece.from(), piece.to());
-  const Box2 box = box_of(piece);
+  const Box2 box = bounds_of(piece);
   return std::max(box.width(), box.height());
 }
 
@@ -105,7 +106,7 @@ class PieceFinder {
       const int count = piece.kind == PieceKind::line ? 1 : parts_per_bend;
       for (int k = 0; k < count; ++k) {
         const double share = 1.0 / count;
-        parts_.push_back({box_of(count == 1 ? piece : piece.part(share * k, share * (k + 1))), i});
+        parts_.push_back({bounds_of(count == 1 ? piece : piece.part(share * k, share * (k + 1))), i});
       }
     }
     std::vector<std::uint32_t> numbers(parts_.size());
@@ -178,8 +179,7 @@ Contacts contacts_of(const std::vector<PlaneCurve>& curves, double resolution, b
     if (curves[i].is_polyline()) {
       for (const Vec2 p : curves[i].points()) boxes[i].add(p);
     } else {
-      curves[i].for_each_piece([&](const Piece& piece) { boxes[i].add(box_of(piece)); });
-      boxes[i].add(curves[i].start());
+      boxes[i] = bounds_of(std::span(&curves[i], 1));
     }
     extent.add(boxes[i]);
   }

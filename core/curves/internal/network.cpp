@@ -9,9 +9,9 @@
 #include <utility>
 
 #include "core/base/disjoint_sets.h"
+#include "core/curves/curve_bounds.h"
 #include "core/curves/internal/contacts.h"
 #include "core/curves/joined_ends.h"
-#include "core/curves/nearest_place.h"
 
 namespace mes {
 namespace {
@@ -159,7 +159,7 @@ void NetworkMaker::compare_parts() {
   const auto is_same = [this](const Part& a, const Part& b, bool is_forward) {
     constexpr double kQuarter = 0.25;
     constexpr double kOfSize = 1.0 / 64.0;
-    const Box2 box = box_of(a.piece);
+    const Box2 box = bounds_of(a.piece);
     const double tolerance = std::min(2.0 * contacts_.tolerance, kOfSize * std::max(box.width(), box.height()));
     for (const double t : {kQuarter, 2.0 * kQuarter, 3.0 * kQuarter})
       if (!(distance(a.piece.at(t), b.piece.at(is_forward ? t : 1.0 - t)) <= tolerance)) return false;

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/curves/curve_bounds.h"
 #include "core/io/svg/svg_shapes.h"
 
 namespace mes {

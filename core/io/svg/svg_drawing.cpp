@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "core/base/lower_case.h"
+#include "core/curves/curve_bounds.h"
 #include "core/io/svg/svg_clip_paths.h"
 #include "core/io/svg/svg_context.h"
 #include "core/io/svg/svg_geometry.h"

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/parallel.h"
+#include "core/curves/curve_bounds.h"
 
 namespace mes {
 namespace {
