@@ -24,6 +24,35 @@ struct GridBox {
   GridPoint high;
 };
 
+bool meet(const Box2& a, const Box2& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
+
+/// Whether the boxes of so many pairs of pieces overlap that Clipper would have crossings by the million to compute.
+bool overlap_too_often(std::span<const PlaneCurve> curves) {
+  constexpr std::size_t kMostOverlaps = 2'000'000;
+  constexpr std::size_t kFewPieces = 2000;  // all of them may overlap
+  std::size_t count = 0;
+  for (const PlaneCurve& curve : curves) count += curve.piece_count();
+  if (count <= kFewPieces) return false;
+  std::vector<Box2> boxes;
+  for (const PlaneCurve& curve : curves)
+    curve.for_each_piece([&boxes](const Piece& piece) { boxes.push_back(bounds_of(piece)); });
+  BoxTree<std::uint32_t> tree;
+  std::vector<std::uint32_t> all(boxes.size());
+  std::iota(all.begin(), all.end(), 0U);
+  tree.build(
+      all, [&](std::uint32_t i) { return TreeBounds{.box = boxes[i]}; }, [](std::uint32_t, std::uint32_t) {});
+  const std::size_t most = 2 * kMostOverlaps + 8 * boxes.size();  // each pair twice, and a piece and its neighbours
+  std::size_t overlaps = 0;
+  for (const Box2& box : boxes) {
+    tree.visit_where([&](const Box2& other, double) { return overlaps <= most && meet(box, other); },
+                     [&](std::uint32_t i) { overlaps += meet(box, boxes[i]) ? 1U : 0U; });
+    if (overlaps > most) return true;
+  }
+  return false;
+}
+
 GridBox grid_box(const GridPaths& paths) {
   GridBox out{paths.front().front(), paths.front().front()};
   for (const GridPath& path : paths)
@@ -121,20 +150,25 @@ struct ClipRegion::Body {
         all, [this](std::uint32_t side) { return TreeBounds{.box = box_of_side(side)}; },
         [](std::uint32_t, std::uint32_t) {});
   }
+  /// The box in steps of the grid, with a margin for rounding to it.
+  Box2 on_grid(const Box2& box) const {
+    const double grid = curves.grid();
+    const Vec2 margin{2.0 * grid, 2.0 * grid};
+    return {(1.0 / grid) * (box.low - margin), (1.0 / grid) * (box.high + margin)};
+  }
   Box2 box_of_side(std::uint32_t side) const {
     Box2 box;
     box.add(as_vec(sides[side].first));
     box.add(as_vec(sides[side].second));
     return box;
   }
-  bool may_cut(const Box2& box) const {
-    const auto meets = [&box](const Box2& other, double = 0.0) {
-      return box.low.x <= other.high.x && other.low.x <= box.high.x && box.low.y <= other.high.y &&
-             other.low.y <= box.high.y;
-    };
-    bool out = false;
-    tree.visit_where([&](const Box2& other, double) { return !out && meets(other); },
-                     [&](std::uint32_t side) { out = out || meets(box_of_side(side)); });
+  template <class CostOf>
+  std::size_t cost_near(const Box2& box, std::size_t most, CostOf cost_of) const {
+    std::size_t out = 0;
+    tree.visit_where([&](const Box2& other, double) { return out < most && meet(box, other); },
+                     [&](std::uint32_t side) {
+                       if (out < most && meet(box, box_of_side(side))) out += cost_of(sides[side]);
+                     });
     return out;
   }
   /// For a point in the box of no side: then each side at its height lies entirely to its left or to its right.
@@ -319,7 +353,14 @@ double clip_grid(double extent) {
 }
 
 bool ClipRegion::fits(std::span<const PlaneCurve> curves, double grid) {
-  return std::ranges::all_of(curves, [grid](const PlaneCurve& curve) { return FlatCurves::fits(curve, grid); });
+  return std::ranges::all_of(curves, [grid](const PlaneCurve& curve) { return FlatCurves::fits(curve, grid); }) &&
+         !overlap_too_often(curves);
+}
+
+std::size_t ClipRegion::cost_near(const Box2& box, std::size_t most) const {
+  if (is_plane()) return 0;
+  return body_->cost_near(body_->on_grid(box), most,
+                          [this](const auto& side) { return 1 + body_->curves.looks_at(side.first); });
 }
 
 ClipRegion ClipRegion::of(std::span<const PlaneCurve> curves, FillRule rule, double grid) {
@@ -360,10 +401,7 @@ ClippedCurves ClipRegion::clipped(std::vector<PlaneCurve> curves, Ink ink) const
   if (is_plane() || curves.empty()) return {Seen::whole, std::move(curves)};
   const FlatCurves& region = body_->curves;
   // Boxes show for most curves that nothing cuts them.
-  Box2 box = bounds_of(curves);
-  const Vec2 margin{2.0 * region.grid(), 2.0 * region.grid()};
-  box = {(1.0 / region.grid()) * (box.low - margin), (1.0 / region.grid()) * (box.high + margin)};
-  if (!body_->may_cut(box)) {
+  if (body_->cost_near(body_->on_grid(bounds_of(curves)), 1, [](const auto&) { return std::size_t{1}; }) == 0) {
     const Vec2 start = (1.0 / region.grid()) * curves.front().start();
     const bool is_inside = body_->holds({std::llround(start.x), std::llround(start.y)});
     if (is_inside) return {Seen::whole, std::move(curves)};

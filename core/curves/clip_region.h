@@ -43,7 +43,7 @@ struct ClippedCurves {
   std::vector<PlaneCurve> curves{};  ///< no names; if everything is seen, the curves that were given
 };
 
-/// A value type. Combined regions must have the same grid. Coordinates must not exceed 2^55 steps of the grid.
+/// A value type. Combined regions must have the same grid. Curves must fit.
 class ClipRegion {
  public:
   /// The whole plane.
@@ -52,11 +52,15 @@ class ClipRegion {
   static ClipRegion of(std::span<const PlaneCurve> curves, FillRule rule, double grid);
   static ClipRegion united(std::span<const ClipRegion> regions, double grid);
   static ClipRegion common(const ClipRegion& a, const ClipRegion& b);
-  /// Whether the coordinates of these curves fit on the grid.
+  /// Whether these curves can be clipped, or clip others: their coordinates fit on the grid, and their pieces do not
+  /// cross each other by the million. O(pieces log pieces).
   static bool fits(std::span<const PlaneCurve> curves, double grid);
 
   bool is_plane() const { return !body_; }
-  /// Clips the curves, which must fit on the grid. A curve that is cut loses its name.
+  /// What clipping a curve in this box costs, or about `most` if that is less: the number of sides of the region near
+  /// it, and of those that are looked at for each of these.
+  std::size_t cost_near(const Box2& box, std::size_t most) const;
+  /// Clips the curves. A curve that is cut loses its name.
   ClippedCurves clipped(std::vector<PlaneCurve> curves, Ink ink) const;
 
  private:

@@ -2,9 +2,7 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
-#include "core/base/rng.h"
 #include "core/curves/curve.h"
-#include "core/curves/curve_bounds.h"
 #include "tests/support/pi.h"
 
 using namespace mes;
@@ -97,27 +95,4 @@ TEST_CASE("a closed curve ends where it starts") {
   back.line_to({0, 0});
   back.close();
   CHECK(back.piece_count() == 2);
-}
-
-TEST_CASE("the box of an arc holds it and no more") {
-  Rng rng(4);
-  for (int i = 0; i < 200; ++i) {
-    const auto vector = [&rng] { return Vec2{rng.uniform(-3.0, 3.0), rng.uniform(-3.0, 3.0)}; };
-    const EllipticArc arc{vector(), vector(), vector(), rng.uniform(-9.0, 9.0), rng.uniform(-2.0 * kPi, 2.0 * kPi)};
-    const Piece piece{.kind = PieceKind::arc, .points = {on(arc, 0.0), on(arc, 1.0)}, .arc = arc};
-    constexpr int kPoints = 4000;
-    Box2 seen;
-    for (int k = 0; k <= kPoints; ++k) seen.add(on(arc, static_cast<double>(k) / kPoints));
-    const Box2 box = bounds_of(piece);
-    constexpr double kRounding = 1e-12;
-    constexpr double kBetweenPoints = 1e-4;
-    for (const auto& [least, seen_least] : {std::pair(box.low.x, seen.low.x), std::pair(box.low.y, seen.low.y)}) {
-      CHECK(least <= seen_least + kRounding);
-      CHECK(least >= seen_least - kBetweenPoints);
-    }
-    for (const auto& [most, seen_most] : {std::pair(box.high.x, seen.high.x), std::pair(box.high.y, seen.high.y)}) {
-      CHECK(most >= seen_most - kRounding);
-      CHECK(most <= seen_most + kBetweenPoints);
-    }
-  }
 }

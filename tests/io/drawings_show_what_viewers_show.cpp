@@ -378,6 +378,28 @@ TEST_CASE("what is not seen within a clip path clips nothing in") {
              Catch::Contains("1 shape is left out, which its clip path hides"));
 }
 
+TEST_CASE("clip paths that cross themselves by the million are not computed") {
+  const auto clip_path = [](int lines) {
+    std::string path = "<clipPath id='c'><path d='M0 0";
+    // As chords of a star, each of which crosses nearly all others.
+    for (int i = 1; i < lines; ++i)
+      path += " L" + std::to_string(50.0 + 50.0 * std::cos(2.0 * i)) + " " +
+              std::to_string(50.0 + 50.0 * std::sin(2.0 * i));
+    return path + "Z'/></clipPath>";
+  };
+  CHECK(seen(clip_path(60) + square("a", "transform='scale(100)' clip-path='url(#c)'")) != "");
+  CHECK_THAT(drawing_shown(clip_path(20000) + square("a", "clip-path='url(#c)'") + square("b")).warnings,
+             Catch::Matchers::VectorContains(std::string(
+                 "a.svg:1:84: 1 shape in a clip path is left out, which is too large or crosses itself too often")));
+  std::string many = clip_path(1000);
+  for (int i = 0; i < 1000; ++i) many += "<rect x='1' y='1' width='98' height='98' clip-path='url(#c)'/>";
+  ReadJob job;
+  const auto read = read_svg_drawing(
+      "<svg xmlns='http://www.w3.org/2000/svg' width='100' height='100'>" + many + "</svg>", "a.svg", job);
+  REQUIRE_FALSE(read.has_value());
+  CHECK_THAT(read.error().message(), Catch::Contains("clip paths cross themselves and the shapes too often"));
+}
+
 TEST_CASE("clip paths and masks that are not applied are said") {
   const auto warning = [](const std::string& content, const std::string& attributes) {
     const SvgDrawing read = drawing_shown(content + square("a", attributes));

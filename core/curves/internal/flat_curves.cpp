@@ -107,6 +107,13 @@ void FlatCurves::build() {
       [](std::uint32_t, std::uint32_t) {});
 }
 
+std::size_t FlatCurves::looks_at(GridPoint corner) const {
+  std::size_t out = 0;
+  tree_.visit_where([p = as_vec(corner)](const Box2& box, double) { return box.contains(p); },
+                    [&out](std::uint32_t) { ++out; });
+  return out;
+}
+
 std::vector<SideAt> FlatCurves::sides_at(GridPoint corner, double reach) const {
   std::vector<SideAt> out;
   const Vec2 p = as_vec(corner);

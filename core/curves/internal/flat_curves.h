@@ -53,6 +53,8 @@ class FlatCurves {
 
   /// Sides within `reach` grid steps of the corner.
   std::vector<SideAt> sides_at(GridPoint corner, double reach = kOnSide) const;
+  /// How many sides `sides_at` looks at.
+  std::size_t looks_at(GridPoint corner) const;
 
   double grid() const { return grid_; }
   /// Largest distance between polygons and their curves, in grid steps.

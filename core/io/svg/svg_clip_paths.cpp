@@ -141,8 +141,9 @@ void SvgClipPaths::add_child(pugi::xml_node node, SvgContext context, std::vecto
     if (auto region = region_of_curves(std::move(shape.path.curves), context.map, fill))
       parts.push_back(*std::move(region));
     else
-      elements_.remark("shape in a clip path is left out, whose coordinates are too large",
-                       "shapes in clip paths are left out, whose coordinates are too large", source_.place_of(node));
+      elements_.remark("shape in a clip path is left out, which is too large or crosses itself too often",
+                       "shapes in clip paths are left out, which are too large or cross themselves too often",
+                       source_.place_of(node));
   }
   if (parts.empty()) return;
   const ClipRegion own = of(node, style, context, [&] { return bounds; });

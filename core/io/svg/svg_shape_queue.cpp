@@ -13,6 +13,9 @@ namespace {
 
 using Seen = ClippedCurves::Seen;
 
+// Takes some twenty seconds.
+constexpr std::size_t kMostClipCost = 100'000'000;
+
 /// Filling closes open curves; a curve that misses its start only by the rounding of coordinates is closed, too.
 void close_what_looks_closed(PlaneCurve& curve, const SvgContext& context) {
   if (curve.is_closed() || curve.piece_count() < 2) return;
@@ -59,6 +62,9 @@ Expected<void> SvgShapeQueue::finish() {
   run_tasks(ends.size(), [&](std::size_t run) {
     for (std::size_t i = run == 0 ? 0 : ends[run - 1]; i < ends[run]; ++i) finish(waiting_[i]);
   });
+  if (clip_cost_ > kMostClipCost)
+    return source_.refuse(source_.place_of(waiting_.back().node),
+                          "up to here, clip paths cross themselves and the shapes too often");
   for (SvgShape& shape : waiting_) {
     remark_on(shape);
     for (PlaneCurve& curve : shape.geometry.path.curves) {
@@ -80,7 +86,7 @@ Expected<void> SvgShapeQueue::finish() {
 }
 
 /// Finishes one shape, on any thread.
-void SvgShapeQueue::finish(SvgShape& shape) const {
+void SvgShapeQueue::finish(SvgShape& shape) {
   if (job_.control() != nullptr && job_.control()->stop_requested()) throw Cancelled{};
   shape.geometry.finish(job_.control());
   std::vector<PlaneCurve>& curves = shape.geometry.path.curves;
@@ -90,8 +96,11 @@ void SvgShapeQueue::finish(SvgShape& shape) const {
   }
   shape.is_off_page = lie_off(page_, curves);
   if (!shape.context.clip.is_plane() && !curves.empty()) {
-    shape.is_too_far = !ClipRegion::fits(curves, grid_);
-    if (!shape.is_too_far) {
+    shape.is_unclipped = !ClipRegion::fits(curves, grid_);
+    // Once it is too much, the drawing is refused, whatever becomes of the shapes that are left.
+    if (!shape.is_unclipped && clip_cost_ <= kMostClipCost)
+      clip_cost_ += shape.context.clip.cost_near(bounds_of(curves), kMostClipCost + 1);
+    if (!shape.is_unclipped && clip_cost_ <= kMostClipCost) {
       const Ink area = shape.context.fills_even_odd ? Ink::even_odd_area : Ink::nonzero_area;
       auto clipped = shape.context.clip.clipped(std::move(curves), shape.context.is_filled() ? area : Ink::line);
       shape.seen = clipped.seen;
@@ -111,9 +120,10 @@ void SvgShapeQueue::remark_on(const SvgShape& shape) {
   if (shape.seen == Seen::nothing)
     remarks.add("shape is left out, which its clip path hides", "shapes are left out, which clip paths hide", place);
   if (shape.seen == Seen::part) remarks.add("shape is cut by its clip path", "shapes are cut by clip paths", place);
-  if (shape.is_too_far)
-    remarks.add("shape is too large for its clip path, which is not applied",
-                "shapes are too large for their clip paths, which are not applied", place);
+  if (shape.is_unclipped)
+    remarks.add("shape is too large or crosses itself too often for its clip path, which is not applied",
+                "shapes are too large or cross themselves too often for their clip paths, which are not applied",
+                place);
   if (shape.is_off_page && shape.seen != Seen::nothing)
     remarks.add("shape lies outside the page, and is read", "shapes lie outside the page, and are read", place);
   if (shape.context.has_pattern && shape.context.is_filled())

@@ -2,6 +2,7 @@
 // Converts shapes of a drawing to curves, many at a time. Private to core/io.
 #pragma once
 
+#include <atomic>
 #include <cstddef>
 #include <pugixml.hpp>
 #include <vector>
@@ -22,7 +23,7 @@ struct SvgShape {
   SvgGeometry geometry;
   ClippedCurves::Seen seen = ClippedCurves::Seen::whole;
   bool is_off_page = false;
-  bool is_too_far = false;  ///< too far away for its clip path
+  bool is_unclipped = false;  ///< does not fit its clip path
 };
 
 /// Collects shapes until several threads have work. Through `use`, shapes may far outnumber the bytes of the file.
@@ -37,19 +38,20 @@ class SvgShapeQueue {
   void set_page(const Box2& page) { page_ = page; }
   /// Precision of clip paths; used when shapes are finished.
   void set_grid(double grid) { grid_ = grid; }
-  /// Error: `bad_input` for too many pieces.
+  /// Error: `bad_input` for too many pieces, or for clip paths that cost too much.
   Expected<void> add(SvgShape shape);
   Expected<void> finish();
   std::vector<PlaneCurve> take() { return std::move(curves_); }
 
  private:
-  void finish(SvgShape& shape) const;
+  void finish(SvgShape& shape);
   void remark_on(const SvgShape& shape);
 
   XmlSource& source_;
   ReadJob& job_;
   std::size_t most_pieces_;
   std::size_t pieces_ = 0;
+  std::atomic<std::size_t> clip_cost_ = 0;  ///< of `ClipRegion::cost_near`, up to some more than is allowed
   Box2 page_{};
   double grid_ = 0.0;
   std::vector<SvgShape> waiting_{};
