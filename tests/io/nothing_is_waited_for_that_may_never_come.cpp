@@ -56,6 +56,19 @@ TEST_CASE("a folder or a device beside a file of samples is not read") {
   CHECK(loaded->warnings.size() == 1);
 }
 
+TEST_CASE("a file beside others is refused by its size if that makes no sense") {
+  const test::TemporaryFolder folder;
+  const fs::path file = folder.write("a.poff", "POFF 3 0 0\n0 0\n1 0\n0 1\n");
+  const fs::path beside = folder.write("a.contours", "3\n");
+  CHECK(read_sample_file(file)->data.contours.size() == 1);
+  fs::resize_file(beside, std::uintmax_t{3} << 30U);  // takes no room on the disk
+  const auto loaded = read_sample_file(file);
+  REQUIRE(loaded);
+  CHECK(loaded->data.positions.size() == 3);
+  REQUIRE(loaded->warnings.size() == 1);
+  CHECK_THAT(loaded->warnings[0], Catch::Contains("a.contours: it is too large to read; the order of the curve"));
+}
+
 TEST_CASE("samples are read from a pipe given by name, however slowly they come") {
   const test::TemporaryFolder folder;
   const fs::path pipe = make_pipe(folder, "pipe");

@@ -3,6 +3,7 @@
 #include <bit>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <filesystem>
 
 #include "core/io/format.h"
 #include "temporary_folder.h"
@@ -161,6 +162,13 @@ TEST_CASE("the .prj beside it says whether positions are degrees") {
   REQUIRE(kept.warnings.size() == 1);
   CHECK_THAT(kept.warnings[0], Catch::Contains("degrees are kept as coordinates of the plane"));
   CHECK(kept.sources.size() == 2);
+
+  std::filesystem::resize_file(beside, std::uintmax_t{3} << 30U);  // takes no room on the disk
+  const LoadedFile unread = good(read_sample_file(path, {}, nullptr, {.keeps_vertices = true}));
+  CHECK(unread.data.positions == alone.data.positions);
+  REQUIRE(unread.warnings.size() == 2);
+  CHECK_THAT(unread.warnings[1],
+             Catch::Contains("a.prj: it is too large to read; coordinates are taken as they are"));
 
   folder.write("a.prj", "PROJCS[\"ETRS_1989_UTM_Zone_32N\"," + std::string(kDegrees) + ",UNIT[\"Meter\",1.0]]");
   const LoadedFile plane = good(read_sample_file(path, {}, nullptr, {.keeps_vertices = true}));

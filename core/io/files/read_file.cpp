@@ -78,6 +78,9 @@ Expected<std::string> read_whole(int descriptor, const std::string& name, const 
   if (::fstat(descriptor, &status) != 0) return cannot_read(name, errno);
   if (S_ISDIR(status.st_mode)) return cannot_read(name, EISDIR);
   const bool may_wait = !S_ISREG(status.st_mode);
+  if (!may_wait && !options.is_enough &&
+      static_cast<std::uint64_t>(std::max<off_t>(status.st_size, 0)) > options.most_bytes)
+    return too_large(name);
   try {
     std::string bytes;
     std::size_t filled = 0;

@@ -231,18 +231,25 @@ Expected<LoadedFile> read_shapefile(std::string_view bytes, const std::string& n
   if (path == nullptr) return ShapeFileReader(bytes, name, job).read(std::nullopt, degrees);
   std::optional<MapShapes::Unit> unit;
   std::optional<SourceFile> source;
+  std::string unread;
   for (const char* extension : {".prj", ".PRJ"}) {
     std::filesystem::path beside = *path;
     beside.replace_extension(extension);
     std::error_code error;
     if (source || !std::filesystem::exists(beside, error)) continue;
-    const auto system = read_regular_file(beside);
-    if (!system) continue;
+    // The longest coordinate systems take a few kilobytes.
+    constexpr std::uint64_t kMostBytes = 1U << 20U;
+    const auto system = read_regular_file(beside, {.most_bytes = kMostBytes});
+    if (!system) {
+      unread = system.error().message();
+      continue;
+    }
     unit = unit_of(*system);
     source = SourceFile{beside, fingerprint_of(*system)};
   }
   auto file = ShapeFileReader(bytes, name, job).read(unit, degrees);
   if (file && source) file->sources.push_back(*std::move(source));
+  if (file && !source && !unread.empty()) file->warnings.push_back(unread + "; coordinates are taken as they are");
   return file;
 }
 

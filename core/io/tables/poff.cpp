@@ -178,7 +178,10 @@ void read_poff_companions(const std::filesystem::path& path, LoadedFile& file) {
   beside.replace_extension(".contours");
   std::error_code error;
   if (beside == path || !std::filesystem::exists(beside, error)) return;
-  const auto bytes = read_regular_file(beside);
+  // A number for each contour, and room for what stands between them.
+  constexpr std::uint64_t kLeastBytes = 1U << 16U;
+  constexpr std::uint64_t kBytesEach = 32;
+  const auto bytes = read_regular_file(beside, {.most_bytes = kLeastBytes + kBytesEach * file.data.positions.size()});
   if (bytes) file.sources.push_back({beside, fingerprint_of(*bytes)});
   auto contours = bytes ? read_contours(*bytes, beside.string(), file.data.positions.size())
                         : Expected<std::vector<SampleData::Contour>>(std::unexpected(bytes.error()));
