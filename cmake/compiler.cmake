@@ -7,6 +7,9 @@ target_compile_options(mes_options INTERFACE
   -ffp-contract=off)
 # Names of files count from the sources, so that the program has the same bytes wherever it is built.
 add_compile_options(-ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)
+# So do the folders in which libraries of the build are found: a path that is taken out when it is installed leaves its
+# length behind.
+set(CMAKE_BUILD_RPATH_USE_ORIGIN ON)
 # A local name may be that of a constant of another source, which comes before it in a translation unit of several.
 target_compile_options(mes_options INTERFACE $<$<NOT:$<BOOL:$<TARGET_PROPERTY:MESECINA_UNITY>>>:-Wshadow>)
 target_compile_definitions(mes_options INTERFACE MESECINA_VERSION="${PROJECT_VERSION}")
