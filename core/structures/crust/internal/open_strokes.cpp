@@ -9,6 +9,7 @@
 #include "core/base/parallel.h"
 #include "core/base/prefetch.h"
 #include "core/structures/crust/internal/length_limits.h"
+#include "core/structures/delaunay/sorted_ends.h"
 
 namespace mes {
 
@@ -48,10 +49,15 @@ OpenStrokes::Proposal OpenStrokes::best_proposal(SiteSlot site) const {
 }
 
 // Sites propose along their most doubtful edge to those that are free or prefer it to theirs. The result does not
-// depend on the order of proposals, since all agree on which edges are better. The best come first, so that no match is
-// undone: what a site that is left proposes next is worse than what it had.
+// depend on the order of proposals, since all agree on which edges are better. The best come first, as far as keys and
+// places tell, so that hardly a match is undone: what a site that is left proposes next is worse than what it had.
 void OpenStrokes::match_all(JobControl& job) {
-  const auto is_worse = [this](const Proposal& a, const Proposal& b) { return order_.is_surer(a.rank, b.rank); };
+  const auto is_worse = [this](const Proposal& a, const Proposal& b) {
+    if (a.rank.key != b.rank.key) return a.rank.key > b.rank.key;
+    const auto [a_low, a_high] = sorted_ends(delaunay_, a.rank.edge);
+    const auto [b_low, b_high] = sorted_ends(delaunay_, b.rank.edge);
+    return a_low != b_low ? lexicographically_less(b_low, a_low) : lexicographically_less(b_high, a_high);
+  };
   const auto propose = [&](SiteSlot site) {
     const Proposal best = best_proposal(site);
     if (best.partner == kNoSlot) return;
