@@ -24,10 +24,6 @@ struct GridBox {
   GridPoint high;
 };
 
-bool meet(const Box2& a, const Box2& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
-
 /// Whether the boxes of so many pairs of pieces overlap that Clipper would have crossings by the million to compute.
 bool overlap_too_often(std::span<const PlaneCurve> curves) {
   constexpr std::size_t kMostOverlaps = 2'000'000;
@@ -46,8 +42,8 @@ bool overlap_too_often(std::span<const PlaneCurve> curves) {
   const std::size_t most = 2 * kMostOverlaps + 8 * boxes.size();  // each pair twice, and a piece and its neighbours
   std::size_t overlaps = 0;
   for (const Box2& box : boxes) {
-    tree.visit_where([&](const Box2& other, double) { return overlaps <= most && meet(box, other); },
-                     [&](std::uint32_t i) { overlaps += meet(box, boxes[i]) ? 1U : 0U; });
+    tree.visit_where([&](const Box2& other, double) { return overlaps <= most && overlap(box, other); },
+                     [&](std::uint32_t i) { overlaps += overlap(box, boxes[i]) ? 1U : 0U; });
     if (overlaps > most) return true;
   }
   return false;
@@ -165,9 +161,9 @@ struct ClipRegion::Body {
   template <class CostOf>
   std::size_t cost_near(const Box2& box, std::size_t most, CostOf cost_of) const {
     std::size_t out = 0;
-    tree.visit_where([&](const Box2& other, double) { return out < most && meet(box, other); },
+    tree.visit_where([&](const Box2& other, double) { return out < most && overlap(box, other); },
                      [&](std::uint32_t side) {
-                       if (out < most && meet(box, box_of_side(side))) out += cost_of(sides[side]);
+                       if (out < most && overlap(box, box_of_side(side))) out += cost_of(sides[side]);
                      });
     return out;
   }

@@ -57,8 +57,8 @@ class ClipRegion {
   static bool fits(std::span<const PlaneCurve> curves, double grid);
 
   bool is_plane() const { return !body_; }
-  /// What clipping a curve in this box costs, or about `most` if that is less: the number of sides of the region near
-  /// it, and of those that are looked at for each of these.
+  /// Estimates the cost of clipping a curve in this box: counts the sides of the region near the box, and the sides
+  /// that are looked at for each of these. Counting ends at about `most`.
   std::size_t cost_near(const Box2& box, std::size_t most) const;
   /// Clips the curves. A curve that is cut loses its name.
   ClippedCurves clipped(std::vector<PlaneCurve> curves, Ink ink) const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The smallest box around a piece of a curve, or around curves.
+// The smallest boxes around pieces of curves and around curves, and whether they overlap.
 #pragma once
 
 #include <span>
@@ -13,5 +13,10 @@ namespace mes {
 Box2 bounds_of(const Piece& piece);
 /// Empty for no curves. O(pieces).
 Box2 bounds_of(std::span<const PlaneCurve> curves);
+
+/// Touching counts. False if one is empty.
+inline bool overlap(const Box2& a, const Box2& b) {
+  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
+}
 
 }  // namespace mes

@@ -187,7 +187,7 @@ int compare_cotangents(const Cotangent<Number>& a, const Cotangent<Number>& b) {
   return sign_of(a.over * b.under - b.over * a.under);
 }
 
-// Exact for numbers of at most 51 bits: so are their products as sums of two doubles.
+// Exact for numbers of at most 51 bits, since two doubles hold the product of two of them.
 int compare_cotangents(const Cotangent<double>& a, const Cotangent<double>& b) {
   const double left = a.over * b.under;
   const double right = b.over * a.under;

@@ -37,10 +37,6 @@ Box2 grown(Box2 box, double by) {
   return {{box.low.x - by, box.low.y - by}, {box.high.x + by, box.high.y + by}};
 }
 
-bool overlap(const Box2& a, const Box2& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
-
 /// For each curve, whether its box overlaps that of another curve.
 std::vector<bool> overlapping(const std::vector<PlaneCurve>& curves, const std::vector<Box2>& boxes,
                               double tolerance) {

@@ -13,7 +13,7 @@ namespace {
 
 using Seen = ClippedCurves::Seen;
 
-// Takes some twenty seconds.
+// Clipping that costs this much takes some twenty seconds.
 constexpr std::size_t kMostClipCost = 100'000'000;
 
 /// Filling closes open curves; a curve that misses its start only by the rounding of coordinates is closed, too.
@@ -26,14 +26,10 @@ void close_what_looks_closed(PlaneCurve& curve, const SvgContext& context) {
   if (distance(curve.start(), curve.end()) <= kRounding * around) curve.close();
 }
 
-bool meet(const Box2& a, const Box2& b) {
-  return a.low.x <= b.high.x && b.low.x <= a.high.x && a.low.y <= b.high.y && b.low.y <= a.high.y;
-}
-
 bool lie_off(const Box2& page, std::span<const PlaneCurve> curves) {
   if (page.is_empty() || curves.empty()) return false;
   if (page.contains(curves.front().start())) return false;
-  return !meet(page, bounds_of(curves));
+  return !overlap(page, bounds_of(curves));
 }
 
 }  // namespace

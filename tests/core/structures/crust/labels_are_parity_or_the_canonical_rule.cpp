@@ -507,7 +507,7 @@ TEST_CASE("the rule holds where so many samples are odd that all labels follow f
   ComparedBench bench;
   bench.show({"interior-voronoi-disks", "label-conflicts"});
   bench.replace(uniform_square(900, 5));
-  // What `ConflictJoin` asks for.
+  // From this number on, `ConflictJoin` first tries a few clusters.
   CHECK(bench.get<OneStepCrust>().odd_count() > 64 + 900 / 3);
   const auto near = [&rng](Vec2 p) { return p + Vec2{rng.uniform(-9.0, 9.0), rng.uniform(-9.0, 9.0)}; };
   for (int step = 0; step < 12; ++step) {
@@ -546,7 +546,7 @@ TEST_CASE("the rule holds in a lattice of circles, where half of the samples are
         positions.push_back({10.0 * column + 3.0 * std::cos(angle), 10.0 * row + 3.0 * std::sin(angle)});
       }
   ComparedBench bench(positions);
-  // What `ConflictJoin` asks for before it tries.
+  // From this number on, `ConflictJoin` first tries a few clusters.
   CHECK(bench.get<OneStepCrust>().odd_count() > 64 + positions.size() / 3);
   Rng rng(12);
   for (int step = 0; step < 8; ++step) {
