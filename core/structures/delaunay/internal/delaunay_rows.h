@@ -213,19 +213,19 @@ class Delaunay::Rows {
     // No edit will use the triangulation again. It is larger than the rows, so it is freed before they are made.
     number_faces();
     find_faces_of_sites();
+    vertex_ = {};
     std::vector<Topology> kept(count);
     parallel_for(count, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
       auto next = read_chunk(begin, chunk);
       for (std::size_t i = begin; i < end; ++i) kept[i] = next();
     });
     triangulation_.clear();
-    vertex_ = {};
     give_freed_memory_back();
     d_.face_.resize(count);
     const std::vector<std::size_t> first_edge = fill_faces([&kept](std::size_t begin, std::size_t) {
       return [at = kept.begin() + static_cast<std::ptrdiff_t>(begin)]() mutable { return *at++; };
     });
-    kept = {};
+    std::vector<Topology>().swap(kept);  // assigning {} would keep the memory
     make_edges(first_edge);
   }
 
