@@ -18,8 +18,13 @@ namespace mes {
 namespace {
 
 constexpr int kMostHalvings = 20;
+/// Beyond this depth a piece of the curve is halved at a few places only, as beside a crossing, but not throughout, as
+/// where the curve runs back along itself.
+constexpr int kHalvingsThroughout = 10;
+constexpr std::size_t kFewPlaces = 64;
 constexpr int kMostRounds = 200;
 constexpr int kMostDoubts = 6;
+constexpr int kMostRestarts = 8;
 /// Limits the number of samples: where curves meet, as in a lattice, no number would be enough.
 std::size_t most_samples(std::size_t given) {
   constexpr std::size_t kForEach = 64;
@@ -86,14 +91,14 @@ class RepairedChain {
   std::uint32_t from(std::size_t edge) const { return knots_[edge].sample; }
   std::uint32_t to(std::size_t edge) const { return knots_[(edge + 1) % knots_.size()].sample; }
 
-  /// The parameter middle of an edge; false if the edge was already halved too often.
-  bool middle(std::size_t edge, Knot& out) const {
+  std::size_t pieces() const { return pieces_.size(); }
+  std::size_t piece_of(std::size_t edge) const { return knots_[edge].piece; }
+  /// The parameter middle of an edge.
+  Knot middle(std::size_t edge) const {
     const Knot& knot = knots_[edge];
-    const Knot& next = knots_[(edge + 1) % knots_.size()];
-    const double end = next.piece == knot.piece && next.u > knot.u ? next.u : 1.0;
-    out = {0, knot.piece, 0.5 * (knot.u + end)};
-    return end - knot.u > std::ldexp(1.0, -kMostHalvings);
+    return {0, knot.piece, knot.u + 0.5 * length_of(edge)};
   }
+  bool was_halved(std::size_t edge, int times) const { return length_of(edge) <= std::ldexp(1.0, -times); }
   Vec2 place_of(const Knot& knot) const { return pieces_[knot.piece].at(knot.u); }
   /// Inserts each knot after the knot with the given index; the indices increase.
   void insert(const std::vector<std::pair<std::size_t, Knot>>& added) {
@@ -108,6 +113,13 @@ class RepairedChain {
   }
 
  private:
+  /// By the parameter of the piece.
+  double length_of(std::size_t edge) const {
+    const Knot& knot = knots_[edge];
+    const Knot& next = knots_[(edge + 1) % knots_.size()];
+    return (next.piece == knot.piece && next.u > knot.u ? next.u : 1.0) - knot.u;
+  }
+
   bool is_closed_;
   std::vector<Knot> knots_;
   std::vector<SplinePiece> pieces_;
@@ -145,6 +157,7 @@ class Repairer {
       if (neighbours[first_at_[i]].size() == 1) is_interrupted[i] = true;
     for (const MovingCurve::Chain& chain : curve.chains)
       if (chain.points.size() >= 2) chains_.emplace_back(chain, samples.positions(), is_interrupted);
+    for (const RepairedChain& chain : chains_) is_given_up_.emplace_back(chain.pieces(), false);
     for (std::size_t i = 0; i < first_at_.size(); ++i)
       if (is_end_[i]) is_end_[first_at_[i]] = true;
     for (std::size_t i = 0; i < first_at_.size(); ++i) {
@@ -171,23 +184,24 @@ class Repairer {
   Expected<void> run(JobControl& job) {
     const auto too_long = [this](const RepairedChain& chain, std::size_t i) { return is_too_long(chain, i); };
     const auto doubted = [this](const RepairedChain& chain, std::size_t i) { return is_doubted(chain, i); };
-    if (auto good = halve_all(too_long, kMostRounds, job); !good) return good;
+    const State given = state();
+    for (int i = 0;; ++i) {
+      if (auto good = halve_all(too_long, kMostRounds, job); !good) return good;
+      if (i == kMostRestarts || !give_up_pieces()) break;
+      if (auto good = restore(given, job); !good) return good;
+    }
+    if (auto good = samples_.check_theorem(job); !good) return good;
     if (samples_.light() != TheoremLight::yellow) return {};
     // The edges are short enough by the estimate. Where the theorem's conditions still fail, the estimate may have been
     // too large, so more edges are halved. If that does not help, as beside a crust edge off the curve, this is undone.
-    const std::vector<RepairedChain> chains = chains_;
-    const SampleData before{.positions = {samples_.positions().begin(), samples_.positions().end()}};
+    const State before = state();
     for (int i = 0; i < kMostDoubts && samples_.light() == TheoremLight::yellow; ++i) {
       if (auto good = halve_all(doubted, 1, job); !good) return good;
       if (auto good = halve_all(too_long, kMostRounds, job); !good) return good;
+      if (auto good = samples_.check_theorem(job); !good) return good;
     }
     if (samples_.light() != TheoremLight::yellow) return {};
-    auto again = JudgedSamples::of(registry_, before, job);
-    if (!again) return std::unexpected(again.error());
-    samples_ = *std::move(again);
-    chains_ = chains;
-    first_at_.resize(before.positions.size());
-    return {};
+    return restore(before, job);
   }
 
   void report(const MovingCurve& curve, Repair& out) const {
@@ -231,6 +245,37 @@ class Repairer {
   }
 
  private:
+  struct State {
+    SampleData samples;
+    std::vector<RepairedChain> chains;
+  };
+
+  State state() const { return {{.positions = {samples_.positions().begin(), samples_.positions().end()}}, chains_}; }
+
+  Expected<void> restore(const State& state, JobControl& job) {
+    auto again = JudgedSamples::of(registry_, state.samples, job);
+    if (!again) return std::unexpected(again.error());
+    samples_ = *std::move(again);
+    chains_ = state.chains;
+    first_at_.resize(state.samples.positions.size());
+    return {};
+  }
+
+  /// Gives up the pieces of the curve that `halve` would halve throughout without an end, so that they keep their
+  /// edges. Returns whether there are such pieces.
+  bool give_up_pieces() {
+    bool is_any = false;
+    for (std::size_t c = 0; c < chains_.size(); ++c) {
+      std::vector<std::size_t> count(chains_[c].pieces(), 0);
+      for (std::size_t i = 0; i < chains_[c].edges(); ++i) {
+        const std::size_t piece = chains_[c].piece_of(i);
+        if (is_given_up_[c][piece] || !is_too_long(chains_[c], i) || ++count[piece] <= kFewPlaces) continue;
+        is_given_up_[c][piece] = is_any = true;
+      }
+    }
+    return is_any;
+  }
+
   /// The first samples at the two end positions of an edge, the smaller number first.
   std::pair<std::uint32_t, std::uint32_t> places_of(const RepairedChain& chain, std::size_t i) const {
     return std::minmax(std::uint32_t{first_at_[chain.from(i)]}, std::uint32_t{first_at_[chain.to(i)]});
@@ -276,9 +321,16 @@ class Repairer {
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> halved;
     for (std::size_t c = 0; c < chains_.size(); ++c) {
       const RepairedChain& chain = chains_[c];
+      std::vector<std::size_t> wanted;
+      std::vector<std::size_t> count(chain.pieces(), 0);
       for (std::size_t i = 0; i < chain.edges(); ++i) {
-        Knot knot;
-        if (!wants(chain, i) || !chain.middle(i, knot)) continue;
+        if (is_given_up_[c][chain.piece_of(i)] || chain.was_halved(i, kMostHalvings) || !wants(chain, i)) continue;
+        wanted.push_back(i);
+        ++count[chain.piece_of(i)];
+      }
+      for (const std::size_t i : wanted) {
+        if (chain.was_halved(i, kHalvingsThroughout) && count[chain.piece_of(i)] > kFewPlaces) continue;
+        Knot knot = chain.middle(i);
         const Vec2 place = chain.place_of(knot);
         if (!is_finite(place) || place == positions[chain.from(i)] || place == positions[chain.to(i)]) continue;
         const auto [at, is_new] = halved.try_emplace(places_of(chain, i), next);
@@ -307,6 +359,7 @@ class Repairer {
   std::vector<bool> is_crossing_;        // a sample at which more than two edges meet
   std::vector<std::uint32_t> first_at_;  // by sample: the first sample at the same position
   std::vector<RepairedChain> chains_;
+  std::vector<std::vector<bool>> is_given_up_;  // by chain and piece
 };
 
 std::string place_and_more(Vec2 place, std::size_t count) {

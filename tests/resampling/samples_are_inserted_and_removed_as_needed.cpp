@@ -180,6 +180,30 @@ TEST_CASE("a corner cannot be repaired, and its angle is said") {
   }
 }
 
+TEST_CASE("edges that no density repairs get no samples, and all others are repaired as without them") {
+  // One sample of a side, among others, lies far along the same side: the curve runs there three times.
+  SampleData data = loop_of(square_points(40));
+  data.positions[10] = {3.0625, 0.0};
+  for (const double scale : {1.0, 0.125}) {
+    SampleData scaled = data;
+    for (Vec2& p : scaled.positions) p = scale * p;
+    const Repair out = repaired(scaled);
+    CHECK(out.inserted < scaled.positions.size());
+    CHECK(out.left.size() >= 2);
+    CHECK(out.left.size() <= 8);
+    const auto& loop = out.data.contours.at(0).points;
+    const auto far = std::ranges::find(loop, 10U);
+    CHECK(*(far - 1) == 9);
+    CHECK(*(far + 1) == 11);
+  }
+  // A spike through the opposite side.
+  data = loop_of(square_points(40));
+  data.positions[60] = {-3.0, 2.0};
+  const Repair out = repaired(data);
+  CHECK(out.inserted < data.positions.size());
+  CHECK(out.light_after == TheoremLight::green);
+}
+
 TEST_CASE("open ends are reported, and inputs without a curve are left alone") {
   std::vector<Vec2> stroke;
   for (int i = 0; i < 20; ++i) stroke.push_back({0.1 * i, 0.02 * i * i / 20.0});

@@ -138,6 +138,7 @@ Expected<std::optional<Repair>> repair_on_curves(const Registry& registry, const
     if (loops.positions().size() != count)
       if (auto done = samples->insert(std::span(loops.positions()).subspan(count), job); !done)
         return std::unexpected(done.error());
+    if (auto done = samples->check_theorem(job); !done) return std::unexpected(done.error());
     Step step{loops.positions(), loops.contours(), own->standing(loops.positions(), &job), samples->light()};
     const bool is_good = step.light != TheoremLight::yellow;
     if (is_good || !best) best = std::move(step);

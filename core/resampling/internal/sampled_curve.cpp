@@ -36,7 +36,12 @@ std::vector<bool> corners_of(const MovingCurve& curve, std::span<const Vec2> pos
   return out;
 }
 
-JudgedSamples::JudgedSamples(const Registry& registry) : bench_(registry, {.keeps_history = false}) {
+JudgedSamples::JudgedSamples(const Registry& registry)
+    : bench_(registry, {.keeps_history = false}),
+      delaunay_(&bench_.get<Delaunay>()),
+      crust_(&bench_.get<OneStepCrust>()),
+      sizes_(&bench_.get<FeatureSize>()),
+      certificate_(&bench_.get<AxisCertificate>()) {
   bench_.need<FeatureSize, MedialAxis>();
   bench_.set_want_findings(true);
   bench_.set_want_statistics(true);
@@ -58,17 +63,20 @@ Expected<void> JudgedSamples::insert(std::span<const Vec2> positions, JobControl
   if (auto good = bench_.insert(positions); !good) return std::unexpected(good.error());
   positions_.insert(positions_.end(), positions.begin(), positions.end());
   slots_ = bench_.document().slots_in_input_order();
+  bench_.set_want_findings(false);
+  return bench_.run_or_throw(job);
+}
+
+Expected<void> JudgedSamples::check_theorem(JobControl& job) {
+  bench_.set_want_findings(true);
   return bench_.run_or_throw(job);
 }
 
 SiteSlot JudgedSamples::site_of(std::uint32_t sample) const {
-  return bench_.get<Delaunay>().site_of_sample(slots_[sample]);
+  return delaunay_->site_of_sample(slots_[sample]);
 }
 
 JudgedSamples::EdgeVerdict JudgedSamples::judge(std::uint32_t a, std::uint32_t b) const {
-  const auto& sizes = bench_.get<FeatureSize>();
-  const auto& crust = bench_.get<OneStepCrust>();
-  const auto& certificate = bench_.get<AxisCertificate>();
   const SiteSlot from = site_of(a);
   const SiteSlot to = site_of(b);
   EdgeVerdict out;
@@ -77,21 +85,20 @@ JudgedSamples::EdgeVerdict JudgedSamples::judge(std::uint32_t a, std::uint32_t b
     return out;
   }
   for (const SiteSlot site : {from, to}) {
-    out.is_doubted = out.is_doubted || certificate.is_bad_site(site) || crust.is_odd(site);
-    bench_.get<Delaunay>().for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
-      out.is_doubted = out.is_doubted || certificate.is_bad_edge(edge);
-      if (site != from || other != to || !crust.is_crust(edge)) return;
+    out.is_doubted = out.is_doubted || certificate_->is_bad_site(site) || crust_->is_odd(site);
+    delaunay_->for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot other, FaceSlot) {
+      out.is_doubted = out.is_doubted || certificate_->is_bad_edge(edge);
+      if (site != from || other != to || !crust_->is_crust(edge)) return;
       out.is_curve = true;
-      if (sizes.has_epsilon(edge)) out.epsilon = sizes.epsilon(edge);
+      if (sizes_->has_epsilon(edge)) out.epsilon = sizes_->epsilon(edge);
     });
   }
   return out;
 }
 
 double JudgedSamples::size(std::uint32_t sample) const {
-  const auto& sizes = bench_.get<FeatureSize>();
   const SiteSlot site = site_of(sample);
-  return sizes.has_size(site) ? sizes.size(site) : std::numeric_limits<double>::infinity();
+  return sizes_->has_size(site) ? sizes_->size(site) : std::numeric_limits<double>::infinity();
 }
 
 std::int64_t JudgedSamples::count(std::string_view key) const {

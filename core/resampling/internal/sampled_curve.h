@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/evolutions/moving_curve.h"
+#include "core/structures/certificate/axis_certificate.h"
 #include "core/structures/delaunay/delaunay.h"
 #include "core/structures/density/curve_sampling.h"
 #include "core/structures/density/feature_size.h"
@@ -27,7 +28,8 @@ double turn_at(Vec2 before, Vec2 at, Vec2 after);
 /// with few samples.
 std::vector<bool> corners_of(const MovingCurve& curve, std::span<const Vec2> positions, double epsilon);
 
-/// Samples and the structures of a registry that judge them. Each change updates the structures locally.
+/// Samples and the structures of a registry that judge them. Each change updates the structures locally, except for the
+/// theorem's conditions, which are checked on request: that takes longer than everything else where samples are few.
 class JudgedSamples {
  public:
   /// `has_curves`: also keeps the curves of the samples. Error: as `replace_all`, or a structure failed. Throws
@@ -36,6 +38,9 @@ class JudgedSamples {
                                     bool has_curves = false);
 
   Expected<void> insert(std::span<const Vec2> positions, JobControl& job);
+  /// Checks the theorem's conditions after insertions. They hold no answers before that: `light` and
+  /// `EdgeVerdict::is_doubted` must not be read.
+  Expected<void> check_theorem(JobControl& job);
   std::span<const Vec2> positions() const { return positions_; }
 
   /// Verdict on an edge between two samples. Sample numbers are those of the data, then in the order of insertion.
@@ -49,7 +54,7 @@ class JudgedSamples {
   double size(std::uint32_t sample) const;
   TheoremLight light() const { return bench_.light(); }
   /// Why the axis is missing, as a sentence without a full stop; empty if there is an axis.
-  std::string why_no_axis() const { return std::string(bench_.get<FeatureSize>().reason()); }
+  std::string why_no_axis() const { return std::string(sizes_->reason()); }
   const CurveSampling& curves() const { return bench_.get<CurveSampling>(); }
   /// Number of components of the one-step axis.
   std::int64_t components() const { return count("components"); }
@@ -61,6 +66,11 @@ class JudgedSamples {
   SiteSlot site_of(std::uint32_t sample) const;
 
   Workbench bench_;
+  // Found once, since edges are judged by the million.
+  const Delaunay* delaunay_;
+  const OneStepCrust* crust_;
+  const FeatureSize* sizes_;
+  const AxisCertificate* certificate_;
   std::vector<Vec2> positions_;
   std::vector<SampleSlot> slots_;
 };
