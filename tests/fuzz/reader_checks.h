@@ -8,6 +8,7 @@
 
 #include "core/base/error.h"
 #include "core/io/text/text_numbers.h"
+#include "tests/fuzz/driver/coverage.h"
 #include "tests/fuzz/driver/memory.h"
 #include "tests/fuzz/target.h"
 
@@ -50,6 +51,24 @@ inline void require_little_memory(std::size_t size, std::size_t bytes_each = 400
   constexpr std::size_t kAlways = std::size_t{4} << 20U;
   require(peak_bytes() <= kAlways + bytes_each * size,
           "little memory for " + std::to_string(size) + " bytes: " + std::to_string(peak_bytes()));
+}
+
+/// Basic blocks that reading may enter: some for each byte, and some however few the bytes are.
+struct ReadingWork {
+  std::uint64_t always;
+  std::uint64_t each;
+};
+/// Files that hold what they say.
+inline constexpr ReadingWork kPlainWork{4'000'000, 4'000};
+/// Files of curves, which are joined, cut and sampled. A few bytes may place the same part many times, and curves that
+/// nearly touch are measured to the last digit.
+inline constexpr ReadingWork kCurveWork{500'000'000, 100'000};
+
+/// Work grows with the bytes, whatever they say. Checked in builds that count it.
+inline void require_little_work(std::size_t size, ReadingWork limit) {
+  const std::uint64_t work = blocks_entered();
+  require(work <= limit.always + limit.each * size,
+          "little work for " + std::to_string(size) + " bytes: " + std::to_string(work) + " blocks");
 }
 
 }  // namespace mes::fuzz

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which edges of the program a run takes, as counted by `-fsanitize-coverage=trace-pc`.
+// Which edges of the program a run takes and how many blocks it enters, as counted by `-fsanitize-coverage=trace-pc`.
 //
 // The compiler calls a function at the beginning of each basic block. A block and the one before it are hashed to
 // the place of a counter; two edges may share one, which costs the fuzzer a little and is never wrong. Without that
@@ -14,8 +14,9 @@ namespace mes::fuzz {
 
 /// Counters of one run. Other threads count too, so runs that use several may differ a little.
 void begin_counting();
-/// Whether any counter has moved since.
-bool is_instrumented();
+/// Basic blocks entered since: the work of a run, which is the same on every machine but for what other threads and
+/// libraries do. 0 in builds that do not count.
+std::uint64_t blocks_entered();
 
 /// Everything that runs have reached, by edge and by the order of magnitude of how often.
 class Reached {

@@ -138,7 +138,7 @@ class Fuzzing {
     std::vector<fs::path> places{request_.places[0]};
     if (const std::string from = request_.text("from"); !from.empty()) places.emplace_back(from);
     for (const Input& input : read_inputs(places))
-      if (runs_somewhere_new(input.bytes, input.name) || !is_instrumented()) corpus_.push_back(input.bytes);
+      if (runs_somewhere_new(input.bytes, input.name) || blocks_entered() == 0) corpus_.push_back(input.bytes);
     if (corpus_.empty()) corpus_.emplace_back();
     watched_.report().inputs = corpus_.size();
   }
@@ -147,7 +147,18 @@ class Fuzzing {
     watched_.run(input, name);
     const bool is_new = reached_.add_run() != 0;
     if (is_new) watched_.report().edges = reached_.edges();
-    return is_new;
+    return is_dearer(input.size()) || is_new;
+  }
+
+  // An input that takes more work for its bytes than any before is worth changing further.
+  bool is_dearer(std::size_t bytes) {
+    constexpr double kMore = 1.125;
+    constexpr std::size_t kFewBytes = 64;
+    double& dearest = watched_.report().dearest;
+    const double work = static_cast<double>(blocks_entered()) / static_cast<double>(bytes + kFewBytes);
+    if (work <= kMore * dearest) return false;
+    dearest = work;
+    return true;
   }
 
   const Request& request_;
@@ -175,9 +186,10 @@ int fuzz(const Request& request) {
                  keep_input(findings, program + '-', watched.input()).c_str());
   }
   const Report& report = watched.report();
-  std::printf("%s: %llu runs, %llu inputs reach %llu edges, %llu findings\n", program.c_str(),
-              static_cast<unsigned long long>(report.runs), static_cast<unsigned long long>(report.inputs),
-              static_cast<unsigned long long>(report.edges), static_cast<unsigned long long>(found));
+  std::printf("%s: %llu runs, %llu inputs reach %llu edges, at most %.0f blocks a byte, %llu findings\n",
+              program.c_str(), static_cast<unsigned long long>(report.runs),
+              static_cast<unsigned long long>(report.inputs), static_cast<unsigned long long>(report.edges),
+              report.dearest, static_cast<unsigned long long>(found));
   if (report.edges == 0) std::printf("%s: this build counts no edges, so nothing is kept\n", program.c_str());
   return found == 0 ? 0 : 1;
 }

@@ -24,6 +24,7 @@ struct Report {
   std::uint64_t runs = 0;
   std::uint64_t inputs = 0;  ///< that reached something new
   std::uint64_t edges = 0;
+  double dearest = 0.0;  ///< basic blocks entered for each byte, at most
 };
 
 class WatchedRun {

@@ -21,6 +21,7 @@ void check_bundles(std::string_view bytes, const std::string& name) {
   static_cast<void>(are_bundles_of_the_future(bytes));
   const auto loaded = read_bundles(bytes, name, known);
   require_little_memory(bytes.size());
+  require_little_work(bytes.size(), kPlainWork);
   if (!loaded) return require_error(loaded.error(), bytes);
   for (const std::string& warning : loaded->warnings) require_message(warning);
   const std::string text = write_bundles(loaded->bundles);

@@ -5,6 +5,7 @@
 void mes::fuzz::run_color_map(std::string_view bytes) {
   const auto map = mes::parse_color_map(bytes, "a", "a.map");
   require_little_memory(bytes.size());
+  require_little_work(bytes.size(), kPlainWork);
   if (!map) {
     require_error(map.error(), bytes);
     return;

@@ -15,6 +15,7 @@ constexpr std::size_t kFewSamples = 10'000;
 void check_drawing(std::string_view bytes, const std::string& name, std::string_view format, bool has_lines) {
   const auto file = read_sample_bytes(bytes, name, format);
   require(peak_bytes() <= kMostMemoryOfDrawing, "bounded memory: " + std::to_string(peak_bytes()));
+  require_little_work(bytes.size(), kCurveWork);
   if (!file) return has_lines ? require_error_with_place(file.error(), bytes) : require_error(file.error(), bytes);
   for (const std::string& warning : file->warnings) require_message(warning);
   if (file->data.positions.size() <= kFewSamples) require_round_trip(file->data);
@@ -23,19 +24,19 @@ void check_drawing(std::string_view bytes, const std::string& name, std::string_
 }  // namespace
 
 void run_geojson(std::string_view bytes) {
-  check_sample_file(bytes, "a.geojson", "geojson");
+  check_sample_file(bytes, "a.geojson", "geojson", kCurveWork);
 }
 void run_gpx(std::string_view bytes) {
-  check_sample_file(bytes, "a.gpx", "gpx");
+  check_sample_file(bytes, "a.gpx", "gpx", kCurveWork);
 }
 void run_kml(std::string_view bytes) {
-  check_sample_file(bytes, "a.kml", "kml");
+  check_sample_file(bytes, "a.kml", "kml", kCurveWork);
 }
 void run_poff(std::string_view bytes) {
   check_sample_file(bytes, "a.poff", "poff");
 }
 void run_wkt(std::string_view bytes) {
-  check_sample_file(bytes, "a.wkt", "wkt");
+  check_sample_file(bytes, "a.wkt", "wkt", kCurveWork);
 }
 void run_wpoff(std::string_view bytes) {
   check_sample_file(bytes, "a.wpoff", "wpoff");
@@ -61,7 +62,7 @@ void run_wkb(std::string_view bytes) {
 void run_table(std::string_view bytes) {
   constexpr std::array<std::string_view, 5> kFormats{"", "csv", "tsv", "xyz", "pairs"};
   if (bytes.empty()) return;
-  check_sample_file(bytes.substr(1), "a.txt", kFormats[first_byte(bytes) % kFormats.size()]);
+  check_sample_file(bytes.substr(1), "a.txt", kFormats[first_byte(bytes) % kFormats.size()], kCurveWork);
 }
 
 /// Vertices with segments and faces, as each of their formats. The first byte says which.
@@ -71,6 +72,7 @@ void run_mesh(std::string_view bytes) {
   const std::string_view text = bytes.substr(1);
   const auto file = read_sample_bytes(text, "a", kFormats[first_byte(bytes) % kFormats.size()]);
   require_little_memory(text.size(), 600);
+  require_little_work(text.size(), kCurveWork);
   // A PLY may be binary after its header: then the place is in the message.
   if (!file) return require_error(file.error(), text);
   for (const std::string& warning : file->warnings) require_message(warning);

@@ -55,5 +55,6 @@ void check_journal(std::string_view text) {
 void mes::fuzz::run_session(std::string_view text) {
   check_session(text);
   require_little_memory(text.size());
+  require_little_work(text.size(), kPlainWork);
   check_journal(text);
 }
