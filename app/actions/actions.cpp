@@ -292,7 +292,8 @@ constexpr auto kHelpRows = std::to_array<Row>({
      "Write a file of all commands and their keys, to edit by hand; if it exists already, read the keys from it "
      "again"},
     {Id::command_palette, "command-palette", "Find anything...",
-     "Find a command, layer, bundle, parameter, evolution, shape or recent file by some letters of its name",
+     "Find a command, layer, bundle, parameter, evolution, shape or recent file by some letters of its name or by "
+     "another word for it",
      "Ctrl+Shift+P Ctrl+K"},
     {Id::help, "help", "Keys and gestures", "Show every key", "? F1"},
 });

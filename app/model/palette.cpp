@@ -5,11 +5,15 @@
 #include <optional>
 
 #include "app/model/fuzzy_match.h"
+#include "core/base/lower_case.h"
 
 namespace mes {
 namespace {
 
-constexpr double kByOtherWords = -20.0;  // entries found by name come first
+// Entries found by name come first. A synonym is typed as a whole, so it is better than letters scattered in a name.
+constexpr double kBySynonym = -5.0;
+constexpr double kByOtherWords = -20.0;
+constexpr double kByExplanation = -30.0;
 
 struct Found {
   PaletteHit hit;
@@ -18,13 +22,49 @@ struct Found {
   bool is_enabled = true;
 };
 
+/// Calls `visit(word)` for each of the words, which spaces and punctuation separate.
+template <class Visit>
+void for_each_word(std::string_view text, Visit visit) {
+  constexpr std::string_view kSeparators = " .,;:()/'\n";
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(kSeparators), text.size()));
+    if (text.empty()) return;
+    const std::string_view word = text.substr(0, text.find_first_of(kSeparators));
+    text.remove_prefix(word.size());
+    visit(word);
+  }
+}
+
+/// The score if each word of the query begins some word of the text.
+std::optional<double> match_beginnings(std::string_view query, std::string_view text) {
+  double score = 0.0;
+  bool is_found = true;
+  for_each_word(query, [&](std::string_view typed) {
+    std::optional<double> best;
+    for_each_word(text, [&](std::string_view word) {
+      if (lower_case(word.substr(0, typed.size())) != lower_case(typed)) return;
+      best = std::max(best.value_or(0.0), fuzzy_match(typed, word)->score);
+    });
+    is_found = is_found && best;
+    score += best.value_or(0.0);
+  });
+  return is_found ? std::optional(score) : std::nullopt;
+}
+
 std::optional<FuzzyMatch> match(const PaletteEntry& entry, std::string_view query) {
-  if (auto by_name = fuzzy_match(query, entry.name)) return by_name;
+  std::optional<FuzzyMatch> out = fuzzy_match(query, entry.name);
+  const auto offer = [&out](std::optional<FuzzyMatch> other, double handicap) {
+    if (other && (!out || other->score + handicap > out->score)) out = {other->score + handicap, other->letters};
+  };
+  const std::string words = std::string(entry.words) + ' ' + entry.name;
+  if (const auto by_synonym = match_beginnings(query, words)) offer(FuzzyMatch{*by_synonym, {}}, kBySynonym);
+  if (out) return out;
   auto by_all = fuzzy_match(query, entry.name + ' ' + entry.kind + ' ' + entry.more);
-  if (!by_all) return std::nullopt;
-  by_all->score += kByOtherWords;
-  std::erase_if(by_all->letters, [&](std::size_t at) { return at >= entry.name.size(); });
-  return by_all;
+  if (by_all) std::erase_if(by_all->letters, [&](std::size_t at) { return at >= entry.name.size(); });
+  offer(std::move(by_all), kByOtherWords);
+  if (const auto by_explanation = match_beginnings(query, entry.explanation))
+    offer(FuzzyMatch{*by_explanation, {}}, kByExplanation);
+  return out;
 }
 
 }  // namespace

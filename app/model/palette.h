@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Finds everything that has a name by some of its letters, and runs it.
+// Finds everything that has a name by some of its letters or by other words for it, and runs it.
 #pragma once
 
 #include <functional>
@@ -13,8 +13,10 @@ struct PaletteEntry {
   std::string kind{};         ///< "Layer"; searched too, but weighs less than the name
   std::string name{};         ///< "Voronoi"
   std::string key{};          ///< shown at the right; may be empty
-  std::string explanation{};  ///< one sentence; not searched
-  std::string more{};         ///< other search words, such as an id
+  std::string explanation{};  ///< one sentence
+  std::string more{};         ///< an id and the like, of which some letters are enough
+  std::string_view words{};   ///< synonyms, of which the beginnings of words count
+  std::string place{};        ///< where else it is: "Layers > Samples"; empty if `kind` says it
   bool is_enabled = true;
   std::string missing{};  ///< the reason why it is disabled, as in "nothing is selected"
   bool is_checked = false;
@@ -27,9 +29,10 @@ struct PaletteHit {
   friend bool operator==(const PaletteHit&, const PaletteHit&) = default;
 };
 
-/// Finds entries, the best first. Of equal ones, recently run ones come first (`recent`: kinds and names, newest
-/// first), then enabled ones, then the given order. Without a query it returns everything, recently run entries
-/// first. Cost: O(|query| * letters of all names).
+/// Finds entries, the best first: by letters of their names, by beginnings of synonyms, by letters of kind and id, and
+/// last by beginnings of words of the explanation. Of equal ones, recently run ones come first (`recent`: kinds and
+/// names, newest first), then enabled ones, then the given order. Without a query it returns everything, recently run
+/// entries first. Cost: O(|query| * letters of all texts).
 std::vector<PaletteHit> find_entries(std::span<const PaletteEntry> entries, std::string_view query,
                                      std::span<const std::string> recent);
 

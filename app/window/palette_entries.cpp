@@ -5,6 +5,8 @@
 #include <filesystem>
 
 #include "app/layers/parameter_words.h"
+#include "app/model/synonyms.h"
+#include "app/panels/bars/interface_sizes.h"
 #include "core/evolutions/evolution.h"
 
 namespace mes {
@@ -26,6 +28,7 @@ void add_actions(const Panels::Uses& uses, Entries& out) {
                    .key = actions.keymap().key_of(action.id),
                    .explanation = action.tooltip,
                    .more = action.public_id,
+                   .words = synonyms_of(action.public_id),
                    .is_enabled = actions.is_enabled(action.id),
                    .missing = actions.missing(action.id),
                    .is_checked = actions.is_checked(action.id),
@@ -66,6 +69,8 @@ void add_layers(const Panels::Uses& uses, Entries& out) {
                    .name = std::string(descriptor.name),
                    .explanation = std::string(descriptor.tooltip),
                    .more = std::string(descriptor.id) + ' ' + std::string(title_of(descriptor.group)),
+                   .words = synonyms_of(descriptor.id),
+                   .place = fmt::format("Layers > {}", title_of(descriptor.group)),
                    .is_checked = layers.is_visible(layer),
                    .run = [&layers, layer] { layers.set_visible(layer, !layers.is_visible(layer)); }});
   }
@@ -77,6 +82,8 @@ void add_parameters(const Panels::Uses& uses, Entries& out) {
                    .name = title_of(parameter),
                    .explanation = spoken_explanation(parameter),
                    .more = parameter.id,
+                   .words = synonyms_of(parameter.id),
+                   .place = "Parameters",
                    .run = [&settings = uses.settings, show = uses.show_parameter, name = title_of(parameter)] {
                      settings.details = DetailsPage::parameters;
                      if (show) show(name);
@@ -90,6 +97,7 @@ void add_evolutions(const Panels::Uses& uses, Entries& out) {
                    .name = evolution->descriptor.name,
                    .explanation = evolution->descriptor.tooltip,
                    .more = evolution->descriptor.id,
+                   .words = synonyms_of(evolution->descriptor.id),
                    .is_checked = uses.work.evolution().choice().evolution == evolution,
                    .run = [&work = uses.work, &settings = uses.settings, evolution] {
                      settings.show_evolution = true;
@@ -112,6 +120,17 @@ void add_files(const Panels::Uses& uses, Entries& out) {
                    .run = [&documents = uses.documents, file] { documents.open({file}); }});
 }
 
+void add_sizes(const Panels::Uses& uses, Entries& out) {
+  for (const int percent : kInterfacePercents)
+    out.push_back({.kind = "View",
+                   .name = fmt::format("Interface size {} %", percent),
+                   .explanation = "Draw the panels and their text at this size",
+                   .words = "font text larger smaller scale zoom hidpi",
+                   .place = "View > Interface size",
+                   .is_checked = has_interface_size(uses.settings, percent),
+                   .run = [&settings = uses.settings, percent] { settings.interface_scale = percent / 100.0; }});
+}
+
 }  // namespace
 
 std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses) {
@@ -122,6 +141,7 @@ std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses) {
   add_layers(uses, out);
   add_parameters(uses, out);
   add_evolutions(uses, out);
+  add_sizes(uses, out);
   add_files(uses, out);
   return out;
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <glm/gtc/type_ptr.hpp>
 
+#include "app/panels/bars/interface_sizes.h"
 #include "app/picture/canvas_look.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -204,12 +205,9 @@ void view_menu(const MenuBar& menu) {
     ImGui::EndMenu();
   }
   if (ImGui::BeginMenu("Interface size")) {
-    constexpr std::array<int, 6> kPercents{75, 100, 125, 150, 175, 200};
-    for (const int percent : kPercents) {
-      const bool is_now = std::abs(menu.settings.interface_scale - percent / 100.0) < 0.01;
-      if (ImGui::MenuItem(fmt::format("{} %", percent).c_str(), nullptr, is_now))
+    for (const int percent : kInterfacePercents)
+      if (ImGui::MenuItem(fmt::format("{} %", percent).c_str(), nullptr, has_interface_size(menu.settings, percent)))
         menu.settings.interface_scale = percent / 100.0;
-    }
     ImGui::EndMenu();
   }
   if (ImGui::MenuItem("Reset layers")) menu.editor.change_layers("Reset layers", [&] { menu.layers.reset(); });

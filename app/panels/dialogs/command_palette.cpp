@@ -156,6 +156,7 @@ void CommandPalette::draw_foot(const Gui& gui) const {
   if (list_.marked() < list_.hits().size()) {
     const PaletteEntry& entry = list_.entries()[list_.hits()[list_.marked()].entry];
     text = entry.is_enabled ? entry.explanation : "Not possible now: " + entry.missing;
+    if (!entry.place.empty()) text = entry.place + ": " + text;
   }
   ImGui::PushFont(gui.small());
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
