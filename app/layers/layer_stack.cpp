@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "app/layers/synonyms.h"
 #include "core/base/assert.h"
 #include "core/base/lower_case.h"
 
@@ -214,14 +215,21 @@ LayerStyle style_for(const LayerDescriptor& to, const LayerDescriptor& from, Lay
 }
 
 bool matches_search(const LayerDescriptor& descriptor, std::string_view text) {
+  constexpr std::size_t kLettersOfTooltip = 3;
   const std::string haystack =
       lower_case(descriptor.name) + ' ' + lower_case(descriptor.id) + ' ' + lower_case(title_of(descriptor.group));
+  const std::string synonyms = ' ' + std::string(synonyms_of(descriptor.id));
+  const std::string tooltip = ' ' + lower_case(descriptor.tooltip);
   const std::string needle = lower_case(text);
   std::size_t begin = 0;
   while (begin < needle.size()) {
     const std::size_t end = std::min(needle.find(' ', begin), needle.size());
-    if (end > begin && haystack.find(needle.substr(begin, end - begin)) == std::string::npos) return false;
+    const std::string word = needle.substr(begin, end - begin);
     begin = end + 1;
+    if (word.empty() || haystack.find(word) != std::string::npos) continue;
+    const std::string beginning = ' ' + word;
+    if (synonyms.find(beginning) != std::string::npos) continue;
+    if (word.size() < kLettersOfTooltip || tooltip.find(beginning) == std::string::npos) return false;
   }
   return true;
 }

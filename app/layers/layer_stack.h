@@ -94,7 +94,8 @@ class LayerStack {
 /// it, and the range of the map only if its quantity is the same.
 LayerStyle style_for(const LayerDescriptor& to, const LayerDescriptor& from, LayerStyle style);
 
-/// True if a search text matches the layer: every word occurs in its name, id or group, whatever the case.
+/// True if a search text matches the layer: every word occurs in its name, id or group, or begins a word of its
+/// synonyms, or, from three letters on, of its tooltip, whatever the case.
 bool matches_search(const LayerDescriptor& descriptor, std::string_view text);
 
 }  // namespace mes

@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "app/layers/parameter_words.h"
-#include "app/model/synonyms.h"
+#include "app/layers/synonyms.h"
 #include "app/panels/bars/interface_sizes.h"
 #include "core/evolutions/evolution.h"
 

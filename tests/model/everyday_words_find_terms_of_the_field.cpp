@@ -5,8 +5,8 @@
 
 #include "app/actions/actions.h"
 #include "app/layers/parameter_words.h"
+#include "app/layers/synonyms.h"
 #include "app/model/palette.h"
-#include "app/model/synonyms.h"
 #include "core/base/lower_case.h"
 #include "tests/support/builtin_layers.h"
 

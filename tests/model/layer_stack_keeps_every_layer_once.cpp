@@ -104,6 +104,11 @@ TEST_CASE("the search box takes words in any case and order") {
   CHECK(matches_search(layer, "DISK int"));
   CHECK(matches_search(layer, "  voronoi-d "));
   CHECK_FALSE(matches_search(layer, "disk exterior"));
+  layer.tooltip = "Empty circles, filled";
+  CHECK(matches_search(layer, "Inscribed balls"));  // synonyms
+  CHECK(matches_search(layer, "disk empty"));
+  CHECK_FALSE(matches_search(layer, "fi"));     // too short for a tooltip
+  CHECK_FALSE(matches_search(layer, "illed"));  // no beginning
 }
 
 TEST_CASE("a configuration brings everything back, whatever the order and names in it") {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/model/synonyms.h"
+#include "app/layers/synonyms.h"
 
 #include <algorithm>
 #include <array>
