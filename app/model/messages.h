@@ -13,7 +13,8 @@
 namespace mes {
 
 /// A remark is shown in the status bar until the next one; a problem above the canvas until it is closed, or an
-/// operation succeeds that makes it stale. Both stay in the log, which keeps the last thousand.
+/// operation succeeds that makes it stale. A refusal is a remark that is shown even without a status bar, until the
+/// next key or press. All stay in the log, which keeps the last thousand.
 class Messages {
  public:
   struct Entry {
@@ -26,6 +27,11 @@ class Messages {
   void remark(std::string text) {
     log(text, false);
     remark_ = std::move(text);
+    is_refusal_ = false;
+  }
+  void refusal(std::string text) {
+    remark(std::move(text));
+    is_refusal_ = true;
   }
   void problem(std::string text) {
     log(text, true);
@@ -47,7 +53,13 @@ class Messages {
     if (texts.size() > kMostLogged) log("and " + std::to_string(texts.size() - kMostLogged) + " more", true);
     problem_ = std::move(lines);
   }
-  void clear_remark() { remark_.clear(); }
+  void clear_remark() {
+    remark_.clear();
+    is_refusal_ = false;
+  }
+  void clear_refusal() {
+    if (is_refusal_) clear_remark();
+  }
   void clear_problem() { problem_.clear(); }
   /// Both messages are outdated. They stay in the log.
   void clear() {
@@ -56,6 +68,8 @@ class Messages {
   }
   const std::string& remark() const { return remark_; }
   const std::string& problem() const { return problem_; }
+  /// True if the present remark is a refusal.
+  bool is_refusal() const { return is_refusal_; }
 
   /// The number of messages so far.
   std::uint64_t said() const { return said_; }
@@ -78,6 +92,7 @@ class Messages {
   }
 
   std::string remark_;
+  bool is_refusal_ = false;
   std::string problem_;
   std::uint64_t said_ = 0;
   std::deque<Entry> entries_;

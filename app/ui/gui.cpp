@@ -175,6 +175,11 @@ bool Gui::wants_text() const {
   return context.ActiveId != 0 && context.ActiveId == context.InputTextState.ID;
 }
 
+bool Gui::holds_control() const {
+  const ImGuiContext& context = *ImGui::GetCurrentContext();
+  return context.ActiveId != 0 && context.ActiveIdSource == ImGuiInputSource_Mouse && !wants_text();
+}
+
 bool Gui::begin_dialog(const char* id, bool open, ImGuiWindowFlags flags) {
   const bool was_open = ImGui::IsPopupOpen(id);
   if (!open && !was_open) return false;

@@ -49,6 +49,8 @@ class Gui {
   bool is_fading() const;
   /// True while a field takes typed text.
   bool wants_text() const;
+  /// True while a button of the mouse holds a control of a panel, such as a slider.
+  bool holds_control() const;
   /// True while a popup, menu or dialog is open.
   bool has_popup() const;
   /// Closes the topmost popup or menu; returns false if there was none.

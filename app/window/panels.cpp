@@ -13,6 +13,7 @@
 #include "app/panels/on_canvas/hidden_samples_note.h"
 #include "app/panels/on_canvas/pane_headers.h"
 #include "app/panels/on_canvas/problem_note.h"
+#include "app/panels/on_canvas/refusal_note.h"
 #include "app/window/palette_entries.h"
 
 namespace mes {
@@ -273,6 +274,7 @@ Panels::Room Panels::draw() {
   if (uses_.demo.draw(gui, {middle.x, screen.y - sides.bottom}, width)) uses_.actions.run(ActionId::demo);
   presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), ImGui::GetTime());
   ProblemNote{gui, uses_.messages}.draw({sides.left + 8 * unit, sides.top + 10 * unit}, width - 16 * unit);
+  if (!are_shown_) RefusalNote{gui, uses_.messages}.draw({sides.left, screen.y - sides.bottom - 14 * unit}, width);
   uses_.work.insight().end_frame();
   const double ratio = uses_.screen.window->pixel_ratio();
   const auto in_pixels = [ratio](float length) { return static_cast<double>(length) * ratio; };

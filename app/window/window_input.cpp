@@ -79,7 +79,7 @@ void WindowInput::on_button(PointerButton button, bool pressed, Modifiers modifi
 void WindowInput::press(PointerButton button, Vec2 px, Modifiers modifiers) {
   if (uses_.canvas.has_pointer()) return;
   if (uses_.screen.gui.wants_pointer(px)) {
-    waits_for_panels_ = true;
+    waits_for_panels_ = is_panel_pressed_ = true;
     return;
   }
   uses_.messages.clear_remark();
@@ -90,6 +90,8 @@ void WindowInput::press(PointerButton button, Vec2 px, Modifiers modifiers) {
 // A double click on a selected sample selects its curve. If a frame takes long, the second click arrives late, so
 // clicks in adjacent frames count as well.
 void WindowInput::release(PointerButton button, Vec2 px, Modifiers modifiers, Clock::time_point when) {
+  // A key pressed after the release finds the control with its last value.
+  if (std::exchange(is_panel_pressed_, false)) waits_for_panels_ = true;
   constexpr std::chrono::milliseconds kLongest{400};
   constexpr double kFarthestPx = 6.0;
   const double scale = uses_.canvas.content_scale();
@@ -111,11 +113,19 @@ void WindowInput::on_wheel(double steps) {
   });
 }
 
+bool WindowInput::is_in_gesture() const {
+  const bool holds_control = is_panel_pressed_ && uses_.screen.gui.holds_control();
+  return uses_.canvas.has_pointer() || uses_.mark_drag.is_under_way() || holds_control;
+}
+
 std::optional<ActionId> WindowInput::action_of(const KeyChord& chord) const {
   const bool has_selection = !uses_.selection.is_empty() || uses_.annotations.current() != nullptr;
-  const auto action = uses_.actions.keymap().find(chord, has_selection);
+  if (const auto action = uses_.actions.keymap().find(chord, has_selection)) return action;
   // Finds the action even without a selection, so that a key that needs one can say so.
-  return action ? action : uses_.actions.keymap().find(chord, true);
+  if (const auto action = uses_.actions.keymap().find(chord, true)) return action;
+  // A lasso is drawn with Ctrl held, and Esc and F4 are then Ctrl+Esc and Ctrl+F4.
+  const bool is_held_for_gesture = chord.modifiers != Modifiers{} && is_in_gesture();
+  return is_held_for_gesture ? uses_.actions.keymap().find({chord.symbol, {}}, true) : std::nullopt;
 }
 
 void WindowInput::come_again(const KeyChord& chord, bool repeated) {
@@ -144,17 +154,19 @@ bool WindowInput::is_for_panels(const KeyChord& chord, bool repeated) {
   return true;
 }
 
-// The document must not change during a gesture, which Esc takes back.
+// The document must not change during a gesture, which Esc takes back. A slider that is held would change it again.
 bool WindowInput::is_refused_by_gesture(ActionId action) {
   const bool is_mark = uses_.mark_drag.is_under_way();
   if (is_mark && (action == ActionId::deselect || action == ActionId::undo)) {
     uses_.mark_drag.cancel();
     return true;
   }
-  if ((!is_mark && !uses_.canvas.has_pointer()) || action == ActionId::deselect || works_at_any_time(action))
-    return false;
-  uses_.messages.remark(descriptor_of(action).name +
-                        " is not possible now: the button of the mouse is down (Esc takes back what it did)");
+  if (!is_in_gesture() || works_at_any_time(action)) return false;
+  const bool is_of_canvas = is_mark || uses_.canvas.has_pointer();
+  if (is_of_canvas && action == ActionId::deselect) return false;
+  uses_.messages.refusal(descriptor_of(action).name + " is not possible now: " +
+                         (is_of_canvas ? "the button of the mouse is down (Esc takes back what it did)"
+                                       : "the mouse holds a control of the panels"));
   return true;
 }
 
@@ -168,10 +180,13 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   if (chord.symbol == key::escape && !uses_.canvas.has_pointer() && files.is_reading()) return files.cancel_reading();
   if (!action || (repeated && !descriptor_of(*action).repeats)) return;
   if (is_refused_by_gesture(*action)) return;
-  // A pressed key without effect must give the reason, because no menu shows that the action is disabled.
-  if (const std::string why = uses_.actions.missing(*action); !why.empty())
-    uses_.messages.remark(descriptor_of(*action).name + " is not possible now: " + why);
-  uses_.actions.run(*action);
+  uses_.messages.clear_refusal();
+  if (!uses_.actions.run(*action)) {
+    // A pressed key without effect must give the reason, because no menu shows that the action is disabled.
+    if (const std::string why = uses_.actions.missing(*action); !why.empty())
+      uses_.messages.refusal(descriptor_of(*action).name + " is not possible now: " + why);
+    return;
+  }
   const bool is_slide = (*action >= ActionId::first_bundle && *action <= ActionId::last_bundle) ||
                         *action == ActionId::next_bundle || *action == ActionId::previous_bundle;
   uses_.presenter.note_key(to_string(chord), descriptor_of(*action).name, is_slide);
@@ -181,7 +196,7 @@ void WindowInput::on_key(const KeyChord& chord, bool repeated) {
   // The user may want to cancel the computation that the recording waits for, or the recording itself.
   const bool is_held = uses_.recording.holds_input();
   const bool waits = is_held || (uses_.recording.desk().is_recording() && !events_.is_empty());
-  const auto action = uses_.actions.keymap().find(chord, false);
+  const auto action = action_of(chord);
   const bool ends_recording = waits && action == ActionId::record && !repeated && !types_text(chord);
   if ((is_held && action == ActionId::cancel_computation) ||
       (ends_recording && std::exchange(ends_recording_, false)))
@@ -191,8 +206,8 @@ void WindowInput::on_key(const KeyChord& chord, bool repeated) {
     return;
   }
   ends_recording_ = true;
-  uses_.messages.remark("The recording ends when all that was done has its frames; " + to_string(chord) +
-                        " once more ends it at once");
+  uses_.messages.refusal("The recording ends when all that was done has its frames; " + to_string(chord) +
+                         " once more ends it at once");
   events_.push([this, chord] {
     if (std::exchange(ends_recording_, false) && uses_.recording.desk().is_recording()) run_by_key(chord, false);
   });

@@ -20,7 +20,8 @@ namespace mes {
 /// Guarantees: events are handled in order, each by its intended target. Events that arrived together with one that
 /// opened or closed a dialog wait for the next frame. During a recording each event waits until the previous change
 /// has its frame; so does the key that ends it, but a second press ends it at once. A key without effect gives the
-/// reason. Listens to the window for its whole life. Threads: the window's.
+/// reason. Ctrl, Shift and Alt held for a gesture take no key's action away. Listens to the window for its whole life.
+/// Threads: the window's.
 class WindowInput final : private WindowListener {
  public:
   struct Uses {
@@ -66,6 +67,8 @@ class WindowInput final : private WindowListener {
   void press(PointerButton button, Vec2 px, Modifiers modifiers);
   void release(PointerButton button, Vec2 px, Modifiers modifiers, Clock::time_point when);
   void run_by_key(const KeyChord& chord, bool repeated);
+  /// True while a button of the mouse is down for the canvas, or for a control of a panel.
+  bool is_in_gesture() const;
   std::optional<ActionId> action_of(const KeyChord& chord) const;
   /// Handles a key while a list or a field has the keyboard. Returns true if it is consumed, or will be delivered
   /// again.
@@ -84,7 +87,8 @@ class WindowInput final : private WindowListener {
     Vec2 px{};
   };
   std::optional<Click> click_;     // the last click on the canvas
-  bool waits_for_panels_ = false;  // a press may give a field the keyboard
+  bool waits_for_panels_ = false;  // a press may give a field the keyboard, and a release may end a control's drag
+  bool is_panel_pressed_ = false;  // a button of the mouse went down over the panels
   bool has_come_again_ = false;    // the present key was delivered again
   bool ends_recording_ = false;    // such a key is waiting in the queue
   bool is_update_held_ = false;

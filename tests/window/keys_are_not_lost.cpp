@@ -118,6 +118,57 @@ TEST_CASE("a key that does nothing during a gesture says so, and the gesture goe
   CHECK(eventually([&] { return house.window.title().starts_with("* house.poff"); }));
 }
 
+TEST_CASE("Ctrl held for a lasso takes no key's action away") {
+  const House house;
+  house.screen().xdotool("mousemove 300 400");
+  const Screenshot before = house.screen().settled();
+  house.screen().xdotool("keydown ctrl");
+  house.screen().drag({150, 200}, {300, 400}, 5);
+  const Screenshot lasso = house.screen().settled();
+  REQUIRE(lasso.changes(kCanvas, before) > 100);
+  house.press("equal");  // Ctrl+=, which zooms the view as = does
+  const Screenshot zoomed = house.screen().settled();
+  CHECK(zoomed.changes(kCanvas, lasso) > 500);
+  house.press("minus");
+  CHECK(house.screen().settled().changes(kCanvas, lasso) < 100);
+  house.press("Escape");
+  house.screen().xdotool("mouseup 1 keyup ctrl");
+  CHECK(house.screen().settled().changes(kCanvas, before) < 100);
+}
+
+TEST_CASE("a key that would change the document waits for a slider to be let go, and says so") {
+  const House house;
+  house.press("e");
+  // The slider of the strip of evolutions; its beginning is the step 0.
+  house.screen().drag({460, 744}, {520, 744}, 5);
+  REQUIRE(eventually([&] { return house.window.title().starts_with("* house.poff"); }));
+  const Screenshot held = house.screen().settled();
+  const Screenshot refused = house.press("ctrl+z");
+  CHECK(refused.changes(kStatus, held) > 100);
+  CHECK(refused.changes(kCanvas, held) == 0);
+  // A question over the window would dim it.
+  CHECK(house.press("ctrl+n").is_white(90, 700));
+  // Let go, the slider has its last value before the key acts.
+  house.screen().xdotool("mouseup 1 key ctrl+z");
+  CHECK(eventually([&] { return house.window.title().starts_with("house.poff"); }));
+  static_cast<void>(house.screen().settled());
+  CHECK(house.window.title().starts_with("house.poff"));
+}
+
+TEST_CASE("a key that does nothing says so without panels, until the next one") {
+  const House house;
+  house.press("Tab");
+  const Screenshot bare = house.screen().settled();
+  constexpr PixelBox kFoot{300, 740, 980, 795};
+  REQUIRE(bare.changes(kStatus, house.drawn) > 100);
+  const Screenshot told = house.press("ctrl+z");
+  CHECK(told.changes(kFoot, bare) > 500);
+  CHECK(house.press("v").changes(kFoot, bare) == 0);
+  house.press("ctrl+z");
+  house.screen().click({30, 30});
+  CHECK(house.screen().settled().changes(kFoot, bare) == 0);
+}
+
 TEST_CASE("W held while dragging lets everything else wait") {
   const House house;
   const auto [x, y] = house.lower_left();

@@ -156,6 +156,30 @@ TEST_CASE("the key ends the recording right after a gesture, with all its frames
   REQUIRE(source->session);
 }
 
+TEST_CASE("the key ends and begins a recording while Ctrl is held for a lasso") {
+  Studio studio;
+  const VirtualScreen& screen = studio.screen;
+  const fs::path first = studio.take();
+  studio.press("i");
+  screen.xdotool("mousemove 200 200 click 1");
+  REQUIRE(eventually([&] { return studio.frames() == 1; }));
+  studio.press("v");
+  screen.xdotool("keydown ctrl");
+  screen.drag({300, 100}, {400, 300}, 4);
+  studio.press("F4");
+  CHECK(eventually([&] {
+    const auto read = read_take(first);
+    return read && read->complete;
+  }));
+  studio.press("F4");
+  CHECK(eventually([&] {
+    for (const auto& entry : fs::directory_iterator(studio.folder / "mesecina"))
+      if (entry.is_directory() && entry.path() != first) return true;
+    return false;
+  }));
+  screen.xdotool("mouseup 1 keyup ctrl");
+}
+
 TEST_CASE("the key that is pressed twice ends the recording at once") {
   Studio studio(300);
   const VirtualScreen& screen = studio.screen;
