@@ -122,15 +122,23 @@ void EvolutionPlayer::resume(const EvolutionChoice& choice, std::uint64_t k) {
 
 void EvolutionPlayer::choose(const std::shared_ptr<const Evolution>& evolution) {
   if (evolution == choice_.evolution) return;
+  const std::string given_up = given_up_step();
   cancel();
   const std::uint64_t steps = position();
-  const std::string kept = steps == 0 ? std::string() : name_of_state(descriptor(), steps);
+  std::string kept = steps == 0 ? std::string() : name_of_state(descriptor(), steps) + ": kept";
   choice_.evolution = evolution;
-  if (!kept.empty()) kept_ = fmt::format("{}: kept; {} begins from there", kept, descriptor().name);
+  if (!kept.empty()) kept += fmt::format("; {} begins from there", descriptor().name);
+  if (!kept.empty() || !given_up.empty()) remark_ = given_up + (kept.empty() || given_up.empty() ? "" : ". ") + kept;
   shown_ = 0;
   beginning_revision_ = shown_revision_ = ~std::uint64_t{0};
   moved_ = {};
   fit_lengths();
+}
+
+// Nobody waits for a single step of a playback.
+std::string EvolutionPlayer::given_up_step() const {
+  if (!wanted_ || direction_ != Direction::none) return {};
+  return fmt::format("{}: step {} was not computed yet, and is given up", descriptor().name, *wanted_);
 }
 
 void EvolutionPlayer::fit_lengths() {
@@ -271,7 +279,11 @@ void EvolutionPlayer::follow(bool picture_is_complete, double now) {
   if (editor_.in_gesture()) return;
   if (fitted_revision_ != editor_.document().revision() && position() == 0) fit_lengths();
   // The document was edited meanwhile, and the pending state was meant for the old one.
-  if ((wanted_ || direction_ != Direction::none) && !has_beginning()) cancel();
+  if ((wanted_ || direction_ != Direction::none) && !has_beginning()) {
+    if (const std::string given_up = given_up_step(); !given_up.empty())
+      remark_ = given_up + ": the samples were edited";
+    cancel();
+  }
   if (auto answer = run_.poll(); answer && wanted_ == answer->k) {
     wanted_.reset();
     if (answer->state) {

@@ -103,8 +103,9 @@ class EvolutionPlayer {
   std::optional<double> next_due(double now) const;
   /// True, once, after an edit in the middle of an evolution has made the present document state 0.
   bool take_restart() { return std::exchange(has_restarted_, false); }
-  /// The effect that `choose` has kept, in words, given once; empty: none.
-  std::string take_kept() { return std::exchange(kept_, {}); }
+  /// What another choice has kept, and the step that it or an edit gave up before it was computed, in words, given
+  /// once; empty: neither.
+  std::string take_remark() { return std::exchange(remark_, {}); }
   /// The reason why a state is impossible, given once.
   std::optional<Error> take_problem() { return std::exchange(problem_, std::nullopt); }
 
@@ -119,6 +120,8 @@ class EvolutionPlayer {
   bool has_beginning() const;
   void begin();
   void restart_from_beginning();
+  /// The requested step, which is about to be given up, in words; empty: none.
+  std::string given_up_step() const;
   void show(std::uint64_t k, const EvolutionState& state);
   /// O(n), if there are lengths that were not set to another value.
   void fit_lengths();
@@ -146,7 +149,7 @@ class EvolutionPlayer {
   double last_step_ = 0.0;
   std::optional<Error> problem_;
   bool has_restarted_ = false;
-  std::string kept_;
+  std::string remark_;
 };
 
 }  // namespace mes

@@ -148,7 +148,7 @@ void Workspace::export_bundles(const std::filesystem::path& file, std::optional<
 
 void Workspace::follow_evolution(std::uint64_t shown_document, double now) {
   evolution_.follow(shown_document == document().revision() && !engine_.status().busy, now);
-  if (std::string kept = evolution_.take_kept(); !kept.empty()) messages_.remark(std::move(kept));
+  if (std::string remark = evolution_.take_remark(); !remark.empty()) messages_.remark(std::move(remark));
   if (evolution_.take_restart()) messages_.remark("Evolution restarted from here: the samples were edited");
   if (const auto problem = evolution_.take_problem()) messages_.problem(problem->message());
   if (const auto problem = pane_documents_.take_problem())

@@ -146,8 +146,8 @@ TEST_CASE("another evolution begins from what is shown, and each is a step of un
   const std::vector<Vec2> smooth = desk.at(3);
   desk.player.choose(find_evolution("subdivide"));
   CHECK(desk.player.position() == 0);
-  CHECK(desk.player.take_kept() == "Smooth, 3 steps: kept; Subdivide begins from there");
-  CHECK(desk.player.take_kept().empty());
+  CHECK(desk.player.take_remark() == "Smooth, 3 steps: kept; Subdivide begins from there");
+  CHECK(desk.player.take_remark().empty());
   CHECK(positions_of(desk.editor.document()) == smooth);
   CHECK(desk.editor.undo_name() == "Smooth, 3 steps");
   const std::vector<Vec2> fine = desk.at(1);
@@ -181,14 +181,16 @@ TEST_CASE("choosing another evolution while steps are computed keeps those that 
   desk.player.step_to(1'000'000'000);
   desk.player.choose_next(-1);
   CHECK(desk.player.descriptor().id == builtins().evolutions().ids().back());
+  CHECK(desk.player.take_remark() ==
+        "Smooth: step 1000000000 was not computed yet, and is given up. Smooth, 2 steps: kept; " +
+            desk.player.descriptor().name + " begins from there");
   desk.settle();
   CHECK_FALSE(desk.player.is_waiting());
   CHECK(positions_of(desk.editor.document()) == smooth);
   // Nothing was done, so that nothing is kept.
   desk.player.choose_next(1);
-  CHECK_FALSE(desk.player.take_kept().empty());
   desk.player.choose_next(1);
-  CHECK(desk.player.take_kept().empty());
+  CHECK(desk.player.take_remark().empty());
 }
 
 TEST_CASE("another seed or parameter keeps the beginning") {
@@ -255,11 +257,14 @@ TEST_CASE("what is being computed can be given up, by hand or by an edit") {
   CHECK(desk.player.is_waiting());
   desk.player.cancel();
   CHECK_FALSE(desk.player.is_waiting());
+  CHECK(desk.player.take_remark().empty());
   CHECK(positions_of(desk.editor.document()) == beginning);
   desk.player.step_to(1'000'000'000);
   desk.insert();
   desk.settle();
   CHECK_FALSE(desk.player.is_waiting());
+  CHECK(desk.player.take_remark() ==
+        "Smooth: step 1000000000 was not computed yet, and is given up: the samples were edited");
   CHECK(desk.editor.document().sample_count() == beginning.size() + 1);
 }
 
