@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "app/layers/ball_families.h"
+
 namespace mes {
 
 void FirstBall::follow(Editor& editor, LayerStack& layers) {
@@ -13,7 +15,7 @@ void FirstBall::follow(Editor& editor, LayerStack& layers) {
   if (has_balls == std::exchange(had_balls_, has_balls) || !has_balls) return;
   if (editor.can_redo() || layers.soloed() != kNoLayer) return;
   std::vector<LayerIndex> of_balls;
-  for (const std::string_view id : {"b-inner-disks", "b-inner-circles", "b-inner-centers"})
+  for (const std::string_view id : kOwnBallLayers)
     if (const LayerIndex layer = layers.find(id); layer != kNoLayer) of_balls.push_back(layer);
   if (of_balls.empty() || std::ranges::any_of(of_balls, [&](LayerIndex layer) { return layers.is_visible(layer); }))
     return;

@@ -17,6 +17,10 @@ namespace mes {
 
 inline constexpr std::array kBallFamilies{FamilyKind::inner, FamilyKind::polar, FamilyKind::own};
 
+/// The layers that show own balls themselves, without their union.
+inline constexpr std::array<std::string_view, 3> kOwnBallLayers{"b-inner-disks", "b-inner-circles",
+                                                                "b-inner-centers"};
+
 LayerGroup group_of(FamilyKind family);
 /// The family's letter in the ids of layers: "a", "p" or "b".
 std::string_view letter_of(FamilyKind family);

@@ -7,11 +7,12 @@
 #include <span>
 #include <string_view>
 
+#include "app/layers/ball_families.h"
+
 namespace mes {
 namespace {
 
 constexpr std::array<std::string_view, 1> kOfSamples{"points"};
-constexpr std::array<std::string_view, 3> kBallLayers{"b-inner-disks", "b-inner-circles", "b-inner-centers"};
 
 bool draws(const LayerDescriptor& layer, auto condition) {
   return std::ranges::any_of(layer.kinds, condition);
@@ -20,7 +21,7 @@ bool draws(const LayerDescriptor& layer, auto condition) {
 }  // namespace
 
 std::vector<LayerIndex> layers_of_click(const LayerStack& layers, const Clicked& clicked) {
-  const auto own = clicked.is_ball ? std::span<const std::string_view>(kBallLayers) : std::span(kOfSamples);
+  const auto own = clicked.is_ball ? std::span<const std::string_view>(kOwnBallLayers) : std::span(kOfSamples);
   const std::vector<LayerIndex> visible = layers.visible_layers();
   const auto is_own = [&](LayerIndex layer) {
     return std::ranges::find(own, layers.descriptor(layer).id) != own.end();

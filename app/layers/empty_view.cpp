@@ -2,12 +2,14 @@
 #include "app/layers/empty_view.h"
 
 #include <algorithm>
-#include <initializer_list>
+#include <array>
+#include <span>
+#include <string_view>
 
 namespace mes {
 namespace {
 
-void show(LayerStack& layers, std::initializer_list<std::string_view> ids) {
+void show(LayerStack& layers, std::span<const std::string_view> ids) {
   for (const std::string_view id : ids)
     if (const LayerIndex layer = layers.find(id); layer != kNoLayer) layers.set_visible(layer, true);
 }
@@ -30,9 +32,10 @@ std::string label_of(ShowInstead what) {
 
 void show_instead(ShowInstead what, LayerStack& layers) {
   switch (what) {
-    case ShowInstead::samples: return show(layers, {"points"});
+    case ShowInstead::samples: return show(layers, std::array<std::string_view, 1>{"points"});
     case ShowInstead::own_balls:
-      return show(layers, {"b-inner-disks", "b-inner-circles", "b-inner-centers", "b-ball-medial-axis"});
+      show(layers, kOwnBallLayers);
+      return show(layers, std::array<std::string_view, 1>{"b-ball-medial-axis"});
     case ShowInstead::inner_family:
       return layers.set_configuration(in_family(layers.descriptors(), layers.configuration(), FamilyKind::inner));
     case ShowInstead::own_family:

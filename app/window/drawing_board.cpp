@@ -241,7 +241,8 @@ void DrawingBoard::dim_outdated() {
 }
 
 void DrawingBoard::follow() {
-  if (work_.follow_layers(picture_.is_lost())) picture_.forget_all_but(work_.shown_panes().demand);
+  if (work_.follow_layers(picture_.is_lost(), settings_.show_annotations))
+    picture_.forget_all_but(work_.shown_panes().demand);
   if (traced_.follow(view().free_box())) screen_.clock.settle();
   follow_differences();
 }

@@ -78,6 +78,8 @@ class DrawingBoard {
   /// Shows these views in the panes, as `pane_views` returned them, together with the next fitting.
   void see_in_panes(std::vector<Box2> views) { wanted_pane_views_ = std::move(views); }
 
+  bool shows_annotations() const;
+
  private:
   /// True once the panels have been drawn and know their sizes, so that the drawing has its area.
   static bool has_place();
@@ -92,7 +94,6 @@ class DrawingBoard {
   void follow_differences();
   void dim_outdated();
   void draw_pointer(const Frame& frame);
-  bool shows_annotations() const;
   CanvasAnnotations annotations_in(const Document& document, const PanePart& pane) const;
   /// Draws the same marks in all panes, so that each shows where the pointer is in the others.
   void draw_marks_in_panes(bool is_marked);

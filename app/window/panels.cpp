@@ -10,7 +10,7 @@
 #include "app/panels/on_canvas/canvas_marks.h"
 #include "app/panels/on_canvas/empty_hint.h"
 #include "app/panels/on_canvas/empty_view_note.h"
-#include "app/panels/on_canvas/hidden_samples_note.h"
+#include "app/panels/on_canvas/hidden_additions_note.h"
 #include "app/panels/on_canvas/pane_headers.h"
 #include "app/panels/on_canvas/problem_note.h"
 #include "app/panels/on_canvas/refusal_note.h"
@@ -268,8 +268,13 @@ Panels::Room Panels::draw() {
       !EmptyViewNote{gui, uses_.work.editor(), uses_.work.layers(), uses_.board.picture(), uses_.work.engine()}.draw(
           middle, width)) {
     const float below = (uses_.messages.problem().empty() ? 10 : 70) * unit;
-    HiddenSamplesNote{gui, uses_.work.hidden_samples(), uses_.work.editor(), uses_.work.layers()}.draw(
-        {middle.x, sides.top + below});
+    HiddenAdditionsNote{gui,
+                        uses_.work.hidden_additions(),
+                        uses_.work.editor(),
+                        uses_.work.layers(),
+                        uses_.board.shows_annotations(),
+                        uses_.settings.show_annotations}
+        .draw({middle.x, sides.top + below});
   }
   if (uses_.demo.draw(gui, {middle.x, screen.y - sides.bottom}, width)) uses_.actions.run(ActionId::demo);
   presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), ImGui::GetTime());

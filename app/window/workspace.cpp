@@ -82,7 +82,7 @@ void Workspace::follow_curves(bool is_held) {
 
 void Workspace::leave_document() {
   is_held_by_action_ = false;
-  hidden_samples_.begin(document());
+  hidden_additions_.begin(document());
   annotations_.forget();
   resampling_.forget();
   computation_.give_back();
@@ -155,9 +155,9 @@ void Workspace::follow_evolution(std::uint64_t shown_document, double now) {
     messages_.problem("A pane cannot show its version of the document: " + problem->message());
 }
 
-bool Workspace::follow_layers(bool picture_is_lost) {
+bool Workspace::follow_layers(bool picture_is_lost, bool shows_annotations) {
   first_ball_.follow(editor_, layers_);
-  hidden_samples_.follow(document(), layers_);
+  hidden_additions_.follow(document(), layers_, shows_annotations);
   follow_family();
   bundles_.follow_layers();
   return demand_.follow(engine_, wanted(), picture_is_lost, &pane_documents_);

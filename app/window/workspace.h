@@ -14,7 +14,7 @@
 #include "app/editing/curve_selector.h"
 #include "app/editing/editor.h"
 #include "app/editing/first_ball.h"
-#include "app/editing/hidden_samples.h"
+#include "app/editing/hidden_additions.h"
 #include "app/editing/resample_desk.h"
 #include "app/editing/selection_desk.h"
 #include "app/export/comparison.h"
@@ -68,7 +68,7 @@ class Workspace {
   SelectionDesk& selection_desk() { return selection_desk_; }
   Insight& insight() { return insight_; }
   ResampleDesk& resampling() { return resampling_; }
-  HiddenSamples& hidden_samples() { return hidden_samples_; }
+  HiddenAdditions& hidden_additions() { return hidden_additions_; }
   CurveSampler& curve_sampler() { return curve_sampler_; }
   const CurveSampler& curve_sampler() const { return curve_sampler_; }
   EvolutionPlayer& evolution() { return evolution_; }
@@ -131,7 +131,7 @@ class Workspace {
   /// Called once per turn: shows the state of the evolution that is ready.
   void follow_evolution(std::uint64_t shown_document, double now);
   /// Called once per frame: asks the engine for the visible layers. Returns true if they have changed.
-  bool follow_layers(bool picture_is_lost);
+  bool follow_layers(bool picture_is_lost, bool shows_annotations);
   /// True if everything requested is computed and nothing was cancelled.
   bool is_complete() const;
 
@@ -178,7 +178,7 @@ class Workspace {
   EngineDemand demand_;
   bool looks_at_density_ = false;
   FirstBall first_ball_;
-  HiddenSamples hidden_samples_;
+  HiddenAdditions hidden_additions_;
   FamilyChoice family_;
 };
 

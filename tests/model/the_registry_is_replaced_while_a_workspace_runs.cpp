@@ -49,7 +49,7 @@ struct Running {
   }
   /// A frame, and all that is computed for it.
   void follow() {
-    work.follow_layers(false);
+    work.follow_layers(false, true);
     while (auto patch = work.engine().sync()) {
       mirror.apply(*patch);
       work.engine().recycle(std::move(patch));

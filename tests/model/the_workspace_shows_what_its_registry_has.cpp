@@ -24,7 +24,7 @@ TEST_CASE("a workspace lists, computes and saves what was added to its registry"
   REQUIRE(work.editor().load({.positions = {{0, 0}, {1, 0}, {0, 1}}}));
   work.layers().set_visible(added, true);
   work.computation().set(kDoublingFactor, 3.0);
-  CHECK(work.follow_layers(false));
+  CHECK(work.follow_layers(false, true));
   LayerMirror mirror;
   while (auto patch = work.engine().sync()) {
     mirror.apply(*patch);

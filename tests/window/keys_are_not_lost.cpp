@@ -213,3 +213,40 @@ TEST_CASE("samples that no layer shows are told of, and a button shows them") {
   CHECK(eventually([&] { return house.screen().shoot().is_dark(500, 400); }));
   CHECK(eventually([&] { return house.screen().shoot().changes(kNote, told) > 1000; }));
 }
+
+TEST_CASE("balls and annotations that are hidden are told of, and buttons show them") {
+  const House house;
+  house.press("b");
+  house.screen().drag({200, 200}, {240, 200}, 3);
+  house.screen().xdotool("mouseup 1");
+  // "Crust" shows no balls.
+  const Screenshot crust = house.press("3");
+  constexpr PixelBox kNote{100, 30, 960, 75};
+  house.screen().drag({200, 500}, {240, 500}, 3);
+  house.screen().xdotool("mouseup 1 mousemove 1200 6");
+  const Screenshot told = house.screen().settled();
+  CHECK(told.changes(kNote, crust) > 1000);
+  house.press("ctrl+z");
+  CHECK(eventually([&] { return house.screen().shoot().changes(kNote, crust) < 100; }));
+  // The palette hides annotations, and the tool shows them as long as it is there.
+  house.press("ctrl+k");
+  house.screen().xdotool("type --delay 20 toggle-annotations");
+  static_cast<void>(house.screen().settled());
+  house.press("Return");
+  house.press("a");
+  house.screen().click({150, 120});
+  static_cast<void>(house.screen().settled());
+  house.screen().xdotool("type --delay 20 sun");
+  house.press("Escape");
+  house.screen().xdotool("mousemove 1200 6");
+  const Screenshot written = house.screen().settled();
+  CHECK(written.changes(kNote, crust) < 100);
+  const Screenshot hidden = house.press("v");
+  REQUIRE(hidden.changes(kNote, crust) > 1000);
+  house.screen().click({660, 55});
+  house.screen().xdotool("mousemove 1200 6");
+  const Screenshot shown = house.screen().settled();
+  CHECK(shown.changes(kNote, crust) < 100);
+  constexpr PixelBox kWords{135, 100, 200, 140};
+  CHECK(shown.changes(kWords, hidden) > 20);
+}
