@@ -149,3 +149,18 @@ TEST_CASE("saving ends a lesson first, and saves the document") {
   // Five, the sixth of the lesson, and the one that was inserted before it was presented.
   CHECK(replay.document().sample_count() == 7);
 }
+
+TEST_CASE("what the steps of a lesson bring is not told of as something that was added") {
+  PresentingWindow window;
+  static_cast<void>(window.drawn());
+  // "Union of balls 3: v-points" shows no samples.
+  window.press("8");
+  constexpr PixelBox kNote{100, 30, 960, 75};
+  const Screenshot before = window.screen.settled();
+  window.press("shift+F5");
+  REQUIRE(eventually([&] { return window.screen.shoot().is_white(1270, 400); }));
+  static_cast<void>(window.screen.settled());
+  window.press("Escape");
+  REQUIRE(eventually([&] { return !window.screen.shoot().is_white(1270, 400); }));
+  CHECK(window.screen.settled().changes(kNote, before) < 100);
+}
