@@ -15,7 +15,7 @@
 #include "app/layers/layer_summary.h"
 #include "app/layers/statistics_text.h"
 #include "core/draw/layer_digest.h"
-#include "core/engine/theorem_light.h"
+#include "core/engine/sampling_verdict.h"
 #include "core/graph/registry.h"
 
 namespace mes::cli {
@@ -57,7 +57,18 @@ std::string_view level_name(FindingLevel level) {
   return level == FindingLevel::note ? "note" : name_of(light_of(level));
 }
 
-/// The theorem light and its reasons.
+/// Samples beyond this number are measured only if a layer asks for it: the epsilon takes longer than all the rest.
+constexpr std::size_t kMostMeasured = 100'000;
+
+/// The structure that measures the epsilon, if it is wanted.
+std::vector<std::string_view> measures_of(const Registry& registry, std::size_t samples) {
+  constexpr std::string_view kMeasure = "feature-size";
+  if (samples > kMostMeasured || std::ranges::find(registry.structures(), kMeasure) == registry.structures().end())
+    return {};
+  return {kMeasure};
+}
+
+/// The verdict on the samples and its reasons.
 Json diagnostics_of(std::span<const NodeReport> nodes) {
   Json reasons = Json::array();
   for (const NodeReport& node : nodes) {
@@ -71,9 +82,16 @@ Json diagnostics_of(std::span<const NodeReport> nodes) {
                          {"places", places}});
     }
   }
-  const TheoremLight light = light_of(nodes);
+  const SamplingVerdict verdict = sampling_verdict(nodes);
   Json out;
-  out["theorem"] = light == TheoremLight::none ? Json(nullptr) : Json(name_of(light));
+  out["theorem"] = verdict.light == TheoremLight::none ? Json(nullptr) : Json(name_of(verdict.light));
+  out["epsilon"] = nullptr;
+  if (verdict.epsilon)
+    out["epsilon"] = {{"value", verdict.epsilon->value},
+                      {"estimate", verdict.epsilon->is_estimate},
+                      {"exempt_corners", verdict.epsilon->corners},
+                      {"exempt_ends", verdict.epsilon->ends}};
+  out["text"] = verdict.text();
   out["reasons"] = reasons;
   return out;
 }
@@ -100,6 +118,7 @@ Expected<void> run_compute(const Registry& registry, const ComputeRequest& reque
   };
   const auto result = measure_with_progress(registry, std::move(file.data),
                                             {.layers = main_layers(*layers),
+                                             .structures = measures_of(registry, samples),
                                              .settings = input->settings,
                                              .want_statistics = true,
                                              .want_findings = true,

@@ -50,6 +50,7 @@ Expected<ComputationReport> run_to_end(const Registry& registry, Workbench& benc
                                        const ComputationRequest& request) {
   bench.choose(request.settings);
   bench.show(request.layers);
+  if (auto good = bench.need(request.structures); !good) return std::unexpected(good.error());
   bench.set_want_statistics(request.want_statistics);
   bench.set_want_findings(request.want_findings);
   std::mutex mutex;

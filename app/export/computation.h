@@ -15,6 +15,8 @@ namespace mes {
 
 struct ComputationRequest {
   std::vector<VariantLayer> layers;
+  /// Structures that are computed even if no layer reads them.
+  std::vector<std::string_view> structures{};
   ComputationSettings settings;
   bool want_statistics = false;
   bool want_findings = false;

@@ -120,26 +120,40 @@ Mood mood_of(FindingLevel level) {
   return Mood::quiet;
 }
 
-VerdictWord verdict_word(TheoremLight light, bool lacks_memory, Checking checking) {
+Checking checking_of(const EngineStatus& status, bool is_outdated) {
+  if (status.cancelled) return Checking::cancelled;
+  if (is_outdated || (status.busy && status.busy_ms >= kShownAfterMs)) return Checking::under_way;
+  return Checking::done;
+}
+
+VerdictWord verdict_word(const SamplingVerdict& verdict, bool lacks_memory, Checking checking) {
+  const auto without_verdict = [](Mood mood, std::string_view word, std::string_view meaning) {
+    return VerdictWord{mood, word, meaning, std::string(meaning)};
+  };
   if (checking == Checking::under_way)
-    return {Mood::quiet, "Checking", "The verdict on these samples is being computed"};
+    return without_verdict(Mood::quiet, "Checking", "The verdict on these samples is being computed");
   if (checking == Checking::cancelled)
-    return {Mood::warning, "Not checked", "The computation was cancelled; resume it for an answer"};
-  switch (light) {
+    return without_verdict(Mood::warning, "Not checked", "The computation was cancelled; resume it for an answer");
+  switch (verdict.light) {
     case TheoremLight::green:
       return {
           Mood::good, "Proved",
-          "The one-step axis is the medial axis of the union of the inner balls: proved exactly for these samples"};
+          "The one-step axis is the medial axis of the union of the inner balls: proved exactly for these samples",
+          verdict.text()};
     case TheoremLight::yellow:
       return {Mood::doubtful, "Not proved",
-              "Computed exactly, but the samples are not dense enough everywhere. Click for the positions"};
+              "Computed exactly, but the samples are not dense enough everywhere. Click for the positions",
+              verdict.text()};
     case TheoremLight::red:
-      return {Mood::wrong, "Wrong", "The chosen number type gave a wrong or inconsistent result. Click to see what"};
+      return {Mood::wrong, "Wrong", "The chosen number type gave a wrong or inconsistent result. Click to see what",
+              verdict.text()};
     case TheoremLight::none: break;
   }
   if (lacks_memory)
-    return {Mood::warning, "No memory", "Not enough memory for an answer. Undo, hide layers or open a smaller file"};
-  return {Mood::quiet, "Nothing to prove", "The theorem is about inner balls of samples, and these have none"};
+    return without_verdict(Mood::warning, "No memory",
+                           "Not enough memory for an answer. Undo, hide layers or open a smaller file");
+  return {Mood::quiet, "Nothing to prove", "The theorem is about inner balls of samples, and these have none",
+          verdict.text()};
 }
 
 std::string text_of(const Finding& finding, std::string_view structure) {

@@ -80,7 +80,7 @@ Panels::Panels(const Uses& uses)
                uses.work.computation(),
                [&flow = uses.documents](std::string csv) { flow.ask_table("persistence", std::move(csv)); }}),
           SamplingPanel({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
-                         uses.work.document(), uses.board.picture(), uses.messages}),
+                         uses.work.document(), uses.work.engine(), uses.board.picture(), uses.messages}),
           {uses.screen.gui, uses.experiments.desk(), uses.experiments.examples(), uses.settings.recent_experiments,
            uses.settings.compiler, [&run = uses.experiments] { run.ask_file(); },
            [&run = uses.experiments](const std::filesystem::path& file) { run.add(file); },

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "core/base/sampling_epsilon.h"
 #include "core/base/vec2.h"
 
 namespace mes {
@@ -19,10 +21,10 @@ enum class FindingLevel : std::uint8_t {
 
 struct Finding {
   FindingLevel level = FindingLevel::doubt;
-  std::string text;          ///< one line, no full stop, without the count
-  std::int64_t count = 0;    ///< number of places
-  std::vector<Vec2> places;  ///< some of these places, at most `kMostPlaces`
-  std::string summary;       ///< text beside the light, for a note that is always visible
+  std::string text;                          ///< one line, no full stop, without the count
+  std::int64_t count = 0;                    ///< number of places
+  std::vector<Vec2> places;                  ///< some of these places, at most `kMostPlaces`
+  std::optional<SamplingEpsilon> epsilon{};  ///< said beside the light; at most one structure gives it
   friend bool operator==(const Finding&, const Finding&) = default;
 };
 inline constexpr std::size_t kMostPlaces = 64;

@@ -46,17 +46,6 @@ double share_of(double epsilon) {
 
 }  // namespace
 
-std::string epsilon_text(double epsilon, std::size_t exempt) {
-  // Rounded up, because the text states a bound.
-  const double scale =
-      epsilon > 0.0 && std::isfinite(epsilon) ? std::pow(10.0, 2.0 - std::floor(std::log10(epsilon))) : 1.0;
-  std::string out = std::isfinite(epsilon)
-                        ? fmt::format("epsilon {:.3g}", std::ceil(epsilon * scale * (1.0 - 1e-12)) / scale)
-                        : "epsilon infinite";
-  if (exempt != 0) out += fmt::format(" ({} {} exempt)", exempt, exempt == 1 ? "corner" : "corners");
-  return out;
-}
-
 /// Walks along a line, any number of times around a closed one.
 struct FeatureField::Walk {
   const Line& line;

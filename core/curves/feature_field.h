@@ -54,9 +54,6 @@ struct CurveStanding {
   std::vector<std::array<std::uint32_t, 2>> neighbours{};
 };
 
-/// "epsilon 0.241 (2 corners exempt)".
-std::string epsilon_text(double epsilon, std::size_t exempt);
-
 /// Samples to insert between two neighbours along a curve, in order from the first to the second.
 struct FilledInterval {
   std::uint32_t from = 0;

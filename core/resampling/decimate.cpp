@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
-#include "core/base/infinity.h"
 #include "core/graph/explain.h"
-#include "core/resampling/internal/epsilon_words.h"
+#include "core/resampling/internal/before_and_now.h"
 #include "core/resampling/internal/sampled_curve.h"
 
 namespace mes {
@@ -97,8 +97,7 @@ SampleData without(const SampleData& data, const std::vector<bool>& is_gone, std
 /// The samples after thinning, and the verdict on them.
 struct Thinned {
   SampleData data;
-  double epsilon = 0.0;  // largest of all curve edges
-  TheoremLight light = TheoremLight::none;
+  SamplingVerdict verdict;
   bool has_same_axis = false;
   std::vector<std::pair<std::size_t, std::size_t>> wanted_back;  // chain, and index on it
   std::vector<std::pair<std::size_t, std::size_t>> thinned;      // one index of each edge that skips samples
@@ -128,16 +127,9 @@ class Decimator {
     }
     std::vector<double> sizes(data.positions.size());
     for (std::uint32_t i = 0; i < sizes.size(); ++i) sizes[i] = before.size(i);
-    for (ThinnedChain& chain : chains_) {
-      chain.for_each_edge([&](std::size_t i, std::size_t j) {
-        const auto verdict = before.judge(chain.sample(i), chain.sample(j));
-        epsilon_before_ = std::max(epsilon_before_, verdict.is_curve ? verdict.epsilon : kInfinity);
-      });
-      chain.thin(data.positions, sizes, epsilon);
-    }
+    for (ThinnedChain& chain : chains_) chain.thin(data.positions, sizes, epsilon);
   }
 
-  double epsilon_before() const { return epsilon_before_; }
   std::vector<bool> gone() const {
     std::vector<bool> out(data_.positions.size(), false);
     for (const ThinnedChain& chain : chains_)
@@ -155,15 +147,14 @@ class Decimator {
     out.data = without(data_, gone(), number);
     const auto now = JudgedSamples::of(registry_, out.data, job);
     if (!now) return std::unexpected(now.error());
-    out.light = now->light();
+    out.verdict = now->verdict();
     out.has_same_axis = now->components() == components_ && now->cycles() == cycles_ &&
-                        out.light <= std::max(light_, TheoremLight::green);
+                        out.verdict.light <= std::max(light_, TheoremLight::green);
     for (std::size_t c = 0; c < chains_.size(); ++c) {
       const ThinnedChain& chain = chains_[c];
       chain.for_each_edge([&](std::size_t i, std::size_t j) {
-        const auto verdict = now->judge(number[chain.sample(i)], number[chain.sample(j)]);
-        out.epsilon = std::max(out.epsilon, verdict.is_curve ? verdict.epsilon : kInfinity);
         if (j == i + 1) return;
+        const auto verdict = now->judge(number[chain.sample(i)], number[chain.sample(j)]);
         out.thinned.emplace_back(c, (i + j) / 2);
         if (!verdict.is_curve || verdict.epsilon > epsilon_) out.wanted_back.emplace_back(c, (i + j) / 2);
       });
@@ -178,7 +169,6 @@ class Decimator {
   TheoremLight light_;
   std::int64_t components_;
   std::int64_t cycles_;
-  double epsilon_before_ = 0.0;
   std::vector<ThinnedChain> chains_;
 };
 
@@ -205,13 +195,24 @@ Expected<Decimation> decimate(const Registry& registry, const SampleData& data, 
     for (std::uint32_t i = 0; i < is_gone.size(); ++i)
       if (is_gone[i]) out.removed.push_back(i);
     out.data = std::move(now->data);
-    out.epsilon_before = decimator.epsilon_before();
-    out.epsilon_after = now->epsilon;
-    out.light_before = before->light();
+    out.before = before->verdict();
+    out.after = std::move(now->verdict);
     out.no_axis = before->why_no_axis();
-    out.light_after = now->light;
     out.components = before->components();
     out.cycles = before->cycles();
+    // What the samples are to their curves is not asked while samples are tried, but belongs to the verdict.
+    if (data.source) {
+      CurveSource source = *data.source;
+      source.first = 0;
+      for (const auto& [positions, verdict] :
+           {std::pair(&data.positions, &out.before), {&out.data.positions, &out.after}}) {
+        source.count = static_cast<std::uint32_t>(positions->size());
+        const auto judged = JudgedSamples::of(
+            registry, {.positions = *positions, .source = std::make_shared<const CurveSource>(source)}, job, true);
+        if (!judged) return std::unexpected(judged.error());
+        *verdict = judged->verdict();
+      }
+    }
     return out;
   }
 }
@@ -220,10 +221,9 @@ std::string Decimation::words() const {
   const std::string went = count_text(removed.size(), "sample", "samples") + " of " +
                            std::to_string(removed.size() + data.positions.size()) + " removed; ";
   if (!no_axis.empty()) return went + no_axis;
-  return went + epsilon_words(epsilon_before, epsilon_after) + "; the axis has " +
-         count_text(static_cast<std::size_t>(components), "component", "components") + " and " +
-         count_text(static_cast<std::size_t>(cycles), "cycle", "cycles") + " as before; " +
-         std::string(sentence_of(light_after));
+  return went + "the axis has " + count_text(static_cast<std::size_t>(components), "component", "components") +
+         " and " + count_text(static_cast<std::size_t>(cycles), "cycle", "cycles") + " as before; " +
+         before_and_now(before, after);
 }
 
 }  // namespace mes

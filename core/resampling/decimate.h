@@ -8,7 +8,7 @@
 
 #include "core/base/job_control.h"
 #include "core/document/commands.h"
-#include "core/engine/theorem_light.h"
+#include "core/engine/sampling_verdict.h"
 
 namespace mes {
 
@@ -17,10 +17,8 @@ class Registry;
 struct Decimation {
   std::vector<std::uint32_t> removed;  ///< sample numbers, increasing
   SampleData data;                     ///< the remaining samples, with loops and balls
-  double epsilon_before = 0.0;         ///< largest of all curve edges
-  double epsilon_after = 0.0;
-  TheoremLight light_before = TheoremLight::none;
-  TheoremLight light_after = TheoremLight::none;
+  SamplingVerdict before{};            ///< as the window and every command judge the samples
+  SamplingVerdict after{};
   std::string no_axis{};        ///< why the axis is missing and nothing is measured; empty if there is an axis
   std::int64_t components = 0;  ///< components of the one-step axis, before and after
   std::int64_t cycles = 0;

@@ -5,12 +5,9 @@
 #include <cmath>
 #include <map>
 #include <set>
-#include <string_view>
 
-#include "core/base/infinity.h"
-#include "core/curves/feature_field.h"
 #include "core/graph/explain.h"
-#include "core/resampling/internal/epsilon_words.h"
+#include "core/resampling/internal/before_and_now.h"
 #include "core/resampling/internal/repair_on_curves.h"
 #include "core/resampling/internal/sampled_curve.h"
 
@@ -166,19 +163,6 @@ class Repairer {
       // A loop that returns along itself has an end there.
       is_end_[i] = count > 2 || count == 1 || is_end_[first_at_[i]];
     }
-  }
-
-  /// The largest epsilon of the edges away from corners, ends and junctions.
-  double largest() const {
-    double out = 0.0;
-    for (const RepairedChain& chain : chains_) {
-      for (std::size_t i = 0; i < chain.edges(); ++i) {
-        if (ends_at_corner(chain, i)) continue;
-        const auto verdict = samples_.judge(chain.from(i), chain.to(i));
-        out = std::max(out, verdict.is_curve ? verdict.epsilon : kInfinity);
-      }
-    }
-    return out;
   }
 
   Expected<void> run(JobControl& job) {
@@ -366,23 +350,30 @@ std::string place_and_more(Vec2 place, std::size_t count) {
   return "at " + place_text(place) + (count > 1 ? ", and " + std::to_string(count - 1) + " more" : std::string());
 }
 
+/// The verdict also measures edges off the repaired curve.
+void name_sparsest(double epsilon, Repair& out) {
+  if (out.left.empty() && out.after.epsilon && out.after.epsilon->value > epsilon)
+    out.left.push_back(out.after.sparsest);
+}
+
 }  // namespace
 
 Expected<Repair> repair(const Registry& registry, const SampleData& data, double epsilon, JobControl& job) {
   auto on_curves = repair_on_curves(registry, data, epsilon, job);
   if (!on_curves) return std::unexpected(on_curves.error());
-  if (*on_curves) return **std::move(on_curves);
+  if (*on_curves) {
+    name_sparsest(epsilon, **on_curves);
+    return **std::move(on_curves);
+  }
   auto samples = JudgedSamples::of(registry, data, job);
   if (!samples) return std::unexpected(samples.error());
   const MovingCurve curve = curve_of(data, job);
   Repairer repairer(registry, *samples, curve, epsilon);
   Repair out;
-  out.epsilon_before = repairer.largest();
-  out.light_before = samples->light();
+  out.before = out.after = samples->verdict();
   out.no_axis = samples->why_no_axis();
   if (!out.no_axis.empty()) {
     out.data = data;
-    out.light_after = out.light_before;
     return out;
   }
   if (auto good = repairer.run(job); !good) return std::unexpected(good.error());
@@ -390,26 +381,17 @@ Expected<Repair> repair(const Registry& registry, const SampleData& data, double
   out.data.positions.assign(samples->positions().begin(), samples->positions().end());
   out.data.contours = repairer.contours(data.contours);
   out.inserted = out.data.positions.size() - data.positions.size();
-  out.epsilon_after = repairer.largest();
-  out.light_after = samples->light();
+  out.after = samples->verdict();
   repairer.report(curve, out);
-  out.exempt = out.corners.size();
+  name_sparsest(epsilon, out);
   return out;
 }
 
 std::vector<std::string> Repair::words() const {
   if (!no_axis.empty()) return {"nothing to repair: " + no_axis};
   std::vector<std::string> out;
-  const std::string exempt_words =
-      exempt == 0 ? std::string() : " (" + count_text(exempt, "corner", "corners") + " exempt)";
-  // The same words as the theorem light uses.
-  constexpr std::size_t kWord = std::string_view("epsilon ").size();
-  const std::string epsilons = is_on_curves ? epsilon_text(epsilon_before, 0) + " before, " +
-                                                  epsilon_text(epsilon_after, 0).substr(kWord) + " now"
-                                            : epsilon_words(epsilon_before, epsilon_after);
   out.push_back(count_text(inserted, "sample", "samples") +
-                (is_on_curves ? " inserted on the curves; " : " inserted; ") + epsilons + exempt_words + "; " +
-                std::string(sentence_of(light_after)));
+                (is_on_curves ? " inserted on the curves; " : " inserted; ") + before_and_now(before, after));
   if (off_curve != 0)
     out.push_back(count_text(off_curve, "sample", "samples") + " off the curves " +
                   (off_curve == 1 ? "stays" : "stay") + " as before");

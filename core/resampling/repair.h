@@ -8,7 +8,7 @@
 
 #include "core/base/job_control.h"
 #include "core/document/commands.h"
-#include "core/engine/theorem_light.h"
+#include "core/engine/sampling_verdict.h"
 
 namespace mes {
 
@@ -23,16 +23,11 @@ struct SampledCorner {
 struct Repair {
   SampleData data;           ///< the old samples, then the new ones; loops if the data had some
   std::size_t inserted = 0;  ///< number of new samples
-  /// Largest epsilon of the curve edges away from corners, ends and junctions; infinite where one of these edges is
-  /// missing.
-  double epsilon_before = 0.0;
-  double epsilon_after = 0.0;
-  TheoremLight light_before = TheoremLight::none;
-  TheoremLight light_after = TheoremLight::none;
-  bool is_on_curves = false;  ///< new samples lie on the curves of the old ones, and epsilons refer to these curves
-  std::size_t exempt = 0;     ///< corners and meetings of curves, excluded from the epsilons
-  std::size_t off_curve = 0;  ///< samples on none of these curves
-  std::string no_axis{};      ///< why the axis is missing and nothing is measured; empty if there is an axis
+  SamplingVerdict before{};  ///< as the window and every command judge the samples
+  SamplingVerdict after{};
+  bool is_on_curves = false;           ///< new samples lie on the curves of the old ones
+  std::size_t off_curve = 0;           ///< samples on none of these curves
+  std::string no_axis{};               ///< why the axis is missing and nothing is measured; empty if there is an axis
   std::vector<SampledCorner> corners;  ///< corners: no density satisfies epsilon at their edges
   std::vector<Vec2> open_ends;         ///< ends and junctions of the curve; edges there are not halved
   std::vector<Vec2> left;              ///< middles of other edges that are still too long, or that fail the theorem

@@ -53,13 +53,16 @@ class Measured {
     out->make(job, {&out->samples_, &out->delaunay_, &out->crust_});
     return out;
   }
+  std::vector<Finding> standing_findings(const CurveStanding& standing) const {
+    std::vector<SampleSlot> slots;
+    for (std::size_t i = 0; i < document_.sample_count(); ++i) slots.emplace_back(i);
+    return findings_of(standing, slots, delaunay_, crust_);
+  }
   /// Reports behind the theorem light, for these samples and for the curves that they stand for. The certificate is
   /// asked only if nothing else makes the light yellow: its search is long where the crust is not the curve.
   std::vector<NodeReport> judged(const CurveStanding& standing, JobControl& job) {
-    std::vector<SampleSlot> slots;
-    for (std::size_t i = 0; i < document_.sample_count(); ++i) slots.emplace_back(i);
     std::vector<NodeReport> out(2);
-    out[0].findings = findings_of(standing, slots, delaunay_, crust_);
+    out[0].findings = standing_findings(standing);
     crust_.find(out[1].findings);
     for (NodeReport& node : out) node.state = NodeState::up_to_date;
     if (light_of(out) == TheoremLight::yellow) return out;
@@ -202,11 +205,14 @@ Expected<void> judge(TakenSamples& taken, const CurveSet& curves, const Sampling
     // The number of links when all samples are as dense as allowed.
     const double most = kFinestFeature * static_cast<double>(request.count);
     if (2.0 * static_cast<double>(links.size()) > most) return too_near(rungs);
-    taken.light = TheoremLight::yellow;
+    NodeReport node;
+    node.findings = (*measured)->standing_findings(taken.standing);
+    taken.verdict = sampling_verdict(std::span(&node, 1));
+    taken.verdict.light = TheoremLight::yellow;
     for (const Rung& rung : rungs) failures.push_back(0.5 * (rung.a + rung.b));
   } else {
     const std::vector<NodeReport> nodes = (*measured)->judged(taken.standing, job);
-    taken.light = light_of(nodes);
+    taken.verdict = sampling_verdict(nodes);
     for (const Rung& rung : rungs) taken.extra_edges.push_back(0.5 * (rung.a + rung.b));
     if (taken.is_proved()) return {};
     for (const NodeReport& node : nodes)
@@ -305,21 +311,17 @@ CurveSet curves_through(const std::vector<Vec2>& positions, JobControl& job) {
 
 std::string remark_of(const TakenSamples& taken, const SamplingRequest& request) {
   if (request.rule != SamplingRule::feature_size) return {};
-  const CurveStanding& standing = taken.standing;
-  const std::string epsilon = standing.off_curve != 0  ? "samples off the curves"
-                              : standing.epsilon > 0.0 ? epsilon_text(standing.epsilon, standing.exempt)
-                                                       : "no axis";
+  std::string out = taken.standing.off_curve != 0  ? "samples off the curves; "
+                    : taken.standing.epsilon > 0.0 ? ""
+                                                   : "no axis; ";
+  out += taken.verdict.text();
   if (taken.is_proved()) {
-    std::string out = fmt::format("{}; {}", epsilon, sentence_of(taken.light));
     if (taken.extra_edges.empty()) return out;
     const std::size_t count = taken.extra_edges.size();
     const Vec2 first = taken.extra_edges.front();
     return out + fmt::format(", but the crust has {} {} off the curves ({}at {:.6g} {:.6g})", count,
                              count == 1 ? "edge" : "edges", count == 1 ? "" : "the first ", first.x, first.y);
   }
-  if (taken.corners.empty() && taken.other_places.empty())
-    return fmt::format("{}; {}", epsilon, sentence_of(TheoremLight::none));
-  std::string out = fmt::format("{}; {}", epsilon, sentence_of(TheoremLight::yellow));
   if (!taken.corners.empty()) {
     const auto sharpest = std::ranges::min_element(taken.corners, {}, &CurveCorner::angle);
     constexpr double kDegrees = 180.0 / std::numbers::pi;

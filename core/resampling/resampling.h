@@ -20,7 +20,7 @@
 #include "core/curves/sampling.h"
 #include "core/document/commands.h"
 #include "core/document/curve_source.h"
-#include "core/engine/theorem_light.h"
+#include "core/engine/sampling_verdict.h"
 
 namespace mes {
 
@@ -30,9 +30,9 @@ struct TakenSamples {
   /// For the rule `feature_size`: how the samples stand for the curves (core/curves/feature_field.h). Its epsilon is at
   /// most the requested one.
   CurveStanding standing{};
-  /// For the rule `feature_size`: the theorem light for these samples of these curves, as in the window.
-  TheoremLight light = TheoremLight::none;
-  bool is_proved() const { return light == TheoremLight::green; }
+  /// For the rule `feature_size`: the verdict on these samples of these curves, as in the window.
+  SamplingVerdict verdict{};
+  bool is_proved() const { return verdict.light == TheoremLight::green; }
   /// Middles of crust edges between samples that are not neighbours along the curves. Sharp corners and crossings have
   /// a few of them: the samples there have an odd number of edges, which the light shows.
   std::vector<Vec2> extra_edges{};
@@ -55,7 +55,8 @@ Expected<TakenSamples> take_samples(const std::shared_ptr<const CurveSet>& curve
 /// `Cancelled`, `GeometryError`.
 CurveSet curves_through(const std::vector<Vec2>& positions, JobControl& job);
 
-/// "epsilon 0.24, proved", or why it is not proved, as a sentence without a full stop; empty for other rules.
+/// The verdict in its words, and the reason if it is not proved, as a sentence without a full stop; empty for other
+/// rules.
 std::string remark_of(const TakenSamples& taken, const SamplingRequest& request);
 
 }  // namespace mes

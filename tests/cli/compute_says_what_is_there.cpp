@@ -54,6 +54,14 @@ TEST_CASE("compute answers with the promised keys") {
             {"file", kDude}, {"format", "poff"}, {"samples", 104}, {"distinct", 104}, {"contours", 3}, {"balls", 0}});
   CHECK(keys_of(out["layers"]) == std::vector<std::string>{"medial-axis", "interior-voronoi-disks"});
   CHECK(out["diagnostics"]["theorem"] == "yellow");
+  CHECK(keys_of(out["diagnostics"]) == std::vector<std::string>{"theorem", "epsilon", "text", "reasons"});
+  const OrderedJson& epsilon = out["diagnostics"]["epsilon"];
+  CHECK(epsilon["value"] == out["structures"]["feature-size"]["epsilon"]);
+  CHECK(epsilon["estimate"] == true);
+  CHECK(epsilon["exempt_corners"].get<int>() + epsilon["exempt_ends"].get<int>() > 0);
+  CHECK_THAT(out["diagnostics"]["text"].get<std::string>(),
+             Catch::StartsWith("estimated epsilon ") &&
+                 Catch::EndsWith(" exempt); the theorem is not proved for these samples"));
   REQUIRE(out["diagnostics"]["reasons"].size() >= 1);
   CHECK(out["diagnostics"]["reasons"][0]["count"].get<int>() > 0);
   for (const char* structure : {"delaunay", "one-step-crust", "labels", "inner-balls", "medial-axis"}) {

@@ -198,11 +198,14 @@ TEST_CASE("an undersampled curve is repaired, and a dense one decimated, and wha
   CHECK_THAT(repaired.err, Catch::Contains("samples inserted") && Catch::Contains("the theorem is proved"));
   const auto computed = nlohmann::json::parse(run({"compute", dense, "--layers", "sampling-epsilon"}).out);
   CHECK(computed["structures"]["feature-size"]["epsilon"].get<double>() <= 0.25);
+  // The message ends with the verdict that `compute` gives of what was written.
+  const auto said = computed["diagnostics"]["text"].get<std::string>();
+  CHECK_THAT(repaired.err, Catch::Contains("; now: " + said + "\n"));
 
   const RunResult thin = run({"decimate", "tests/data/earcut_dude.poff", "--epsilon", "0.4"});
   INFO(thin.err);
   REQUIRE(thin.exit_code == 0);
-  CHECK_THAT(thin.err, Catch::Contains("removed; epsilon"));
+  CHECK_THAT(thin.err, Catch::Contains("removed; the axis has") && Catch::Contains(" as before; estimated epsilon "));
   for (const char* wrong : {"0", "-1", "1.5", "x", "nan", ""}) {
     INFO(wrong);
     for (const char* command : {"repair", "decimate"}) CHECK(run({command, file, "--epsilon", wrong}).exit_code == 2);

@@ -39,6 +39,7 @@
 #include "core/edit/frame_handles.h"
 #include "core/engine/engine.h"
 #include "core/engine/graph.h"
+#include "core/engine/sampling_verdict.h"
 #include "core/evolutions/evolution_run.h"
 #include "core/formula/formula.h"
 #include "core/glyphs/text_outlines.h"
@@ -52,6 +53,7 @@
 #include "core/shapes/shape.h"
 #include "core/structures/alpha/persistence.h"
 #include "core/structures/crust/internal/link_cut_forest.h"
+#include "core/structures/density/feature_size.h"
 #include "core/structures/density/sample_sizes.h"
 #include "core/structures/filters/axis_pruning.h"
 #include "core/workbench/workbench.h"
@@ -365,6 +367,18 @@ TEST_CASE("core/workbench/workbench.h") {
   bench.show({"medial-axis"});
   if (bench.run(job)) draw(*bench.instances("medial-axis", PrimitiveKind::segment));
   CHECK(drawn > 10 * stride_of(PrimitiveKind::segment));
+}
+
+TEST_CASE("core/engine/sampling_verdict.h") {
+  std::string said;
+  const auto say = [&said](const std::string& text) { said = text; };
+  Workbench bench(builtins());
+  JobControl job;
+  bench.insert(ellipse());
+  bench.need<FeatureSize>();
+  bench.set_want_findings(true);
+  if (bench.run(job)) say(sampling_verdict(bench.nodes()).text());
+  CHECK_THAT(said, Catch::StartsWith("estimated epsilon ") && Catch::EndsWith(" for these samples"));
 }
 
 TEST_CASE("core/graph/live_registry.h") {

@@ -7,6 +7,7 @@
 #include "app/editing/editor.h"
 #include "app/model/engine_demand.h"
 #include "core/builtins/builtins.h"
+#include "core/engine/sampling_verdict.h"
 #include "tests/support/builtin_layers.h"
 
 using namespace mes;
@@ -31,15 +32,14 @@ TEST_CASE("the engine keeps the density of samples up to date while it is looked
     CHECK_FALSE(demand.follow(engine, wanted, false));
     std::string out;
     while (auto patch = engine.sync()) {
-      for (const NodeReport& node : patch->nodes)
-        for (const Finding& finding : node.findings) out += finding.summary;
+      if (const auto epsilon = sampling_verdict(patch->nodes).epsilon) out = epsilon->text();
       engine.recycle(std::move(patch));
     }
     return out;
   };
   CHECK(summary_where(false).empty());
-  CHECK(summary_where(true).starts_with("epsilon "));
+  CHECK(summary_where(true).starts_with("estimated epsilon "));
   CHECK(summary_where(false).empty());
   layers.set_visible(find_layer("sampling-epsilon"), true);
-  CHECK(summary_where(true).starts_with("epsilon "));
+  CHECK(summary_where(true).starts_with("estimated epsilon "));
 }

@@ -14,16 +14,16 @@
 using namespace mes;
 
 TEST_CASE("the light says one thing for each state, and nothing while it is not known") {
-  CHECK(verdict_word(TheoremLight::green, false, Checking::done).word == "Proved");
-  CHECK(verdict_word(TheoremLight::yellow, false, Checking::done).word == "Not proved");
-  CHECK(verdict_word(TheoremLight::red, true, Checking::done).word == "Wrong");
-  CHECK(verdict_word(TheoremLight::none, false, Checking::done).word == "Nothing to prove");
-  CHECK(verdict_word(TheoremLight::none, true, Checking::done).word == "No memory");
+  CHECK(verdict_word({TheoremLight::green}, false, Checking::done).word == "Proved");
+  CHECK(verdict_word({TheoremLight::yellow}, false, Checking::done).word == "Not proved");
+  CHECK(verdict_word({TheoremLight::red}, true, Checking::done).word == "Wrong");
+  CHECK(verdict_word({TheoremLight::none}, false, Checking::done).word == "Nothing to prove");
+  CHECK(verdict_word({TheoremLight::none}, true, Checking::done).word == "No memory");
   for (const TheoremLight light :
        {TheoremLight::none, TheoremLight::green, TheoremLight::yellow, TheoremLight::red}) {
-    CHECK(verdict_word(light, false, Checking::under_way).word == "Checking");
-    CHECK(verdict_word(light, false, Checking::under_way).mood == VerdictWord::Mood::quiet);
-    CHECK(verdict_word(light, false, Checking::cancelled).word == "Not checked");
+    CHECK(verdict_word({light}, false, Checking::under_way).word == "Checking");
+    CHECK(verdict_word({light}, false, Checking::under_way).mood == VerdictWord::Mood::quiet);
+    CHECK(verdict_word({light}, false, Checking::cancelled).word == "Not checked");
   }
 }
 
@@ -52,7 +52,7 @@ TEST_CASE("a finding is said with its count, one as one, and whose balls it is a
   Finding finding{.text = "samples with an odd number of curve edges: corners, noise, ends of strokes",
                   .count = 1,
                   .places = {},
-                  .summary = {}};
+                  .epsilon = {}};
   CHECK(text_of(finding, "one-step-crust") ==
         "1 sample with an odd number of curve edges: a corner, noise, the end of a stroke");
   finding.count = 12;

@@ -83,25 +83,18 @@ double epsilon_drawn(const std::vector<Vec2>& positions) {
 
 }  // namespace
 
-TEST_CASE("an epsilon that stays infinite is said once, with its reason") {
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+TEST_CASE("a change is said with the epsilons before and now, and ends with the verdict") {
   Repair repair;
-  repair.epsilon_before = repair.epsilon_after = kInfinity;
-  CHECK_THAT(
-      repair.words().front(),
-      Catch::Contains(
-          "0 samples inserted; epsilon infinite as before (curve edges are missing); there is nothing to prove"));
-  repair.epsilon_after = 0.25;
-  CHECK_THAT(
-      repair.words().front(),
-      Catch::Contains("epsilon infinite (curve edges are missing) before, 0.25 now; there is nothing to prove"));
+  CHECK(repair.words().front() == "0 samples inserted; there is nothing to prove");
+  repair.after = {.light = TheoremLight::green, .epsilon = SamplingEpsilon{.value = 0.2498, .corners = 1, .ends = 2}};
+  CHECK(repair.words().front() == "0 samples inserted; before: no epsilon; now: " + repair.after.text());
+  CHECK(repair.after.text() == "epsilon 0.25 (1 corner, 2 ends exempt); the theorem is proved for these samples");
+  repair.before = {.light = TheoremLight::yellow, .epsilon = SamplingEpsilon{.value = 1.33, .is_estimate = true}};
+  CHECK(repair.words().front() == "0 samples inserted; before: estimated epsilon 1.33; now: " + repair.after.text());
   Decimation decimation;
-  decimation.epsilon_before = decimation.epsilon_after = kInfinity;
-  CHECK_THAT(decimation.words(),
-             Catch::Contains("removed; epsilon infinite as before (curve edges are missing); the"));
-  decimation.epsilon_before = 0.125;
-  decimation.epsilon_after = 0.25;
-  CHECK_THAT(decimation.words(), Catch::Contains("epsilon 0.125 before, 0.25 now; the axis"));
+  decimation.before = decimation.after = repair.after;
+  CHECK(decimation.words() ==
+        "0 samples of 0 removed; the axis has 0 components and 0 cycles as before; " + repair.after.text());
 }
 
 TEST_CASE("a curve with too few samples is repaired to green, near the curve they came from") {
@@ -110,13 +103,14 @@ TEST_CASE("a curve with too few samples is repaired to green, near the curve the
       INFO(n << " samples, a " << a);
       const SampleData data{.positions = ellipse_points(n, a)};
       const Repair repair = repaired(loop_of(data.positions));
-      CHECK(repair.light_after == TheoremLight::green);
+      CHECK(repair.after.light == TheoremLight::green);
       CHECK(repair.corners.empty());
       CHECK(repair.left.empty());
       CHECK(repair.open_ends.empty());
-      CHECK(repair.epsilon_after <= kDenseEpsilon);
+      REQUIRE(repair.after.epsilon);
+      CHECK(repair.after.epsilon->value <= kDenseEpsilon);
       if (n < 24) CHECK(repair.inserted > 0);
-      CHECK(epsilon_drawn(repair.data.positions) == repair.epsilon_after);
+      CHECK(epsilon_drawn(repair.data.positions) == repair.after.epsilon->value);
       // The spline is near the ellipse, and nearer where there are more samples.
       double far = 0.0;
       for (const Vec2 p : repair.data.positions) far = std::max(far, std::abs(std::hypot(p.x / a, p.y) - 1.0));
@@ -139,8 +133,8 @@ TEST_CASE("a curve with too few samples is repaired to green, near the curve the
 TEST_CASE("what is dense enough is left alone, and repaired samples need no second repair") {
   const Repair dense = repaired({.positions = ellipse_points(400, 2.0)});
   CHECK(dense.inserted == 0);
-  CHECK(dense.light_after == TheoremLight::green);
-  CHECK(dense.epsilon_before == dense.epsilon_after);
+  CHECK(dense.after.light == TheoremLight::green);
+  CHECK(dense.before.epsilon == dense.after.epsilon);
   const Repair once = repaired(loop_of(ellipse_points(16)));
   CHECK(repaired(once.data).inserted == 0);
 }
@@ -153,7 +147,7 @@ TEST_CASE("a place that a loop names twice in a row is one") {
     twice.insert(twice.begin() + static_cast<std::ptrdiff_t>(at), once[at]);
     const Repair found = repaired(loop_of(twice));
     CHECK(found.inserted == expected.inserted);
-    CHECK(found.light_after == expected.light_after);
+    CHECK(found.after.light == expected.after.light);
   }
   std::vector<Vec2> closing = once;
   closing.push_back(once.front());
@@ -166,7 +160,7 @@ TEST_CASE("a corner cannot be repaired, and its angle is said") {
     const Repair square = repaired(loop_of(square_points(per_side)));
     REQUIRE(square.corners.size() == 4);
     for (const SampledCorner& corner : square.corners) CHECK(corner.degrees == Approx(90.0));
-    CHECK(square.epsilon_after <= kDenseEpsilon);
+    CHECK(square.after.epsilon->value <= kDenseEpsilon);
     CHECK(square.left.empty());
     // New samples are on the sides.
     for (const Vec2 p : square.data.positions)
@@ -201,7 +195,7 @@ TEST_CASE("edges that no density repairs get no samples, and all others are repa
   data.positions[60] = {-3.0, 2.0};
   const Repair out = repaired(data);
   CHECK(out.inserted < data.positions.size());
-  CHECK(out.light_after == TheoremLight::green);
+  CHECK(out.after.light == TheoremLight::green);
 }
 
 TEST_CASE("open ends are reported, and inputs without a curve are left alone") {
@@ -211,7 +205,8 @@ TEST_CASE("open ends are reported, and inputs without a curve are left alone") {
   CHECK(open.open_ends.size() == 2);
   for (const std::vector<Vec2>& input :
        {std::vector<Vec2>{}, {{1, 2}}, {{1, 2}, {3, 4}}, {{0, 0}, {1, 1}, {2, 2}}, {{1, 1}, {1, 1}, {1, 1}}}) {
-    CHECK(std::isfinite(repaired({.positions = input}).epsilon_after));
+    const Repair repair = repaired({.positions = input});
+    if (repair.after.epsilon) CHECK(std::isfinite(repair.after.epsilon->value));
     CHECK(decimated({.positions = input}, 0.25).removed.empty());
   }
   for (const DegenerateInput& input : degenerate_inputs()) {
@@ -239,9 +234,9 @@ TEST_CASE("decimation keeps the curve, the topology of the axis and the epsilon"
       for (const char* key : {"components", "cycles"})
         CHECK(after.count("medial-axis", key) == before.count("medial-axis", key));
       CHECK(after.count("one-step-crust", "crust_edges") == static_cast<std::int64_t>(rest.data.positions.size()));
-      CHECK(rest.light_after <= std::max(rest.light_before, TheoremLight::green));
-      CHECK(epsilon_drawn(rest.data.positions) == rest.epsilon_after);
-      CHECK(rest.epsilon_after <= std::max(epsilon, rest.epsilon_before));
+      CHECK(rest.after.light <= std::max(rest.before.light, TheoremLight::green));
+      CHECK(epsilon_drawn(rest.data.positions) == rest.after.epsilon->value);
+      CHECK(rest.after.epsilon->value <= std::max(epsilon, rest.before.epsilon->value));
       // Neighbours that were none before are near by the sizes of all samples.
       std::set<std::pair<double, double>> left;
       for (const Vec2 p : rest.data.positions) left.insert({p.x, p.y});
@@ -296,7 +291,7 @@ TEST_CASE("a loop that passes a place or an edge twice is repaired as if it pass
   for (std::uint32_t i = 0; i < 32; ++i) around.push_back(i % 16);
   const Repair twice = repaired(loop(once, around));
   CHECK(twice.inserted == expected.inserted);
-  CHECK(twice.light_after == TheoremLight::green);
+  CHECK(twice.after.light == TheoremLight::green);
   CHECK(twice.open_ends.empty());
   REQUIRE(twice.data.contours.size() == 1);
   CHECK(twice.data.contours.front().points.size() == 2 * expected.data.positions.size());
@@ -308,7 +303,7 @@ TEST_CASE("a loop that passes a place or an edge twice is repaired as if it pass
   for (std::uint32_t i = 14; i != 0; --i) there_and_back.push_back(i);
   const Repair back = repaired(loop(once, there_and_back));
   CHECK(back.data.positions == along.data.positions);
-  CHECK(back.light_after == along.light_after);
+  CHECK(back.after.light == along.after.light);
   CHECK(back.open_ends == along.open_ends);
   // Two loops of an eight that meet in one sample.
   std::vector<Vec2> eight;

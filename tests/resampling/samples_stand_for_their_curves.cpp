@@ -208,7 +208,7 @@ TEST_CASE("samples at the corners of a known outline alone are in doubt, with th
   const std::vector<Finding> findings = bench.findings();
   REQUIRE(findings.size() >= 2);
   CHECK(findings[0].level == FindingLevel::note);
-  CHECK_THAT(findings[0].summary, Catch::StartsWith("epsilon ") && Catch::EndsWith("(6 corners exempt)"));
+  CHECK_THAT(findings[0].epsilon->text(), Catch::StartsWith("epsilon ") && Catch::EndsWith("(6 corners exempt)"));
   CHECK(findings[1].level == FindingLevel::doubt);
   CHECK_THAT(findings[1].text, Catch::Contains("too few samples to stand for them"));
   REQUIRE_FALSE(findings[1].places.empty());
@@ -251,10 +251,10 @@ TEST_CASE("what is said after sampling and what the light says is one number and
       REQUIRE(taken);
       const Window bench(taken->data);
       CHECK(bench.curves().standing().epsilon == taken->standing.epsilon);
-      CHECK(bench.light() == taken->light);
+      CHECK(bench.light() == taken->verdict.light);
       const std::vector<Finding> findings = bench.findings();
       REQUIRE_FALSE(findings.empty());
-      CHECK_THAT(remark_of(*taken, request), Catch::StartsWith(findings[0].summary + "; "));
+      CHECK_THAT(remark_of(*taken, request), Catch::StartsWith(findings[0].epsilon->text() + "; "));
       // What shows the epsilon has no other one.
       const NodeReport& sizes = bench.node("feature-size");
       CHECK(sizes.findings.empty());
@@ -312,9 +312,9 @@ TEST_CASE("repair of samples of known curves puts new ones on the curves, and ke
     REQUIRE(repaired);
     CHECK(repaired->is_on_curves);
     CHECK(repaired->inserted > 0);
-    CHECK(repaired->epsilon_after <= 0.25);
-    CHECK(repaired->epsilon_before > 0.25);
-    CHECK(repaired->light_after == TheoremLight::green);
+    CHECK(repaired->after.epsilon->value <= 0.25);
+    CHECK(repaired->before.epsilon->value > 0.25);
+    CHECK(repaired->after.light == TheoremLight::green);
     const std::vector<Vec2>& p = repaired->data.positions;
     REQUIRE(std::equal(data.positions.begin(), data.positions.end(), p.begin()));
     for (const Vec2 at : p) CHECK(off(curves, at) < 1e-6);
@@ -338,8 +338,8 @@ TEST_CASE("repair of samples of known curves puts new ones on the curves, and ke
     CHECK(repaired->data.source->count == p.size());
     // The window has the same of them.
     const Window bench(repaired->data);
-    CHECK(bench.curves().standing().epsilon == repaired->epsilon_after);
-    CHECK(bench.light() == repaired->light_after);
+    CHECK(bench.curves().standing().epsilon == repaired->after.epsilon->value);
+    CHECK(bench.light() == repaired->after.light);
   }
 }
 
@@ -351,7 +351,7 @@ TEST_CASE("samples of which most lie off their curves are repaired along a curve
   const auto repaired = repair(builtins(), data, 0.25, job);
   REQUIRE(repaired);
   CHECK_FALSE(repaired->is_on_curves);
-  CHECK(repaired->light_after == TheoremLight::green);
+  CHECK(repaired->after.light == TheoremLight::green);
   // One of them stays where it is, and new ones lie on the curves.
   SampleData one = opened(shape.curves, {.rule = SamplingRule::count, .count = 16});
   one.positions[3] = {0.1, 0.05};

@@ -8,8 +8,7 @@
 #include <string>
 
 #include "app/editing/neighborhood.h"
-#include "app/layers/verdict_word.h"
-#include "app/panels/bars/work_in_progress.h"
+#include "app/picture/shown_verdict.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 
@@ -27,35 +26,20 @@ ImU32 mood_color(const ThemeColors& colors, VerdictWord::Mood mood) {
   return colors.border;
 }
 
-Checking checking_of(const Verdict& verdict) {
-  const EngineStatus status = verdict.engine.status();
-  const bool is_outdated = verdict.picture.is_outdated();
-  if (status.cancelled) return Checking::cancelled;
-  if (is_outdated || (status.busy && status.busy_ms >= kShownAfterMs)) return Checking::under_way;
-  return Checking::done;
-}
-
-VerdictWord word_of(const Verdict& verdict) {
-  return verdict_word(light_of(verdict.picture.nodes()), verdict.picture.lacks_memory(), checking_of(verdict));
-}
-
 constexpr float kChoiceWidth = 118;
 constexpr float kLightWidth = 134;
-// The width of a summary, such as "epsilon 0.0123" or "epsilon 0.241 (4 corners exempt)", is rounded up to a multiple
-// of this, so that nothing moves while the number changes.
-constexpr float kSummaryWidth = 104;
+// The width of an epsilon in words is rounded up to a multiple of this, so that nothing moves while the number changes.
+constexpr float kEpsilonWidth = 104;
 
-float summary_width(const Gui& gui, std::string_view summary) {
-  if (summary.empty()) return 0.0F;
-  const float width = ImGui::CalcTextSize(summary.data(), summary.data() + summary.size()).x / gui.unit();
-  return kSummaryWidth * std::ceil(width / kSummaryWidth);
+float epsilon_width(const Gui& gui, std::string_view epsilon) {
+  if (epsilon.empty()) return 0.0F;
+  const float width = ImGui::CalcTextSize(epsilon.data(), epsilon.data() + epsilon.size()).x / gui.unit();
+  return kEpsilonWidth * std::ceil(width / kEpsilonWidth);
 }
 
-std::string_view summary_of(const Verdict& verdict) {
-  for (const NodeReport& node : verdict.picture.nodes())
-    for (const Finding& finding : node.findings)
-      if (!finding.summary.empty()) return finding.summary;
-  return {};
+std::string epsilon_of(const Verdict& verdict) {
+  const auto epsilon = sampling_verdict(verdict.picture.nodes()).epsilon;
+  return epsilon ? epsilon->text() : std::string();
 }
 
 void draw_choice(const Verdict& verdict) {
@@ -82,6 +66,11 @@ void show_place(const Verdict& verdict, Vec2 place) {
 void draw_reasons(const Verdict& verdict) {
   const float unit = verdict.gui.unit();
   static constexpr float kWidth = 380;
+  const VerdictWord look = shown_verdict(verdict.engine, verdict.picture);
+  ImGui::PushTextWrapPos(kWidth * unit);
+  ImGui::TextUnformatted(look.text.c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::Dummy({0, 2 * unit});
   bool gives_reasons = false;
   for (const NodeReport& node : verdict.picture.nodes()) {
     if (node.state == NodeState::failed) {
@@ -120,43 +109,40 @@ void draw_reasons(const Verdict& verdict) {
       ImGui::Dummy({0, 2 * unit});
     }
   }
-  if (gives_reasons) return;
-  const std::string meaning(word_of(verdict).meaning);
+  if (gives_reasons || look.meaning == look.text) return;
   ImGui::PushTextWrapPos(kWidth * unit);
-  ImGui::TextUnformatted(meaning.c_str());
+  ImGui::TextUnformatted(look.meaning.data(), look.meaning.data() + look.meaning.size());
   ImGui::PopTextWrapPos();
 }
 
 }  // namespace
 
 float Verdict::width() const {
-  return (kChoiceWidth + kLightWidth + summary_width(gui, summary_of(*this)) + 12) * gui.unit();
+  return (kChoiceWidth + kLightWidth + epsilon_width(gui, epsilon_of(*this)) + 12) * gui.unit();
 }
 
 void Verdict::draw() const {
   const float unit = gui.unit();
   draw_choice(*this);
   ImGui::SameLine(0, 10 * unit);
-  const VerdictWord look = word_of(*this);
+  const VerdictWord look = shown_verdict(engine, picture);
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float height = ImGui::GetFrameHeight();
-  const std::string_view summary = summary_of(*this);
-  const float light_width = (kLightWidth + summary_width(gui, summary)) * unit;
+  const std::string epsilon = epsilon_of(*this);
+  const float light_width = (kLightWidth + epsilon_width(gui, epsilon)) * unit;
   if (hit_area("##light", {light_width, height})) ImGui::OpenPopup("##reasons");
   if (ImGui::IsItemHovered()) {
     ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + light_width, at.y + height}, gui.colors().accent_soft,
                                               4 * unit);
   }
-  tooltip(gui, std::string(look.meaning));
+  tooltip(gui, look.meaning == look.text ? look.text : look.text + ". " + std::string(look.meaning));
   ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 9 * unit, at.y + 0.5F * height}, 5 * unit,
                                               mood_color(gui.colors(), look.mood));
   ImGui::GetWindowDrawList()->AddText({at.x + 20 * unit, at.y + 0.5F * (height - ImGui::GetTextLineHeight())},
                                       gui.colors().text, look.word.data(), look.word.data() + look.word.size());
-  if (!summary.empty()) {
-    const ImVec2 summary_at{at.x + kLightWidth * unit, at.y + 0.5F * (height - ImGui::GetTextLineHeight())};
-    ImGui::GetWindowDrawList()->AddText(summary_at, gui.colors().text, summary.data(),
-                                        summary.data() + summary.size());
-  }
+  ImGui::GetWindowDrawList()->AddText(
+      {at.x + kLightWidth * unit, at.y + 0.5F * (height - ImGui::GetTextLineHeight())}, gui.colors().text,
+      epsilon.c_str());
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 8 * unit});
   if (begin_popup(gui, "##reasons")) {
     draw_reasons(*this);

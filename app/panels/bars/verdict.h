@@ -22,8 +22,8 @@ struct Verdict {
 
   /// Width that `draw` takes.
   float width() const;
-  /// Draws in the present window at the present position: a choice of number types, and the light with the summary of
-  /// a note beside it. The light opens the list of reasons; a click on a reason shows its location.
+  /// Draws in the present window at the present position: a choice of number types, and the light with the epsilon
+  /// beside it, if it is measured. The light opens the list of reasons; a click on a reason shows its location.
   void draw() const;
 };
 

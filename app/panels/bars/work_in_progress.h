@@ -13,9 +13,6 @@
 
 namespace mes {
 
-/// Progress of shorter work would only flicker; until then the previous display stays.
-inline constexpr double kShownAfterMs = 100.0;
-
 struct WorkInProgress {
   const Gui& gui;
   const ActionBindings& actions;

@@ -6,7 +6,7 @@
 
 #include "app/editing/neighborhood.h"
 #include "app/layers/parameter_words.h"
-#include "app/layers/verdict_word.h"
+#include "app/picture/shown_verdict.h"
 #include "app/ui/number_field.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -73,13 +73,11 @@ void SamplingPanel::draw_places(std::span<const Vec2> places, std::int64_t count
   if (count > static_cast<std::int64_t>(places.size()) && !places.empty()) ImGui::TextDisabled("and more");
 }
 
-// Draws the conditions of the theorem that fail.
+// Draws the verdict, and what it is made of.
 void SamplingPanel::draw_findings() {
-  bool any = false;
+  wrapped(shown_verdict(uses_.engine, uses_.picture).text);
   for (const NodeReport& node : uses_.picture.nodes()) {
-    if (node.variant != kMainVariant) continue;
     for (std::size_t i = 0; i < node.findings.size(); ++i) {
-      any = any || node.findings[i].level != FindingLevel::note;
       ImGui::PushID(node.structure.c_str());
       ImGui::PushID(static_cast<int>(i));
       wrapped(text_of(node.findings[i], node.structure));
@@ -88,12 +86,6 @@ void SamplingPanel::draw_findings() {
       ImGui::PopID();
     }
   }
-  if (any) return;
-  const TheoremLight light = light_of(uses_.picture.nodes());
-  std::string sentence(sentence_of(light));
-  sentence.front() = 'T';
-  wrapped(light == TheoremLight::green ? sentence + ": no problems were found"
-                                       : "No result for these samples yet, or they enclose no area");
 }
 
 void SamplingPanel::draw_report() {

@@ -21,6 +21,7 @@ class SamplingPanel {
     ResampleDesk& desk;
     Canvas& canvas;
     const Document& document;
+    const Engine& engine;
     const Picture& picture;
     Messages& messages;
   };

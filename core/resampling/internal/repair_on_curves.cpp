@@ -87,7 +87,7 @@ struct Step {
   std::vector<Vec2> positions;
   std::vector<SampleData::Contour> contours;
   CurveStanding standing;
-  TheoremLight light = TheoremLight::none;
+  SamplingVerdict verdict;
 };
 
 }  // namespace
@@ -115,10 +115,8 @@ Expected<std::optional<Repair>> repair_on_curves(const Registry& registry, const
   if (2 * before.off_curve > data.positions.size()) return std::nullopt;
 
   std::optional<Repair> out(std::in_place);
-  out->epsilon_before = before.epsilon;
-  out->light_before = samples->light();
+  out->before = samples->verdict();
   out->off_curve = before.off_curve;
-  out->exempt = before.exempt;
   out->is_on_curves = true;
   if (!own->has_axis()) out->no_axis = "the curves have no axis";
   // First only edges away from corners; if the theorem asks for more, then ever nearer to the corners, and denser.
@@ -139,8 +137,8 @@ Expected<std::optional<Repair>> repair_on_curves(const Registry& registry, const
       if (auto done = samples->insert(std::span(loops.positions()).subspan(count), job); !done)
         return std::unexpected(done.error());
     if (auto done = samples->check_theorem(job); !done) return std::unexpected(done.error());
-    Step step{loops.positions(), loops.contours(), own->standing(loops.positions(), &job), samples->light()};
-    const bool is_good = step.light != TheoremLight::yellow;
+    Step step{loops.positions(), loops.contours(), own->standing(loops.positions(), &job), samples->verdict()};
+    const bool is_good = step.verdict.light != TheoremLight::yellow;
     if (is_good || !best) best = std::move(step);
     if (is_good) break;
   }
@@ -154,8 +152,7 @@ Expected<std::optional<Repair>> repair_on_curves(const Registry& registry, const
     longer.count += static_cast<std::uint32_t>(out->inserted);
     out->data.source = std::make_shared<const CurveSource>(std::move(longer));
   }
-  out->epsilon_after = best->standing.epsilon;
-  out->light_after = best->light;
+  out->after = std::move(best->verdict);
   if (request.corner_radius == 0.0)
     for (const CurveCorner& corner : corners_of(*source.curves, request.corner_angle))
       out->corners.push_back({corner.place, corner.angle * 180.0 / std::numbers::pi});

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/engine/sampling_verdict.h"
 #include "core/evolutions/moving_curve.h"
 #include "core/structures/certificate/axis_certificate.h"
 #include "core/structures/delaunay/delaunay.h"
@@ -38,8 +39,8 @@ class JudgedSamples {
                                     bool has_curves = false);
 
   Expected<void> insert(std::span<const Vec2> positions, JobControl& job);
-  /// Checks the theorem's conditions after insertions. They hold no answers before that: `light` and
-  /// `EdgeVerdict::is_doubted` must not be read.
+  /// Checks the theorem's conditions after insertions. They hold no answers before that: `light`,
+  /// `verdict` and `EdgeVerdict::is_doubted` must not be read.
   Expected<void> check_theorem(JobControl& job);
   std::span<const Vec2> positions() const { return positions_; }
 
@@ -53,6 +54,7 @@ class JudgedSamples {
   /// Distance to the axis; infinite without one.
   double size(std::uint32_t sample) const;
   TheoremLight light() const { return bench_.light(); }
+  SamplingVerdict verdict() const { return sampling_verdict(bench_.nodes()); }
   /// Why the axis is missing, as a sentence without a full stop; empty if there is an axis.
   std::string why_no_axis() const { return std::string(sizes_->reason()); }
   const CurveSampling& curves() const { return bench_.get<CurveSampling>(); }

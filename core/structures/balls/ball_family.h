@@ -46,6 +46,8 @@ class BallFamily {
     return {plain.center, plain.radius * scale_};
   }
   virtual bool is_from_samples() const = 0;
+  /// True if these are the inner balls, which the theorem is about.
+  virtual bool are_inner() const { return false; }
   /// True if balls touch samples, which give their circles and crossings exactly. False for scaled balls.
   bool touch_samples() const { return is_from_samples() && scale_ == 1.0; }
   virtual BallOrigin origin(FamilySlot) const {

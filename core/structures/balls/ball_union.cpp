@@ -55,6 +55,7 @@ class InnerVoronoiBalls final : public VoronoiBalls {
   InnerVoronoiBalls(const Delaunay& delaunay, const InnerBalls& balls)
       : VoronoiBalls(delaunay, balls.vertices()), balls_(balls) {}
   bool is_ball(FamilySlot row) const override { return balls_.is_ball(face_of(row)) && VoronoiBalls::is_ball(row); }
+  bool are_inner() const override { return true; }
   bool has_changed() const override { return !balls_.changes().is_empty(); }
 
  private:
@@ -415,8 +416,10 @@ void BallUnion::find(std::vector<Finding>& out) const {
     ++foreign;
     if (foreign_places.size() < kMostPlaces) foreign_places.push_back(v.position);
   }
+  // The theorem is about the inner balls: crossings of other balls that are no samples say nothing about it.
+  const FindingLevel exact_level = family_->are_inner() ? FindingLevel::doubt : FindingLevel::note;
   if (family_->touch_samples() && foreign != 0)
-    say(rounded ? FindingLevel::wrong : FindingLevel::doubt, foreign,
+    say(rounded ? FindingLevel::wrong : exact_level, foreign,
         rounded ? "v-points that are not samples, by rounding or in truth" : "v-points that are not samples") =
         std::move(foreign_places);
   if (t.counts.lost_crossings + t.counts.contradictions + t.counts.negative_radicands != 0)

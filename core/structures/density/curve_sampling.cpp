@@ -33,16 +33,14 @@ std::vector<Finding> findings_of(const CurveStanding& standing, std::span<const 
     note.count = static_cast<std::int64_t>(standing.off_curve);
     return out;
   }
-  const std::string words = epsilon_text(standing.epsilon, standing.exempt);
   if (standing.epsilon > 0.0) {
     Finding& note = out.emplace_back();
     note.level = FindingLevel::note;
+    note.epsilon = {.value = standing.epsilon, .corners = standing.exempt};
     note.text = fmt::format(
         "interval of the curves that has the fewest samples for its feature size: {}, by the curves' own axis; up to "
-        "{} "
-        "smooth curves have the axis that the theorem promises",
-        words, kDenseEpsilon);
-    note.summary = words;
+        "{} smooth curves have the axis that the theorem promises",
+        note.epsilon->text(), kDenseEpsilon);
     add_place(note, standing.place);
   }
   if (!standing.sparse.empty()) {

@@ -104,14 +104,46 @@ double FeatureSize::turn_at(SiteSlot site) const {
   return turn_of(delaunay_.site_position(a), delaunay_.site_position(site), delaunay_.site_position(b));
 }
 
-bool FeatureSize::is_exempt(SiteSlot site) const {
-  if (crust_.degree(site) != 2) return true;
+FeatureSize::Exemption FeatureSize::exemption_of(SiteSlot site) const {
+  if (crust_.degree(site) == 0) return Exemption::alone;
+  if (crust_.degree(site) != 2) return Exemption::end;
   static const double kLeast = 2.0 * std::asin(kDenseEpsilon) * 180.0 / std::numbers::pi;
   constexpr double kMoreThanNeighbours = 4.0;
   const auto [a, b] = crust_neighbours(site);
-  if (goes_on_nearly_straight(place_of(a), place_of(site), place_of(b))) return false;
+  if (goes_on_nearly_straight(place_of(a), place_of(site), place_of(b))) return Exemption::none;
   const double turn = turn_of(delaunay_.site_position(a), delaunay_.site_position(site), delaunay_.site_position(b));
-  return turn > kLeast && turn > kMoreThanNeighbours * (turn_at(a) + turn_at(b));
+  return turn > kLeast && turn > kMoreThanNeighbours * (turn_at(a) + turn_at(b)) ? Exemption::corner
+                                                                                 : Exemption::none;
+}
+
+FeatureSize::Exempt FeatureSize::count_exempt() const {
+  const std::size_t rows = delaunay_.site_rows();
+  std::vector<Exempt> parts(chunk_count(rows));
+  parallel_for(rows, [&](std::size_t begin, std::size_t end, std::size_t chunk) {
+    for (std::size_t i = begin; i < end; ++i)
+      if (const SiteSlot site(i); delaunay_.is_site(site))
+        ++parts[chunk][static_cast<std::size_t>(exemption_of(site))];
+  });
+  Exempt out{};
+  for (const Exempt& part : parts)
+    for (std::size_t i = 0; i < out.size(); ++i) out[i] += part[i];
+  return out;
+}
+
+void FeatureSize::set_exemption(SiteSlot site, Exemption now) {
+  --exempt_[static_cast<std::size_t>(exemption_[site])];
+  ++exempt_[static_cast<std::size_t>(now)];
+  exemption_[site] = now;
+}
+
+std::optional<SamplingEpsilon> FeatureSize::estimated_epsilon() const {
+  const EdgeSlot edge = sparsest_edge();
+  if (edge == kNoSlot) return std::nullopt;
+  const Exempt exempt = is_ready_ ? exempt_ : count_exempt();
+  return SamplingEpsilon{.value = epsilon(edge),
+                         .corners = exempt[static_cast<std::size_t>(Exemption::corner)],
+                         .ends = exempt[static_cast<std::size_t>(Exemption::end)],
+                         .is_estimate = true};
 }
 
 bool FeatureSize::ends_at_exempt(EdgeSlot edge) const {
@@ -335,6 +367,10 @@ void FeatureSize::get_ready_to_update(JobControl& job) {
   epsilons_.build(
       delaunay_.edge_rows(), [this](EdgeSlot edge) { return epsilon_or_none(edge); },
       [this](EdgeSlot a, EdgeSlot b) { return is_first(a, b); });
+  exemption_.assign(delaunay_.site_rows(), Exemption::none);
+  exempt_ = {exemption_.size(), 0, 0, 0};
+  for (const SiteSlot site : delaunay_.site_slots())
+    if (delaunay_.is_site(site)) set_exemption(site, exemption_of(site));
   is_ready_ = true;
 }
 
@@ -458,6 +494,11 @@ void FeatureSize::finish_changes() {
   epsilons_.set_all(
       edges_to_count_anew(), [this](EdgeSlot edge) { return epsilon_or_none(edge); },
       [this](EdgeSlot a, EdgeSlot b) { return is_first(a, b); });
+  // The walk over these edges has met all sites whose exemption may differ.
+  exempt_[0] += delaunay_.site_rows() - exemption_.size();
+  exemption_.resize(delaunay_.site_rows(), Exemption::none);
+  for (const SiteSlot site : delaunay_.site_changes().removed) set_exemption(site, Exemption::none);
+  for (const SiteSlot site : searches_) set_exemption(site, exemption_of(site));
 }
 
 double FeatureSize::epsilon_or_none(EdgeSlot edge) const {
@@ -531,20 +572,19 @@ StatList FeatureSize::statistics() const {
 
 void FeatureSize::find(std::vector<Finding>& out) const {
   if (curves_ != nullptr && curves_->has_standing()) return;
-  const EdgeSlot edge = sparsest_edge();
-  if (edge == kNoSlot) return;
-  const EdgeRow& row = delaunay_.edge(edge);
+  const auto measured = estimated_epsilon();
+  if (!measured) return;
+  const EdgeRow& row = delaunay_.edge(sparsest_edge());
   const Vec2 a = delaunay_.site_position(row.v[0]);
   const Vec2 b = delaunay_.site_position(row.v[1]);
   Finding& finding = out.emplace_back();
   finding.level = FindingLevel::note;
+  finding.epsilon = measured;
   finding.text = fmt::format(
-      "curve edge with the largest epsilon, {:.3g}: half its length over the distance of its ends to the axis, as "
-      "far as the samples show curve and axis, corners and ends exempt; up to {} smooth curves have the axis that "
-      "the "
-      "theorem promises",
-      epsilon(edge), kDenseEpsilon);
-  finding.summary = fmt::format("epsilon {:.3g}", epsilon(edge));
+      "curve edge with the fewest samples for its feature size: {}, half its length over the distance of its ends to "
+      "the axis, as far as the samples show curve and axis; up to {} smooth curves have the axis that the theorem "
+      "promises",
+      measured->text(), kDenseEpsilon);
   finding.count = 1;
   finding.places.push_back({0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y});
 }

@@ -6,12 +6,14 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "core/base/box_tree.h"
 #include "core/base/change_set.h"
 #include "core/base/max_tree.h"
+#include "core/base/sampling_epsilon.h"
 #include "core/graph/structure.h"
 #include "core/structures/crust/one_step_crust.h"
 #include "core/structures/density/axis_line.h"
@@ -60,7 +62,10 @@ class FeatureSize final : public Structure {
   bool has_epsilon(EdgeSlot edge) const;
   double epsilon(EdgeSlot edge) const;
   /// True if the sample is exempt: a corner, or an end or junction of the crust. O(edges at it and its neighbours).
-  bool is_exempt(SiteSlot site) const;
+  bool is_exempt(SiteSlot site) const { return exemption_of(site) != Exemption::none; }
+  /// The epsilon of these samples by this estimate, with the numbers of exempt samples at which curve edges end; nothing
+  /// if no edge counts. Cost: as `sparsest_edge`.
+  std::optional<SamplingEpsilon> estimated_epsilon() const;
   /// The edge with the largest epsilon among those that end at no exempt sample; ties go to the first by the positions
   /// of its ends; kNoSlot if none has one. O(1) once updates have begun, O(edges) before.
   EdgeSlot sparsest_edge() const;
@@ -86,11 +91,17 @@ class FeatureSize final : public Structure {
   };
 
   FeatureSize(Delaunay& delaunay, OneStepCrust& crust, std::vector<Structure*> inputs, const CurveSampling* curves);
+  enum class Exemption : std::uint8_t { none, corner, end, alone };
+  /// How many samples have each exemption.
+  using Exempt = std::array<std::size_t, 4>;
+  Exemption exemption_of(SiteSlot site) const;
+  Exempt count_exempt() const;
   double epsilon_or_none(EdgeSlot edge) const;
   bool ends_at_exempt(EdgeSlot edge) const;
   std::array<SiteSlot, 2> crust_neighbours(SiteSlot site) const;
   double turn_at(SiteSlot site) const;
   std::vector<EdgeSlot> edges_to_count_anew();
+  void set_exemption(SiteSlot site, Exemption now);
   bool is_first(EdgeSlot a, EdgeSlot b) const;
   bool is_axis(EdgeSlot edge) const { return delaunay_.edge(edge).is_alive() && !crust_.is_crust(edge); }
   Vec2 place_of(SiteSlot site) const {
@@ -147,6 +158,8 @@ class FeatureSize final : public Structure {
   Table<SiteSlot, std::uint32_t> ball_at_;
   Table<SiteSlot, double> reach_;  ///< squared reach in the tree
   MaxTree<EdgeSlot> epsilons_;
+  Table<SiteSlot, Exemption> exemption_;
+  Exempt exempt_{};
 
   ChangeRecorder<SiteSlot> site_recorder_;
   ChangeRecorder<EdgeSlot> edge_recorder_;

@@ -107,7 +107,22 @@ void check_sparsest_edge(const TestBench& bench) {
   if (findings.empty()) return;
   REQUIRE(sizes.epsilon(sparsest) == most);
   REQUIRE(findings[0].level == FindingLevel::note);
-  REQUIRE_FALSE(findings[0].summary.empty());
+  REQUIRE(findings[0].epsilon);
+  REQUIRE(findings[0].epsilon->value == most);
+  REQUIRE(findings[0].epsilon->is_estimate);
+  std::size_t corners = 0;
+  std::size_t ends = 0;
+  for (const SiteSlot site : delaunay.site_slots()) {
+    if (!delaunay.is_site(site) || !exempt[site]) continue;
+    std::size_t degree = 0;
+    delaunay.for_each_edge_at(site, [&](EdgeSlot edge, SiteSlot, FaceSlot) {
+      degree += bench.get<OneStepCrust>().is_crust(edge) ? 1U : 0U;
+    });
+    corners += degree == 2 ? 1U : 0U;
+    ends += degree != 2 && degree != 0 ? 1U : 0U;
+  }
+  REQUIRE(findings[0].epsilon->corners == corners);
+  REQUIRE(findings[0].epsilon->ends == ends);
   const EdgeRow& row = delaunay.edge(sparsest);
   const Vec2 middle = 0.5 * delaunay.site_position(row.v[0]) + 0.5 * delaunay.site_position(row.v[1]);
   REQUIRE(findings[0].places == std::vector{middle});
@@ -127,7 +142,7 @@ void check_against_fresh(const TestBench& bench) {
   fresh.get<FeatureSize>().find(expected);
   REQUIRE(findings.size() == expected.size());
   for (std::size_t i = 0; i < findings.size(); ++i) {
-    REQUIRE(findings[i].summary == expected[i].summary);
+    REQUIRE(findings[i].epsilon == expected[i].epsilon);
     REQUIRE(findings[i].places == expected[i].places);
   }
   for (const std::string_view layer : {"feature-size", "sampling-epsilon"}) {
