@@ -295,17 +295,23 @@ SamplingRequest sampling_of_tracing(const CurveSet& curves) {
   return {.rule = SamplingRule::adaptive, .count = static_cast<std::size_t>(count), .least_each = kLeastEach};
 }
 
+std::string left_out_text(const TraceCounts& counts) {
+  std::string out;
+  if (counts.specks != 0) out = number_of(counts.specks, "speck");
+  if (counts.specks != 0 && counts.pinholes != 0) out += " and ";
+  if (counts.pinholes != 0) out += number_of(counts.pinholes, "hole");
+  return out;
+}
+
 std::string remark_of(const Tracing& tracing) {
   std::string out = fmt::format("traced all pixels {} than {:.1f} of 255",
                                 tracing.is_figure_light ? "lighter" : "darker", tracing.level.value());
   if (tracing.counts.blur > 0.0)
     out += fmt::format(", blurred by {:.2g} pixels because of noise", tracing.counts.blur);
-  if (tracing.counts.specks + tracing.counts.pinholes == 0) return out;
-  out += "; left out: ";
-  if (tracing.counts.specks != 0) out += number_of(tracing.counts.specks, "speck");
-  if (tracing.counts.specks != 0 && tracing.counts.pinholes != 0) out += " and ";
-  if (tracing.counts.pinholes != 0) out += number_of(tracing.counts.pinholes, "hole");
-  return out + fmt::format(" smaller than {:.4g} square pixels", tracing.speck_size);
+  const std::string left_out = left_out_text(tracing.counts);
+  return left_out.empty()
+             ? out
+             : out + fmt::format("; left out: {} smaller than {:.4g} square pixels", left_out, tracing.speck_size);
 }
 
 }  // namespace mes

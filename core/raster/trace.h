@@ -89,6 +89,10 @@ inline constexpr double kMostNoise = 0.2;
 /// are near to each other; elsewhere at most one a pixel of its length.
 SamplingRequest sampling_of_tracing(const CurveSet& curves);
 
+/// The outlines that are left out, as every dialog and message counts them: "12 specks and 3 holes"; empty if there are
+/// none.
+std::string left_out_text(const TraceCounts& counts);
+
 /// "traced all pixels darker than 127.5 of 255; left out: 12 specks and 3 holes smaller than 26 square pixels".
 std::string remark_of(const Tracing& tracing);
 

@@ -171,6 +171,7 @@ TEST_CASE("specks of a large picture are counted as its tracing counts them") {
   const auto samples = waited.samples();
   REQUIRE(samples.has_value());
   CHECK_THAT(samples->remark, Catch::Contains("left out: 40 specks"));
+  CHECK_THAT(samples->remark, Catch::Contains("left out: " + left_out_text(*counts) + " smaller than "));
 }
 
 TEST_CASE("a picture that cannot be read is an error, and the next one is read all the same") {

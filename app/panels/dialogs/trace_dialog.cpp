@@ -126,9 +126,8 @@ void TraceDialog::draw_facts(const Gui& gui) {
   if (outlines) {
     if (const auto counts = uses_->desk.counts(request())) {
       ImGui::TextUnformatted(count_with_noun(counts->outlines, "outline").c_str());
-      if (counts->specks + counts->pinholes != 0)
-        ImGui::TextDisabled("Left out: %s, %s", count_with_noun(counts->specks, "speck").c_str(),
-                            count_with_noun(counts->pinholes, "hole").c_str());
+      if (const std::string left_out = left_out_text(*counts); !left_out.empty())
+        ImGui::TextDisabled("Left out: %s", left_out.c_str());
     } else {
       ImGui::TextDisabled("Counting outlines...");
     }
