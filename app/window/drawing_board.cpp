@@ -158,7 +158,7 @@ void DrawingBoard::take_results() {
   if (picture_.take_from(work_.engine())) watch_memory();
   for (Provenance& answer : work_.engine().take_answers()) take_answer(std::move(answer));
   if (provenance_.wants_sources()) select_sources();
-  provenance_.ask_beneath(work_.engine());
+  provenance_.look_beneath(work_.engine());
 }
 
 void DrawingBoard::take_answer(Provenance answer) {
@@ -181,9 +181,16 @@ bool DrawingBoard::may_ask() {
 // Elements drawn over a clicked sample or ball, or beside it under the pointer, get their cards too.
 void DrawingBoard::ask_beside(const Pointer& pointer, const ChosenThing& chosen) {
   constexpr double kReach = 4.0;  // logical pixels: radius of a dot of usual size
-  const double reach = kReach * pointer.units_per_px;
-  const auto layers = layers_of_click(work_.layers(), {chosen.is_ball, chosen.distance <= reach});
-  ProvenanceQuestion question{.at = pointer.world, .reach = reach, .layers = main_layers(layers)};
+  const auto layers =
+      layers_of_click(work_.layers(), {chosen.is_ball, chosen.distance <= kReach * pointer.units_per_px});
+  // A larger dot is meant wherever it is seen.
+  double reach = kReach;
+  for (const LayerIndex layer : layers)
+    if (std::ranges::find(work_.layers().descriptor(layer).kinds, PrimitiveKind::point) !=
+        work_.layers().descriptor(layer).kinds.end())
+      reach = std::max(reach, 0.5 * work_.layers().style(layer).point_size_px + 1.0);
+  ProvenanceQuestion question{
+      .at = pointer.world, .reach = reach * pointer.units_per_px, .layers = main_layers(layers)};
   if (question.layers.empty() || !work_.hold().waiting().empty()) return;
   provenance_.ask(work_.engine(), work_.layers(), std::move(question), work_.editor());
 }

@@ -195,6 +195,21 @@ TEST_CASE("a click on a v-point opens its card, and selects the sample that it l
   CHECK(eventually([&] { return house.window.title().starts_with("* house.poff"); }));
 }
 
+TEST_CASE("the card of a v-point offers what lies beneath it") {
+  const House house;
+  const Screenshot shown = house.press("8");
+  constexpr PixelBox kCard{60, 560, 460, 765};
+  constexpr PixelBox kName{70, 545, 370, 590};
+  house.screen().click(house.lower_right());
+  REQUIRE(eventually([&] { return house.screen().shoot().changes(kCard, shown) > 2000; }));
+  house.screen().xdotool("mousemove 1200 6");
+  const Screenshot card = house.screen().settled();
+  // The button is to the right of the one that selects the samples, in the last row.
+  house.screen().click({260, 747});
+  house.screen().xdotool("mousemove 1200 6");
+  CHECK(eventually([&] { return house.screen().shoot().changes(kName, card) > 50; }));
+}
+
 TEST_CASE("samples that no layer shows are told of, and a button shows them") {
   const House house;
   const Screenshot axis = house.press("8");

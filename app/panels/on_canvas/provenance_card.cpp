@@ -71,7 +71,9 @@ void ProvenanceCard::ask(Engine& engine, const LayerStack& layers, ProvenanceQue
                          const Editor& editor) {
   question.ticket = ++ticket_;
   is_asking_ = true;
-  asks_beneath_ = wants_beneath_ = false;
+  wants_beneath_ = false;
+  beneath_ = Beneath::unknown;
+  beneath_answer_.reset();
   question_ = question;
   layers_ = main_layers(layers.visible_layers());
   std::ranges::reverse(layers_);
@@ -84,14 +86,15 @@ void ProvenanceCard::ask(Engine& engine, const LayerStack& layers, ProvenanceQue
 void ProvenanceCard::take(Provenance answer) {
   if (answer.ticket != ticket_) return;
   is_asking_ = false;
-  if (std::exchange(asks_beneath_, false) && answer.lines.empty()) {
-    beneath_ = Beneath::nothing;
+  std::optional<Provenance> found;
+  if (!answer.lines.empty()) found = std::move(answer);
+  if (beneath_ == Beneath::asked) {
+    beneath_answer_ = std::move(found);
+    beneath_ = Beneath::known;
     return;
   }
-  answer_.reset();
-  if (!answer.lines.empty()) answer_ = std::move(answer);
+  answer_ = std::move(found);
   pointed_at_ = 0;
-  beneath_ = answer_ && layers_beneath().empty() ? Beneath::no_layer : Beneath::unknown;
 }
 
 std::vector<VariantLayer> ProvenanceCard::layers_beneath() const {
@@ -99,17 +102,26 @@ std::vector<VariantLayer> ProvenanceCard::layers_beneath() const {
   return found == layers_.end() ? std::vector<VariantLayer>() : std::vector<VariantLayer>(found + 1, layers_.end());
 }
 
-void ProvenanceCard::ask_beneath(Engine& engine) {
-  if (!std::exchange(wants_beneath_, false) || !answer_ || is_asking_) return;
+void ProvenanceCard::look_beneath(Engine& engine) {
+  if (std::exchange(wants_beneath_, false) && beneath_answer_) {
+    answer_ = std::exchange(beneath_answer_, {});
+    beneath_ = Beneath::unknown;
+    pointed_at_ = 0;
+  }
+  if (!answer_ || beneath_ != Beneath::unknown || is_asking_) return;
   question_.layers = layers_beneath();
+  beneath_ = question_.layers.empty() ? Beneath::known : Beneath::asked;
+  if (question_.layers.empty()) return;
   question_.ticket = ++ticket_;
-  is_asking_ = asks_beneath_ = true;
+  is_asking_ = true;
   engine.ask(question_);
 }
 
 bool ProvenanceCard::clear() {
   ++ticket_;  // makes an answer under way outdated
   is_asking_ = false;
+  beneath_answer_.reset();
+  beneath_ = Beneath::unknown;
   return std::exchange(answer_, {}).has_value();
 }
 
@@ -224,17 +236,15 @@ void ProvenanceCard::draw_rows(const Gui& gui, float width) {
   ImGui::Unindent(18 * unit);
 }
 
-void ProvenanceCard::draw_foot(const Gui& gui) {
+void ProvenanceCard::draw_foot(const Gui& gui, const LayerStack& layers, float width) {
   if (ImGui::SmallButton("Select the samples")) wants_sources_ = true;
   tooltip(gui, "Select the samples or balls that this is or derives from");
-  if (beneath_ == Beneath::no_layer) return;
+  if (!beneath_answer_) return;
   ImGui::SameLine();
-  if (beneath_ == Beneath::nothing) {
-    ImGui::TextDisabled("Nothing lies beneath");
-    return;
-  }
-  if (ImGui::SmallButton("Beneath")) wants_beneath_ = true;
-  tooltip(gui, "Show what lies here in the layers below this one");
+  const float room = width - ImGui::GetCursorPosX() - 16 * gui.unit();
+  const std::string text = "Beneath: " + std::string(layers.descriptor(beneath_answer_->layer.layer).name);
+  if (ImGui::SmallButton(elided(text, room).c_str())) wants_beneath_ = true;
+  tooltip(gui, "Show this instead: " + beneath_answer_->lines.front().text);
 }
 
 bool ProvenanceCard::is_of(const Editor& editor) const {
@@ -264,7 +274,7 @@ std::optional<ProvenanceCard::Keep> ProvenanceCard::draw(const Gui& gui, Canvas&
   const HeadClicks head = draw_head(gui, layers, inside, keep_key);
   const std::optional<std::size_t> clicked = draw_lines(gui, inside);
   draw_rows(gui, inside);
-  draw_foot(gui);
+  draw_foot(gui, layers, inside);
   ImGui::End();
   ImGui::PopStyleVar();
   if (head.kept) return Keep{};

@@ -51,9 +51,9 @@ class ProvenanceCard {
                            ImVec2 corner, ImVec2 room, const std::string& keep_key);
   /// Call it after `select_sources` for this answer, so that the new selection does not remove it. O(1).
   void keep_for(const Editor& editor) { selection_revision_ = editor.selection().revision(); }
-  /// Asks about the same point below the layer of the answer, if the button for that was pressed since the last call.
-  /// If nothing lies there, the answer stays.
-  void ask_beneath(Engine& engine);
+  /// Looks for what lies below the shown element, which the card offers by its name; shows it if its button was pressed
+  /// since the last call. Call it once a frame.
+  void look_beneath(Engine& engine);
   /// True if the button that selects the sources was pressed since the last call.
   bool wants_sources() { return std::exchange(wants_sources_, false); }
 
@@ -68,7 +68,7 @@ class ProvenanceCard {
   };
   /// Draws the table rows of the element, which can be folded.
   void draw_rows(const Gui& gui, float width);
-  void draw_foot(const Gui& gui);
+  void draw_foot(const Gui& gui, const LayerStack& layers, float width);
   std::vector<VariantLayer> layers_beneath() const;
   HeadClicks draw_head(const Gui& gui, const LayerStack& layers, float width, const std::string& keep_key);
   bool is_of(const Editor& editor) const;
@@ -81,12 +81,13 @@ class ProvenanceCard {
   bool shows_rows_ = false;
   bool wants_sources_ = false;
   bool wants_beneath_ = false;
-  bool asks_beneath_ = false;
   ProvenanceQuestion question_{};     ///< the last question
   std::vector<VariantLayer> layers_;  ///< all layers visible at that time, top first
-  enum class Beneath : std::uint8_t { unknown, nothing, no_layer } beneath_ = Beneath::unknown;
+  /// What is known of the elements beneath: not yet asked, asked, or answered in `beneath_answer_`.
+  enum class Beneath : std::uint8_t { unknown, asked, known } beneath_ = Beneath::unknown;
   std::optional<Provenance> answer_;
-  std::size_t pointed_at_ = 0;  ///< line under the pointer, counted from one; 0 = none
+  std::optional<Provenance> beneath_answer_;  ///< nothing lies there
+  std::size_t pointed_at_ = 0;                ///< line under the pointer, counted from one; 0 = none
 };
 
 }  // namespace mes
