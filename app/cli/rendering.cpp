@@ -36,21 +36,21 @@ void add_paper(render::Image& image, const render::Scene& scene, const render::C
   SeenPlane plane = seen_plane(camera, shown.scale);
   plane.covered_above = title.height;
   const MeasureText measure = measure_with(*fonts, shown.scale);
-  if (!request.marks.is_empty())
-    paint(image, *fonts, layout_scale_marks(request.marks, plane, measure, shown.background), {0.0, 0.0},
-          shown.scale);
+  LegendSurroundings around{.place = request.legend_at, .words = annotated.words, .hides = [&](const Box2& box) {
+                              return shapes_below(source.mirror, shown.layers, below(plane, box));
+                            }};
+  const ScaleMarks scale_marks =
+      with_free_bar(request.marks, plane, measure, [&](const Box2& box) { return around.cost_of(box); });
+  if (!scale_marks.is_empty())
+    paint(image, *fonts, layout_scale_marks(scale_marks, plane, measure, shown.background), {0.0, 0.0}, shown.scale);
   paint(image, *fonts, title, {0.0, 0.0}, shown.scale);
   LackingLetters lacking;
   lacking.look_at(*fonts, annotated.drawing);
   lacking.look_at(*fonts, title);
   if (const std::string words = lacking.words(); !words.empty()) say(words);
-  const MarksPlace marks = place_of_marks(request.marks, plane, measure);
-  const LegendSurroundings around{
-      .room = marks.room,
-      .bar = marks.longest_bar,
-      .place = request.legend_at,
-      .words = annotated.words,
-      .hides = [&](const Box2& box) { return shapes_below(source.mirror, shown.layers, below(plane, box)); }};
+  const MarksPlace marks = place_of_marks(scale_marks, plane, measure);
+  around.room = marks.room;
+  around.bar = marks.longest_bar;
   const PlacedLegend legend = place_legend(legend_of(shown.descriptors, scene, views_of(shown, 0.0), request.legend),
                                            *fonts, shown.scale, around, shown.background);
   paint(image, *fonts, legend, shown.scale);

@@ -106,13 +106,14 @@ SeenPlane plane_below(const PictureTitle& title, const figure::Page& page, doubl
 
 /// Adds the scale marks, and returns their positions.
 MarksPlace add_scale_marks(figure::Figure& figure, const SeenPlane& plane, const FigureRequest& request,
-                           const PaperFonts& fonts) {
+                           const LegendSurroundings& around, const PaperFonts& fonts) {
   const double scale = request.shown.scale;
   const MeasureText measure = measure_with(fonts, scale);
-  if (!request.marks.is_empty())
-    add_to(figure, fonts, layout_scale_marks(request.marks, plane, measure, request.shown.background), {0.0, 0.0},
-           scale);
-  return place_of_marks(request.marks, plane, measure);
+  const ScaleMarks marks =
+      with_free_bar(request.marks, plane, measure, [&](const Box2& box) { return around.cost_of(box); });
+  if (!marks.is_empty())
+    add_to(figure, fonts, layout_scale_marks(marks, plane, measure, request.shown.background), {0.0, 0.0}, scale);
+  return place_of_marks(marks, plane, measure);
 }
 
 bool has_texts(const ShownLayers& shown) {
@@ -214,14 +215,14 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   out.remarks.insert(out.remarks.end(), annotated.complaints.begin(), annotated.complaints.end());
   if (!fonts) return out;
   const SeenPlane plane = plane_below(title, page, request.shown.scale);
-  const MarksPlace marks = add_scale_marks(out.figure, plane, request, *fonts);
-  if (!title.drawing.is_empty()) add_to(out.figure, *fonts, title.drawing, {0.0, 0.0}, request.shown.scale);
-  const LegendSurroundings around{
-      .room = marks.room,
-      .bar = marks.longest_bar,
+  LegendSurroundings around{
       .place = request.legend_at,
       .words = annotated.words,
       .hides = [&](const Box2& box) { return shapes_below(source.mirror, request.shown.layers, below(plane, box)); }};
+  const MarksPlace marks = add_scale_marks(out.figure, plane, request, around, *fonts);
+  around.room = marks.room;
+  around.bar = marks.longest_bar;
+  if (!title.drawing.is_empty()) add_to(out.figure, *fonts, title.drawing, {0.0, 0.0}, request.shown.scale);
   if (!add_legend(out.figure, explained, request.legend, around, *fonts)) out.remarks.push_back(kLegendLacksRoom);
   LackingLetters lacking;
   lacking.look_at(out.figure);

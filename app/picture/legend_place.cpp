@@ -34,7 +34,7 @@ class LegendPlaces {
     for (const Vec2 corner : corners()) {
       const auto here = nearest_free(corner);
       if (!here) continue;
-      const auto cost = cost_of(box_at(*here));
+      const auto cost = around_.cost_of(box_at(*here));
       if (out && cost >= least) continue;
       out = here;
       least = cost;
@@ -73,19 +73,18 @@ class LegendPlaces {
     return out;
   }
 
-  /// The number of annotation texts that the box covers, and the amount of drawing.
-  std::pair<std::size_t, std::size_t> cost_of(const Box2& box) const {
-    const auto covered = std::ranges::count_if(
-        around_.words, [&](const Box2& words) { return !words.is_empty() && overlap(words, box); });
-    return {static_cast<std::size_t>(covered), around_.hides ? around_.hides(box) : 0};
-  }
-
   const LegendSurroundings& around_;
   Vec2 size_;
   double margin_;
 };
 
 }  // namespace
+
+std::pair<std::size_t, std::size_t> LegendSurroundings::cost_of(const Box2& box) const {
+  const auto covered =
+      std::ranges::count_if(words, [&](const Box2& text) { return !text.is_empty() && overlap(text, box); });
+  return {static_cast<std::size_t>(covered), hides ? hides(box) : 0};
+}
 
 PlacedLegend place_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double shrink,
                           const LegendSurroundings& around, const std::optional<Rgb>& background) {

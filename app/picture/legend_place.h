@@ -24,6 +24,7 @@
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 
 #include "app/model/paper_place.h"
 #include "app/picture/legend.h"
@@ -40,6 +41,9 @@ struct LegendSurroundings {
   std::span<const Box2> words{};      ///< boxes of the texts of annotations
   /// Returns how much of the drawing a box would hide; null: unknown.
   std::function<std::size_t(const Box2&)> hides{};
+
+  /// The number of these texts that the box covers, and the amount of drawing.
+  std::pair<std::size_t, std::size_t> cost_of(const Box2& box) const;
 };
 
 struct PlacedLegend {

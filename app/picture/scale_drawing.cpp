@@ -191,6 +191,27 @@ MarksPlace place_of_marks(const ScaleMarks& marks, const SeenPlane& plane, const
   return {layout.bar_box(), layout.longest_bar(), layout.room()};
 }
 
+ScaleMarks with_free_bar(ScaleMarks marks, const SeenPlane& plane, const MeasureText& measure,
+                         const std::function<std::pair<std::size_t, std::size_t>(const Box2&)>& hides) {
+  if (!marks.bar || marks.bar_at) return marks;
+  std::optional<PaperPlace> best;
+  const auto cost_at = [&](const std::optional<PaperPlace>& place) {
+    marks.bar_at = place;
+    const MarksPlace placed = place_of_marks(marks, plane, measure);
+    return placed.longest_bar ? hides(*placed.longest_bar) : std::pair<std::size_t, std::size_t>();
+  };
+  auto least = cost_at(best);
+  for (const PaperCorner corner : {PaperCorner::bottom_right, PaperCorner::top_left, PaperCorner::top_right}) {
+    const PaperPlace place{.corner = corner};
+    const auto cost = cost_at(place);
+    if (!(cost < least)) continue;
+    least = cost;
+    best = place;
+  }
+  marks.bar_at = best;
+  return marks;
+}
+
 double grid_step(double units_per_pixel) {
   return round_number_from(kLeastStep * units_per_pixel);
 }

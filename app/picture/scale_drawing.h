@@ -8,7 +8,10 @@
 // Cost: microseconds. Threads: any.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
+#include <utility>
 
 #include "app/model/scale_marks.h"
 #include "app/picture/paper_drawing.h"
@@ -53,6 +56,12 @@ struct MarksPlace {
   Box2 room;  ///< the free area, where bar and legend can be placed
 };
 MarksPlace place_of_marks(const ScaleMarks& marks, const SeenPlane& plane, const MeasureText& measure);
+
+/// The same marks with a position for the scale bar, if it has none: the corner whose box gives the least by `hides`; of
+/// equal ones the first of lower left, lower right, upper left, upper right. Not for a sequence of pictures, in which
+/// the bar must not move.
+ScaleMarks with_free_bar(ScaleMarks marks, const SeenPlane& plane, const MeasureText& measure,
+                         const std::function<std::pair<std::size_t, std::size_t>(const Box2&)>& hides);
 
 /// The height in logical pixels that axes take at the lower edge.
 inline constexpr double kAxisRoom = 26.0;

@@ -185,3 +185,33 @@ TEST_CASE("what lies below a box is counted primitive by primitive") {
   CHECK(count("b-union-boundary", {{1.9, 1.4}, {2.1, 1.6}}) == 0);
   CHECK(count("b-union-boundary", {{4.4, 1.4}, {4.6, 1.6}}) >= 1);
 }
+
+TEST_CASE("a scale bar without a position stands where it hides least, and the legend clear of it") {
+  const SeenPlane plane{.units_per_pixel = 1.0, .width = 400.0, .height = 300.0};
+  // The drawing fills all but one corner.
+  for (const PaperCorner free :
+       {PaperCorner::bottom_left, PaperCorner::bottom_right, PaperCorner::top_left, PaperCorner::top_right}) {
+    const bool is_right = free == PaperCorner::bottom_right || free == PaperCorner::top_right;
+    const bool is_low = free == PaperCorner::bottom_left || free == PaperCorner::bottom_right;
+    LegendSurroundings around;
+    around.hides = [&](const Box2& box) -> std::size_t {
+      const bool is_free =
+          (is_right ? box.low.x > 200.0 : box.high.x < 200.0) && (is_low ? box.low.y > 150.0 : box.high.y < 150.0);
+      return is_free ? 0 : 1;
+    };
+    const auto hides = [&](const Box2& box) { return around.cost_of(box); };
+    const ScaleMarks marks = with_free_bar({.bar = true}, plane, test::half_size_a_byte, hides);
+    const MarksPlace at = place_of_marks(marks, plane, test::half_size_a_byte);
+    REQUIRE(at.longest_bar);
+    CHECK(around.hides(*at.longest_bar) == 0);
+    around.room = at.room;
+    around.bar = at.longest_bar;
+    const PlacedLegend legend = place_legend(key_of(3), test::half_size_a_byte, 1.0, around, kWhiteCanvas);
+    CHECK_FALSE(overlap(box_of(legend), *at.longest_bar));
+  }
+  // A position that was given stays, and so does the usual one where all are equal.
+  const auto covers_all = [](const Box2&) { return std::pair<std::size_t, std::size_t>(1, 1); };
+  CHECK_FALSE(with_free_bar({.bar = true}, plane, test::half_size_a_byte, covers_all).bar_at);
+  const PaperPlace given{PaperCorner::top_right, {3.0, 4.0}};
+  CHECK(with_free_bar({.bar = true, .bar_at = given}, plane, test::half_size_a_byte, covers_all).bar_at == given);
+}
