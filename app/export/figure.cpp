@@ -218,7 +218,8 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
   LegendSurroundings around{
       .place = request.legend_at,
       .words = annotated.words,
-      .hides = [&](const Box2& box) { return shapes_below(source.mirror, request.shown.layers, below(plane, box)); }};
+      .hides = [&](const Box2& box) { return shapes_below(source.mirror, request.shown.layers, below(plane, box)); },
+      .keeps_letters = request.keeps_letters};
   const MarksPlace marks = add_scale_marks(out.figure, plane, request, around, *fonts);
   around.room = marks.room;
   around.bar = marks.longest_bar;

@@ -37,6 +37,7 @@ struct FigureRequest {
   std::optional<PageSize> page{};
   int pixels[2] = {1600, 1200};  ///< width and height in pixels of 1/96 inch
   bool is_tight = false;         ///< the page is cut to the drawing
+  bool keeps_letters = false;    ///< the letters of the legend are as large as others, on a small page as well
   LegendScope legend = LegendScope::color_maps;
   std::optional<PaperPlace> legend_at{};  ///< nothing: where it hides least
   ScaleMarks marks{};

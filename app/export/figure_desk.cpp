@@ -56,10 +56,13 @@ FigureRequest request_of(const FigureSubject& subject, const FigureSettings& set
   out.title = settings.title;
   out.with_annotations = settings.with_annotations;
   out.shown.background = paper_of(settings.paper, subject.shown.background);
-  out.shown.scale =
-      settings.as_on_screen
-          ? page.width / (figure::kPointsPerPixel * canvas_width(subject, shows_panes(subject, settings)))
-          : settings.line_scale;
+  if (settings.as_on_screen) {
+    out.shown.scale = page.width / (figure::kPointsPerPixel * canvas_width(subject, shows_panes(subject, settings)));
+  } else {
+    out.shown.scale = settings.letters_pt / (figure::kPointsPerPixel * figure::kEmOfSize * kSmallTextSize);
+    out.shown.least_line_px = settings.least_line_pt / (figure::kPointsPerPixel * out.shown.scale);
+    out.keeps_letters = true;
+  }
   const figure::Format* const format = figure::format_for(settings.extension);
   if (format != nullptr && format->has_images) out.rasterized = rasterized;
   out.dots_per_inch = settings.dots_per_inch;

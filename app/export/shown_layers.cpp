@@ -42,7 +42,9 @@ Box2 box_of(const LayerMirror& mirror, VariantLayer layer) {
 std::vector<render::LayerView> views_of(const ShownLayers& shown, double spacing_px) {
   std::vector<render::LayerView> views;
   for (const VariantLayer layer : shown.layers) {
-    const LayerStyle style = thinned(shown.styles[layer.layer], shown.descriptors[layer.layer], spacing_px);
+    LayerStyle style = thinned(shown.styles[layer.layer], shown.descriptors[layer.layer], spacing_px);
+    style.line_width_px = std::max(style.line_width_px, shown.least_line_px);
+    style.point_size_px = std::max(style.point_size_px, shown.least_line_px);
     views.push_back({layer, drawn_on(style, shown.background)});
   }
   return views;

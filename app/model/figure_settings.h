@@ -20,6 +20,9 @@ enum class FigurePaper : std::uint8_t { white, canvas, transparent };
 
 inline constexpr double kLeastFigureSide = 1.0;  ///< millimetres
 inline constexpr double kMostFigureSide = 5080.0;
+inline constexpr double kLeastLettersPt = 4.0;
+inline constexpr double kMostLettersPt = 36.0;
+inline constexpr double kMostLeastLinePt = 4.0;
 inline constexpr double kLeastDotsPerInch = 10.0;
 inline constexpr double kMostDotsPerInch = 2400.0;
 
@@ -30,8 +33,10 @@ struct FigureSettings {
   bool in_inches = false;  ///< unit of the displayed sizes
   FigureExtent extent = FigureExtent::view;
   FigurePaper paper = FigurePaper::white;
-  bool as_on_screen = true;  ///< lines and points have the same proportion to the page as to the canvas
-  double line_scale = 1.0;   ///< otherwise: factor for their widths, with pixels of 1/96 inch; [0.1, 10]
+  bool as_on_screen = false;  ///< lines, points and letters have the same proportion to the page as to the canvas
+  /// Otherwise: the size of the letters in points; lines and points keep their proportion to it.
+  double letters_pt = 7.5;
+  double least_line_pt = 0.5;  ///< no line is finer then
   bool with_legend = true;
   bool with_key = false;  ///< key of all layers
   ScaleMarks marks{};

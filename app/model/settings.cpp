@@ -129,7 +129,8 @@ FigureSettings figure_from_json(const json& object) {
   choice_in(object, "extent", kExtents, out.extent);
   choice_in(object, "paper", kPapers, out.paper);
   out.as_on_screen = flag_in(object, "as_on_screen", out.as_on_screen);
-  out.line_scale = number_in(object, "line_scale", 0.1, 10.0, out.line_scale);
+  out.letters_pt = number_in(object, "letters_pt", kLeastLettersPt, kMostLettersPt, out.letters_pt);
+  out.least_line_pt = number_in(object, "least_line_pt", 0.0, kMostLeastLinePt, out.least_line_pt);
   out.with_legend = flag_in(object, "with_legend", out.with_legend);
   out.with_key = flag_in(object, "with_key", out.with_key);
   out.with_annotations = flag_in(object, "with_annotations", out.with_annotations);
@@ -151,7 +152,8 @@ json to_json(const FigureSettings& figure) {
           {"extent", kExtents[static_cast<std::size_t>(figure.extent)]},
           {"paper", kPapers[static_cast<std::size_t>(figure.paper)]},
           {"as_on_screen", figure.as_on_screen},
-          {"line_scale", figure.line_scale},
+          {"letters_pt", figure.letters_pt},
+          {"least_line_pt", figure.least_line_pt},
           {"with_legend", figure.with_legend},
           {"with_key", figure.with_key},
           {"with_annotations", figure.with_annotations},

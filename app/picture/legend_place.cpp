@@ -110,7 +110,8 @@ PlacedLegend place_legend(std::span<const LegendEntry> entries, const PaperFonts
                           const LegendSurroundings& around, const std::optional<Rgb>& background) {
   constexpr double kShare = 0.3;
   constexpr double kLeast = 0.7;
-  const double shrink = std::clamp(kShare * around.room.high.x / kLegendWidth, kLeast, 1.0);
+  const double shrink =
+      around.keeps_letters ? 1.0 : std::clamp(kShare * around.room.high.x / kLegendWidth, kLeast, 1.0);
   return place_legend(entries, measure_with(fonts, scale * shrink), shrink, around, background);
 }
 

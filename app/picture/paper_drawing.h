@@ -89,6 +89,9 @@ struct PaperDrawing {
 /// Distance from the top of a line to its baseline, as a share of its size.
 inline constexpr double kPaperAscent = 0.8;
 
+/// The text of legends, scale bars and axes; logical pixels.
+inline constexpr double kSmallTextSize = 13.0;
+
 /// The colours of explanatory drawings.
 struct PaperColors {
   Rgb paper;

@@ -108,15 +108,38 @@ TEST_CASE("everything is seen where the view shows a part, and paper and lines a
   test.until_written();
   CHECK(test.desk.preview()->layers[1].shapes == 60);
   CHECK(test.desk.preview()->image.rgba[3] == 0);
-  const std::string screen = *test.desk.bytes();
-  test.desk.want({.extension = ".svg", .extent = FigureExtent::everything, .as_on_screen = false, .line_scale = 2.0},
+  const std::string usual = *test.desk.bytes();
+  test.desk.want({.extension = ".svg", .extent = FigureExtent::everything, .letters_pt = 19.5 * figure::kEmOfSize},
                  {}, 200);
   test.until_written();
-  // A line one pixel wide is three quarters of a point, times the factor. Points are no lines.
+  // A line one pixel wide is three quarters of a point where letters of 13 pixels are. Points are no lines.
   CHECK(test.desk.preview()->finest == Approx(1.5));
   CHECK(test.desk.preview()->widest == Approx(1.5));
   CHECK(test.desk.preview()->image.rgba[3] == 255);
-  CHECK(*test.desk.bytes() != screen);
+  CHECK(*test.desk.bytes() != usual);
+}
+
+TEST_CASE("a figure fits for print: letters of seven to eight points, lines of half a point at least") {
+  for (const int samples : {60, 20'000}) {
+    FigureBench test;
+    FigureSubject subject = subject_of(samples_of_circle(samples));
+    for (LayerStyle& style : subject.shown.styles) style.line_width_px = 0.25;
+    test.desk.begin(std::move(subject));
+    FigureSettings settings{.extension = ".svg", .extent = FigureExtent::everything};
+    settings.with_key = settings.marks.bar = settings.marks.axes = true;
+    test.desk.want(settings, {}, 200);
+    test.until_written();
+    REQUIRE(test.desk.preview());
+    CHECK(test.desk.preview()->finest == Approx(0.5));
+    std::size_t texts = 0;
+    const std::string& svg = *test.desk.bytes();
+    constexpr std::string_view kSize = "font-size=\"";
+    for (std::size_t at = svg.find(kSize); at != std::string::npos; at = svg.find(kSize, at + 1), ++texts) {
+      const double points = std::stod(svg.substr(at + kSize.size()));
+      CHECK(points == Approx(7.5).margin(0.01));
+    }
+    CHECK(texts > 3);
+  }
 }
 
 TEST_CASE("a layer that is to be a picture is one, in formats that hold pictures") {
@@ -234,7 +257,7 @@ std::size_t occurrences(const std::string& text, const std::string& what) {
 
 TEST_CASE("a figure of panes has all of them beside each other, or the main one as it is alone") {
   FigureBench test;
-  const FigureSettings settings{.extension = ".svg", .width_mm = 254.0, .with_source = false};
+  const FigureSettings settings{.extension = ".svg", .width_mm = 254.0, .as_on_screen = true, .with_source = false};
   test.desk.begin(subject_of_panes(60));
   CHECK(test.desk.has_panes());
   test.desk.want(settings, {}, 400);

@@ -12,7 +12,6 @@
 #include "app/ui/icons.h"
 #include "app/ui/large_dialog.h"
 #include "app/ui/number_field.h"
-#include "app/ui/slider.h"
 #include "app/ui/widgets.h"
 #include "imgui_stdlib.h"
 
@@ -193,6 +192,34 @@ void FigureDialog::draw_panes(const Gui& gui) const {
   tooltip(gui, "Mark what only some of the panes have");
 }
 
+void FigureDialog::draw_sizes(const Gui& gui) const {
+  FigureSettings& settings = uses_->settings;
+  row_title(gui, "Lines");
+  if (choice_button("For print", !settings.as_on_screen)) settings.as_on_screen = false;
+  tooltip(gui, "Letters of a size in points; lines and dots keep their proportion to them");
+  ImGui::SameLine();
+  if (choice_button("As on screen", settings.as_on_screen)) settings.as_on_screen = true;
+  tooltip(gui, "Letters, lines and dots in the same proportion to the page as to the canvas");
+  if (settings.as_on_screen) return;
+  row_title(gui, "");
+  const auto field = [&](const char* id, const char* before, const char* after, double& points,
+                         const NumberRange& range) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(before);
+    ImGui::SameLine();
+    ImGui::SetNextItemWidth(46 * gui.unit());
+    number_field(id, points, "%.4g", range);
+    tooltip(gui, after);
+    ImGui::SameLine();
+    ImGui::TextUnformatted("pt");
+  };
+  field("##letters", "Text", "Size of the letters of legend, scale bar and axes", settings.letters_pt,
+        {kLeastLettersPt, kMostLettersPt});
+  ImGui::SameLine();
+  field("##least", "Lines from", "Finer lines and smaller dots get this width", settings.least_line_pt,
+        {0.0, kMostLeastLinePt});
+}
+
 void FigureDialog::draw_look(const Gui& gui) const {
   FigureSettings& settings = uses_->settings;
   draw_panes(gui);
@@ -205,18 +232,7 @@ void FigureDialog::draw_look(const Gui& gui) const {
   if (extent != before) settings.extent = extent;
   row_title(gui, "Paper");
   choice<FigurePaper>(gui, kPapers, settings.paper);
-  row_title(gui, "Lines");
-  if (choice_button("As on screen", settings.as_on_screen)) settings.as_on_screen = true;
-  tooltip(gui, "Lines and points in the same proportion to the page as to the canvas");
-  ImGui::SameLine();
-  if (choice_button("Times", !settings.as_on_screen)) settings.as_on_screen = false;
-  tooltip(gui, "Widths of the styles times a factor; a pixel of a style is three quarters of a point");
-  if (!settings.as_on_screen) {
-    ImGui::SameLine();
-    slider(gui, "##scale", settings.line_scale, 0.1, 4.0,
-           {.format = "%.2f", .is_logarithmic = true, .width = 150 * gui.unit()});
-    tooltip(gui, "Factor for the widths of lines and the sizes of points");
-  }
+  draw_sizes(gui);
   row_title(gui, "Title");
   ImGui::SetNextItemWidth(-1.0F);
   ImGui::InputTextWithHint("##title", "Text above the drawing", &settings.title);
@@ -371,13 +387,18 @@ void FigureDialog::draw_preview(const Gui& gui) const {
   const float margin = 18 * unit;
   const auto width = static_cast<float>(preview->width);
   const auto height = static_cast<float>(preview->height);
-  const float scale = std::min((room.x - 2 * margin) / width, (room.y - 2 * margin) / height);
+  const float scale = is_at_real_size_ ? unit / static_cast<float>(figure::kPointsPerPixel)
+                                       : std::min((room.x - 2 * margin) / width, (room.y - 2 * margin) / height);
   const ImVec2 size(std::round(width * scale), std::round(height * scale));
-  const ImVec2 page(std::round(at.x + 0.5F * (room.x - size.x)), std::round(at.y + 0.5F * (room.y - size.y)));
+  // A page larger than the room is scrolled.
+  const ImVec2 start(std::max(0.0F, std::round(0.5F * (room.x - size.x))),
+                     std::max(0.0F, std::round(0.5F * (room.y - size.y))));
+  const ImVec2 page(at.x + start.x, at.y + start.y);
   const ImVec2 end(page.x + size.x, page.y + size.y);
   if (uses_->settings.paper == FigurePaper::transparent) draw_chequers(gui, page, end);
   list.AddImage(texture, page, end);
   list.AddRect({page.x - 1, page.y - 1}, {end.x + 1, end.y + 1}, gui.colors().border);
+  ImGui::Dummy({start.x + size.x, start.y + size.y});
 }
 
 void FigureDialog::draw(const Gui& gui) {
@@ -398,9 +419,13 @@ void FigureDialog::draw(const Gui& gui) {
                  draw_buttons(gui);
                  ImGui::EndChild();
                  ImGui::SameLine(0, 16 * unit);
-                 ImGui::BeginChild("preview");
+                 ImGui::BeginGroup();
+                 ImGui::Checkbox("Real size", &is_at_real_size_);
+                 tooltip(gui, "Show the page as large as on paper, if the screen has 96 pixels per inch at 100 %");
+                 ImGui::BeginChild("preview", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
                  draw_preview(gui);
                  ImGui::EndChild();
+                 ImGui::EndGroup();
                  const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
                  const float longest = std::max((size.x - settings_width) * scale.x, size.y * scale.y);
                  uses_->desk.want(uses_->settings, rasterized_, static_cast<int>(longest));

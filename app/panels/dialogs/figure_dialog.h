@@ -39,6 +39,7 @@ class FigureDialog final : public Dialog {
   void draw_settings(const Gui& gui) const;
   void draw_size(const Gui& gui) const;
   void draw_panes(const Gui& gui) const;
+  void draw_sizes(const Gui& gui) const;
   void draw_look(const Gui& gui) const;
   void draw_layers(const Gui& gui);
   void draw_facts(const Gui& gui);
@@ -49,6 +50,7 @@ class FigureDialog final : public Dialog {
   bool is_open_ = false;
   bool is_covered_ = false;
   bool is_accepted_ = false;
+  bool is_at_real_size_ = false;
   std::vector<std::string> rasterized_;  // ids of layers; for this figure only
 };
 

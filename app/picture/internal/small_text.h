@@ -2,10 +2,10 @@
 // Private to app/picture.
 #pragma once
 
+#include "app/picture/paper_drawing.h"
+
 namespace mes {
 
-/// The text of legends and scales; logical pixels.
-inline constexpr double kSmallTextSize = 13.0;
 inline constexpr double kSmallLineHeight = 17.0;
 
 }  // namespace mes
