@@ -55,7 +55,10 @@
 #include "core/structures/crust/internal/link_cut_forest.h"
 #include "core/structures/density/feature_size.h"
 #include "core/structures/density/sample_sizes.h"
+#include "core/structures/filters/axis_paths.h"
 #include "core/structures/filters/axis_pruning.h"
+#include "core/structures/filters/branch_pruning.h"
+#include "core/structures/filters/center_lines.h"
 #include "core/workbench/workbench.h"
 
 using namespace mes;
@@ -485,6 +488,51 @@ TEST_CASE("core/structures/filters/axis_pruning.h") {
   if (const EdgeSlot level = pruning.level_of(edge); level == kNoSlot || reaches(level)) keep(edge);
   CHECK(is_kept);
   CHECK(pruning.level_of(edge) == edge);
+}
+
+TEST_CASE("core/structures/filters/path_graph.h") {
+  std::vector<std::uint32_t> heads;
+  const auto use = [&](std::uint32_t node) { heads.push_back(node); };
+  const PathGraph graph(3, {{0, 1, 5.0}, {1, 2, 3.0}});
+  for (const PathStep step : graph.away_from(1)) use(graph.head(step));
+  CHECK(heads == std::vector<std::uint32_t>{0, 2});
+}
+
+TEST_CASE("core/structures/filters/axis_paths.h") {
+  AxisPaths paths(PathGraph(4, {{0, 1, 5.0}, {1, 2, 3.0}, {1, 3, 1.0}}));
+  JobControl job;
+  const std::vector<AxisPath> lines = paths.main_lines(1, job);  // 0-1-2, of length 8
+  REQUIRE(lines.size() == 1);
+  CHECK(lines[0].length == 8.0);
+}
+
+TEST_CASE("core/structures/filters/branch_pruning.h") {
+  const PathGraph graph(4, {{0, 1, 5.0}, {1, 2, 5.0}, {1, 3, 1.1}});
+  const std::vector<double> radii{1.0, 1.0, 1.0, 0.0};
+  const std::vector<std::uint8_t> is_kept = salient_branches(graph, radii, 0.5);
+  const MergedBranches lines = merge_branches(graph, is_kept);
+  REQUIRE(lines.edges.size() == 1);
+  CHECK(lines.edges[0].length == 10.0);
+}
+
+TEST_CASE("core/structures/filters/center_line.h") {
+  CenterLines set;
+  const std::array<Bank, 2> banks{Bank{{50.0, 3.0}, {{{0.0, 3.0}, {100.0, 3.0}}}},
+                                  Bank{{50.0, -3.0}, {{{0.0, -3.0}, {100.0, -3.0}}}}};
+  set.lines.resize(1);
+  set.lines.front().axis = {{0.0, 0.0}, {50.0, 0.0}, {100.0, 0.0}};
+  set.lines.front().banks = {banks, banks};
+  take_axis(set.lines.front());
+  std::vector<double> widths;
+  const auto use = [&](Vec2 place, double width) {
+    CHECK(place.y == 0.0);
+    widths.push_back(width);
+  };
+  CenterLine line = set.lines.front();  // of `center_lines_of`
+  smooth(line, {.share = 0.25});        // within a quarter of the half width
+  for (const Station& at : stations_of(line, 10.0)) use(at.place, at.width);
+  CHECK(widths.size() >= 10);
+  CHECK(std::ranges::all_of(widths, [](double width) { return width == 6.0; }));
 }
 
 TEST_CASE("core/formula/formula.h") {

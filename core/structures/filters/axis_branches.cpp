@@ -68,7 +68,7 @@ class Tracer {
     const std::size_t degree = kept_at(node).size();
     const auto kind =
         degree == 1 ? BranchEndKind::leaf : (degree == 2 ? BranchEndKind::none : BranchEndKind::junction);
-    return {delaunay_.circumcenter(node), kind};
+    return {delaunay_.circumcenter(node), kind, kind == BranchEndKind::none ? FaceSlot() : node};
   }
 
   void trace(Step step) {

@@ -21,6 +21,7 @@ struct AxisBranch {
   struct End {
     Vec2 place{};
     BranchEndKind kind = BranchEndKind::none;
+    FaceSlot node = kNoSlot;  ///< of the axis, for a leaf or a junction
   };
   End from{};
   End to{};
