@@ -42,6 +42,7 @@ struct Arguments {
   ComputeRequest compute;
   SweepRequest sweep;
   BranchesRequest branches;
+  CenterlineRequest centerline;
   PersistenceRequest persistence;
   ResampleRequest repair;
   ResampleRequest decimate;
@@ -104,6 +105,7 @@ void describe_commands(const Registry& registry, CLI::App& app, Arguments& to) {
   describe_compute(registry, app, to.compute);
   describe_sweep(registry, app, to.sweep);
   describe_branches(registry, app, to.branches);
+  describe_centerline(registry, app, to.centerline);
   describe_persistence(registry, app, to.persistence);
   describe_repair(registry, app, to.repair);
   describe_decimate(registry, app, to.decimate);
@@ -168,6 +170,7 @@ Expected<void> run_command(const Registry& registry, const CLI::App& command, co
   if (command.get_name() == "compute") return run(arguments.compute, run_compute);
   if (command.get_name() == "sweep") return run(arguments.sweep, run_sweep);
   if (command.get_name() == "branches") return run(arguments.branches, run_branches);
+  if (command.get_name() == "centerline") return run_centerline(registry, arguments.centerline, interruption);
   if (command.get_name() == "persistence") return run(arguments.persistence, run_persistence);
   if (command.get_name() == "repair") return run_repair(registry, arguments.repair, interruption);
   if (command.get_name() == "decimate") return run_decimate(registry, arguments.decimate, interruption);

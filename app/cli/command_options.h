@@ -42,6 +42,7 @@ void add_input(const Registry& registry, CLI::App& command, Request& request,
 void describe_compute(const Registry& registry, CLI::App& app, ComputeRequest& to);
 void describe_sweep(const Registry& registry, CLI::App& app, SweepRequest& to);
 void describe_branches(const Registry& registry, CLI::App& app, BranchesRequest& to);
+void describe_centerline(const Registry& registry, CLI::App& app, CenterlineRequest& to);
 void describe_persistence(const Registry& registry, CLI::App& app, PersistenceRequest& to);
 void describe_repair(const Registry& registry, CLI::App& app, ResampleRequest& to);
 void describe_decimate(const Registry& registry, CLI::App& app, ResampleRequest& to);

@@ -64,4 +64,12 @@ Expected<LoadedFile> read_input(const Registry& registry, const std::string& fil
   return loaded;
 }
 
+Expected<LoadedFile> read_input_bytes(const Registry& registry, std::string_view bytes, const std::string& name,
+                                      const std::string& format, const ReadingOptions& options) {
+  auto request = understood_reading(options);
+  if (!request) return std::unexpected(request.error());
+  request->formats = &registry.formats();
+  return read_sample_bytes(bytes, name, format, *request);
+}
+
 }  // namespace mes::cli

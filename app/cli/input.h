@@ -3,6 +3,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "app/cli/requests.h"
@@ -16,6 +17,10 @@ namespace mes::cli {
 /// for keeping the degrees of a file that is not a map.
 Expected<LoadedFile> read_input(const Registry& registry, const std::string& file, const std::string& format,
                                 const ReadingOptions& options = {});
+
+/// The same for bytes in memory, without reports; `name` stands for the file in messages.
+Expected<LoadedFile> read_input_bytes(const Registry& registry, std::string_view bytes, const std::string& name,
+                                      const std::string& format, const ReadingOptions& options);
 
 /// The values of `--figure-side`.
 std::vector<std::string> figure_sides();

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Descriptions of the commands that write results as numbers: `compute`, `sweep`, `branches`, `persistence`,
-// `export`.
+// Descriptions of the commands that write results as numbers: `compute`, `sweep`, `branches`, `centerline`,
+// `persistence`, `export`.
 #include <fmt/core.h>
 
 #include "app/cli/command_options.h"
 #include "app/store/layer_text.h"
+#include "app/store/line_text.h"
 
 namespace mes::cli {
 namespace {
 
-std::string help_of_export_formats() {
+std::string help_of_formats(const auto& formats) {
   std::string out;
-  for (const LayerTextFormat& format : layer_text_formats()) {
+  for (const auto& format : formats) {
     if (!out.empty()) out += ";\n";
     out += fmt::format("{}: {}", format.name, format.help);
   }
@@ -67,6 +68,46 @@ void describe_branches(const Registry& registry, CLI::App& app, BranchesRequest&
       "layer's.");
 }
 
+void describe_centerline(const Registry& registry, CLI::App& app, CenterlineRequest& to) {
+  CLI::App* const centerline =
+      app.add_subcommand("centerline", "The centre line of each shape, or its widths, for maps, letters and carving");
+  add_input(registry, *centerline, to, "Outlines to read, or - for standard input");
+  centerline
+      ->add_option("--prune", to.prune,
+                   "Prune branches of the axis that reach beyond the ball at their junction by less than this part\n"
+                   "of its radius; 0.5 prunes those into corners of 84 degrees and more, 1 of 60, 0 nothing")
+      ->capture_default_str();
+  centerline
+      ->add_option("--smooth", to.smooth,
+                   "How far the smoothed line may leave the axis: a length, or a percentage of half the width\n"
+                   "there; it stays inside the shape; 0: the axis itself")
+      ->capture_default_str();
+  centerline->add_flag("--extend", to.is_extended, "Extend free ends straight on to the outline");
+  centerline
+      ->add_option("--branches", to.branches, "Lines of each shape at most, the longest first; from 1 to 100000")
+      ->capture_default_str();
+  centerline
+      ->add_option("--between", to.between,
+                   "Only the line between the free ends of the axis nearest to two points, in the coordinates of\n"
+                   "the file")
+      ->expected(2);
+  centerline->add_option("--every", to.every,
+                         "Write stations in steps of this length along each line instead: position, width, the\n"
+                         "nearest points of both banks, and direction in degrees from the x axis");
+  centerline->add_flag("--each", to.are_features_apart,
+                       "Treat each feature of a GeoJSON map by itself; lines keep its id and properties");
+  centerline->add_option("--format", to.format,
+                         help_of_formats(line_text_formats()) +
+                             ";\ndefault: by the name of the output, else geojson; stations are a table in csv, and\n"
+                             "lines across the shape in the others");
+  add_output(*centerline, to.output, to.force);
+  centerline->footer(
+      "The line is the longest of the pruned medial axis: between its farthest free ends by the shortest way, or\n"
+      "closed if there are no ends. Outlines of drawings, maps and pictures are sampled by local feature size\n"
+      "first; points and sessions keep their samples.\n"
+      "Lengths are kilometres for a map in degrees, else units of the file.");
+}
+
 void describe_persistence(const Registry& registry, CLI::App& app, PersistenceRequest& to) {
   CLI::App* const persistence = app.add_subcommand(
       "persistence", "Births and deaths of components and holes of growing disks or balls, as CSV");
@@ -95,8 +136,9 @@ void describe_export(const Registry& registry, CLI::App& app, ExportRequest& to)
                        "Structure id (mesecina list structures): a table of it is written instead, as csv or npy");
   exported->add_option("--table", to.table, "Which table of the structure, if it has several");
   exported
-      ->add_option("--format", to.format,
-                   help_of_export_formats() + ";\nnpy: the table of a structure as an array of records for NumPy")
+      ->add_option(
+          "--format", to.format,
+          help_of_formats(layer_text_formats()) + ";\nnpy: the table of a structure as an array of records for NumPy")
       ->required();
   add_output(*exported, to.output, to.force);
 }

@@ -45,6 +45,11 @@ std::vector<std::string> exported(const Registry& /*registry*/) {
   return {formats.begin(), formats.end()};
 }
 
+std::vector<std::string> formats_of_lines(const Registry& /*registry*/) {
+  const auto formats = centerline_formats();
+  return {formats.begin(), formats.end()};
+}
+
 std::vector<std::string> picture_format_names(const Registry& /*registry*/) {
   const auto formats = picture_formats();
   return {formats.begin(), formats.end()};
@@ -147,7 +152,7 @@ std::vector<std::string> offered_sides(const Registry& /*registry*/) {
   return figure_sides();
 }
 
-constexpr std::array<OptionValue, 60> kValues{{
+constexpr std::array<OptionValue, 66> kValues{{
     {"FILE", {}, ValueKind::file},
     {"SESSION", {}, ValueKind::file},
     {"LESSON", {}, ValueKind::file},
@@ -162,6 +167,12 @@ constexpr std::array<OptionValue, 60> kValues{{
     {"SHELL", {}, ValueKind::choice, offered_shells},
     {"--from", "FORMAT", ValueKind::choice, offered_formats},
     {"--format", "FORMAT", ValueKind::choice, exported},
+    {"--format", "FORMAT", ValueKind::choice, formats_of_lines, "centerline"},
+    {"--prune", "SHARE"},
+    {"--smooth", "T"},
+    {"--branches", "N"},
+    {"--between", "X,Y"},
+    {"--every", "D"},
     {"--to", "FORMAT", ValueKind::choice, picture_format_names},
     {"--threshold", "N"},
     {"--specks", "AREA"},

@@ -67,6 +67,23 @@ struct BranchesRequest {
 };
 Expected<void> run_branches(const Registry& registry, const BranchesRequest& request, Interruption& interruption);
 
+struct CenterlineRequest {
+  std::string file;
+  std::string from;
+  ReadingOptions reading{};
+  std::string prune = "0.5";
+  std::string smooth = "25%";
+  bool is_extended = false;
+  std::string branches = "1";
+  std::vector<std::string> between;  ///< two points X,Y, or none
+  std::string every;                 ///< spacing of stations; empty: the lines themselves
+  bool are_features_apart = false;
+  std::string format;  ///< empty: by the name of the output, or geojson
+  std::string output;
+  bool force = false;
+};
+Expected<void> run_centerline(const Registry& registry, const CenterlineRequest& request, Interruption& interruption);
+
 struct PersistenceRequest {
   Source source;
   std::string of = "samples";
@@ -268,5 +285,8 @@ std::vector<std::string_view> picture_formats();
 
 /// The formats of `export`, by their ids.
 std::span<const std::string_view> export_formats();
+
+/// The formats of `centerline`, by their ids.
+std::span<const std::string_view> centerline_formats();
 
 }  // namespace mes::cli

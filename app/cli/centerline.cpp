@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `mesecina centerline`: the centre line of each shape, or stations along it with widths.
+#include <fmt/core.h>
+#include <algorithm>
+#include <limits>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "app/cli/feature_list.h"
+#include "app/cli/input.h"
+#include "app/cli/messages.h"
+#include "app/cli/names.h"
+#include "app/cli/output.h"
+#include "app/cli/progress.h"
+#include "app/cli/requests.h"
+#include "app/insight/center_line_run.h"
+#include "app/store/line_text.h"
+#include "core/base/lower_case.h"
+#include "core/base/sum.h"
+#include "core/graph/registry.h"
+#include "core/io/text/text_numbers.h"
+
+namespace mes::cli {
+namespace {
+
+constexpr std::uint64_t kMostBranches = 100'000;
+constexpr double kMostStations = 1e7;
+
+/// What the command asks for, understood.
+struct CenterlineJob {
+  CenterLineWish wish{};
+  std::optional<std::pair<Vec2, Vec2>> between{};  ///< in the coordinates of the file
+  double every = 0.0;                              ///< 0: the lines themselves
+  const LineTextFormat* format = nullptr;
+};
+
+/// Everything that will be written, with counts for the summary.
+struct CenterlineResult {
+  std::vector<TextLine> lines{};
+  std::string table{};  ///< of stations
+  std::size_t line_count = 0;
+  std::size_t station_count = 0;
+  std::size_t points = 0;  ///< shapes without a line
+  Sum length{};
+  Widths widths{std::numeric_limits<double>::infinity(), 0.0, 0.0};
+};
+
+Expected<Vec2> parse_place(const std::string& text) {
+  const std::vector<std::string_view> parts = split_list(text);
+  if (parts.size() == 2) {
+    const auto x = parse_number(parts[0]);
+    const auto y = parse_number(parts[1]);
+    if (x && y) return Vec2{*x, *y};
+  }
+  return usage_error("--between expects two points X,Y, not " + in_quotes(text));
+}
+
+Expected<double> parse_length(std::string_view option, std::string_view text, bool may_be_zero) {
+  const auto value = parse_number(text);
+  if (value && (*value > 0.0 || (may_be_zero && *value == 0.0))) return *value;
+  return usage_error(fmt::format("{} expects a {}, not {}", option,
+                                 may_be_zero ? "length or a percentage of 0 or more" : "length above 0",
+                                 in_quotes(text)));
+}
+
+Expected<SmoothingTolerance> parse_smooth(std::string_view text) {
+  const bool is_share = text.ends_with('%');
+  const auto value = parse_length("--smooth", is_share ? text.substr(0, text.size() - 1) : text, true);
+  if (!value) return std::unexpected(value.error());
+  return is_share ? SmoothingTolerance{.length = 0.0, .share = 0.01 * *value}
+                  : SmoothingTolerance{.length = *value, .share = 0.0};
+}
+
+Expected<const LineTextFormat*> centerline_format(const CenterlineRequest& request) {
+  std::string name = request.format;
+  if (name.empty() && !is_standard_output(request.output)) {
+    const std::string extension = lower_case_extension(request.output);
+    name = extension == ".json" ? "geojson" : extension.substr(std::min<std::size_t>(1, extension.size()));
+    if (find_line_text_format(name) == nullptr)
+      return usage_error(
+          fmt::format("the name of the output tells no format; --format expects {}", one_of(centerline_formats())));
+  }
+  if (name.empty()) name = "geojson";
+  if (const LineTextFormat* const format = find_line_text_format(name)) return format;
+  return usage_error(fmt::format("--format expects {}, not {}", one_of(centerline_formats()), in_quotes(name)));
+}
+
+Expected<CenterlineJob> centerline_job(const CenterlineRequest& request) {
+  CenterlineJob out;
+  const auto prune = parse_number(request.prune);
+  if (!prune || *prune < 0.0)
+    return usage_error("--prune expects a number of 0 or more, not " + in_quotes(request.prune));
+  out.wish.request.least_salience = *prune;
+  const auto tolerance = parse_smooth(request.smooth);
+  if (!tolerance) return std::unexpected(tolerance.error());
+  out.wish.tolerance = *tolerance;
+  out.wish.is_extended = request.is_extended;
+  const auto branches = whole_number("--branches", request.branches, 1, kMostBranches);
+  if (!branches) return std::unexpected(branches.error());
+  out.wish.request.most = static_cast<std::size_t>(*branches);
+  if (!request.between.empty()) {
+    const auto from = parse_place(request.between.front());
+    if (!from) return std::unexpected(from.error());
+    const auto to = parse_place(request.between.back());
+    if (!to) return std::unexpected(to.error());
+    out.between = {*from, *to};
+    if (*branches != 1) return usage_error("--between asks for one line, and --branches for more");
+    if (request.are_features_apart) return usage_error("--between asks for one line, and --each for one a feature");
+  }
+  if (!request.every.empty()) {
+    const auto every = parse_length("--every", request.every, false);
+    if (!every) return std::unexpected(every.error());
+    out.every = *every;
+    if (request.is_extended)
+      return usage_error("--every measures the balls of the axis, and --extend goes beyond them");
+  }
+  const auto format = centerline_format(request);
+  if (!format) return std::unexpected(format.error());
+  out.format = *format;
+  if (request.are_features_apart && !request.from.empty() && request.from != "geojson")
+    return usage_error("--each reads features of GeoJSON, not " + in_quotes(request.from));
+  if (request.are_features_apart && !out.format->is_of_features)
+    return usage_error(fmt::format("--each writes properties, which {} cannot hold; geojson can", out.format->name));
+  return out;
+}
+
+void add_station_rows(std::string& table, std::size_t shape, std::size_t line, const std::vector<Station>& stations) {
+  for (const Station& at : stations) {
+    table += fmt::format("{},{}", shape, line);
+    for (const double x :
+         {at.along, at.place.x, at.place.y, at.width, at.left.x, at.left.y, at.right.x, at.right.y, at.direction})
+      append_number(table += ',', x);
+    table += '\n';
+  }
+}
+
+/// Numbers whose names the feature uses itself get a prefix.
+void add_numbers(TextLine& line, const Feature& feature, std::vector<std::pair<std::string, double>> numbers) {
+  for (auto& [name, value] : numbers) {
+    while (std::ranges::find(feature.keys, name) != feature.keys.end()) name.insert(0, "centerline_");
+    line.numbers.emplace_back(std::move(name), value);
+  }
+  line.id = feature.id;
+  line.properties = feature.properties;
+}
+
+Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, const std::optional<MapPlane>& map,
+                         const Feature& feature, CenterlineResult& out) {
+  out.points += found.points;
+  for (const CenterLine& line : found.lines) {
+    const double length = length_of(line);
+    const Widths widths = widths_of(line);
+    const double shape = static_cast<double>(line.shape + 1);
+    const double rank = static_cast<double>(line.rank + 1);
+    ++out.line_count;
+    out.length.add(length);
+    out.widths.least = std::min(out.widths.least, widths.least);
+    out.widths.largest = std::max(out.widths.largest, widths.largest);
+    if (job.every == 0.0) {
+      TextLine& text = out.lines.emplace_back();
+      for (const CenterLine::Point& point : line.points) text.points.push_back(point.place);
+      text.is_closed = line.is_closed;
+      text.map = map;
+      add_numbers(text, feature,
+                  {{"shape", shape},
+                   {"line", rank},
+                   {"length", length},
+                   {"width_least", widths.least},
+                   {"width_mean", widths.mean},
+                   {"width_largest", widths.largest}});
+      continue;
+    }
+    if (static_cast<double>(out.station_count) + length / job.every > kMostStations)
+      return usage_error(fmt::format("--every {:g} asks for more than {:g} stations", job.every, kMostStations));
+    const std::vector<Station> stations = stations_of(line, job.every);
+    out.station_count += stations.size();
+    if (job.format->name == "csv") {
+      add_station_rows(out.table, line.shape + 1, line.rank + 1, stations);
+      continue;
+    }
+    for (const Station& at : stations) {
+      TextLine& text = out.lines.emplace_back();
+      text.points = {at.left, at.axis, at.right};
+      text.map = map;
+      add_numbers(text, feature,
+                  {{"shape", shape},
+                   {"line", rank},
+                   {"station", at.along},
+                   {"width", at.width},
+                   {"direction", at.direction}});
+    }
+  }
+  return {};
+}
+
+/// Samples, computes and adds the lines of one set of outlines.
+Expected<void> process(const Registry& registry, const CenterlineJob& job, const SampleData& data, bool keeps_samples,
+                       const std::string& name, const Feature& feature, Progress& progress, CenterlineResult& out) {
+  const auto in_file = [&](Error error) {
+    if (error.file.empty() && error.code != ErrorCode::usage) error.file = name;
+    return std::unexpected(std::move(error));
+  };
+  if (data.positions.empty()) return in_file({ErrorCode::bad_input, "there are no samples and no curves"});
+  JobControl control;
+  std::string remark;
+  progress.show("sampling", 0.0);
+  const SampleData samples = keeps_samples ? data : samples_for_center_lines(data, control, remark);
+  if (!remark.empty()) say(name + ": " + remark);
+  CenterLineWish wish = job.wish;
+  if (job.between) {
+    wish.request.between = job.between;
+    if (data.map) {
+      const MapPlane degrees{.degrees = MapDegrees::kept};
+      wish.request.between = {data.map->plane_of(degrees, job.between->first),
+                              data.map->plane_of(degrees, job.between->second)};
+    }
+  }
+  const auto ids = registry.structures();
+  const auto found = compute_center_lines(registry, samples, wish, control, [&](std::string_view task) {
+    const auto at = std::ranges::find(ids, task) - ids.begin();
+    progress.show(task, static_cast<double>(at) / static_cast<double>(ids.size()));
+  });
+  if (!found) return in_file(found.error());
+  return add_lines(job, *found, samples.map, feature, out);
+}
+
+std::string summary_of(const CenterlineResult& result, const LineText& text) {
+  std::string out = fmt::format("{} of length {:.6g} in all, width {:.6g} to {:.6g}",
+                                result.line_count == 1 ? "1 line" : fmt::format("{} lines", result.line_count),
+                                result.length.value(), result.widths.least, result.widths.largest);
+  if (result.station_count != 0) out += fmt::format(", {} stations", result.station_count);
+  if (result.points != 0)
+    out += fmt::format("; {} no line, since {} pruned axis is a point",
+                       result.points == 1 ? "1 shape has" : fmt::format("{} shapes have", result.points),
+                       result.points == 1 ? "its" : "their");
+  if (text.off_earth != 0)
+    out += fmt::format("; {} left out that {} beyond the poles or around the Earth",
+                       text.off_earth == 1 ? "1 line is" : fmt::format("{} lines are", text.off_earth),
+                       text.off_earth == 1 ? "reaches" : "reach");
+  return out;
+}
+
+/// Each feature by itself. Error: the file is no GeoJSON, or no feature has a line.
+Expected<void> process_features(const Registry& registry, const CenterlineRequest& request, const CenterlineJob& job,
+                                const FeatureList& list, Progress& progress, CenterlineResult& out) {
+  std::optional<Error> first;
+  for (const Feature& feature : list.features) {
+    auto loaded = read_input_bytes(registry, feature.text, feature.name, "geojson", request.reading);
+    // Lines and columns would be those of the feature alone.
+    if (!loaded) loaded.error().line = loaded.error().column = 0;
+    auto done = loaded ? process(registry, job, loaded->data, request.reading.keeps_vertices, feature.name, feature,
+                                 progress, out)
+                       : Expected<void>(std::unexpected(loaded.error()));
+    if (done) continue;
+    if (done.error().code == ErrorCode::usage) return done;
+    say(done.error().message());
+    if (!first) first = done.error();
+  }
+  if (out.line_count != 0) return {};
+  return std::unexpected(
+      Error{first ? first->code : ErrorCode::bad_input, "no feature has a centre line", request.file});
+}
+
+}  // namespace
+
+std::span<const std::string_view> centerline_formats() {
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> out;
+    for (const LineTextFormat& format : line_text_formats()) out.push_back(format.name);
+    return out;
+  }();
+  return names;
+}
+
+Expected<void> run_centerline(const Registry& registry, const CenterlineRequest& request,
+                              Interruption& interruption) {
+  const auto job = centerline_job(request);
+  if (!job) return std::unexpected(job.error());
+  if (auto good = check_output(request.output); !good) return good;
+  CenterlineResult result;
+  std::vector<SourceFile> sources;
+  {
+    Progress progress;
+    if (request.are_features_apart) {
+      const auto list = read_features(request.file);
+      if (!list) return std::unexpected(list.error());
+      sources = list->sources;
+      if (auto done = process_features(registry, request, *job, *list, progress, result); !done) return done;
+    } else {
+      const auto input = read_input(registry, request.file, request.from, request.reading);
+      if (!input) return std::unexpected(input.error());
+      sources = input->sources;
+      // The samples of a session are those that somebody chose.
+      const bool keeps_samples = request.reading.keeps_vertices || input->session != nullptr;
+      if (auto done = process(registry, *job, input->data, keeps_samples, request.file, Feature{}, progress, result);
+          !done)
+        return done;
+    }
+  }
+  const bool is_table = job->every > 0.0 && job->format->name == "csv";
+  const LineText text =
+      is_table ? LineText{"shape,line,station,x,y,width,left_x,left_y,right_x,right_y,direction\n" + result.table}
+               : job->format->write(result.lines);
+  auto done = write_output(request.output, text.text, interruption, {sources, request.force});
+  if (done) say(summary_of(result, text));
+  return done;
+}
+
+}  // namespace mes::cli

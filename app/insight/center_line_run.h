@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Centre lines of the shapes of a file, from scratch.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "core/base/error.h"
+#include "core/base/job_control.h"
+#include "core/document/commands.h"
+#include "core/structures/filters/center_lines.h"
+
+namespace mes {
+
+class Registry;
+
+struct CenterLineWish {
+  SmoothingTolerance tolerance{.length = 0.0, .share = 0.25};
+  bool is_extended = false;  ///< free ends reach the curve
+  CenterLineRequest request{};
+};
+
+/// Samples of the curves of the data by local feature size, since the axis of corners alone says little. Data without
+/// curves are samples already. If the rule cannot sample the curves, the samples stay, and `remark` says why. Throws
+/// `Cancelled`.
+SampleData samples_for_center_lines(const SampleData& data, JobControl& job, std::string& remark);
+
+/// Error: `usage` if the wish names two ends that no line joins; `cannot_compute` if a structure failed, or there is no
+/// line, with the reason. Throws `Cancelled`. `on_task` is called with the id of each structure before it begins.
+Expected<CenterLines> compute_center_lines(const Registry& registry, const SampleData& data,
+                                           const CenterLineWish& wish, JobControl& job,
+                                           const std::function<void(std::string_view)>& on_task = {});
+
+}  // namespace mes

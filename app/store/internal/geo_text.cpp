@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/store/internal/geo_text.h"
+
+#include <span>
+
+#include "core/io/text/text_numbers.h"
+
+namespace mes {
+namespace {
+
+void append_list(std::string& out, std::span<const Vec2> corners, std::string_view open, std::string_view between,
+                 std::string_view close) {
+  bool is_first = true;
+  for (const Vec2 p : corners) {
+    if (!is_first) out += ',';
+    is_first = false;
+    out += open;
+    append_number(out, p.x);
+    out += between;
+    append_number(out, p.y);
+    out += close;
+  }
+}
+
+}  // namespace
+
+std::string begin_of_features(bool are_in_degrees) {
+  std::string out = R"({"type":"FeatureCollection",)";
+  if (are_in_degrees) out += R"("crs":{"type":"name","properties":{"name":"urn:ogc:def:crs:OGC:1.3:CRS84"}},)";
+  return out + R"("features":[)";
+}
+
+void append_geojson(std::string& out, StraightKind kind, const GeoParts& parts) {
+  out += parts.size() == 1 ? R"({"type":")" : R"({"type":"Multi)";
+  switch (kind) {
+    case StraightKind::point: out += R"(Point","coordinates":)"; break;
+    case StraightKind::chain: out += R"(LineString","coordinates":)"; break;
+    case StraightKind::polygon: out += R"(Polygon","coordinates":)"; break;
+  }
+  if (parts.size() > 1) out += '[';
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i != 0) out += ',';
+    out += kind == StraightKind::point ? "" : kind == StraightKind::chain ? "[" : "[[";
+    append_list(out, parts[i], "[", ",", "]");
+    out += kind == StraightKind::point ? "" : kind == StraightKind::chain ? "]" : "]]";
+  }
+  if (parts.size() > 1) out += ']';
+  out += '}';
+}
+
+void append_wkt(std::string& out, StraightKind kind, const GeoParts& parts, bool is_in_degrees) {
+  if (is_in_degrees) out += "SRID=4326;";
+  if (parts.size() > 1) out += "MULTI";
+  switch (kind) {
+    case StraightKind::point: out += "POINT "; break;
+    case StraightKind::chain: out += "LINESTRING "; break;
+    case StraightKind::polygon: out += "POLYGON "; break;
+  }
+  if (parts.size() > 1) out += '(';
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (i != 0) out += ", ";
+    out += kind == StraightKind::polygon ? "((" : "(";
+    append_list(out, parts[i], "", " ", "");
+    out += kind == StraightKind::polygon ? "))" : ")";
+  }
+  out += parts.size() > 1 ? ")\n" : "\n";
+}
+
+}  // namespace mes

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/store/line_text.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/store/internal/geo_text.h"
+#include "app/store/internal/shapes_on_earth.h"
+#include "core/base/box2.h"
+#include "core/io/text/text_numbers.h"
+
+namespace mes {
+namespace {
+
+GeoParts parts_of(const TextLine& line) {
+  if (!line.map) return {line.points};
+  return parts_on_earth({.kind = StraightKind::chain, .of = PrimitiveKind::segment, .corners = line.points},
+                        *line.map);
+}
+
+LineText lines_as_geojson(std::span<const TextLine> lines) {
+  LineText out{
+      begin_of_features(std::ranges::any_of(lines, [](const TextLine& line) { return line.map.has_value(); }))};
+  bool is_first = true;
+  for (const TextLine& line : lines) {
+    const GeoParts parts = parts_of(line);
+    if (parts.empty()) {
+      ++out.off_earth;
+      continue;
+    }
+    out.text += is_first ? "\n" : ",\n";
+    is_first = false;
+    out.text += R"({"type":"Feature",)";
+    if (!line.id.empty()) out.text += R"("id":)" + line.id + ',';
+    out.text += R"("properties":{)" + line.properties;
+    bool is_next = !line.properties.empty();
+    for (const auto& [name, value] : line.numbers) {
+      if (is_next) out.text += ',';
+      is_next = true;
+      out.text += '"' + name + "\":" + json_number(value);
+    }
+    out.text += R"(},"geometry":)";
+    append_geojson(out.text, StraightKind::chain, parts);
+    out.text += '}';
+  }
+  out.text += kEndOfFeatures;
+  return out;
+}
+
+LineText lines_as_wkt(std::span<const TextLine> lines) {
+  LineText out;
+  for (const TextLine& line : lines) {
+    const GeoParts parts = parts_of(line);
+    if (parts.empty())
+      ++out.off_earth;
+    else
+      append_wkt(out.text, StraightKind::chain, parts, line.map.has_value());
+  }
+  return out;
+}
+
+LineText lines_as_csv(std::span<const TextLine> lines) {
+  LineText out{"line,x,y\n"};
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (const Vec2 p : lines[i].points) {
+      out.text += std::to_string(i + 1);
+      append_number(out.text += ',', p.x);
+      append_number(out.text += ',', p.y);
+      out.text += '\n';
+    }
+  }
+  return out;
+}
+
+void append_pair(std::string& out, double x, double y) {
+  append_number(out, x);
+  append_number(out += ' ', y);
+}
+
+LineText lines_as_svg(std::span<const TextLine> lines) {
+  Box2 box;
+  for (const TextLine& line : lines)
+    for (const Vec2 p : line.points) box.add(Vec2{p.x, p.y == 0.0 ? 0.0 : -p.y});
+  const double size = std::max(box.width(), box.height());
+  LineText out{R"(<svg xmlns="http://www.w3.org/2000/svg" viewBox=")"};
+  append_pair(out.text, box.low.x - 0.02 * size, box.low.y - 0.02 * size);
+  append_pair(out.text += ' ', box.width() + 0.04 * size, box.height() + 0.04 * size);
+  out.text += R"(" fill="none" stroke="black" stroke-linejoin="round" stroke-linecap="round" stroke-width=")";
+  append_number(out.text, 0.002 * size);
+  out.text += "\">\n";
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const TextLine& line = lines[i];
+    out.text += R"(<path id="line-)" + std::to_string(i + 1) + R"(" d=")";
+    const std::size_t n = line.points.size() - (line.is_closed ? 1 : 0);
+    for (std::size_t k = 0; k < n; ++k) {
+      const Vec2 p = line.points[k];
+      append_pair(out.text += k == 0 ? "M " : " L ", p.x, p.y == 0.0 ? 0.0 : -p.y);
+    }
+    out.text += line.is_closed ? " Z\"/>\n" : "\"/>\n";
+  }
+  out.text += "</svg>\n";
+  return out;
+}
+
+// Group codes: 0 begins an entity, 8 is its layer, 66 says that vertices follow, 70 has the bit 1 for closed.
+LineText lines_as_dxf(std::span<const TextLine> lines) {
+  constexpr std::string_view kLayer = "8\ncenterline\n";
+  LineText out{"0\nSECTION\n2\nENTITIES\n"};
+  const auto append_place = [&](Vec2 p) {
+    append_number(out.text += "10\n", p.x);
+    append_number(out.text += "\n20\n", p.y);
+    out.text += "\n30\n0\n";
+  };
+  for (const TextLine& line : lines) {
+    out.text += "0\nPOLYLINE\n";
+    out.text += kLayer;
+    out.text += line.is_closed ? "66\n1\n70\n1\n" : "66\n1\n70\n0\n";
+    append_place({});
+    const std::size_t n = line.points.size() - (line.is_closed ? 1 : 0);
+    for (std::size_t k = 0; k < n; ++k) {
+      out.text += "0\nVERTEX\n";
+      out.text += kLayer;
+      append_place(line.points[k]);
+    }
+    out.text += "0\nSEQEND\n";
+    out.text += kLayer;
+  }
+  out.text += "0\nENDSEC\n0\nEOF\n";
+  return out;
+}
+
+// One line per format.
+constexpr std::array<LineTextFormat, 5> kLineFormats{{
+    {"geojson", "features with numbers as properties", true, lines_as_geojson},
+    {"wkt", "well-known text, a line string a line", false, lines_as_wkt},
+    {"csv", "a point of a line in each row", false, lines_as_csv},
+    {"svg", "a path for each line, upright", false, lines_as_svg},
+    {"dxf", "a polyline for each line", false, lines_as_dxf},
+}};
+
+}  // namespace
+
+std::span<const LineTextFormat> line_text_formats() {
+  return kLineFormats;
+}
+
+const LineTextFormat* find_line_text_format(std::string_view name) {
+  const auto found = std::ranges::find(kLineFormats, name, &LineTextFormat::name);
+  return found == kLineFormats.end() ? nullptr : &*found;
+}
+
+std::string json_number(double value) {
+  std::string out;
+  if (std::isfinite(value))
+    append_number(out, value);
+  else
+    out = "null";
+  return out;
+}
+
+}  // namespace mes
