@@ -34,7 +34,8 @@ RETURNS = {
                 "edit": "ContextManager[Session]", "undo": "bool", "redo": "bool", "set": "None", "run": "None",
                 "structure": "Structure", "axis": "Axis", "certificate": "Certificate", "statistics": "dict[str, Any]",
                 "digest": "str", "instances": FLOATS, "render": "Picture", "compute": "dict[str, Any]",
-                "branches": "NDArray[Any]", "persistence": "NDArray[Any]", "sweep": "NDArray[Any]", "repair": "Session",
+                "branches": "NDArray[Any]", "centerline": "NDArray[Any]", "persistence": "NDArray[Any]",
+                "sweep": "NDArray[Any]", "repair": "Session",
                 "decimate": "Session", "sample": "Session", "evolve": "Session", "export": "bytes"},
 }
 FUNCTIONS = {"open": "Session", "shape": "Session", "text": "Session", "version": "str", "window": "Window",

@@ -390,6 +390,10 @@ class Session:
         """The branches of an axis with their measures: a structured array, as ``mesecina branches`` writes it."""
         return _program.table(self._command("branches", layer=layer))
 
+    def centerline(self, **options):
+        """Points of centre lines: a structured array, as ``mesecina centerline`` writes it; stations if `every` is given."""
+        return _program.table(self._command("centerline", format="csv", **options))
+
     def persistence(self, of="samples"):
         """Births and deaths of components and holes: a structured array, as ``mesecina persistence`` writes it."""
         return _program.table(self._command("persistence", of=of))

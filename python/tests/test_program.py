@@ -30,6 +30,8 @@ def test_commands_see_the_session(flower):
     assert report["layers"]["medial-axis"]["digest"] == flower.digest("medial-axis")
     branches = flower.branches()
     assert branches["length"].sum() == pytest.approx(flower.axis.length.sum(), rel=1e-6)
+    stations = flower.centerline(every=0.1, prune=0)
+    assert (stations["width"] > 0).all() and (stations["line"] == 1).all()
     persistence = flower.persistence()
     assert persistence.dtype.names[0] and len(persistence) > 0
     sweep = flower.sweep("lambda-limit", 0.0, 0.5, 6, layers=["lambda-medial-axis"])
