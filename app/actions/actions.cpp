@@ -47,6 +47,8 @@ constexpr auto kFileRows = std::to_array<Row>({
     {Id::make_video, "make-video", "Make video", "Make a video of the last take with ffmpeg"},
     {Id::export_figure, "export-figure", "Export a figure...",
      "Export the view as PDF, SVG, PostScript, Ipe or TikZ, at a given size on paper", "Ctrl+E"},
+    {Id::export_center_lines, "export-center-lines", "Export centre lines...",
+     "Write the centre line of each shape, smoothed, with its length and widths, as GeoJSON, WKT, CSV, SVG or DXF"},
     {Id::quit, "quit", "Quit", "Close the window", "Ctrl+Q"},
 });
 

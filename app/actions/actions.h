@@ -28,6 +28,7 @@ enum class ActionId : std::uint8_t {
   record,
   make_video,
   export_figure,
+  export_center_lines,
   quit,
   undo,
   redo,

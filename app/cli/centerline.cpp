@@ -2,7 +2,6 @@
 // `mesecina centerline`: the centre line of each shape, or stations along it with widths.
 #include <fmt/core.h>
 #include <algorithm>
-#include <limits>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -16,9 +15,8 @@
 #include "app/cli/progress.h"
 #include "app/cli/requests.h"
 #include "app/insight/center_line_run.h"
-#include "app/store/line_text.h"
+#include "app/store/center_line_text.h"
 #include "core/base/lower_case.h"
-#include "core/base/sum.h"
 #include "core/graph/registry.h"
 #include "core/io/text/text_numbers.h"
 
@@ -28,7 +26,7 @@ namespace {
 constexpr std::uint64_t kMostBranches = 100'000;
 constexpr double kMostStations = 1e7;
 
-/// What the command asks for, understood.
+/// The parsed options of the command.
 struct CenterlineJob {
   CenterLineWish wish{};
   std::optional<std::pair<Vec2, Vec2>> between{};  ///< in the coordinates of the file
@@ -40,11 +38,8 @@ struct CenterlineJob {
 struct CenterlineResult {
   std::vector<TextLine> lines{};
   std::string table{};  ///< of stations
-  std::size_t line_count = 0;
-  std::size_t station_count = 0;
-  std::size_t points = 0;  ///< shapes without a line
-  Sum length{};
-  Widths widths{std::numeric_limits<double>::infinity(), 0.0, 0.0};
+  std::size_t stations = 0;
+  CenterLineTotals totals{};
 };
 
 Expected<Vec2> parse_place(const std::string& text) {
@@ -148,34 +143,19 @@ void add_numbers(TextLine& line, const Feature& feature, std::vector<std::pair<s
 
 Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, const std::optional<MapPlane>& map,
                          const Feature& feature, CenterlineResult& out) {
-  out.points += found.points;
+  out.totals.add(found);
   for (const CenterLine& line : found.lines) {
-    const double length = length_of(line);
-    const Widths widths = widths_of(line);
-    const double shape = static_cast<double>(line.shape + 1);
-    const double rank = static_cast<double>(line.rank + 1);
-    ++out.line_count;
-    out.length.add(length);
-    out.widths.least = std::min(out.widths.least, widths.least);
-    out.widths.largest = std::max(out.widths.largest, widths.largest);
     if (job.every == 0.0) {
-      TextLine& text = out.lines.emplace_back();
-      for (const CenterLine::Point& point : line.points) text.points.push_back(point.place);
-      text.is_closed = line.is_closed;
-      text.map = map;
-      add_numbers(text, feature,
-                  {{"shape", shape},
-                   {"line", rank},
-                   {"length", length},
-                   {"width_least", widths.least},
-                   {"width_mean", widths.mean},
-                   {"width_largest", widths.largest}});
+      TextLine whole = text_line_of(line, map);
+      add_numbers(whole, feature, std::exchange(whole.numbers, {}));
+      out.lines.push_back(std::move(whole));
       continue;
     }
-    if (static_cast<double>(out.station_count) + length / job.every > kMostStations)
+    const double length = length_of(line);
+    if (static_cast<double>(out.stations) + length / job.every > kMostStations)
       return usage_error(fmt::format("--every {:g} asks for more than {:g} stations", job.every, kMostStations));
     const std::vector<Station> stations = stations_of(line, job.every);
-    out.station_count += stations.size();
+    out.stations += stations.size();
     if (job.format->name == "csv") {
       add_station_rows(out.table, line.shape + 1, line.rank + 1, stations);
       continue;
@@ -185,8 +165,8 @@ Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, con
       text.points = {at.left, at.axis, at.right};
       text.map = map;
       add_numbers(text, feature,
-                  {{"shape", shape},
-                   {"line", rank},
+                  {{"shape", static_cast<double>(line.shape + 1)},
+                   {"line", static_cast<double>(line.rank + 1)},
                    {"station", at.along},
                    {"width", at.width},
                    {"direction", at.direction}});
@@ -226,22 +206,6 @@ Expected<void> process(const Registry& registry, const CenterlineJob& job, const
   return add_lines(job, *found, samples.map, feature, out);
 }
 
-std::string summary_of(const CenterlineResult& result, const LineText& text) {
-  std::string out = fmt::format("{} of length {:.6g} in all, width {:.6g} to {:.6g}",
-                                result.line_count == 1 ? "1 line" : fmt::format("{} lines", result.line_count),
-                                result.length.value(), result.widths.least, result.widths.largest);
-  if (result.station_count != 0) out += fmt::format(", {} stations", result.station_count);
-  if (result.points != 0)
-    out += fmt::format("; {} no line, since {} pruned axis is a point",
-                       result.points == 1 ? "1 shape has" : fmt::format("{} shapes have", result.points),
-                       result.points == 1 ? "its" : "their");
-  if (text.off_earth != 0)
-    out += fmt::format("; {} left out that {} beyond the poles or around the Earth",
-                       text.off_earth == 1 ? "1 line is" : fmt::format("{} lines are", text.off_earth),
-                       text.off_earth == 1 ? "reaches" : "reach");
-  return out;
-}
-
 /// Each feature by itself. Error: the file is no GeoJSON, or no feature has a line.
 Expected<void> process_features(const Registry& registry, const CenterlineRequest& request, const CenterlineJob& job,
                                 const FeatureList& list, Progress& progress, CenterlineResult& out) {
@@ -258,7 +222,7 @@ Expected<void> process_features(const Registry& registry, const CenterlineReques
     say(done.error().message());
     if (!first) first = done.error();
   }
-  if (out.line_count != 0) return {};
+  if (out.totals.lines != 0) return {};
   return std::unexpected(
       Error{first ? first->code : ErrorCode::bad_input, "no feature has a centre line", request.file});
 }
@@ -304,7 +268,7 @@ Expected<void> run_centerline(const Registry& registry, const CenterlineRequest&
       is_table ? LineText{"shape,line,station,x,y,width,left_x,left_y,right_x,right_y,direction\n" + result.table}
                : job->format->write(result.lines);
   auto done = write_output(request.output, text.text, interruption, {sources, request.force});
-  if (done) say(summary_of(result, text));
+  if (done) say(result.totals.text(text.off_earth, result.stations));
   return done;
 }
 

@@ -7,7 +7,10 @@
 #include <utility>
 
 #include "app/export/geometry_export.h"
+#include "app/insight/center_line_run.h"
 #include "app/model/record_settings.h"
+#include "app/store/center_line_text.h"
+#include "core/base/lower_case.h"
 #include "core/io/files/atomic_file.h"
 
 namespace mes {
@@ -30,6 +33,7 @@ FigureFlow::~FigureFlow() {
 
 void FigureFlow::bind(ActionBindings& actions) {
   actions.bind(ActionId::export_figure, {[this] { open(); }});
+  actions.bind(ActionId::export_center_lines, {[this] { ask_center_lines(); }});
 }
 
 void FigureFlow::open() {
@@ -136,6 +140,48 @@ void FigureFlow::write_geometry(const std::filesystem::path& file, const std::ve
   });
 }
 
+void FigureFlow::ask_center_lines() {
+  const auto save = [this](const std::filesystem::path& file) {
+    uses_.settings.last_folder = file.parent_path().string();
+    write_center_lines(file);
+  };
+  std::vector<std::string> extensions;
+  for (const LineTextFormat& format : line_text_formats()) extensions.push_back("." + std::string(format.name));
+  const std::string name = document_name() + "-center-lines" + extensions.front();
+  uses_.dialogs.browser.ask_save(uses_.folder(), name, save,
+                                 {.heading = "Export centre lines", .extensions = extensions});
+}
+
+void FigureFlow::write_center_lines(const std::filesystem::path& file) {
+  const std::string extension = lower_case(file.extension().string());
+  const LineTextFormat* const format =
+      find_line_text_format(std::string_view(extension).substr(extension.empty() ? 0 : 1));
+  if (format == nullptr) {
+    uses_.messages.problem("The name of the file ends in none of .geojson, .wkt, .csv, .svg and .dxf");
+    return;
+  }
+  writing_geometry_.begin([registry = uses_.work.live_registry().share(), file, data = data_of(uses_.work.document()),
+                           format](const std::stop_token& stop) -> WrittenGeometry {
+    try {
+      JobControl job(stop);
+      const auto found = compute_center_lines(*registry, data, {}, job);
+      if (!found) return {file, std::unexpected(found.error())};
+      std::vector<TextLine> lines;
+      for (const CenterLine& line : found->lines) lines.push_back(text_line_of(line, data.map));
+      const LineText text = format->write(lines);
+      if (auto written = write_file_atomically(file, text.text); !written)
+        return {file, std::unexpected(written.error())};
+      CenterLineTotals totals;
+      totals.add(*found);
+      return {file, {}, totals.text(text.off_earth)};
+    } catch (const Cancelled&) {
+      return {file, std::unexpected(Error{ErrorCode::cancelled, "the export was stopped"})};
+    } catch (const std::bad_alloc&) {
+      return {file, std::unexpected(Error{ErrorCode::out_of_memory, "memory is not enough for these lines"})};
+    }
+  });
+}
+
 void FigureFlow::take_geometry() {
   const auto written = writing_geometry_.poll();
   if (!written) return;
@@ -143,7 +189,8 @@ void FigureFlow::take_geometry() {
   if (!written->remark)
     uses_.messages.problem(written->remark.error().message());
   else if (written->remark->empty())
-    uses_.messages.remark("Exported " + written->file.string());
+    uses_.messages.remark("Exported " + written->file.string() +
+                          (written->totals.empty() ? std::string() : ": " + written->totals));
   else
     uses_.messages.problem("Exported " + written->file.string() + "; " + *written->remark);
 }

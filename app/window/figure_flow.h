@@ -39,17 +39,21 @@ class FigureFlow {
   void bind(ActionBindings& actions);
   /// Asks for a file for the geometry of these layers, which are computed again for it.
   void ask_geometry(std::vector<LayerIndex> layers, const LayerTextFormat& format);
+  /// Asks for a file for the centre lines of the shapes; its extension chooses the format.
+  void ask_center_lines();
   /// Called once per turn before the frame.
   void take_results();
 
  private:
   struct WrittenGeometry {
     std::filesystem::path file;
-    Expected<std::string> remark;  ///< empty: nothing was left out
+    Expected<std::string> remark;  ///< what was left out, or else empty
+    std::string totals{};
   };
   void open();
   void write_geometry(const std::filesystem::path& file, const std::vector<LayerIndex>& layers,
                       const LayerTextFormat& format);
+  void write_center_lines(const std::filesystem::path& file);
   void take_geometry();
   std::string document_name() const;
   void ask_file();

@@ -66,6 +66,7 @@ void file_menu(const MenuBar& menu) {
   action_item(menu, ActionId::trace_picture);
   action_item(menu, ActionId::export_figure);
   geometry_menu(menu);
+  action_item(menu, ActionId::export_center_lines);
   for (const ActionId id : {ActionId::snapshot, ActionId::copy_picture, ActionId::record, ActionId::make_video})
     action_item(menu, id);
   ImGui::Separator();
