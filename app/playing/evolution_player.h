@@ -103,8 +103,7 @@ class EvolutionPlayer {
   std::optional<double> next_due(double now) const;
   /// True, once, after an edit in the middle of an evolution has made the present document state 0.
   bool take_restart() { return std::exchange(has_restarted_, false); }
-  /// What another choice has kept, and the step that it or an edit gave up before it was computed, in words, given
-  /// once; empty: neither.
+  /// Says, once, what another choice has kept and which step was given up before it was computed; empty: neither.
   std::string take_remark() { return std::exchange(remark_, {}); }
   /// The reason why a state is impossible, given once.
   std::optional<Error> take_problem() { return std::exchange(problem_, std::nullopt); }

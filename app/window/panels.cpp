@@ -206,7 +206,8 @@ bool Panels::end_presentation() {
 
 void Panels::follow_lesson() {
   const bool is_running = uses_.lesson.is_running();
-  // What the steps of a lesson or of the demo bring, and the document that is given back, are no additions of the user.
+  // Samples that a step of a lesson or of the demo brings are no additions of the user, nor is the document restored
+  // at its end.
   if (is_running || presents_lesson_ || uses_.demo.is_running())
     uses_.work.hidden_additions().begin(uses_.work.document());
   if (is_running == presents_lesson_) return;

@@ -200,7 +200,7 @@ Expected<Decimation> decimate(const Registry& registry, const SampleData& data, 
     out.no_axis = before->why_no_axis();
     out.components = before->components();
     out.cycles = before->cycles();
-    // What the samples are to their curves is not asked while samples are tried, but belongs to the verdict.
+    // The verdict needs the distances of the samples to their curves, which are not measured while samples are tried.
     if (data.source) {
       CurveSource source = *data.source;
       source.first = 0;

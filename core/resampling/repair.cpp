@@ -110,7 +110,7 @@ class RepairedChain {
   }
 
  private:
-  /// By the parameter of the piece.
+  /// Length in the parameter of the piece.
   double length_of(std::size_t edge) const {
     const Knot& knot = knots_[edge];
     const Knot& next = knots_[(edge + 1) % knots_.size()];

@@ -53,8 +53,8 @@ struct Repair {
 ///     returns along itself, it has an end.
 ///  4. The repair terminates: an edge is halved at most twenty times, and at most 64 samples are inserted for each old
 ///     one, and at most 200,000 in all; the result lists the remaining edges.
-///  5. Between two old samples none is inserted where a thousand would still leave more than 64 edges too long, as where
-///     the curve runs back along itself.
+///  5. Between two old samples none is inserted where a thousand would still leave more than 64 edges too long, as
+///     where the curve runs back along itself.
 ///
 /// In this case feature sizes are estimated from the current samples. Throws `Cancelled`. Error: a structure failed.
 /// Cost: O(n) and a few local updates for each round of halving; the theorem is checked when all edges are short.

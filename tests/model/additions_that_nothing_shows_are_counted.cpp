@@ -20,7 +20,7 @@ TEST_CASE("samples that are added while no layer shows samples are counted until
   REQUIRE(editor.load({.positions = {{0, 0}, {1, 0}}}));
   layers.set_visible(points, false);
   hidden.begin(editor.document());
-  // What came with the document is not news.
+  // Samples that came with the document are not news.
   CHECK(follow() == 0);
   REQUIRE(editor.insert(std::array{Vec2{2, 3}}, "Insert"));
   CHECK(follow() == 1);

@@ -22,7 +22,7 @@ using mes::test::ellipse_around;
 
 namespace {
 
-/// What a reader of the graph says of these samples, with these layers on screen as well.
+/// The verdict of a graph on these samples, with these layers on screen as well.
 std::string said_of(const SampleData& data, std::initializer_list<std::string_view> layers = {}) {
   Workbench bench(builtins());
   JobControl job;

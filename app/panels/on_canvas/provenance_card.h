@@ -83,7 +83,7 @@ class ProvenanceCard {
   bool wants_beneath_ = false;
   ProvenanceQuestion question_{};     ///< the last question
   std::vector<VariantLayer> layers_;  ///< all layers visible at that time, top first
-  /// What is known of the elements beneath: not yet asked, asked, or answered in `beneath_answer_`.
+  /// State of the question for the elements beneath: not yet asked, asked, or answered in `beneath_answer_`.
   enum class Beneath : std::uint8_t { unknown, asked, known } beneath_ = Beneath::unknown;
   std::optional<Provenance> answer_;
   std::optional<Provenance> beneath_answer_;  ///< nothing lies there

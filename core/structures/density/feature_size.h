@@ -63,8 +63,8 @@ class FeatureSize final : public Structure {
   double epsilon(EdgeSlot edge) const;
   /// True if the sample is exempt: a corner, or an end or junction of the crust. O(edges at it and its neighbours).
   bool is_exempt(SiteSlot site) const { return exemption_of(site) != Exemption::none; }
-  /// The epsilon of these samples by this estimate, with the numbers of exempt samples at which curve edges end; nothing
-  /// if no edge counts. Cost: as `sparsest_edge`.
+  /// The epsilon of these samples by this estimate, with the numbers of exempt samples at which curve edges end;
+  /// nothing if no edge counts. Cost: as `sparsest_edge`.
   std::optional<SamplingEpsilon> estimated_epsilon() const;
   /// The edge with the largest epsilon among those that end at no exempt sample; ties go to the first by the positions
   /// of its ends; kNoSlot if none has one. O(1) once updates have begun, O(edges) before.

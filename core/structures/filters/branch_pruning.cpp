@@ -33,7 +33,7 @@ class BranchPruning {
       if (degree_[end] != 1) continue;
       const Chain arm = chain_from(only_step(end));
       if (degree_[arm.to] < 3) continue;
-      // What it was offered with may be out of date, where its junction has become a passage.
+      // The offer may be out of date: its junction may have become a passage.
       if (const double now = salience_of(arm, end); now != salience)
         offer(end);
       else if (now < limit_)

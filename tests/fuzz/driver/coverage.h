@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Which edges of the program a run takes and how many blocks it enters, as counted by `-fsanitize-coverage=trace-pc`.
+// Counts the edges of the program that a run takes and the blocks it enters (`-fsanitize-coverage=trace-pc`).
 //
 // The compiler calls a function at the beginning of each basic block. A block and the one before it are hashed to
 // the place of a counter; two edges may share one, which costs the fuzzer a little and is never wrong. Without that
