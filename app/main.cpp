@@ -50,8 +50,10 @@ int main(int argc, char** argv) {
   return mes::cli::run_command_line(
       mes::builtins(), argc, argv,
       [argv](std::vector<std::string> files, std::vector<std::string> experiments, int link) {
-        return mes::run_window(
-            mes::builtins(),
-            {.files = std::move(files), .experiments = std::move(experiments), .link = link, .executable = argv[0]});
+        return mes::run_window(mes::builtins(), {.files = std::move(files),
+                                                 .experiments = std::move(experiments),
+                                                 .link = link,
+                                                 .executable = argv[0],
+                                                 .manual = mes::cli::complete_manual});
       });
 }

@@ -294,10 +294,13 @@ constexpr auto kHelpRows = std::to_array<Row>({
      "Write a file of all commands and their keys, to edit by hand; if it exists already, read the keys from it "
      "again"},
     {Id::command_palette, "command-palette", "Find anything...",
-     "Find a command, layer, bundle, parameter, evolution, shape or recent file by some letters of its name or by "
-     "another word for it",
+     "Find a command, layer, bundle, parameter, evolution, shape, recent file or heading of the manual by some "
+     "letters "
+     "of its name or by another word for it",
      "Ctrl+Shift+P Ctrl+K"},
     {Id::help, "help", "Keys and gestures", "Show every key", "? F1"},
+    {Id::manual, "manual", "Manual", "Read and search the manual: keys, layers, parameters, files, the command line",
+     "Shift+F1"},
 });
 
 using Table = std::vector<ActionDescriptor>;

@@ -145,8 +145,9 @@ enum class ActionId : std::uint8_t {
   write_keys,
   command_palette,
   help,
+  manual,
 };
-inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::help) + 1;
+inline constexpr std::size_t kActionCount = static_cast<std::size_t>(ActionId::manual) + 1;
 
 /// The action at this index, from 0, of a series that begins with `first`.
 constexpr ActionId nth(ActionId first, std::size_t place) {

@@ -286,6 +286,10 @@ int run(const Registry& registry, int argc, const char* const* argv, const OpenW
 
 }  // namespace
 
+std::string complete_manual(const Registry& registry, const std::filesystem::path& assets) {
+  return manual_text(registry, all_commands(registry), assets);
+}
+
 int run_command_line(const Registry& registry, int argc, const char* const* argv, const OpenWindow& open_window) {
   try {
     if (argc == 3 && std::string_view(argv[1]) == kTrialCommand) return run_trial(registry, argv[2]);

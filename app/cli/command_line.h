@@ -2,6 +2,7 @@
 // The command line of the program.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,5 +19,8 @@ using OpenWindow = std::function<int(std::vector<std::string> files, std::vector
 /// Runs the command in the arguments with the contents of the registry, or the window if there is no command. Returns
 /// the exit code.
 int run_command_line(const Registry& registry, int argc, const char* const* argv, const OpenWindow& open_window);
+
+/// The manual of the program with this registry, as Markdown.
+std::string complete_manual(const Registry& registry, const std::filesystem::path& assets);
 
 }  // namespace mes::cli

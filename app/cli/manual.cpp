@@ -51,8 +51,10 @@ void write_actions(Markdown& page) {
   page.section("Keys and commands of the window");
   page.paragraph(
       "Each command has a key, a place in a menu or a button; `?` shows the keys in the window. `Ctrl+K` finds\n"
-      "commands, layers, bundles, parameters, evolutions, shapes and recent files by some letters of their names,\n"
-      "or by another word for them, as \"screenshot\" or \"prune\".");
+      "commands, layers, bundles, parameters, evolutions, shapes, recent files and headings of this manual by some\n"
+      "letters of their names, or by another word for them, as \"screenshot\" or \"prune\". *Help > Manual* shows "
+      "this\n"
+      "text in the window, where Enter goes to the next place with the words in its field.");
   page.paragraph(
       "The file `$XDG_CONFIG_HOME/mesecina/keys.conf` (`~/.config/mesecina/keys.conf`) gives commands other keys,\n"
       "by lines such as `tool-spray = D Ctrl+Shift+D`: the id of a command, and its keys; none take all keys away.\n"

@@ -89,7 +89,8 @@ constexpr auto kSynonyms = std::to_array<Synonyms>({
     {"demo", "tour video introduction example"},
     {"classic-keys", "shortcuts 2007 old"},
     {"write-keys", "shortcuts customize bindings keyboard"},
-    {"help", "shortcuts manual keyboard cheat sheet documentation"},
+    {"help", "shortcuts keyboard cheat sheet"},
+    {"manual", "documentation reference handbook guide help command line"},
 
     {"points", "samples dots vertices sites"},
     {"indices", "numbers labels ids"},

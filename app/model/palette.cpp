@@ -83,7 +83,7 @@ std::vector<PaletteHit> find_entries(std::span<const PaletteEntry> entries, std:
     const auto age = std::ranges::find(recent, recent_name_of(entries[i])) - recent.begin();
     // Without a query the length of a name does not matter.
     found.push_back({{i, fit->letters},
-                     is_empty ? 0.0 : fit->score,
+                     is_empty ? 0.0 : fit->score + entries[i].handicap,
                      static_cast<std::size_t>(age),
                      is_empty || entries[i].is_enabled});
   }

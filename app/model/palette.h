@@ -17,6 +17,7 @@ struct PaletteEntry {
   std::string more{};         ///< an id and the like, of which some letters are enough
   std::string_view words{};   ///< synonyms, of which the beginnings of words count
   std::string place{};        ///< where else it is: "Layers > Samples"; empty if `kind` says it
+  double handicap = 0.0;      ///< added to what counts for it; below 0: others of the same name come first
   bool is_enabled = true;
   std::string missing{};  ///< the reason why it is disabled, as in "nothing is selected"
   bool is_checked = false;

@@ -41,7 +41,7 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::f
       link_({work_, messages_, [this] { keys_.actions().run(ActionId::quit); }}, wake_),
       keys_(settings_.settings(), messages_),
       panels_({screen_, work_, board_, demo_, lesson_, recording_, documents_, experiments_, keys_.actions(),
-               settings_.settings(), messages_}),
+               dialogs_.manual, settings_.settings(), messages_}),
       input_({screen_, board_.canvas(), work_.editor().selection(), work_.annotations(), dialogs_, documents_,
               experiments_, recording_, keys_.actions(), messages_, panels_.presenter(), panels_.mark_drag()}) {
   bind_actions();
@@ -54,6 +54,9 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::f
 App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const WindowOptions& options,
          LoadedSettings loaded)
     : App(std::move(registry), std::move(window), find_assets(options.executable), std::move(loaded)) {
+  dialogs_.manual.set_source([write = options.manual, assets = find_assets(options.executable)](
+                                 const Registry& present) { return write(present, assets); },
+                             work_.live_registry());
   if (options.link >= 0) {
     documents_.leave_left_work();
     link_.open(options.link);
@@ -86,6 +89,8 @@ void App::bind_actions() {
   dialogs_.palette.set_source([this] { return panels_.palette_entries(); });
   actions.bind(ActionId::command_palette, {[this] { dialogs_.palette.toggle(); }});
   actions.bind(ActionId::help, {[this] { dialogs_.help.toggle(); }});
+  dialogs_.manual.set_keys(actions.keymap());
+  actions.bind(ActionId::manual, {[this] { dialogs_.manual.toggle(); }});
   actions.bind(ActionId::deselect, {[this] { deselect(); }});
   actions.when_out_of_memory([this] { refuse_for_memory(); });
 }

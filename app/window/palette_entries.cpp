@@ -131,6 +131,21 @@ void add_sizes(const Panels::Uses& uses, Entries& out) {
                    .run = [&settings = uses.settings, percent] { settings.interface_scale = percent / 100.0; }});
 }
 
+void add_manual(const Panels::Uses& uses, Entries& out) {
+  // Words to read come after things that can be done and have about the same name.
+  constexpr double kLessThanCommands = -10.0;
+  for (const ManualHeading& heading : uses.manual.headings())
+    out.push_back({.kind = "Manual",
+                   .name = heading.name,
+                   .explanation = "Read this in the manual",
+                   .more = heading.section,
+                   .place = heading.section,
+                   .handicap = kLessThanCommands,
+                   .run = [&manual = uses.manual, section = heading.section, name = heading.name] {
+                     manual.open_at(section, name);
+                   }});
+}
+
 }  // namespace
 
 std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses) {
@@ -143,6 +158,7 @@ std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses) {
   add_evolutions(uses, out);
   add_sizes(uses, out);
   add_files(uses, out);
+  add_manual(uses, out);
   return out;
 }
 

@@ -9,7 +9,7 @@
 
 namespace mes {
 
-/// Actions, bundles, layers, parameters, evolutions, shapes and recent files, as they are now. The action of an entry
+/// Actions, bundles, layers, parameters, evolutions, shapes, recent files and headings of the manual, as they are now. The action of an entry
 /// uses the members of `uses` when it runs. Cost: O(names).
 std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses);
 

@@ -34,6 +34,7 @@ class Panels {
     DocumentFlow& documents;
     ExperimentRun& experiments;
     const ActionBindings& actions;
+    ManualPage& manual;
     Settings& settings;
     Messages& messages;
     std::function<void(const std::string&)> show_parameter{};  ///< lists the parameters with this name

@@ -2,6 +2,8 @@
 // Runs the interactive window in one call.
 #pragma once
 
+#include <filesystem>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -14,6 +16,8 @@ struct WindowOptions {
   std::vector<std::string> experiments{};  ///< files or folders, added while the window is open
   int link = -1;                           ///< a socket to the program that owns this document (LinkRun); -1: none
   std::string executable;                  ///< the name by which it was called; locates its files
+  /// Writes the manual of a registry, with the files of the program in `assets`, as Markdown.
+  std::function<std::string(const Registry&, const std::filesystem::path& assets)> manual;
 };
 
 /// Runs until the window is closed, and offers the contents of the registry. Returns the exit code of the program: 0,

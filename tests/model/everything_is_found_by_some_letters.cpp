@@ -61,6 +61,14 @@ TEST_CASE("other words than the name count less, and are not emphasised") {
   CHECK(found(entries, "curve-id") == std::vector<std::string>{"Curve"});
 }
 
+TEST_CASE("an entry with a handicap comes after others of its name, and is found nevertheless") {
+  std::vector<PaletteEntry> entries = entries_of({"Shapes", "Make a shape..."});
+  CHECK(found(entries, "shape").front() == "Shapes");
+  entries[0].handicap = -10.0;
+  CHECK(found(entries, "shape") == std::vector<std::string>{"Make a shape...", "Shapes"});
+  CHECK(found(entries, "") == std::vector<std::string>{"Shapes", "Make a shape..."});
+}
+
 TEST_CASE("without a query all are listed in their order, what was done last at the top") {
   const auto entries = entries_of({"a", "bb", "ccc", "d"});
   CHECK(found(entries, "") == std::vector<std::string>{"a", "bb", "ccc", "d"});

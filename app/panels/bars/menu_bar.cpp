@@ -313,6 +313,7 @@ float MenuBar::draw() const {
   if (ImGui::BeginMenu("Help")) {
     action_item(*this, ActionId::command_palette);
     action_item(*this, ActionId::help);
+    action_item(*this, ActionId::manual);
     if (ImGui::BeginMenu("Lessons")) {
       lessons_menu(*this);
       ImGui::EndMenu();

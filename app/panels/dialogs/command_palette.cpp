@@ -74,7 +74,7 @@ void CommandPalette::press(const KeyChord& chord) {
 void CommandPalette::draw_field(const Gui& gui) {
   ImGui::SetNextItemWidth(-1);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {10 * gui.unit(), 7 * gui.unit()});
-  if (field_.draw("##query", "Some letters of a command, layer, bundle, parameter, shape...", query_))
+  if (field_.draw("##query", "Some letters of a command, layer, bundle, parameter, heading...", query_))
     is_accepted_ = true;
   ImGui::PopStyleVar();
   if (query_ == list_.query()) return;

@@ -12,6 +12,7 @@
 #include "app/panels/dialogs/command_palette.h"
 #include "app/panels/dialogs/figure_dialog.h"
 #include "app/panels/dialogs/help.h"
+#include "app/panels/dialogs/manual_page.h"
 #include "app/panels/dialogs/shape_dialog.h"
 #include "app/panels/dialogs/text_dialog.h"
 #include "app/panels/dialogs/trace_dialog.h"
@@ -32,6 +33,7 @@ class Dialogs {
   TextDialog text;
   FileBrowser browser;
   HelpPage help;
+  ManualPage manual;
   CommandPalette palette;
 
   /// The open dialogs, topmost last.
@@ -46,8 +48,8 @@ class Dialogs {
   void draw(const Gui& gui);
 
  private:
-  std::array<Dialog*, 11> all_{&figure,   &trace,      &shape,   &text, &recover, &unsaved,
-                               &conflict, &experiment, &browser, &help, &palette};  // topmost last
+  std::array<Dialog*, 12> all_{&figure,   &trace,      &shape,   &text, &recover, &unsaved,
+                               &conflict, &experiment, &browser, &help, &manual,  &palette};  // topmost last
 };
 
 }  // namespace mes
