@@ -64,7 +64,7 @@ set(rooms
   "app/export: core/* app/layers app/editing app/playing app/model app/picture app/store app/system render render/figure"
   "app/canvas/tools: core/base core/edit app/editing app/actions"
   "app/canvas: app/model app/canvas/tools"
-  "app/recording: core/* app/layers app/model app/picture app/system render"
+  "app/recording: core/* app/layers app/playing app/model app/picture app/export app/system render"
   "app/ui: core/* app/model app/actions app/canvas app/system render"
   "app/panels/dialogs: core/* app/system app/actions app/layers app/editing app/model app/store app/export app/ui"
   "app/panels/on_canvas: core/* app/actions app/layers app/editing app/playing app/model app/store app/picture app/canvas/tools app/canvas app/ui render"

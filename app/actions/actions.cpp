@@ -287,6 +287,8 @@ constexpr auto kHelpRows = std::to_array<Row>({
      "Step through the lesson of the session with the Page keys, while its samples can be edited; Esc ends it and "
      "restores the document",
      "Shift+F5"},
+    {Id::export_lesson, "export-lesson", "Export the lesson...",
+     "Write the steps of the lesson to a file: PDF, HTML, or a video as MP4 or WebM, by the end of its name"},
     {Id::demo, "demo", "Demo", "Play the paper's video, computed live; Esc ends it"},
     {Id::classic_keys, "classic-keys", "Classic Mesecina keys",
      "Switch between the keys of the program of 2007 and those of this one; the manual lists the differences"},

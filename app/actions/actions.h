@@ -140,6 +140,7 @@ enum class ActionId : std::uint8_t {
   toggle_lesson,
   mark_step,
   present_lesson,
+  export_lesson,
   demo,
   classic_keys,
   write_keys,

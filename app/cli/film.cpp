@@ -271,19 +271,21 @@ class Studio {
   std::shared_ptr<const PaperFonts> fonts_;
 };
 
+/// Puts the session into the manifest of the frames, without the author's folders; reports if it is too long for
+/// that.
+void carry(FrameWriter& writer, const Session& session) {
+  if (auto packed = packed_session(session_for_lesson(session)))
+    writer.carry(std::move(*packed));
+  else
+    say("the frames carry no session: it would be too long");
+}
+
 }  // namespace
 
 Expected<void> check(const FilmRequest& request) {
   const auto film = understood_film(request);
   if (!film) return std::unexpected(film.error());
   return request.video.empty() ? Expected<void>() : check_video(request.video);
-}
-
-void carry(FrameWriter& writer, const Session& session) {
-  if (auto packed = packed_session(session_for_lesson(session)))
-    writer.carry(std::move(*packed));
-  else
-    say("the frames carry no session: it would be too long");
 }
 
 Expected<void> make_film(const Registry& registry, const Session& session, const std::string& name,

@@ -9,7 +9,6 @@
 #include "core/io/session/session.h"
 
 namespace mes {
-class FrameWriter;
 class Registry;
 }  // namespace mes
 
@@ -35,9 +34,5 @@ Expected<void> check(const FilmRequest& request);
 /// Error: `cannot_write` also if the folder has such frames already. `name` stands for the session in messages.
 Expected<void> make_film(const Registry& registry, const Session& session, const std::string& name,
                          const FilmRequest& request);
-
-/// Puts the session into the manifest of the frames, without the author's folders; reports if it is too long for
-/// that.
-void carry(FrameWriter& writer, const Session& session);
 
 }  // namespace mes::cli

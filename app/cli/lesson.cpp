@@ -20,15 +20,13 @@
 #include "app/cli/requests.h"
 #include "app/export/carried.h"
 #include "app/export/lesson_captions.h"
-#include "app/export/lesson_html.h"
-#include "app/export/lesson_pages.h"
+#include "app/export/lesson_files.h"
 #include "app/export/page_size.h"
-#include "app/recording/frame_writer.h"
+#include "app/recording/lesson_film.h"
 #include "app/recording/video.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
 #include "core/io/carried_session.h"
-#include "core/io/files/temporary.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
@@ -164,87 +162,38 @@ Expected<void> check_outputs(const LessonRequest& request) {
   return {};
 }
 
-/// The requested format of frames.
-struct Pixels {
-  LessonLook look;
-  double per_point = 1.0;
-  PictureSize size;
-};
-
-Expected<Pixels> parse_pixels(const LessonRequest& request, const LessonLook& look) {
-  // The height of a slide, so that letters and lines have the sizes that they have there.
-  constexpr double kHeight = 540.0;
-  Pixels out;
+Expected<PictureSize> parse_frame_size(const LessonRequest& request) {
   const auto size = parse_size(request.size);
-  if (!size) return std::unexpected(size.error());
-  out.size = *size;
+  if (!size) return size;
   if (size->width > 5 * size->height || size->height > 5 * size->width)
     return usage_error("--size: a picture of a lesson is at most five times as long as wide, not " +
                        in_quotes(request.size));
-  out.per_point = size->height / kHeight;
-  out.look = look;
-  out.look.width = size->width / out.per_point;
-  out.look.height = kHeight;
-  return out;
+  return size;
 }
 
-Expected<void> prepare_frames(const std::filesystem::path& folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder, error);
-  if (error) return cannot_write("cannot be made: " + error.message(), folder);
-  if (std::filesystem::exists(folder / frame_name(1), error))
-    return cannot_write("there are frames already; name another folder", folder);
-  return {};
-}
-
-/// Writes one picture per step, with the time at which its step begins.
-Expected<void> write_frames(const Registry& registry, const std::filesystem::path& folder, const Session& session,
-                            const std::vector<std::size_t>& steps, const Pixels& pixels, bool with_source) {
-  auto printer = LessonPrinter::make(registry, session, pixels.look);
-  if (!printer) return std::unexpected(printer.error());
-  FrameWriter writer({folder, {pixels.size.width, pixels.size.height}});
-  if (with_source) carry(writer, session);
-  Progress progress;
-  double begin = 0.0;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    progress.show(fmt::format("picture {} of {}", k + 1, steps.size()),
-                  static_cast<double>(k) / static_cast<double>(steps.size()));
-    const auto page = printer->page(steps[k]);
-    if (!page) return std::unexpected(page.error());
-    for (const std::string& remark : page->remarks) say(remark);
-    auto image = picture_of(*page, pixels.per_point);
-    if (!image) return std::unexpected(image.error());
-    if (!writer.push({std::move(*image), {page->name, page->document, begin}})) return writer.finish();
-    begin += seconds_of(session.lesson.steps[steps[k]]);
-  }
-  return writer.finish();
-}
-
-/// Writes the frames and their video.
-Expected<void> write_film(const Registry& registry, const LessonRequest& request, const Session& session,
-                          const std::vector<std::size_t>& steps, const Pixels& pixels) {
-  constexpr double kFramesASecond = 25.0;
-  std::optional<ScratchFolder> temporary;
-  if (request.frames.empty()) {
-    auto made = ScratchFolder::make();
-    if (!made) return std::unexpected(made.error());
-    temporary.emplace(std::move(*made));
-  }
-  const std::filesystem::path folder = temporary ? temporary->path() : std::filesystem::path(request.frames);
-  if (auto ready = prepare_frames(folder); !ready) return ready;
-  if (auto done = write_frames(registry, folder, session, steps, pixels, request.with_source && !temporary);
-      !done || request.video.empty())
-    return done;
-  Progress progress;
-  progress.show("making the video", 1.0);
-  return make_video(folder, kFramesASecond, request.video, {},
-                    {.pace = VideoPace::real_time, .last_seconds = seconds_of(session.lesson.steps[steps.back()])});
-}
-
-std::string packed_lesson(const Session& session) {
+/// `carrier`: what is to hold the session, for the message if it is too long.
+std::string packed_lesson(const Session& session, std::string_view carrier) {
   auto packed = packed_session(session_for_lesson(session));
-  if (!packed) say("the PDF carries no session: it would be too long");
+  if (!packed) say(fmt::format("{} no session: it would be too long", carrier));
   return std::move(packed).value_or("");
+}
+
+LessonWork work_on(Progress& progress) {
+  return {.show = [&progress](const std::string& task, double fraction) { progress.show(task, fraction); },
+          .say = [](const std::string& remark) { say(remark); }};
+}
+
+Expected<void> write_film(const Registry& registry, const LessonRequest& request, const Session& session,
+                          const std::vector<std::size_t>& steps, const LessonLook& look, const PictureSize& size) {
+  LessonFilmRequest film{.look = look,
+                         .width = size.width,
+                         .height = size.height,
+                         .steps = steps,
+                         .frames = request.frames,
+                         .video = request.video};
+  if (request.with_source && !request.frames.empty()) film.session = packed_lesson(session, "the frames carry");
+  Progress progress;
+  return write_lesson_film(registry, session, film, work_on(progress));
 }
 
 /// Makes everything before anything is written.
@@ -253,26 +202,15 @@ Expected<std::vector<Output>> make_outputs(const Registry& registry, const Lesso
                                            const LessonLook& look) {
   std::vector<Output> out;
   if (!request.vtt.empty()) out.push_back({request.vtt, web_vtt_of(session.lesson, steps)});
-  if (request.pdf.empty() && request.html.empty()) return out;
-  auto printer = LessonPrinter::make(registry, session, look);
-  if (!printer) return std::unexpected(printer.error());
-  figure::BookInfo info = printer->info();
-  if (request.with_source && !request.pdf.empty()) info.session = packed_lesson(session);
-  figure::PdfBook book(std::move(info));
-  LessonHtml html({printer->title(), session.lesson.steps.size(), look.width, look.height, look.background});
+  LessonFilesRequest files{
+      .look = look, .steps = steps, .wants_pdf = !request.pdf.empty(), .wants_html = !request.html.empty()};
+  if (!files.wants_pdf && !files.wants_html) return out;
+  if (request.with_source && files.wants_pdf) files.session = packed_lesson(session, "the PDF carries");
   Progress progress;
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    progress.show(fmt::format("step {} of {}", k + 1, steps.size()),
-                  static_cast<double>(k) / static_cast<double>(steps.size()));
-    const auto page = printer->page(steps[k]);
-    if (!page) return std::unexpected(page.error());
-    for (const std::string& remark : page->remarks) say(remark);
-    if (!request.pdf.empty()) book.add(sheet_of(*page));
-    if (!request.html.empty())
-      if (auto added = html.add(*page, steps[k] + 1); !added) return std::unexpected(added.error());
-  }
-  if (!request.pdf.empty()) out.push_back({request.pdf, std::move(book).file()});
-  if (!request.html.empty()) out.push_back({request.html, std::move(html).file()});
+  auto made = make_lesson_files(registry, session, files, work_on(progress));
+  if (!made) return std::unexpected(made.error());
+  if (files.wants_pdf) out.push_back({request.pdf, std::move(made->pdf)});
+  if (files.wants_html) out.push_back({request.html, std::move(made->html)});
   return out;
 }
 
@@ -281,8 +219,8 @@ Expected<std::vector<Output>> make_outputs(const Registry& registry, const Lesso
 Expected<void> run_lesson(const Registry& registry, const LessonRequest& request, Interruption& interruption) {
   const auto look = parse_look(request);
   if (!look) return std::unexpected(look.error());
-  const auto pixels = parse_pixels(request, *look);
-  if (!pixels) return std::unexpected(pixels.error());
+  const auto size = parse_frame_size(request);
+  if (!size) return std::unexpected(size.error());
   if (auto good = check_outputs(request); !good) return good;
   const auto lesson = lesson_of(registry, request.file);
   if (!lesson) return std::unexpected(lesson.error());
@@ -294,7 +232,7 @@ Expected<void> run_lesson(const Registry& registry, const LessonRequest& request
   const auto outputs = make_outputs(registry, request, session, *steps, *look);
   if (!outputs) return std::unexpected(outputs.error());
   if (has_frames)
-    if (auto done = write_film(registry, request, session, *steps, *pixels); !done) return done;
+    if (auto done = write_film(registry, request, session, *steps, *look, *size); !done) return done;
   for (const Output& output : *outputs)
     if (auto done = write_output(output.file, output.bytes, interruption, {lesson->sources, request.force}); !done)
       return done;

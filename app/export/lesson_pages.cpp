@@ -119,7 +119,8 @@ const render::Image* LessonPrinter::traced(const BackgroundImage& image, std::ve
   return found->second ? &*found->second : nullptr;
 }
 
-Expected<void> LessonPrinter::draw(const LessonScene& scene, const Box2& place, LessonPage& page) {
+Expected<void> LessonPrinter::draw(const LessonScene& scene, const Box2& place, LessonPage& page,
+                                   const std::stop_token& stop) {
   FigureRequest request{.shown = {.descriptors = scene.layers.descriptors(),
                                   .layers = main_layers(scene.layers.visible_layers()),
                                   .styles = {},
@@ -138,7 +139,8 @@ Expected<void> LessonPrinter::draw(const LessonScene& scene, const Box2& place, 
   const auto result = run_computation(*registry_, scene.data,
                                       {.layers = request.shown.layers,
                                        .settings = scene.settings,
-                                       .on_patch = [&mirror](const FramePatch& patch) { mirror.apply(patch); }});
+                                       .on_patch = [&mirror](const FramePatch& patch) { mirror.apply(patch); },
+                                       .stop = stop});
   if (!result) return std::unexpected(result.error());
   const Box2 bounds = result->document.bounding_box();
   auto drawn = draw_figure(
@@ -176,7 +178,7 @@ figure::Figure LessonPrinter::paper(const CaptionText& caption, std::size_t step
   return out;
 }
 
-Expected<LessonPage> LessonPrinter::page(std::size_t step) {
+Expected<LessonPage> LessonPrinter::page(std::size_t step, const std::stop_token& stop) {
   const auto failed = [step](Error error) {
     error.text = fmt::format("step {} of the lesson: {}", step + 1, error.text);
     return std::unexpected(std::move(error));
@@ -185,7 +187,7 @@ Expected<LessonPage> LessonPrinter::page(std::size_t step) {
   if (!scene) return failed(scene.error());
   LessonPage out;
   const Box2 place = lesson_layout(look_.width, look_.height).drawing;
-  if (auto drawn = draw(*scene, place, out); !drawn) return failed(drawn.error());
+  if (auto drawn = draw(*scene, place, out, stop); !drawn) return failed(drawn.error());
   out.caption = caption_text(session_->lesson.steps[step].caption);
   out.name = name_of(out.caption);
   if (out.name.empty()) out.name = fmt::format("Step {}", step + 1);

@@ -17,6 +17,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,13 +86,13 @@ class LessonPrinter {
   figure::BookInfo info() const;
   /// The title of the lesson, or else of the session; may be empty.
   const std::string& title() const;
-  /// Error: an entry of the timeline is invalid, a computation fails, or memory runs out.
-  Expected<LessonPage> page(std::size_t step);
+  /// Error: an entry of the timeline is invalid, a computation fails or is stopped (`cancelled`), or memory runs out.
+  Expected<LessonPage> page(std::size_t step, const std::stop_token& stop = {});
 
  private:
   LessonPrinter(const Registry& registry, const Session& session, const LessonLook& look,
                 std::shared_ptr<const PaperFonts> fonts);
-  Expected<void> draw(const LessonScene& scene, const Box2& place, LessonPage& page);
+  Expected<void> draw(const LessonScene& scene, const Box2& place, LessonPage& page, const std::stop_token& stop);
   const render::Image* traced(const BackgroundImage& image, std::vector<std::string>& remarks);
   figure::Figure paper(const CaptionText& caption, std::size_t step, std::vector<std::string>& remarks) const;
 

@@ -21,7 +21,7 @@ constexpr std::array kUnits{Unit{"mm", kMillimeter}, Unit{"cm", 10.0 * kMillimet
 
 // The column widths of common journals, and a slide of 16:9 as presentation programs have it.
 constexpr std::array kPresets{PagePreset{"one-column", "84mm"}, PagePreset{"two-columns", "174mm"},
-                              PagePreset{"slide", "13.333inx7.5in"}, PagePreset{"square", "84mmx84mm"}};
+                              PagePreset{"slide", "960ptx540pt"}, PagePreset{"square", "84mmx84mm"}};
 
 // The largest page of PDF is 200 inches wide.
 constexpr double kLeast = kMillimeter;

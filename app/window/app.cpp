@@ -101,6 +101,12 @@ bool App::clear_selection() {
   return true;
 }
 
+bool App::cancel_lesson_export() {
+  LessonExport& lesson = documents_.figures().lesson();
+  lesson.cancel();
+  return lesson.is_under_way();
+}
+
 bool App::end_lesson() {
   const bool was_running = lesson_.is_running();
   lesson_.end();
@@ -111,8 +117,8 @@ bool App::end_lesson() {
 void App::deselect() {
   if (demo_.is_running())
     demo_.end(true);
-  else if (!board_.canvas().cancel_gesture() && !work_.annotations().close() && !board_.canvas().clear_tool() &&
-           !board_.provenance().clear() && !clear_selection() && !end_lesson())
+  else if (!board_.canvas().cancel_gesture() && !cancel_lesson_export() && !work_.annotations().close() &&
+           !board_.canvas().clear_tool() && !board_.provenance().clear() && !clear_selection() && !end_lesson())
     panels_.end_presentation();
 }
 

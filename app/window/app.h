@@ -45,6 +45,7 @@ class App {
   void bind_actions();
   void deselect();
   bool clear_selection();
+  bool cancel_lesson_export();
   bool end_lesson();
   double next_wait();
   void wait_for_event();

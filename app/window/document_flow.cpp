@@ -40,9 +40,10 @@ DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const Waker& wake)
           wake),
       keeper_(
           uses_.work, uses_.messages, [this] { return session_now(); }, wake),
-      figures_({uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages, uses_.settings,
-                [this] { return files_.title(); }, [this] { return browse_folder(); }},
-               wake),
+      figures_(
+          {uses_.work, uses_.board, uses_.screen, uses_.dialogs, uses_.messages, uses_.settings,
+           [this] { return files_.title(); }, [this] { return browse_folder(); }, [this] { return session_now(); }},
+          wake),
       tracing_({uses_.work.live_registry(), uses_.board, uses_.dialogs, uses_.messages,
                 [this](std::function<void()> then) { with_saved_work(std::move(then)); },
                 [this](TraceDesk::Samples samples, const std::string& title) {
@@ -114,6 +115,7 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
                                             uses_.lesson.start(session_now());
                                           },
                                           when_presentable(), [this] { return uses_.lesson.is_running(); }});
+  actions.bind(ActionId::export_lesson, {[this] { figures_.ask_lesson(); }, when_presentable()});
   actions.bind(ActionId::demo, {[this] { with_saved_work([this] { start_demo(); }); }});
 }
 

@@ -16,7 +16,10 @@
 namespace mes {
 
 FigureFlow::FigureFlow(Uses uses, Waker wake)
-    : uses_(std::move(uses)), desk_(uses_.work.live_registry(), wake), writing_geometry_(std::move(wake)) {
+    : uses_(std::move(uses)),
+      desk_(uses_.work.live_registry(), wake),
+      writing_geometry_(wake),
+      lesson_(std::move(wake)) {
   uses_.dialogs.figure.set_uses({.desk = desk_,
                                  .settings = uses_.settings.figure,
                                  .ask_file = [this] { ask_file(); },
@@ -195,8 +198,40 @@ void FigureFlow::take_geometry() {
     uses_.messages.problem("Exported " + written->file.string() + "; " + *written->remark);
 }
 
+void FigureFlow::ask_lesson() {
+  if (lesson_.is_under_way()) {
+    uses_.messages.problem("A lesson is being written; the next one can be exported when that is done");
+    return;
+  }
+  const auto save = [this,
+                     session = std::make_shared<const Session>(uses_.session())](const std::filesystem::path& file) {
+    uses_.settings.last_folder = file.parent_path().string();
+    lesson_.begin(uses_.work.live_registry().share(), session, file);
+  };
+  uses_.dialogs.browser.ask_save(
+      uses_.folder(), document_name() + ".pdf", save,
+      {.heading = "Export the lesson as .pdf, .html, .mp4 or .webm", .extensions = lesson_extensions()});
+}
+
+void FigureFlow::take_lesson() {
+  const auto done = lesson_.take_done();
+  if (!done) return;
+  uses_.screen.clock.settle();
+  std::string exported = "Exported " + done->file.string();
+  for (const std::string& remark : done->remarks) exported += "; " + remark;
+  if (done->outcome && done->remarks.empty())
+    uses_.messages.remark(exported);
+  else if (done->outcome)
+    uses_.messages.problem(exported);
+  else if (done->outcome.error().code == ErrorCode::cancelled)
+    uses_.messages.remark("The export of the lesson was cancelled");
+  else
+    uses_.messages.problem(done->outcome.error().message());
+}
+
 void FigureFlow::take_results() {
   take_geometry();
+  take_lesson();
   uses_.dialogs.figure.set_covered(uses_.dialogs.browser.is_open());
   if (!desk_.follow()) return;
   uses_.screen.clock.settle();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Exports figures and geometry from the window: the dialogs, their contents, and the files.
+// Exports figures, geometry and lessons from the window: the dialogs, their contents, and the files.
 #pragma once
 
 #include <filesystem>
@@ -11,13 +11,14 @@
 #include "app/export/figure_desk.h"
 #include "app/model/settings.h"
 #include "app/panels/dialogs/dialogs.h"
+#include "app/recording/lesson_export.h"
 #include "app/store/layer_text.h"
 #include "app/system/background_job.h"
 #include "app/window/drawing_board.h"
 
 namespace mes {
 
-/// Guarantees: it never waits for a figure to be computed, drawn or written. Needs a current OpenGL context for its
+/// Guarantees: it never waits for a figure or a lesson to be computed, drawn or written. Needs a current OpenGL context for its
 /// whole life. Threads: the window's; `wake` is called from others.
 class FigureFlow {
  public:
@@ -30,6 +31,7 @@ class FigureFlow {
     Settings& settings;
     std::function<std::string()> title;             ///< title of the document
     std::function<std::filesystem::path()> folder;  ///< the folder that file dialogs show first
+    std::function<Session()> session;               ///< the document as it is saved
   };
   FigureFlow(Uses uses, Waker wake);
   ~FigureFlow();
@@ -41,6 +43,9 @@ class FigureFlow {
   void ask_geometry(std::vector<LayerIndex> layers, const LayerTextFormat& format);
   /// Asks for a file for the centre lines of the shapes; its extension chooses the format.
   void ask_center_lines();
+  /// Asks for a file for the lesson, which its extension gives a format.
+  void ask_lesson();
+  LessonExport& lesson() { return lesson_; }
   /// Called once per turn before the frame.
   void take_results();
 
@@ -55,6 +60,7 @@ class FigureFlow {
                       const LayerTextFormat& format);
   void write_center_lines(const std::filesystem::path& file);
   void take_geometry();
+  void take_lesson();
   std::string document_name() const;
   void ask_file();
   FigureSubject subject() const;
@@ -65,6 +71,7 @@ class FigureFlow {
   Uses uses_;
   FigureDesk desk_;
   BackgroundJob<WrittenGeometry> writing_geometry_;
+  LessonExport lesson_;
   std::optional<render::TextureId> texture_;
   std::uint64_t textured_ = 0;  // number of the preview in the texture
 };

@@ -71,7 +71,8 @@ TEST_CASE("what people call a thing finds it among the first") {
   finds("skeleton", "medial-axis");
   finds("screenshot", "snapshot");
   finds("slides", "presenter-mode");
-  finds("html", "toggle-lesson");
+  finds("html", "export-lesson");
+  finds("documentation", "manual");
   finds("font size", "projector-mode");
   finds("font", "write-text");
   finds("print", "export-figure");

@@ -164,3 +164,27 @@ TEST_CASE("what the steps of a lesson bring is not told of as something that was
   REQUIRE(eventually([&] { return !window.screen.shoot().is_white(1270, 400); }));
   CHECK(window.screen.settled().changes(kNote, before) < 100);
 }
+
+TEST_CASE("a lesson is exported from the window, and Esc in its dialog leaves without a file") {
+  const PresentingWindow window;
+  const Screenshot before = window.drawn();
+  const auto ask = [&] {
+    window.press("ctrl+k");
+    static_cast<void>(window.screen.settled());
+    window.screen.xdotool("type --delay 20 'export the lesson'");
+    static_cast<void>(window.screen.settled());
+    window.press("Return");
+    return window.screen.settled();
+  };
+  CHECK(ask().differences(before, 30) > 500);
+  window.press("Escape");
+  CHECK(window.shows(before));
+  static_cast<void>(ask());
+  window.screen.type_over((window.folder / "house.html").string());
+  window.press("Return");
+  REQUIRE(eventually([&] { return std::filesystem::exists(window.folder / "house.html"); }));
+  const std::string page = bytes_of(window.folder / "house.html");
+  CHECK(page.starts_with("<!DOCTYPE html>"));
+  CHECK(page.find("A taller roof") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(window.folder / "house.pdf"));
+}

@@ -245,7 +245,8 @@ void shapes_menu(const MenuBar& menu) {
 }
 
 void lessons_menu(const MenuBar& menu) {
-  for (const ActionId id : {ActionId::present_lesson, ActionId::mark_step, ActionId::toggle_lesson})
+  for (const ActionId id :
+       {ActionId::present_lesson, ActionId::export_lesson, ActionId::mark_step, ActionId::toggle_lesson})
     action_item(menu, id);
   if (!menu.lessons.empty()) ImGui::Separator();
   for (const ShippedLesson& lesson : menu.lessons) {

@@ -80,6 +80,12 @@ bool WorkInProgress::draw() const {
     tooltip(gui, "Make no video; the frames stay");
     return true;
   }
+  if (lesson.is_under_way()) {
+    progress_bar(gui, "Writing " + lesson.file().filename().string(), lesson.progress());
+    if (ImGui::SmallButton("Cancel")) lesson.cancel();
+    tooltip(gui, "Cancel the export of the lesson (Esc)");
+    return true;
+  }
   if (hold.is_held()) {
     ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
     ImGui::TextUnformatted(hold.waiting().empty() ? "Update held" : "Update held; structures are behind");

@@ -6,6 +6,7 @@
 #include "app/experiments/experiment_desk.h"
 #include "app/insight/parameter_sweep.h"
 #include "app/model/update_hold.h"
+#include "app/recording/lesson_export.h"
 #include "app/recording/record_desk.h"
 #include "app/store/file_desk.h"
 #include "app/ui/gui.h"
@@ -19,6 +20,7 @@ struct WorkInProgress {
   const Engine& engine;
   FileDesk& files;
   RecordDesk& record;
+  LessonExport& lesson;
   const UpdateHold& hold;
   SweepDesk& sweep;
   const ExperimentDesk& experiments;

@@ -59,15 +59,17 @@ void LessonPanel::draw() {
 
 void LessonPanel::draw_head() {
   const float unit = gui_.unit();
-  ImGui::BeginDisabled(!actions_.is_enabled(ActionId::mark_step));
-  if (ImGui::Button("Mark a step")) actions_.run(ActionId::mark_step);
-  ImGui::EndDisabled();
-  tooltip(gui_, actions_.tooltip_of(ActionId::mark_step));
+  const auto button = [this](const char* label, ActionId id) {
+    ImGui::BeginDisabled(!actions_.is_enabled(id));
+    if (ImGui::Button(label)) actions_.run(id);
+    ImGui::EndDisabled();
+    tooltip(gui_, actions_.tooltip_of(id));
+  };
+  button("Mark a step", ActionId::mark_step);
   ImGui::SameLine(0, 4 * unit);
-  ImGui::BeginDisabled(!actions_.is_enabled(ActionId::present_lesson));
-  if (ImGui::Button("Present")) actions_.run(ActionId::present_lesson);
-  ImGui::EndDisabled();
-  tooltip(gui_, actions_.tooltip_of(ActionId::present_lesson));
+  button("Present", ActionId::present_lesson);
+  ImGui::SameLine(0, 4 * unit);
+  button("Export...", ActionId::export_lesson);
   const float size = ImGui::GetFrameHeight();
   ImGui::SameLine(ImGui::GetContentRegionMax().x - size);
   if (icon_button("take-back", Icon::undo, size, ButtonLook::plain, desk_.can_take_back())) desk_.take_back();
