@@ -228,7 +228,7 @@ void ManualPage::draw_headings(const Gui& gui, float width) {
   ImGui::PopStyleVar();
 }
 
-// What is at the upper edge of the view stays there when the text gets another width or other letters.
+// Keeps the text at the upper edge of the view in its place when the page gets another width or other letters.
 void ManualPage::fit_layout(const Gui& gui, double width) {
   const double unit = static_cast<double>(gui.unit());
   // The letters of titles are loaded with the frame after they were first asked for.
