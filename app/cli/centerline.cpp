@@ -256,7 +256,7 @@ Expected<void> run_centerline(const Registry& registry, const CenterlineRequest&
       const auto input = read_input(registry, request.file, request.from, request.reading);
       if (!input) return std::unexpected(input.error());
       sources = input->sources;
-      // The samples of a session are those that somebody chose.
+      // The user of a session has chosen its samples, so they stay.
       const bool keeps_samples = request.reading.keeps_vertices || input->session != nullptr;
       if (auto done = process(registry, *job, input->data, keeps_samples, request.file, Feature{}, progress, result);
           !done)

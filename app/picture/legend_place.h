@@ -41,7 +41,7 @@ struct LegendSurroundings {
   std::span<const Box2> words{};      ///< boxes of the texts of annotations
   /// Returns how much of the drawing a box would hide; null: unknown.
   std::function<std::size_t(const Box2&)> hides{};
-  bool keeps_letters = false;  ///< the legend is no smaller in a small picture
+  bool keeps_letters = false;  ///< a small picture has a legend of the usual size
 
   /// The number of these texts that the box covers, and the amount of drawing.
   std::pair<std::size_t, std::size_t> cost_of(const Box2& box) const;

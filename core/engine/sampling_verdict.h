@@ -13,8 +13,8 @@
 
 namespace mes {
 
-/// Guarantee: whoever judges the same samples of the same curves with the same structures gets the same verdict, in the
-/// same words. Nothing else in the program words an epsilon or the light.
+/// Guarantee: the same samples of the same curves, judged with the same structures, have the same verdict in the same
+/// words everywhere. Nothing else in the program words an epsilon or the light.
 ///
 /// Smallest use:
 ///     bench.need<FeatureSize>();

@@ -51,7 +51,7 @@ TEST_CASE("samples that are added while no layer shows samples are counted until
   hidden.begin(editor.document());
   REQUIRE(editor.insert(std::array{Vec2{8, 3}}, "Insert"));
   CHECK(follow() == 1);
-  // Removing samples that were there before takes away no more than there is.
+  // Removing earlier samples does not make the count negative.
   REQUIRE(editor.load({}));
   CHECK(follow() == 0);
 }

@@ -154,7 +154,7 @@ void ManualPage::draw_head(const Gui& gui, float width) {
   const float field = std::clamp(width - title - buttons - 24 * unit, 40 * unit, kFieldWidth * unit);
   ImGui::SameLine(right - buttons - field);
   ImGui::SetNextItemWidth(field);
-  // Enter is one of the keys that the page is told of.
+  // The page handles Enter itself, in `press`.
   if (field_.draw("##find", "Find in the manual", query_)) field_.focus();
   search();
   step(std::exchange(steps_, 0));

@@ -11,7 +11,7 @@ struct RefusalNote {
   const Gui& gui;
   const Messages& messages;
 
-  /// Draws in the middle of `width`, with the lower edge at `at`; nothing if the present remark is no refusal.
+  /// Draws the present remark if it is a refusal, in the middle of `width`, with its lower edge at `at`.
   void draw(ImVec2 at, float width) const;
 };
 

@@ -94,7 +94,7 @@ void AxisPaths::measure(AxisPath& path) const {
 
 // The longest way in a tree: the end farthest from any node begins it. With cycles, let d be the distance of an end
 // from the root: two ends that are each nearer than d are less than 2 d apart, so the search in descending order of
-// distance may stop when 2 d is no more than the longest way so far.
+// distance may stop when the longest way so far has length 2 d or more.
 AxisPath AxisPaths::longest_way(const Shape& shape, JobControl& job) {
   spread(shape, std::array{shape.ends.front()});
   const std::uint32_t begin = farthest_end(shape);

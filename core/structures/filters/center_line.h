@@ -8,7 +8,8 @@
 //  1. Each point of the line lies within t of the axis, and each point of the axis within t of the line.
 //  2. Each piece of the line between two of its points lies in a ball about a point of the axis, at least a quarter of
 //     the radius away from the circle. So the line stays in the union of the inner balls.
-//  3. The ends of an open line do not move, unless they are told to; 1 and 2 do not speak of the pieces there then.
+//  3. The ends of an open line stay where they are. If the caller gives them new places, 1 and 2 do not hold for the
+//     first and the last piece.
 //  4. The result depends on the axis as a set with balls: it is scaled, turned and moved with the samples, and denser
 //     samples of the same shape change it as little as they change the axis.
 //
