@@ -35,6 +35,8 @@ constexpr auto kNames = std::to_array<Name>({
     {"inner-balls", "the inner balls"},
     {"medial-axis", "the medial axis"},
     {"axis-nodes", "the nodes of the axis"},
+    {"outline-axis", "the axis of the outline"},
+    {"axis-error", "the error of the axis"},
     {kCertificate, "the theorem"},
     {"axis-difference", "the difference of the two axes"},
     {"poles", "the poles"},

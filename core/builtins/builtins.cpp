@@ -14,6 +14,7 @@
 #include "core/structures/density/structures.h"
 #include "core/structures/filters/structures.h"
 #include "core/structures/inputs/structures.h"
+#include "core/structures/outline/structures.h"
 #include "core/structures/poles/structures.h"
 
 namespace mes {
@@ -29,6 +30,7 @@ void add_builtins(Registry& registry) {
   add_certificate_structures(registry);
   add_ball_structures(registry);
   add_pole_structures(registry);
+  add_outline_structures(registry);
   add_layers(registry);
   add_evolutions(registry);
   add_formats(registry.formats());

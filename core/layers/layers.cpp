@@ -39,6 +39,7 @@ Layer make_power_crust_layer(const StructureSet&);
 Layer make_curve_layer(const StructureSet&);
 Layer make_sampling_epsilon_layer(const StructureSet&);
 Layer make_medial_axis_layer(const StructureSet&);
+Layer make_outline_axis_layer(const StructureSet&);
 std::vector<Layer> make_kept_boundary_layers(const StructureSet&);
 std::vector<Layer> make_removed_axis_layers(const StructureSet&);
 std::vector<Layer> make_filtered_axis_layers(const StructureSet&);
@@ -58,6 +59,7 @@ Layer make_indices_layer(const StructureSet&);
 Layer make_curve_defects_layer(const StructureSet&);
 Layer make_theorem_check_layer(const StructureSet&);
 Layer make_axis_difference_layer(const StructureSet&);
+Layer make_axis_error_layer(const StructureSet&);
 Layer make_precision_difference_layer(const StructureSet&);
 
 Layer make_union_ball_convex_disks_layer(const UnionFamily&);
@@ -223,6 +225,7 @@ void add_layers(Registry& registry) {
   registry.add_layer(make_curve_layer);
   registry.add_layer(make_sampling_epsilon_layer);
   registry.add_layer(make_medial_axis_layer);
+  registry.add_layer(make_outline_axis_layer);
   registry.add_layers(make_kept_boundary_layers);
   registry.add_layers(make_removed_axis_layers);
   registry.add_layers(make_filtered_axis_layers);
@@ -242,6 +245,7 @@ void add_layers(Registry& registry) {
   registry.add_layer(make_curve_defects_layer);
   registry.add_layer(make_theorem_check_layer);
   registry.add_layer(make_axis_difference_layer);
+  registry.add_layer(make_axis_error_layer);
   registry.add_layer(make_precision_difference_layer);
   add_union_layers(registry, inner_family, true);
   add_union_layers(registry, polar_family, true);

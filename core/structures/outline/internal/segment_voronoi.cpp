@@ -1,0 +1,482 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/outline/internal/segment_voronoi.h"
+
+#include <CGAL/CORE_Expr.h>
+#include <CGAL/Mpzf.h>
+#include <CGAL/Segment_Delaunay_graph_2.h>
+#include <CGAL/Segment_Delaunay_graph_filtered_traits_2.h>
+#include <CGAL/Segment_Delaunay_graph_traits_2.h>
+#include <CGAL/Simple_cartesian.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <tuple>
+#include <unordered_map>
+#include <utility>
+
+#include "core/base/box2.h"
+#include "core/base/disjoint_sets.h"
+#include "core/structures/triangulation/hilbert.h"
+
+namespace mes {
+namespace {
+
+// Sides meet at their ends only, so no kernel has to construct crossings. Where doubles do not decide, numbers without
+// division do, an order of magnitude faster than rationals.
+using Doubles = CGAL::Simple_cartesian<double>;
+using Traits =
+    CGAL::Segment_Delaunay_graph_filtered_traits_without_intersections_2<Doubles, CGAL::Field_with_sqrt_tag,
+                                                                         CGAL::Simple_cartesian<CGAL::Mpzf>,
+                                                                         CGAL::Integral_domain_without_division_tag>;
+using Graph = CGAL::Segment_Delaunay_graph_2<Traits>;
+using Vertex = Graph::Vertex_handle;
+using Face = Graph::Face_handle;
+using GraphFaceSlot = Slot<struct GraphFaceTag>;
+
+using Roots = CGAL::Simple_cartesian<CORE::Expr>;
+using ExactTraits = CGAL::Segment_Delaunay_graph_traits_without_intersections_2<Roots, CGAL::Field_with_sqrt_tag>;
+
+constexpr std::uint32_t kNoRegion = 0xffffffffU;
+constexpr double kEpsilon = std::numeric_limits<double>::epsilon();
+
+Vec2 vec_of(const Doubles::Point_2& p) {
+  return {p.x(), p.y()};
+}
+
+class InnerVoronoi {
+ public:
+  InnerVoronoi(std::span<const OutlineSide> sides, JobControl& job) : sides_(sides), job_(job) {
+    double most = 0.0;
+    for (const OutlineSide& side : sides)
+      for (const Vec2 end : {side.from, side.to}) most = std::max({most, std::abs(end.x), std::abs(end.y)});
+    // Powers of distances of large coordinates would leave the doubles. Scaling by a power of two is exact.
+    unit_ = std::ldexp(1.0, -std::ilogb(most));
+  }
+
+  OutlineGraph run() {
+    insert();
+    if (graph_.dimension() < 2) return {};
+    number();
+    find_ends();
+    find_regions();
+    collect();
+    return std::move(out_);
+  }
+
+ private:
+  Vec2 scaled(Vec2 p) const { return unit_ * p; }
+  void look(std::size_t done, std::size_t total) {
+    constexpr std::size_t kOften = 64;
+    if (done % kOften == 0) job_.checkpoint(done, total);
+  }
+
+  void insert() {
+    std::vector<Vec2> points;
+    for (const OutlineSide& side : sides_) {
+      points.push_back(scaled(side.from));
+      points.push_back(scaled(side.to));
+    }
+    Box2 box;
+    for (const Vec2 p : points) box.add(p);
+    const HilbertGrid grid(box);
+    const auto along_curve = [&](Vec2 a, Vec2 b) {
+      return std::tuple(grid.key(a), a.x, a.y) < std::tuple(grid.key(b), b.x, b.y);
+    };
+    std::ranges::sort(points, along_curve);
+    const auto rest = std::ranges::unique(points);
+    points.erase(rest.begin(), rest.end());
+    const auto index_of = [&](Vec2 p) {
+      return static_cast<std::size_t>(std::ranges::lower_bound(points, p, along_curve) - points.begin());
+    };
+    const std::size_t total = points.size() + 2 * sides_.size();  // a side takes twice as long
+    std::size_t done = 0;
+    std::vector<Vertex> at(points.size());
+    Vertex near;
+    for (const std::size_t i : in_rounds<std::size_t>(points.size())) {
+      look(done++, total);
+      const Doubles::Point_2 p(points[i].x, points[i].y);
+      near = at[i] = near == Vertex() ? graph_.insert(p) : graph_.insert(p, near);
+    }
+    std::vector<std::pair<std::size_t, std::size_t>> ends;
+    ends.reserve(sides_.size());
+    for (const OutlineSide& side : sides_) ends.emplace_back(index_of(scaled(side.from)), index_of(scaled(side.to)));
+    std::ranges::sort(ends);
+    for (const std::size_t i : in_rounds<std::size_t>(ends.size())) {
+      look(done, total);
+      done += 2;
+      graph_.insert(at[ends[i].first], at[ends[i].second]);
+    }
+  }
+
+  /// Numbers features in an order of their own: that of the graph depends on addresses.
+  void number() {
+    std::vector<std::tuple<bool, double, double, double, double, Vertex>> order;
+    for (auto v = graph_.finite_vertices_begin(); v != graph_.finite_vertices_end(); ++v) {
+      const auto site = v->site();
+      const Vec2 first = vec_of(site.is_point() ? site.point() : site.segment().source());
+      const Vec2 second = vec_of(site.is_point() ? site.point() : site.segment().target());
+      const auto [from, to] = std::minmax(first, second, lexicographically_less);
+      order.emplace_back(site.is_segment(), from.x, from.y, to.x, to.y, v);
+    }
+    std::ranges::sort(order, [](const auto& a, const auto& b) {
+      const auto key = [](const auto& x) {
+        return std::tie(std::get<0>(x), std::get<1>(x), std::get<2>(x), std::get<3>(x), std::get<4>(x));
+      };
+      return key(a) < key(b);
+    });
+    for (const auto& [is_segment, x, y, to_x, to_y, vertex] : order) {
+      OutlineFeature feature{{x, y}, {to_x, to_y}, {}};
+      bool separates = false;
+      if (is_segment) {
+        const OutlineSide& side = sides_[side_between(feature.from, feature.to)];
+        feature.smooth = side.smooth;
+        separates = side.separates;
+      }
+      feature_.emplace(&*vertex, out_.features.next());
+      out_.features.push_back(feature);
+      separates_.push_back(separates);
+    }
+    for (auto f = graph_.all_faces_begin(); f != graph_.all_faces_end(); ++f)
+      face_.emplace(&*f, GraphFaceSlot(face_.size()));
+  }
+
+  /// Both ends scaled, the smaller one first.
+  std::size_t side_between(Vec2 a, Vec2 b) const {
+    const auto key = [](Vec2 from, Vec2 to) { return std::tuple(from.x, from.y, to.x, to.y); };
+    const auto found = std::ranges::lower_bound(
+        sides_, key(a, b), {}, [&](const OutlineSide& side) { return key(scaled(side.from), scaled(side.to)); });
+    return static_cast<std::size_t>(found - sides_.begin());
+  }
+
+  OutlineFeatureSlot feature(Vertex v) const { return feature_.at(&*v); }
+  GraphFaceSlot face(Face f) const { return face_.at(&*f); }
+
+  /// The ends of each side, and what lies next to an end along a smooth curve.
+  void find_ends() {
+    ends_.resize(out_.features.size());
+    Table<OutlineFeatureSlot, std::vector<SmoothPlace>> beside(out_.features.size());
+    for (auto v = graph_.finite_vertices_begin(); v != graph_.finite_vertices_end(); ++v) {
+      if (!v->is_segment()) continue;
+      auto& ends = ends_[feature(v)];
+      const OutlineFeature& side = out_.features[feature(v)];
+      auto neighbour = graph_.incident_vertices(v);
+      const auto first = neighbour;
+      do {
+        if (graph_.is_infinite(neighbour) || neighbour->is_segment()) continue;
+        const OutlineFeatureSlot point = feature(neighbour);
+        const Vec2 at = out_.features[point].from;
+        if (at != side.from && at != side.to) continue;
+        if (ends[0] == point || ends[1] == point) continue;
+        ends[ends[0] == kNoSlot ? 0 : 1] = point;
+        beside[point].push_back(out_.features[feature(v)].smooth);
+      } while (++neighbour != first);
+    }
+    for (const OutlineFeatureSlot i : beside.rows()) {
+      if (beside[i].size() != 2) continue;
+      const SmoothPlace& a = beside[i][0];
+      const SmoothPlace& b = beside[i][1];
+      if (a.stretch == SmoothPlace::kNone || a.stretch != b.stretch) continue;
+      const std::uint32_t low = std::min(a.number, b.number);
+      const std::uint32_t high = std::max(a.number, b.number);
+      SmoothPlace& place = out_.features[i].smooth;
+      if (high - low == 2)
+        place = {a.stretch, low + 1, a.count};
+      else if (a.count != 0 && high - low + 2 == a.count)
+        place = {a.stretch, high + 1, a.count};
+    }
+  }
+
+  bool is_end_of(OutlineFeatureSlot point, OutlineFeatureSlot side) const {
+    return ends_[side][0] == point || ends_[side][1] == point;
+  }
+  /// A side and one of its ends.
+  bool touch(OutlineFeatureSlot a, OutlineFeatureSlot b) const {
+    const bool is_a_point = out_.features[a].is_point();
+    if (is_a_point == out_.features[b].is_point()) return false;
+    return is_a_point ? is_end_of(a, b) : is_end_of(b, a);
+  }
+  /// The point at which all three features of a finite face meet, or kNoSlot. Its circle is that point.
+  OutlineFeatureSlot meeting_point(Face f) const {
+    for (int i = 0; i < 3; ++i) {
+      const OutlineFeatureSlot p = feature(f->vertex(i));
+      if (out_.features[p].is_point() && touch(p, feature(f->vertex((i + 1) % 3))) &&
+          touch(p, feature(f->vertex((i + 2) % 3))))
+        return p;
+    }
+    return kNoSlot;
+  }
+
+  /// Regions of the plane without the outline are connected sets of Voronoi vertices: no Voronoi edge crosses a side,
+  /// apart from those between a side and its own end.
+  void find_regions() {
+    const GraphFaceSlot outside(face_.size());
+    const std::size_t count = face_.size() + 1;
+    DisjointSets<GraphFaceSlot> sets(count);
+    const auto join = [&sets](GraphFaceSlot a, GraphFaceSlot b) { sets.join(sets.root(a), sets.root(b)); };
+    Table<GraphFaceSlot, bool> is_point(count, false);
+    for (auto f = graph_.all_faces_begin(); f != graph_.all_faces_end(); ++f) {
+      if (graph_.is_infinite(f))
+        join(face(f), outside);
+      else
+        is_point[face(f)] = meeting_point(f) != kNoSlot;
+    }
+    for (auto e = graph_.all_edges_begin(); e != graph_.all_edges_end(); ++e) {
+      const Face f = e->first;
+      const Face g = f->neighbor(e->second);
+      if (is_point[face(f)] || is_point[face(g)]) continue;
+      const Vertex a = f->vertex(Graph::ccw(e->second));
+      const Vertex b = f->vertex(Graph::cw(e->second));
+      if (graph_.is_infinite(a) || graph_.is_infinite(b) || !touch(feature(a), feature(b))) join(face(f), face(g));
+    }
+    // A walk over regions, beginning outside.
+    Table<GraphFaceSlot, std::vector<std::pair<GraphFaceSlot, bool>>> beyond(count);
+    for (auto v = graph_.finite_vertices_begin(); v != graph_.finite_vertices_end(); ++v) {
+      if (!v->is_segment()) continue;
+      const std::array faces = faces_beside(v, is_point);
+      if (faces[0] == kNoSlot || faces[1] == kNoSlot) continue;
+      const std::array regions{sets.root(faces[0]), sets.root(faces[1])};
+      beyond[regions[0]].emplace_back(regions[1], separates_[feature(v)]);
+      beyond[regions[1]].emplace_back(regions[0], separates_[feature(v)]);
+    }
+    enum class Where : std::uint8_t { unknown, out, in };
+    Table<GraphFaceSlot, Where> where(count, Where::unknown);
+    std::vector<GraphFaceSlot> open{sets.root(outside)};
+    where[open.front()] = Where::out;
+    while (!open.empty()) {
+      const GraphFaceSlot region = open.back();
+      open.pop_back();
+      for (const auto& [other, separates] : beyond[region]) {
+        if (where[other] != Where::unknown) continue;
+        const bool is_inside = (where[region] == Where::in) != separates;
+        where[other] = is_inside ? Where::in : Where::out;
+        open.push_back(other);
+      }
+    }
+    region_.resize(count);
+    for (auto f = graph_.finite_faces_begin(); f != graph_.finite_faces_end(); ++f) {
+      const GraphFaceSlot region = sets.root(face(f));
+      if (is_point[face(f)] || where[region] != Where::in) continue;
+      region_[face(f)] = region;
+      if (region == face(f)) ++out_.regions;
+    }
+  }
+
+  /// A face on either side of a side that is no point, or kNoSlot: faces surround the side, and its two ends part them.
+  std::array<GraphFaceSlot, 2> faces_beside(Vertex v, const Table<GraphFaceSlot, bool>& is_point) const {
+    const auto is_behind_end = [&](Face at) {
+      const Vertex before = at->vertex(Graph::ccw(at->index(v)));
+      return !graph_.is_infinite(before) && is_end_of(feature(before), feature(v));
+    };
+    auto f = graph_.incident_faces(v);
+    while (!is_behind_end(f)) ++f;
+    std::array<GraphFaceSlot, 2> out{};
+    std::size_t half = 0;
+    const auto first = f;
+    do {
+      if (f != first && is_behind_end(f)) half = 1;
+      if (!is_point[face(f)]) out[half] = face(f);
+    } while (++f != first);
+    return out;
+  }
+
+  using Triple = std::array<OutlineFeatureSlot, 3>;
+  /// The features of a face counter-clockwise, the least first. The order decides which circle they define.
+  Triple features(Face f) const {
+    Triple out{feature(f->vertex(0)), feature(f->vertex(1)), feature(f->vertex(2))};
+    std::ranges::rotate(out, std::ranges::min_element(out));
+    return out;
+  }
+
+  void collect() {
+    struct Kept {
+      std::array<OutlineFeatureSlot, 2> features;
+      std::array<GraphFaceSlot, 2> nodes;
+      GraphFaceSlot region;
+    };
+    std::vector<Kept> kept;
+    DisjointSets<GraphFaceSlot> same(face_.size());
+    std::size_t done = 0;
+    for (auto e = graph_.finite_edges_begin(); e != graph_.finite_edges_end(); ++e) {
+      look(done++, 0);
+      const Face f = e->first;
+      const Face g = f->neighbor(e->second);
+      if (graph_.is_infinite(f) || graph_.is_infinite(g)) continue;
+      const GraphFaceSlot region = region_[face(f)] != kNoSlot ? region_[face(f)] : region_[face(g)];
+      if (region == kNoSlot) continue;
+      const Vertex a = f->vertex(Graph::ccw(e->second));
+      const Vertex b = f->vertex(Graph::cw(e->second));
+      if (touch(feature(a), feature(b))) continue;
+      const Vertex c = f->vertex(e->second);
+      const Vertex d = graph_.data_structure().mirror_vertex(f, e->second);
+      if (graph_.geom_traits().is_degenerate_edge_2_object()(a->site(), b->site(), c->site(), d->site())) {
+        same.join(same.root(face(f)), same.root(face(g)));
+        continue;
+      }
+      const OutlineFeature& first = out_.features[feature(a)];
+      const OutlineFeature& second = out_.features[feature(b)];
+      if (!first.smooth.is_next_to(second.smooth))
+        kept.push_back({{feature(a), feature(b)}, {face(f), face(g)}, region});
+    }
+    // The least triple of features stands for a node, and puts nodes and edges in order.
+    Table<GraphFaceSlot, Face> least(face_.size());
+    Table<GraphFaceSlot, Triple> triple(face_.size());
+    for (auto f = graph_.finite_faces_begin(); f != graph_.finite_faces_end(); ++f) {
+      const GraphFaceSlot node = same.root(face(f));
+      const Triple own = features(f);
+      if (least[node] != Face() && triple[node] <= own) continue;
+      least[node] = f;
+      triple[node] = own;
+    }
+    for (Kept& edge : kept) {
+      std::ranges::sort(edge.features);
+      for (GraphFaceSlot& node : edge.nodes) node = same.root(node);
+      if (triple[edge.nodes[1]] < triple[edge.nodes[0]]) std::swap(edge.nodes[0], edge.nodes[1]);
+    }
+    std::ranges::sort(kept, [&](const Kept& a, const Kept& b) {
+      return std::tie(a.features, triple[a.nodes[0]], triple[a.nodes[1]]) <
+             std::tie(b.features, triple[b.nodes[0]], triple[b.nodes[1]]);
+    });
+    Table<GraphFaceSlot, OutlineNodeSlot> node(face_.size());
+    Table<GraphFaceSlot, std::uint32_t> region(face_.size(), kNoRegion);
+    std::uint32_t regions = 0;
+    for (const Kept& edge : kept) {
+      look(done++, 0);
+      for (const GraphFaceSlot end : edge.nodes) {
+        if (node[end] != kNoSlot) continue;
+        node[end] = out_.nodes.next();
+        out_.nodes.push_back(node_at(least[end], triple[end]));
+      }
+      if (region[edge.region] == kNoRegion) region[edge.region] = regions++;
+      out_.edges.push_back({{node[edge.nodes[0]], node[edge.nodes[1]]}, edge.features, region[edge.region]});
+    }
+    for (OutlineFeature& feature : out_.features) {
+      feature.from = (1.0 / unit_) * feature.from;
+      feature.to = (1.0 / unit_) * feature.to;
+    }
+    for (OutlineNode& place : out_.nodes) {
+      place.center = (1.0 / unit_) * place.center;
+      place.radius /= unit_;
+    }
+  }
+
+  /// A feature as it lies around a node: a point, or the line through a side.
+  struct Near {
+    Vec2 at{};
+    Vec2 normal{};  ///< unit vector; zero for a point
+    bool is_line() const { return normal != Vec2{}; }
+    double distance(Vec2 p) const { return is_line() ? std::abs(dot(normal, p - at)) : length(p - at); }
+    Vec2 gradient(Vec2 p) const {
+      if (is_line()) return dot(normal, p - at) < 0.0 ? -normal : normal;
+      const double size = length(p - at);
+      return size > 0.0 ? (1.0 / size) * (p - at) : Vec2{};
+    }
+  };
+  Near near_of(OutlineFeatureSlot slot) const {
+    const OutlineFeature& feature = out_.features[slot];
+    if (feature.is_point()) return {feature.from, {}};
+    const Vec2 along = feature.to - feature.from;
+    return {feature.from, (1.0 / length(along)) * perpendicular(along)};
+  }
+
+  /// `around` are the features of the face.
+  OutlineNode node_at(Face f, const Triple& around) const {
+    if (const OutlineFeatureSlot p = meeting_point(f); p != kNoSlot) return {out_.features[p].from, 0.0};
+    const std::array<Near, 3> near{near_of(around[0]), near_of(around[1]), near_of(around[2])};
+    const auto start =
+        Traits::Construct_svd_vertex_2()(site_of<Traits, Doubles>(around[0]), site_of<Traits, Doubles>(around[1]),
+                                         site_of<Traits, Doubles>(around[2]));
+    const Vec2 at = vec_of(start);
+    for (std::size_t i = 0; i < 3; ++i)
+      for (std::size_t k = 1; k < 3; ++k) {
+        const std::size_t j = (i + k) % 3;
+        if (!out_.features[around[i]].is_point() || !touch(around[i], around[j])) continue;
+        if (const auto foot = above_end(near[i].at, near[j], near[3 - i - j], at)) return *foot;
+      }
+    if (const auto polished = polish(near, at)) return *polished;
+    return exact_node(around, near);
+  }
+
+  /// The node of a point, a side that ends there, and a third feature: on the normal through the point, on the side of
+  /// `about`.
+  static std::optional<OutlineNode> above_end(Vec2 p, const Near& side, const Near& third, Vec2 about) {
+    if (!is_finite(about)) return std::nullopt;
+    const Vec2 up = dot(side.normal, about - p) < 0.0 ? -side.normal : side.normal;
+    double height = 0.0;
+    if (third.is_line()) {
+      const Vec2 m = third.gradient(p);
+      height = third.distance(p) / (1.0 - dot(up, m));
+    } else {
+      const Vec2 q = third.at - p;
+      height = 0.5 * dot(q, q) / dot(up, q);
+    }
+    const OutlineNode node{p + height * up, height};
+    const double error = std::abs(third.distance(node.center) - height);
+    if (!(height > 0.0) || !(error <= tolerance(node.center, height))) return std::nullopt;
+    return node;
+  }
+
+  /// Rounding of distances of this size at these coordinates.
+  static double tolerance(Vec2 at, double radius) {
+    return 64.0 * kEpsilon * (std::abs(at.x) + std::abs(at.y) + radius + 1.0);
+  }
+
+  /// Newton's method for the point at one distance from the three.
+  static std::optional<OutlineNode> polish(const std::array<Near, 3>& near, Vec2 at) {
+    constexpr int kSteps = 4;
+    for (int step = 0; is_finite(at); ++step) {
+      const std::array d{near[0].distance(at), near[1].distance(at), near[2].distance(at)};
+      const Vec2 first = near[1].gradient(at) - near[0].gradient(at);
+      const Vec2 second = near[2].gradient(at) - near[0].gradient(at);
+      const double area = cross(first, second);
+      constexpr double kFlat = 1e-6;  // flatter than this, rounding moves the point too far
+      if (!(std::abs(area) > kFlat * length(first) * length(second))) return std::nullopt;
+      const Vec2 by = {((d[0] - d[1]) * second.y - (d[0] - d[2]) * first.y) / area,
+                       ((d[0] - d[2]) * first.x - (d[0] - d[1]) * second.x) / area};
+      const double radius = (d[0] + d[1] + d[2]) / 3.0;
+      if (length(by) <= tolerance(at, radius)) return OutlineNode{at + by, radius};
+      if (step == kSteps) return std::nullopt;
+      at = at + by;
+    }
+    return std::nullopt;
+  }
+
+  template <class SiteTraits, class Kernel>
+  typename SiteTraits::Site_2 site_of(OutlineFeatureSlot slot) const {
+    const OutlineFeature& feature = out_.features[slot];
+    using Number = typename Kernel::FT;
+    const auto point = [](Vec2 p) { return typename Kernel::Point_2(Number(p.x), Number(p.y)); };
+    return feature.is_point() ? SiteTraits::Site_2::construct_site_2(point(feature.from))
+                              : SiteTraits::Site_2::construct_site_2(point(feature.from), point(feature.to));
+  }
+
+  /// For positions that doubles do not find.
+  OutlineNode exact_node(const Triple& around, const std::array<Near, 3>& near) const {
+    const auto at = ExactTraits::Construct_svd_vertex_2()(site_of<ExactTraits, Roots>(around[0]),
+                                                          site_of<ExactTraits, Roots>(around[1]),
+                                                          site_of<ExactTraits, Roots>(around[2]));
+    const Vec2 rounded{CGAL::to_double(at.x()), CGAL::to_double(at.y())};
+    return {rounded, (near[0].distance(rounded) + near[1].distance(rounded) + near[2].distance(rounded)) / 3.0};
+  }
+
+  std::span<const OutlineSide> sides_;
+  JobControl& job_;
+  double unit_ = 1.0;
+  Graph graph_;
+  std::unordered_map<const void*, OutlineFeatureSlot> feature_;
+  std::unordered_map<const void*, GraphFaceSlot> face_;
+  Table<OutlineFeatureSlot, std::array<OutlineFeatureSlot, 2>> ends_;  // of sides
+  Table<OutlineFeatureSlot, bool> separates_;                          // sides
+  Table<GraphFaceSlot, GraphFaceSlot> region_;  // kNoSlot outside, and where the features of a face meet
+  OutlineGraph out_;
+};
+
+}  // namespace
+
+OutlineGraph inner_voronoi(std::span<const OutlineSide> sides, JobControl& job) {
+  if (sides.empty()) return {};
+  return InnerVoronoi(sides, job).run();
+}
+
+}  // namespace mes

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/outline/outline_axis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+#include "core/graph/explain.h"
+#include "core/structures/outline/internal/segment_voronoi.h"
+#include "core/structures/outline/outline_sides.h"
+
+namespace mes {
+
+/// The points equally far from a focus and a line: foot + x along + (x^2 + h^2) / (2 h) up, where h is the distance of
+/// the focus.
+struct OutlineAxis::Parabola {
+  Vec2 foot{};
+  Vec2 along{};
+  Vec2 up{};
+  double h = 0.0;
+  double first = 0.0;  ///< x of the first node
+  double last = 0.0;
+
+  double radius(double x) const { return 0.5 * (x * (x / h) + h); }
+  Vec2 at(double x) const { return foot + x * along + radius(x) * up; }
+};
+
+OutlineAxis::OutlineAxis(CurveSourceInput& source, Samples& samples, Contours& contours)
+    : Structure("outline-axis", {&source, &samples, &contours}),
+      source_(source),
+      samples_(samples),
+      contours_(contours) {}
+
+std::optional<OutlineAxis::Parabola> OutlineAxis::parabola(OutlineEdgeSlot slot) const {
+  const OutlineEdge& edge = graph_.edges[slot];
+  const OutlineFeature* focus = &graph_.features[edge.features[0]];
+  const OutlineFeature* side = &graph_.features[edge.features[1]];
+  if (!focus->is_point()) std::swap(focus, side);
+  if (!focus->is_point() || side->is_point()) return std::nullopt;
+  const Vec2 line = side->to - side->from;
+  const Vec2 along = (1.0 / length(line)) * line;
+  const double height = cross(along, focus->from - side->from);
+  const Vec2 up = height < 0.0 ? -perpendicular(along) : perpendicular(along);
+  const Vec2 foot = focus->from - std::abs(height) * up;
+  const Vec2 first = graph_.nodes[edge.nodes[0]].center;
+  const Vec2 last = graph_.nodes[edge.nodes[1]].center;
+  Parabola out{foot, along, up, std::abs(height), dot(along, first - foot), dot(along, last - foot)};
+  // Rounding leaves nothing of an arc whose focus nearly lies on the line: it is a ray.
+  const double size = std::max(std::abs(out.first), std::abs(out.last));
+  if (!(out.h > 0x1p-30 * size)) return std::nullopt;
+  return out;
+}
+
+std::optional<Vec2> OutlineAxis::control(OutlineEdgeSlot edge) const {
+  const std::optional<Parabola> arc = parabola(edge);
+  if (!arc) return std::nullopt;
+  const double height = 0.5 * (arc->first * (arc->last / arc->h) + arc->h);
+  return arc->foot + (0.5 * arc->first + 0.5 * arc->last) * arc->along + height * arc->up;
+}
+
+void OutlineAxis::add_pieces(OutlineEdgeSlot slot) {
+  const OutlineEdge& edge = graph_.edges[slot];
+  const OutlineNode& last = graph_.nodes[edge.nodes[1]];
+  OutlineNode at = graph_.nodes[edge.nodes[0]];
+  const auto go_to = [&](const OutlineNode& next) {
+    pieces_.push_back({at.center, next.center, at.radius, next.radius, slot});
+    at = next;
+  };
+  if (const std::optional<Parabola> arc = parabola(slot)) {
+    // With x = h sinh(u), a chord over a step s of u leaves the arc by at most s^2 / 4 of the radius.
+    constexpr double kStep = 1.0 / 16.0;
+    const double u = std::asinh(arc->first / arc->h);
+    const double v = std::asinh(arc->last / arc->h);
+    const auto steps = static_cast<int>(std::ceil(std::abs(v - u) / kStep));
+    for (int i = 1; i < steps; ++i) {
+      const double x = arc->h * std::sinh(u + (v - u) * i / steps);
+      go_to({arc->at(x), arc->radius(x)});
+    }
+  }
+  go_to(last);
+}
+
+void OutlineAxis::rebuild(JobControl& job) {
+  graph_ = {};
+  pieces_ = {};
+  tolerance_ = 0.0;
+  OutlineSides sides;
+  if (const auto& source = source_.current()) {
+    const double tolerance = outline_tolerance(source->curves->curves);
+    for (const PlaneCurve& curve : source->curves->curves) {
+      sides.add(curve, tolerance);
+      if (!curve.is_polyline()) tolerance_ = tolerance;
+    }
+  } else {
+    for (std::size_t i = 0; i < contours_.row_count(); ++i) {
+      const ContourSlot row(i);
+      if (!contours_.has_link(row)) continue;
+      const auto [from, to] = contours_.link(row);
+      sides.add(samples_.position(from), samples_.position(to), contours_.is_closed(contours_.contour(row)));
+    }
+  }
+  job.checkpoint();
+  const std::vector<OutlineSide> straight = sides.take(job);
+  graph_ = inner_voronoi(straight, job);
+  graph_.crossings = sides.crossings();
+  for (const OutlineEdgeSlot edge : graph_.edges.rows()) add_pieces(edge);
+}
+
+bool OutlineAxis::update(JobControl&) {
+  return source_.touched() == 0 && (source_.current() || contours_.touched() == 0);
+}
+
+StatList OutlineAxis::statistics() const {
+  const auto parabolas =
+      std::ranges::count_if(graph_.edges.rows(), [this](OutlineEdgeSlot edge) { return parabola(edge).has_value(); });
+  StatList out{{"edges", static_cast<std::int64_t>(graph_.edges.size())},
+               {"parabolas", static_cast<std::int64_t>(parabolas)},
+               {"nodes", static_cast<std::int64_t>(graph_.nodes.size())},
+               {"regions", static_cast<std::int64_t>(graph_.regions)},
+               {"crossings", static_cast<std::int64_t>(graph_.crossings)}};
+  if (tolerance_ != 0.0) out.push_back({"tolerance", tolerance_});
+  if (graph_.regions == 0) out.push_back({"nothing_because", std::string("no closed contour encloses anything")});
+  return out;
+}
+
+void OutlineAxis::explain(ElementKind kind, RowNumber row, Explanation& out) const {
+  const OutlinePieceSlot piece(row);
+  if (kind != ElementKind::axis_piece || !pieces_.has(piece)) return;
+  const OutlineEdgeSlot slot = pieces_[piece].edge;
+  const OutlineEdge& edge = graph_.edges[slot];
+  const OutlineNode& first = graph_.nodes[edge.nodes[0]];
+  const OutlineNode& last = graph_.nodes[edge.nodes[1]];
+  ProvenanceShapes itself;
+  for (std::size_t i = row; i < pieces_.size() && pieces_[OutlinePieceSlot(i)].edge == slot; ++i)
+    itself.segment(pieces_[OutlinePieceSlot(i)].from, pieces_[OutlinePieceSlot(i)].to);
+  for (std::size_t i = row; i-- > 0 && pieces_[OutlinePieceSlot(i)].edge == slot;)
+    itself.segment(pieces_[OutlinePieceSlot(i)].from, pieces_[OutlinePieceSlot(i)].to);
+  out.say_itself("Edge of the axis of the outline",
+                 std::string(parabola(slot) ? ", an arc of a parabola" : ", straight") + ", radius " +
+                     number_text(first.radius) + " to " + number_text(last.radius),
+                 itself);
+  ProvenanceShapes sides;
+  ProvenanceShapes vertices;
+  for (const OutlineFeatureSlot i : edge.features) {
+    const OutlineFeature& feature = graph_.features[i];
+    if (feature.is_point())
+      vertices.point(feature.from);
+    else
+      sides.segment(feature.from, feature.to);
+  }
+  out.say_any(ProvenanceRole::origin, "side of the outline is nearest", "sides of the outline are nearest", sides);
+  out.say_any(ProvenanceRole::origin, "vertex of the outline is nearest", "vertices of the outline are nearest",
+              vertices);
+  ProvenanceShapes balls;
+  balls.circle({first.center, first.radius});
+  balls.circle({last.center, last.radius});
+  out.say(ProvenanceRole::product, "largest disks about its ends that hold nothing of the outline", balls);
+}
+
+}  // namespace mes

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The exact medial axis of the outline, as if it had infinitely many samples.
+//
+// The outline consists of the curves that the samples were taken from, or else of the contours of the document with
+// straight sides between neighbours. Its medial axis is the set of points with two or more nearest points on it. Here
+// are the parts inside: in regions that an odd number of closed contours surrounds. A region is connected and has no
+// side in it, so parcels with common borders have an axis each.
+//
+// Guarantees:
+//  1. Edges lie where the axis of the straight sides has edges: this is decided exactly, also for sides that cross,
+//     touch, or have common parts. Positions are rounded (internal/segment_voronoi.h).
+//  2. An edge between a side and a vertex is an arc of a parabola; all others are straight. `control` is the exact
+//     control point of the arc as a quadratic Bézier curve, up to rounding.
+//  3. Curved pieces are replaced by chords, at most `outline_tolerance` away. Edges between neighbouring chords, which
+//     lead to vertices that the curve does not have, are left out. So the axis ends near centres of curvature.
+//  4. The axis depends on the outline as a set, not on samples between vertices or on the order of contours.
+//
+// Cost: a change of the outline computes everything again, O(n log n) for n sides, some 50 us a side.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "core/graph/structure.h"
+#include "core/structures/inputs/contours.h"
+#include "core/structures/inputs/curve_source_input.h"
+#include "core/structures/inputs/samples.h"
+#include "core/structures/outline/outline_graph.h"
+
+namespace mes {
+
+using OutlinePieceSlot = Slot<struct OutlinePieceTag>;
+
+/// A straight piece of an edge, for drawing and measuring. It leaves an arc by about a thousandth of the radius there.
+struct OutlinePiece {
+  Vec2 from{}, to{};
+  double radius_from = 0.0, radius_to = 0.0;
+  OutlineEdgeSlot edge{};
+};
+
+class OutlineAxis final : public Structure {
+ public:
+  OutlineAxis(CurveSourceInput& source, Samples& samples, Contours& contours);
+
+  const OutlineGraph& graph() const { return graph_; }
+  /// Edge by edge, from its first node to its second.
+  const Table<OutlinePieceSlot, OutlinePiece>& pieces() const { return pieces_; }
+  /// Control point of an edge that is an arc of a parabola; nothing for straight edges.
+  std::optional<Vec2> control(OutlineEdgeSlot edge) const;
+  const ChangeSet<OutlinePieceSlot>& changes() const { return no_changes<OutlinePieceSlot>(); }
+
+  void rebuild(JobControl& job) override;
+  bool update(JobControl& job) override;
+  void clear_changes() override {}
+  std::size_t touched() const override { return 0; }
+  StatList statistics() const override;
+  std::vector<TableColumns> table_columns() const override;
+  void explain(ElementKind kind, RowNumber row, Explanation& out) const override;
+
+ private:
+  struct Parabola;
+  std::optional<Parabola> parabola(OutlineEdgeSlot edge) const;
+  void add_pieces(OutlineEdgeSlot edge);
+
+  CurveSourceInput& source_;
+  Samples& samples_;
+  Contours& contours_;
+  OutlineGraph graph_;
+  Table<OutlinePieceSlot, OutlinePiece> pieces_;
+  double tolerance_ = 0.0;  // of chords of curved pieces; 0: all sides are straight
+};
+
+}  // namespace mes

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/outline/outline_sides.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+#include "core/base/box_tree.h"
+#include "core/base/error.h"
+#include "core/curves/curve_bounds.h"
+#include "core/kernel/point_predicates.h"
+
+namespace mes {
+namespace {
+
+constexpr std::size_t kOften = 4096;
+
+/// Chords turn by at most this from end to end, and joins that turn by less are smooth.
+constexpr double kMostTurn = 1.0 / 16.0;
+
+/// True if the directions differ by at most `kMostTurn`.
+bool go_on(Vec2 before, Vec2 after) {
+  return dot(before, after) > 0.0 && std::abs(cross(before, after)) <= kMostTurn * dot(before, after);
+}
+
+double distance_from_chord(Vec2 p, Vec2 from, Vec2 to) {
+  const Vec2 along = to - from;
+  const double size = length(along);
+  return size > 0.0 ? std::abs(cross(along, p - from)) / size : distance(p, from);
+}
+
+/// Adds the ends of chords of a curved piece, all but its start.
+void add_chords(const Piece& piece, double tolerance, int halvings, std::vector<Vec2>& out) {
+  const bool is_straight = std::ranges::all_of(std::array{0.25, 0.5, 0.75}, [&](double t) {
+    return distance_from_chord(piece.at(t), piece.from(), piece.to()) <= tolerance;
+  });
+  if (halvings == 0 || (is_straight && go_on(piece.first_direction(), piece.last_direction()))) {
+    out.push_back(piece.to());
+    return;
+  }
+  add_chords(piece.part(0.0, 0.5), tolerance, halvings - 1, out);
+  add_chords(piece.part(0.5, 1.0), tolerance, halvings - 1, out);
+}
+
+bool by_ends(const OutlineSide& a, const OutlineSide& b) {
+  return std::tie(a.from.x, a.from.y, a.to.x, a.to.y) < std::tie(b.from.x, b.from.y, b.to.x, b.to.y);
+}
+
+Box2 box_of(const OutlineSide& side) {
+  Box2 box;
+  box.add(side.from);
+  box.add(side.to);
+  return box;
+}
+
+BoxTree<std::uint32_t> tree_of(std::span<const OutlineSide> sides) {
+  std::vector<std::uint32_t> numbers(sides.size());
+  std::iota(numbers.begin(), numbers.end(), 0U);
+  BoxTree<std::uint32_t> tree;
+  tree.build(
+      std::span<const std::uint32_t>(numbers), [sides](std::uint32_t i) { return TreeBounds{box_of(sides[i])}; },
+      [](std::uint32_t, std::uint32_t) {});
+  return tree;
+}
+
+/// True for a point of the line through the side if it lies inside it; points on it are in this order.
+bool is_between(Vec2 p, const OutlineSide& side) {
+  return lexicographically_less(side.from, p) && lexicographically_less(p, side.to);
+}
+
+/// The crossing, rounded, in the boxes of both.
+Vec2 crossing_of(const OutlineSide& a, const OutlineSide& b) {
+  const Vec2 along = a.to - a.from;
+  const Vec2 other = b.to - b.from;
+  const Vec2 at = a.from + (cross(b.from - a.from, other) / cross(along, other)) * along;
+  const Box2 first = box_of(a);
+  const Box2 second = box_of(b);
+  return {std::clamp(at.x, std::max(first.low.x, second.low.x), std::min(first.high.x, second.high.x)),
+          std::clamp(at.y, std::max(first.low.y, second.low.y), std::min(first.high.y, second.high.y))};
+}
+
+/// All ends, each once, sorted.
+std::vector<Vec2> ends_of(std::span<const OutlineSide> sides) {
+  std::vector<Vec2> out;
+  out.reserve(2 * sides.size());
+  for (const OutlineSide& side : sides) {
+    out.push_back(side.from);
+    out.push_back(side.to);
+  }
+  std::ranges::sort(out, lexicographically_less);
+  const auto rest = std::ranges::unique(out);
+  out.erase(rest.begin(), rest.end());
+  return out;
+}
+
+}  // namespace
+
+bool SmoothPlace::is_next_to(const SmoothPlace& other) const {
+  if (stretch == kNone || stretch != other.stretch) return false;
+  const std::uint32_t apart = std::max(number, other.number) - std::min(number, other.number);
+  constexpr std::uint32_t kTwoChords = 4;
+  return std::min(apart, count == 0 ? apart : count - apart) <= kTwoChords;
+}
+
+double outline_tolerance(std::span<const PlaneCurve> curves) {
+  const Box2 box = bounds_of(curves);
+  return box.is_empty() ? 0.0 : 0x1p-14 * std::max(box.width(), box.height());
+}
+
+void OutlineSides::add(Vec2 from, Vec2 to, bool is_of_closed_contour, const SmoothPlace& smooth) {
+  if (from == to) return;
+  if (lexicographically_less(to, from)) std::swap(from, to);
+  sides_.push_back({from, to, is_of_closed_contour, smooth});
+}
+
+void OutlineSides::add(Vec2 from, Vec2 to, bool is_of_closed_contour) {
+  add(from, to, is_of_closed_contour, SmoothPlace{});
+}
+
+void OutlineSides::add(const PlaneCurve& curve, double tolerance) {
+  std::vector<Piece> pieces;
+  curve.for_each_piece([&](const Piece& piece) {
+    if (piece.kind != PieceKind::line || piece.from() != piece.to()) pieces.push_back(piece);
+  });
+  const std::size_t count = pieces.size();
+  if (count == 0) return;
+  const auto goes_on_after = [&](std::size_t i) {
+    if (i + 1 == count && !curve.is_closed()) return false;
+    const Piece& next = pieces[(i + 1) % count];
+    if (pieces[i].kind == PieceKind::line && next.kind == PieceKind::line) return false;
+    return go_on(pieces[i].last_direction(), next.first_direction());
+  };
+  // Begin behind a corner, so that no stretch passes the beginning; a closed curve without corners is one stretch.
+  std::size_t first = 0;
+  while (first < count && goes_on_after((first + count - 1) % count)) ++first;
+  const bool is_round = first == count;
+  const std::size_t begin = sides_.size();
+  SmoothPlace place{.stretch = stretches_++};
+  std::vector<Vec2> ends;
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::size_t i = (first + k) % count;
+    const Piece& piece = pieces[i];
+    ends.clear();
+    constexpr int kMostHalvings = 12;
+    if (piece.kind == PieceKind::line)
+      ends.push_back(piece.to());
+    else
+      add_chords(piece, tolerance, kMostHalvings, ends);
+    Vec2 at = piece.from();
+    for (const Vec2 end : ends) {
+      add(at, end, curve.is_closed(), place);
+      if (at != end) place.number += 2;
+      at = end;
+    }
+    if (!goes_on_after(i)) place = {.stretch = stretches_++};
+  }
+  if (is_round)
+    for (std::size_t i = begin; i < sides_.size(); ++i) sides_[i].smooth.count = place.number;
+}
+
+std::vector<OutlineSides::Cut> OutlineSides::ends_on_sides(JobControl& job) const {
+  const std::vector<Vec2> ends = ends_of(sides_);
+  const BoxTree<std::uint32_t> tree = tree_of(sides_);
+  std::vector<Cut> cuts;
+  for (std::size_t k = 0; k < ends.size(); ++k) {
+    if (k % kOften == 0) job.checkpoint();
+    const Vec2 end = ends[k];
+    tree.visit_where([end](const Box2& box, double) { return box.contains(end); },
+                     [&](std::uint32_t i) {
+                       const OutlineSide& side = sides_[i];
+                       if (is_between(end, side) && orientation(side.from, side.to, end) == 0)
+                         cuts.emplace_back(i, end);
+                     });
+  }
+  return cuts;
+}
+
+std::vector<OutlineSides::Cut> OutlineSides::crossings_of_sides(JobControl& job) {
+  const BoxTree<std::uint32_t> tree = tree_of(sides_);
+  std::vector<Cut> cuts;
+  for (std::uint32_t i = 0; i < sides_.size(); ++i) {
+    if (i % kOften == 0) job.checkpoint();
+    const OutlineSide& a = sides_[i];
+    const Box2 own = box_of(a);
+    tree.visit_where([&own](const Box2& box, double) { return overlap(own, box); },
+                     [&](std::uint32_t j) {
+                       const OutlineSide& b = sides_[j];
+                       if (j <= i || !overlap(own, box_of(b)) ||
+                           orientation(a.from, a.to, b.from) * orientation(a.from, a.to, b.to) >= 0 ||
+                           orientation(b.from, b.to, a.from) * orientation(b.from, b.to, a.to) >= 0)
+                         return;
+                       ++crossings_;
+                       const Vec2 at = crossing_of(a, b);
+                       if (is_between(at, a)) cuts.emplace_back(i, at);
+                       if (is_between(at, b)) cuts.emplace_back(j, at);
+                     });
+  }
+  return cuts;
+}
+
+void OutlineSides::split(std::vector<Cut> cuts) {
+  std::ranges::sort(cuts, [](const Cut& a, const Cut& b) {
+    return std::tie(a.first, a.second.x, a.second.y) < std::tie(b.first, b.second.x, b.second.y);
+  });
+  for (std::size_t k = 0; k < cuts.size();) {
+    const std::uint32_t i = cuts[k].first;
+    std::size_t piece = i;  // `sides_` grows
+    for (; k < cuts.size() && cuts[k].first == i; ++k) {
+      if (cuts[k].second == sides_[piece].from) continue;
+      OutlineSide rest = sides_[piece];
+      sides_[piece].to = rest.from = cuts[k].second;
+      piece = sides_.size();
+      sides_.push_back(rest);
+    }
+  }
+  merge();
+}
+
+void OutlineSides::merge() {
+  std::ranges::stable_sort(sides_, by_ends);
+  std::vector<OutlineSide> out;
+  for (const OutlineSide& side : sides_) {
+    if (out.empty() || by_ends(out.back(), side))
+      out.push_back(side);
+    else
+      out.back().separates = out.back().separates != side.separates;
+  }
+  sides_.swap(out);
+}
+
+std::vector<OutlineSide> OutlineSides::take(JobControl& job) {
+  merge();
+  split(ends_on_sides(job));
+  constexpr int kMostRounds = 32;
+  for (int round = 0;; ++round) {
+    std::vector<Cut> cuts = crossings_of_sides(job);
+    if (cuts.empty()) return std::move(sides_);
+    if (round == kMostRounds) throw GeometryError("the sides of the outline cross too often at almost one point");
+    split(std::move(cuts));
+    split(ends_on_sides(job));
+  }
+}
+
+}  // namespace mes

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The outline of a document as straight sides.
+//
+// Guarantees:
+//  1. Sides are different, and two of them have at most one point in common: an end of both.
+//  2. The sides depend on the outline as a set: not on the order of contours, their directions, or where they begin.
+//  3. Straight sides are exact. A vertex that lies exactly on a side splits it, as where parcels meet in a T. Sides that
+//     cross are split at the crossing, rounded to doubles; this alone moves them.
+//
+// Cost: O(n log n) for n sides where few boxes of sides overlap. Threads: any.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "core/base/job_control.h"
+#include "core/base/vec2.h"
+#include "core/curves/curve.h"
+
+namespace mes {
+
+/// Position along a smooth stretch of curves: a side has an even number, and the vertex after it the next odd number.
+struct SmoothPlace {
+  static constexpr std::uint32_t kNone = 0xffffffffU;
+  std::uint32_t stretch = kNone;  ///< number of the stretch, kNone on a straight side or at a corner
+  std::uint32_t number = 0;
+  std::uint32_t count = 0;  ///< numbers of a closed stretch, after which they begin again at 0; 0: it is open
+
+  /// True if the two lie on one stretch with fewer than two chords between them. What is equally far from both is the
+  /// trace of a vertex between chords, not of the curve.
+  bool is_next_to(const SmoothPlace& other) const;
+};
+
+struct OutlineSide {
+  Vec2 from{};  ///< the lexicographically smaller end
+  Vec2 to{};
+  bool separates = false;  ///< an odd number of closed contours runs along it
+  SmoothPlace smooth{};
+};
+
+/// Collects contours, one after the other.
+class OutlineSides {
+ public:
+  void add(Vec2 from, Vec2 to, bool is_of_closed_contour);
+  /// Curved pieces become chords that leave them by at most `tolerance` and turn by at most 1/16.
+  void add(const PlaneCurve& curve, double tolerance);
+  /// Splits sides where others end on them or cross them, merges equal ones, and sorts them by their ends. Throws
+  /// `Cancelled`, and `GeometryError` if rounded crossings cause new crossings again and again.
+  std::vector<OutlineSide> take(JobControl& job);
+  /// Number of crossings that `take` found.
+  std::size_t crossings() const { return crossings_; }
+
+ private:
+  void add(Vec2 from, Vec2 to, bool is_of_closed_contour, const SmoothPlace& smooth);
+
+  using Cut = std::pair<std::uint32_t, Vec2>;  // a side, and a point inside it
+  std::vector<Cut> ends_on_sides(JobControl& job) const;
+  std::vector<Cut> crossings_of_sides(JobControl& job);
+  void split(std::vector<Cut> cuts);
+  void merge();
+
+  std::vector<OutlineSide> sides_;
+  std::uint32_t stretches_ = 0;
+  std::size_t crossings_ = 0;
+};
+
+/// How far chords may leave curves of this extent: 2^-14 of its larger side.
+double outline_tolerance(std::span<const PlaneCurve> curves);
+
+}  // namespace mes

@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The axis of the outline: known shapes, distances in a plain loop over all sides, the segment Voronoi diagram of
+// Boost.Polygon, and images of an outline.
+#include <algorithm>
+#include <array>
+#include <boost/polygon/polygon.hpp>
+#include <boost/polygon/segment_data.hpp>
+#include <boost/polygon/voronoi.hpp>
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <numeric>
+#include <tuple>
+#include <vector>
+
+#include "core/base/rng.h"
+#include "core/structures/outline/axis_error.h"
+#include "core/structures/outline/outline_axis.h"
+#include "tests/support/parcels.h"
+#include "tests/support/workbench.h"
+
+using namespace mes;
+using namespace mes::test;
+
+namespace {
+
+using Ring = std::vector<Vec2>;
+
+SampleData data_of_rings(const std::vector<Ring>& rings) {
+  SampleData data;
+  for (const Ring& ring : rings) {
+    SampleData::Contour& contour = data.contours.emplace_back();
+    contour.points.resize(ring.size());
+    std::iota(contour.points.begin(), contour.points.end(), static_cast<std::uint32_t>(data.positions.size()));
+    data.positions.insert(data.positions.end(), ring.begin(), ring.end());
+  }
+  return data;
+}
+
+SampleData data_of_curves(const std::vector<PlaneCurve>& curves) {
+  SampleData data;
+  auto set = std::make_shared<CurveSet>();
+  set->curves = curves;
+  data.source = std::make_shared<const CurveSource>(CurveSource{.curves = set});
+  data.positions = {{0.0, 0.0}};  // the samples do not matter
+  return data;
+}
+
+struct AxisBench : TestBench {
+  explicit AxisBench(const SampleData& data) {
+    show({"outline-axis"});
+    load(data);
+  }
+  const OutlineAxis& axis() const { return get<OutlineAxis>(); }
+  double length() const {
+    double out = 0.0;
+    for (const OutlinePiece& piece : axis().pieces()) out += distance(piece.from, piece.to);
+    return out;
+  }
+  /// Whether there is a node at the point, with this radius.
+  bool has_node(Vec2 at, double radius) const {
+    return std::ranges::any_of(axis().graph().nodes, [&](const OutlineNode& node) {
+      return distance(node.center, at) < 1e-9 && std::abs(node.radius - radius) < 1e-9;
+    });
+  }
+};
+
+/// A piece without direction, for comparison.
+using PlainPiece = std::array<double, 6>;
+std::vector<PlainPiece> pieces_of(const OutlineAxis& axis, double unit) {
+  std::vector<PlainPiece> out;
+  for (const OutlinePiece& piece : axis.pieces()) {
+    const PlainPiece there{unit * piece.from.x, unit * piece.from.y, unit * piece.radius_from,
+                           unit * piece.to.x,   unit * piece.to.y,   unit * piece.radius_to};
+    const PlainPiece back{there[3], there[4], there[5], there[0], there[1], there[2]};
+    out.push_back(std::min(there, back));
+  }
+  std::ranges::sort(out);
+  return out;
+}
+
+double distance_to_side(Vec2 p, Vec2 a, Vec2 b) {
+  const Vec2 d = b - a;
+  return distance(p, a + std::clamp(dot(p - a, d) / dot(d, d), 0.0, 1.0) * d);
+}
+
+/// A polygon around the origin with vertices on integers, whose radii lie between `low` and `high`.
+Ring star_polygon(Rng& rng, std::size_t count, double low, double high) {
+  Ring out;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle =
+        2.0 * std::numbers::pi * (static_cast<double>(i) + rng.uniform(0.1, 0.9)) / static_cast<double>(count);
+    const double radius = rng.uniform(low, high);
+    out.push_back({std::round(radius * std::cos(angle)), std::round(radius * std::sin(angle))});
+  }
+  return out;
+}
+
+std::vector<Ring> polygon_with_hole(Rng& rng) {
+  const std::size_t count = 7 + rng.below(25);
+  std::vector<Ring> out{star_polygon(rng, count, 2.0e6, 5.0e6)};
+  // Sides of the outer ring keep a distance of two thirds of its least radius.
+  out.push_back(star_polygon(rng, 3 + rng.below(9), 2.0e5, 9.0e5));
+  return out;
+}
+
+}  // namespace
+
+TEST_CASE("known shapes have their known axis") {
+  {
+    const AxisBench square(data_of_rings({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}}));
+    CHECK(square.count("outline-axis", "edges") == 4);
+    CHECK(square.count("outline-axis", "nodes") == 5);
+    CHECK(square.has_node({1, 1}, 1));
+    CHECK(square.length() == Approx(4.0 * std::numbers::sqrt2));
+  }
+  {
+    const AxisBench corner(data_of_rings({{{0, 0}, {2, 0}, {2, 1}, {1, 1}, {1, 2}, {0, 2}}}));
+    CHECK(corner.count("outline-axis", "edges") == 9);
+    CHECK(corner.count("outline-axis", "parabolas") == 2);
+    const double at = 2.0 - std::numbers::sqrt2;
+    CHECK(corner.has_node({at, at}, at));
+    CHECK(corner.has_node({0.5, 1.0}, 0.5));
+  }
+  {
+    const AxisBench ring(data_of_rings({{{0, 0}, {3, 0}, {3, 3}, {0, 3}}, {{1, 1}, {1, 2}, {2, 2}, {2, 1}}}));
+    CHECK(ring.count("outline-axis", "edges") == 16);
+    CHECK(ring.count("outline-axis", "nodes") == 16);
+    CHECK(ring.count("outline-axis", "regions") == 1);
+  }
+  {
+    // A common side in two contours, with a T.
+    const AxisBench parcels(data_of_rings(
+        {{{0, 0}, {2, 0}, {2, 2}, {0, 2}}, {{2, 0}, {4, 0}, {4, 1}, {2, 1}}, {{2, 1}, {4, 1}, {4, 2}, {2, 2}}}));
+    CHECK(parcels.count("outline-axis", "regions") == 3);
+    CHECK(parcels.count("outline-axis", "edges") == 4 + 5 + 5);
+    CHECK(parcels.has_node({1, 1}, 1));
+  }
+  {
+    const AxisBench eight(data_of_rings({{{0, 0}, {2, 2}, {2, 0}, {0, 2}}}));
+    CHECK(eight.count("outline-axis", "regions") == 2);
+    CHECK(eight.count("outline-axis", "crossings") == 1);
+    CHECK(eight.count("outline-axis", "edges") == 6);
+  }
+  for (const std::vector<Ring>& nothing : {std::vector<Ring>{},
+                                           {{{0, 0}}},
+                                           {{{0, 0}, {1, 0}}},
+                                           {{{0, 0}, {1, 0}, {2, 0}}},
+                                           {{{0, 0}, {2, 0}, {1, 0}}},
+                                           {{{0, 0}, {1, 0}, {0, 1}}, {{0, 0}, {1, 0}, {0, 1}}}}) {
+    const AxisBench bench(data_of_rings(nothing));
+    CHECK(bench.count("outline-axis", "edges") == 0);
+    CHECK(bench.count("outline-axis", "regions") == 0);
+  }
+}
+
+TEST_CASE("every point of the axis is as far from two features as its radius says, and no side is nearer") {
+  Rng rng(5);
+  for (int round = 0; round < 20; ++round) {
+    const std::vector<Ring> rings = polygon_with_hole(rng);
+    const AxisBench bench(data_of_rings(rings));
+    const OutlineGraph& graph = bench.axis().graph();
+    // Any polygon with one hole has an axis with one cycle, in one piece.
+    REQUIRE(graph.edges.size() == graph.nodes.size());
+    const auto nearest = [&](Vec2 p) {
+      double out = std::numeric_limits<double>::infinity();
+      for (const Ring& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i)
+          out = std::min(out, distance_to_side(p, ring[i], ring[(i + 1) % ring.size()]));
+      return out;
+    };
+    for (const OutlinePiece& piece : bench.axis().pieces()) {
+      CHECK(nearest(piece.from) == Approx(piece.radius_from).margin(1e-6));
+      CHECK(nearest(piece.to) == Approx(piece.radius_to).margin(1e-6));
+      const OutlineEdge& edge = graph.edges[piece.edge];
+      for (const OutlineFeatureSlot slot : edge.features) {
+        const OutlineFeature& feature = graph.features[slot];
+        const double apart = feature.is_point() ? distance(piece.from, feature.from)
+                                                : distance_to_side(piece.from, feature.from, feature.to);
+        CHECK(apart == Approx(piece.radius_from).margin(1e-6));
+      }
+    }
+    // The arc with this control point passes at the same distance from both.
+    for (const OutlineEdgeSlot slot : graph.edges.rows()) {
+      const auto control = bench.axis().control(slot);
+      if (!control) continue;
+      const OutlineEdge& edge = graph.edges[slot];
+      const Vec2 at =
+          0.25 * graph.nodes[edge.nodes[0]].center + 0.5 * *control + 0.25 * graph.nodes[edge.nodes[1]].center;
+      const OutlineFeature* point = &graph.features[edge.features[0]];
+      const OutlineFeature* side = &graph.features[edge.features[1]];
+      if (!point->is_point()) std::swap(point, side);
+      CHECK(distance(at, point->from) == Approx(distance_to_side(at, side->from, side->to)).margin(1e-5));
+    }
+  }
+}
+
+TEST_CASE("the axis is that of the segment Voronoi diagram of Boost.Polygon") {
+  namespace bp = boost::polygon;
+  Rng rng(11);
+  for (int round = 0; round < 200; ++round) {
+    const std::vector<Ring> rings = polygon_with_hole(rng);
+    const AxisBench bench(data_of_rings(rings));
+    std::vector<bp::segment_data<int>> sides;
+    for (const Ring& ring : rings)
+      for (std::size_t i = 0; i < ring.size(); ++i) {
+        const Vec2 a = ring[i];
+        const Vec2 b = ring[(i + 1) % ring.size()];
+        sides.emplace_back(bp::point_data<int>(static_cast<int>(a.x), static_cast<int>(a.y)),
+                           bp::point_data<int>(static_cast<int>(b.x), static_cast<int>(b.y)));
+      }
+    bp::voronoi_diagram<double> diagram;
+    bp::construct_voronoi(sides.begin(), sides.end(), &diagram);
+    const auto is_inside = [&](Vec2 p) {
+      bool inside = false;
+      for (const Ring& ring : rings)
+        for (std::size_t i = 0; i < ring.size(); ++i) {
+          const Vec2 a = ring[i];
+          const Vec2 b = ring[(i + 1) % ring.size()];
+          if ((a.y > p.y) != (b.y > p.y) && p.x < a.x + (p.y - a.y) / (b.y - a.y) * (b.x - a.x)) inside = !inside;
+        }
+      return inside;
+    };
+    std::size_t edges = 0;
+    std::size_t curved = 0;
+    for (const auto& edge : diagram.edges()) {
+      if (!edge.is_primary() || !edge.is_finite() || &edge > edge.twin()) continue;
+      const Vec2 a{edge.vertex0()->x(), edge.vertex0()->y()};
+      const Vec2 b{edge.vertex1()->x(), edge.vertex1()->y()};
+      if (!is_inside(0.5 * (a + b))) continue;
+      ++edges;
+      if (edge.is_curved()) ++curved;
+      for (const Vec2 end : {a, b})
+        CHECK(std::ranges::any_of(bench.axis().graph().nodes,
+                                  [&](const OutlineNode& node) { return distance(node.center, end) < 1e-3; }));
+    }
+    CHECK(bench.axis().graph().edges.size() == edges);
+    CHECK(bench.count("outline-axis", "parabolas") == static_cast<std::int64_t>(curved));
+  }
+}
+
+TEST_CASE("the axis depends on the outline as a set") {
+  Rng rng(17);
+  for (int round = 0; round < 20; ++round) {
+    std::vector<Ring> rings = polygon_with_hole(rng);
+    const std::vector<PlainPiece> pieces = pieces_of(AxisBench(data_of_rings(rings)).axis(), 1.0);
+    std::vector<Ring> other = rings;
+    std::swap(other[0], other[1]);
+    for (Ring& ring : other) {
+      std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(rng.below(ring.size())), ring.end());
+      if (rng.below(2) == 0) std::ranges::reverse(ring);
+    }
+    CHECK(pieces_of(AxisBench(data_of_rings(other)).axis(), 1.0) == pieces);
+    for (Ring& ring : other)
+      for (Vec2& p : ring) p = 0x1p-300 * p;
+    CHECK(pieces_of(AxisBench(data_of_rings(other)).axis(), 0x1p300) == pieces);
+  }
+}
+
+TEST_CASE("further samples on the sides change nothing") {
+  const Ring polygon{{0, 0}, {64, 0}, {64, 32}, {32, 16}, {0, 64}};
+  Ring refined;
+  for (std::size_t i = 0; i < polygon.size(); ++i) {
+    const Vec2 a = polygon[i];
+    const Vec2 b = polygon[(i + 1) % polygon.size()];
+    for (int k = 0; k < 8; ++k) refined.push_back(a + k / 8.0 * (b - a));
+  }
+  const AxisBench few(data_of_rings({polygon}));
+  const AxisBench many(data_of_rings({refined}));
+  CHECK(many.length() == Approx(few.length()));
+  for (const OutlineNode& node : few.axis().graph().nodes) CHECK(many.has_node(node.center, node.radius));
+}
+
+TEST_CASE("parcels have an axis each, one tree in every rectangle") {
+  for (const double angle : {0.0, 0.3}) {
+    const Parcels map = parcels(40, angle, 2, 3);
+    const AxisBench bench(data_of_curves(map.outlines));
+    // Turned and rounded, corners no longer lie exactly on the sides that they meet: slivers are outside or apart.
+    CHECK(bench.count("outline-axis", "regions") >= static_cast<std::int64_t>(map.boxes.size()));
+    if (angle == 0.0) {
+      CHECK(bench.count("outline-axis", "regions") == static_cast<std::int64_t>(map.boxes.size()));
+      double length = 0.0;
+      for (const Box2& box : map.boxes) {
+        const double low = std::min(box.width(), box.height());
+        length += 2.0 * std::numbers::sqrt2 * low + std::max(box.width(), box.height()) - low;
+      }
+      CHECK(bench.length() == Approx(length).epsilon(1e-3));
+    }
+  }
+}
+
+TEST_CASE("the axis of curves has no branches to vertices of chords, and ends at centres of curvature") {
+  {
+    PlaneCurve ellipse({3.0, 0.0});
+    ellipse.arc_to({.center = {}, .u = {3.0, 0.0}, .v = {0.0, 2.0}, .start = 0.0, .sweep = 2.0 * std::numbers::pi},
+                   {3.0, 0.0});
+    ellipse.close();
+    const AxisBench bench(data_of_curves({ellipse}));
+    const double end = (9.0 - 4.0) / 3.0;
+    double most = 0.0;
+    for (const OutlinePiece& piece : bench.axis().pieces())
+      for (const Vec2 p : {piece.from, piece.to}) {
+        CHECK(std::abs(p.y) < 0.01);
+        most = std::max(most, std::abs(p.x));
+      }
+    CHECK(most == Approx(end).margin(0.1));
+    CHECK(bench.length() == Approx(2.0 * most).epsilon(1e-2));
+  }
+  {
+    PlaneCurve stadium({0.0, 0.0});
+    stadium.line_to({4.0, 0.0});
+    stadium.arc_to({.center = {4.0, 1.0},
+                    .u = {1.0, 0.0},
+                    .v = {0.0, 1.0},
+                    .start = -0.5 * std::numbers::pi,
+                    .sweep = std::numbers::pi},
+                   {4.0, 2.0});
+    stadium.line_to({0.0, 2.0});
+    stadium.arc_to({.center = {0.0, 1.0},
+                    .u = {1.0, 0.0},
+                    .v = {0.0, 1.0},
+                    .start = 0.5 * std::numbers::pi,
+                    .sweep = std::numbers::pi},
+                   {0.0, 0.0});
+    stadium.close();
+    const AxisBench bench(data_of_curves({stadium}));
+    for (const OutlinePiece& piece : bench.axis().pieces()) {
+      CHECK(piece.from.y == Approx(1.0).margin(1e-3));
+      CHECK(piece.from.x > -0.01);
+      CHECK(piece.from.x < 4.01);
+    }
+    CHECK(bench.length() == Approx(4.0).margin(0.02));
+  }
+}
+
+TEST_CASE("the axis follows vertices that are moved, and stays where samples of curves are") {
+  TestBench bench;
+  bench.show({"outline-axis"});
+  bench.load(data_of_rings({{{0, 0}, {2, 0}, {2, 2}, {0, 2}}}));
+  bench.move(bench.ids()[1], {4, 0});
+  bench.move(bench.ids()[2], {4, 2});
+  const auto has = [&](Vec2 at) {
+    return std::ranges::any_of(bench.get<OutlineAxis>().graph().nodes,
+                               [&](const OutlineNode& node) { return distance(node.center, at) < 1e-12; });
+  };
+  const std::vector<PlainPiece> moved = pieces_of(bench.get<OutlineAxis>(), 1.0);
+  CHECK(moved == pieces_of(AxisBench(data_of_rings({{{0, 0}, {4, 0}, {4, 2}, {0, 2}}})).axis(), 1.0));
+  bench.insert({{1, 1}});  // on no contour
+  CHECK(moved == pieces_of(bench.get<OutlineAxis>(), 1.0));
+  bench.undo();
+  bench.undo();
+  bench.undo();
+  CHECK(has({1, 1}));
+}
+
+TEST_CASE("the error of the axis is the largest distance of its points, and falls with denser samples") {
+  std::array<double, 2> before{1.0, 4.0};
+  for (const int count : {8, 32, 128}) {
+    // The sides of a rectangle. The axis of the samples ends before the corners, by less for denser samples.
+    SampleData data;
+    auto set = std::make_shared<CurveSet>();
+    set->curves = {closed_polygon({{0, 0}, {4, 0}, {4, 2}, {0, 2}})};
+    data.source = std::make_shared<const CurveSource>(CurveSource{.curves = set});
+    for (int i = 0; i < count; ++i) {
+      const double at = static_cast<double>(i) / count;
+      for (const Vec2 p : {Vec2{4 * at, 0}, Vec2{4, 2 * at}, Vec2{4 - 4 * at, 2}, Vec2{0, 2 - 2 * at}})
+        data.positions.push_back(p);
+    }
+    TestBench bench;
+    bench.show({"axis-error", "medial-axis"});
+    bench.load(data);
+    const auto& error = bench.get<AxisError>();
+    const auto from_all = [&](Vec2 p, bool is_of_outline) {
+      double out = std::numeric_limits<double>::infinity();
+      for (const AxisError::Piece& other : error.pieces())
+        if (other.is_of_outline == is_of_outline) {
+          const Vec2 along = other.to - other.from;
+          const double t =
+              dot(along, along) > 0.0 ? std::clamp(dot(p - other.from, along) / dot(along, along), 0.0, 1.0) : 0.0;
+          out = std::min(out, distance(p, other.from + t * along));
+        }
+      return out;
+    };
+    for (const AxisError::Piece& piece : error.pieces()) {
+      double seen = 0.0;
+      constexpr int kSteps = 200;
+      for (int k = 0; k <= kSteps; ++k)
+        seen = std::max(seen, from_all(piece.from + static_cast<double>(k) / kSteps * (piece.to - piece.from),
+                                       !piece.is_of_outline));
+      CHECK(piece.distance >= seen / (1.0 + 0x1p-10) - 1e-12);
+      CHECK(piece.distance <= seen + distance(piece.from, piece.to) / kSteps + 1e-12);
+    }
+    CHECK(bench.measure("axis-error", "hausdorff_distance") == std::max(error.largest(false), error.largest(true)));
+    CHECK(error.largest(false) < 0.3 * before[0]);
+    CHECK(error.largest(true) < 0.3 * before[1]);
+    before = {error.largest(false), error.largest(true)};
+  }
+}
