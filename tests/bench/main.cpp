@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   mes::bench::register_figures(table);
   mes::bench::register_tracing(table);
   mes::bench::register_cities(table);
+  mes::bench::register_outlines(table);
   mes::bench::register_importing(table);
   mes::bench::register_sampling(table);
   mes::bench::register_unions(table);

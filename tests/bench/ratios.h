@@ -53,6 +53,7 @@ void register_unions(RatioTable& table);
 void register_evolving(RatioTable& table);
 void register_tracing(RatioTable& table);
 void register_cities(RatioTable& table);
+void register_outlines(RatioTable& table);
 void register_importing(RatioTable& table);
 void register_sampling(RatioTable& table);
 void register_panes(RatioTable& table);
