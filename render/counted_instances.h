@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The disks, segments or points of one layer as a mask. The processor counts them where painting would take longer
-// (`DiskField`, `StrokeField`).
+// The disks, segments, points or circles of one layer as a mask. The processor counts them where painting would take
+// longer (`DiskField`, `StrokeField`, `CircleField`).
 //
 // Guarantees:
 //  1. The mask is that of the instances, the view and the look of the last `show`. If only instances have changed
 //     since, only their rows are counted and uploaded again. A preview keeps its grid meanwhile.
-//  2. `is_cheaper` depends only on the instances, the view and the device (for segments and points, only on their
+//  2. `is_cheaper` depends only on the instances, the view and the device (for other kinds than disks, only on their
 //     number and the device): the same drawing is always drawn the same way.
 //
 // Smallest use:
@@ -56,7 +56,7 @@ enum class Preview : std::uint8_t {
 /// The look of instances of one kind.
 struct CountedLook {
   double opacity = 1.0;     ///< opacity of one instance
-  double half_width = 0.5;  ///< of segments and points, as in `StrokeField`; disks have their own size
+  double half_width = 0.5;  ///< of all kinds but disks, which have their own size; as in `StrokeField`
   Preview preview = Preview::none;
   friend bool operator==(const CountedLook&, const CountedLook&) = default;
 };

@@ -75,6 +75,7 @@ bool InstanceBuffer::is_kept() const {
   constexpr double kWorthCountingNs = 60.0;
   switch (kind_) {
     case PrimitiveKind::disk: return true;
+    case PrimitiveKind::circle:
     case PrimitiveKind::point:
     case PrimitiveKind::segment: return device_->instance_cost_ns() > kWorthCountingNs;
     default: return false;

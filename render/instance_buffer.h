@@ -54,7 +54,7 @@ class InstanceBuffer {
   std::span<const BlockBoxes::Run> runs(const Box2& view) { return boxes_.runs(count_, view); }
 
   /// The encoded instances, `layout_of(kind()).doubles()` each, if the processor may have to draw them: disks, and
-  /// segments and points if the device is slow at placing them. Otherwise empty.
+  /// segments, circles and points if the device is slow at placing them. Otherwise empty.
   std::span<const double> kept() const { return kept_; }
   /// Instances removed and added since `forget_changes`, encoded as in `kept`; one written twice is in both twice.
   std::span<const double> removed() const { return removed_; }

@@ -152,10 +152,14 @@ float arc_pieces(PrimitiveKind kind, const InstanceExtent& extent, double scale)
 
 // The look of counted instances, or nothing if only painting draws them correctly.
 std::optional<CountedLook> counted_look(PrimitiveKind kind, const LayerStyle& style, double opacity,
-                                        double content_scale) {
+                                        double content_scale, Preview preview) {
   // Matches `shown_half_width` and `stroke_alpha`, `soft_radius` and `soft_alpha` of shaders/uniforms.glsl.
   switch (kind) {
     case PrimitiveKind::disk: return CountedLook{.opacity = opacity};
+    case PrimitiveKind::circle:
+      // A saved picture has time to paint them.
+      if (preview == Preview::none) return std::nullopt;
+      [[fallthrough]];
     case PrimitiveKind::segment: {
       if (style.dashed) return std::nullopt;
       const double half = 0.5 * line_width_of(style) * content_scale;
@@ -458,7 +462,7 @@ bool Scene::draw_counted(const Pass& pass, InstanceBuffer& buffer, const Look& l
   std::unique_ptr<CountedInstances>& counted = look.counted[static_cast<std::size_t>(buffer.kind())];
   std::optional<CountedLook> shown;
   if (look.map == nullptr)
-    shown = counted_look(buffer.kind(), look.style, static_cast<double>(color.a), pass.content_scale);
+    shown = counted_look(buffer.kind(), look.style, static_cast<double>(color.a), pass.content_scale, pass.preview);
   if (shown) shown->preview = pass.preview;
   if (!shown || !CountedInstances::is_cheaper(buffer, frame, device_)) {
     counted.reset();

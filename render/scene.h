@@ -12,7 +12,8 @@
 //     hides earlier ones, and the layer as a whole has the opacity of its style.
 //  6. A view with texts shows these instead of its layer's instances, in the colour and opacity of its style.
 //  7. Disks of one colour that would take long to paint are counted on the processor instead (`CountedInstances`), and
-//     so are segments and points if a processor would paint them; the picture is that of painting without rounding.
+//     so are segments and points if a processor would paint them, and circles of a preview; the picture is that of
+//     painting without rounding.
 //
 // Smallest use:
 //     Scene scene(device);
