@@ -73,6 +73,9 @@ constexpr auto kEditRows = std::to_array<Row>({
      "Remove from the selection the samples with an unselected neighbour on the curve", "<", always, kRepeats},
     {Id::select_sources, "select-sources", "Select the samples of the clicked element",
      "Select the samples or balls that the element on the card is or derives from"},
+    {Id::canvas_menu, "canvas-menu", "Menu at the cursor",
+     "Open the menu of a right click: commands for the sample, annotation or element at the cursor",
+     "Menu Shift+F10"},
     {Id::copy, "copy", "Copy", "Copy the selection to the clipboard as text: one line of numbers for each sample",
      "Ctrl+C"},
     {Id::cut, "cut", "Cut", "Copy the selection to the clipboard and delete it", "Ctrl+X"},
@@ -413,7 +416,7 @@ const ActionDescriptor& descriptor_of(ActionId id) {
 }
 
 std::span<const GestureDescriptor> gesture_descriptors() {
-  static constexpr std::array<GestureDescriptor, 23> table{{
+  static constexpr std::array<GestureDescriptor, 24> table{{
       {"Wheel", "zoom at the cursor"},
       {"Middle drag, right drag", "pan"},
       {"Space + drag", "pan"},
@@ -421,6 +424,7 @@ std::span<const GestureDescriptor> gesture_descriptors() {
       {"Click anything drawn",
        "show what it derives from and what it leads to; a sample or a ball under it is selected as well (select "
        "tool)"},
+      {"Right click", "open a menu for the sample, annotation or element there"},
       {"Ctrl + click, Alt + click", "the same for a sample or a ball"},
       {"Double click on a sample", "select its curve"},
       {"Shift + click or box", "add to the selection"},

@@ -42,6 +42,7 @@ enum class ActionId : std::uint8_t {
   grow_selection,
   shrink_selection,
   select_sources,
+  canvas_menu,
   copy,
   cut,
   paste,

@@ -8,7 +8,7 @@
 namespace mes {
 namespace {
 
-constexpr std::array<std::pair<std::string_view, char32_t>, 14> kNamedKeys{{{"Esc", key::escape},
+constexpr std::array<std::pair<std::string_view, char32_t>, 15> kNamedKeys{{{"Esc", key::escape},
                                                                             {"Enter", key::enter},
                                                                             {"Tab", key::tab},
                                                                             {"Backspace", key::backspace},
@@ -21,6 +21,7 @@ constexpr std::array<std::pair<std::string_view, char32_t>, 14> kNamedKeys{{{"Es
                                                                             {"Down", key::down},
                                                                             {"PageUp", key::page_up},
                                                                             {"PageDown", key::page_down},
+                                                                            {"Menu", key::menu},
                                                                             {"Space", U' '}}};
 
 bool is_letter_or_digit(char32_t symbol) {

@@ -32,6 +32,7 @@ inline constexpr char32_t up = named + 10;
 inline constexpr char32_t down = named + 11;
 inline constexpr char32_t page_up = named + 12;
 inline constexpr char32_t page_down = named + 13;
+inline constexpr char32_t menu = named + 14;
 inline constexpr char32_t f1 = named + 101;  ///< F2 .. F12 follow
 }  // namespace key
 

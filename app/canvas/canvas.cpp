@@ -48,6 +48,7 @@ void Canvas::press(PointerButton button, Vec2 in_window, Modifiers modifiers) {
   if (button != PointerButton::left || space_held_) {
     panning_ = true;
     pan_button_ = button;
+    if (button == PointerButton::right) right_press_ = px;
     return;
   }
   tool().press(pointer(px, modifiers));
@@ -58,10 +59,13 @@ void Canvas::move(Vec2 px, Modifiers modifiers) {
 }
 
 void Canvas::move_to(Vec2 px, Modifiers modifiers) {
-  const Vec2 delta = px - pointer_px_;
+  const Vec2 delta = px - right_press_.value_or(pointer_px_);
   pointer_px_ = px;
   modifiers_ = modifiers;
   is_hovered_ = true;
+  // A click of the right button leaves the view as it is.
+  if (right_press_ && length(delta) <= kDragThresholdPx * content_scale_) return;
+  right_press_.reset();
   if (panning_)
     view_at_pointer().pan(delta);
   else if (tool().is_active())
@@ -70,16 +74,18 @@ void Canvas::move_to(Vec2 px, Modifiers modifiers) {
     tool().hover(pointer(px, modifiers));
 }
 
-void Canvas::release(PointerButton button, Vec2 in_window, Modifiers modifiers) {
+bool Canvas::release(PointerButton button, Vec2 in_window, Modifiers modifiers) {
   const Vec2 px = in_main_pane(in_window);
   if (panning_) {
     move_to(px, modifiers);
-    if (button == pan_button_) panning_ = false;
-    return;
+    if (button != pan_button_) return false;
+    panning_ = false;
+    return std::exchange(right_press_, {}).has_value();
   }
-  if (button != PointerButton::left || !tool().is_active()) return;
+  if (button != PointerButton::left || !tool().is_active()) return false;
   pointer_px_ = px;
   tool().release(pointer(px, modifiers));
+  return false;
 }
 
 void Canvas::wheel(Vec2 in_window, double steps) {
@@ -100,6 +106,7 @@ void Canvas::set_space_held(bool held) {
 bool Canvas::cancel_gesture() {
   if (!has_pointer()) return false;
   panning_ = false;
+  right_press_.reset();
   tool().cancel();
   return true;
 }

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <memory>
+#include <optional>
 
 #include "app/canvas/tools/tool.h"
 #include "app/model/pane_places.h"
@@ -45,7 +46,8 @@ class Canvas {
 
   void press(PointerButton button, Vec2 in_window, Modifiers modifiers);
   void move(Vec2 px, Modifiers modifiers);
-  void release(PointerButton button, Vec2 in_window, Modifiers modifiers);
+  /// Returns true if it ended a click of the right button, which has panned nothing.
+  bool release(PointerButton button, Vec2 in_window, Modifiers modifiers);
   /// Turns the wheel by `steps`, positive away from the user. Zooms, unless the tool takes the event.
   void wheel(Vec2 in_window, double steps);
   void leave();
@@ -64,6 +66,8 @@ class Canvas {
 
   /// The pointer as tools see it.
   Pointer pointer() const { return pointer(pointer_px_, modifiers_); }
+  /// The same at `zoom_center`, for keys.
+  Pointer pointer_for_keys() const { return pointer(zoom_center(), modifiers_); }
 
   /// Discards what the tool in use shows between gestures; returns false if it showed nothing.
   bool clear_tool() { return tool().clear(); }
@@ -96,6 +100,7 @@ class Canvas {
   bool space_held_ = false;
   bool panning_ = false;
   PointerButton pan_button_ = PointerButton::middle;
+  std::optional<Vec2> right_press_;  // position of a press that is still a click of the right button
 };
 
 }  // namespace mes

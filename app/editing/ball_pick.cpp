@@ -22,6 +22,16 @@ BallPick nearest_ball(const Document& document, Vec2 p, double radius) {
   return best;
 }
 
+PickedThing thing_at(const Document& document, const SampleIndex& index, Vec2 p, double radius) {
+  const SampleSlot sample = index.nearest(p, radius);
+  if (sample == kNoSlot) return {kNoSlot, nearest_ball(document, p, radius).slot};
+  // A ball must be nearer than the sample: samples lie on circles more often than beside them.
+  const double to_sample = distance(document.position(sample), p);
+  const BallPick ball = nearest_ball(document, p, to_sample);
+  if (ball.slot != kNoSlot && ball.distance < to_sample) return {kNoSlot, ball.slot};
+  return {sample, kNoSlot};
+}
+
 std::vector<BallSlot> balls_in_box(const Document& document, const Box2& box) {
   std::vector<BallSlot> out;
   for (const BallSlot slot : slots_below<BallSlot>(document.ball_slot_count()))

@@ -28,6 +28,7 @@ constexpr auto kSynonyms = std::to_array<Synonyms>({
     {"quit", "exit close"},
     {"delete", "remove erase clear"},
     {"deselect", "escape cancel unselect none"},
+    {"canvas-menu", "context right click popup"},
     {"repair-sampling", "refine fix densify insert missing gaps"},
     {"decimate-sampling", "thin reduce simplify fewer coarsen"},
     {"duplicate", "clone copy"},

@@ -51,6 +51,7 @@ char32_t named_key(int code) {
     case GLFW_KEY_DOWN: return key::down;
     case GLFW_KEY_PAGE_UP: return key::page_up;
     case GLFW_KEY_PAGE_DOWN: return key::page_down;
+    case GLFW_KEY_MENU: return key::menu;
     default: break;
   }
   if (code >= GLFW_KEY_F1 && code <= GLFW_KEY_F12) return key::f1 + static_cast<char32_t>(code - GLFW_KEY_F1);

@@ -127,6 +127,11 @@ void Gui::begin_frame(const Settings& settings) {
   ImGui_ImplGlfw_NewFrame();
   if (const auto click = window_.take_click())
     ImGui::GetIO().MousePos = {static_cast<float>(click->x), static_cast<float>(click->y)};
+  // Enter chooses a row that was reached by keys; Dear ImGui knows only the space bar for that.
+  const auto is_down = [](ImGuiKey key) { return ImGui::IsKeyDown(ImGui::GetKeyIndex(key)); };
+  if ((ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0 &&
+      (is_down(ImGuiKey_Enter) || is_down(ImGuiKey_KeyPadEnter)))
+    ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1.0F;
   ImGui::NewFrame();
 }
 

@@ -199,4 +199,14 @@ void tooltip(const Gui& gui, const std::string& text) {
   ImGui::EndTooltip();
 }
 
+void action_item(const Gui& gui, const ActionBindings& actions, ActionId id, const std::string& label) {
+  const ActionDescriptor& action = descriptor_of(id);
+  const std::string name = label.empty() ? action.name : label;
+  if (ImGui::MenuItem(name.c_str(), actions.keymap().key_of(id).c_str(), actions.is_checked(id),
+                      actions.is_enabled(id)))
+    actions.run(id);
+  const std::string why = actions.missing(id);
+  tooltip(gui, action.tooltip + (why.empty() ? "" : "\nNot possible now: " + why));
+}
+
 }  // namespace mes

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "app/actions/action_bindings.h"
 #include "app/ui/gui.h"
 
 namespace mes {
@@ -55,5 +56,9 @@ void polyline(ImDrawList& list, std::span<const ImVec2> points, ImU32 color, boo
 
 /// Explains the last item when the pointer rests on it, even if it is disabled.
 void tooltip(const Gui& gui, const std::string& text);
+
+/// A row of a menu that runs an action of the table: its name or `label`, its key, and its tooltip with the reason if
+/// it is not possible now.
+void action_item(const Gui& gui, const ActionBindings& actions, ActionId id, const std::string& label = {});
 
 }  // namespace mes

@@ -43,7 +43,8 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::f
       panels_({screen_, work_, board_, demo_, lesson_, recording_, documents_, experiments_, keys_.actions(),
                dialogs_.manual, settings_.settings(), messages_}),
       input_({screen_, board_.canvas(), work_.editor().selection(), work_.annotations(), dialogs_, documents_,
-              experiments_, recording_, keys_.actions(), messages_, panels_.presenter(), panels_.mark_drag()}) {
+              experiments_, recording_, keys_.actions(), messages_, panels_.presenter(), panels_.mark_drag(),
+              [this] { board_.open_menu(); }}) {
   bind_actions();
   recording_.desk().set_take_source([this] { return session_for_lesson(documents_.session_now()); });
   dialogs_.browser.use_formats(work_.live_registry());

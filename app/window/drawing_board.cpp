@@ -6,6 +6,7 @@
 #include <array>
 #include <utility>
 
+#include "app/editing/ball_pick.h"
 #include "app/editing/kept_highlight.h"
 #include "app/layers/clicked_layers.h"
 #include "app/panels/on_canvas/pointer_marks.h"
@@ -19,6 +20,8 @@ namespace {
 
 // Distance in logical pixels within which the pointer picks an entry of a table.
 constexpr double kListedReach = 7.0;
+// The same for an annotation.
+constexpr double kAnnotationReach = 6.0;
 
 }  // namespace
 
@@ -47,10 +50,7 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
                         work_.insight().branches.pick(pointer.world, kListedReach * pointer.units_per_px);
                       choose_class(pointer, pointer.world);
                     },
-                    [this](Vec2 px) {
-                      constexpr double kReach = 6.0;
-                      return annotation_at(annotations_, px, kReach);
-                    },
+                    [this](Vec2 px) { return annotation_at(annotations_, px, kAnnotationReach); },
                     &snapper_,
                     &settings.brush,
                     &frame_,
@@ -88,6 +88,7 @@ void DrawingBoard::bind(ActionBindings& actions) {
   bind_tool(ActionId::tool_ball, ToolId::ball);
   bind_tool(ActionId::tool_measure, ToolId::measure);
   bind_tool(ActionId::tool_annotate, ToolId::annotate);
+  actions.bind(ActionId::canvas_menu, {[this] { open_menu(); }});
   actions.bind(ActionId::select_sources,
                {[this] { select_sources(); },
                 {[this] { return provenance_.shown() != nullptr; }, "click a drawn element first"}});
@@ -163,6 +164,7 @@ void DrawingBoard::take_results() {
 
 void DrawingBoard::take_answer(Provenance answer) {
   if (pointed_.take(answer) || preview_.take(answer)) return;
+  if (menu_.take(answer)) return screen_.clock.settle();
   if (const auto selected = values_.take(answer)) {
     if (!selected->empty()) messages_.remark(*selected);
     return;
@@ -199,6 +201,71 @@ void DrawingBoard::ask_beside(const Pointer& pointer, const ChosenThing& chosen)
 void DrawingBoard::choose_class(const Pointer& pointer, Vec2 place) {
   if (settings_.details == DetailsPage::persistence)
     work_.insight().persistence.pick(place, kListedReach * pointer.units_per_px);
+}
+
+void DrawingBoard::open_menu() {
+  const Pointer pointer = canvas_.pointer_for_keys();
+  const Document& document = work_.document();
+  Selection& selection = work_.editor().selection();
+  CanvasMenu::Target target{.pointer = pointer, .document = document.revision()};
+  const double ratio = screen_.window->pixel_ratio();
+  const Vec2 px = canvas_.zoom_center() + canvas_.pane_shift();
+  target.at = {static_cast<float>(px.x / ratio), static_cast<float>(px.y / ratio)};
+  if (shows_annotations()) target.annotation = annotation_at(annotations_, pointer.px, kAnnotationReach);
+  const PickedThing thing =
+      thing_at(document, work_.editor().index(), pointer.world, kPickRadiusPx * pointer.units_per_px);
+  if (!target.annotation && thing.is_any()) {
+    const bool is_ball = thing.ball != kNoSlot;
+    if (!(is_ball ? selection.contains_ball(thing.ball) : selection.contains(thing.sample))) {
+      selection.clear();
+      if (is_ball)
+        selection.add_ball(thing.ball);
+      else
+        selection.add(thing.sample);
+    }
+    target.selected = counted(selection.sample_count(), selection.ball_count());
+    target.has_samples = selection.sample_count() != 0;
+  }
+  menu_.open(work_.engine(), work_.layers(), std::move(target), work_.hold().waiting().empty());
+}
+
+void DrawingBoard::insert_at(const Pointer& pointer) {
+  const auto snap = snapper_.at(pointer.world, kSnapReachPx * pointer.units_per_px, {});
+  const std::array<Vec2, 1> place{snap ? snap->place : pointer.world};
+  if (const auto done = work_.editor().insert(place, "Insert sample"); !done)
+    messages_.problem(done.error().message());
+}
+
+void DrawingBoard::draw_menu(const ActionBindings& actions) {
+  const CanvasMenu::Choice choice = menu_.draw(screen_.gui, actions, work_.layers(), work_.engine());
+  const CanvasMenu::Target& target = menu_.target();
+  LayerStack& layers = work_.layers();
+  AnnotationDesk& annotations = work_.annotations();
+  // Another program may have edited the document while the menu was open.
+  const bool is_same = target.document == work_.document().revision();
+  switch (choice) {
+    case CanvasMenu::Choice::none: return;
+    case CanvasMenu::Choice::edit_annotation:
+      if (!is_same) return;
+      annotations.select(*target.annotation);
+      canvas_.choose_tool(ToolId::annotate);
+      return;
+    case CanvasMenu::Choice::delete_annotation:
+      if (!is_same) return;
+      annotations.select(*target.annotation);
+      actions.run(ActionId::delete_selection);
+      return;
+    case CanvasMenu::Choice::show_card:
+      if (may_ask()) provenance_.ask(work_.engine(), layers, target.pointer, work_.editor());
+      return;
+    case CanvasMenu::Choice::hide_layer:
+      work_.editor().change_layers("Hide " + layers.descriptor(menu_.layer()).name,
+                                   [&] { layers.set_visible(menu_.layer(), false); });
+      return;
+    case CanvasMenu::Choice::show_layer_alone: layers.solo(menu_.layer()); return;
+    case CanvasMenu::Choice::end_solo: layers.end_solo(); return;
+    case CanvasMenu::Choice::insert_sample: insert_at(target.pointer); return;
+  }
 }
 
 void DrawingBoard::select_values(LayerIndex layer, double low, double high) {

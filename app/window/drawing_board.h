@@ -11,6 +11,7 @@
 #include "app/model/settings.h"
 #include "app/model/view_fitter.h"
 #include "app/panels/on_canvas/canvas_annotations.h"
+#include "app/panels/on_canvas/canvas_menu.h"
 #include "app/panels/on_canvas/insertion_preview.h"
 #include "app/panels/on_canvas/pointed_element.h"
 #include "app/panels/on_canvas/provenance_card.h"
@@ -40,6 +41,11 @@ class DrawingBoard {
   void select_values(LayerIndex layer, double low, double high);
   ViewFitter& fitter() { return fitter_; }
   ProvenanceCard& provenance() { return provenance_; }
+  /// Opens the menu for the thing at the pointer, or for keys at `Canvas::zoom_center`. A sample or ball that is not
+  /// selected is selected alone first.
+  void open_menu();
+  /// Draws the menu and does what is chosen in it.
+  void draw_menu(const ActionBindings& actions);
   /// Makes an annotation of the contents of the card: one of its lines, or all.
   void keep_highlight(std::optional<std::size_t> line = std::nullopt);
   TracedPicture& traced() { return traced_; }
@@ -107,6 +113,7 @@ class DrawingBoard {
   void select_sources();
   void take_answer(Provenance answer);
   bool keep(Annotation annotation);
+  void insert_at(const Pointer& pointer);
 
   Workspace& work_;
   const Settings& settings_;
@@ -116,6 +123,7 @@ class DrawingBoard {
   ProvenanceCard provenance_;
   PointedElement pointed_;
   InsertionPreview preview_;
+  CanvasMenu menu_;
   ValueSelector values_;
   Snapper snapper_;
   SelectionFrame frame_;

@@ -401,6 +401,7 @@ void Panels::draw_over(Sides& sides) {
                                                   corner(), {width, 0.6F * (screen.y - sides.top - sides.bottom)},
                                                   uses_.actions.keymap().key_of(ActionId::keep_highlight));
   list.PopClipRect();
+  uses_.board.draw_menu(uses_.actions);
   if (keep) uses_.board.keep_highlight(keep->line);
 }
 

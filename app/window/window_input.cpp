@@ -98,7 +98,7 @@ void WindowInput::release(PointerButton button, Vec2 px, Modifiers modifiers, Cl
   const bool is_click = uses_.canvas.has_pointer() && button == PointerButton::left && modifiers == Modifiers{} &&
                         uses_.canvas.tool_id() == ToolId::select &&
                         distance(px, pressed_px_) <= kDragThresholdPx * scale;
-  uses_.canvas.release(button, px, modifiers);
+  if (uses_.canvas.release(button, px, modifiers)) uses_.open_menu();
   if (!is_click) return;
   const Click click{when, ImGui::GetFrameCount(), px};
   const bool is_second = click_ && distance(px, click_->px) < kFarthestPx * scale &&

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +38,7 @@ class WindowInput final : private WindowListener {
     Messages& messages;
     Presenter& presenter;
     MarkDrag& mark_drag;
+    std::function<void()> open_menu;  ///< opens the menu of a right click on the canvas
   };
   explicit WindowInput(const Uses& uses);
   ~WindowInput() override;

@@ -128,6 +128,29 @@ TEST_CASE("middle, right and Space drags pan, and change nothing else") {
   CHECK(bench.canvas.has_pointer() == false);
 }
 
+TEST_CASE("a click of the right button asks for a menu, and a drag of it only pans") {
+  ViewBench bench;
+  const auto before = bench.view.camera();
+  bench.canvas.press(PointerButton::right, {100, 100}, {});
+  bench.canvas.move({102, 101}, {});
+  CHECK(bench.canvas.has_pointer());
+  CHECK(bench.canvas.release(PointerButton::right, {101, 102}, {}));
+  CHECK(bench.view.camera() == before);
+  // A drag that returns is no click.
+  bench.canvas.press(PointerButton::right, {100, 100}, {});
+  bench.canvas.move({140, 100}, {});
+  bench.canvas.move({100, 100}, {});
+  CHECK_FALSE(bench.canvas.release(PointerButton::right, {100, 100}, {}));
+  // Neither is one that was cancelled, nor a click of another button.
+  bench.canvas.press(PointerButton::right, {100, 100}, {});
+  CHECK(bench.canvas.cancel_gesture());
+  CHECK_FALSE(bench.canvas.release(PointerButton::right, {100, 100}, {}));
+  for (const PointerButton button : {PointerButton::left, PointerButton::middle}) {
+    bench.canvas.press(button, {100, 100}, {});
+    CHECK_FALSE(bench.canvas.release(button, {100, 100}, {}));
+  }
+}
+
 TEST_CASE("a view that moves under a held sample takes the sample along with the pointer") {
   ViewBench bench;
   REQUIRE(bench.editor.insert(std::array{Vec2{0, 0}}, "insert"));

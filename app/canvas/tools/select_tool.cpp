@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editing/ball_pick.h"
 #include "core/edit/enclosed.h"
 
 namespace mes {
@@ -38,15 +37,8 @@ SelectTool::Mode SelectTool::mode_of(Modifiers modifiers) {
 }
 
 SelectTool::Hit SelectTool::pick(const Pointer& pointer) const {
-  const double reach = kPickRadiusPx * pointer.units_per_px;
-  const Document& document = context_.editor.document();
-  const SampleSlot sample = context_.editor.index().nearest(pointer.world, reach);
-  if (sample == kNoSlot) return {kNoSlot, nearest_ball(document, pointer.world, reach).slot};
-  // A ball must be nearer than the sample: samples lie on circles more often than beside them.
-  const double to_sample = distance(document.position(sample), pointer.world);
-  const BallPick ball = nearest_ball(document, pointer.world, to_sample);
-  if (ball.slot != kNoSlot && ball.distance < to_sample) return {kNoSlot, ball.slot};
-  return {sample, kNoSlot};
+  return thing_at(context_.editor.document(), context_.editor.index(), pointer.world,
+                  kPickRadiusPx * pointer.units_per_px);
 }
 
 bool SelectTool::is_selected(const Hit& hit) const {

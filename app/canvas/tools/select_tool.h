@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/canvas/tools/tool.h"
+#include "app/editing/ball_pick.h"
 
 namespace mes {
 
@@ -45,12 +46,7 @@ class SelectTool final : public Tool {
   };
   enum class Mode : std::uint8_t { replace, add, remove };
   static Mode mode_of(Modifiers modifiers);
-  /// A sample, a ball, or nothing under the pointer.
-  struct Hit {
-    SampleSlot sample;
-    BallSlot ball;
-    bool is_any() const { return sample != kNoSlot || ball != kNoSlot; }
-  };
+  using Hit = PickedThing;  // the thing under the pointer
 
   void begin_move();
   bool is_selected(const Hit& hit) const;

@@ -18,13 +18,7 @@ namespace mes {
 namespace {
 
 void action_item(const MenuBar& menu, ActionId id, const std::string& label = {}) {
-  const ActionDescriptor& action = descriptor_of(id);
-  const std::string name = label.empty() ? std::string(action.name) : label;
-  const std::string key = menu.actions.keymap().key_of(id);
-  if (ImGui::MenuItem(name.c_str(), key.c_str(), menu.actions.is_checked(id), menu.actions.is_enabled(id)))
-    menu.actions.run(id);
-  const std::string why = menu.actions.missing(id);
-  tooltip(menu.gui, action.tooltip + (why.empty() ? "" : "\nNot possible now: " + why));
+  mes::action_item(menu.gui, menu.actions, id, label);
 }
 
 void recent_files_menu(const MenuBar& menu) {
@@ -108,6 +102,7 @@ void edit_menu(const MenuBar& menu) {
   for (const ActionId id :
        {ActionId::select_all, ActionId::invert_selection, ActionId::select_sources, ActionId::deselect})
     action_item(menu, id);
+  action_item(menu, ActionId::canvas_menu);
   if (ImGui::BeginMenu("Along the curve")) {
     for (const ActionId id : {ActionId::select_curve, ActionId::grow_selection, ActionId::shrink_selection})
       action_item(menu, id);
