@@ -8,7 +8,8 @@
 
 namespace mes {
 
-/// Every colour of the panels, by its purpose. The canvas has colours of its own (canvas_look.h).
+/// Every colour of the panels, by its purpose. The canvas has colours of its own (canvas_look.h). By the contrast ratio
+/// of WCAG 2.2, text has at least 4.5 to 1 to what it is drawn on, and icons 3 to 1.
 struct ThemeColors {
   bool is_dark = false;
   ImU32 text = 0;

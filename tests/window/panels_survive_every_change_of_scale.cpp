@@ -112,8 +112,8 @@ struct ScaledWindow {
 
 TEST_CASE("the panels are drawn after every change of scale and theme") {
   ScaledWindow window;
-  constexpr Color kLight{0x00, 0x72, 0xB2};
-  constexpr Color kDark{0x5A, 0xB4, 0xEA};
+  constexpr Color kLight{0x00, 0x65, 0x9E};
+  constexpr Color kDark{0x74, 0xC2, 0xF2};
   constexpr Color kProjector{0x00, 0x56, 0x8A};
   window.expect_panels("light", 1.0, kLight);
   for (std::uint64_t round = 0; round < 3 * effort(); ++round) {

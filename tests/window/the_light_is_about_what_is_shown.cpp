@@ -21,7 +21,7 @@ bool is_green(Color c) {
   return c.g > 130 && c.r < 60 && c.b < 150;
 }
 bool is_amber(Color c) {
-  return c.r > 200 && c.g > 140 && c.g < 180 && c.b < 60;
+  return c.r > 160 && c.g > 105 && c.g < 180 && c.b < 60;
 }
 
 std::string poff_of(const std::vector<Vec2>& points) {

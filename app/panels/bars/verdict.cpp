@@ -23,7 +23,7 @@ ImU32 mood_color(const ThemeColors& colors, VerdictWord::Mood mood) {
     case VerdictWord::Mood::warning: return colors.warning;
     case VerdictWord::Mood::quiet: break;
   }
-  return colors.border;
+  return colors.text_faint;
 }
 
 constexpr float kChoiceWidth = 118;

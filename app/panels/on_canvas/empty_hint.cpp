@@ -31,7 +31,7 @@ void EmptyHint::draw(ImVec2 middle) const {
   const float line = 1.7F * size;
   // The gap between the keys on the left and the text on the right.
   const float gap = 14.0F * unit;
-  const ImU32 color = to_imgui(mark_color(picture.canvas()), 0.55);
+  const ImU32 color = to_imgui(mark_color(picture.canvas()));
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   float y = middle.y - 0.5F * line * static_cast<float>(kOffers.size());
   for (const Offer& offer : kOffers) {

@@ -26,7 +26,7 @@ ImU32 state_color(const ThemeColors& colors, NodeState state) {
     case NodeState::blocked: return colors.warning;
     case NodeState::inactive: break;
   }
-  return colors.border;
+  return colors.text_faint;
 }
 
 std::string work_text(const NodeReport& node) {
