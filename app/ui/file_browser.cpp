@@ -133,7 +133,8 @@ void FileBrowser::draw_desktop_note(const Gui& gui) {
                         ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
     ImGui::TextUnformatted("The file is chosen in the dialog of the desktop");
     ImGui::Dummy({1, 6 * unit});
-    if (ImGui::Button("Choose it here")) desktop_->asking.give_up();
+    const bool is_confirmed = std::exchange(accepted_, false);
+    if (default_button(gui, "Choose it here", {}, true) || is_confirmed) desktop_->asking.give_up();
     ImGui::SameLine(0, 8 * unit);
     if (ImGui::Button("Cancel")) cancel();
     ImGui::EndPopup();
@@ -206,7 +207,10 @@ void FileBrowser::follow_name() {
 }
 
 void FileBrowser::press(const KeyChord& chord) {
-  if (is_desktop_asked()) return;
+  if (is_desktop_asked()) {
+    accepted_ = accepted_ || chord.symbol == key::enter;
+    return;
+  }
   constexpr int kPage = 10;
   const char32_t symbol = chord.symbol;
   if (!overwrite_.empty()) {

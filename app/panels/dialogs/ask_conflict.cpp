@@ -2,6 +2,7 @@
 #include "app/panels/dialogs/ask_conflict.h"
 
 #include <fmt/core.h>
+#include <array>
 #include <string>
 #include <utility>
 
@@ -75,56 +76,35 @@ void AskConflict::cancel() {
   if (const Answers answers = std::exchange(answers_, {}); answers.cancel) answers.cancel();
 }
 
+void AskConflict::draw_facts(const Gui& gui) const {
+  const float unit = gui.unit();
+  ImGui::Dummy({1, 2 * unit});
+  ImGui::TextUnformatted("Saving here would remove what was written to it since it was opened or last saved.");
+  ImGui::Dummy({1, 4 * unit});
+  if (conflict_->theirs)
+    draw_counts(gui, conflict_->mine, *conflict_->theirs);
+  else
+    ImGui::Text("Its present contents cannot be shown: %s", conflict_->problem.c_str());
+  if (!conflict_->shared_edits) return;
+  ImGui::Dummy({1, 2 * unit});
+  ImGui::TextDisabled("%s", shared_text(*conflict_->shared_edits).c_str());
+}
+
 void AskConflict::draw(const Gui& gui) {
-  const Pressed pressed = draw_question(gui);
-  if (pressed == Pressed::none) return;
-  if (pressed == Pressed::cancel) {
-    cancel();
-    return;
-  }
+  static constexpr std::array kAnswers{"Save as...", "Overwrite", "Cancel"};
+  const std::string name = conflict_ ? conflict_->file.filename().string() : std::string();
+  const auto answer =
+      draw_question(gui, kConflictTitle, kAnswers, 0, name + " has been changed by another program", [this, &gui] {
+        if (conflict_) draw_facts(gui);
+      });
+  if (!answer || !conflict_) return;
+  if (*answer == 2) return cancel();
   const FileConflict conflict = *std::exchange(conflict_, std::nullopt);
   const Answers answers = std::exchange(answers_, {});
-  if (pressed == Pressed::overwrite)
+  if (*answer == 1)
     answers.overwrite(conflict);
   else
     answers.save_as();
-}
-
-AskConflict::Pressed AskConflict::draw_question(const Gui& gui) const {
-  const float unit = gui.unit();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5F * screen.x, 0.4F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * unit, 16 * unit});
-  Pressed pressed = Pressed::none;
-  if (Gui::begin_dialog(kConflictTitle, is_open(),
-                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
-    if (is_open()) {
-      ImGui::PushFont(gui.bold());
-      ImGui::Text("%s has been changed by another program", conflict_->file.filename().c_str());
-      ImGui::PopFont();
-      ImGui::Dummy({1, 2 * unit});
-      ImGui::TextUnformatted("Saving here would remove what was written to it since it was opened or last saved.");
-      ImGui::Dummy({1, 4 * unit});
-      if (conflict_->theirs)
-        draw_counts(gui, conflict_->mine, *conflict_->theirs);
-      else
-        ImGui::Text("Its present contents cannot be shown: %s", conflict_->problem.c_str());
-      if (conflict_->shared_edits) {
-        ImGui::Dummy({1, 2 * unit});
-        ImGui::TextDisabled("%s", shared_text(*conflict_->shared_edits).c_str());
-      }
-      ImGui::Dummy({1, 6 * unit});
-      const ImVec2 size(120 * unit, 0);
-      if (ImGui::Button("Save as...", size)) pressed = Pressed::save_as;
-      ImGui::SameLine();
-      if (ImGui::Button("Overwrite", size)) pressed = Pressed::overwrite;
-      ImGui::SameLine();
-      if (ImGui::Button("Cancel", size)) pressed = Pressed::cancel;
-    }
-    ImGui::EndPopup();
-  }
-  ImGui::PopStyleVar();
-  return pressed;
 }
 
 }  // namespace mes

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "app/store/file_conflict.h"
-#include "app/ui/dialog.h"
+#include "app/ui/question.h"
 
 namespace mes {
 
-class AskConflict final : public Dialog {
+class AskConflict final : public Question {
  public:
   struct Answers {
     std::function<void(const FileConflict&)> overwrite;
@@ -24,8 +24,7 @@ class AskConflict final : public Dialog {
   void draw(const Gui& gui) override;
 
  private:
-  enum class Pressed : std::uint8_t { none, overwrite, save_as, cancel };
-  Pressed draw_question(const Gui& gui) const;
+  void draw_facts(const Gui& gui) const;
 
   std::optional<FileConflict> conflict_{};
   Answers answers_{};

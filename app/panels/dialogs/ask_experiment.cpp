@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/dialogs/ask_experiment.h"
 
+#include <array>
 #include <utility>
 
 namespace mes {
@@ -20,33 +21,17 @@ void AskExperiment::cancel() {
 }
 
 void AskExperiment::draw(const Gui& gui) {
-  const float unit = gui.unit();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  ImGui::SetNextWindowPos({0.5F * screen.x, 0.4F * screen.y}, ImGuiCond_Always, {0.5F, 0.5F});
-  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * unit, 16 * unit});
-  std::function<void()> answer;
-  if (Gui::begin_dialog(kExperimentTitle, is_open_,
-                        ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
-    ImGui::PushTextWrapPos(0.6F * screen.x);
-    ImGui::PushFont(gui.bold());
-    ImGui::Text("%s is a program", file_.filename().c_str());
-    ImGui::PopFont();
-    ImGui::TextUnformatted(
-        "An experiment is code that runs with your rights: it may read and change your files. Run it only if you "
-        "know "
-        "where it is from.");
-    ImGui::PopTextWrapPos();
-    ImGui::Dummy({1, 6 * unit});
-    const ImVec2 size(120 * unit, 0);
-    if (ImGui::Button("Run it", size)) answer = run_;
-    ImGui::SameLine();
-    if (ImGui::Button("Cancel", size)) cancel();
-    ImGui::EndPopup();
-  }
-  ImGui::PopStyleVar();
+  static constexpr std::array kAnswers{"Run it", "Cancel"};
+  const auto answer =
+      draw_question(gui, kExperimentTitle, kAnswers, 1, file_.filename().string() + " is a program", [] {
+        ImGui::TextUnformatted(
+            "An experiment is code that runs with your rights: it may read and change your files. Run it only if you "
+            "know where it is from.");
+      });
   if (!answer) return;
+  const std::function<void()> run = std::exchange(run_, {});
   cancel();
-  answer();
+  if (*answer == 0) run();
 }
 
 }  // namespace mes

@@ -5,11 +5,11 @@
 #include <filesystem>
 #include <functional>
 
-#include "app/ui/dialog.h"
+#include "app/ui/question.h"
 
 namespace mes {
 
-class AskExperiment final : public Dialog {
+class AskExperiment final : public Question {
  public:
   void ask(std::filesystem::path file, std::function<void()> run);
 

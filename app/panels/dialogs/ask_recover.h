@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "app/store/autosave.h"
-#include "app/ui/dialog.h"
+#include "app/ui/question.h"
 
 namespace mes {
 
 /// Asks about the newest work while there is any; stays open until the work is taken or removed. If cancelled, it
 /// asks again at the next start.
-class AskRecover final : public Dialog {
+class AskRecover final : public Question {
  public:
   /// `recover` must `take` the work, now or when there is room for it.
   void offer(std::vector<LeftWork> works, std::function<void()> recover);
@@ -28,9 +28,6 @@ class AskRecover final : public Dialog {
   void draw(const Gui& gui) override;
 
  private:
-  enum class Pressed : std::uint8_t { none, recover, discard, later };
-  Pressed draw_question(const Gui& gui) const;
-
   std::vector<LeftWork> works_;  // newest first
   std::function<void()> recover_;
   bool waits_ = false;

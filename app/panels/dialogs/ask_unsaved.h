@@ -5,11 +5,11 @@
 #include <functional>
 #include <string>
 
-#include "app/ui/dialog.h"
+#include "app/ui/question.h"
 
 namespace mes {
 
-class AskUnsaved final : public Dialog {
+class AskUnsaved final : public Question {
  public:
   struct Answers {
     std::function<void()> save;

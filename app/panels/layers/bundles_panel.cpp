@@ -68,7 +68,7 @@ bool draw_name_field(const Gui& gui, NameField& field, std::string& name, const 
   ImGui::SameLine();
   const bool is_good = checked_bundle_name(name).has_value();
   ImGui::BeginDisabled(!is_good);
-  const bool pressed = ImGui::Button(verb, {90 * unit, 0});
+  const bool pressed = default_button(gui, verb, {90 * unit, 0}, true);
   ImGui::EndDisabled();
   close_on_escape();
   return is_good && (entered || pressed);
