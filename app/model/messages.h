@@ -13,7 +13,7 @@
 namespace mes {
 
 /// A remark is shown in the status bar until the next one; a problem above the canvas until it is closed, or an
-/// operation succeeds that makes it stale. A refusal is a remark that is shown even without a status bar, until the
+/// operation succeeds that makes it stale; a notice above the canvas for some seconds. A refusal is a remark that is shown even without a status bar, until the
 /// next key or press. All stay in the log, which keeps the last thousand.
 class Messages {
  public:
@@ -40,19 +40,15 @@ class Messages {
   /// Reports several problems at once without hiding any: each is an entry of the log, and the first few are shown
   /// above the canvas, one line each. Does nothing if there are none.
   void problems(std::span<const std::string> texts) {
-    constexpr std::size_t kMostLines = 6;
-    constexpr std::size_t kMostLogged = 100;
-    if (texts.empty()) return;
-    std::string lines;
-    for (std::size_t i = 0; i < std::min(texts.size(), kMostLogged); ++i) {
-      log(texts[i], true);
-      if (i < kMostLines) lines += (i == 0 ? "" : "\n") + texts[i];
-    }
-    if (texts.size() > kMostLines)
-      lines += "\nand " + std::to_string(texts.size() - kMostLines) + " more, in View > Log";
-    if (texts.size() > kMostLogged) log("and " + std::to_string(texts.size() - kMostLogged) + " more", true);
-    problem_ = std::move(lines);
+    if (!texts.empty()) problem_ = log_all(texts, true);
   }
+  /// The same for notices: facts about an operation that has succeeded.
+  void notices(std::span<const std::string> texts) {
+    if (texts.empty()) return;
+    notice_ = log_all(texts, false);
+    ++notice_number_;
+  }
+  void notice(const std::string& text) { notices(std::span(&text, 1)); }
   void clear_remark() {
     remark_.clear();
     is_refusal_ = false;
@@ -61,13 +57,18 @@ class Messages {
     if (is_refusal_) clear_remark();
   }
   void clear_problem() { problem_.clear(); }
-  /// Both messages are outdated. They stay in the log.
+  void clear_notice() { notice_.clear(); }
+  /// All messages are outdated. They stay in the log.
   void clear() {
     clear_remark();
     clear_problem();
+    clear_notice();
   }
   const std::string& remark() const { return remark_; }
   const std::string& problem() const { return problem_; }
+  const std::string& notice() const { return notice_; }
+  /// Grows with each notice.
+  std::uint64_t notice_number() const { return notice_number_; }
   /// True if the present remark is a refusal.
   bool is_refusal() const { return is_refusal_; }
 
@@ -78,6 +79,20 @@ class Messages {
   void clear_log() { entries_.clear(); }
 
  private:
+  // Returns the first texts, one line each.
+  std::string log_all(std::span<const std::string> texts, bool is_problem) {
+    constexpr std::size_t kMostLines = 6;
+    constexpr std::size_t kMostLogged = 100;
+    std::string lines;
+    for (std::size_t i = 0; i < std::min(texts.size(), kMostLogged); ++i) {
+      log(texts[i], is_problem);
+      if (i < kMostLines) lines += (i == 0 ? "" : "\n") + texts[i];
+    }
+    if (texts.size() > kMostLines)
+      lines += "\nand " + std::to_string(texts.size() - kMostLines) + " more, in View > Log";
+    if (texts.size() > kMostLogged) log("and " + std::to_string(texts.size() - kMostLogged) + " more", is_problem);
+    return lines;
+  }
   void log(const std::string& text, bool is_problem) {
     constexpr std::size_t kMost = 1000;
     ++said_;
@@ -94,6 +109,8 @@ class Messages {
   std::string remark_;
   bool is_refusal_ = false;
   std::string problem_;
+  std::string notice_;
+  std::uint64_t notice_number_ = 0;
   std::uint64_t said_ = 0;
   std::deque<Entry> entries_;
 };

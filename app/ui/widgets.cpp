@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "app/ui/note.h"
 #include "imgui_internal.h"
@@ -37,37 +38,51 @@ namespace {
 
 constexpr float kTooltipWidth = 340.0F;  // width of the text, in logical pixels
 
-// Places the tooltip beside the panel or popup of the last item, towards the middle of the window; above or below a
-// wide one. If there is no room, Dear ImGui places it at the pointer.
 void place_tooltip(const Gui& gui, const std::string& text) {
-  const float unit = gui.unit();
-  const float gap = 6 * unit;
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 item_low = ImGui::GetItemRectMin();
-  const ImVec2 item_high = ImGui::GetItemRectMax();
-  const ImRect panel = ImGui::GetCurrentContext()->CurrentWindow->RootWindow->OuterRectClipped;
-  const ImVec2 size = note_size(text, kTooltipWidth * unit);
+  const ImVec2 low = ImGui::GetItemRectMin();
+  const ImVec2 high = ImGui::GetItemRectMax();
+  const ImGuiWindow* const root = ImGui::GetCurrentContext()->CurrentWindow->RootWindow;
+  const ImRect panel = root->OuterRectClipped;
+  const ImVec2 size = note_size(text, kTooltipWidth * gui.unit());
   // Without this, Dear ImGui would draw the text in the size of the previous one for a frame.
   ImGui::SetNextWindowSize(size);
-  ImVec2 at;
-  if (panel.GetWidth() > 0.6F * screen.x) {
-    const bool is_low = panel.GetCenter().y > 0.5F * screen.y;
-    at = {std::min(item_low.x, screen.x - gap - size.x), is_low ? panel.Min.y - gap - size.y : panel.Max.y + gap};
-    if (at.y < 0.0F || at.y + size.y > screen.y) return;
-  } else {
-    const bool fits_left = panel.Min.x - gap - size.x >= 0.0F;
-    const bool fits_right = panel.Max.x + gap + size.x <= screen.x;
-    if (!fits_left && !fits_right) return;
-    const bool prefers_left = panel.GetCenter().x > 0.5F * screen.x;
-    const bool is_left = fits_left && (prefers_left || !fits_right);
-    at.x = is_left ? panel.Min.x - gap - size.x : panel.Max.x + gap;
-    const float middle = 0.5F * (item_low.y + item_high.y);
-    at.y = std::clamp(middle - 0.5F * size.y, gap, std::max(gap, screen.y - gap - size.y));
-  }
-  ImGui::SetNextWindowPos(at);
+  const auto at = tooltip_place({.item = {low, {high.x - low.x, high.y - low.y}},
+                                 .panel = {panel.Min, panel.GetSize()},
+                                 .is_dialog = (root->Flags & ImGuiWindowFlags_Modal) != 0,
+                                 .size = size,
+                                 .screen = ImGui::GetIO().DisplaySize,
+                                 .gap = 6 * gui.unit()});
+  if (at) ImGui::SetNextWindowPos(*at);
 }
 
 }  // namespace
+
+std::optional<ImVec2> tooltip_place(const TooltipRoom& room) {
+  const auto& [item, panel, is_dialog, size, screen, gap] = room;
+  const auto kept = [](float at, float length, float end) {
+    return std::clamp(at, 0.0F, std::max(0.0F, end - length));
+  };
+  const float level = kept(item.at.y + 0.5F * (item.size.y - size.y), size.y, screen.y);
+  const auto left_of = [&](const PanelArea& area) { return ImVec2(area.at.x - gap - size.x, level); };
+  const auto right_of = [&](const PanelArea& area) { return ImVec2(area.at.x + area.size.x + gap, level); };
+  const float start = kept(item.at.x, size.x, screen.x);
+  const auto above = [&](const PanelArea& area) { return ImVec2(start, area.at.y - gap - size.y); };
+  const auto below = [&](const PanelArea& area) { return ImVec2(start, area.at.y + area.size.y + gap); };
+  std::vector<ImVec2> places;
+  constexpr float kWide = 0.6F;
+  if (!is_dialog && panel.size.x > kWide * screen.x) {
+    const bool is_low = panel.at.y + 0.5F * panel.size.y > 0.5F * screen.y;
+    places = {is_low ? above(panel) : below(panel)};
+  } else if (!is_dialog) {
+    const bool is_right = panel.at.x + 0.5F * panel.size.x > 0.5F * screen.x;
+    places = {is_right ? left_of(panel) : right_of(panel), is_right ? right_of(panel) : left_of(panel)};
+  }
+  places.insert(places.end(), {right_of(item), left_of(item), below(item), above(item)});
+  const auto fits = std::ranges::find_if(places, [&](ImVec2 at) {
+    return at.x >= 0.0F && at.y >= 0.0F && at.x + size.x <= screen.x && at.y + size.y <= screen.y;
+  });
+  return fits == places.end() ? std::nullopt : std::optional(*fits);
+}
 
 void keep_in_window(const Gui& gui) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;

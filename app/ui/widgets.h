@@ -2,6 +2,7 @@
 // The common parts of all panels: their frames, and explanations of the item under the pointer.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 
@@ -53,6 +54,20 @@ bool default_button(const Gui& gui, const char* label, ImVec2 size, bool is_defa
 /// A line of any number of points: Dear ImGui numbers the corners of one line with 16 bits, so long lines are drawn
 /// in parts.
 void polyline(ImDrawList& list, std::span<const ImVec2> points, ImU32 color, bool is_closed, float thickness);
+
+/// What decides where a tooltip stands, in screen coordinates.
+struct TooltipRoom {
+  PanelArea item;   ///< the explained control
+  PanelArea panel;  ///< the panel, popup or dialog that it is in
+  bool is_dialog = false;
+  ImVec2 size;    ///< of the tooltip
+  ImVec2 screen;  ///< size of the window
+  float gap = 0.0F;
+};
+/// The upper left corner of the tooltip: beside its panel, towards the middle of the window; above or below a wide
+/// panel; in a dialog, and where there is no room, beside the control. Never over the control, and within the window;
+/// nothing if that is impossible.
+std::optional<ImVec2> tooltip_place(const TooltipRoom& room);
 
 /// Explains the last item when the pointer rests on it, even if it is disabled.
 void tooltip(const Gui& gui, const std::string& text);

@@ -119,8 +119,9 @@ void App::deselect() {
   if (demo_.is_running())
     demo_.end(true);
   else if (!board_.canvas().cancel_gesture() && !cancel_lesson_export() && !work_.annotations().close() &&
-           !board_.canvas().clear_tool() && !board_.provenance().clear() && !clear_selection() && !end_lesson())
-    panels_.end_presentation();
+           !panels_.close_messages() && !board_.canvas().clear_tool() && !board_.provenance().clear() &&
+           !clear_selection() && !end_lesson() && !panels_.end_presentation())
+    panels_.show_panels();
 }
 
 double App::next_wait() {
@@ -128,7 +129,7 @@ double App::next_wait() {
   const bool is_busy = work_.engine().status().busy || work_.evolution().is_waiting() || wake_.has_work() ||
                        link_.is_waiting() || screen_.gui.is_about_to_rest() || recording_.holds_input();
   return FrameClock::sleep({demo_.next_due(now), lesson_.next_due(now), work_.computation().next_due(now),
-                            work_.evolution().next_due(now), panels_.presenter().next_due(now)},
+                            work_.evolution().next_due(now), panels_.next_due(now)},
                            is_busy);
 }
 
@@ -212,7 +213,7 @@ void App::turn() {
     said_ = said;
     screen_.clock.settle();
   }
-  const auto fade = panels_.presenter().next_due(ImGui::GetTime());
+  const auto fade = panels_.next_due(ImGui::GetTime());
   if (screen_.gui.is_fading() || (fade && *fade <= 0.0)) screen_.clock.want(1);
 }
 

@@ -195,7 +195,7 @@ void DocumentFlow::say_opened(const FileDesk::Outcome& outcome) {
   std::vector<std::string> warnings = outcome.warnings;
   if (!warnings.empty() && outcome.degrees == MapDegrees::projected && outcome.files.size() == 1)
     warnings.front() += fmt::format(" (File > {} avoids this)", descriptor_of(ActionId::keep_degrees).name);
-  uses_.messages.problems(warnings);
+  uses_.messages.notices(warnings);
 }
 
 Session DocumentFlow::session_now() const {

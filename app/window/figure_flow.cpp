@@ -41,7 +41,7 @@ void FigureFlow::bind(ActionBindings& actions) {
 
 void FigureFlow::open() {
   if (desk_.is_saving()) {
-    uses_.messages.problem("A figure is being written; the next one can be exported when that is done");
+    uses_.messages.notice("A figure is being written; the next one can be exported when that is done");
     return;
   }
   desk_.begin(subject());
@@ -195,12 +195,12 @@ void FigureFlow::take_geometry() {
     uses_.messages.remark("Exported " + written->file.string() +
                           (written->totals.empty() ? std::string() : ": " + written->totals));
   else
-    uses_.messages.problem("Exported " + written->file.string() + "; " + *written->remark);
+    uses_.messages.notice("Exported " + written->file.string() + "; " + *written->remark);
 }
 
 void FigureFlow::ask_lesson() {
   if (lesson_.is_under_way()) {
-    uses_.messages.problem("A lesson is being written; the next one can be exported when that is done");
+    uses_.messages.notice("A lesson is being written; the next one can be exported when that is done");
     return;
   }
   const auto save = [this,
@@ -222,7 +222,7 @@ void FigureFlow::take_lesson() {
   if (done->outcome && done->remarks.empty())
     uses_.messages.remark(exported);
   else if (done->outcome)
-    uses_.messages.problem(exported);
+    uses_.messages.notice(exported);
   else if (done->outcome.error().code == ErrorCode::cancelled)
     uses_.messages.remark("The export of the lesson was cancelled");
   else

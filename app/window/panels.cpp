@@ -10,9 +10,7 @@
 #include "app/panels/on_canvas/canvas_marks.h"
 #include "app/panels/on_canvas/empty_hint.h"
 #include "app/panels/on_canvas/empty_view_note.h"
-#include "app/panels/on_canvas/hidden_additions_note.h"
 #include "app/panels/on_canvas/pane_headers.h"
-#include "app/panels/on_canvas/problem_note.h"
 #include "app/panels/on_canvas/refusal_note.h"
 #include "app/window/palette_entries.h"
 
@@ -143,7 +141,16 @@ void Panels::bind_shown(ActionBindings& actions) {
     actions.bind(id, {[&value] { value = !value; }, {}, [&value] { return value; }});
   };
   bind_toggle(ActionId::toggle_evolution, settings.show_evolution);
-  bind_toggle(ActionId::toggle_panels, are_shown_);
+  actions.bind(ActionId::toggle_panels,
+               {[this] {
+                  if (show_panels()) return;
+                  are_shown_ = false;
+                  const std::string key = uses_.actions.keymap().key_of(ActionId::toggle_panels);
+                  uses_.messages.notice("The panels are hidden. " + (key.empty() ? "Esc" : key + " or Esc") +
+                                        " shows them again.");
+                },
+                {},
+                [this] { return are_shown_; }});
   bind_toggle(ActionId::toggle_layers, settings.show_layers);
   bind_toggle(ActionId::toggle_legend, settings.show_legend);
   bind_toggle(ActionId::toggle_key, settings.show_key);
@@ -205,6 +212,51 @@ bool Panels::end_presentation() {
   return true;
 }
 
+bool Panels::show_panels() {
+  if (are_shown_) return false;
+  are_shown_ = true;
+  uses_.messages.clear_notice();
+  return true;
+}
+
+bool Panels::close_messages() {
+  if (presenter_.is_on()) return false;
+  Messages& messages = uses_.messages;
+  // The notice about hidden panels promises that Esc shows them, so it takes no press of its own.
+  const bool is_any = !messages.problem().empty() || (are_shown_ && !messages.notice().empty());
+  messages.clear_problem();
+  messages.clear_notice();
+  return hidden_additions_note().close() || is_any;
+}
+
+std::optional<double> Panels::next_due(double now) const {
+  const auto mark = presenter_.next_due(now);
+  const auto notice = problem_note_.next_due(now);
+  return mark && notice ? std::min(mark, notice) : mark ? mark : notice;
+}
+
+HiddenAdditionsNote Panels::hidden_additions_note() const {
+  return {uses_.screen.gui,    uses_.work.hidden_additions(),   uses_.work.editor(),
+          uses_.work.layers(), uses_.board.shows_annotations(), uses_.settings.show_annotations};
+}
+
+// The audience of a presentation sees no messages; those of problems appear after it.
+void Panels::draw_messages(const Sides& sides, float width) {
+  if (presenter_.is_on()) return problem_note_.wait();
+  const Gui& gui = uses_.screen.gui;
+  const float unit = gui.unit();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const ImVec2 top(sides.left + 8 * unit, sides.top + 10 * unit);
+  const float height =
+      problem_note_.draw(gui, uses_.messages, top, std::max(1.0F, width - 16 * unit), ImGui::GetTime());
+  const ImVec2 middle(sides.left + 0.5F * width, sides.top + 0.5F * (screen.y - sides.top - sides.bottom));
+  if (!uses_.demo.is_running() &&
+      !EmptyViewNote{gui, uses_.work.editor(), uses_.work.layers(), uses_.board.picture(), uses_.work.engine()}.draw(
+          middle, width))
+    hidden_additions_note().draw({middle.x, top.y + height});
+  if (!are_shown_) RefusalNote{gui, uses_.messages}.draw({sides.left, screen.y - sides.bottom - 14 * unit}, width);
+}
+
 void Panels::follow_lesson() {
   const bool is_running = uses_.lesson.is_running();
   // Samples that a step of a lesson or of the demo brings are no additions of the user, nor is the document restored
@@ -262,29 +314,15 @@ Panels::Room Panels::draw() {
   const ImVec2 legend = draw_legend(sides, marks);
   mark_drag_.end_frame();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float unit = uses_.screen.gui.unit();
   const float width = screen.x - sides.left - sides.right;
   const ImVec2 middle(sides.left + 0.5F * width, sides.top + 0.5F * (screen.y - sides.top - sides.bottom));
   const Gui& gui = uses_.screen.gui;
   EmptyHint{
       gui, uses_.actions, uses_.work.document(), uses_.documents.files(), uses_.board.picture(), uses_.board.canvas()}
       .draw(middle);
-  if (!uses_.demo.is_running() &&
-      !EmptyViewNote{gui, uses_.work.editor(), uses_.work.layers(), uses_.board.picture(), uses_.work.engine()}.draw(
-          middle, width)) {
-    const float below = (uses_.messages.problem().empty() ? 10 : 70) * unit;
-    HiddenAdditionsNote{gui,
-                        uses_.work.hidden_additions(),
-                        uses_.work.editor(),
-                        uses_.work.layers(),
-                        uses_.board.shows_annotations(),
-                        uses_.settings.show_annotations}
-        .draw({middle.x, sides.top + below});
-  }
   if (uses_.demo.draw(gui, {middle.x, screen.y - sides.bottom}, width)) uses_.actions.run(ActionId::demo);
-  presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), ImGui::GetTime());
-  ProblemNote{gui, uses_.messages}.draw({sides.left + 8 * unit, sides.top + 10 * unit}, width - 16 * unit);
-  if (!are_shown_) RefusalNote{gui, uses_.messages}.draw({sides.left, screen.y - sides.bottom - 14 * unit}, width);
+  presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), screen.y - sides.bottom, ImGui::GetTime());
+  draw_messages(sides, width);
   uses_.work.insight().end_frame();
   const double ratio = uses_.screen.window->pixel_ratio();
   const auto in_pixels = [ratio](float length) { return static_cast<double>(length) * ratio; };

@@ -10,8 +10,10 @@
 #include "app/panels/layers/bundles_panel.h"
 #include "app/panels/layers/layers_panel.h"
 #include "app/panels/on_canvas/annotation_card.h"
+#include "app/panels/on_canvas/hidden_additions_note.h"
 #include "app/panels/on_canvas/mark_drag.h"
 #include "app/panels/on_canvas/presenter.h"
+#include "app/panels/on_canvas/problem_note.h"
 #include "app/panels/pages/details_panel.h"
 #include "app/picture/scale_drawing.h"
 #include "app/playing/step_events.h"
@@ -47,6 +49,12 @@ class Panels {
   const Presenter& presenter() const { return presenter_; }
   /// Ends the presentation and restores the panels; returns false if there was none.
   bool end_presentation();
+  /// Closes the messages over the canvas; returns false if there are none.
+  bool close_messages();
+  /// Shows the panels again; returns false if they are shown.
+  bool show_panels();
+  /// Seconds until something over the canvas begins to fade; nothing if nothing will.
+  std::optional<double> next_due(double now) const;
   /// The legend or the scale bar, while it is dragged.
   MarkDrag& mark_drag() { return mark_drag_; }
   /// Entries for everything that has a name now.
@@ -85,6 +93,8 @@ class Panels {
   void draw_annotation_card(const Sides& sides);
   MarksPlace draw_scale_marks(const Sides& sides);
   ImVec2 draw_legend(const Sides& sides, const MarksPlace& marks);
+  HiddenAdditionsNote hidden_additions_note() const;
+  void draw_messages(const Sides& sides, float width);
   void bind_shown(ActionBindings& actions);
   void bind_look(ActionBindings& actions);
   void bind_brush(ActionBindings& actions);
@@ -103,6 +113,7 @@ class Panels {
   AnnotationCard annotation_card_;
   Presenter presenter_;
   MarkDrag mark_drag_;
+  ProblemNote problem_note_;
 };
 
 }  // namespace mes

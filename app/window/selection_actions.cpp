@@ -59,7 +59,7 @@ void bind_clipboard(ActionBindings& actions, const Shared& shared) {
                  const auto degrees = u.settings.keep_degrees ? MapDegrees::kept : MapDegrees::projected;
                  const auto done = u.desk.paste(u.clipboard(), step(), degrees);
                  if (!shared->report(done)) return;
-                 u.messages.problems(done->warnings);
+                 u.messages.notices(done->warnings);
                  std::string text = "Pasted " + shared->selected();
                  if (!done->without.empty()) text += ", without " + done->without;
                  if (!u.desk.numbers().is_in(u.view())) text += ", outside the view";

@@ -183,8 +183,11 @@ void WindowInput::run_by_key(const KeyChord& chord, bool repeated) {
   uses_.messages.clear_refusal();
   if (!uses_.actions.run(*action)) {
     // A pressed key without effect must give the reason, because no menu shows that the action is disabled.
-    if (const std::string why = uses_.actions.missing(*action); !why.empty())
-      uses_.messages.refusal(descriptor_of(*action).name + " is not possible now: " + why);
+    const std::string why = uses_.actions.missing(*action);
+    if (why.empty()) return;
+    const std::string text = descriptor_of(*action).name + " is not possible now: " + why;
+    uses_.messages.refusal(text);
+    uses_.presenter.note_key(to_string(chord), text, false);
     return;
   }
   const bool is_slide = (*action >= ActionId::first_bundle && *action <= ActionId::last_bundle) ||

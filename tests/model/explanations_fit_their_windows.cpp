@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A window as large as a text is said to need shows all of it.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <string>
 
 #include "app/ui/note.h"
+#include "app/ui/widgets.h"
+#include "core/base/rng.h"
 #include "imgui_internal.h"
 
 using namespace mes;
@@ -51,6 +54,40 @@ class ExplainedFrames {
 };
 
 }  // namespace
+
+TEST_CASE("an explanation is beside its control, in panels and dialogs, wherever there is room") {
+  Rng rng(7);
+  const ImVec2 screen{1280, 800};
+  constexpr float kGap = 6;
+  const auto random = [&](float low, float high) { return low + (high - low) * static_cast<float>(rng.uniform()); };
+  int placed = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const PanelArea panel{{random(0, 700), random(0, 500)}, {random(40, 580), random(20, 300)}};
+    const ImVec2 item_size{random(10, panel.size.x), random(10, panel.size.y)};
+    const PanelArea item{{random(panel.at.x, panel.at.x + panel.size.x - item_size.x),
+                          random(panel.at.y, panel.at.y + panel.size.y - item_size.y)},
+                         item_size};
+    const ImVec2 size{random(60, 370), random(30, 120)};
+    const bool is_dialog = i % 2 == 0;
+    const auto at = tooltip_place({item, panel, is_dialog, size, screen, kGap});
+    REQUIRE(at);
+    const bool is_inside = at->x >= 0 && at->y >= 0 && at->x + size.x <= screen.x && at->y + size.y <= screen.y;
+    const bool is_clear = at->x >= item.at.x + item.size.x || at->x + size.x <= item.at.x ||
+                          at->y >= item.at.y + item.size.y || at->y + size.y <= item.at.y;
+    REQUIRE(is_inside);
+    REQUIRE(is_clear);
+    if (!is_dialog) continue;
+    // In a dialog it touches the control, but for the gap.
+    const float dx = std::max({item.at.x - at->x - size.x, at->x - item.at.x - item.size.x, 0.0F});
+    const float dy = std::max({item.at.y - at->y - size.y, at->y - item.at.y - item.size.y, 0.0F});
+    REQUIRE(std::max(dx, dy) <= kGap + 0.01F);
+    ++placed;
+  }
+  CHECK(placed == 2000);
+  // No side has room.
+  const PanelArea all{{0, 0}, screen};
+  CHECK_FALSE(tooltip_place({all, all, true, {100, 50}, screen, kGap}));
+}
 
 TEST_CASE("an explanation has room for all of its words, however wide it may be") {
   ExplainedFrames frames;

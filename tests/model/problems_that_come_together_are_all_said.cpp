@@ -27,6 +27,24 @@ TEST_CASE("problems that come together are all in the log, and the first ones ab
   }
 }
 
+TEST_CASE("notices are no problems, and a new one is told from an old one with the same words") {
+  Messages messages;
+  messages.notice("two lines were left out");
+  CHECK(messages.problem().empty());
+  CHECK(messages.notice() == "two lines were left out");
+  REQUIRE(messages.entries().size() == 1);
+  CHECK_FALSE(messages.entries().front().is_problem);
+  const auto number = messages.notice_number();
+  messages.notices({});
+  CHECK(messages.notice_number() == number);
+  messages.notice("two lines were left out");
+  CHECK(messages.notice_number() != number);
+  messages.problem("not written");
+  CHECK_FALSE(messages.notice().empty());
+  messages.clear_notice();
+  CHECK(messages.problem() == "not written");
+}
+
 TEST_CASE("each remark and problem counts as said, also one that is said again") {
   Messages messages;
   CHECK(messages.said() == 0);

@@ -46,6 +46,7 @@ struct Studio {
     press("Tab");
     press("f");
     REQUIRE(eventually([&] { return screen.shoot().is_dark(1000, 400) && screen.shoot().is_white(3, 3); }));
+    static_cast<void>(screen.settled());  // the notice about the hidden panels has faded
     press("F4");
     REQUIRE(eventually([&] { return !take().empty(); }));
   }

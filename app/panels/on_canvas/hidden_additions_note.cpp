@@ -62,6 +62,16 @@ void HiddenAdditionsNote::draw_row(AddedKind kind) const {
   ImGui::PopID();
 }
 
+bool HiddenAdditionsNote::close() const {
+  bool out = false;
+  for (const AddedKind kind : kAddedKinds) {
+    if (count(kind) == 0) continue;
+    hidden.dismiss(kind);
+    out = true;
+  }
+  return out;
+}
+
 void HiddenAdditionsNote::draw(ImVec2 top) const {
   if (std::ranges::all_of(kAddedKinds, [this](AddedKind kind) { return count(kind) == 0; })) return;
   const float unit = gui.unit();

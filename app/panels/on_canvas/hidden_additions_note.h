@@ -18,6 +18,8 @@ struct HiddenAdditionsNote {
 
   /// `top`: the middle of its upper edge.
   void draw(ImVec2 top) const;
+  /// Closes it; returns false if it shows nothing.
+  bool close() const;
 
  private:
   std::size_t count(AddedKind kind) const;

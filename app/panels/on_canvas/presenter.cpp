@@ -59,7 +59,7 @@ std::optional<double> Presenter::next_due(double now) const {
   return std::min(*pointer, *key);
 }
 
-void Presenter::draw(const Gui& gui, const std::string& bundle, double now) {
+void Presenter::draw(const Gui& gui, const std::string& bundle, float bottom, double now) {
   if (std::exchange(has_pressed_, false)) key_at_ = now;
   if (std::exchange(has_moved_, false)) pointer_at_ = now;
   if (!is_on_) return;
@@ -81,7 +81,7 @@ void Presenter::draw(const Gui& gui, const std::string& bundle, double now) {
   const ImVec2 words = ImGui::GetFont()->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str());
   const float pad = 12 * unit;
   const float width = key.x + words.x + 4 * pad;
-  const ImVec2 low(0.5F * (screen.x - width), screen.y - key.y - 4 * pad);
+  const ImVec2 low(0.5F * (screen.x - width), bottom - key.y - 4 * pad);
   const ImVec2 high(low.x + width, low.y + key.y + 2 * pad);
   const ThemeColors& colors = gui.colors();
   list.AddRectFilled(low, high, faded(colors.raised, shown), 8 * unit);

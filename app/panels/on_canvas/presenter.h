@@ -23,8 +23,8 @@ class Presenter {
   /// True if the pointer has faded: then no element is highlighted under it either.
   bool hides_pointer(double now) const;
 
-  /// Draws over everything; `bundle`: the slide that is shown.
-  void draw(const Gui& gui, const std::string& bundle, double now);
+  /// Draws over everything, keys above `bottom`; `bundle`: the slide that is shown.
+  void draw(const Gui& gui, const std::string& bundle, float bottom, double now);
   /// Seconds until a mark begins to fade; 0 while one fades; nothing when none is left.
   std::optional<double> next_due(double now) const;
 
