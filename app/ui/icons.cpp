@@ -82,9 +82,11 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
       pen.line(12.2F, 14.5F, 16.8F, 14.5F);
       break;
     case Icon::ball:
-      pen.ring(12, 12, 8.5F);
-      pen.dot(12, 12, 1.9F);
-      pen.line(12, 12, 18, 6);
+      // The plus of `insert`, beside a disk with its centre.
+      pen.ring(9.5F, 14.5F, 7);
+      pen.dot(9.5F, 14.5F, 1.7F);
+      pen.line(19, 2.5F, 19, 9.5F);
+      pen.line(15.5F, 6, 22.5F, 6);
       break;
     case Icon::annotate:
       // The letter T, and a line that leads to it.
@@ -201,11 +203,17 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
       pen.fill(square);
       break;
     }
-    case Icon::evolution:
-      pen.ring(12, 12, 8.5F);
-      pen.ring(12, 12, 5);
-      pen.dot(12, 12, 1.6F);
+    case Icon::evolution: {
+      // A rough curve that becomes a smooth one.
+      const std::array<std::pair<float, float>, 7> rough{
+          {{3, 8}, {6, 3.5F}, {9, 7.5F}, {12, 3.5F}, {15, 7.5F}, {18, 3.5F}, {21, 8}}};
+      for (std::size_t i = 1; i < rough.size(); ++i)
+        pen.line(rough[i - 1].first, rough[i - 1].second, rough[i].first, rough[i].second);
+      const ImVec2 head[] = {pen.p(8.8F, 11.5F), pen.p(15.2F, 11.5F), pen.p(12, 15.2F)};
+      pen.fill(head);
+      pen.curve(pen.p(3, 21), pen.p(9, 16.5F), pen.p(15, 16.5F), pen.p(21, 21));
       break;
+    }
     case Icon::statistics:
       pen.line(4, 20, 20.5F, 20);
       for (const auto& [x, y] : {std::pair{7.0F, 12.0F}, std::pair{12.0F, 5.0F}, std::pair{17.0F, 9.0F}}) {
