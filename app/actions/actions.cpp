@@ -104,9 +104,9 @@ constexpr auto kEditRows = std::to_array<Row>({
     {Id::distribute_y, "distribute-y", "Distribute from bottom to top",
      "Space the selection evenly in y, between the outermost two"},
     {Id::put_on_line, "put-on-line", "Put exactly on a line",
-     "Move the selection to nearby doubles that are collinear as real numbers"},
+     "Move the selected points slightly, to coordinates that lie exactly on one line"},
     {Id::put_on_circle, "put-on-circle", "Put exactly on a circle",
-     "Move the selection to nearby doubles that are cocircular as real numbers"},
+     "Move the selected points slightly, to coordinates that lie exactly on one circle"},
     {Id::add_circle, "add-circle", "Circle through three",
      "Add the ball whose circle passes through the three selected points"},
     {nth(Id::first_contour_change, 0), "join-contours", "Join contours",
@@ -252,16 +252,17 @@ constexpr auto kComputeRows = std::to_array<Row>({
      "dragging does the same",
      "Ctrl+H"},
     {Id::precision_naive, "precision-naive", "Naive: plain doubles",
-     "Plain doubles everywhere; wrong on degenerate input, to see why it matters"},
+     "Use floating-point numbers without exact decisions; results for degenerate input are wrong, which shows why "
+     "exact decisions matter"},
     {Id::precision_fast, "precision-fast", "Fast: exact decisions on doubles",
-     "Exact decisions on the samples, constructed points rounded to doubles"},
+     "Decide exactly on the samples, and round constructed points to doubles"},
     {Id::precision_exact, "precision-exact", "Exact: rationals",
-     "Rational arithmetic for constructed points, roots where they are needed"},
+     "Compute constructed points with rational numbers, and with roots where they are needed"},
     {Id::precision_exact_roots, "precision-exact-roots", "Exact with roots",
-     "Algebraic numbers throughout; slow, the reference for the others"},
+     "Use algebraic numbers throughout; slow, the reference for the others"},
     {Id::toggle_union_shortcut, "toggle-union-shortcut", "Certified shortcut for unions",
-     "Unions of balls of samples are exact even in fast, and derived from shared samples where that is certified; "
-     "off: the general pipeline in the number type"},
+     "Compute unions of inner and polar balls exactly even in fast, and in a shorter way where that is certified; "
+     "off: compute them by the general pipeline in the number type"},
     {Id::toggle_pole_propagation, "toggle-pole-propagation", "Pole labels by propagation",
      "Spread the labels from pole to pole, as Amenta, Choi and Kolluri do; off: label poles by their triangles"},
 });
@@ -302,8 +303,7 @@ constexpr auto kHelpRows = std::to_array<Row>({
      "again"},
     {Id::command_palette, "command-palette", "Find anything...",
      "Find a command, layer, bundle, parameter, evolution, shape, recent file or heading of the manual by some "
-     "letters "
-     "of its name or by another word for it",
+     "letters of its name or by another word for it",
      "Ctrl+Shift+P Ctrl+K"},
     {Id::help, "help", "Keys and gestures", "Show every key", "? F1"},
     {Id::manual, "manual", "Manual", "Read and search the manual: keys, layers, parameters, files, the command line",

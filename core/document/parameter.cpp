@@ -9,8 +9,8 @@ namespace mes {
 const Parameter Parameter::union_shortcut{
     .id = "union-shortcut",
     .explanation =
-        "1: unions of balls of samples are exact even in fast, and derived from shared samples where that is "
-        "certified; 0: the general pipeline in the number type",
+        "1: unions of inner and polar balls are exact even in fast, and are computed in a shorter way where that is "
+        "certified; 0: they are computed by the general pipeline in the number type",
     .default_value = 1.0,
     .is_whole = true,
     .title = "Certified shortcut for unions"};

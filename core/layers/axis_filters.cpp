@@ -27,7 +27,8 @@ struct FilterLayers {
 constexpr FilterLayers kLambda{
     "lambda",
     {"lambda-medial-axis", "Lambda medial axis",
-     "Axis edges whose two samples are at least twice lambda-limit apart, or what pruning leaves"},
+     "Axis edges whose two samples are at least twice lambda-limit apart; with keep-topology also those that connect "
+     "them"},
     {"lambda-medial-disks", "Lambda medial disks",
      "Inner disks whose samples need an enclosing circle of radius lambda-limit or more"},
     {"lambda-medial-circles", "Lambda medial circles",
@@ -38,7 +39,8 @@ constexpr FilterLayers kLambda{
 constexpr FilterLayers kAngle{
     "angle (degrees)",
     {"angle-medial-axis", "Angle medial axis",
-     "Points of the axis that see their two nearest samples at twice angle-limit or more, or what pruning leaves"},
+     "Points of the axis that see their two nearest samples at twice angle-limit or more; with keep-topology also "
+     "those that connect them"},
     {"angle-medial-disks", "Angle medial disks",
      "Inner disks with two samples that the centre sees at twice angle-limit or more"},
     {"angle-medial-circles", "Angle medial circles",
@@ -49,7 +51,9 @@ constexpr FilterLayers kAngle{
 constexpr FilterLayers kCover{
     "1 - 1/s",
     {"cover-medial-axis", "Cover medial axis",
-     "Axis edges whose balls no other swallows while all grow by scale-axis-factor, or what pruning leaves"},
+     "Axis edges whose balls no other swallows while all grow by scale-axis-factor; with keep-topology also those "
+     "that "
+     "connect them"},
     {"cover-medial-disks", "Cover medial disks",
      "Inner disks that no other swallows while all grow by scale-axis-factor"},
     {"cover-medial-circles", "Cover medial circles",

@@ -10,8 +10,9 @@ Layer make_sampling_epsilon_layer(const StructureSet& set) {
   return make_layer(
       {.id = "sampling-epsilon",
        .name = "Sampling epsilon",
-       .tooltip = "Curve edges with half their length over the feature size of their ends: above 0.25 samples are "
-                  "sparse",
+       .tooltip =
+           "Curve edges by half their length divided by the feature size at their ends; above 0.25 the samples "
+           "are sparse",
        .group = LayerGroup::crust_axis,
        .scalar = "epsilon",
        .style = {.color = palette::blue, .line_width_px = 4.0, .color_map = "inferno"},

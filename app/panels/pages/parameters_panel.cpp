@@ -216,9 +216,10 @@ void ParametersPanel::draw_critical_values(double& limit) {
       if (marks.mark(x, is_first ? palette::green : palette::purple, is_first ? 3.0F : 1.0F)) nearest = &value;
     }
     if (nearest != nullptr) {
-      words = fmt::format("{:.4g}: {}", *nearest,
-                          nearest == &values->front() ? "estimate of the weak feature size"
-                                                      : "critical value of the distance to the samples");
+      words =
+          fmt::format("{:.4g}: {}", *nearest,
+                      nearest == &values->front() ? "estimate of the weak feature size"
+                                                  : "at this radius, disks around the samples change their topology");
       if (marks.is_clicked()) limit = *nearest;
     }
   }
