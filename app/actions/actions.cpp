@@ -220,8 +220,12 @@ constexpr auto kViewRows = std::to_array<Row>({
     {Id::projector_mode, "projector-mode", "Projector mode", "Use larger text and lines, and the strongest contrast",
      "Shift+P"},
     {Id::presenter_mode, "presenter-mode", "Presenter mode",
-     "Hide the panels, show pressed keys and a large pointer; bundles are the slides, changed with the Page keys",
+     "Fill the screen with the drawing, show pressed keys and a large pointer; bundles are the slides, changed with "
+     "the "
+     "Page keys",
      "F5"},
+    {Id::full_screen, "full-screen", "Full screen", "Fill the screen with the window, or show it at its former size",
+     "F11"},
 });
 
 constexpr auto kBundleRows = std::to_array<Row>({

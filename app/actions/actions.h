@@ -110,6 +110,7 @@ enum class ActionId : std::uint8_t {
   toggle_theme,
   projector_mode,
   presenter_mode,
+  full_screen,
   first_bundle,  // the bundles of the digits 1 to 9
   last_bundle = first_bundle + 8,
   next_bundle,

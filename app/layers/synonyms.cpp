@@ -54,6 +54,7 @@ constexpr auto kSynonyms = std::to_array<Synonyms>({
     {"toggle-handles", "scale rotate resize transform frame"},
     {"fit", "reset view zoom all whole home"},
     {"toggle-panels", "hide interface clean sidebar full screen"},
+    {"full-screen", "fullscreen maximize maximise whole monitor"},
     {"toggle-statistics", "counts numbers timing performance info"},
     {"toggle-parameters", "settings options"},
     {"toggle-log", "messages errors warnings history"},

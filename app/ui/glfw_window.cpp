@@ -93,6 +93,8 @@ Expected<std::unique_ptr<GlfwWindow>> GlfwWindow::create(const Options& options)
   glfwWindowHint(GLFW_DEPTH_BITS, 0);
   glfwWindowHint(GLFW_STENCIL_BITS, 0);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+  // A lecture goes on when the pointer is used on another screen.
+  glfwWindowHint(GLFW_AUTO_ICONIFY, GLFW_FALSE);
   glfwWindowHintString(GLFW_X11_CLASS_NAME, "mesecina");
   glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "mesecina");
   GLFWwindow* window = glfwCreateWindow(options.width, options.height, options.title.c_str(), nullptr, nullptr);
@@ -342,6 +344,49 @@ std::string GlfwWindow::desktop_handle() const {
   const auto number_of = reinterpret_cast<Number>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));
   const unsigned long number = number_of == nullptr ? 0 : number_of(window_);
   return number == 0 ? std::string() : fmt::format("x11:{:x}", number);
+}
+
+GlfwWindow::Frame GlfwWindow::frame() const {
+  Frame out{.size = size()};
+  glfwGetWindowPos(window_, &out.x, &out.y);
+  return out;
+}
+
+bool GlfwWindow::is_full_screen() const {
+  return glfwGetWindowMonitor(window_) != nullptr;
+}
+
+GlfwWindow::Size GlfwWindow::windowed_size() const {
+  return is_full_screen() ? windowed_.size : size();
+}
+
+void GlfwWindow::set_full_screen(bool is_full) {
+  if (is_full == is_full_screen()) return;
+  if (!is_full)
+    return glfwSetWindowMonitor(window_, nullptr, windowed_.x, windowed_.y, windowed_.size.width,
+                                windowed_.size.height, GLFW_DONT_CARE);
+  windowed_ = frame();
+  int count = 0;
+  GLFWmonitor** const monitors = glfwGetMonitors(&count);
+  GLFWmonitor* best = nullptr;
+  long long most = -1;
+  for (int i = 0; i < count; ++i) {
+    const GLFWvidmode* const mode = glfwGetVideoMode(monitors[i]);
+    if (mode == nullptr) continue;
+    int x = 0;
+    int y = 0;
+    glfwGetMonitorPos(monitors[i], &x, &y);
+    const auto shared = [](int from, int length, int begin, int room) {
+      return static_cast<long long>(std::max(0, std::min(from + length, begin + room) - std::max(from, begin)));
+    };
+    const long long area = shared(windowed_.x, windowed_.size.width, x, mode->width) *
+                           shared(windowed_.y, windowed_.size.height, y, mode->height);
+    if (area > most) best = monitors[i];
+    most = std::max(most, area);
+  }
+  if (best == nullptr) return;
+  const GLFWvidmode* const mode = glfwGetVideoMode(best);
+  glfwSetWindowMonitor(window_, best, 0, 0, mode->width, mode->height, mode->refreshRate);
 }
 
 bool GlfwWindow::is_minimized() const {

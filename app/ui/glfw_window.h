@@ -85,6 +85,11 @@ class GlfwWindow {
   /// Framebuffer pixels per logical pixel, as the desktop sets it.
   double content_scale() const;
   bool is_minimized() const;
+  /// Covers the screen that shows most of the window, or puts the window back where it was.
+  void set_full_screen(bool is_full);
+  bool is_full_screen() const;
+  /// The size that the window has without full screen.
+  Size windowed_size() const;
   /// The handle with which other programs put a window above this one: "x11:" and its number in hexadecimal; empty if
   /// it has none.
   std::string desktop_handle() const;
@@ -105,7 +110,14 @@ class GlfwWindow {
   GLFWcursor* hand_ = nullptr;
   PointerShape shape_ = PointerShape::arrow;
   std::string title_;
-  Vec2 pointer_;  // at the last event, in screen coordinates
+  struct Frame {
+    int x = 0;
+    int y = 0;
+    Size size;
+  };
+  Frame frame() const;
+  Frame windowed_;  // while the window covers the screen: its frame before
+  Vec2 pointer_;    // at the last event, in screen coordinates
   std::optional<Vec2> press_;
   std::optional<Vec2> release_;
   struct Release {

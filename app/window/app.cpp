@@ -274,7 +274,7 @@ void App::end() {
   documents_.end();
   const GlfwWindow& window = *screen_.window;
   const double units = window.content_scale() / window.pixel_ratio();
-  const GlfwWindow::Size size = window.size();
+  const GlfwWindow::Size size = window.windowed_size();
   settings_.settings().window_width = static_cast<int>(std::lround(size.width / units));
   settings_.settings().window_height = static_cast<int>(std::lround(size.height / units));
   // The window is gone, so a failure cannot be shown.

@@ -26,6 +26,8 @@ void LessonRun::bind(ActionBindings& actions) {
     const ActionBindings::Binding otherwise = binding;
     binding.run = [this, step, otherwise] {
       if (!is_running()) return otherwise.run();
+      if (shows_title_) return leave_title();
+      shows_title_ = step == &LessonPresenter::go_back && presenter_.step() == 0 && has_title();
       leave_step();
       say((presenter_.*step)());
     };
@@ -51,6 +53,7 @@ void LessonRun::start(const Session& session) {
   leave_step();
   messages_.clear();
   say(presenter_.start(std::make_shared<const Session>(session), 0));
+  shows_title_ = is_running() && has_title();
 }
 
 void LessonRun::end() {
@@ -74,6 +77,12 @@ void LessonRun::leave_step() {
   work_.annotations().close();
 }
 
+// The caption takes room of the drawing.
+void LessonRun::leave_title() {
+  shows_title_ = false;
+  fit_again();
+}
+
 void LessonRun::say(const Expected<void>& done) {
   work_.take_family_of_layers();
   if (!done) messages_.problem(done.error().message());
@@ -88,8 +97,12 @@ void LessonRun::look_at(const Box2& box) {
 float LessonRun::draw(const Gui& gui, const ActionBindings& actions, const PanelArea& area) {
   if (!is_running()) return 0.0F;
   const LessonCard card{gui, actions, presenter_, board_.picture().canvas()};
-  const float width = card.width(area.size.x);
-  switch (card.draw({area.at, {width, area.size.y}})) {
+  if (shows_title_) {
+    if (card.draw_title(area) == LessonCard::Wish::on) leave_title();
+    return 0.0F;
+  }
+  const auto [wish, height] = card.draw(area);
+  switch (wish) {
     case LessonCard::Wish::none: break;
     case LessonCard::Wish::back: actions.run(ActionId::previous_bundle); break;
     case LessonCard::Wish::on: actions.run(ActionId::next_bundle); break;
@@ -99,7 +112,7 @@ float LessonRun::draw(const Gui& gui, const ActionBindings& actions, const Panel
       break;
     case LessonCard::Wish::end: end(); break;
   }
-  return width;
+  return height;
 }
 
 }  // namespace mes

@@ -39,10 +39,13 @@ class LessonRun {
   bool advance(double now, bool may_step) { return presenter_.advance(now, may_step); }
   /// Fits again because the area of the drawing changed when the lesson began or ended.
   void fit_again() { look_at(looked_at_); }
-  /// Draws the lesson at the left of this area, beside the drawing, and returns the width it takes.
+  /// Draws the lesson at the bottom of this area, below the drawing, or its title over the area. Returns the height
+  /// that it takes of the drawing.
   float draw(const Gui& gui, const ActionBindings& actions, const PanelArea& area);
 
  private:
+  void leave_title();
+  bool has_title() const { return !presenter_.lesson().title.empty(); }
   /// Discards the selection and the clicked elements, which belong to another step.
   void leave_step();
   void say(const Expected<void>& done);
@@ -53,6 +56,7 @@ class LessonRun {
   Messages& messages_;
   LessonPresenter presenter_;
   LessonDesk desk_;
+  bool shows_title_ = false;  // before the first step
   Box2 view_before_;
   Box2 looked_at_;  // the last requested view; empty: everything
 };

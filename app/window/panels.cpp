@@ -203,12 +203,15 @@ void Panels::begin_presentation() {
   were_shown_ = are_shown_;
   are_shown_ = false;
   presenter_.set_on(true);
+  was_full_screen_ = uses_.screen.window->is_full_screen();
+  uses_.screen.window->set_full_screen(true);
 }
 
 bool Panels::end_presentation() {
   if (!presenter_.is_on()) return false;
   are_shown_ = were_shown_;
   presenter_.set_on(false);
+  uses_.screen.window->set_full_screen(was_full_screen_);
   return true;
 }
 
@@ -288,6 +291,10 @@ void Panels::bind_look(ActionBindings& actions) {
                                           },
                                           {},
                                           [this] { return presenter_.is_on(); }});
+  GlfwWindow& window = *uses_.screen.window;
+  actions.bind(ActionId::full_screen, {[&window] { window.set_full_screen(!window.is_full_screen()); },
+                                       {},
+                                       [&window] { return window.is_full_screen(); }});
   actions.bind(ActionId::projector_mode, {[&settings] { settings.for_projector = !settings.for_projector; },
                                           {},
                                           [&settings] { return settings.for_projector; }});
@@ -332,7 +339,7 @@ Panels::Room Panels::draw() {
 
 void Panels::draw_lesson(Sides& sides) {
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  sides.left += uses_.lesson.draw(
+  sides.bottom += uses_.lesson.draw(
       uses_.screen.gui, uses_.actions,
       {{sides.left, sides.top}, {screen.x - sides.left - sides.right, screen.y - sides.top - sides.bottom}});
 }

@@ -109,6 +109,7 @@ class Panels {
   StepEvents step_events_;
   bool are_shown_ = true;
   bool were_shown_ = true;  // state before the presentation
+  bool was_full_screen_ = false;
   bool presents_lesson_ = false;
   AnnotationCard annotation_card_;
   Presenter presenter_;

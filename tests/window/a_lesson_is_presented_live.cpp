@@ -94,6 +94,25 @@ TEST_CASE("a lesson is presented by the Page keys, and gives the document back w
   CHECK(window.program.is_running());
 }
 
+TEST_CASE("a lesson begins with its title, and captions are large and below the drawing") {
+  PresentingWindow window;
+  static_cast<void>(window.drawn());
+  window.press("shift+F5");
+  REQUIRE(eventually([&] { return window.screen.shoot().is_white(1270, 400); }));
+  const Screenshot title = window.screen.settled();
+  const auto is_ink = [](Color c) { return c.r < 90 && c.g < 90 && c.b < 100; };
+  const PixelBox words = title.box_of({0, 0, 1280, 450}, is_ink);
+  CHECK(words.bottom - words.top > 40);
+  CHECK(words.middle()[0] == Approx(640).margin(12));
+  window.press("Next");
+  const Screenshot first = window.other_beside_caption(title);
+  const PixelBox caption = first.box_of({0, 700, 900, 800}, is_ink);
+  CHECK(caption.bottom - caption.top > 20);
+  CHECK(first.box_of({0, 0, 130, 690}, is_ink).is_empty());
+  window.press("Prior");
+  CHECK(window.shows_beside_caption(title));
+}
+
 TEST_CASE("a lesson is made in the window, is unsaved work, and goes into a session") {
   DrivenProgram window;
   window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");
@@ -138,7 +157,10 @@ TEST_CASE("saving ends a lesson first, and saves the document") {
   window.press("shift+F5");
   REQUIRE(eventually([&] { return window.screen.shoot().is_white(1270, 400); }));
   static_cast<void>(window.screen.settled());
+  window.press("Next");  // from the title to the first step
+  static_cast<void>(window.screen.settled());
   window.screen.click({700, 300});
+  REQUIRE(eventually([&] { return window.title().starts_with("* house.json"); }));
   window.press("ctrl+s");
   REQUIRE(eventually([&] { return window.title().starts_with("house.json"); }));
   const auto saved = read_session(bytes_of(window.folder / "house.json"), "house.json");

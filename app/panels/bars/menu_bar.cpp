@@ -187,7 +187,8 @@ void view_menu(const MenuBar& menu) {
     for (const ActionId id : {ActionId::balls_inner, ActionId::balls_polar, ActionId::balls_own})
       action_item(menu, id);
     ImGui::Separator();
-    for (const ActionId id : {ActionId::next_bundle, ActionId::previous_bundle, ActionId::presenter_mode})
+    for (const ActionId id :
+         {ActionId::next_bundle, ActionId::previous_bundle, ActionId::presenter_mode, ActionId::full_screen})
       action_item(menu, id);
     ImGui::EndMenu();
   }

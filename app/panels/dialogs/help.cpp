@@ -3,9 +3,11 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <string_view>
 #include <vector>
 
+#include "app/model/even_columns.h"
 #include "app/ui/icons.h"
 #include "app/ui/widgets.h"
 
@@ -22,13 +24,6 @@ void key_cap(const Gui& gui, std::string_view text) {
   list.AddRect(at, end, gui.colors().border, 4 * unit);
   list.AddText({at.x + 5 * unit, at.y + 2 * unit}, gui.colors().text, text.data(), text.data() + text.size());
   ImGui::Dummy({end.x - at.x, end.y - at.y});
-}
-
-void heading(const Gui& gui, std::string_view text) {
-  ImGui::Dummy({0, 3 * gui.unit()});
-  ImGui::PushFont(gui.bold());
-  ImGui::TextUnformatted(text.data(), text.data() + text.size());
-  ImGui::PopFont();
 }
 
 /// Actions whose keys differ only by a number are listed in one line.
@@ -52,6 +47,12 @@ bool has_keys_of_table(const Keymap& keymap, const Series& series) {
 struct Line {
   std::vector<std::string_view> keys;
   std::string_view text;
+  bool is_gesture = false;
+};
+
+struct Group {
+  std::string_view title;
+  std::vector<Line> lines;
 };
 
 std::vector<Line> lines_of(const Keymap& keymap, ActionGroup group) {
@@ -69,74 +70,104 @@ std::vector<Line> lines_of(const Keymap& keymap, ActionGroup group) {
   return out;
 }
 
-void draw_group(const Gui& gui, const Keymap& keymap, ActionGroup group) {
-  const float unit = gui.unit();
-  const std::vector<Line> lines = lines_of(keymap, group);
-  heading(gui, title_of(group));
-  float text_at = 0.0F;
-  for (const Line& line : lines) {
-    float width = 0.0F;
-    for (const std::string_view key : line.keys)
-      width += ImGui::CalcTextSize(key.data(), key.data() + key.size()).x + 14 * unit;
-    text_at = std::max(text_at, width + 8 * unit);
-  }
-  const float start = ImGui::GetCursorPosX();
-  for (const Line& line : lines) {
-    for (const std::string_view key : line.keys) {
-      key_cap(gui, key);
-      ImGui::SameLine(0, 4 * unit);
-    }
-    ImGui::SetCursorPos({start + text_at, ImGui::GetCursorPosY() + 2 * unit});
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(line.text.data(), line.text.data() + line.text.size());
-    ImGui::PopTextWrapPos();
-  }
+std::vector<Group> groups_of(const Keymap& keymap) {
+  std::vector<Group> out;
+  for (const ActionGroup group : {ActionGroup::file, ActionGroup::tools, ActionGroup::edit, ActionGroup::view,
+                                  ActionGroup::compute, ActionGroup::help})
+    out.push_back({title_of(group), lines_of(keymap, group)});
+  Group& gestures = out.emplace_back(Group{"With the mouse", {}});
+  for (const GestureDescriptor& gesture : gesture_descriptors())
+    gestures.lines.push_back({{gesture.input}, gesture.meaning, true});
+  std::erase_if(out, [](const Group& group) { return group.lines.empty(); });
+  return out;
 }
 
-void draw_gesture(const Gui& gui, const GestureDescriptor& gesture) {
+/// Sizes on the sheet, in screen coordinates.
+class SheetSizes {
+ public:
+  SheetSizes(const Gui& gui, float column) : unit_(gui.unit()), column_(column) {}
+
+  float width_of(std::string_view key) const {
+    return ImGui::CalcTextSize(key.data(), key.data() + key.size()).x + 10 * unit_;
+  }
+  float keys_of(const Line& line) const {
+    float out = 0.0F;
+    for (const std::string_view key : line.keys) out += width_of(key) + 4 * unit_;
+    return out;
+  }
+  /// Where the texts of a group begin.
+  float text_at(const Group& group) const {
+    float out = 0.0F;
+    for (const Line& line : group.lines) out = std::max(out, keys_of(line) + 8 * unit_);
+    return out;
+  }
+  float cap() const { return ImGui::GetTextLineHeight() + 4 * unit_; }
+  float gap() const { return 3 * unit_; }
+  float heading() const { return ImGui::GetTextLineHeight() + 9 * unit_; }
+  float height_of(const Line& line, float text_at) const {
+    const float wrap = std::max(1.0F, column_ - (line.is_gesture ? 0.0F : text_at));
+    const float text =
+        ImGui::CalcTextSize(line.text.data(), line.text.data() + line.text.size(), false, wrap).y + 2 * unit_;
+    return gap() + (line.is_gesture ? cap() + text : std::max(cap(), text));
+  }
+  float column() const { return column_; }
+
+ private:
+  float unit_;
+  float column_;
+};
+
+void draw_part(const Gui& gui, const Group& group, const ColumnPart& part, const SheetSizes& sizes, ImVec2& at) {
   const float unit = gui.unit();
-  key_cap(gui, gesture.input);
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() - 3 * unit);
-  ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
-  ImGui::TextWrapped("%.*s", static_cast<int>(gesture.meaning.size()), gesture.meaning.data());
-  ImGui::PopStyleColor();
-  ImGui::SetCursorPosY(ImGui::GetCursorPosY() + 3 * unit);
+  ImGui::SetCursorScreenPos({at.x, at.y + 6 * unit});
+  ImGui::PushFont(gui.bold());
+  const std::string title = std::string(group.title) + (part.first == 0 ? "" : ", continued");
+  ImGui::TextUnformatted(title.c_str());
+  ImGui::PopFont();
+  at.y += sizes.heading();
+  const float text_at = sizes.text_at(group);
+  for (std::size_t i = part.first; i < part.end; ++i) {
+    const Line& line = group.lines[i];
+    ImVec2 cap = at;
+    for (const std::string_view key : line.keys) {
+      ImGui::SetCursorScreenPos(cap);
+      key_cap(gui, key);
+      cap.x += sizes.width_of(key) + 4 * unit;
+    }
+    const ImVec2 text = line.is_gesture ? ImVec2(at.x, at.y + sizes.cap()) : ImVec2(at.x + text_at, at.y + 2 * unit);
+    ImGui::SetCursorScreenPos(text);
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + at.x + sizes.column() - text.x);
+    if (line.is_gesture) ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
+    ImGui::TextUnformatted(line.text.data(), line.text.data() + line.text.size());
+    if (line.is_gesture) ImGui::PopStyleColor();
+    ImGui::PopTextWrapPos();
+    at.y += sizes.height_of(line, text_at);
+  }
 }
 
 /// Draws the groups in reading order, in columns of about the same height.
 void draw_columns(const Gui& gui, const Keymap& keymap, float width) {
-  constexpr std::array<ActionGroup, 6> kOrder{ActionGroup::file, ActionGroup::tools,   ActionGroup::edit,
-                                              ActionGroup::view, ActionGroup::compute, ActionGroup::help};
+  const float unit = gui.unit();
+  const float gap = 18 * unit;
   constexpr float kColumnWidth = 285.0F;  // logical pixels; in narrower columns lines would break
-  const int columns = std::clamp(static_cast<int>(width / (kColumnWidth * gui.unit())), 1, 4);
-  if (!ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) return;
-  constexpr std::size_t kHeading = 2;
-  constexpr std::size_t kGestureLines = 2;
-  std::size_t left = kGestureLines * gesture_descriptors().size() + kHeading;
-  for (const ActionGroup group : kOrder) left += lines_of(keymap, group).size() + kHeading;
-  const std::size_t most = (left + static_cast<std::size_t>(columns) - 1) / static_cast<std::size_t>(columns);
-  ImGui::TableNextColumn();
-  std::size_t filled = 0;
-  const auto next = [&](std::size_t lines) {
-    // A group may exceed the column by less than it would otherwise leave empty.
-    const bool is_better_below = filled + lines <= most || filled + lines - most < most - std::min(filled, most);
-    if (filled > 0 && !is_better_below && ImGui::TableGetColumnIndex() + 1 < columns) {
-      ImGui::TableNextColumn();
-      filled = 0;
-    }
-    filled += lines;
-  };
-  for (const ActionGroup group : kOrder) {
-    next(lines_of(keymap, group).size() + kHeading);
-    draw_group(gui, keymap, group);
+  const auto columns = static_cast<std::size_t>(std::clamp(static_cast<int>(width / (kColumnWidth * unit)), 1, 4));
+  const float column = (width - gap * static_cast<float>(columns - 1)) / static_cast<float>(columns);
+  const SheetSizes sizes(gui, column);
+  const std::vector<Group> groups = groups_of(keymap);
+  const ImVec2 corner = ImGui::GetCursorScreenPos();
+  float bottom = corner.y;
+  std::size_t number = 0;
+  std::vector<std::vector<float>> heights;
+  for (const Group& group : groups) {
+    std::vector<float>& lines = heights.emplace_back();
+    for (const Line& line : group.lines) lines.push_back(sizes.height_of(line, sizes.text_at(group)));
   }
-  next(kHeading + kGestureLines);
-  heading(gui, "With the mouse");
-  for (const GestureDescriptor& gesture : gesture_descriptors()) {
-    next(kGestureLines);
-    draw_gesture(gui, gesture);
+  for (const std::vector<ColumnPart>& parts : even_columns(heights, sizes.heading(), columns)) {
+    ImVec2 at(corner.x + static_cast<float>(number++) * (column + gap), corner.y);
+    for (const ColumnPart& part : parts) draw_part(gui, groups[part.group], part, sizes, at);
+    bottom = std::max(bottom, at.y);
   }
-  ImGui::EndTable();
+  ImGui::SetCursorScreenPos({corner.x, bottom});
 }
 
 void draw_foot(const Gui& gui, const std::string& keys_file) {
@@ -160,7 +191,7 @@ bool HelpPage::is_cancelled_by(const KeyChord& chord) const {
 void HelpPage::draw(const Gui& gui) {
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 size(std::min(1240 * unit, screen.x - 24 * unit), std::min(680 * unit, screen.y - 24 * unit));
+  const ImVec2 size(std::min(1240 * unit, screen.x - 24 * unit), std::min(860 * unit, screen.y - 24 * unit));
   ImGui::SetNextWindowPos({0.5F * (screen.x - size.x), 0.5F * (screen.y - size.y)});
   ImGui::SetNextWindowSize(size);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {22 * unit, 16 * unit});

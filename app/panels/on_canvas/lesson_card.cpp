@@ -12,33 +12,76 @@
 namespace mes {
 namespace {
 
-constexpr float kShare = 0.3F;    // share of the available width
-constexpr float kLeast = 220.0F;  // logical pixels
-constexpr float kMost = 520.0F;
-constexpr float kLessonMargin = 22.0F;
+constexpr double kLessonMargin = 18.0;  // logical pixels
+constexpr double kButtonsWidth = 210.0;
+constexpr double kLeastHeight = 64.0;   // of the buttons
+constexpr double kMostOfHeight = 0.36;  // share of the height that a long caption may take
+// Letters of a thirtieth of the height of the picture can be read from the last row.
+constexpr double kLettersOfHeight = 1.0 / 30.0;
+constexpr double kLeastCaptionLetters = 17.0;
+constexpr double kMostCaptionLetters = 48.0;
 
 }  // namespace
 
-float LessonCard::width(float room) const {
-  const float unit = gui.unit();
-  return std::min(std::clamp(kShare * room, kLeast * unit, kMost * unit), 0.5F * room);
+// Draws on the background of the canvas, so that the text is readable if the drawing extends below it.
+float LessonCard::draw_caption(const PanelArea& area) const {
+  const auto unit = static_cast<double>(gui.unit());
+  const double width = static_cast<double>(area.size.x) / unit;
+  const double height = static_cast<double>(area.size.y) / unit;
+  const double column = width - 2.0 * kLessonMargin - std::min(kButtonsWidth, 0.4 * width);
+  const double most = kMostOfHeight * height - 2.0 * kLessonMargin;
+  double taken = std::min(kLeastHeight, height);
+  FittedCaption fitted;
+  if (column > 0.0 && most > 0.0) {
+    const CaptionLook look{
+        .width = column,
+        .letters = std::clamp(kLettersOfHeight * height, kLeastCaptionLetters, kMostCaptionLetters),
+        .ink = paper_colors(canvas).ink};
+    fitted = fit_caption(caption_text(presenter.caption()), look, most, measure_on_canvas(gui));
+    taken = std::max(taken, fitted.drawing.height + 2.0 * kLessonMargin);
+  }
+  const float top = area.at.y + area.size.y - static_cast<float>(taken * unit);
+  ImGui::GetBackgroundDrawList()->AddRectFilled({area.at.x, top}, {area.at.x + area.size.x, area.at.y + area.size.y},
+                                                to_imgui(canvas));
+  const auto margin = static_cast<float>(kLessonMargin * unit);
+  const double free = taken - fitted.drawing.height - 2.0 * kLessonMargin;
+  paint_on_canvas(gui, fitted.drawing, {area.at.x + margin, top + margin + static_cast<float>(0.5 * free * unit)});
+  return static_cast<float>(taken * unit);
 }
 
-// Draws on the background of the canvas, so that the text is readable if the drawing extends below it.
-void LessonCard::draw_caption(const PanelArea& area) const {
-  constexpr double kLettersInAColumn = 17.0;
-  constexpr double kLargest = 26.0;
-  constexpr double kFoot = 90.0;  // height of the buttons
-  const float unit = gui.unit();
-  const double column = static_cast<double>(area.size.x / unit) - 2.0 * static_cast<double>(kLessonMargin);
-  const double height = static_cast<double>(area.size.y / unit) - 2.0 * static_cast<double>(kLessonMargin) - kFoot;
-  if (!(column > 0.0) || !(height > 0.0)) return;
-  ImGui::GetBackgroundDrawList()->AddRectFilled(area.at, {area.at.x + area.size.x, area.at.y + area.size.y},
-                                                to_imgui(canvas));
-  const CaptionLook look{
-      .width = column, .letters = std::min(column / kLettersInAColumn, kLargest), .ink = paper_colors(canvas).ink};
-  const FittedCaption fitted = fit_caption(caption_text(presenter.caption()), look, height, measure_on_canvas(gui));
-  paint_on_canvas(gui, fitted.drawing, {area.at.x + kLessonMargin * unit, area.at.y + kLessonMargin * unit});
+LessonCard::Wish LessonCard::draw_title(const PanelArea& area) const {
+  ImGui::SetNextWindowPos(area.at);
+  ImGui::SetNextWindowSize(area.size);
+  ImGui::PushStyleColor(ImGuiCol_WindowBg, to_imgui(canvas));
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0F);
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0F);
+  ImGui::Begin("##lesson-title", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                   ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_NoBringToFrontOnFocus);
+  const bool is_clicked = hit_area("title", area.size);
+  const auto unit = static_cast<double>(gui.unit());
+  const double width = static_cast<double>(area.size.x) / unit;
+  const double height = static_cast<double>(area.size.y) / unit;
+  const PaperColors colors = paper_colors(canvas);
+  const auto centered = [&](const std::string& text, double letters, double most, Rgb ink, double middle) {
+    const CaptionLook look{.width = 0.8 * width, .letters = letters, .ink = ink};
+    const PaperDrawing drawing = fit_caption(caption_text(text), look, most, measure_on_canvas(gui)).drawing;
+    const double left = 0.5 * (width - drawing.width);
+    const double top = middle - 0.5 * drawing.height;
+    paint(*ImGui::GetWindowDrawList(), gui, drawing,
+          {area.at.x + static_cast<float>(left * unit), area.at.y + static_cast<float>(top * unit)});
+  };
+  centered(presenter.lesson().title, std::clamp(height / 11.0, 28.0, 120.0), 0.5 * height, colors.ink, 0.43 * height);
+  const std::size_t steps = presenter.step_count();
+  const std::string key = actions.keymap().key_of(ActionId::next_bundle);
+  centered(fmt::format("{} step{}{}", steps, steps == 1 ? "" : "s",
+                       key.empty() ? std::string() : fmt::format("; {} or a click begins", key)),
+           std::clamp(height / 36.0, 14.0, 40.0), 0.2 * height, colors.quiet, 0.66 * height);
+  ImGui::End();
+  ImGui::PopStyleVar(2);
+  ImGui::PopStyleColor();
+  return is_clicked ? Wish::on : Wish::none;
 }
 
 LessonCard::Wish LessonCard::draw_buttons(const PanelArea& area) const {
@@ -46,8 +89,7 @@ LessonCard::Wish LessonCard::draw_buttons(const PanelArea& area) const {
   const float unit = gui.unit();
   const float button = 1.5F * ImGui::GetTextLineHeight();
   const bool is_edited = !presenter.is_playing() && presenter.is_edited();
-  ImGui::SetNextWindowPos({area.at.x, area.at.y + area.size.y}, ImGuiCond_Always, {0.0F, 1.0F});
-  ImGui::SetNextWindowSize({area.size.x, 0});
+  ImGui::SetNextWindowPos({area.at.x + area.size.x, area.at.y + area.size.y}, ImGuiCond_Always, {1.0F, 1.0F});
   ImGui::Begin("##lesson", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav |
@@ -68,7 +110,8 @@ LessonCard::Wish LessonCard::draw_buttons(const PanelArea& area) const {
     ImGui::SameLine(0, 4 * unit);
   };
   const std::size_t last = presenter.step_count() - 1;
-  step_button("back", Icon::step_back, ActionId::previous_bundle, presenter.step() > 0, Wish::back);
+  step_button("back", Icon::step_back, ActionId::previous_bundle,
+              presenter.step() > 0 || !presenter.lesson().title.empty(), Wish::back);
   ImGui::AlignTextToFramePadding();
   ImGui::Text("%s", fmt::format("{} / {}", presenter.step() + 1, last + 1).c_str());
   ImGui::SameLine(0, 4 * unit);
@@ -86,9 +129,9 @@ LessonCard::Wish LessonCard::draw_buttons(const PanelArea& area) const {
   return out;
 }
 
-LessonCard::Wish LessonCard::draw(const PanelArea& area) const {
-  draw_caption(area);
-  return draw_buttons(area);
+std::pair<LessonCard::Wish, float> LessonCard::draw(const PanelArea& area) const {
+  const float height = draw_caption(area);
+  return {draw_buttons(area), height};
 }
 
 }  // namespace mes

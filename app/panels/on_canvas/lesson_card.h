@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The card beside the drawing during the presentation of a lesson: caption of the step, and buttons to move on.
+// The card below the drawing during the presentation of a lesson: caption of the step, and buttons to move on; and the
+// title before the first step.
 #pragma once
 
 #include <cstdint>
+#include <utility>
 
 #include "app/actions/action_bindings.h"
 #include "app/playing/lesson_presenter.h"
@@ -19,13 +21,13 @@ struct LessonCard {
   Rgb canvas;  ///< background colour
 
   enum class Wish : std::uint8_t { none, back, on, restore, end };
-  /// The preferred width if this much is available.
-  float width(float room) const;
-  /// Draws the card; returns the button that was clicked.
-  Wish draw(const PanelArea& area) const;
+  /// Draws the card at the bottom of the area, as high as the caption needs. Returns the clicked button and the height.
+  std::pair<Wish, float> draw(const PanelArea& area) const;
+  /// Covers the area with the title of the lesson; returns `on` when it is clicked.
+  Wish draw_title(const PanelArea& area) const;
 
  private:
-  void draw_caption(const PanelArea& area) const;
+  float draw_caption(const PanelArea& area) const;
   Wish draw_buttons(const PanelArea& area) const;
 };
 

@@ -29,13 +29,16 @@ MeasureText measure_on_canvas(const Gui& gui) {
 }
 
 void paint_on_canvas(const Gui& gui, const PaperDrawing& drawing, ImVec2 corner) {
+  paint(*ImGui::GetBackgroundDrawList(), gui, drawing, corner);
+}
+
+void paint(ImDrawList& list, const Gui& gui, const PaperDrawing& drawing, ImVec2 corner) {
   const float unit = gui.unit();
   const glm::mat3 place_of(paper_placement({corner.x, corner.y}, static_cast<double>(unit)));
   const auto place = [&](double x, double y) {
     const glm::vec3 out = place_of * glm::vec3(x, y, 1.0);
     return ImVec2(out.x, out.y);
   };
-  ImDrawList& list = *ImGui::GetBackgroundDrawList();
   for (const PaperDrawing::Box& box : drawing.boxes) {
     list.AddRectFilled(place(box.left, box.top), place(box.left + box.width, box.top + box.height),
                        to_imgui(box.color, box.opacity));

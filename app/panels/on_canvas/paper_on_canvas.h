@@ -11,6 +11,8 @@ namespace mes {
 MeasureText measure_on_canvas(const Gui& gui);
 
 /// `corner` is in screen coordinates.
+void paint(ImDrawList& list, const Gui& gui, const PaperDrawing& drawing, ImVec2 corner);
+/// The same above the canvas and below all panels.
 void paint_on_canvas(const Gui& gui, const PaperDrawing& drawing, ImVec2 corner);
 
 }  // namespace mes

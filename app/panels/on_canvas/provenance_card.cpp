@@ -150,7 +150,7 @@ ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, const Layer
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   tooltip(gui, "Drag to move this card");
   ImGui::SetCursorPos(at);
-  ImGui::TextDisabled("%s", std::string(layers.descriptor(answer_->layer.layer).name).c_str());
+  ImGui::TextDisabled("%s", elided(name, width - 48 * unit - keep_width).c_str());
   HeadClicks out;
   ImGui::SameLine(width - 38 * unit - keep_width);
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {4 * unit, 0.0F});
