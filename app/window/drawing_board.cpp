@@ -485,6 +485,22 @@ bool DrawingBoard::shows_annotations() const {
   return settings_.show_annotations || canvas_.tool_id() == ToolId::annotate;
 }
 
+std::size_t DrawingBoard::hidden_by(const Box2& on_screen) const {
+  constexpr int kParts = 8;
+  const double ratio = screen_.window->pixel_ratio();
+  const render::Camera& camera = view().camera();
+  const Vec2 part{on_screen.width() / kParts, on_screen.height() / kParts};
+  const double reach = 0.5 * length(part) * ratio * camera.units_per_pixel();
+  const Editor& editor = work_.editor();
+  std::size_t out = 0;
+  for (int i = 0; i < kParts * kParts; ++i) {
+    const Vec2 at = on_screen.low + Vec2{(i % kParts + 0.5) * part.x, (i / kParts + 0.5) * part.y};
+    const Vec2 world = camera.to_world(ratio * at);
+    out += editor.index().nearest(world, reach) != kNoSlot || editor.centers().nearest(world, reach) != kNoSlot;
+  }
+  return out;
+}
+
 void DrawingBoard::keep_measurement() {
   auto measured = canvas_.tool().measurement();
   if (measured) static_cast<void>(keep(std::move(*measured)));

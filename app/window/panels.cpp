@@ -442,9 +442,11 @@ void Panels::draw_over(Sides& sides) {
   else
     list.PushClipRect(on_screen(places[0].left, places[0].top),
                       on_screen(places[0].left + places[0].width, places[0].top + places[0].height), true);
-  const auto keep = uses_.board.provenance().draw(gui, uses_.board.canvas(), uses_.work.editor(), uses_.work.layers(),
-                                                  corner(), {width, 0.6F * (screen.y - sides.top - sides.bottom)},
-                                                  uses_.actions.keymap().key_of(ActionId::keep_highlight));
+  const auto keep = uses_.board.provenance().draw(
+      gui, uses_.board.canvas(), uses_.work.editor(), uses_.work.layers(),
+      {{sides.left + margin, sides.top + margin}, {width, screen.y - sides.top - sides.bottom - 2 * margin}},
+      [this](const Box2& box) { return uses_.board.hidden_by(box); },
+      uses_.actions.keymap().key_of(ActionId::keep_highlight));
   list.PopClipRect();
   uses_.board.draw_menu(uses_.actions);
   if (keep) uses_.board.keep_highlight(keep->line);
@@ -536,9 +538,13 @@ ImVec2 Panels::draw_legend(const Sides& sides, const MarksPlace& marks) {
   std::optional<PaperPlace>& place = uses_.settings.legend_at;
   const ImVec2 low(sides.left, sides.top);
   const bool is_in_its_corner = !place;
-  const auto box = CanvasLegend{gui, uses_.board.picture(), uses_.work.layers(),
-                                legend_scope(uses_.settings.show_legend, uses_.settings.show_key)}
-                       .draw(place, low, marks);
+  const auto box = CanvasLegend{
+      gui, uses_.board.picture(), uses_.work.layers(),
+      legend_scope(uses_.settings.show_legend, uses_.settings.show_key), [&](const Box2& box) {
+        const Vec2 origin{low.x, low.y};
+        const auto scaled = [&](Vec2 p) { return origin + static_cast<double>(unit) * p; };
+        return uses_.board.hidden_by({scaled(box.low), scaled(box.high)});
+      }}.draw(place, low, marks);
   if (!box) return {};
   if (mark_drag_.follow(
           gui, {"##legend-handle", "Drag to move the legend; double click to put it back", low, *box, marks.room},

@@ -113,8 +113,8 @@ class Panels {
   bool presents_lesson_ = false;
   AnnotationCard annotation_card_;
   Presenter presenter_;
-  MarkDrag mark_drag_;
   ProblemNote problem_note_;
+  MarkDrag mark_drag_;
 };
 
 }  // namespace mes

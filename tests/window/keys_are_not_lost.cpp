@@ -188,7 +188,7 @@ TEST_CASE("a click on a v-point opens its card, and selects the sample that it l
   // "Union of balls 3: v-points" shows no samples.
   const Screenshot shown = house.press("8");
   REQUIRE(shown.changes(kCanvas, house.drawn) > 500);
-  constexpr PixelBox kCard{60, 560, 460, 765};
+  constexpr PixelBox kCard{60, 30, 460, 190};  // no samples are there
   house.screen().click(house.lower_right());
   REQUIRE(eventually([&] { return house.screen().shoot().changes(kCard, shown) > 2000; }));
   house.press("Delete");
@@ -198,14 +198,14 @@ TEST_CASE("a click on a v-point opens its card, and selects the sample that it l
 TEST_CASE("the card of a v-point offers what lies beneath it") {
   const House house;
   const Screenshot shown = house.press("8");
-  constexpr PixelBox kCard{60, 560, 460, 765};
-  constexpr PixelBox kName{70, 545, 370, 590};
+  constexpr PixelBox kCard{60, 30, 460, 190};  // no samples are there
+  constexpr PixelBox kName{70, 38, 370, 60};
   house.screen().click(house.lower_right());
   REQUIRE(eventually([&] { return house.screen().shoot().changes(kCard, shown) > 2000; }));
   house.screen().xdotool("mousemove 1200 6");
   const Screenshot card = house.screen().settled();
   // The button is to the right of the one that selects the samples, in the last row.
-  house.screen().click({260, 747});
+  house.screen().click({290, 170});
   house.screen().xdotool("mousemove 1200 6");
   CHECK(eventually([&] { return house.screen().shoot().changes(kName, card) > 50; }));
 }

@@ -15,7 +15,12 @@ std::optional<Box2> CanvasLegend::draw(const std::optional<PaperPlace>& place, I
   for (LegendEntry& entry : entries) entry.scalar = spoken_scalar(entry.scalar);
   const PlacedLegend legend =
       place_legend(entries, measure_on_canvas(gui), 1.0,
-                   {.room = marks.room, .bar = marks.longest_bar, .place = place}, picture.canvas());
+                   {.room = marks.room,
+                    .bar = marks.longest_bar,
+                    .place = place,
+                    // A corner that hides less is not better, only a free one: the legend stays while one edits.
+                    .hides = [this](const Box2& box) { return hides(box) == 0 ? 0U : 1U; }},
+                   picture.canvas());
   if (legend.drawing.is_empty()) return std::nullopt;
   const float unit = gui.unit();
   // Rounded to whole pixels, because a frame between pixels is blurred.

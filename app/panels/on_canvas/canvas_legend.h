@@ -2,6 +2,8 @@
 // The legend of visible layers, above the canvas.
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <optional>
 
 #include "app/layers/layer_stack.h"
@@ -17,8 +19,11 @@ struct CanvasLegend {
   const Picture& picture;
   const LayerStack& layers;
   LegendScope scope;
+  /// Returns how much of the drawing a box would hide, in logical pixels from the origin.
+  std::function<std::size_t(const Box2&)> hides;
 
-  /// Draws the legend at its position, or in the lower right corner beside the marks; `origin` is the origin of
+  /// Draws the legend at its position, or else in the lower right corner beside the marks, or in another one if only
+  /// that is free; `origin` is the origin of
   /// positions in screen coordinates. Returns its box; nothing if it has no entries or no room.
   std::optional<Box2> draw(const std::optional<PaperPlace>& place, ImVec2 origin, const MarksPlace& marks) const;
 };

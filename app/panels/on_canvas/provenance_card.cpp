@@ -95,6 +95,7 @@ void ProvenanceCard::take(Provenance answer) {
   }
   answer_ = std::move(found);
   pointed_at_ = 0;
+  frames_to_place_ = 3;
 }
 
 std::vector<VariantLayer> ProvenanceCard::layers_beneath() const {
@@ -144,11 +145,13 @@ ProvenanceCard::HeadClicks ProvenanceCard::draw_head(const Gui& gui, const Layer
   const float keep_width = ImGui::CalcTextSize("Keep").x + 8 * unit;
   hit_area("head", {width - 48 * unit - keep_width, ImGui::GetTextLineHeight()});
   if (ImGui::IsItemActive()) {
+    is_dragged_ = is_dragged_ || ImGui::IsMouseDragging(ImGuiMouseButton_Left, 1.0F);
     moved_.x += ImGui::GetIO().MouseDelta.x;
     moved_.y += ImGui::GetIO().MouseDelta.y;
   }
   if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
-  tooltip(gui, "Drag to move this card");
+  const std::string& name = layers.descriptor(answer_->layer.layer).name;
+  tooltip(gui, name + "\nDrag to move this card");
   ImGui::SetCursorPos(at);
   ImGui::TextDisabled("%s", elided(name, width - 48 * unit - keep_width).c_str());
   HeadClicks out;
@@ -251,20 +254,44 @@ bool ProvenanceCard::is_of(const Editor& editor) const {
   return editor.document().revision() == document_revision_ && editor.selection().revision() == selection_revision_;
 }
 
+void ProvenanceCard::choose_corner(const PanelArea& room, ImVec2 size,
+                                   const std::function<std::size_t(const Box2&)>& hides) {
+  if (frames_to_place_ == 0 || is_dragged_) return;
+  --frames_to_place_;
+  std::optional<std::size_t> least;
+  for (const auto& [is_right, is_top] : {std::pair{false, false}, {true, false}, {false, true}, {true, true}}) {
+    const Vec2 low{is_right ? room.at.x + room.size.x - size.x : room.at.x,
+                   is_top ? room.at.y : room.at.y + room.size.y - size.y};
+    const std::size_t hidden = hides({low, low + Vec2{size.x, size.y}});
+    if (least && hidden >= *least) continue;
+    least = hidden;
+    is_right_ = is_right;
+    is_top_ = is_top;
+  }
+}
+
 std::optional<ProvenanceCard::Keep> ProvenanceCard::draw(const Gui& gui, Canvas& canvas, const Editor& editor,
-                                                         const LayerStack& layers, ImVec2 corner, ImVec2 room,
+                                                         const LayerStack& layers, const PanelArea& room,
+                                                         const std::function<std::size_t(const Box2&)>& hides,
                                                          const std::string& keep_key) {
   if (answer_ && !is_of(editor)) clear();
   if (!answer_) return std::nullopt;
   draw_shapes(gui, canvas);
   const float unit = gui.unit();
-  const float width = std::min(390 * unit, room.x);
+  const float width = std::min(390 * unit, room.size.x);
+  const float most = 0.6F * room.size.y;
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  choose_corner(room, {width, height_}, hides);
+  const ImVec2 corner(is_right_ ? room.at.x + room.size.x - width : room.at.x,
+                      is_top_ ? room.at.y : room.at.y + room.size.y);
   // The header must stay in the window.
   moved_.x = std::clamp(moved_.x, -corner.x, std::max(-corner.x, screen.x - width - corner.x));
-  moved_.y = std::clamp(moved_.y, 60 * unit - corner.y, std::max(60 * unit - corner.y, screen.y - corner.y));
-  ImGui::SetNextWindowPos({corner.x + moved_.x, corner.y + moved_.y}, ImGuiCond_Always, {0.0F, 1.0F});
-  ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, room.y});
+  const float least_y = (is_top_ ? 0.0F : 60 * unit) - corner.y;
+  const float most_y = screen.y - (is_top_ ? 60 * unit : 0.0F) - corner.y;
+  moved_.y = std::clamp(moved_.y, least_y, std::max(least_y, most_y));
+  ImGui::SetNextWindowPos({corner.x + moved_.x, corner.y + moved_.y}, ImGuiCond_Always,
+                          {0.0F, is_top_ ? 0.0F : 1.0F});
+  ImGui::SetNextWindowSizeConstraints({width, 0.0F}, {width, most});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * unit, 8 * unit});
   ImGui::Begin("##provenance", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize |
@@ -275,6 +302,7 @@ std::optional<ProvenanceCard::Keep> ProvenanceCard::draw(const Gui& gui, Canvas&
   const std::optional<std::size_t> clicked = draw_lines(gui, inside);
   draw_rows(gui, inside);
   draw_foot(gui, layers, inside);
+  height_ = ImGui::GetWindowHeight();
   ImGui::End();
   ImGui::PopStyleVar();
   if (head.kept) return Keep{};

@@ -2,6 +2,7 @@
 // Shows the clicked element, its sources and its results: as text on a card, and drawn over the picture.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "app/editing/editor.h"
 #include "app/layers/layer_stack.h"
 #include "app/ui/gui.h"
+#include "app/ui/widgets.h"
 #include "core/draw/provenance.h"
 #include "core/engine/engine.h"
 
@@ -21,7 +23,7 @@ namespace mes {
 ProvenanceQuestion question_at(const Pointer& pointer, const LayerStack& layers);
 
 /// The answer is valid for one state of the document and one selection: an edit or a new selection removes it. The
-/// card can be dragged by its header. Threads: the window's.
+/// card opens in the corner where it hides least of the drawing, and can be dragged by its header: then it stays there. Threads: the window's.
 class ProvenanceCard {
  public:
   /// Asks about the elements under the pointer in the visible layers; the answer comes later.
@@ -44,11 +46,13 @@ class ProvenanceCard {
   struct Keep {
     std::optional<std::size_t> line;
   };
-  /// `corner`: lower left. Draws the shapes behind all panels. A click on a row shows its element, a click with Shift
+  /// `room`: where it may be; `hides`: how much of the drawing a box on the screen would hide. Draws the shapes behind
+  /// all panels. A click on a row shows its element, a click with Shift
   /// asks to keep it highlighted, and the button asks that for all rows. `keep_key`: key of the action that keeps
   /// all, or empty.
   std::optional<Keep> draw(const Gui& gui, Canvas& canvas, const Editor& editor, const LayerStack& layers,
-                           ImVec2 corner, ImVec2 room, const std::string& keep_key);
+                           const PanelArea& room, const std::function<std::size_t(const Box2&)>& hides,
+                           const std::string& keep_key);
   /// Call it after `select_sources` for this answer, so that the new selection does not remove it. O(1).
   void keep_for(const Editor& editor) { selection_revision_ = editor.selection().revision(); }
   /// Looks for what lies below the shown element, which the card offers by its name; shows it if its button was pressed
@@ -77,6 +81,14 @@ class ProvenanceCard {
   bool is_asking_ = false;
   std::uint64_t document_revision_ = 0;
   std::uint64_t selection_revision_ = 0;
+  /// Chooses the corner for a card of this size, unless it was dragged.
+  void choose_corner(const PanelArea& room, ImVec2 size, const std::function<std::size_t(const Box2&)>& hides);
+
+  int frames_to_place_ = 0;  ///< a new card is measured first
+  float height_ = 0.0F;
+  bool is_dragged_ = false;
+  bool is_right_ = false;  ///< its corner
+  bool is_top_ = false;
   ImVec2 moved_{};  ///< offset from its corner by dragging
   bool shows_rows_ = false;
   bool wants_sources_ = false;

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
+#include <catch2/catch.hpp>
+
+#include "tests/window/window_driver.h"
+
+using namespace mes;
+using namespace mes::test;
+
+TEST_CASE("the card of an element opens in the corner where no samples are, and stays where it was dragged") {
+  DrivenProgram window;
+  // Samples near the lower corners of the view, none near the upper ones.
+  window.folder.write("house.poff", kHouse);
+  window.start("house.poff");
+  const Screenshot before = window.drawn();
+  const auto is_axis = [](Color c) { return c.r > 180 && c.g > 70 && c.g < 110 && c.b < 40; };
+  const std::array<int, 2> axis = before.box_of(kCanvas, is_axis).middle();
+  constexpr PixelBox kLowerLeft{64, 640, 240, 770};
+  constexpr PixelBox kUpperLeft{70, 40, 240, 120};
+  window.screen.click(axis);
+  REQUIRE(eventually([&] { return window.screen.shoot().changes(kUpperLeft, before) > 300; }));
+  const Screenshot shown = window.screen.settled();
+  // Highlights of the element may reach there; a card would change all of it.
+  CHECK(shown.changes(kLowerLeft, before) < 2000);
+  // By its head, to the right.
+  window.screen.drag({120, 50}, {620, 60}, 4);
+  window.screen.xdotool("mouseup 1");
+  CHECK(eventually([&] { return window.screen.shoot().changes(kUpperLeft, before) == 0; }));
+  window.press("Escape");
+  window.screen.click({axis[0], axis[1] + 60});
+  static_cast<void>(window.screen.settled());
+  CHECK(eventually([&] { return window.screen.shoot().changes({600, 60, 960, 110}, before) > 300; }));
+  CHECK(window.screen.settled().changes(kUpperLeft, before) == 0);
+}
