@@ -83,6 +83,7 @@ enum class ActionId : std::uint8_t {
   previous_view,
   toggle_panels,
   toggle_layers,
+  toggle_bundles,
   toggle_statistics,
   toggle_parameters,
   toggle_log,

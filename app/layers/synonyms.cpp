@@ -53,6 +53,7 @@ constexpr auto kSynonyms = std::to_array<Synonyms>({
     {"toggle-snap", "grid magnet align"},
     {"toggle-handles", "scale rotate resize transform frame"},
     {"fit", "reset view zoom all whole home"},
+    {"toggle-bundles", "presets styles slides list"},
     {"toggle-panels", "hide interface clean sidebar full screen"},
     {"full-screen", "fullscreen maximize maximise whole monitor"},
     {"toggle-statistics", "counts numbers timing performance info"},

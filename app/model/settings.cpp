@@ -22,11 +22,6 @@ constexpr int kSchema = 1;
 // A settings file is small; a larger file is not one, and is not read into memory.
 constexpr std::uintmax_t kLargestFile = 1U << 20U;
 
-// In the order of `DetailsPage`.
-constexpr std::array<std::string_view, 11> kPages{"none",        "statistics", "parameters", "log",
-                                                  "lesson",      "selection",  "curves",     "branches",
-                                                  "persistence", "sampling",   "experiments"};
-
 constexpr std::string_view kDark = "dark";
 constexpr std::string_view kLight = "light";
 
@@ -71,6 +66,23 @@ json to_json(const std::optional<Rgb>& color) {
   if (!color) return nullptr;
   return static_cast<unsigned>(color->r) << 16U | static_cast<unsigned>(color->g) << 8U |
          static_cast<unsigned>(color->b);
+}
+
+PanelChoice panels_from_json(const json& object, const PanelChoice& otherwise) {
+  const auto names = object.find("panels");
+  const auto pinned = object.find("pinned_panel");
+  if (names == object.end() || !names->is_array() || pinned == object.end()) return otherwise;
+  std::vector<PanelPage> open;
+  for (const json& name : *names)
+    if (const auto page = name.is_string() ? find_panel(name.get<std::string>()) : std::nullopt)
+      open.push_back(*page);
+  return {open, find_panel(text_in(object, "pinned_panel"))};
+}
+
+std::vector<std::string_view> names_of(std::span<const PanelPage> pages) {
+  std::vector<std::string_view> out;
+  for (const PanelPage page : pages) out.push_back(id_of(page));
+  return out;
 }
 
 RecordSettings record_from_json(const json& object) {
@@ -206,13 +218,9 @@ Settings from_json(const json& object) {
   out.canvas_background = color_in(object, "canvas_background");
   out.window_width = number_in(object, "window_width", 320, 16384, out.window_width);
   out.window_height = number_in(object, "window_height", 240, 16384, out.window_height);
-  out.show_bundles = flag_in(object, "show_bundles", out.show_bundles);
-  out.show_layers = flag_in(object, "show_layers", out.show_layers);
-  const auto page = std::ranges::find(kPages, text_in(object, "details"));
-  if (page != kPages.end()) out.details = static_cast<DetailsPage>(page - kPages.begin());
+  out.panels = panels_from_json(object, out.panels);
   out.column_width = number_in(object, "column_width", 200.0, 1200.0, out.column_width);
-  out.details_share = number_in(object, "details_share", 0.1, 0.9, out.details_share);
-  out.bundles_height = number_in(object, "bundles_height", 0.0, 4000.0, out.bundles_height);
+  out.lower_panel_share = number_in(object, "lower_panel_share", 0.1, 0.9, out.lower_panel_share);
   out.show_legend = flag_in(object, "show_legend", out.show_legend);
   out.show_key = flag_in(object, "show_key", out.show_key);
   out.show_annotations = flag_in(object, "show_annotations", out.show_annotations);
@@ -303,12 +311,10 @@ json to_json(const Settings& settings) {
           {"canvas_background", to_json(settings.canvas_background)},
           {"window_width", settings.window_width},
           {"window_height", settings.window_height},
-          {"show_bundles", settings.show_bundles},
-          {"show_layers", settings.show_layers},
-          {"details", kPages[static_cast<std::size_t>(settings.details)]},
+          {"panels", names_of(settings.panels.all())},
+          {"pinned_panel", settings.panels.pinned() ? id_of(*settings.panels.pinned()) : ""},
           {"column_width", settings.column_width},
-          {"details_share", settings.details_share},
-          {"bundles_height", settings.bundles_height},
+          {"lower_panel_share", settings.lower_panel_share},
           {"show_legend", settings.show_legend},
           {"show_key", settings.show_key},
           {"show_annotations", settings.show_annotations},

@@ -11,6 +11,7 @@
 #include "app/editing/brush_settings.h"
 #include "app/editing/snap_settings.h"
 #include "app/model/figure_settings.h"
+#include "app/model/panel_choice.h"
 #include "app/model/record_settings.h"
 #include "app/model/scale_marks.h"
 #include "core/base/color.h"
@@ -18,25 +19,10 @@
 
 namespace mes {
 
-/// The page of the lower right panel.
-enum class DetailsPage : std::uint8_t {
-  none,
-  statistics,
-  parameters,
-  log,
-  lesson,
-  selection,
-  curves,
-  branches,
-  persistence,
-  sampling,
-  experiments
-};
-
 enum class Theme : std::uint8_t { light, dark };
 
 inline constexpr double kUsualColumnWidth = 300.0;
-inline constexpr double kUsualDetailsShare = 0.4;
+inline constexpr double kUsualLowerShare = 0.5;
 
 struct Settings {
   std::vector<std::string> recent_files;        ///< absolute paths, newest first, at most kRecentFiles
@@ -50,14 +36,11 @@ struct Settings {
   std::optional<Rgb> canvas_background;  ///< nothing: that of the theme
   int window_width = 1280;               ///< logical pixels
   int window_height = 800;
-  bool show_layers = true;
-  bool show_bundles = true;  ///< unfolded, above the layers
-  DetailsPage details = DetailsPage::none;
-  double column_width = kUsualColumnWidth;    ///< width of the panels on the right, logical pixels, [200, 1200]
-  double details_share = kUsualDetailsShare;  ///< share of that column's height for the lower panel, [0.1, 0.9]
-  double bundles_height = 0.0;                ///< logical pixels, [0, 4000]; 0: automatic
-  bool show_legend = true;                    ///< legend of the colour maps in use
-  bool show_key = false;                      ///< key of all visible layers
+  PanelChoice panels;
+  double column_width = kUsualColumnWidth;      ///< width of the panels on the right, logical pixels, [200, 1200]
+  double lower_panel_share = kUsualLowerShare;  ///< share of their height for the lower of two, [0.1, 0.9]
+  bool show_legend = true;                      ///< legend of the colour maps in use
+  bool show_key = false;                        ///< key of all visible layers
   bool show_annotations = true;
   bool show_differences = false;        ///< marks elements that only some of the panes have
   std::optional<PaperPlace> legend_at;  ///< position to which it was dragged

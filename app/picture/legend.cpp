@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/model/round_numbers.h"
 #include "app/picture/canvas_look.h"
 #include "app/picture/internal/legend_entries.h"
-#include "app/picture/internal/round_numbers.h"
 #include "app/picture/internal/small_text.h"
 
 namespace mes {

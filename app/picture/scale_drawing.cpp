@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "app/picture/internal/round_numbers.h"
+#include "app/model/round_numbers.h"
 #include "app/picture/internal/small_text.h"
 
 namespace mes {

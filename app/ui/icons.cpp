@@ -214,6 +214,98 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
       pen.curve(pen.p(3, 21), pen.p(9, 16.5F), pen.p(15, 16.5F), pen.p(21, 21));
       break;
     }
+    case Icon::bundles: {
+      // Cards, one behind the other.
+      const ImVec2 card[] = {pen.p(3.5F, 9), pen.p(16, 9), pen.p(16, 20), pen.p(3.5F, 20)};
+      pen.outline(card);
+      pen.line(7.5F, 4.5F, 20.5F, 4.5F);
+      pen.line(20.5F, 4.5F, 20.5F, 15.5F);
+      break;
+    }
+    case Icon::selection: {
+      // A frame with handles.
+      const ImVec2 frame[] = {pen.p(5, 5), pen.p(19, 5), pen.p(19, 19), pen.p(5, 19)};
+      pen.outline(frame);
+      for (const float x : {5.0F, 19.0F})
+        for (const float y : {5.0F, 19.0F}) pen.dot(x, y, 2.5F);
+      pen.dot(12, 12, 1.9F);
+      break;
+    }
+    case Icon::curves:
+      pen.curve(pen.p(3.5F, 17), pen.p(7.5F, -1), pen.p(16.5F, 25), pen.p(20.5F, 7));
+      pen.dot(3.8F, 16.8F, 2.2F);
+      pen.dot(20.2F, 7.2F, 2.2F);
+      break;
+    case Icon::sampling:
+      // A curve through samples that are closer in the bend.
+      pen.arc(12, 16, 8.5F, 3.14159265F, 6.2831853F);
+      for (const auto& [x, y] : {std::pair{3.5F, 16.0F}, std::pair{7.1F, 9.1F}, std::pair{12.0F, 7.5F},
+                                 std::pair{16.9F, 9.1F}, std::pair{20.5F, 16.0F}})
+        pen.dot(x, y, 2.2F);
+      break;
+    case Icon::branches:
+      pen.line(12, 20.5F, 12, 13);
+      pen.line(12, 13, 5, 6);
+      pen.line(12, 13, 19, 6);
+      pen.dot(12, 13, 2.2F);
+      pen.ring(4.5F, 5.5F, 2.0F);
+      pen.ring(19.5F, 5.5F, 2.0F);
+      break;
+    case Icon::persistence:
+      // Births to the right, deaths upwards, above the diagonal.
+      pen.line(4, 3.5F, 4, 20);
+      pen.line(4, 20, 20.5F, 20);
+      pen.line(4, 20, 20, 4);
+      pen.dot(8, 6.5F, 2.0F);
+      pen.dot(12.5F, 5.5F, 2.0F);
+      pen.dot(8, 12, 2.0F);
+      break;
+    case Icon::experiments:
+      // A flask with a liquid.
+      pen.line(9.5F, 3.5F, 9.5F, 9.5F);
+      pen.line(14.5F, 3.5F, 14.5F, 9.5F);
+      pen.line(8, 3.5F, 16, 3.5F);
+      pen.line(9.5F, 9.5F, 4.5F, 20);
+      pen.line(14.5F, 9.5F, 19.5F, 20);
+      pen.line(4.5F, 20, 19.5F, 20);
+      pen.line(7, 15.5F, 17, 15.5F);
+      break;
+    case Icon::lesson: {
+      // A slide on a stand, with a line of text and a list.
+      const ImVec2 slide[] = {pen.p(3, 4.5F), pen.p(21, 4.5F), pen.p(21, 16), pen.p(3, 16)};
+      pen.outline(slide);
+      pen.line(6.5F, 8.5F, 14, 8.5F);
+      pen.line(6.5F, 12, 17.5F, 12);
+      pen.line(12, 16, 8.5F, 20.5F);
+      pen.line(12, 16, 15.5F, 20.5F);
+      break;
+    }
+    case Icon::log:
+      for (const auto& [y, end] : {std::pair{6.0F, 20.0F}, std::pair{12.0F, 17.0F}, std::pair{18.0F, 19.0F}}) {
+        pen.dot(4.8F, y, 1.5F);
+        pen.line(9, y, end, y);
+      }
+      break;
+    case Icon::pin:
+    case Icon::pinned: {
+      const ImVec2 head[] = {pen.p(8.5F, 4), pen.p(15.5F, 4), pen.p(15.5F, 12.5F), pen.p(8.5F, 12.5F)};
+      if (icon == Icon::pinned)
+        pen.fill(head);
+      else
+        pen.outline(head);
+      pen.line(5.5F, 13, 18.5F, 13);
+      pen.line(12, 13, 12, 20.5F);
+      break;
+    }
+    case Icon::enlarge:
+      // Two arrows to opposite corners.
+      pen.line(13.5F, 10.5F, 19.5F, 4.5F);
+      pen.line(14, 4.5F, 19.5F, 4.5F);
+      pen.line(19.5F, 4.5F, 19.5F, 10);
+      pen.line(10.5F, 13.5F, 4.5F, 19.5F);
+      pen.line(4.5F, 14, 4.5F, 19.5F);
+      pen.line(4.5F, 19.5F, 10, 19.5F);
+      break;
     case Icon::statistics:
       pen.line(4, 20, 20.5F, 20);
       for (const auto& [x, y] : {std::pair{7.0F, 12.0F}, std::pair{12.0F, 5.0F}, std::pair{17.0F, 9.0F}}) {

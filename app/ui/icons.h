@@ -37,7 +37,19 @@ enum class Icon : std::uint8_t {
   step_back,
   to_start,
   stop,
-  evolution
+  evolution,
+  bundles,
+  selection,
+  curves,
+  sampling,
+  branches,
+  persistence,
+  experiments,
+  lesson,
+  log,
+  pin,
+  pinned,
+  enlarge
 };
 
 /// Draws the icon into the square `size` wide at `at`.

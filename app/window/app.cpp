@@ -118,7 +118,7 @@ bool App::end_lesson() {
 void App::deselect() {
   if (demo_.is_running())
     demo_.end(true);
-  else if (!board_.canvas().cancel_gesture() && !cancel_lesson_export() && !work_.annotations().close() &&
+  else if (!board_.canvas().cancel_gesture() && !panels_.close_large() && !cancel_lesson_export() && !work_.annotations().close() &&
            !panels_.close_messages() && !board_.canvas().clear_tool() && !board_.provenance().clear() &&
            !clear_selection() && !end_lesson() && !panels_.end_presentation())
     panels_.show_panels();
@@ -248,8 +248,8 @@ void App::take_steps() {
   if (demo_.advance(now, may_step())) screen_.clock.settle();
   if (lesson_.advance(now, may_step())) screen_.clock.settle();
   work_.engine().set_want_findings(panels_.are_shown());
-  work_.look_at_density(panels_.are_shown() && settings_.settings().details == DetailsPage::sampling);
-  work_.engine().set_want_statistics(panels_.are_shown() && settings_.settings().details == DetailsPage::statistics);
+  work_.look_at_density(panels_.is_seen(PanelPage::sampling));
+  work_.engine().set_want_statistics(panels_.is_seen(PanelPage::statistics));
 }
 
 void App::draw() {

@@ -46,7 +46,7 @@ DrawingBoard::DrawingBoard(Workspace& work, const Settings& settings, Messages& 
                     [this](const Pointer& pointer) {
                       if (!may_ask()) return;
                       provenance_.ask(work_.engine(), work_.layers(), pointer, work_.editor());
-                      if (settings_.details == DetailsPage::branches)
+                      if (settings_.panels.is_in_use(PanelPage::branches))
                         work_.insight().branches.pick(pointer.world, kListedReach * pointer.units_per_px);
                       choose_class(pointer, pointer.world);
                     },
@@ -199,7 +199,7 @@ void DrawingBoard::ask_beside(const Pointer& pointer, const ChosenThing& chosen)
 
 // A component is born at a sample or ball, so a click there chooses it; a click elsewhere chooses a hole.
 void DrawingBoard::choose_class(const Pointer& pointer, Vec2 place) {
-  if (settings_.details == DetailsPage::persistence)
+  if (settings_.panels.is_in_use(PanelPage::persistence))
     work_.insight().persistence.pick(place, kListedReach * pointer.units_per_px);
 }
 

@@ -38,7 +38,7 @@ void ExperimentRun::add(const fs::path& name) {
 
 void ExperimentRun::ask(const fs::path& file) {
   uses_.dialogs.experiment.ask(file, [this, file] {
-    uses_.settings.details = DetailsPage::experiments;
+    uses_.settings.panels.open(PanelPage::experiments);
     add(file);
   });
 }
@@ -70,7 +70,7 @@ void ExperimentRun::say(const ExperimentDesk::Entry& entry) {
   const std::string name = entry.file.filename().string();
   if (entry.state == ExperimentDesk::State::failed) {
     // The panel shows the full messages, and drops them once the experiment is repaired.
-    uses_.settings.details = DetailsPage::experiments;
+    uses_.settings.panels.open(PanelPage::experiments);
     uses_.messages.remark(entry.contents.is_empty() ? name + " cannot be used"
                                                     : name + " has a mistake; its previous version stays in use");
   } else {

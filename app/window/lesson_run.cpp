@@ -66,6 +66,12 @@ void LessonRun::end() {
   look_at(view_before_);
 }
 
+void LessonRun::go_to(std::size_t step) {
+  if (!is_running()) return;
+  leave_step();
+  say(presenter_.go_to(step));
+}
+
 std::string LessonRun::place() const {
   return is_running() ? fmt::format("{} of {}", presenter_.step() + 1, presenter_.step_count()) : std::string();
 }

@@ -27,6 +27,9 @@ class LessonRun {
   void start(const Session& session);
   void end();
   bool is_running() const { return presenter_.is_running(); }
+  const LessonPresenter& presenter() const { return presenter_; }
+  /// Shows another step of the running lesson.
+  void go_to(std::size_t step);
   /// The desk on which the user makes a lesson from the document.
   LessonDesk& desk() { return desk_; }
   /// Caption of the present step; empty while none runs.

@@ -2,6 +2,7 @@
 #include "app/window/palette_entries.h"
 
 #include <fmt/core.h>
+#include <algorithm>
 #include <filesystem>
 
 #include "app/layers/parameter_words.h"
@@ -18,12 +19,13 @@ bool is_series(ActionId id) {
   return id >= ActionId::first_bundle && id <= ActionId::last_bundle;
 }
 
-void add_actions(const Panels::Uses& uses, Entries& out) {
+void add_actions(const Panels::Uses& uses, std::span<const SidePage> panels, Entries& out) {
   const ActionBindings& actions = uses.actions;
   for (const ActionDescriptor& action : action_descriptors()) {
     // Bundles are listed below by their own names; the palette itself is already open.
     if (!actions.is_bound(action.id) || is_series(action.id) || action.id == ActionId::command_palette) continue;
-    out.push_back({.kind = std::string(title_of(action.group)),
+    const bool is_panel = std::ranges::count(panels, action.id, &SidePage::toggle) != 0;
+    out.push_back({.kind = is_panel ? "Panel" : std::string(title_of(action.group)),
                    .name = action.name,
                    .key = actions.keymap().key_of(action.id),
                    .explanation = action.tooltip,
@@ -84,10 +86,7 @@ void add_parameters(const Panels::Uses& uses, Entries& out) {
                    .more = parameter.id,
                    .words = synonyms_of(parameter.id),
                    .place = "Parameters",
-                   .run = [&settings = uses.settings, show = uses.show_parameter, name = title_of(parameter)] {
-                     settings.details = DetailsPage::parameters;
-                     if (show) show(name);
-                   }});
+                   .run = [show = uses.show_parameter, name = title_of(parameter)] { show(name); }});
   }
 }
 
@@ -148,9 +147,9 @@ void add_manual(const Panels::Uses& uses, Entries& out) {
 
 }  // namespace
 
-std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses) {
+std::vector<PaletteEntry> palette_entries(const Panels::Uses& uses, std::span<const SidePage> panels) {
   Entries out;
-  add_actions(uses, out);
+  add_actions(uses, panels, out);
   add_bundles(uses, out);
   add_lessons(uses, out);
   add_layers(uses, out);

@@ -17,10 +17,6 @@
 namespace mes {
 namespace {
 
-constexpr float kMostOfBundles = 0.35F;   // maximal share of the height of bundles and layers
-constexpr float kLeastOfBundles = 62.0F;  // logical pixels: the header and a row
-constexpr float kLeastOfLayers = 190.0F;
-constexpr double kLeastColumn = 240.0;
 constexpr float kMargin = 10.0F;
 
 }  // namespace
@@ -57,35 +53,37 @@ Panels::Panels(const Uses& uses)
                uses.board.canvas(),
                uses.settings,
                {uses.screen.gui, uses.actions, uses.recording.desk(), uses.board.picture(), uses.settings.record}},
-      bundles_panel_({uses.screen.gui, uses.actions, uses.work.bundles(), uses.messages, uses.settings.show_bundles,
+      bundles_panel_({uses.screen.gui, uses.actions, uses.work.bundles(), uses.messages,
                       [&work = uses.work](std::size_t bundle) { work.choose_bundle(bundle); },
                       [&flow = uses.documents](std::size_t bundle) { flow.ask_export(bundle); }}),
       layers_panel_(uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(),
                     {uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(), uses.board.canvas()}),
-      details_panel_(
-          uses.screen.gui, uses.actions, uses.settings.details,
-          {uses.screen.gui, uses.board.picture(), uses.screen.times},
-          {uses.screen.gui, uses.work.computation(), uses.board.picture(), uses.work.editor(), uses.work.layers(),
-           uses.work.insight().scale_events, uses.work.insight().critical_values, uses.work.insight().persistence,
-           uses.work.insight().sweep, uses.messages},
-          {uses.screen.gui, uses.messages}, {uses.screen.gui, uses.actions, uses.lesson.desk()},
-          {uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.board.canvas(), uses.messages},
-          {uses.screen.gui, uses.actions, uses.work.curve_sampler()},
-          BranchesPanel({uses.screen.gui, uses.work.insight().branches, uses.board.canvas(), uses.work.editor(),
-                         uses.work.computation(),
-                         [&flow = uses.documents](std::string csv) { flow.ask_table("branches", std::move(csv)); }}),
-          PersistencePanel(
-              {uses.screen.gui, uses.work.insight().persistence, uses.board.canvas(), uses.work.editor(),
-               uses.work.computation(),
-               [&flow = uses.documents](std::string csv) { flow.ask_table("persistence", std::move(csv)); }}),
-          SamplingPanel({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
-                         uses.work.document(), uses.work.engine(), uses.board.picture(), uses.messages}),
-          {uses.screen.gui, uses.experiments.desk(), uses.experiments.examples(), uses.settings.recent_experiments,
-           uses.settings.compiler, [&run = uses.experiments] { run.ask_file(); },
-           [&run = uses.experiments](const std::filesystem::path& file) { run.add(file); },
-           [&run = uses.experiments](const std::filesystem::path& file, std::uint64_t line) {
-             run.edit(file, line);
-           }}),
+      statistics_panel_{uses.screen.gui, uses.board.picture(), uses.screen.times},
+      parameters_panel_(uses.screen.gui, uses.work.computation(), uses.board.picture(), uses.work.editor(),
+                        uses.work.layers(), uses.work.insight().scale_events, uses.work.insight().critical_values,
+                        uses.work.insight().persistence, uses.work.insight().sweep, uses.messages),
+      log_panel_{uses.screen.gui, uses.messages},
+      lesson_panel_(uses.screen.gui, uses.actions, uses.lesson.desk(), uses.lesson.presenter(),
+                    [&lesson = uses.lesson](std::size_t step) { lesson.go_to(step); }),
+      selection_panel_(uses.screen.gui, uses.actions, uses.work.selection_desk(), uses.board.canvas(), uses.messages),
+      curves_panel_(uses.screen.gui, uses.actions, uses.work.curve_sampler()),
+      branches_panel_({uses.screen.gui, uses.work.insight().branches, uses.board.canvas(), uses.work.editor(),
+                       uses.work.computation(),
+                       [&flow = uses.documents](std::string csv) { flow.ask_table("branches", std::move(csv)); }}),
+      persistence_panel_(
+          {uses.screen.gui, uses.work.insight().persistence, uses.board.canvas(), uses.work.editor(),
+           uses.work.computation(),
+           [&flow = uses.documents](std::string csv) { flow.ask_table("persistence", std::move(csv)); }}),
+      sampling_panel_({uses.screen.gui, uses.actions, uses.work.resampling(), uses.board.canvas(),
+                       uses.work.document(), uses.work.engine(), uses.board.picture(), uses.messages}),
+      experiments_panel_({uses.screen.gui, uses.experiments.desk(), uses.experiments.examples(),
+                          uses.settings.recent_experiments, uses.settings.compiler,
+                          [&run = uses.experiments] { run.ask_file(); },
+                          [&run = uses.experiments](const std::filesystem::path& file) { run.add(file); },
+                          [&run = uses.experiments](const std::filesystem::path& file, std::uint64_t line) {
+                            run.edit(file, line);
+                          }}),
+      column_(uses.screen.gui, uses.actions, uses.settings, pages()),
       step_events_({uses.work.evolution(), uses.work.editor(), uses.work.layers(), uses.work.computation(),
                     uses.work.insight().persistence, uses.work.insight().scale_events}) {
   layers_panel_.set_select(
@@ -95,13 +93,38 @@ Panels::Panels(const Uses& uses)
   });
 }
 
+std::vector<SidePage> Panels::pages() {
+  using enum PanelPage;
+  return {
+      {layers, "Layers", Icon::layers, ActionId::toggle_layers, false, [this] { layers_panel_.draw(); }},
+      {bundles, "Bundles", Icon::bundles, ActionId::toggle_bundles, false, [this] { bundles_panel_.draw(); }},
+      {selection, "Selection", Icon::selection, ActionId::toggle_selection, true,
+       [this] { selection_panel_.draw(); }},
+      {curves, "Curves", Icon::curves, ActionId::toggle_curves, false, [this] { curves_panel_.draw(); }},
+      {sampling, "Sampling", Icon::sampling, ActionId::toggle_sampling, false, [this] { sampling_panel_.draw(); }},
+      {branches, "Branches", Icon::branches, ActionId::toggle_branches, true, [this] { branches_panel_.draw(); },
+       [this] { branches_panel_.draw_large(); }},
+      {persistence, "Persistence", Icon::persistence, ActionId::toggle_persistence, false,
+       [this] { persistence_panel_.draw(); }, [this] { persistence_panel_.draw_large(); }},
+      {statistics, "Statistics", Icon::statistics, ActionId::toggle_statistics, false,
+       [this] { statistics_panel_.draw(); }},
+      {parameters, "Parameters", Icon::parameters, ActionId::toggle_parameters, true,
+       [this] { parameters_panel_.draw(); }},
+      {experiments, "Experiments", Icon::experiments, ActionId::toggle_experiments, false,
+       [this] { experiments_panel_.draw(); }},
+      {lesson, "Lesson", Icon::lesson, ActionId::toggle_lesson, true, [this] { lesson_panel_.draw(); }},
+      {log, "Log", Icon::log, ActionId::toggle_log, false, [this] { log_panel_.draw(); }},
+  };
+}
+
 std::vector<PaletteEntry> Panels::palette_entries() {
   Uses uses = uses_;
   uses.show_parameter = [this](const std::string& name) {
     are_shown_ = true;
-    details_panel_.search_parameters(name);
+    uses_.settings.panels.open(PanelPage::parameters);
+    parameters_panel_.search(name);
   };
-  return mes::palette_entries(uses);
+  return mes::palette_entries(uses, column_.pages());
 }
 
 void Panels::bind(ActionBindings& actions) {
@@ -135,6 +158,21 @@ void Panels::bind_brush(ActionBindings& actions) {
   bind_mode(ActionId::brush_refine, BrushMode::refine);
 }
 
+// A panel that is asked for is shown even if all panels were hidden.
+void Panels::toggle(PanelPage page) {
+  if (are_shown_)
+    uses_.settings.panels.toggle(page);
+  else
+    uses_.settings.panels.open(page);
+  are_shown_ = true;
+}
+
+bool Panels::close_large() {
+  const bool was_open = are_shown_ && uses_.settings.panels.large();
+  if (was_open) uses_.settings.panels.set_large(std::nullopt);
+  return was_open;
+}
+
 void Panels::bind_shown(ActionBindings& actions) {
   Settings& settings = uses_.settings;
   const auto bind_toggle = [&](ActionId id, bool& value) {
@@ -151,7 +189,6 @@ void Panels::bind_shown(ActionBindings& actions) {
                 },
                 {},
                 [this] { return are_shown_; }});
-  bind_toggle(ActionId::toggle_layers, settings.show_layers);
   bind_toggle(ActionId::toggle_legend, settings.show_legend);
   bind_toggle(ActionId::toggle_key, settings.show_key);
   bind_toggle(ActionId::toggle_scale_bar, settings.marks.bar);
@@ -177,24 +214,14 @@ void Panels::bind_shown(ActionBindings& actions) {
                                           },
                                           {[&settings] { return settings.legend_at || settings.marks.bar_at; },
                                            "legend and scale bar are where they were at first"}});
-  const auto bind_page = [&](ActionId id, DetailsPage page) {
-    actions.bind(id, {[&settings, page] { settings.details = settings.details == page ? DetailsPage::none : page; },
-                      {},
-                      [&settings, page] { return settings.details == page; }});
-  };
-  bind_page(ActionId::toggle_statistics, DetailsPage::statistics);
-  bind_page(ActionId::toggle_parameters, DetailsPage::parameters);
-  bind_page(ActionId::toggle_log, DetailsPage::log);
-  bind_page(ActionId::toggle_selection, DetailsPage::selection);
-  bind_page(ActionId::toggle_curves, DetailsPage::curves);
-  bind_page(ActionId::toggle_branches, DetailsPage::branches);
-  bind_page(ActionId::toggle_persistence, DetailsPage::persistence);
-  bind_page(ActionId::toggle_sampling, DetailsPage::sampling);
-  bind_page(ActionId::toggle_lesson, DetailsPage::lesson);
-  bind_page(ActionId::toggle_experiments, DetailsPage::experiments);
+  for (const SidePage& page : column_.pages())
+    actions.bind(page.toggle,
+                 {[this, which = page.page] { toggle(which); },
+                  {},
+                  [this, which = page.page] { return are_shown_ && uses_.settings.panels.is_shown(which); }});
   actions.bind(ActionId::save_bundle, {[this, &settings] {
                  are_shown_ = true;
-                 settings.show_layers = true;
+                 settings.panels.open(PanelPage::bundles);
                  bundles_panel_.ask_name();
                }});
 }
@@ -314,6 +341,7 @@ Panels::Room Panels::draw() {
   }
   Sides sides = are_shown_ ? draw_around() : Sides{};
   draw_lesson(sides);
+  const Sides around = sides;
   draw_over(sides);
   divide(sides);
   draw_annotation_card(sides);
@@ -328,6 +356,9 @@ Panels::Room Panels::draw() {
       gui, uses_.actions, uses_.work.document(), uses_.documents.files(), uses_.board.picture(), uses_.board.canvas()}
       .draw(middle);
   if (uses_.demo.draw(gui, {middle.x, screen.y - sides.bottom}, width)) uses_.actions.run(ActionId::demo);
+  if (are_shown_)
+    column_.draw_large(
+        {{around.left, around.top}, {screen.x - around.left - around.right, screen.y - around.top - around.bottom}});
   presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), screen.y - sides.bottom, ImGui::GetTime());
   draw_messages(sides, width);
   uses_.work.insight().end_frame();
@@ -353,66 +384,10 @@ Panels::Sides Panels::draw_around() {
   out.bottom = status_bar_.height();
   status_bar_.draw({{0, screen.y - out.bottom}, {screen.x, out.bottom}});
   const float height = screen.y - out.top - out.bottom;
-  out.right = draw_column(out.top, height);
+  out.right = column_.draw(out.top, height);
   const float margin = kMargin * unit;
   out.left = margin + toolbar_.draw({margin, out.top + margin}, height - 2 * margin);
   return out;
-}
-
-// Draws bundles, layers and details, and returns the width of the column.
-float Panels::draw_column(float top, float height) {
-  Settings& settings = uses_.settings;
-  const float unit = uses_.screen.gui.unit();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const float width = std::min(static_cast<float>(settings.column_width) * unit, 0.45F * screen.x);
-  const float left = screen.x - width;
-  const bool has_layers = settings.show_layers;
-  const bool has_details = settings.details != DetailsPage::none;
-  const float lower = static_cast<float>(settings.details_share) * height;
-  const float upper = !has_layers ? 0.0F : has_details ? height - lower : height;
-  if (has_layers) draw_layers({{left, top}, {width, upper}});
-  if (has_details) details_panel_.draw({{left, top + upper}, {width, height - upper}});
-  if (!has_layers && !has_details) return 0.0F;
-  draw_splitters({{left, top}, {width, height}}, has_layers && has_details ? upper : 0.0F);
-  return width;
-}
-
-// In a low window the layers get the room; bundles remain accessible by their keys and their menu.
-void Panels::draw_layers(const PanelArea& area) {
-  Settings& settings = uses_.settings;
-  const Gui& gui = uses_.screen.gui;
-  const float unit = gui.unit();
-  const float room = area.size.y - kLeastOfLayers * unit;
-  const float wanted = static_cast<float>(settings.bundles_height) * unit;
-  const float most =
-      wanted > 0.0F && settings.show_bundles ? std::min(wanted, room) : std::min(kMostOfBundles * area.size.y, room);
-  const float least = kLeastOfBundles * unit;
-  float bundles = 0.0F;
-  if (most >= least || room >= least) bundles = bundles_panel_.height(std::max(most, least));
-  if (wanted > 0.0F && settings.show_bundles && bundles > 0.0F) bundles = std::max(most, least);
-  if (bundles > 0.0F) bundles_panel_.draw({area.at, {area.size.x, bundles}});
-  layers_panel_.draw({{area.at.x, area.at.y + bundles}, {area.size.x, area.size.y - bundles}});
-  if (bundles <= 0.0F || !settings.show_bundles) return;
-  const SplitterMove move = splitter(gui, "##bundles-end", {{area.at.x, area.at.y + bundles}, {area.size.x, 0.0F}});
-  if (move.is_dragged)
-    settings.bundles_height =
-        std::clamp(static_cast<double>((move.to.y - area.at.y) / unit), static_cast<double>(kLeastOfBundles), 4000.0);
-  if (move.is_reset) settings.bundles_height = 0.0;
-}
-
-void Panels::draw_splitters(const PanelArea& column, float upper) {
-  Settings& settings = uses_.settings;
-  const Gui& gui = uses_.screen.gui;
-  const SplitterMove side = splitter(gui, "##column-side", {column.at, {0.0F, column.size.y}});
-  const double width = static_cast<double>((column.at.x + column.size.x - side.to.x) / gui.unit());
-  if (side.is_dragged) settings.column_width = std::clamp(width, kLeastColumn, 1200.0);
-  if (side.is_reset) settings.column_width = kUsualColumnWidth;
-  if (upper <= 0.0F) return;
-  const SplitterMove line =
-      splitter(gui, "##details-begin", {{column.at.x, column.at.y + upper}, {column.size.x, 0.0F}});
-  const double share = static_cast<double>(1.0F - (line.to.y - column.at.y) / column.size.y);
-  if (line.is_dragged) settings.details_share = std::clamp(share, 0.1, 0.9);
-  if (line.is_reset) settings.details_share = kUsualDetailsShare;
 }
 
 // Draws the strip of evolutions, which takes room, and the card of clicked elements, which takes none.

@@ -5,6 +5,7 @@
 #include "app/actions/action_bindings.h"
 #include "app/model/palette.h"
 #include "app/panels/bars/menu_bar.h"
+#include "app/panels/bars/side_column.h"
 #include "app/panels/bars/status_bar.h"
 #include "app/panels/bars/toolbar.h"
 #include "app/panels/layers/bundles_panel.h"
@@ -14,7 +15,16 @@
 #include "app/panels/on_canvas/mark_drag.h"
 #include "app/panels/on_canvas/presenter.h"
 #include "app/panels/on_canvas/problem_note.h"
-#include "app/panels/pages/details_panel.h"
+#include "app/panels/pages/branches_panel.h"
+#include "app/panels/pages/curves_panel.h"
+#include "app/panels/pages/experiments_panel.h"
+#include "app/panels/pages/lesson_panel.h"
+#include "app/panels/pages/log_panel.h"
+#include "app/panels/pages/parameters_panel.h"
+#include "app/panels/pages/persistence_panel.h"
+#include "app/panels/pages/sampling_panel.h"
+#include "app/panels/pages/selection_panel.h"
+#include "app/panels/pages/statistics_panel.h"
 #include "app/picture/scale_drawing.h"
 #include "app/playing/step_events.h"
 #include "app/window/document_flow.h"
@@ -61,6 +71,10 @@ class Panels {
   std::vector<PaletteEntry> palette_entries();
   /// True if the panels around the canvas are shown, and not only those on it.
   bool are_shown() const { return are_shown_; }
+  /// True if the user sees this panel.
+  bool is_seen(PanelPage page) const { return are_shown_ && uses_.settings.panels.is_in_use(page); }
+  /// Closes the large window of a diagram; returns false if there was none.
+  bool close_large();
 
   /// The free area of the window, in framebuffer pixels.
   struct Room {
@@ -85,10 +99,8 @@ class Panels {
   void draw_lesson(Sides& sides);
   /// Divides the remaining area between the panes, and sets `sides` to those of the main pane.
   void divide(Sides& sides);
-  float draw_column(float top, float height);
-  void draw_layers(const PanelArea& area);
-  /// `upper`: distance from the top to the details; 0: there are no details, or nothing is above them.
-  void draw_splitters(const PanelArea& column, float upper);
+  std::vector<SidePage> pages();
+  void toggle(PanelPage page);
   void draw_over(Sides& sides);
   void draw_annotation_card(const Sides& sides);
   MarksPlace draw_scale_marks(const Sides& sides);
@@ -105,7 +117,17 @@ class Panels {
   Toolbar toolbar_;
   BundlesPanel bundles_panel_;
   LayersPanel layers_panel_;
-  DetailsPanel details_panel_;
+  StatisticsPanel statistics_panel_;
+  ParametersPanel parameters_panel_;
+  LogPanel log_panel_;
+  LessonPanel lesson_panel_;
+  SelectionPanel selection_panel_;
+  CurvesPanel curves_panel_;
+  BranchesPanel branches_panel_;
+  PersistencePanel persistence_panel_;
+  SamplingPanel sampling_panel_;
+  ExperimentsPanel experiments_panel_;
+  SideColumn column_;
   StepEvents step_events_;
   bool are_shown_ = true;
   bool were_shown_ = true;  // state before the presentation

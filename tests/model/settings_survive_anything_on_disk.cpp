@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <sys/stat.h>
 
+#include <array>
 #include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
@@ -37,10 +38,9 @@ TEST_CASE("what is saved is loaded") {
   settings.spray_spacing_px = 17.5;
   settings.brush.radius_px = 33.5;
   settings.window_width = 1000;
-  settings.details = DetailsPage::log;
+  settings.panels = PanelChoice(std::array{PanelPage::log, PanelPage::lesson}, PanelPage::lesson);
   settings.column_width = 412.5;
-  settings.details_share = 0.25;
-  settings.bundles_height = 133.0;
+  settings.lower_panel_share = 0.25;
   settings.legend_at = PaperPlace{PaperCorner::top_left, {12.5, 3.0}};
   settings.marks.bar_at = PaperPlace{PaperCorner::top_right};
   settings.theme = Theme::dark;
@@ -65,10 +65,9 @@ TEST_CASE("what is saved is loaded") {
   CHECK(loaded.settings.spray_spacing_px == 17.5);
   CHECK(loaded.settings.brush.radius_px == 33.5);
   CHECK(loaded.settings.window_width == 1000);
-  CHECK(loaded.settings.details == DetailsPage::log);
+  CHECK(loaded.settings.panels == settings.panels);
   CHECK(loaded.settings.column_width == 412.5);
-  CHECK(loaded.settings.details_share == 0.25);
-  CHECK(loaded.settings.bundles_height == 133.0);
+  CHECK(loaded.settings.lower_panel_share == 0.25);
   CHECK(loaded.settings.theme == Theme::dark);
   CHECK(loaded.settings.for_projector);
   CHECK(loaded.settings.keep_degrees);
@@ -147,14 +146,16 @@ TEST_CASE("values of a wrong kind or out of range do no harm") {
   const fs::path path = folder.path / "settings.json";
   write(path,
         R"({"schema": 1, "window_width": -5, "window_height": 1e300, "spray_spacing_px": "wide",
-            "recent_files": [1, null, "/x.poff"], "show_layers": 3, "future": {"a": []}})");
+            "recent_files": [1, null, "/x.poff"], "show_legend": 3, "panels": [7, "log", "rail"],
+            "pinned_panel": {}, "future": {"a": []}})");
   const LoadedSettings loaded = load_settings(path);
   CHECK(loaded.message.empty());
   CHECK(loaded.settings.window_width == 320);
   CHECK(loaded.settings.window_height == 16384);
   CHECK(loaded.settings.spray_spacing_px == Settings{}.spray_spacing_px);
   CHECK(loaded.settings.recent_files == std::vector<std::string>{"/x.poff"});
-  CHECK(loaded.settings.show_layers);
+  CHECK(loaded.settings.show_legend);
+  CHECK(loaded.settings.panels == PanelChoice(std::array{PanelPage::log}, std::nullopt));
 }
 
 TEST_CASE("a theme or canvas that cannot be is the usual one") {
@@ -193,21 +194,32 @@ TEST_CASE("shapes that are listed but missing are left out") {
   CHECK(read_sample_shapes(folder.path).empty());
 }
 
+TEST_CASE("closed panels stay closed") {
+  const Folder folder;
+  const fs::path path = folder.path / "settings.json";
+  Settings settings;
+  settings.panels.close(PanelPage::layers);
+  settings.panels.close(PanelPage::bundles);
+  REQUIRE(save_settings(settings, path));
+  CHECK(load_settings(path).settings.panels.all().empty());
+  CHECK(load_settings(path).settings.panels.pinned() == PanelPage::layers);
+}
+
 TEST_CASE("two windows keep each other's settings") {
   Settings at_start;
   at_start.recent_files = {"/old.poff"};
   Settings there = at_start;
   there.interface_scale = 1.5;
-  there.details = DetailsPage::log;
+  there.panels.open(PanelPage::log);
   there.recent_files = {"/theirs.poff", "/old.poff"};
   Settings ours = at_start;
   ours.show_legend = false;
-  ours.details = DetailsPage::statistics;
+  ours.panels.open(PanelPage::statistics);
   ours.recent_files = {"/ours.poff", "/old.poff"};
   const Settings both = merged(ours, at_start, there);
   CHECK(both.interface_scale == 1.5);
   CHECK_FALSE(both.show_legend);
-  CHECK(both.details == DetailsPage::statistics);
+  CHECK(both.panels == ours.panels);
   CHECK(both.recent_files == std::vector<std::string>{"/ours.poff", "/old.poff", "/theirs.poff"});
   // What was forgotten here stays forgotten.
   ours.recent_files.clear();

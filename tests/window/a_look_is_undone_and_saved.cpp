@@ -86,7 +86,7 @@ TEST_CASE("a typed range of a colour map counts when Tab leaves its field") {
   window.start("mapped.json");
   // The swatch of the only layer that is shown has the colours of the map, the first of which is a dark purple.
   const auto is_purple = [](Color c) { return c.r > 50 && c.r < 80 && c.g < 30 && c.b > 70 && c.b < 110; };
-  constexpr PixelBox kRows{1200, 380, 1270, 760};
+  constexpr PixelBox kRows{1160, 180, 1230, 390};
   REQUIRE(eventually([&] { return !window.screen.shoot().box_of(kRows, is_purple).is_empty(); }));
   const Screenshot before = window.screen.settled();
   const PixelBox swatch = before.box_of({kRows.left, kRows.top, kRows.right, kRows.top + 60}, is_purple);
@@ -130,7 +130,7 @@ TEST_CASE("a legend lies where it was dragged, however fast the hand was") {
   window.start("mapped.json");
   // The first colours of the map are nowhere but in the legend.
   const auto is_purple = [](Color c) { return c.r > 60 && c.r < 80 && c.g < 30 && c.b > 70 && c.b < 115; };
-  constexpr PixelBox kBelow{600, 500, 970, 768};
+  constexpr PixelBox kBelow{560, 500, 930, 768};
   REQUIRE(eventually([&] { return !window.screen.shoot().box_of(kBelow, is_purple).is_empty(); }));
   const PixelBox before = window.drawn().box_of(kBelow, is_purple);
   window.screen.drag({before.left + 2, before.top + 2}, {before.left - 248, before.top - 198}, 1);

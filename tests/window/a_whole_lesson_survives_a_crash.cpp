@@ -111,8 +111,8 @@ struct LessonHour {
     screen.xdotool("keyup Return");
     REQUIRE(done);
   }
-  PixelBox panel() const { return {1000, 30, 1280, 770}; }
-  PixelBox canvas() const { return {70, 30, 980, 720}; }
+  PixelBox panel() const { return {939, 30, 1238, 770}; }
+  PixelBox canvas() const { return {70, 30, 930, 720}; }
   PixelBox find(const PixelBox& where, Rgb color) const { return screen.shoot().box_of(where, is(color)); }
   bool shows(Rgb color) const { return !find(canvas(), color).is_empty(); }
 
@@ -174,7 +174,7 @@ TEST_CASE("open, restack, restyle, bundle, evolve, record, crash and recover") {
 
   // The row of the axis is dragged below that of the curve, by the names, left of the swatches.
   // Rows of the section "Shown"; the groups below it have the same rows again.
-  const auto row = [&](Rgb color) { return lesson.find({1000, 30, 1280, 340}, color); };
+  const auto row = [&](Rgb color) { return lesson.find({1000, 30, 1238, 270}, color); };
   REQUIRE(eventually([&] { return !row(kAxis).is_empty() && !row(kCurve).is_empty(); }));
   REQUIRE(row(kAxis).bottom < row(kCurve).top + 8);
   const int names = row(kAxis).left - 120;
@@ -215,7 +215,7 @@ TEST_CASE("open, restack, restyle, bundle, evolve, record, crash and recover") {
   lesson.press_until("2", [&] { return lesson.shows(kFromPalette) && !lesson.shows(kAxis); });
 
   // An evolution, recorded: two steps by the key, then played and stopped. Buttons of the strip lie side by side.
-  const PixelBox below{60, 600, 980, 768};
+  const PixelBox below{60, 600, 930, 768};
   const Screenshot without_strip = screen.settled();
   lesson.press("e");
   PixelBox strip;

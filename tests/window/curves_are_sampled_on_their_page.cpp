@@ -13,8 +13,8 @@ using namespace mes::test;
 
 namespace {
 
-constexpr PixelBox kPanels{975, 40, 1280, 760};
-constexpr std::array<int, 2> kNumberField{1222, 638};  // the field, in the panel at the lower right
+constexpr PixelBox kPanels{935, 40, 1238, 760};
+constexpr std::array<int, 2> kNumberField{1180, 515};  // the field, in the panel at the lower right
 
 /// Of the samples of a file that holds a circle about (5, 5) with a radius of 4.
 std::size_t samples_in(const DrivenProgram& window, const std::string& name) {

@@ -19,11 +19,11 @@ constexpr const char* kSource = "examples/experiments/gabriel.cpp";
 constexpr const char* kDrawing = "if (is_gabriel[edge]) out";
 
 // Of the page below the layers.
-constexpr PixelBox kPage{981, 580, 1280, 768};
-constexpr std::array<int, 2> kExamples{1081, 563};
-constexpr std::array<int, 2> kFirstExample{1105, 579};  // of its popup
-constexpr std::array<int, 2> kMessage{1100, 632};
-constexpr std::array<int, 2> kRemove{1139, 628};  // of the first experiment, without messages
+constexpr PixelBox kPage{939, 458, 1238, 768};
+constexpr std::array<int, 2> kExamples{1038, 441};
+constexpr std::array<int, 2> kFirstExample{1062, 457};  // of its popup
+constexpr std::array<int, 2> kMessage{1057, 510};
+constexpr std::array<int, 2> kRemove{1096, 506};  // of the first experiment, without messages
 
 bool is_warning(Color c) {
   return c.r > 150 && c.r > c.b + 100 && c.r > c.g + 60;

@@ -91,7 +91,7 @@ struct ScaledWindow {
       below_the_bar.top = scaled(24, scale_now);
       return screen.shoot().box_of_changes(below_the_bar, closed);
     };
-    REQUIRE(eventually([&] { return popup().bottom - popup().top > scaled(17 * kRow, scale_now); }));
+    REQUIRE(eventually([&] { return popup().bottom - popup().top > scaled(12 * kRow, scale_now); }));
     const Screenshot open = screen.settled();
     const PixelBox menu = popup();
     screen.xdotool(

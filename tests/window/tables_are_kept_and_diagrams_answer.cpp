@@ -12,14 +12,14 @@ using namespace mes::test;
 
 namespace {
 
-constexpr PixelBox kPanel{981, 25, 1280, 770};
+constexpr PixelBox kPanel{939, 25, 1238, 770};
 constexpr PixelBox kRemark{0, 773, 500, 800};
 // On a page that has the panel for itself.
-constexpr std::array<int, 2> kSearch{1090, 118};
-constexpr std::array<int, 2> kRun{1234, 147};             // of the one parameter that is found
-constexpr std::array<int, 2> kParameterField{1230, 175};  // the field beside its slider
-constexpr std::array<int, 2> kSteps{1040, 249};           // in the popup of the button
-constexpr std::array<int, 2> kMakeTable{1075, 336};
+constexpr std::array<int, 2> kSearch{1048, 72};
+constexpr std::array<int, 2> kRun{1192, 101};             // of the one parameter that is found
+constexpr std::array<int, 2> kParameterField{1188, 129};  // the field beside its slider
+constexpr std::array<int, 2> kSteps{998, 203};            // in the popup of the button
+constexpr std::array<int, 2> kMakeTable{1033, 290};
 constexpr std::array<int, 2> kPlay{405, 745};  // of the strip of evolutions, in one row
 
 /// Samples, and a page in a panel of its own.
@@ -91,7 +91,7 @@ TEST_CASE("a table that is made while something else is asked waits for its turn
   const Page page("p");
   page.find_parameter("alpha complex: radius");
   page.open_table("20000");
-  page.screen().xdotool("mousemove 1075 336 click 1 key Escape key ctrl+shift+s");
+  page.screen().xdotool("mousemove 1033 290 click 1 key Escape key ctrl+shift+s");
   REQUIRE(eventually([&] { return page.is_asking(); }));
   // At rest the table is there.
   static_cast<void>(page.screen().settled());
@@ -157,17 +157,17 @@ TEST_CASE("where an evolution can go no further, that is said at once") {
 TEST_CASE("how much of the shape is kept can be measured") {
   const Page page("shift+b");
   const Screenshot before = page.at_rest();
-  page.screen().click({1001, 147});
+  page.screen().click({959, 101});
   const Screenshot after = page.at_rest();
   // The box, and the words about what is kept.
-  CHECK(after.changes({985, 138, 1015, 156}, before) > 20);
-  CHECK(after.changes({985, 160, 1280, 770}, before) > 20);
+  CHECK(after.changes({943, 92, 973, 110}, before) > 20);
+  CHECK(after.changes({943, 114, 1238, 770}, before) > 20);
 }
 
 TEST_CASE("the chosen row of the table of branches looks like no other, with the pointer on it or away") {
   const Page page("shift+b", output_of(std::string(MESECINA_BINARY) + " shape gear --samples 300"));
   constexpr int kRow = 19;
-  constexpr int kBesideText = 1085;
+  constexpr int kBesideText = 1043;
   const auto expect_unlike_others = [&](int y) {
     const Screenshot now = page.screen().settled();
     const Color here = now.at(kBesideText, y);
@@ -178,7 +178,7 @@ TEST_CASE("the chosen row of the table of branches looks like no other, with the
     }
   };
   // Every other row has a ground of its own.
-  for (const int y : {440, 440 + kRow}) {
+  for (const int y : {540, 540 + kRow}) {
     page.screen().click({kBesideText, y});
     expect_unlike_others(y);
     page.screen().xdotool("mousemove 1200 6");
@@ -195,7 +195,7 @@ TEST_CASE("a click on a sample chooses its component, and the diagram stays wher
   page.screen().click(corner.middle());
   const Screenshot after = page.at_rest();
   // A ring around its point, and words below; not the diagonal.
-  CHECK(after.changes({985, 180, 1012, 480}, before) > 20);
-  CHECK(after.changes({985, 500, 1280, 560}, before) > 100);
-  CHECK(after.changes({1060, 250, 1250, 440}, before) == 0);
+  CHECK(after.changes({960, 140, 990, 400}, before) > 20);
+  CHECK(after.changes({940, 425, 1238, 470}, before) > 100);
+  CHECK(after.changes({1010, 190, 1210, 360}, before) == 0);
 }

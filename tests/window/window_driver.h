@@ -133,7 +133,7 @@ class VirtualScreen {
 };
 
 /// What of a window of the screen's size lies between toolbar and panels, without the status bar.
-inline constexpr PixelBox kCanvas{80, 40, 970, 760};
+inline constexpr PixelBox kCanvas{80, 40, 930, 760};
 
 /// The program with its window on a screen, in a folder of its own for its files, settings and data.
 struct DrivenProgram {

@@ -160,16 +160,16 @@ void view_menu(const MenuBar& menu) {
        {ActionId::fit, ActionId::fit_selection, ActionId::previous_view, ActionId::zoom_in, ActionId::zoom_out})
     action_item(menu, id);
   ImGui::Separator();
-  for (const ActionId id : {ActionId::toggle_layers, ActionId::toggle_statistics, ActionId::toggle_parameters})
-    action_item(menu, id);
-  if (ImGui::BeginMenu("More panels")) {
-    for (const ActionId id : {ActionId::toggle_branches, ActionId::toggle_persistence, ActionId::toggle_sampling,
-                              ActionId::toggle_experiments, ActionId::toggle_log})
+  if (ImGui::BeginMenu("Panels")) {
+    for (const ActionId id : {ActionId::toggle_layers, ActionId::toggle_bundles, ActionId::toggle_selection,
+                              ActionId::toggle_curves, ActionId::toggle_sampling, ActionId::toggle_branches,
+                              ActionId::toggle_persistence, ActionId::toggle_statistics, ActionId::toggle_parameters,
+                              ActionId::toggle_experiments, ActionId::toggle_lesson, ActionId::toggle_log})
       action_item(menu, id);
+    ImGui::Separator();
+    action_item(menu, ActionId::toggle_panels);
     ImGui::EndMenu();
   }
-  action_item(menu, ActionId::toggle_panels);
-  // A menu of its own, because at twice the size this one has no room for another row on a screen of 800 pixels.
   if (ImGui::BeginMenu("Legend and scale")) {
     for (const ActionId id : {ActionId::toggle_legend, ActionId::toggle_key, ActionId::toggle_scale_bar,
                               ActionId::toggle_axes, ActionId::toggle_grid, ActionId::toggle_annotations})

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/bars/toolbar.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
 
+#include "app/ui/button_columns.h"
 #include "app/ui/icons.h"
 #include "app/ui/slider.h"
 #include "app/ui/widgets.h"
@@ -13,8 +12,6 @@ namespace mes {
 namespace {
 
 constexpr float kToolbarPadding = 5.0F;
-constexpr float kButtonGap = 2.0F;
-constexpr float kLine = 4 * kButtonGap;  // height of a line, including its surroundings
 
 void action_button(const Toolbar& toolbar, ActionId id, Icon icon, float size) {
   const bool enabled = toolbar.actions.is_enabled(id);
@@ -30,7 +27,7 @@ struct Button {
   Icon icon;
   bool begins_group = false;
 };
-constexpr std::array<Button, 17> kButtons{{{ActionId::tool_select, Icon::select},
+constexpr std::array<Button, 14> kButtons{{{ActionId::tool_select, Icon::select},
                                            {ActionId::tool_insert, Icon::insert},
                                            {ActionId::tool_spray, Icon::spray},
                                            {ActionId::tool_brush, Icon::brush},
@@ -41,58 +38,9 @@ constexpr std::array<Button, 17> kButtons{{{ActionId::tool_select, Icon::select}
                                            {ActionId::redo, Icon::redo},
                                            {ActionId::fit, Icon::fit, true},
                                            {ActionId::toggle_evolution, Icon::evolution},
-                                           {ActionId::toggle_layers, Icon::layers},
-                                           {ActionId::toggle_statistics, Icon::statistics},
-                                           {ActionId::toggle_parameters, Icon::parameters},
                                            {ActionId::help, Icon::help},
                                            {ActionId::snapshot, Icon::snapshot, true},
                                            {ActionId::record, Icon::record}}};
-
-// Buttons become smaller (sizes in logical pixels) before there are two columns, and again before there are three.
-float button_size(float room) {
-  constexpr float kLargest = 34.0F;
-  constexpr float kSmallInOne = 28.0F;
-  constexpr float kSmallest = 24.0F;
-  constexpr auto kCount = static_cast<float>(kButtons.size() + 1);
-  const float free = room - 2 * kToolbarPadding;
-  const float in_one = (free - 3 * kLine) / kCount - kButtonGap;
-  if (in_one >= kSmallInOne) return std::min(in_one, kLargest);
-  return std::clamp((free - 2 * kLine) / std::ceil(0.5F * kCount) - kButtonGap, kSmallest, kLargest);
-}
-
-/// Places buttons below each other, continues in another column if there is no room below, and draws lines between
-/// groups.
-class Columns {
- public:
-  Columns(float size, float unit, float room)
-      : origin_(ImGui::GetCursorPos()), size_(size), gap_(kButtonGap * unit), room_(room) {}
-
-  void next(bool begins_group) {
-    const float line = begins_group && y_ > 0.0F ? 4 * gap_ : 0.0F;
-    if (y_ > 0.0F && y_ + line + size_ > room_) {
-      y_ = 0.0F;
-      x_ += size_ + gap_;
-    } else if (line > 0.0F) {
-      const ImVec2 window = ImGui::GetWindowPos();
-      const float at = window.y + origin_.y + y_ + 0.5F * (line - gap_);
-      const float left = window.x + origin_.x + x_;
-      ImGui::GetWindowDrawList()->AddLine({left, at}, {left + size_, at}, ImGui::GetColorU32(ImGuiCol_Separator),
-                                          std::max(1.0F, 0.5F * gap_));
-      y_ += line;
-    }
-    ImGui::SetCursorPos({origin_.x + x_, origin_.y + y_});
-    y_ += size_ + gap_;
-  }
-  float width() const { return x_ + size_; }
-
- private:
-  ImVec2 origin_;
-  float size_;
-  float gap_;
-  float room_;
-  float x_ = 0.0F;
-  float y_ = 0.0F;
-};
 
 }  // namespace
 
@@ -118,14 +66,16 @@ void Toolbar::draw_brush() const {
 
 float Toolbar::draw(ImVec2 at, float room) const {
   const float unit = gui.unit();
-  const float size = button_size(room / unit) * unit;
+  const float inside = room - 2 * kToolbarPadding * unit;
+  // One more button for the settings of recordings.
+  const float size = column_button_size(kButtons.size() + 1, 3, inside / unit) * unit;
   ImGui::SetNextWindowPos(at);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kToolbarPadding * unit, kToolbarPadding * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::Begin("##toolbar", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
-  Columns columns(size, unit, room - 2 * kToolbarPadding * unit);
+  ButtonColumns columns(ImGui::GetCursorPos(), size, unit, inside);
   for (const Button& button : kButtons) {
     columns.next(button.begins_group);
     action_button(*this, button.action, button.icon, size);

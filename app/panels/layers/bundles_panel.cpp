@@ -15,16 +15,6 @@ namespace {
 constexpr const char* kBundleDragKind = "mesecina-bundle";
 constexpr std::size_t kDigits = 9;
 constexpr float kRowHeight = 24.0F;
-constexpr float kHeadHeight = 34.0F;
-
-bool head_button(const Gui& gui, const char* label, const std::string& explanation) {
-  ImGui::PushStyleColor(ImGuiCol_Button, 0U);
-  ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
-  const bool clicked = ImGui::Button(label, {26 * gui.unit(), 0});
-  ImGui::PopStyleColor(2);
-  tooltip(gui, explanation);
-  return clicked;
-}
 
 void menu_item(const Gui& gui, const ActionBindings& actions, ActionId id) {
   const ActionDescriptor& action = descriptor_of(id);
@@ -84,31 +74,13 @@ void BundlesPanel::tell(const Expected<void>& done) const {
   if (const std::string message = uses_.bundles.take_message(); !message.empty()) uses_.messages.problem(message);
 }
 
-float BundlesPanel::height(float most) const {
-  const float unit = uses_.gui.unit();
-  if (!uses_.is_unfolded) return std::min(most, (kHeadHeight + 8) * unit);
-  const auto rows = static_cast<float>(std::max<std::size_t>(1, uses_.bundles.bundles().size()));
-  const float line = uses_.bundles.undo_offer().empty() ? 0.0F : kRowHeight;
-  return std::min(most, (kHeadHeight + kRowHeight * rows + line + 14) * unit);
-}
-
 void BundlesPanel::draw_head() {
   const float unit = uses_.gui.unit();
-  bool& is_unfolded = uses_.is_unfolded;
-  const ImVec2 at = ImGui::GetCursorScreenPos();
-  const float height = ImGui::GetFrameHeight();
-  if (hit_area("fold", {100 * unit, height})) is_unfolded = !is_unfolded;
-  tooltip(uses_.gui, is_unfolded ? "Fold the bundles away" : "Show the bundles");
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImVec2 middle(at.x + 5 * unit, at.y + 0.5F * height);
-  draw_fold(list, middle, 4 * unit, is_unfolded, uses_.gui.colors().text_quiet);
-  ImGui::PushFont(uses_.gui.bold());
-  list.AddText({at.x + 15 * unit, at.y + 0.5F * (height - ImGui::GetFontSize())}, uses_.gui.colors().text, "Bundles");
-  ImGui::PopFont();
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - 54 * unit);
-  if (head_button(uses_.gui, "+", uses_.actions.tooltip_of(ActionId::save_bundle))) asks_name_ = true;
-  ImGui::SameLine(0, 2 * unit);
-  if (head_button(uses_.gui, "...", "Import, export and restore bundles")) ImGui::OpenPopup("bundles-menu");
+  if (ImGui::Button("Save as...")) asks_name_ = true;
+  tooltip(uses_.gui, uses_.actions.tooltip_of(ActionId::save_bundle));
+  ImGui::SameLine(0, 4 * unit);
+  if (ImGui::Button("More...")) ImGui::OpenPopup("bundles-menu");
+  tooltip(uses_.gui, "Import, export and restore bundles");
   draw_menu();
   draw_save_popup();
 }
@@ -245,7 +217,7 @@ void BundlesPanel::draw_rows(float height) {
   if (ImGui::BeginChild("rows", {0, height})) {
     for (std::size_t index = 0; index < uses_.bundles.bundles().size(); ++index) draw_row(index);
     shown_current_ = uses_.bundles.current();
-    if (uses_.bundles.bundles().empty()) ImGui::TextDisabled("None yet: + saves the layers as they are");
+    if (uses_.bundles.bundles().empty()) ImGui::TextDisabled("None yet: a bundle keeps the layers as they are");
   }
   ImGui::EndChild();
   ImGui::PopStyleVar();
@@ -274,18 +246,13 @@ void BundlesPanel::draw_undo_line() const {
   if (clicked) tell(uses_.bundles.undo());
 }
 
-void BundlesPanel::draw(const PanelArea& area) {
-  if (begin_panel("##bundles", area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-    draw_head();
-    if (uses_.is_unfolded) {
-      const bool offers_undo = !uses_.bundles.undo_offer().empty();
-      const float line = offers_undo ? kRowHeight * uses_.gui.unit() : 0.0F;
-      draw_rows(std::max(1.0F, ImGui::GetContentRegionAvail().y - line));
-      if (offers_undo) draw_undo_line();
-    }
-    draw_rename_popup();
-  }
-  ImGui::End();
+void BundlesPanel::draw() {
+  draw_head();
+  const bool offers_undo = !uses_.bundles.undo_offer().empty();
+  const float line = offers_undo ? kRowHeight * uses_.gui.unit() : 0.0F;
+  draw_rows(std::max(1.0F, ImGui::GetContentRegionAvail().y - line));
+  if (offers_undo) draw_undo_line();
+  draw_rename_popup();
 }
 
 }  // namespace mes

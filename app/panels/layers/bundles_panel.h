@@ -21,15 +21,12 @@ class BundlesPanel {
     const ActionBindings& actions;
     BundleDesk& bundles;
     Messages& messages;
-    bool& is_unfolded;
     std::function<void(std::size_t)> choose;      ///< shows a bundle
     std::function<void(std::size_t)> export_one;  ///< asks for a file
   };
   explicit BundlesPanel(Uses uses) : uses_(std::move(uses)) {}
 
-  /// The height that the panel would like, up to `most`.
-  float height(float most) const;
-  void draw(const PanelArea& area);
+  void draw();
   /// Asks for a name for the present layers at the next drawing.
   void ask_name() { asks_name_ = true; }
 

@@ -100,24 +100,17 @@ bool LayersPanel::is_without_content(LayerIndex layer) const {
 
 void LayersPanel::draw_head() {
   const float unit = gui_.unit();
-  ImGui::PushFont(gui_.bold());
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Layers");
-  ImGui::PopFont();
-  if (layers_.soloed() != kNoLayer) {
-    ImGui::SameLine(0, 10 * unit);
-    if (ImGui::SmallButton("End solo")) layers_.end_solo();
-    tooltip(gui_, "Show the other layers again");
-  }
-  const float padding = ImGui::GetStyle().FramePadding.x;
-  const float width = ImGui::CalcTextSize("SubjectOrder").x + 4 * padding + 2 * unit;
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - width);
+  draw_search();
   if (choice_button("Subject", !options_.by_order)) options_.by_order = false;
   tooltip(gui_, "List the shown layers first, then all layers by subject");
   ImGui::SameLine(0, 2 * unit);
   if (choice_button("Order", options_.by_order)) options_.by_order = true;
   tooltip(gui_, "List the layers in drawing order, topmost first");
-  draw_search();
+  if (layers_.soloed() != kNoLayer) {
+    ImGui::SameLine(0, 10 * unit);
+    if (ImGui::Button("End solo")) layers_.end_solo();
+    tooltip(gui_, "Show the other layers again");
+  }
   draw_families();
   ImGui::Dummy({0, 1 * unit});
 }
@@ -452,19 +445,16 @@ void LayersPanel::follow() {
   listed_options_ = options_;
 }
 
-void LayersPanel::draw(const PanelArea& area) {
-  if (begin_panel("##layers", area)) {
-    draw_head();
-    follow();
-    ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
-    ImGui::BeginChild("rows");
-    is_pointer_on_rows_ = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
-    for (std::size_t index = 0; index < listing_.sections.size(); ++index) draw_section(index);
-    draw_filter_note();
-    ImGui::EndChild();
-    ImGui::PopStyleVar();
-  }
-  ImGui::End();
+void LayersPanel::draw() {
+  draw_head();
+  follow();
+  ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
+  ImGui::BeginChild("rows");
+  is_pointer_on_rows_ = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  for (std::size_t index = 0; index < listing_.sections.size(); ++index) draw_section(index);
+  draw_filter_note();
+  ImGui::EndChild();
+  ImGui::PopStyleVar();
 }
 
 }  // namespace mes

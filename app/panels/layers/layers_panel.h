@@ -29,7 +29,7 @@ class LayersPanel {
         image_(image),
         color_maps_(gui, layers, picture) {}
 
-  void draw(const PanelArea& area);
+  void draw();
   /// Sets the function that selects the sources of a layer's elements with values in a range.
   void set_select(std::function<void(LayerIndex, double, double)> select) {
     color_maps_.set_select(std::move(select));

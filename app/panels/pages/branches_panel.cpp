@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/panels/on_canvas/shape_pen.h"
+#include "app/ui/plot.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "core/base/color.h"
@@ -33,7 +34,8 @@ constexpr std::array<Column, kBranchColumns> kColumns{
 
 constexpr std::array<const char*, kBranchAxes.size()> kAxes{"Whole axis", "Lambda axis", "Angle axis", "Cover axis"};
 constexpr std::size_t kBins = 96;
-constexpr float kHistogramHeight = 64.0F;  // logical pixels
+constexpr float kLeastHistogram = 96.0F;  // logical pixels
+constexpr float kHistogramShare = 0.35F;
 constexpr float kLeastTable = 150.0F;
 constexpr std::size_t kMostBranchSegments = 20'000;
 
@@ -54,7 +56,7 @@ void BranchesPanel::refresh_rows() {
       rows_of_ != nullptr ? mes::rows_of(*rows_of_, filter_, sorted_by_, is_descending_) : std::vector<std::size_t>{};
 }
 
-void BranchesPanel::draw() {
+bool BranchesPanel::draw_head() {
   const Document& document = uses_.editor.document();
   const bool is_new = uses_.desk.follow({document.revision(), uses_.computation.settings(), axis_, measures_area_},
                                         [&document] { return data_of(document); });
@@ -65,18 +67,24 @@ void BranchesPanel::draw() {
   draw_choices();
   if (uses_.desk.table() == nullptr) {
     ImGui::TextDisabled("%s", uses_.desk.problem().empty() ? "Computing the branches" : uses_.desk.problem().c_str());
-    return;
+    return false;
   }
   if (!uses_.desk.problem().empty()) {
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextUnformatted(uses_.desk.problem().c_str());
     ImGui::PopTextWrapPos();
-    return;
+    return false;
   }
+  return true;
+}
+
+void BranchesPanel::draw() {
+  if (!draw_head()) return;
   pointed_at_.reset();
   // In a low panel the table keeps some rows, and histogram and table scroll together.
   if (ImGui::BeginChild("##branches")) {
-    draw_histogram();
+    draw_histogram(std::max(kLeastHistogram * uses_.gui.unit(), kHistogramShare * ImGui::GetContentRegionAvail().y),
+                   false);
     draw_table();
   }
   ImGui::EndChild();
@@ -125,8 +133,9 @@ void BranchesPanel::draw_choices() {
           "union takes much longer than the table");
 }
 
-// Bar heights show lengths of the axis. The limit of lambda is a line that can be dragged.
-void BranchesPanel::draw_histogram() {
+// Bar heights show lengths of the axis. The limit of lambda is a line that can be dragged. A large histogram fills the
+// room.
+void BranchesPanel::draw_histogram(float height, bool is_large) {
   const float unit = uses_.gui.unit();
   const BranchTable& table = *uses_.desk.table();
   if (histogram_table_ != &table || histogram_is_of_lambda_ != shows_lambda_) {
@@ -142,47 +151,51 @@ void BranchesPanel::draw_histogram() {
   if (histogram_.lengths.empty()) return;
 
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x), kHistogramHeight * unit};
+  const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x),
+                    is_large ? std::max(kLeastHistogram * unit, ImGui::GetContentRegionAvail().y) : height};
   hit_area("histogram", size);
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + size.x, at.y + size.y}, ImGui::GetColorU32(ImGuiCol_FrameBg), 3 * unit);
   const double most = *std::ranges::max_element(histogram_.lengths);
-  const float step = size.x / static_cast<float>(histogram_.lengths.size());
+  // Square roots keep short parts, such as spurious branches, visible beside long ones.
+  const Plot plot(uses_.gui, {at, size}, {0.0, histogram_.high, shows_lambda_ ? "lambda" : "radius"},
+                  {0.0, most, "length of the axis", true}, is_large);
+  plot.draw_frame(list);
   ComputationSettings settings = uses_.computation.settings();
   double& limit = settings[Parameter::lambda_limit];
   const double bin = histogram_.high / static_cast<double>(histogram_.lengths.size());
+  const float bottom = plot.y_of(0.0);
   for (std::size_t i = 0; i < histogram_.lengths.size(); ++i) {
     if (!(histogram_.lengths[i] > 0.0)) continue;
-    // Square roots keep short parts, such as spurious branches, visible beside long ones.
-    const float height = std::max(unit, size.y * static_cast<float>(std::sqrt(histogram_.lengths[i] / most)));
-    const float left = at.x + step * static_cast<float>(i);
+    const float top = std::min(plot.y_of(histogram_.lengths[i]), bottom - unit);
+    const float left = plot.x_of(bin * static_cast<double>(i));
+    const float right = plot.x_of(bin * static_cast<double>(i + 1));
     const bool is_below = shows_lambda_ && bin * static_cast<double>(i + 1) <= limit;
-    list.AddRectFilled({left, at.y + size.y - height}, {left + std::max(1.0F, step - 1.0F), at.y + size.y},
+    list.AddRectFilled({left, top}, {std::max(left + 1.0F, right - 1.0F), bottom},
                        to_imgui(palette::vermilion, is_below ? 0.3 : 0.85));
   }
-  const auto value_at = [&](float x) {
-    return histogram_.high * std::clamp(static_cast<double>((x - at.x) / size.x), 0.0, 1.0);
-  };
   const float mouse = ImGui::GetIO().MousePos.x;
   if (shows_lambda_) {
     if (ImGui::IsItemActive()) {
-      limit = value_at(mouse);
+      limit = plot.x_at(mouse);
       if (settings != uses_.computation.settings()) uses_.computation.set(settings);
     }
-    const float x = at.x + size.x * static_cast<float>(std::min(1.0, limit / histogram_.high));
-    list.AddLine({x, at.y}, {x, at.y + size.y}, uses_.gui.colors().text, 2 * unit);
+    const float x = plot.x_of(limit);
+    list.AddLine({x, plot.inside().at.y}, {x, bottom}, plot.ink(), 2 * unit);
+    const std::string words = fmt::format("limit {:.4g}", limit);
+    const float width = ImGui::CalcTextSize(words.c_str()).x;
+    const bool fits = x + 4 * unit + width <= plot.inside().at.x + plot.inside().size.x;
+    list.AddText({fits ? x + 4 * unit : x - 4 * unit - width, plot.inside().at.y}, plot.ink(), words.c_str());
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   }
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
-    const auto i = std::min(histogram_.lengths.size() - 1, static_cast<std::size_t>(value_at(mouse) / bin));
+    const auto i = std::min(histogram_.lengths.size() - 1, static_cast<std::size_t>(plot.x_at(mouse) / bin));
     ImGui::SetTooltip("%s %.4g to %.4g: length %.4g", shows_lambda_ ? "lambda" : "radius",
                       bin * static_cast<double>(i), bin * static_cast<double>(i + 1), histogram_.lengths[i]);
   }
-  const std::string low = shows_lambda_ ? fmt::format("limit {:.4g}", limit) : std::string("0");
-  const std::string high = fmt::format("{:.4g}", histogram_.high);
-  ImGui::TextDisabled("%s", low.c_str());
-  ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(high.c_str()).x);
-  ImGui::TextDisabled("%s", high.c_str());
+}
+
+void BranchesPanel::draw_large() {
+  if (draw_head()) draw_histogram(0.0F, true);
 }
 
 void BranchesPanel::draw_table() {

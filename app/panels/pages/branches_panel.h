@@ -29,10 +29,14 @@ class BranchesPanel {
   explicit BranchesPanel(Uses uses) : uses_(std::move(uses)) {}
 
   void draw();
+  /// Draws the histogram as on paper, into a window of its own.
+  void draw_large();
 
  private:
+  /// Follows the document; returns false if there is no table, after saying why.
+  bool draw_head();
   void draw_choices();
-  void draw_histogram();
+  void draw_histogram(float height, bool is_large);
   void draw_table();
   void draw_row(std::size_t row);
   void draw_branch(std::size_t row, bool is_chosen) const;

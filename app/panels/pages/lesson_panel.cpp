@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <utility>
 
 #include "app/picture/caption_text.h"
 #include "app/playing/lesson_walk.h"
@@ -27,8 +28,9 @@ std::string name_of_step(const LessonStep& step) {
 
 // Typed text enters the lesson when its field is left, so that it is one change.
 void LessonPanel::draw() {
-  if (actions_.is_checked(ActionId::present_lesson)) {
+  if (presenter_.is_running()) {
     ImGui::TextDisabled("The lesson is being presented");
+    if (const auto clicked = draw_steps(presenter_.lesson(), presenter_.step(), 0.0F)) go_to_(*clicked);
     return;
   }
   const std::optional<std::size_t> chosen = desk_.chosen();
@@ -39,7 +41,7 @@ void LessonPanel::draw() {
     caption_ = chosen ? shown_.steps[*chosen].caption : std::string();
   }
   draw_head();
-  if (actions_.is_checked(ActionId::present_lesson)) return;
+  if (presenter_.is_running()) return;
   if (shown_.steps.empty()) {
     ImGui::PushTextWrapPos(0.0F);
     ImGui::TextDisabled(
@@ -53,7 +55,8 @@ void LessonPanel::draw() {
   const float between = ImGui::GetStyle().ItemSpacing.y;
   const float buttons = ImGui::GetFrameHeightWithSpacing() + 3 * between;
   const float caption = std::max(kLeastOfCaption * unit, kCaptionShare * room);
-  draw_steps(std::max(kLeastOfSteps * unit, chosen ? room - buttons - caption - between : room));
+  const float steps = std::max(kLeastOfSteps * unit, chosen ? room - buttons - caption - between : room);
+  if (const auto clicked = draw_steps(shown_, chosen, steps)) desk_.choose(*clicked);
   if (chosen) draw_chosen(caption);
 }
 
@@ -79,17 +82,21 @@ void LessonPanel::draw_head() {
   if (ImGui::IsItemDeactivatedAfterEdit()) desk_.set_title(title_);
 }
 
-void LessonPanel::draw_steps(float height) {
+std::optional<std::size_t> LessonPanel::draw_steps(const Lesson& lesson, std::optional<std::size_t> current,
+                                                   float height) {
+  std::optional<std::size_t> clicked;
   if (ImGui::BeginChild("##steps", {0, height})) {
-    const std::optional<std::size_t> chosen = desk_.chosen();
-    for (std::size_t i = 0; i < shown_.steps.size(); ++i) {
+    const Listed now{current, lesson.steps.size(), ImGui::GetWindowHeight()};
+    const bool has_changed = std::exchange(listed_, now) != now;
+    for (std::size_t i = 0; i < lesson.steps.size(); ++i) {
       ImGui::PushID(static_cast<int>(i));
-      const std::string name = fmt::format("{}. {}", i + 1, name_of_step(shown_.steps[i]));
-      const std::string seconds = fmt::format("{:.3g} s", seconds_of(shown_.steps[i]));
+      const std::string name = fmt::format("{}. {}", i + 1, name_of_step(lesson.steps[i]));
+      const std::string seconds = fmt::format("{:.3g} s", seconds_of(lesson.steps[i]));
       const float width = ImGui::GetContentRegionAvail().x;
       const float right = ImGui::CalcTextSize(seconds.c_str()).x;
       const float left = ImGui::GetCursorPosX();
-      if (ImGui::Selectable("##step", chosen == i)) desk_.choose(i);
+      if (ImGui::Selectable("##step", current == i)) clicked = i;
+      if (has_changed && current == i) ImGui::SetScrollHereY();
       ImGui::SameLine(left);
       ImGui::TextUnformatted(elided(name, width - right - 12 * gui_.unit()).c_str());
       ImGui::SameLine(left + width - right);
@@ -98,6 +105,7 @@ void LessonPanel::draw_steps(float height) {
     }
   }
   ImGui::EndChild();
+  return clicked;
 }
 
 void LessonPanel::draw_chosen(float height) {

@@ -16,6 +16,8 @@ namespace mes {
 namespace {
 
 constexpr float kLeastDiagram = 120.0F;  // logical pixels
+constexpr float kSmallDot = 2.5F;        // half the width of a dot
+constexpr float kLargeDot = 4.0F;
 constexpr float kReach = 6.0F;
 constexpr int kLinesOfWords = 2;
 constexpr std::size_t kMostDiagramSegments = 20'000;
@@ -24,9 +26,25 @@ Rgb pair_color(const PersistenceRow& row) {
   return row.is_hole ? palette::purple : palette::green;
 }
 
+void draw_dot(ImDrawList& list, ImVec2 at, bool is_hole, float half, double opacity) {
+  const ImU32 color = to_imgui(is_hole ? palette::purple : palette::green, opacity);
+  if (is_hole)
+    list.AddRectFilled({at.x - half, at.y - half}, {at.x + half, at.y + half}, color);
+  else
+    list.AddCircleFilled(at, half, color);
+}
+
 }  // namespace
 
 void PersistencePanel::draw() {
+  draw_in(small_);
+}
+
+void PersistencePanel::draw_large() {
+  draw_in(large_);
+}
+
+void PersistencePanel::draw_in(View& view) {
   const Document& document = uses_.editor.document();
   draw_growths();
   uses_.desk.follow(document, uses_.computation.settings());
@@ -46,7 +64,7 @@ void PersistencePanel::draw() {
   }
   pointed_at_.reset();
   draw_words();
-  draw_diagram();
+  draw_diagram(view);
   draw_chosen();
   if (!uses_.desk.is_current()) return;
   if (const auto chosen = uses_.desk.chosen()) draw_places(*chosen, true);
@@ -129,90 +147,101 @@ void PersistencePanel::draw_chosen() {
   ImGui::PopTextWrapPos();
 }
 
-void PersistencePanel::place_dots(const Scale& scale) {
-  if (scale == scale_) return;
-  scale_ = {};
-  dots_.clear();
+void PersistencePanel::place_dots(View& view, const Scale& scale) {
+  if (scale == view.scale) return;
+  view.scale = {};
+  view.dots.clear();
   std::unordered_set<std::uint64_t> drawn;
-  const auto place = [&](double value) {
-    return scale.length * static_cast<float>(std::min(1.0, (value - scale.begin) / (scale.end - scale.begin)));
+  const auto place = [&](double value, float length) {
+    return length * static_cast<float>(std::min(1.0, (value - scale.begin) / (scale.end - scale.begin)));
   };
   for (std::size_t i = 0; i < scale.table->rows.size(); ++i) {
     const PersistenceRow& row = scale.table->rows[i];
     if (!(row.is_hole ? scale.has_holes : scale.has_components)) continue;
-    const Dot dot{place(row.birth), place(row.death), i, row.is_hole};
+    const Dot dot{place(row.birth, scale.width), place(row.death, scale.height), i, row.is_hole};
     const auto pixel = (static_cast<std::uint64_t>(dot.x) << 33U) | (static_cast<std::uint64_t>(dot.y) << 1U) |
                        (row.is_hole ? 1U : 0U);
-    if (drawn.insert(pixel).second) dots_.push_back(dot);
+    if (drawn.insert(pixel).second) view.dots.push_back(dot);
   }
-  scale_ = scale;
+  view.scale = scale;
 }
 
-void PersistencePanel::draw_diagram() {
+// Draws the meaning of the dots below the diagonal, where there are none.
+void PersistencePanel::draw_key(const Plot& plot) const {
+  const float unit = uses_.gui.unit();
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  const char* const words[] = {"component", "hole"};
+  const bool is_shown[] = {shows_components_, shows_holes_};
+  const PanelArea& inside = plot.inside();
+  const float width = ImGui::CalcTextSize(words[0]).x;
+  ImVec2 at(inside.at.x + inside.size.x - width - 12 * unit, inside.at.y + inside.size.y - 2.5F * line);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  for (std::size_t i = 0; i < 2; ++i) {
+    if (!is_shown[i]) continue;
+    draw_dot(list, {at.x - 12 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()}, i == 1, kLargeDot * unit, 1.0);
+    list.AddText(at, plot.ink(), words[i]);
+    at.y += line;
+  }
+}
+
+void PersistencePanel::draw_diagram(View& view) {
   const float unit = uses_.gui.unit();
   const PersistenceTable& table = *uses_.desk.table();
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  // Room for the numbers at the ends and the text about the chosen pair below.
-  const float below = (1 + kLinesOfWords) * ImGui::GetTextLineHeightWithSpacing();
-  const float size = std::max(kLeastDiagram * unit, std::min(room.x, room.y - below));
+  // Room for the text about the chosen pair below.
+  const float below = kLinesOfWords * ImGui::GetTextLineHeightWithSpacing();
+  const float least = kLeastDiagram * unit;
+  const ImVec2 size(std::max(least, room.x), std::max(least, std::min(room.x, room.y - below)));
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  hit_area("diagram", {size, size});
+  hit_area("diagram", size);
   const bool is_hovered = ImGui::IsItemHovered();
   const bool is_pressed = ImGui::IsItemActivated();
   const bool is_active = ImGui::IsItemActive();
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  list.AddRectFilled(at, {at.x + size, at.y + size}, ImGui::GetColorU32(ImGuiCol_FrameBg), 3 * unit);
 
   // Pairs that never die are on the upper edge.
-  const float margin = 7 * unit;
-  const float inner = size - 2 * margin;
   const double begin = 1.05 * table.least_birth;
   const double end = table.largest_death > 0.0 ? 1.05 * table.largest_death : (begin < 0.0 ? -begin : 1.0);
-  const auto x_of = [&](double birth) {
-    return at.x + margin + inner * static_cast<float>(std::min(1.0, (birth - begin) / (end - begin)));
-  };
-  const auto y_of = [&](double death) {
-    return at.y + margin + inner * (1.0F - static_cast<float>(std::min(1.0, (death - begin) / (end - begin))));
-  };
+  const Plot plot(uses_.gui, {at, size}, {begin, end, "birth"}, {begin, end, "death"}, view.is_large);
+  plot.draw_frame(list);
+  const ImVec2 low = plot.inside().at;
+  const ImVec2 high(low.x + plot.inside().size.x, low.y + plot.inside().size.y);
   ComputationSettings settings = uses_.computation.settings();
   double& radius = settings[Parameter::alpha_radius];
   // The area left of and above the radius contains the pairs alive at it.
-  list.AddRectFilled({at.x, at.y}, {x_of(radius), y_of(radius)}, ImGui::GetColorU32(ImGuiCol_Text, 0.07F));
-  const ImU32 faint = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-  list.AddLine({x_of(begin), y_of(begin)}, {x_of(end), y_of(end)}, faint, unit);
+  list.AddRectFilled(low, {plot.x_of(radius), plot.y_of(radius)}, (plot.ink() & ~IM_COL32_A_MASK) | 0x12U << 24U);
+  list.AddLine({low.x, high.y}, {high.x, low.y}, plot.quiet_ink(), unit);
   if (begin < 0.0) {
-    list.AddLine({x_of(0.0), y_of(begin)}, {x_of(0.0), y_of(end)}, faint, unit);
-    list.AddLine({x_of(begin), y_of(0.0)}, {x_of(end), y_of(0.0)}, faint, unit);
+    list.AddLine({plot.x_of(0.0), low.y}, {plot.x_of(0.0), high.y}, plot.quiet_ink(), unit);
+    list.AddLine({low.x, plot.y_of(0.0)}, {high.x, plot.y_of(0.0)}, plot.quiet_ink(), unit);
   }
 
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   float nearest = kReach * unit;
-  place_dots({uses_.desk.shared_table(), inner, begin, end, shows_components_, shows_holes_});
+  place_dots(view, {uses_.desk.shared_table(), plot.inside().size.x, plot.inside().size.y, begin, end,
+                    shows_components_, shows_holes_});
   const double opacity = uses_.desk.is_current() ? 0.9 : 0.4;
+  const float half = (view.is_large ? kLargeDot : kSmallDot) * unit;
   // Drawn in reverse, because the longest are first and must be on top.
-  for (const Dot& dot : dots_ | std::views::reverse) {
-    const ImVec2 p{at.x + margin + dot.x, at.y + margin + inner - dot.y};
+  for (const Dot& dot : view.dots | std::views::reverse) {
+    const ImVec2 p{low.x + dot.x, high.y - dot.y};
     const float away = std::hypot(p.x - mouse.x, p.y - mouse.y);
     if (is_hovered && away <= nearest) {
       nearest = away;
       pointed_at_ = dot.row;
     }
-    const ImU32 color = to_imgui(dot.is_hole ? palette::purple : palette::green, opacity);
-    const float half = 2.5F * unit;
-    if (dot.is_hole)
-      list.AddRectFilled({p.x - half, p.y - half}, {p.x + half, p.y + half}, color);
-    else
-      list.AddCircleFilled(p, half, color);
+    draw_dot(list, p, dot.is_hole, half, opacity);
   }
+  if (view.is_large) draw_key(plot);
   const auto mark = [&](std::size_t i, float width) {
     const PersistenceRow& row = table.rows[i];
-    list.AddCircle({x_of(row.birth), y_of(row.death)}, 6 * unit, uses_.gui.colors().text, 0, width);
+    list.AddCircle({plot.x_of(row.birth), plot.y_of(row.death)}, half + 3.5F * unit, plot.ink(), 0, width);
   };
   if (const auto chosen = uses_.desk.chosen()) mark(*chosen, 2 * unit);
   if (pointed_at_) mark(*pointed_at_, unit);
 
   if (is_pressed) {
-    is_dragging_ = !pointed_at_;
+    view.is_dragging = !pointed_at_;
     if (pointed_at_) {
       uses_.desk.choose(uses_.desk.chosen() == pointed_at_ ? std::nullopt : pointed_at_);
       if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
@@ -221,14 +250,12 @@ void PersistencePanel::draw_diagram() {
       }
     }
   }
-  if (is_active && is_dragging_) {
-    radius = std::max(
-        0.0, begin + (end - begin) * std::clamp(static_cast<double>((mouse.x - at.x - margin) / inner), 0.0, 1.0));
+  if (is_active && view.is_dragging) {
+    radius = std::max(0.0, plot.x_at(mouse.x));
     if (settings != uses_.computation.settings()) uses_.computation.set(settings);
   }
-  const ImU32 text = uses_.gui.colors().text;
-  list.AddLine({x_of(radius), at.y}, {x_of(radius), y_of(radius)}, text, 2 * unit);
-  list.AddLine({at.x, y_of(radius)}, {x_of(radius), y_of(radius)}, text, unit);
+  list.AddLine({plot.x_of(radius), low.y}, {plot.x_of(radius), plot.y_of(radius)}, plot.ink(), 2 * unit);
+  list.AddLine({low.x, plot.y_of(radius)}, {plot.x_of(radius), plot.y_of(radius)}, plot.ink(), unit);
   if (is_hovered && !pointed_at_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (is_hovered && !is_active) {
     if (pointed_at_)
@@ -237,10 +264,6 @@ void PersistencePanel::draw_diagram() {
       ImGui::SetTooltip("Birth to the right, death upwards; drag to set the radius of the alpha complex%s",
                         begin < 0.0 ? ". Left of the line at 0 are births before the balls grow" : "");
   }
-  ImGui::TextDisabled("%s", begin < 0.0 ? fmt::format("{:.4g}", begin).c_str() : "0");
-  const std::string high = fmt::format("{:.4g}", end);
-  ImGui::SameLine(std::max(0.0F, size - ImGui::CalcTextSize(high.c_str()).x));
-  ImGui::TextDisabled("%s", high.c_str());
 }
 
 void PersistencePanel::show(std::size_t row) const {

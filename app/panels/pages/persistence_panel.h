@@ -15,7 +15,7 @@
 #include "app/editing/editor.h"
 #include "app/insight/computation_control.h"
 #include "app/insight/persistence_desk.h"
-#include "app/ui/gui.h"
+#include "app/ui/plot.h"
 
 namespace mes {
 
@@ -35,30 +35,43 @@ class PersistencePanel {
   explicit PersistencePanel(Uses uses) : uses_(std::move(uses)) {}
 
   void draw();
+  /// Draws the same with the diagram as on paper, into a window of its own.
+  void draw_large();
 
  private:
+  struct View;
+  void draw_in(View& view);
   void draw_growths();
   void draw_choices();
   void draw_words();
-  void draw_diagram();
+  void draw_diagram(View& view);
+  void draw_key(const Plot& plot) const;
   void draw_chosen();
   /// The dot for one or more rows in one pixel; it stands for the longest of them.
   struct Dot {
-    float x = 0.0F;  ///< pixels to the right of the point for 0
+    float x = 0.0F;  ///< pixels to the right of the lower left corner
     float y = 0.0F;  ///< pixels above it
     std::size_t row = 0;
     bool is_hole = false;
   };
   struct Scale {
     std::shared_ptr<const PersistenceTable> table;
-    float length = 0.0F;  ///< in pixels
-    double begin = 0.0;   ///< the radius at the beginning of the scale, and at its end
+    float width = 0.0F;  ///< in pixels
+    float height = 0.0F;
+    double begin = 0.0;  ///< the radius at the beginning of the scale, and at its end
     double end = 0.0;
     bool has_components = false;
     bool has_holes = false;
     friend bool operator==(const Scale&, const Scale&) = default;
   };
-  void place_dots(const Scale& scale);
+  /// A diagram in the panel or in the large window.
+  struct View {
+    bool is_large = false;
+    bool is_dragging = false;  ///< the radius is being dragged
+    Scale scale{};             ///< of the dots
+    std::vector<Dot> dots{};   ///< the longest first
+  };
+  static void place_dots(View& view, const Scale& scale);
   void draw_places(std::size_t row, bool is_chosen);
   void show(std::size_t row) const;
 
@@ -66,10 +79,9 @@ class PersistencePanel {
   bool had_only_balls_ = false;
   bool shows_components_ = true;
   bool shows_holes_ = true;
-  bool is_dragging_ = false;  // the radius is being dragged
   std::optional<std::size_t> pointed_at_;
-  Scale scale_;            // scale of the dots
-  std::vector<Dot> dots_;  // the longest first
+  View small_;
+  View large_{.is_large = true};
   /// The number of pairs alive.
   struct Alive {
     std::shared_ptr<const PersistenceTable> table;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/picture/internal/round_numbers.h"
+#include "app/model/round_numbers.h"
 
 #include <fmt/core.h>
 #include <algorithm>

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/bars/side_column.h"
+
+#include <algorithm>
+#include <string>
+
+#include "app/ui/button_columns.h"
+
+namespace mes {
+namespace {
+
+// Logical pixels.
+constexpr float kRailPadding = 4.0F;
+constexpr float kRoomForTwo = 460.0F;
+constexpr double kLeastWidth = 240.0;
+constexpr double kMostWidth = 1200.0;
+constexpr float kLargeSide = 640.0F;
+// Maximal share of the window for the panels, and where it is too small for them.
+constexpr float kMostOfScreen = 0.45F;
+constexpr float kMostOfSmallScreen = 0.6F;
+
+}  // namespace
+
+const SidePage& SideColumn::page_of(PanelPage page) const {
+  return *std::ranges::find(pages_, page, &SidePage::page);
+}
+
+float SideColumn::draw(float top, float height) {
+  PanelChoice& panels = settings_.panels;
+  const float unit = gui_.unit();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  panels.set_room_for_two(height >= kRoomForTwo * unit);
+  const float rail = draw_rail(top, height);
+  // A copy, because a panel may close itself while it is drawn.
+  const std::vector<PanelPage> shown(panels.shown().begin(), panels.shown().end());
+  if (shown.empty()) return rail;
+  const float wanted = static_cast<float>(settings_.column_width) * unit;
+  const float free = screen.x - rail;
+  const float least = std::min(static_cast<float>(kLeastWidth) * unit, kMostOfSmallScreen * free);
+  const float width = std::max(1.0F, std::min(wanted, std::max(least, kMostOfScreen * free)));
+  const PanelArea column{{screen.x - rail - width, top}, {width, height}};
+  const bool has_two = shown.size() == 2;
+  const float upper = has_two ? (1.0F - static_cast<float>(settings_.lower_panel_share)) * height : 0.0F;
+  if (has_two) draw_panel(page_of(shown.front()), {column.at, {width, upper}});
+  draw_panel(page_of(shown.back()), {{column.at.x, top + upper}, {width, height - upper}});
+  draw_splitters(column, upper);
+  return rail + width;
+}
+
+// Draws the icons, and returns the width of the rail.
+float SideColumn::draw_rail(float top, float height) {
+  const float unit = gui_.unit();
+  const float padding = kRailPadding * unit;
+  const float room = height - 2 * padding;
+  const auto groups = static_cast<std::size_t>(std::ranges::count(pages_, true, &SidePage::begins_group));
+  const float size = column_button_size(pages_.size(), groups, room / unit) * unit;
+  ButtonColumns measure({}, size, unit, room);
+  for (const SidePage& page : pages_) measure.advance(page.begins_group);
+  const float width = measure.width() + 2 * padding;
+  if (begin_panel("##rail", {{ImGui::GetIO().DisplaySize.x - width, top}, {width, height}},
+                  ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+    ButtonColumns columns({padding, padding}, size, unit, room);
+    for (const SidePage& page : pages_) {
+      columns.next(page.begins_group);
+      const ButtonLook look = actions_.is_checked(page.toggle) ? ButtonLook::on : ButtonLook::plain;
+      if (icon_button(page.title, page.icon, size, look)) actions_.run(page.toggle);
+      tooltip(gui_, actions_.tooltip_of(page.toggle));
+    }
+  }
+  ImGui::End();
+  return width;
+}
+
+void SideColumn::draw_panel(const SidePage& page, const PanelArea& area) {
+  const std::string name = "##panel-" + std::string(id_of(page.page));
+  if (begin_panel(name.c_str(), area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
+    draw_title(page);
+    ImGui::BeginChild("##content");
+    page.draw();
+    ImGui::EndChild();
+  }
+  ImGui::End();
+}
+
+// Draws the name of the panel and its buttons.
+void SideColumn::draw_title(const SidePage& page) {
+  PanelChoice& panels = settings_.panels;
+  const float unit = gui_.unit();
+  const float size = ImGui::GetFrameHeight();
+  const float gap = 2 * unit;
+  ImGui::PushFont(gui_.bold());
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(page.title);
+  ImGui::PopFont();
+  const int buttons = page.large ? 3 : 2;
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - static_cast<float>(buttons) * (size + gap) + gap);
+  if (page.large) {
+    const bool is_large = panels.large() == page.page;
+    if (icon_button("large", Icon::enlarge, size, is_large ? ButtonLook::on : ButtonLook::plain))
+      panels.set_large(is_large ? std::nullopt : std::optional(page.page));
+    tooltip(gui_, "Show the diagram large over the drawing (Esc closes it)");
+    ImGui::SameLine(0, gap);
+  }
+  const bool is_pinned = panels.pinned() == page.page;
+  if (icon_button("pin", is_pinned ? Icon::pinned : Icon::pin, size, is_pinned ? ButtonLook::on : ButtonLook::plain))
+    panels.toggle_pin(page.page);
+  tooltip(gui_, is_pinned ? "Unpin: the next panel that opens takes the place of this one"
+                          : "Pin: this panel stays when another one opens, which is then below it");
+  ImGui::SameLine(0, gap);
+  if (icon_button("close", Icon::close, size)) panels.close(page.page);
+  tooltip(gui_, "Hide this panel");
+}
+
+// `upper`: the height of the upper of two panels; 0: there is one.
+void SideColumn::draw_splitters(const PanelArea& column, float upper) {
+  const SplitterMove side = splitter(gui_, "##column-side", {column.at, {0.0F, column.size.y}});
+  const double width = static_cast<double>((column.at.x + column.size.x - side.to.x) / gui_.unit());
+  if (side.is_dragged) settings_.column_width = std::clamp(width, kLeastWidth, kMostWidth);
+  if (side.is_reset) settings_.column_width = kUsualColumnWidth;
+  if (upper <= 0.0F) return;
+  const SplitterMove line =
+      splitter(gui_, "##lower-begin", {{column.at.x, column.at.y + upper}, {column.size.x, 0.0F}});
+  const double share = static_cast<double>(1.0F - (line.to.y - column.at.y) / column.size.y);
+  if (line.is_dragged) settings_.lower_panel_share = std::clamp(share, 0.1, 0.9);
+  if (line.is_reset) settings_.lower_panel_share = kUsualLowerShare;
+}
+
+void SideColumn::draw_large(const PanelArea& room) {
+  if (!settings_.panels.large()) return;
+  const SidePage& page = page_of(*settings_.panels.large());
+  const float unit = gui_.unit();
+  const float edge = 24 * unit;
+  const ImVec2 size(std::max(1.0F, std::min(kLargeSide * unit, room.size.x - edge)),
+                    std::max(1.0F, std::min(kLargeSide * unit, room.size.y - edge)));
+  ImGui::SetNextWindowPos({room.at.x + 0.5F * (room.size.x - size.x), room.at.y + 0.5F * (room.size.y - size.y)},
+                          ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSize(size, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSizeConstraints({240 * unit, 200 * unit}, ImGui::GetIO().DisplaySize);
+  bool is_open = true;
+  const std::string name = descriptor_of(page.toggle).name + "##large";
+  if (ImGui::Begin(name.c_str(), &is_open, ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings))
+    page.large();
+  ImGui::End();
+  if (!is_open) settings_.panels.set_large(std::nullopt);
+}
+
+}  // namespace mes

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The panels at the right edge of the window, and the rail of icons that opens them.
+#pragma once
+
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "app/actions/action_bindings.h"
+#include "app/model/settings.h"
+#include "app/ui/icons.h"
+#include "app/ui/widgets.h"
+
+namespace mes {
+
+/// A panel as the column and its rail show it.
+struct SidePage {
+  PanelPage page = PanelPage::layers;
+  const char* title = "";
+  Icon icon = Icon::layers;
+  ActionId toggle = ActionId::toggle_layers;
+  bool begins_group = false;      ///< a line of the rail is above its icon
+  std::function<void()> draw{};   ///< draws the content
+  std::function<void()> large{};  ///< draws the content of a window over the canvas; empty: there is no such window
+};
+
+/// A panel has the height of the column, or shares it with a second one. Width, share and open panels are settings.
+/// Threads: the window's.
+class SideColumn {
+ public:
+  /// `pages`: in the order of the rail.
+  SideColumn(const Gui& gui, const ActionBindings& actions, Settings& settings, std::vector<SidePage> pages)
+      : gui_(gui), actions_(actions), settings_(settings), pages_(std::move(pages)) {}
+
+  std::span<const SidePage> pages() const { return pages_; }
+  /// Draws rail and panels below `top`; returns the width that they take.
+  float draw(float top, float height);
+  /// Draws the window over the canvas if there is one; `room` is the area of the canvas.
+  void draw_large(const PanelArea& room);
+
+ private:
+  const SidePage& page_of(PanelPage page) const;
+  float draw_rail(float top, float height);
+  void draw_panel(const SidePage& page, const PanelArea& area);
+  void draw_title(const SidePage& page);
+  void draw_splitters(const PanelArea& column, float upper);
+
+  const Gui& gui_;
+  const ActionBindings& actions_;
+  Settings& settings_;
+  std::vector<SidePage> pages_;
+};
+
+}  // namespace mes
