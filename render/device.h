@@ -171,6 +171,8 @@ class Device {
   virtual void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
                           std::span<const PixelRect> parts, const PremultipliedColor& color) = 0;
 
+  /// Waits until all drawing has ended.
+  virtual void finish() = 0;
   /// Approximate nanoseconds to blend one pixel of a large shape.
   virtual double pixel_cost_ns() const = 0;
   /// Approximate nanoseconds to place one short stroke or dot and blend its pixels.

@@ -539,6 +539,20 @@ void GlDevice::shrink(FramebufferId target, const PixelRect& to, FramebufferId s
   glBindFramebuffer(GL_FRAMEBUFFER, 0);
 }
 
+void GlDevice::copy(FramebufferId source, const PixelRect& from, FramebufferId target, const PixelRect& to,
+                    const PixelRect& within) {
+  bind_for_reading(source);
+  glBindFramebuffer(GL_DRAW_FRAMEBUFFER, target == FramebufferId{} ? 0 : framebuffer_of(target).handle.get());
+  glEnable(GL_SCISSOR_TEST);
+  glScissor(within.left, within.bottom, within.width, within.height);
+  const bool is_same_size = from.width == to.width && from.height == to.height;
+  glBlitFramebuffer(from.left, from.bottom, from.left + from.width, from.bottom + from.height, to.left, to.bottom,
+                    to.left + to.width, to.bottom + to.height, GL_COLOR_BUFFER_BIT,
+                    is_same_size ? GL_NEAREST : GL_LINEAR);
+  glDisable(GL_SCISSOR_TEST);
+  glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 void GlDevice::finish() {
   glFinish();
 }

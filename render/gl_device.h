@@ -46,6 +46,7 @@ class GlDevice final : public Device {
                  const PremultipliedColor& color) override;
   void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask, std::span<const PixelRect> parts,
                   const PremultipliedColor& color) override;
+  void finish() override;
   double pixel_cost_ns() const override { return pixel_cost_ns_; }
   double instance_cost_ns() const override { return instance_cost_ns_; }
   int max_framebuffer_size() const override { return max_size_; }
@@ -60,8 +61,10 @@ class GlDevice final : public Device {
   void bind_for_reading(FramebufferId source);
   /// Writes into each pixel of `to` the mean of two by two pixels of `from`, which is twice as wide and high.
   void shrink(FramebufferId target, const PixelRect& to, FramebufferId source, const PixelRect& from);
-  /// Waits until all drawing has ended; for measuring.
-  void finish();
+  /// Copies the pixels of one rectangle to another one, which may have another size and reach out of the target. Only
+  /// pixels of `within` change.
+  void copy(FramebufferId source, const PixelRect& from, FramebufferId target, const PixelRect& to,
+            const PixelRect& within);
 
  private:
   struct Buffer {

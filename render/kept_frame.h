@@ -1,27 +1,51 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Keeps the last content of the window on the graphics card, to show it again.
+// Keeps the last complete drawing of a window on the graphics card while the next one is made, to show it again: as it
+// is, or as another camera would see it.
 #pragma once
 
-#include "render/gl_handles.h"
+#include "render/camera.h"
+#include "render/convert.h"
+#include "render/gl_device.h"
 
 namespace mes::render {
 
-/// Guarantees: `show` draws exactly the pixels that the last `keep` read. Cost: one copy of the picture each,
-/// on the graphics card. Needs a current OpenGL context for its life. Threads: that of the context.
+/// Guarantees: `show` copies exactly the pixels that were kept. Cost: one copy of the picture each, on the graphics
+/// card. Needs the OpenGL context of its device for its life. Threads: that of the context.
 class KeptFrame {
  public:
-  /// Reads the lower left `width` by `height` pixels of the window, before they are swapped.
-  void keep(int width, int height);
-  /// Draws them to the window again; the last `keep` must have had this size.
-  void show(int width, int height) const;
+  explicit KeptFrame(GlDevice& device) : device_(device) {}
+  ~KeptFrame();
+  KeptFrame(const KeptFrame&) = delete;
+  KeptFrame& operator=(const KeptFrame&) = delete;
+
+  /// A target for the next drawing; the kept one stays.
+  FramebufferId begin(int width, int height);
+  /// The drawing that was begun is complete, and is kept instead of the last one.
+  void keep();
+  /// Whether a drawing of this size is kept.
+  bool has(int width, int height) const { return kept_.is_of(width, height); }
+
+  /// Copies the kept drawing to a target of its size, such as the window.
+  void show(FramebufferId target = {}) const { copy(kept_, target); }
+  /// Copies the drawing that was begun, as far as it is drawn.
+  void show_begun(FramebufferId target = {}) const { copy(begun_, target); }
+  /// Copies a part of the kept drawing, `area`, which camera `was` saw, to its position for camera `now`. The rest of
+  /// the area has the colour.
+  void show_moved(const PixelRect& area, const Camera& was, const Camera& now, const PremultipliedColor& color,
+                  FramebufferId target = {}) const;
 
  private:
-  void make();
+  struct Frame {
+    FramebufferId id{};
+    int width = 0;
+    int height = 0;
+    bool is_of(int w, int h) const { return id != FramebufferId{} && width == w && height == h; }
+  };
+  void copy(const Frame& frame, FramebufferId target) const;
 
-  GlTexture texture_;
-  GlFramebuffer reader_;
-  int width_ = 0;
-  int height_ = 0;
+  GlDevice& device_;
+  Frame kept_;
+  Frame begun_;
 };
 
 }  // namespace mes::render

@@ -43,6 +43,7 @@ class RecordingDevice final : public Device {
                  const PremultipliedColor& color) override;
   void paint_mask(FramebufferId target, const PixelRect& area, TextureId mask, std::span<const PixelRect> parts,
                   const PremultipliedColor& color) override;
+  void finish() override {}
   /// Initial costs are zero, so that they never change the way of drawing.
   double pixel_cost_ns() const override { return pixel_cost_ns_; }
   void set_pixel_cost_ns(double cost) { pixel_cost_ns_ = cost; }

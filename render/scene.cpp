@@ -2,6 +2,7 @@
 #include "render/scene.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/packing.hpp>
@@ -28,6 +29,8 @@ constexpr double kMinScale = 0x1p-70;
 constexpr double kMaxScale = 0x1p80;
 // In pixels: beyond any picture; single precision keeps such positions out of view.
 constexpr double kFarCenter = 0x1p24;
+
+constexpr std::uint32_t kAllInstances = std::uint32_t{1} << 31U;
 
 // The number of colours of a map in its texture.
 constexpr std::size_t kMapWidth = 256;
@@ -178,7 +181,7 @@ std::optional<CountedLook> counted_look(PrimitiveKind kind, const LayerStyle& st
 
 /// The colours of the instances of one layer.
 struct Scene::Look {
-  const LayerStyle& style;
+  LayerStyle style;
   bool ring = false;
   const ColorMap* map = nullptr;
   ScalarRange range{};
@@ -187,9 +190,10 @@ struct Scene::Look {
 };
 
 struct Scene::Pass {
-  const Camera& camera;
+  Camera camera;
   double content_scale;
   FramebufferId target;
+  std::optional<TargetFormat> group;  // drawn into this target of the scene instead
   PixelRect area;
   std::uint32_t every = 1;  // for disks
   Preview preview = Preview::none;
@@ -316,7 +320,46 @@ ShownMap Scene::shown_map(VariantLayer layer, const LayerStyle& style) const {
   return chosen_map(maps_, style, scalar_range(layer));
 }
 
+bool Scene::Drawing::go_on(double ms) {
+  constexpr double kShortMs = 4.0;  // more instances are drawn at a time below, and fewer above the other limit
+  constexpr double kLongMs = 12.0;
+  constexpr std::uint32_t kFewest = 64;
+  const bool is_limited = ms < std::numeric_limits<double>::infinity();
+  double spent = 0.0;
+  while (next_ < steps_.size() && (spent == 0.0 || spent < ms)) {
+    if (!is_limited) {
+      static_cast<void>(steps_[next_](kAllInstances));
+      ++next_;
+      continue;
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    const bool is_done = steps_[next_](piece_);
+    // A driver draws later, so the time is known only after this.
+    device_->finish();
+    const double took = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
+    spent += std::max(took, 1e-6);
+    if (is_done)
+      ++next_;
+    else if (took < kShortMs)
+      piece_ = std::min(2 * piece_, kAllInstances);
+    else if (took > kLongMs)
+      piece_ = std::max(piece_ / 2, kFewest);
+  }
+  return next_ == steps_.size();
+}
+
 void Scene::draw(const Camera& camera, std::span<const LayerView> views, const DrawOptions& options) {
+  begin(camera, views, options).go_on(std::numeric_limits<double>::infinity());
+}
+
+Scene::Drawing Scene::begin(const Camera& camera, std::span<const LayerView> views, const DrawOptions& options) {
+  constexpr double kFirstPieceNs = 1e5;
+  Drawing out;
+  out.device_ = &device_;
+  // The first piece is small, because nothing is known about the size of its instances.
+  out.piece_ = static_cast<std::uint32_t>(std::clamp(kFirstPieceNs / std::max(device_.instance_cost_ns(), 1e-3), 64.0,
+                                                     static_cast<double>(kAllInstances)));
+  Steps& steps = out.steps_;
   draw_calls_ = 0;
   is_coarse_ = false;
   const double content_scale =
@@ -324,12 +367,19 @@ void Scene::draw(const Camera& camera, std::span<const LayerView> views, const D
   const Pass pass{.camera = camera,
                   .content_scale = content_scale,
                   .target = options.target,
+                  .group = {},
                   .area = {options.left, options.bottom, camera.width(), camera.height()},
                   .preview = options.preview};
+  const auto add_at_once = [&steps](auto step) {
+    steps.push_back([step = std::move(step)](std::uint32_t) {
+      step();
+      return true;
+    });
+  };
   for (const LayerView& view : views) {
-    if (view.layer == picture_layer_) draw_picture(pass, view.style);
+    if (view.layer == picture_layer_) add_at_once([this, pass, style = view.style] { draw_picture(pass, style); });
     if (view.texts) {
-      draw_texts(pass, view);
+      add_at_once([this, pass, view] { draw_texts(pass, view); });
       continue;
     }
     Layer* const layer = layers_.find(view.layer);
@@ -339,12 +389,14 @@ void Scene::draw(const Camera& camera, std::span<const LayerView> views, const D
     const ShownMap shown = shown_map(view.layer, view.style);
     Look look{.style = view.style, .map = shown.map, .range = shown.range, .counted = layer->counted};
     if (look.map != nullptr) look.map_row = static_cast<float>(look.map - maps_.data());
-    draw_layer(of_view, layer->kinds, look);
+    draw_layer(steps, of_view, layer->kinds, look);
   }
-  if (!options.overlays) return;
+  if (!options.overlays) return out;
   for (OverlaySet& set : overlays_) {
-    if (set.buffer.count() > 0) draw_layer(pass, std::span(&set.buffer, 1), {.style = set.style, .ring = set.ring});
+    if (set.buffer.count() > 0)
+      draw_layer(steps, pass, std::span(&set.buffer, 1), {.style = set.style, .ring = set.ring});
   }
+  return out;
 }
 
 void Scene::draw_picture(const Pass& pass, const LayerStyle& style) {
@@ -384,7 +436,7 @@ void Scene::draw_texts(const Pass& pass, const LayerView& view) {
   ++draw_calls_;
 }
 
-void Scene::draw_layer(const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look) {
+void Scene::draw_layer(Steps& steps, const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look) {
   const LayerStyle& style = look.style;
   const PremultipliedColor color = premultiplied(style.color, style.opacity);
   if (color.a <= 0.0F) return;
@@ -399,7 +451,7 @@ void Scene::draw_layer(const Pass& pass, std::span<InstanceBuffer> kinds, const 
   // An opaque group looks the same when drawn directly, except for triangles: their coverages add up at shared edges.
   const bool as_group = has_triangles || (style.flat && color.a < 1.0F);
   if (as_group && style.flat) {
-    draw_group(pass, kinds, look);
+    draw_group(steps, pass, kinds, look);
     return;
   }
   const auto draw_all = [&](bool triangles) {
@@ -407,9 +459,9 @@ void Scene::draw_layer(const Pass& pass, std::span<InstanceBuffer> kinds, const 
       for (InstanceBuffer& buffer : kinds) {
         if (buffer.kind() != kind || buffer.count() == 0 || (kind == PrimitiveKind::triangle) != triangles) continue;
         if (triangles) {
-          draw_group(pass, std::span(&buffer, 1), look);
+          draw_group(steps, pass, std::span(&buffer, 1), look);
         } else {
-          draw_kind(pass, buffer, look, color, Blend::over);
+          draw_kind(steps, pass, buffer, look, color, Blend::over);
         }
       }
     }
@@ -418,29 +470,38 @@ void Scene::draw_layer(const Pass& pass, std::span<InstanceBuffer> kinds, const 
   draw_all(false);
 }
 
-void Scene::draw_group(const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look) {
+void Scene::draw_group(Steps& steps, const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look) {
   // A single colour is applied at the end; several colours are drawn into the group.
   const bool has_colors = look.map != nullptr;
-  const FramebufferId group =
-      group_target(has_colors ? TargetFormat::color : TargetFormat::coverage, pass.area.width, pass.area.height);
   constexpr PremultipliedColor kWhite(1.0F);
   const Pass inner{.camera = pass.camera,
                    .content_scale = pass.content_scale,
-                   .target = group,
+                   .target = {},
+                   .group = has_colors ? TargetFormat::color : TargetFormat::coverage,
                    .area = {0, 0, pass.area.width, pass.area.height},
                    .every = pass.every,
                    .preview = pass.preview};
-  device_.clear(group, inner.area, clear_color(std::nullopt));
+  steps.push_back([this, inner](std::uint32_t) {
+    device_.clear(target_of(inner), inner.area, clear_color(std::nullopt));
+    return true;
+  });
   for (const PrimitiveKind kind : kDrawOrder) {
     for (InstanceBuffer& buffer : kinds) {
       if (buffer.kind() != kind || buffer.count() == 0) continue;
       const Blend blend = kind == PrimitiveKind::triangle ? Blend::add : Blend::over;
-      draw_kind(inner, buffer, look, has_colors ? premultiplied(look.style.color, 1.0) : kWhite, blend);
+      draw_kind(steps, inner, buffer, look, has_colors ? premultiplied(look.style.color, 1.0) : kWhite, blend);
     }
   }
-  device_.composite(pass.target, pass.area, group,
-                    has_colors ? premultiplied(Rgb{255, 255, 255}, look.style.opacity)
-                               : premultiplied(look.style.color, look.style.opacity));
+  const PremultipliedColor color = has_colors ? premultiplied(Rgb{255, 255, 255}, look.style.opacity)
+                                              : premultiplied(look.style.color, look.style.opacity);
+  steps.push_back([this, pass, inner, color](std::uint32_t) {
+    device_.composite(pass.target, pass.area, target_of(inner), color);
+    return true;
+  });
+}
+
+FramebufferId Scene::target_of(const Pass& pass) {
+  return pass.group ? group_target(*pass.group, pass.area.width, pass.area.height) : pass.target;
 }
 
 FramebufferId Scene::group_target(TargetFormat format, int width, int height) {
@@ -456,8 +517,8 @@ FramebufferId Scene::group_target(TargetFormat format, int width, int height) {
 }
 
 // Returns false if the instances must be painted.
-bool Scene::draw_counted(const Pass& pass, InstanceBuffer& buffer, const Look& look, const PixelFrame& frame,
-                         const PremultipliedColor& color) {
+bool Scene::draw_counted(Steps& steps, const Pass& pass, InstanceBuffer& buffer, const Look& look,
+                         const PixelFrame& frame, const PremultipliedColor& color) {
   if (look.counted.empty()) return false;
   std::unique_ptr<CountedInstances>& counted = look.counted[static_cast<std::size_t>(buffer.kind())];
   std::optional<CountedLook> shown;
@@ -469,26 +530,28 @@ bool Scene::draw_counted(const Pass& pass, InstanceBuffer& buffer, const Look& l
     return false;
   }
   if (!counted) counted = CountedInstances::create(buffer.kind(), device_);
-  counted->show(buffer, frame, *shown);
-  is_coarse_ = is_coarse_ || counted->is_coarse();
-  // The mask already contains the opacity.
-  device_.paint_mask(pass.target, pass.area, counted->mask(), counted->parts(), color / color.a);
-  ++draw_calls_;
+  steps.push_back([this, pass, &buffer, &counted = *counted, frame, look = *shown, color](std::uint32_t) {
+    counted.show(buffer, frame, look);
+    is_coarse_ = is_coarse_ || counted.is_coarse();
+    // The mask already contains the opacity.
+    device_.paint_mask(target_of(pass), pass.area, counted.mask(), counted.parts(), color / color.a);
+    ++draw_calls_;
+    return true;
+  });
   return true;
 }
 
-void Scene::draw_kind(const Pass& pass, InstanceBuffer& buffer, const Look& look, const PremultipliedColor& color,
-                      Blend blend) {
+void Scene::draw_kind(Steps& steps, const Pass& pass, InstanceBuffer& buffer, const Look& look,
+                      const PremultipliedColor& color, Blend blend) {
   const LayerStyle& style = look.style;
   const Camera& camera = pass.camera;
   const Placement placement = placement_of(buffer, camera);
-  if (placement.reach <= kCountedReach && draw_counted(pass, buffer, look, placement.frame, color)) return;
+  if (placement.reach <= kCountedReach && draw_counted(steps, pass, buffer, look, placement.frame, color)) return;
   const CenterParts x = split(placement.frame.center_x, placement.frame.center_low_x);
   const CenterParts y = split(placement.frame.center_y, placement.frame.center_low_y);
   const bool is_point = buffer.kind() == PrimitiveKind::point;
 
   DrawCall call;
-  call.target = pass.target;
   call.area = pass.area;
   call.blend = blend;
   call.buffer = buffer.buffer();
@@ -527,8 +590,16 @@ void Scene::draw_kind(const Pass& pass, InstanceBuffer& buffer, const Look& look
   for (const BlockBoxes::Run run : buffer.runs(call.every > 1 ? everywhere : shown_box(placement.frame, margin))) {
     call.first = run.first;
     call.instances = run.count;
-    device_.draw(call);
-    ++draw_calls_;
+    steps.push_back([this, pass, rest = call](std::uint32_t most) mutable {
+      rest.target = target_of(pass);
+      DrawCall part = rest;
+      part.instances = std::min(rest.instances, std::max(most - most % rest.every, rest.every));
+      device_.draw(part);
+      ++draw_calls_;
+      rest.first += part.instances;
+      rest.instances -= part.instances;
+      return rest.instances == 0;
+    });
   }
 }
 

@@ -29,7 +29,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -121,6 +123,30 @@ class Scene {
 
   void draw(const Camera& camera, std::span<const LayerView> views, const DrawOptions& options);
 
+ private:
+  /// Draws at most so many instances, and returns true if none are left.
+  using Step = std::function<bool(std::uint32_t)>;
+  using Steps = std::vector<Step>;
+
+ public:
+  /// A `draw` in several turns, for a window that must not wait for it. Once it is complete, the target has the pixels
+  /// that `draw` would have given it. It refers to the scene: drop it before any other call of one of its functions
+  /// that are not const.
+  class Drawing {
+   public:
+    /// Draws on for about this many milliseconds, or for one step, and returns true once all is drawn.
+    bool go_on(double ms);
+
+   private:
+    friend class Scene;
+    Device* device_ = nullptr;
+    Steps steps_;
+    std::size_t next_ = 0;
+    std::uint32_t piece_ = 1;  ///< instances to draw at a time
+  };
+  /// Begins a drawing, which draws nothing yet.
+  Drawing begin(const Camera& camera, std::span<const LayerView> views, const DrawOptions& options);
+
   /// The frame of the last patch; it also maps overlays.
   const DrawingFrame& frame() const { return frame_; }
   std::uint32_t instances(VariantLayer layer, PrimitiveKind kind) const;
@@ -154,12 +180,13 @@ class Scene {
     int height = 0;
   };
 
-  void draw_layer(const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look);
-  void draw_group(const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look);
-  void draw_kind(const Pass& pass, InstanceBuffer& buffer, const Look& look, const PremultipliedColor& color,
-                 Blend blend);
-  bool draw_counted(const Pass& pass, InstanceBuffer& buffer, const Look& look, const PixelFrame& frame,
+  void draw_layer(Steps& steps, const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look);
+  void draw_group(Steps& steps, const Pass& pass, std::span<InstanceBuffer> kinds, const Look& look);
+  void draw_kind(Steps& steps, const Pass& pass, InstanceBuffer& buffer, const Look& look,
+                 const PremultipliedColor& color, Blend blend);
+  bool draw_counted(Steps& steps, const Pass& pass, InstanceBuffer& buffer, const Look& look, const PixelFrame& frame,
                     const PremultipliedColor& color);
+  FramebufferId target_of(const Pass& pass);
   void draw_picture(const Pass& pass, const LayerStyle& style);
   void draw_texts(const Pass& pass, const LayerView& view);
   FramebufferId group_target(TargetFormat format, int width, int height);

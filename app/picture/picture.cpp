@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <limits>
 #include <new>
 #include <span>
 
@@ -17,6 +18,8 @@ namespace {
 constexpr std::uint32_t kSelectionMark = 1;
 constexpr std::uint32_t kSelectedCircleMark = 0;  // below the points
 constexpr double kFailedOpacity = 0.35;
+constexpr double kLongMs = 250.0;                        // painting longer than this is given up for another view
+constexpr std::uint64_t kNoPatches = ~std::uint64_t{0};  // of no picture
 
 // The last good picture of a failed layer stays, but greyed.
 LayerStyle greyed(LayerStyle style) {
@@ -31,7 +34,7 @@ LayerStyle greyed(LayerStyle style) {
 }  // namespace
 
 Picture::Picture(LiveRegistry registry)
-    : registry_(std::move(registry)), scene_(device_), moved_(registry_.now().find_layer("points")) {
+    : registry_(std::move(registry)), scene_(device_), moved_(registry_.now().find_layer("points")), kept_(device_) {
   if (std::getenv("MESECINA_CHECK_PATCHES") != nullptr) mirror_ = std::make_unique<LayerMirror>();
 }
 
@@ -94,6 +97,7 @@ bool Picture::brings_all(const FramePatch& patch) {
 }
 
 bool Picture::take_from(Engine& engine) {
+  if (painting_) return false;
   bool took = false;
   while (auto patch = engine.poll()) {
     // Patches based on a lost one are useless until the layers are sent completely.
@@ -109,7 +113,9 @@ bool Picture::take_from(Engine& engine) {
     if (instances_ && !is_lost_) keep(*patch);
     moved_.take(*patch);
     document_revision_ = patch->document_revision;
+    const bool was_outdated = is_outdated_;
     is_outdated_ = is_outdated_ && document_revision_ < expected_;
+    is_kept_foreign_ = is_kept_foreign_ || (was_outdated && !is_outdated_);
     reports_.swap(patch->reports);
     nodes_.swap(patch->nodes);
     if (is_lost_) {
@@ -127,6 +133,7 @@ bool Picture::take_from(Engine& engine) {
 }
 
 bool Picture::set_background(LayerIndex layer, const render::Image& image) {
+  stop_painting();
   ++background_revision_;
   try {
     scene_.set_picture(layer, image);
@@ -139,18 +146,21 @@ bool Picture::set_background(LayerIndex layer, const render::Image& image) {
 
 void Picture::place_background(const render::PicturePlace& place) {
   if (place == background_place_) return;
+  stop_painting();
   background_place_ = place;
   scene_.place_picture(place);
   ++background_revision_;
 }
 
 void Picture::clear_background() {
+  stop_painting();
   scene_.clear_picture();
   background_aspect_ = 0.0;
   ++background_revision_;
 }
 
 void Picture::set_marks(FramePatch patch, std::vector<std::vector<render::LayerView>> marks) {
+  stop_painting();
   for (const std::vector<render::LayerView>& pane : marks_)
     for (const render::LayerView& view : pane) scene_.forget(view.layer);
   marks_ = std::move(marks);
@@ -161,8 +171,11 @@ void Picture::set_marks(FramePatch patch, std::vector<std::vector<render::LayerV
 }
 
 void Picture::forget_all_but(std::span<const VariantLayer> demand) {
-  for (const VariantLayer layer : held_)
-    if (std::ranges::find(demand, layer) == demand.end()) scene_.forget(layer);
+  for (const VariantLayer layer : held_) {
+    if (std::ranges::find(demand, layer) != demand.end()) continue;
+    stop_painting();
+    scene_.forget(layer);
+  }
   held_.assign(demand.begin(), demand.end());
 }
 
@@ -275,21 +288,47 @@ void Picture::choose_views(const ShownState& shown, const Editor& editor, std::s
   }
 }
 
-void Picture::paint(const ShownState& shown, std::uint32_t every, const render::DrawOptions& options) {
-  is_coarse_ = false;
-  const std::vector<PanePlace>& places = shown.places.places();
-  for (std::size_t i = 0; i < views_.size(); ++i) {
-    if (i > 0 && i >= places.size()) break;
-    for (render::LayerView& view : views_[i]) view.every = every;
-    render::DrawOptions where = options;
-    if (!places.empty()) {
-      where.left = places[i].left;
-      where.bottom = shown.camera.height() - places[i].top - places[i].height;
-    }
-    where.overlays = where.overlays && (i == 0 || !shown.versions[i - 1]);
-    scene_.draw(camera_of(shown, i), views_[i], where);
-    is_coarse_ = is_coarse_ || scene_.is_coarse();
+render::PixelRect Picture::area_of(const ShownState& shown, std::size_t pane) {
+  if (shown.places.is_empty()) return {0, 0, shown.camera.width(), shown.camera.height()};
+  const PanePlace& place = shown.places.places()[pane];
+  return {place.left, shown.camera.height() - place.top - place.height, place.width, place.height};
+}
+
+// Paints the pane of the current drawing; returns true once it is complete.
+bool Picture::paint_pane(double ms) {
+  Painting& now = *painting_;
+  if (!now.drawing) {
+    for (render::LayerView& view : views_[now.pane]) view.every = now.every;
+    const render::PixelRect area = area_of(now.state, now.pane);
+    now.drawing = scene_.begin(camera_of(now.state, now.pane), views_[now.pane],
+                               {.content_scale = now.state.content_scale,
+                                .target = now.target,
+                                .left = area.left,
+                                .bottom = area.bottom,
+                                .overlays = now.pane == 0 || !now.state.versions[now.pane - 1],
+                                .preview = now.preview});
   }
+  return now.drawing->go_on(ms);
+}
+
+bool Picture::go_on_painting(double ms) {
+  Painting& now = *painting_;
+  const std::size_t places = now.state.places.places().size();
+  const std::size_t panes = places == 0 ? 1 : std::min(views_.size(), places);
+  const auto start = std::chrono::steady_clock::now();
+  const auto spent = [start] {
+    return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+  };
+  while (now.pane < panes && spent() < ms) {
+    if (!paint_pane(ms - spent())) continue;
+    now.is_coarse = now.is_coarse || scene_.is_coarse();
+    now.drawing.reset();
+    ++now.pane;
+  }
+  // The cost is known only after this.
+  device_.finish();
+  now.ms += spent();
+  return now.pane == panes;
 }
 
 std::vector<render::LayerView> Picture::views_of(const ShownPanes::Layers& layers, std::uint32_t every) {
@@ -308,6 +347,7 @@ void Picture::add_texts(std::vector<render::LayerView>& views, const Editor& edi
 
 Expected<void> Picture::capture(render::FrameCapture& capture, const render::Camera& camera, const Pane& pane,
                                 const Editor& editor, render::CaptureOptions options, bool is_beside) {
+  stop_painting();
   const double units = camera.units_per_pixel() * options.content_scale;
   std::vector<render::LayerView> views =
       views_of(as_drawn(pane.layers, options.background, spacing_in(pane, editor) / units), 1);
@@ -325,10 +365,9 @@ void Picture::clear(const render::Camera& camera) {
   device_.clear({}, {0, 0, camera.width(), camera.height()}, render::clear_color(canvas_));
 }
 
-void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
-                   bool is_kept, const PanePlaces& places, std::span<const Pane> panes) {
-  draw_moved(editor);
-  mark_selection(editor);
+Picture::ShownState Picture::state_now(const render::Camera& camera, const LayerStack& layers, const Editor& editor,
+                                       double content_scale, bool is_kept, const PanePlaces& places,
+                                       std::span<const Pane> panes) {
   const ShownPanes::Layers main_layers = visible_layers(layers);
   const auto spacing_px = [&](const Pane& pane, const render::Camera& its) {
     return spacing_in(pane, editor) / (its.units_per_pixel() * content_scale);
@@ -339,38 +378,98 @@ void Picture::draw(const render::Camera& camera, const LayerStack& layers, const
                  is_kept,  places,
                  {},       {},
                  {}};
-  if (!places.is_empty()) {
-    for (const Pane& pane : panes) {
-      now.cameras.push_back(pane.camera != nullptr ? *pane.camera : camera);
-      now.panes.push_back(as_drawn(pane.layers, canvas_, spacing_px(pane, now.cameras.back())));
-      now.versions.push_back(pane.version != nullptr ? std::optional(pane.version->revision()) : std::nullopt);
-    }
+  if (places.is_empty()) return now;
+  for (const Pane& pane : panes) {
+    now.cameras.push_back(pane.camera != nullptr ? *pane.camera : camera);
+    now.panes.push_back(as_drawn(pane.layers, canvas_, spacing_px(pane, now.cameras.back())));
+    now.versions.push_back(pane.version != nullptr ? std::optional(pane.version->revision()) : std::nullopt);
   }
+  return now;
+}
+
+void Picture::draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
+                   bool is_kept, const PanePlaces& places, std::span<const Pane> panes) {
+  // Milliseconds for painting in a frame. A longer frame while nothing moves delays only the next input, and completes
+  // the picture earlier.
+  constexpr double kMovingMs = 40.0;
+  constexpr double kRestingMs = 100.0;
+  if (painting_ &&
+      (is_kept || !is_worth_completing(state_now(camera, layers, editor, content_scale, is_kept, places, panes))))
+    stop_painting();
+  if (!painting_) {
+    draw_moved(editor);
+    mark_selection(editor);
+  }
+  ShownState now = state_now(camera, layers, editor, content_scale, is_kept, places, panes);
+  const bool rests = camera == last_camera_ && editor.document().revision() == last_document_;
+  last_camera_ = camera;
+  last_document_ = editor.document().revision();
+  if (!painting_ && (now != shown_ || is_refining())) begin_painting(now, layers, editor, panes);
+  if (painting_ && go_on_painting(is_kept ? std::numeric_limits<double>::infinity() : rests ? kRestingMs : kMovingMs))
+    complete_painting();
+  show(now);
+}
+
+// A picture that takes long would only delay the one that is wanted now; others show a moving view on its way.
+bool Picture::is_worth_completing(const ShownState& now) const {
+  const ShownState& then = painting_->state;
+  return now == then ||
+         (painting_->ms < kLongMs && now.places == then.places && now.panes.size() == then.panes.size() &&
+          now.camera.width() == then.camera.width() && now.camera.height() == then.camera.height());
+}
+
+void Picture::begin_painting(ShownState now, const LayerStack& layers, const Editor& editor,
+                             std::span<const Pane> panes) {
+  const render::Camera& camera = now.camera;
   const bool is_same = now == shown_;
-  if (is_same && !is_refining()) {
-    kept_.show(camera.width(), camera.height());
-    return;
-  }
   const bool has_moved =
-      camera != shown_.camera || now.cameras != shown_.cameras || content_scale != shown_.content_scale;
-  const render::Preview preview = is_kept     ? render::Preview::none
-                                  : has_moved ? render::Preview::coarse
-                                              : render::Preview::fine;
+      camera != shown_.camera || now.cameras != shown_.cameras || now.content_scale != shown_.content_scale;
   const bool paints_more = is_same && detail_.is_refining();
-  const std::uint32_t every = paints_more ? detail_.begin_refinement()
-                              : is_same   ? detail_.every()
-                                          : detail_.begin_changed(largest_painted_layer(camera, layers));
-  const auto start = std::chrono::steady_clock::now();
   if (!is_same) choose_views(now, editor, panes);
-  device_.clear({}, {0, 0, camera.width(), camera.height()}, render::clear_color(canvas_));
-  paint(now, every, {.content_scale = content_scale, .preview = preview});
-  // The cost is known only after this. The frame has no other work left.
-  device_.finish();
-  if (paints_more || !is_same)
-    detail_.painted(std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count());
-  // Keeps the picture without panels for frames in which it does not change.
-  kept_.keep(camera.width(), camera.height());
-  shown_ = std::move(now);
+  Painting painting{.state = {},
+                    .target = kept_.begin(camera.width(), camera.height()),
+                    .every = paints_more ? detail_.begin_refinement()
+                             : is_same   ? every_
+                                         : detail_.begin_changed(largest_painted_layer(camera, layers)),
+                    .preview = now.is_kept ? render::Preview::none
+                               : has_moved ? render::Preview::coarse
+                                           : render::Preview::fine,
+                    .counts = paints_more || !is_same,
+                    .drawing = {}};
+  device_.clear(painting.target, {0, 0, camera.width(), camera.height()}, render::clear_color(canvas_));
+  painting.state = std::move(now);
+  painting_ = std::move(painting);
+}
+
+void Picture::complete_painting() {
+  if (painting_->counts) detail_.painted(painting_->ms);
+  is_coarse_ = painting_->is_coarse;
+  every_ = painting_->every;
+  shown_ = std::move(painting_->state);
+  painting_.reset();
+  kept_.keep();
+  is_kept_foreign_ = false;
+}
+
+void Picture::stop_painting() {
+  if (!painting_) return;
+  // That it took long counts, so that the next picture is painted in less detail.
+  if (painting_->counts && painting_->ms >= kLongMs) detail_.painted(painting_->ms);
+  painting_.reset();
+  shown_.patches = kNoPatches;  // the views are those of the dropped picture
+}
+
+void Picture::show(const ShownState& now) {
+  const int width = now.camera.width();
+  const int height = now.camera.height();
+  const bool can_move = !is_kept_foreign_ && kept_.has(width, height) && now.places == shown_.places &&
+                        now.cameras.size() == shown_.cameras.size();
+  if (!can_move) return kept_.show_begun();
+  if (now.camera == shown_.camera && now.cameras == shown_.cameras) return kept_.show();
+  const std::size_t panes = now.places.is_empty() ? 1 : std::min(now.places.places().size(), now.cameras.size() + 1);
+  device_.clear({}, {0, 0, width, height}, render::clear_color(canvas_));
+  for (std::size_t i = 0; i < panes; ++i)
+    kept_.show_moved(area_of(now, i), camera_of(shown_, i), camera_of(now, i), render::clear_color(canvas_));
 }
 
 }  // namespace mes

@@ -37,13 +37,18 @@ namespace mes {
 ///  4. Selected samples are drawn at their positions in the document, although their structures follow only when the
 ///     engine has computed them.
 ///  5. However many large disks there are, a moving picture is painted within a fraction of a second (detail.h).
+///  6. `draw` paints for a fraction of a second only. While a picture needs longer, the last complete one is shown,
+///     moved and scaled to the view; once nothing changes any more, the pixels are those of painting at once.
 ///
 /// An OpenGL context must be current as long as the object exists. Threads: the window's.
 class Picture {
  public:
   explicit Picture(LiveRegistry registry);
 
-  void set_color_maps(std::vector<render::ColorMap> maps) { scene_.set_color_maps(std::move(maps)); }
+  void set_color_maps(std::vector<render::ColorMap> maps) {
+    stop_painting();
+    scene_.set_color_maps(std::move(maps));
+  }
   /// Sets the letters for layers of texts; without them these layers are empty.
   void set_letters(render::Font font) { letters_ = std::move(font); }
   /// Sets the picture to trace, which is drawn as a layer. Returns false if graphics memory is exhausted.
@@ -53,7 +58,8 @@ class Picture {
   /// The height of the picture to trace divided by its width; 0 without one.
   double background_aspect() const { return background_aspect_; }
 
-  /// Takes the finished results; returns false if there were none.
+  /// Takes the finished results; returns false if there were none. While a picture is being painted, they wait, so that
+  /// it shows one state.
   bool take_from(Engine& engine);
   /// Releases the graphics memory of layers that are not demanded any more.
   void forget_all_but(std::span<const VariantLayer> demand);
@@ -81,7 +87,7 @@ class Picture {
   /// Draws the background alone.
   void clear(const render::Camera& camera);
   /// Draws the canvas, which fills the window. Very many instances are only a preview (`render::Preview`) unless the
-  /// picture is kept in a file (`is_kept`), and a coarse one while the view moves. With several `places`, the main pane
+  /// picture is kept in a file (`is_kept`), and a coarse one while the view moves. A picture to keep is painted at once. With several `places`, the main pane
   /// shows the layers, and the others show the contents of `panes`, in their order.
   void draw(const render::Camera& camera, const LayerStack& layers, const Editor& editor, double content_scale,
             bool is_kept, const PanePlaces& places = {}, std::span<const Pane> panes = {});
@@ -95,9 +101,11 @@ class Picture {
   std::vector<LegendEntry> legend(const ShownPanes::Layers& layers, LegendScope scope) const;
 
   /// True if the picture at rest can be painted in more detail: it needs another `draw` soon.
-  bool is_refining() const { return detail_.is_refining() || is_coarse_; }
+  bool is_refining() const { return detail_.is_refining() || is_coarse_ || is_painting(); }
+  /// True while a picture is being painted that is not yet on screen; `draw` goes on with it.
+  bool is_painting() const { return painting_.has_value(); }
   /// One of this many disks is on screen; 1: all.
-  std::uint32_t every() const { return detail_.every(); }
+  std::uint32_t every() const { return every_; }
 
   NodeState state(VariantLayer layer) const;
   const LayerReport* report(VariantLayer layer) const;
@@ -142,6 +150,18 @@ class Picture {
     std::vector<render::Camera> cameras;                 // for panes beside the main one
     friend bool operator==(const ShownState&, const ShownState&) = default;
   };
+  /// A picture on its way.
+  struct Painting {
+    ShownState state;
+    render::FramebufferId target;
+    std::uint32_t every = 1;
+    render::Preview preview = render::Preview::none;
+    bool counts = true;  ///< its time is a measure for `Detail`
+    double ms = 0.0;     ///< time spent so far
+    bool is_coarse = false;
+    std::size_t pane = 0;                           ///< that of `drawing`
+    std::optional<render::Scene::Drawing> drawing;  ///< none: not yet begun
+  };
   void check(const FramePatch& patch);
   void keep(const FramePatch& patch);
   /// `spacing_px`: spacing of the samples, in logical pixels.
@@ -153,7 +173,18 @@ class Picture {
   void choose_views(const ShownState& shown, const Editor& editor, std::span<const Pane> panes);
   /// The camera of a pane, for its part of the window.
   static render::Camera camera_of(const ShownState& shown, std::size_t pane);
-  void paint(const ShownState& shown, std::uint32_t every, const render::DrawOptions& options);
+  ShownState state_now(const render::Camera& camera, const LayerStack& layers, const Editor& editor,
+                       double content_scale, bool is_kept, const PanePlaces& places, std::span<const Pane> panes);
+  void begin_painting(ShownState now, const LayerStack& layers, const Editor& editor, std::span<const Pane> panes);
+  /// Paints for about so many milliseconds; returns true once the picture is complete.
+  bool go_on_painting(double ms);
+  bool paint_pane(double ms);
+  void complete_painting();
+  /// Call it before the scene changes: the picture on its way is dropped.
+  void stop_painting();
+  bool is_worth_completing(const ShownState& now) const;
+  void show(const ShownState& now);
+  static render::PixelRect area_of(const ShownState& shown, std::size_t pane);
   static std::vector<render::LayerView> views_of(const ShownPanes::Layers& layers, std::uint32_t every);
   void add_texts(std::vector<render::LayerView>& views, const Editor& editor, const Document* version,
                  const render::Camera& camera, double content_scale) const;
@@ -194,9 +225,14 @@ class Picture {
       views_;  // for each pane of `shown_`, the main one first, with their texts
   std::vector<std::vector<render::LayerView>> marks_;  // for each pane
   std::optional<render::Font> letters_;
-  bool is_coarse_ = false;
+  bool is_coarse_ = false;  // on screen
+  std::uint32_t every_ = 1;
   Detail detail_;
   render::KeptFrame kept_;
+  bool is_kept_foreign_ = true;  // true while the kept picture shows another document, or nothing
+  std::optional<Painting> painting_;
+  render::Camera last_camera_;  // of the last frame
+  std::uint64_t last_document_ = 0;
 };
 
 }  // namespace mes

@@ -285,7 +285,7 @@ bool RecordDesk::ask_one(const Drawn& drawn, const RecordSettings& settings, con
   const bool is_on_screen = view.camera.width() == part.width && view.camera.height() == part.height &&
                             view.content_scale == drawn.content_scale && settings.supersampling == 1 &&
                             !settings.transparent && background == picture_.canvas() && picture_.every() == 1 &&
-                            drawn.panes.places.is_empty();
+                            !picture_.is_painting() && drawn.panes.places.is_empty();
   if (is_on_screen) {
     const render::PixelRect area{part.left, drawn.camera.height() - part.top - part.height, part.width, part.height};
     if (const auto done = capture_.take({}, area); !done) return refuse(purpose, done.error().message());

@@ -243,7 +243,9 @@ void App::frame() {
 // Demo, lesson and animations take their next step when the picture of the previous step is complete.
 void App::take_steps() {
   const double now = ImGui::GetTime();
-  const auto may_step = [this] { return !work_.engine().status().busy && !recording_.holds_input(); };
+  const auto may_step = [this] {
+    return !work_.engine().status().busy && !recording_.holds_input() && !board_.picture().is_painting();
+  };
   if (may_step() && work_.computation().advance(now)) screen_.clock.settle();
   if (demo_.advance(now, may_step())) screen_.clock.settle();
   if (lesson_.advance(now, may_step())) screen_.clock.settle();

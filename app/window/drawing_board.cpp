@@ -155,7 +155,8 @@ bool DrawingBoard::is_at_rest() const {
 }
 
 void DrawingBoard::take_results() {
-  has_all_results_ = work_.is_complete();  // taken first: later results wait for the next turn
+  // Taken first: later results wait for the next turn, and those of a picture on its way for its end.
+  has_all_results_ = work_.is_complete() && !picture_.is_painting();
   if (picture_.take_from(work_.engine())) watch_memory();
   for (Provenance& answer : work_.engine().take_answers()) take_answer(std::move(answer));
   if (provenance_.wants_sources()) select_sources();
@@ -390,12 +391,13 @@ void DrawingBoard::draw(const Frame& frame) {
   if (canvas_.views().is_moving()) screen_.clock.want(1);
   draw_pointer(frame);
   const std::uint32_t share = picture_.every();
+  const bool was_refining = picture_.is_refining();
   screen_.times.begin_drawing();
   picture_.draw(view().camera(), work_.layers(), work_.editor(), screen_.gui.drawing_scale(), frame.is_kept,
                 canvas_.panes(), panes_beside());
   screen_.times.end_drawing();
-  // The status bar shows the drawn share, and was drawn before it was known.
-  if (picture_.is_refining() || picture_.every() != share) screen_.clock.want(2);
+  // The status bar shows the drawn share, and was drawn before it was known. Results may have waited for the picture.
+  if (was_refining || picture_.is_refining() || picture_.every() != share) screen_.clock.want(2);
 }
 
 std::vector<Picture::Pane> DrawingBoard::panes_beside() const {

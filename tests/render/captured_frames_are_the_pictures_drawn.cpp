@@ -108,6 +108,7 @@ class ShortOfMemory final : public render::Device {
                   std::span<const render::PixelRect> parts, const render::PremultipliedColor& color) override {
     device_.paint_mask(target, area, mask, parts, color);
   }
+  void finish() override { device_.finish(); }
   double pixel_cost_ns() const override { return 0.0; }
   double instance_cost_ns() const override { return 0.0; }
   int max_framebuffer_size() const override { return device_.max_framebuffer_size(); }
