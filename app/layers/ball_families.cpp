@@ -25,15 +25,6 @@ bool is_plain(const LayerDescriptor& layer) {
   return layer.structures.size() == 1 && layer.structures.front() == "scaled-balls";
 }
 
-/// The layer that shows the same for another family, as "a-v-points" and "b-v-points" do, or null.
-const LayerDescriptor* counterpart_of(Descriptors descriptors, const LayerDescriptor& layer, FamilyKind family) {
-  const std::string_view shown = layer.of_any_family;
-  const auto found = std::ranges::find_if(descriptors, [&](const LayerDescriptor& other) {
-    return !shown.empty() && !other.is_removed && other.of_any_family == shown && other.group == group_of(family);
-  });
-  return found == descriptors.end() ? nullptr : &*found;
-}
-
 }  // namespace
 
 std::string_view letter_of(FamilyKind family) {
@@ -53,6 +44,14 @@ LayerGroup group_of(FamilyKind family) {
 std::optional<FamilyKind> family_of(const LayerDescriptor& descriptor) {
   const auto found = std::ranges::find(kBallFamilies, descriptor.group, group_of);
   return found == kBallFamilies.end() ? std::nullopt : std::optional(*found);
+}
+
+const LayerDescriptor* counterpart_of(Descriptors descriptors, const LayerDescriptor& layer, FamilyKind family) {
+  const std::string_view shown = layer.of_any_family;
+  const auto found = std::ranges::find_if(descriptors, [&](const LayerDescriptor& other) {
+    return !shown.empty() && !other.is_removed && other.of_any_family == shown && other.group == group_of(family);
+  });
+  return found == descriptors.end() ? nullptr : &*found;
 }
 
 bool has_balls(const Document& document, FamilyKind family) {

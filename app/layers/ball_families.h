@@ -26,6 +26,10 @@ LayerGroup group_of(FamilyKind family);
 std::string_view letter_of(FamilyKind family);
 /// The family of a layer of a union; nothing for other layers.
 std::optional<FamilyKind> family_of(const LayerDescriptor& descriptor);
+/// The layer that shows the same for another family, as "a-v-points" and "b-v-points" do, or null. The layer must be one
+/// of a union.
+const LayerDescriptor* counterpart_of(std::span<const LayerDescriptor> descriptors, const LayerDescriptor& layer,
+                                      FamilyKind family);
 /// True if the document has the source of the balls: samples, or own balls.
 bool has_balls(const Document& document, FamilyKind family);
 

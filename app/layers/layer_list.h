@@ -2,7 +2,7 @@
 // Lists layers under headings.
 #pragma once
 
-#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,15 +15,18 @@ struct LayerListOptions {
   bool only_shown = false;
   bool by_order = false;  ///< in drawing order, top first, without headings
   FamilyKind family = FamilyKind::inner;
+  std::vector<std::string> favorites{};  ///< ids, in listing order; of a union, of any family
   friend bool operator==(const LayerListOptions&, const LayerListOptions&) = default;
 };
 
+enum class LayerSectionKind : std::uint8_t { order, favorites, shown, topic };
+
 struct LayerSection {
+  LayerSectionKind kind = LayerSectionKind::topic;
   std::string title{};                ///< empty: no heading
-  std::optional<LayerGroup> group{};  ///< nothing: the shown layers, or all layers
-  std::vector<LayerIndex> rows{};     ///< top layer first
-  std::size_t shown = 0;              ///< number of visible layers in the group, listed or not
-  std::size_t size = 0;
+  bool is_of_union = false;           ///< a topic of the union of the family of the options
+  std::vector<LayerIndex> rows{};     ///< the listed layers, from top to bottom
+  std::vector<LayerIndex> members{};  ///< all layers of the section, listed or not; of a union, of the family in use
 };
 
 struct LayerListing {
@@ -32,12 +35,18 @@ struct LayerListing {
   std::size_t left_out = 0;  ///< excluded by the search, or because they are hidden
 };
 
-/// Lists by subject: first the shown layers in drawing order, then each group in its own fixed order. One family of
-/// balls is listed completely, the others only as far as they are shown. A search finds layers of every family, under
-/// their headings.
+/// Lists by subject: first the favourites, then the shown layers in drawing order, top first, then each topic in its own
+/// fixed order. Layers of a union are listed for the family of the options; those of other families are among the
+/// shown ones. A search, or a list of the shown ones only, has topics alone. A search finds a layer of a union once: for
+/// the family of the options if that matches, otherwise for another one.
 LayerListing list_layers(const LayerStack& layers, const LayerListOptions& options);
 
-/// The name below the heading of its group: "Inner balls: boundary" becomes "Boundary".
+/// True if the layer is a favourite. Layers that show the same for several families are favourites together.
+bool is_favorite(const LayerStack& layers, std::span<const std::string> favorites, LayerIndex layer);
+/// Makes it the last favourite, or none.
+void toggle_favorite(const LayerStack& layers, std::vector<std::string>& favorites, LayerIndex layer);
+
+/// The name below the heading of its topic: "Inner balls: boundary" becomes "Boundary".
 std::string short_name(const LayerDescriptor& descriptor);
 
 }  // namespace mes

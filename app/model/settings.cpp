@@ -22,6 +22,8 @@ constexpr int kSchema = 1;
 // A settings file is small; a larger file is not one, and is not read into memory.
 constexpr std::uintmax_t kLargestFile = 1U << 20U;
 
+constexpr std::size_t kMostListedLayers = 1000;
+
 constexpr std::string_view kDark = "dark";
 constexpr std::string_view kLight = "light";
 
@@ -178,11 +180,12 @@ json to_json(const FigureSettings& figure) {
           {"dots_per_inch", figure.dots_per_inch}};
 }
 
-void read_names(const json& object, const char* key, std::vector<std::string>& to) {
+void read_names(const json& object, const char* key, std::size_t most, std::vector<std::string>& to) {
   const auto names = object.find(key);
   if (names == object.end() || !names->is_array()) return;
+  to.clear();
   for (const json& name : *names)
-    if (name.is_string() && to.size() < kRecentFiles) to.push_back(name);
+    if (name.is_string() && to.size() < most) to.push_back(name);
 }
 
 void remember(std::vector<std::string>& names, const fs::path& file) {
@@ -206,8 +209,8 @@ std::vector<std::string> remembered_by_both(std::vector<std::string> ours, const
 
 Settings from_json(const json& object) {
   Settings out;
-  read_names(object, "recent_files", out.recent_files);
-  read_names(object, "recent_experiments", out.recent_experiments);
+  read_names(object, "recent_files", kRecentFiles, out.recent_files);
+  read_names(object, "recent_experiments", kRecentFiles, out.recent_experiments);
   if (const auto compiler = object.find("compiler"); compiler != object.end() && compiler->is_string())
     out.compiler = *compiler;
   out.brush.radius_px = number_in(object, "brush_radius_px", 4.0, 200.0, out.brush.radius_px);
@@ -221,6 +224,8 @@ Settings from_json(const json& object) {
   out.panels = panels_from_json(object, out.panels);
   out.column_width = number_in(object, "column_width", 200.0, 1200.0, out.column_width);
   out.lower_panel_share = number_in(object, "lower_panel_share", 0.1, 0.9, out.lower_panel_share);
+  read_names(object, "favorite_layers", kMostListedLayers, out.favorite_layers);
+  read_names(object, "unfolded_layers", kMostListedLayers, out.unfolded_layers);
   out.show_legend = flag_in(object, "show_legend", out.show_legend);
   out.show_key = flag_in(object, "show_key", out.show_key);
   out.show_annotations = flag_in(object, "show_annotations", out.show_annotations);
@@ -315,6 +320,8 @@ json to_json(const Settings& settings) {
           {"pinned_panel", settings.panels.pinned() ? id_of(*settings.panels.pinned()) : ""},
           {"column_width", settings.column_width},
           {"lower_panel_share", settings.lower_panel_share},
+          {"favorite_layers", settings.favorite_layers},
+          {"unfolded_layers", settings.unfolded_layers},
           {"show_legend", settings.show_legend},
           {"show_key", settings.show_key},
           {"show_annotations", settings.show_annotations},

@@ -39,8 +39,10 @@ struct Settings {
   PanelChoice panels;
   double column_width = kUsualColumnWidth;      ///< width of the panels on the right, logical pixels, [200, 1200]
   double lower_panel_share = kUsualLowerShare;  ///< share of their height for the lower of two, [0.1, 0.9]
-  bool show_legend = true;                      ///< legend of the colour maps in use
-  bool show_key = false;                        ///< key of all visible layers
+  std::vector<std::string> favorite_layers;     ///< ids
+  std::vector<std::string> unfolded_layers{"Favourites", "Shown", "Delaunay & Voronoi"};  ///< sections of their list
+  bool show_legend = true;  ///< legend of the colour maps in use
+  bool show_key = false;    ///< key of all visible layers
   bool show_annotations = true;
   bool show_differences = false;        ///< marks elements that only some of the panes have
   std::optional<PaperPlace> legend_at;  ///< position to which it was dragged

@@ -297,6 +297,25 @@ void draw_icon(ImDrawList& list, Icon icon, ImVec2 at, float size, ImU32 color) 
       pen.line(12, 13, 12, 20.5F);
       break;
     }
+    case Icon::star:
+    case Icon::star_on: {
+      ImVec2 points[10];
+      for (int i = 0; i < 10; ++i) {
+        const float turn = 3.14159265F * (0.2F * static_cast<float>(i) - 0.5F);
+        const float away = i % 2 == 0 ? 9.5F : 4.2F;
+        points[i] = pen.p(12 + away * std::cos(turn), 12.6F + away * std::sin(turn));
+      }
+      if (icon == Icon::star) {
+        pen.outline(points);
+        break;
+      }
+      // A star is not convex: five kites from its middle are.
+      for (int i = 0; i < 10; i += 2) {
+        const ImVec2 kite[] = {pen.p(12, 12.6F), points[(i + 9) % 10], points[i], points[i + 1]};
+        pen.fill(kite);
+      }
+      break;
+    }
     case Icon::enlarge:
       // Two arrows to opposite corners.
       pen.line(13.5F, 10.5F, 19.5F, 4.5F);

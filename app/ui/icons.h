@@ -49,7 +49,9 @@ enum class Icon : std::uint8_t {
   log,
   pin,
   pinned,
-  enlarge
+  enlarge,
+  star,
+  star_on
 };
 
 /// Draws the icon into the square `size` wide at `at`.

@@ -63,18 +63,28 @@ void add_lessons(const Panels::Uses& uses, Entries& out) {
 }
 
 void add_layers(const Panels::Uses& uses, Entries& out) {
+  // Of layers that show the same for several families, those of the family in use come first.
+  constexpr double kLessThanFamily = -5.0;
   LayerStack& layers = uses.work.layers();
+  const auto is_in_use = [&](FamilyKind family) {
+    return uses.actions.is_checked(nth(ActionId::balls_inner, static_cast<std::size_t>(family)));
+  };
   for (LayerIndex layer = 0; layer < layers.size(); ++layer) {
     const LayerDescriptor& descriptor = layers.descriptor(layer);
     if (descriptor.is_removed) continue;
+    const auto family = family_of(descriptor);
     out.push_back({.kind = "Layer",
                    .name = std::string(descriptor.name),
                    .explanation = std::string(descriptor.tooltip),
                    .more = std::string(descriptor.id) + ' ' + std::string(title_of(descriptor.group)),
                    .words = synonyms_of(descriptor.id),
                    .place = fmt::format("Layers > {}", title_of(descriptor.group)),
+                   .handicap = family && !is_in_use(*family) ? kLessThanFamily : 0.0,
                    .is_checked = layers.is_visible(layer),
-                   .run = [&layers, layer] { layers.set_visible(layer, !layers.is_visible(layer)); }});
+                   .run = [&layers, layer, show = uses.show_layer] {
+                     layers.set_visible(layer, !layers.is_visible(layer));
+                     show(layer);
+                   }});
   }
 }
 

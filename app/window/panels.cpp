@@ -57,7 +57,8 @@ Panels::Panels(const Uses& uses)
                       [&work = uses.work](std::size_t bundle) { work.choose_bundle(bundle); },
                       [&flow = uses.documents](std::size_t bundle) { flow.ask_export(bundle); }}),
       layers_panel_(uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(),
-                    {uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(), uses.board.canvas()}),
+                    {uses.screen.gui, uses.actions, uses.work.layers(), uses.board.picture(), uses.board.canvas()},
+                    uses.settings.favorite_layers, uses.settings.unfolded_layers),
       statistics_panel_{uses.screen.gui, uses.board.picture(), uses.screen.times},
       parameters_panel_(uses.screen.gui, uses.work.computation(), uses.board.picture(), uses.work.editor(),
                         uses.work.layers(), uses.work.insight().scale_events, uses.work.insight().critical_values,
@@ -123,6 +124,9 @@ std::vector<PaletteEntry> Panels::palette_entries() {
     are_shown_ = true;
     uses_.settings.panels.open(PanelPage::parameters);
     parameters_panel_.search(name);
+  };
+  uses.show_layer = [this](LayerIndex layer) {
+    if (is_seen(PanelPage::layers)) layers_panel_.reveal(layer);
   };
   return mes::palette_entries(uses, column_.pages());
 }

@@ -50,6 +50,7 @@ class Panels {
     Settings& settings;
     Messages& messages;
     std::function<void(const std::string&)> show_parameter{};  ///< lists the parameters with this name
+    std::function<void(LayerIndex)> show_layer{};              ///< shows its row in the list of layers
   };
   explicit Panels(const Uses& uses);
 

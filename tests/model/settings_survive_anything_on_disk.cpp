@@ -40,6 +40,8 @@ TEST_CASE("what is saved is loaded") {
   settings.window_width = 1000;
   settings.panels = PanelChoice(std::array{PanelPage::log, PanelPage::lesson}, PanelPage::lesson);
   settings.column_width = 412.5;
+  settings.favorite_layers = {"voronoi", "of-an-experiment"};
+  settings.unfolded_layers = {};
   settings.lower_panel_share = 0.25;
   settings.legend_at = PaperPlace{PaperCorner::top_left, {12.5, 3.0}};
   settings.marks.bar_at = PaperPlace{PaperCorner::top_right};
@@ -67,6 +69,8 @@ TEST_CASE("what is saved is loaded") {
   CHECK(loaded.settings.window_width == 1000);
   CHECK(loaded.settings.panels == settings.panels);
   CHECK(loaded.settings.column_width == 412.5);
+  CHECK(loaded.settings.favorite_layers == settings.favorite_layers);
+  CHECK(loaded.settings.unfolded_layers.empty());
   CHECK(loaded.settings.lower_panel_share == 0.25);
   CHECK(loaded.settings.theme == Theme::dark);
   CHECK(loaded.settings.for_projector);

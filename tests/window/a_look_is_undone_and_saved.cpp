@@ -86,7 +86,7 @@ TEST_CASE("a typed range of a colour map counts when Tab leaves its field") {
   window.start("mapped.json");
   // The swatch of the only layer that is shown has the colours of the map, the first of which is a dark purple.
   const auto is_purple = [](Color c) { return c.r > 50 && c.r < 80 && c.g < 30 && c.b > 70 && c.b < 110; };
-  constexpr PixelBox kRows{1160, 180, 1230, 390};
+  constexpr PixelBox kRows{1160, 150, 1230, 390};
   REQUIRE(eventually([&] { return !window.screen.shoot().box_of(kRows, is_purple).is_empty(); }));
   const Screenshot before = window.screen.settled();
   const PixelBox swatch = before.box_of({kRows.left, kRows.top, kRows.right, kRows.top + 60}, is_purple);

@@ -4,8 +4,10 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cfloat>
 #include <glm/gtc/type_ptr.hpp>
+#include <iterator>
 #include <utility>
 
 #include "app/editing/sample_spacing.h"
@@ -72,6 +74,23 @@ void draw_color_choice(float unit, LayerStyle& style) {
     style.color = render::to_rgb(rgb);
 }
 
+/// "12,345".
+std::string with_commas(std::size_t count) {
+  std::string out = std::to_string(count);
+  for (std::size_t at = out.size(); at > 3; at -= 3) out.insert(at - 3, ",");
+  return out;
+}
+
+/// Below the switch of families the headings of unions do not repeat what they are of.
+std::string heading_of(const LayerSection& section) {
+  const std::size_t colon = section.title.find(": ");
+  if (!section.is_of_union || colon == std::string::npos) return section.title;
+  std::string out = section.title.substr(colon + 2);
+  // A v-point is written with a small letter.
+  if (!out.starts_with("v-")) out[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(out[0])));
+  return out;
+}
+
 std::string milliseconds(double ms) {
   return fmt::format("{:.{}f} ms", ms, ms < 10.0 ? 2 : 0);
 }
@@ -93,53 +112,59 @@ std::string LayersPanel::explanation(LayerIndex layer) const {
 
 // True if the layer is up to date and has nothing to draw.
 bool LayersPanel::is_without_content(LayerIndex layer) const {
-  const auto& kinds = layers_.descriptor(layer).kinds;
-  if (kinds.empty() || !layers_.is_visible(layer) || picture_.state(layer) != NodeState::up_to_date) return false;
-  return std::ranges::all_of(kinds, [&](PrimitiveKind kind) { return picture_.scene().instances(layer, kind) == 0; });
+  return count_of(layer) == std::size_t{0};
 }
 
 void LayersPanel::draw_head() {
   const float unit = gui_.unit();
   draw_search();
   if (choice_button("Subject", !options_.by_order)) options_.by_order = false;
-  tooltip(gui_, "List the shown layers first, then all layers by subject");
+  tooltip(gui_, "List favourites and shown layers first, then all layers by subject");
   ImGui::SameLine(0, 2 * unit);
   if (choice_button("Order", options_.by_order)) options_.by_order = true;
   tooltip(gui_, "List the layers in drawing order, topmost first");
+  const float gap = 10 * unit;
+  const float check =
+      ImGui::CalcTextSize("Only shown").x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
+  ImGui::SameLine(0, gap);
+  if (ImGui::GetContentRegionAvail().x < check) ImGui::NewLine();
+  ImGui::Checkbox("Only shown", &options_.only_shown);
+  tooltip(gui_, "List only the layers that are shown");
   if (layers_.soloed() != kNoLayer) {
-    ImGui::SameLine(0, 10 * unit);
     if (ImGui::Button("End solo")) layers_.end_solo();
     tooltip(gui_, "Show the other layers again");
   }
-  draw_families();
   ImGui::Dummy({0, 1 * unit});
 }
 
 void LayersPanel::draw_search() {
-  const float unit = gui_.unit();
   const float button = ImGui::GetFrameHeight();
-  const float check = ImGui::CalcTextSize("Only shown").x + button + ImGui::GetStyle().ItemInnerSpacing.x;
-  ImGui::SetNextItemWidth(std::max(40 * unit, ImGui::GetContentRegionAvail().x - check - button - 12 * unit));
-  ImGui::InputTextWithHint("##search", "Search", &options_.search);
+  const bool is_empty = options_.search.empty();
+  const float width = std::max(button, ImGui::GetContentRegionAvail().x - button);
+  const char* const hint = width > 220 * gui_.unit() ? "Search names, ids and other words" : "Search";
+  ImGui::SetNextItemWidth(width);
+  ImGui::InputTextWithHint("##search", hint, &options_.search);
   // Dear ImGui restores the old text on Esc; we want it empty.
   if (ImGui::IsItemDeactivated() && ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape))) options_.search.clear();
-  ImGui::SameLine(0, 2 * unit);
-  if (options_.search.empty()) {
+  ImGui::SameLine(0, 0);
+  if (is_empty) {
     ImGui::Dummy({button, button});
   } else {
     if (icon_button("clear", Icon::close, button)) options_.search.clear();
     tooltip(gui_, "Clear the search (Esc)");
   }
-  ImGui::SameLine(0, 6 * unit);
-  ImGui::Checkbox("Only shown", &options_.only_shown);
-  tooltip(gui_, "List only the layers that are shown");
 }
 
+// Chooses the family whose layers follow.
 void LayersPanel::draw_families() const {
   const float unit = gui_.unit();
   constexpr std::array<const char*, kBallFamilies.size()> kWords{"Inner", "Polar", "Own"};
+  ImGui::Dummy({0, 3 * unit});
   ImGui::AlignTextToFramePadding();
+  ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 4 * unit);
+  ImGui::PushFont(gui_.small());
   ImGui::TextDisabled("Union of balls");
+  ImGui::PopFont();
   for (const FamilyKind family : kBallFamilies) {
     const auto place = static_cast<std::size_t>(family);
     const ActionId id = nth(ActionId::balls_inner, place);
@@ -283,6 +308,28 @@ void LayersPanel::draw_drop_target(LayerIndex layer, ImVec2 at, ImVec2 end) {
   ImGui::EndDragDropTarget();
 }
 
+std::optional<std::size_t> LayersPanel::count_of(LayerIndex layer) const {
+  const auto& kinds = layers_.descriptor(layer).kinds;
+  if (kinds.empty() || !layers_.is_visible(layer) || picture_.state(layer) != NodeState::up_to_date)
+    return std::nullopt;
+  std::size_t count = 0;
+  for (const PrimitiveKind kind : kinds) count += picture_.scene().instances(layer, kind);
+  return count;
+}
+
+// A star that is off appears on the row under the pointer only.
+void LayersPanel::draw_star(LayerIndex layer, ImVec2 at, float size, bool is_row_hovered) {
+  ImGui::SetCursorScreenPos(at);
+  if (hit_area("star", {size, size})) toggle_favorite(layers_, favorites_, layer);
+  const bool is_hovered = ImGui::IsItemHovered();
+  const bool is_on = is_favorite(layers_, favorites_, layer);
+  tooltip(gui_, is_on ? "No favourite any more" : "List it first, among the favourites");
+  if (!is_on && !is_hovered && !is_row_hovered) return;
+  const ThemeColors& colors = gui_.colors();
+  draw_icon(*ImGui::GetWindowDrawList(), is_on ? Icon::star_on : Icon::star, at, size,
+            is_on || is_hovered ? colors.accent : colors.text_faint);
+}
+
 void LayersPanel::draw_row_text(LayerIndex layer, const LayerSection& section, ImVec2 at, ImVec2 end) const {
   const float unit = gui_.unit();
   const ThemeColors& colors = gui_.colors();
@@ -297,7 +344,20 @@ void LayersPanel::draw_row_text(LayerIndex layer, const LayerSection& section, I
   if (is_without_content(layer)) color = colors.text_faint;
   if (visible && is_failed(picture_.state(layer))) color = colors.warning;
   const float text_at = at.x + 27 * unit;
-  const std::string name = section.group ? short_name(descriptor) : std::string(descriptor.name);
+  // Layers of another family than the heading's keep its name.
+  const bool is_short = section.is_of_union && family_of(descriptor) == options_.family;
+  const std::string name = is_short ? short_name(descriptor) : std::string(descriptor.name);
+  // In a narrow panel the name needs the room.
+  constexpr float kLeastRoom = 135.0F;
+  const auto count = end.x - text_at > kLeastRoom * unit ? count_of(layer) : std::nullopt;
+  if (count) {
+    ImGui::PushFont(gui_.small());
+    const std::string words = with_commas(*count);
+    end.x -= ImGui::CalcTextSize(words.c_str()).x;
+    list.AddText({end.x, middle - 0.5F * ImGui::GetFontSize()}, colors.text_quiet, words.c_str());
+    ImGui::PopFont();
+    end.x -= 6 * unit;
+  }
   list.AddText({text_at, middle - 0.5F * ImGui::GetFontSize()}, color, elided(name, end.x - text_at).c_str());
   if (visible && picture_.state(layer) == NodeState::computing)
     list.AddCircleFilled({end.x - 4 * unit, middle}, 3 * unit, colors.accent);
@@ -319,11 +379,20 @@ void LayersPanel::draw_row(LayerIndex layer, const LayerSection& section) {
   tooltip(gui_, descriptor.scalar.empty() ? "Colour, opacity, sizes" : "Colour, colour map, opacity, sizes");
   draw_style_popup(layer);
 
+  const float star = 16 * unit;
+  const ImVec2 star_at(swatch_at.x - star - 6 * unit, at.y + 0.5F * (height - star));
+  const ImVec2 row_end(at.x + width, at.y + height);
+  const bool is_under_pointer = is_pointer_on_rows_ && ImGui::IsMouseHoveringRect(at, row_end);
+  draw_star(layer, star_at, star, is_under_pointer);
+
   ImGui::SetCursorScreenPos(at);
-  const bool clicked = hit_area("row", {width - swatch_size.x - 6 * unit, height});
+  const bool clicked = hit_area("row", {star_at.x - at.x - 2 * unit, height});
   if (ImGui::IsItemHovered())
-    ImGui::GetWindowDrawList()->AddRectFilled(at, {at.x + width, at.y + height}, gui_.colors().accent_faint,
-                                              4 * unit);
+    ImGui::GetWindowDrawList()->AddRectFilled(at, row_end, gui_.colors().accent_faint, 4 * unit);
+  if (revealed_ && revealed_->layer == layer && revealed_->section == section.title) {
+    ImGui::GetWindowDrawList()->AddRectFilled(at, row_end, gui_.colors().accent_soft, 4 * unit);
+    if (std::exchange(scrolls_, false)) ImGui::SetScrollHereY();
+  }
   tooltip(gui_, explanation(layer));
   draw_context_menu(layer);
   if (ImGui::BeginDragDropSource()) {
@@ -332,8 +401,9 @@ void LayersPanel::draw_row(LayerIndex layer, const LayerSection& section) {
     ImGui::EndDragDropSource();
   }
   // In other sections the rows are not in drawing order, so dropping between two of them is meaningless.
-  if (!section.group) draw_drop_target(layer, at, {at.x + width, at.y + height});
-  draw_row_text(layer, section, at, {swatch_at.x - 6 * unit, at.y + height});
+  if (section.kind == LayerSectionKind::order || section.kind == LayerSectionKind::shown)
+    draw_drop_target(layer, at, row_end);
+  draw_row_text(layer, section, at, {star_at.x - 4 * unit, at.y + height});
   draw_swatch(layer, swatch_at, swatch_size);
   ImGui::SetCursorScreenPos({at.x, at.y + height});
   ImGui::PopID();
@@ -342,18 +412,27 @@ void LayersPanel::draw_row(LayerIndex layer, const LayerSection& section) {
   clicked_at_ = layers_.revision();
 }
 
-// Hides the visible layers of the group, or shows them again.
+// Hides the visible layers of the section, or shows them again.
 void LayersPanel::toggle_group(const LayerSection& section) {
-  std::vector<LayerIndex>& hidden = hidden_[*section.group];
-  if (section.shown == 0) {
-    for (const LayerIndex layer : std::exchange(hidden, {})) layers_.set_visible(layer, true);
-  } else {
-    hidden.clear();
-    for (const LayerIndex layer : layers_.visible_layers())
-      if (layers_.descriptor(layer).group == *section.group) hidden.push_back(layer);
-    for (const LayerIndex layer : hidden) layers_.set_visible(layer, false);
-  }
+  std::vector<LayerIndex>& hidden = hidden_[section.title];
+  std::vector<LayerIndex> shown;
+  std::ranges::copy_if(section.members, std::back_inserter(shown),
+                       [this](LayerIndex layer) { return layers_.is_visible(layer); });
+  const bool is_shown_again = shown.empty();
+  if (!is_shown_again) hidden = std::move(shown);
+  for (const LayerIndex layer : hidden) layers_.set_visible(layer, is_shown_again);
+  if (is_shown_again) hidden.clear();
   clicked_at_ = layers_.revision();
+}
+
+// A search shows what it finds.
+bool LayersPanel::is_folded(const LayerSection& section) const {
+  return !section.title.empty() && !is_filtered() && std::ranges::count(unfolded_, section.title) == 0;
+}
+
+void LayersPanel::set_folded(const LayerSection& section, bool is_folded) {
+  std::erase(unfolded_, section.title);
+  if (!is_folded) unfolded_.push_back(section.title);
 }
 
 bool LayersPanel::draw_heading(std::size_t index) {
@@ -365,20 +444,18 @@ bool LayersPanel::draw_heading(std::size_t index) {
   const float eye = 18 * unit;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   const float width = ImGui::GetContentRegionAvail().x;
-  const bool is_folded = folded_.contains(section.title);
+  const bool was_folded = is_folded(section);
+  const bool is_topic = section.kind == LayerSectionKind::topic;
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 eye_at(at.x + width - eye - 8 * unit, at.y + 0.5F * (height - eye));
   // Counted again, because the list may be older than the last click.
-  std::size_t shown = 0;
-  for (const LayerIndex layer : layers_.visible_layers())
-    shown += !section.group || layers_.descriptor(layer).group == *section.group ? 1U : 0U;
-  if (section.group) {
-    LayerSection now = section;
-    now.shown = shown;
-    const bool is_possible = shown != 0 || !hidden_[*section.group].empty();
+  const auto shown = static_cast<std::size_t>(
+      std::ranges::count_if(section.members, [this](LayerIndex layer) { return layers_.is_visible(layer); }));
+  if (is_topic) {
+    const bool is_possible = shown != 0 || !hidden_[section.title].empty();
     ImGui::SetCursorScreenPos(eye_at);
     ImGui::BeginDisabled(!is_possible);
-    if (hit_area("eye", {eye, eye})) toggle_group(now);
+    if (hit_area("eye", {eye, eye})) toggle_group(section);
     const bool is_eye_hovered = ImGui::IsItemHovered();
     ImGui::EndDisabled();
     tooltip(gui_, shown != 0    ? "Hide the shown layers of this group"
@@ -388,32 +465,29 @@ bool LayersPanel::draw_heading(std::size_t index) {
     draw_icon(list, shown != 0 ? Icon::eye : Icon::eye_closed, eye_at, eye, is_possible ? quiet : colors.text_faint);
   }
   ImGui::SetCursorScreenPos(at);
-  if (hit_area("fold", {width - eye - 12 * unit, height})) {
-    if (is_folded)
-      folded_.erase(section.title);
-    else
-      folded_.insert(section.title);
-  }
+  if (hit_area("fold", {width - eye - 12 * unit, height})) set_folded(section, !was_folded);
   if (ImGui::IsItemHovered()) list.AddRectFilled(at, {at.x + width, at.y + height}, colors.accent_faint, 4 * unit);
-  tooltip(gui_, is_folded ? "Unfold" : "Fold away");
-  draw_fold(list, {at.x + 11 * unit, at.y + 0.5F * height}, 4 * unit, !is_folded, colors.text_quiet);
+  tooltip(gui_, is_filtered() ? "" : was_folded ? "Unfold" : "Fold away");
+  draw_fold(list, {at.x + 11 * unit, at.y + 0.5F * height}, 4 * unit, !was_folded, colors.text_quiet);
   ImGui::PushFont(gui_.small());
   const float text_y = at.y + 0.5F * (height - ImGui::GetFontSize());
-  const std::string count = section.group ? std::to_string(shown) + " of " + std::to_string(section.size) + " shown"
-                                          : std::to_string(shown);
+  const std::string count =
+      is_topic ? fmt::format("{} of {} shown", shown, section.members.size()) : std::to_string(section.rows.size());
   const float count_at = eye_at.x - 6 * unit - ImGui::CalcTextSize(count.c_str()).x;
-  const std::string title = elided(section.title, count_at - at.x - 32 * unit);
-  list.AddText({at.x + 27 * unit, text_y}, colors.text_quiet, title.c_str());
+  const std::string title = elided(heading_of(section), count_at - at.x - 32 * unit);
+  list.AddText({at.x + 27 * unit, text_y}, shown != 0 && is_topic ? colors.text : colors.text_quiet, title.c_str());
   list.AddText({count_at, text_y}, colors.text_faint, count.c_str());
   ImGui::PopFont();
   ImGui::SetCursorScreenPos({at.x, at.y + height});
-  return !is_folded;
+  return !is_folded(section);
 }
 
 void LayersPanel::draw_section(std::size_t index) {
-  ImGui::PushID(listing_.sections[index].title.c_str());
+  const LayerSection& section = listing_.sections[index];
+  if (section.is_of_union && (index == 0 || !listing_.sections[index - 1].is_of_union)) draw_families();
+  ImGui::PushID(section.title.c_str());
   if (draw_heading(index))
-    for (const LayerIndex layer : listing_.sections[index].rows) draw_row(layer, listing_.sections[index]);
+    for (const LayerIndex layer : section.rows) draw_row(layer, section);
   ImGui::PopID();
 }
 
@@ -439,10 +513,28 @@ void LayersPanel::follow() {
   options_.family = FamilyKind::inner;
   for (const FamilyKind family : kBallFamilies)
     if (actions_.is_checked(nth(ActionId::balls_inner, static_cast<std::size_t>(family)))) options_.family = family;
+  options_.favorites = favorites_;
+  if (reveal_) {
+    options_.search.clear();
+    options_.only_shown = false;
+  }
   const bool is_held = is_pointer_on_rows_ && clicked_at_ == layers_.revision() && options_ == listed_options_;
-  if (is_held) return;
+  if (is_held && !reveal_) return;
   listing_ = list_layers(layers_, options_);
   listed_options_ = options_;
+  if (reveal_) find_revealed();
+}
+
+// The row among those of its subject is preferred, because it stays where it is.
+void LayersPanel::find_revealed() {
+  const LayerIndex layer = *std::exchange(reveal_, std::nullopt);
+  revealed_.reset();
+  for (const LayerSection& section : listing_.sections)
+    if (std::ranges::count(section.rows, layer) != 0) revealed_ = {section.title, layer};
+  if (!revealed_) return;
+  scrolls_ = true;
+  if (!revealed_->section.empty() && std::ranges::count(unfolded_, revealed_->section) == 0)
+    unfolded_.push_back(revealed_->section);
 }
 
 void LayersPanel::draw() {
@@ -451,6 +543,7 @@ void LayersPanel::draw() {
   ImGui::PushStyleVar(ImGuiStyleVar_ItemSpacing, {0, 0});
   ImGui::BeginChild("rows");
   is_pointer_on_rows_ = ImGui::IsWindowHovered(ImGuiHoveredFlags_AllowWhenBlockedByActiveItem);
+  if (is_pointer_on_rows_ && ImGui::IsMouseClicked(ImGuiMouseButton_Left)) revealed_.reset();
   for (std::size_t index = 0; index < listing_.sections.size(); ++index) draw_section(index);
   draw_filter_note();
   ImGui::EndChild();
