@@ -18,8 +18,8 @@ constexpr PixelBox kRemark{0, 773, 500, 800};
 constexpr std::array<int, 2> kSearch{1048, 72};
 constexpr std::array<int, 2> kRun{1192, 101};             // of the one parameter that is found
 constexpr std::array<int, 2> kParameterField{1188, 129};  // the field beside its slider
-constexpr std::array<int, 2> kSteps{998, 203};            // in the popup of the button
-constexpr std::array<int, 2> kMakeTable{1033, 290};
+constexpr std::array<int, 2> kSteps{1040, 203};            // in the popup of the button
+constexpr std::array<int, 2> kMakeTable{1075, 290};
 constexpr std::array<int, 2> kPlay{405, 745};  // of the strip of evolutions, in one row
 
 /// Samples, and a page in a panel of its own.
@@ -91,7 +91,7 @@ TEST_CASE("a table that is made while something else is asked waits for its turn
   const Page page("p");
   page.find_parameter("alpha complex: radius");
   page.open_table("20000");
-  page.screen().xdotool("mousemove 1033 290 click 1 key Escape key ctrl+shift+s");
+  page.screen().xdotool("mousemove 1075 290 click 1 key Escape key ctrl+shift+s");
   REQUIRE(eventually([&] { return page.is_asking(); }));
   // At rest the table is there.
   static_cast<void>(page.screen().settled());
