@@ -31,6 +31,7 @@ struct Page {
     window.start("samples.poff");
     static_cast<void>(window.drawn());
     window.press("l");
+    window.press("shift+l");
     window.press(key);
     static_cast<void>(window.screen.settled());
   }
