@@ -15,7 +15,8 @@ constexpr auto kTopics = std::to_array<LayerTopic>({
      false, LayerGroup::delaunay_voronoi},
     {"Curve", "curve voronoi-crust curve-normals feature-size sampling-epsilon"},
     {"Medial axis",
-     "medial-axis interior-voronoi-disks interior-voronoi-circles interior-voronoi-vertices all-medial-axis "
+     "medial-axis outline-axis interior-voronoi-disks interior-voronoi-circles interior-voronoi-vertices "
+     "all-medial-axis "
      "exterior-voronoi-disks exterior-voronoi-circles exterior-voronoi-vertices",
      false, LayerGroup::crust_axis},
     {"Filtered axes",
@@ -50,8 +51,9 @@ constexpr auto kTopics = std::to_array<LayerTopic>({
      true},
     {"Samples & picture", "points indices contours image", false, LayerGroup::samples},
     {"Diagnostics",
-     "theorem-check curve-defects label-conflicts axis-difference precision-difference axis-nodes last-change", false,
-     LayerGroup::diagnostics},
+     "theorem-check curve-defects label-conflicts axis-difference axis-error precision-difference axis-nodes "
+     "last-change",
+     false, LayerGroup::diagnostics},
 });
 
 /// The number of names before this one.
