@@ -118,9 +118,9 @@ bool App::end_lesson() {
 void App::deselect() {
   if (demo_.is_running())
     demo_.end(true);
-  else if (!board_.canvas().cancel_gesture() && !panels_.close_large() && !cancel_lesson_export() && !work_.annotations().close() &&
-           !panels_.close_messages() && !board_.canvas().clear_tool() && !board_.provenance().clear() &&
-           !clear_selection() && !end_lesson() && !panels_.end_presentation())
+  else if (!board_.canvas().cancel_gesture() && !panels_.close_large() && !cancel_lesson_export() &&
+           !work_.annotations().close() && !panels_.close_messages() && !board_.canvas().clear_tool() &&
+           !board_.provenance().clear() && !clear_selection() && !end_lesson() && !panels_.end_presentation())
     panels_.show_panels();
 }
 

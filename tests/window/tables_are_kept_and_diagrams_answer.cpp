@@ -18,7 +18,7 @@ constexpr PixelBox kRemark{0, 773, 500, 800};
 constexpr std::array<int, 2> kSearch{1048, 72};
 constexpr std::array<int, 2> kRun{1192, 101};             // of the one parameter that is found
 constexpr std::array<int, 2> kParameterField{1188, 129};  // the field beside its slider
-constexpr std::array<int, 2> kSteps{1040, 203};            // in the popup of the button
+constexpr std::array<int, 2> kSteps{1040, 203};           // in the popup of the button
 constexpr std::array<int, 2> kMakeTable{1075, 290};
 constexpr std::array<int, 2> kPlay{405, 745};  // of the strip of evolutions, in one row
 
