@@ -204,6 +204,8 @@ class Session:
     p_scale_union: _AUnion
     p_scale_sampling: _ABallSampling
     p_skeleton_union: _AUnion
+    outline_axis: _OutlineAxis
+    axis_error: _AxisError
 
 class Structure:
     def __init__(self, bench: Any, description: Any) -> None: ...
@@ -693,3 +695,37 @@ class _PowerCrustEdges(Table):
 
 class _PowerCrust(Structure):
     edges: _PowerCrustEdges
+
+class _OutlineAxisFeatures(Table):
+    from_: NDArray[np.float64]
+    to: NDArray[np.float64]
+    is_vertex: NDArray[np.bool_]
+
+class _OutlineAxisEdges(Table):
+    nodes: NDArray[np.uint32]
+    features: NDArray[np.uint32]
+    region: NDArray[np.uint32]
+    is_parabola: NDArray[np.bool_]
+    control: NDArray[np.float64]
+
+class _OutlineAxisPieces(Table):
+    from_: NDArray[np.float64]
+    to: NDArray[np.float64]
+    radius_from: NDArray[np.float64]
+    radius_to: NDArray[np.float64]
+    edge: NDArray[np.uint32]
+
+class _OutlineAxis(Structure):
+    features: _OutlineAxisFeatures
+    nodes: _APowerDiagramBalls
+    edges: _OutlineAxisEdges
+    pieces: _OutlineAxisPieces
+
+class _AxisErrorPieces(Table):
+    from_: NDArray[np.float64]
+    to: NDArray[np.float64]
+    distance: NDArray[np.float64]
+    is_of_outline: NDArray[np.bool_]
+
+class _AxisError(Structure):
+    pieces: _AxisErrorPieces
