@@ -51,7 +51,7 @@ constexpr auto kTopics = std::to_array<LayerTopic>({
      true},
     {"Samples & picture", "points indices contours image", false, LayerGroup::samples},
     {"Diagnostics",
-     "theorem-check curve-defects label-conflicts axis-difference axis-error precision-difference axis-nodes "
+     "theorem-check curve-defects label-conflicts axis-difference axis-deviation precision-difference axis-nodes "
      "last-change",
      false, LayerGroup::diagnostics},
 });

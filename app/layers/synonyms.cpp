@@ -106,7 +106,7 @@ constexpr auto kSynonyms = std::to_array<Synonyms>({
     {"voronoi-crust", "reconstruction amenta bern eppstein"},
     {"power-crust", "reconstruction amenta choi kolluri"},
     {"medial-axis", "skeleton centre line center centerline midline"},
-    {"axis-error", "hausdorff distance accuracy truth compare quality"},
+    {"axis-deviation", "hausdorff distance accuracy truth compare quality"},
     {"outline-axis", "exact polygon segment voronoi straight skeleton centre line center centerline parabola"},
     {"all-medial-axis", "skeleton exterior symmetry"},
     {"lambda-medial-axis", kPruning},

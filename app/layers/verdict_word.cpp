@@ -36,7 +36,7 @@ constexpr auto kNames = std::to_array<Name>({
     {"medial-axis", "the medial axis"},
     {"axis-nodes", "the nodes of the axis"},
     {"outline-axis", "the axis of the outline"},
-    {"axis-error", "the error of the axis"},
+    {"axis-deviation", "the deviation of the axis"},
     {kCertificate, "the theorem"},
     {"axis-difference", "the difference of the two axes"},
     {"poles", "the poles"},

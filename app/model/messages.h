@@ -12,9 +12,10 @@
 
 namespace mes {
 
-/// A remark is shown in the status bar until the next one; a problem above the canvas until it is closed, or an
-/// operation succeeds that makes it stale; a notice above the canvas for some seconds. A refusal is a remark that is shown even without a status bar, until the
-/// next key or press. All stay in the log, which keeps the last thousand.
+/// A remark is shown in the status bar until the next one. A problem is shown above the canvas until it is closed, or an
+/// operation succeeds that makes it stale. A notice is shown above the canvas for some seconds. A refusal is a remark
+/// that is shown even without a status bar, until the next key or press. All stay in the log, which keeps the last
+/// thousand.
 class Messages {
  public:
   struct Entry {

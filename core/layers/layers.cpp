@@ -59,7 +59,7 @@ Layer make_indices_layer(const StructureSet&);
 Layer make_curve_defects_layer(const StructureSet&);
 Layer make_theorem_check_layer(const StructureSet&);
 Layer make_axis_difference_layer(const StructureSet&);
-Layer make_axis_error_layer(const StructureSet&);
+Layer make_axis_deviation_layer(const StructureSet&);
 Layer make_precision_difference_layer(const StructureSet&);
 
 Layer make_union_ball_convex_disks_layer(const UnionFamily&);
@@ -245,7 +245,7 @@ void add_layers(Registry& registry) {
   registry.add_layer(make_curve_defects_layer);
   registry.add_layer(make_theorem_check_layer);
   registry.add_layer(make_axis_difference_layer);
-  registry.add_layer(make_axis_error_layer);
+  registry.add_layer(make_axis_deviation_layer);
   registry.add_layer(make_precision_difference_layer);
   add_union_layers(registry, inner_family, true);
   add_union_layers(registry, polar_family, true);

@@ -205,7 +205,7 @@ class Session:
     p_scale_sampling: _ABallSampling
     p_skeleton_union: _AUnion
     outline_axis: _OutlineAxis
-    axis_error: _AxisError
+    axis_deviation: _AxisDeviation
 
 class Structure:
     def __init__(self, bench: Any, description: Any) -> None: ...
@@ -721,11 +721,11 @@ class _OutlineAxis(Structure):
     edges: _OutlineAxisEdges
     pieces: _OutlineAxisPieces
 
-class _AxisErrorPieces(Table):
+class _AxisDeviationPieces(Table):
     from_: NDArray[np.float64]
     to: NDArray[np.float64]
     distance: NDArray[np.float64]
     is_of_outline: NDArray[np.bool_]
 
-class _AxisError(Structure):
-    pieces: _AxisErrorPieces
+class _AxisDeviation(Structure):
+    pieces: _AxisDeviationPieces

@@ -23,8 +23,8 @@ struct CanvasLegend {
   std::function<std::size_t(const Box2&)> hides;
 
   /// Draws the legend at its position, or else in the lower right corner beside the marks, or in another one if only
-  /// that is free; `origin` is the origin of
-  /// positions in screen coordinates. Returns its box; nothing if it has no entries or no room.
+  /// that is free; `origin` is the origin of positions in screen coordinates. Returns its box; nothing if it has no
+  /// entries or no room.
   std::optional<Box2> draw(const std::optional<PaperPlace>& place, ImVec2 origin, const MarksPlace& marks) const;
 };
 

@@ -23,7 +23,8 @@ namespace mes {
 ProvenanceQuestion question_at(const Pointer& pointer, const LayerStack& layers);
 
 /// The answer is valid for one state of the document and one selection: an edit or a new selection removes it. The
-/// card opens in the corner where it hides least of the drawing, and can be dragged by its header: then it stays there. Threads: the window's.
+/// card opens in the corner where it hides least of the drawing. Once dragged by its header, it stays where it is.
+/// Threads: the window's.
 class ProvenanceCard {
  public:
   /// Asks about the elements under the pointer in the visible layers; the answer comes later.
@@ -47,9 +48,8 @@ class ProvenanceCard {
     std::optional<std::size_t> line;
   };
   /// `room`: where it may be; `hides`: how much of the drawing a box on the screen would hide. Draws the shapes behind
-  /// all panels. A click on a row shows its element, a click with Shift
-  /// asks to keep it highlighted, and the button asks that for all rows. `keep_key`: key of the action that keeps
-  /// all, or empty.
+  /// all panels. A click on a row shows its element, a click with Shift asks to keep it highlighted, and the button asks
+  /// that for all rows. `keep_key`: key of the action that keeps all, or empty.
   std::optional<Keep> draw(const Gui& gui, Canvas& canvas, const Editor& editor, const LayerStack& layers,
                            const PanelArea& room, const std::function<std::size_t(const Box2&)>& hides,
                            const std::string& keep_key);
@@ -76,14 +76,13 @@ class ProvenanceCard {
   std::vector<VariantLayer> layers_beneath() const;
   HeadClicks draw_head(const Gui& gui, const LayerStack& layers, float width, const std::string& keep_key);
   bool is_of(const Editor& editor) const;
+  /// Chooses the corner for a card of this size, unless it was dragged.
+  void choose_corner(const PanelArea& room, ImVec2 size, const std::function<std::size_t(const Box2&)>& hides);
 
   std::uint64_t ticket_ = 0;
   bool is_asking_ = false;
   std::uint64_t document_revision_ = 0;
   std::uint64_t selection_revision_ = 0;
-  /// Chooses the corner for a card of this size, unless it was dragged.
-  void choose_corner(const PanelArea& room, ImVec2 size, const std::function<std::size_t(const Box2&)>& hides);
-
   int frames_to_place_ = 0;  ///< a new card is measured first
   float height_ = 0.0F;
   bool is_dragged_ = false;

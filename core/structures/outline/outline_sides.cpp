@@ -71,15 +71,23 @@ bool is_between(Vec2 p, const OutlineSide& side) {
   return lexicographically_less(side.from, p) && lexicographically_less(p, side.to);
 }
 
-/// The crossing, rounded, in the boxes of both.
+/// The crossing, rounded.
 Vec2 crossing_of(const OutlineSide& a, const OutlineSide& b) {
   const Vec2 along = a.to - a.from;
   const Vec2 other = b.to - b.from;
-  const Vec2 at = a.from + (cross(b.from - a.from, other) / cross(along, other)) * along;
-  const Box2 first = box_of(a);
-  const Box2 second = box_of(b);
-  return {std::clamp(at.x, std::max(first.low.x, second.low.x), std::min(first.high.x, second.high.x)),
-          std::clamp(at.y, std::max(first.low.y, second.low.y), std::min(first.high.y, second.high.y))};
+  return a.from + (cross(b.from - a.from, other) / cross(along, other)) * along;
+}
+
+/// The foot of a point on the line through a side: 0 at its first end, 1 at its second.
+double share_along(Vec2 p, const OutlineSide& side) {
+  const Vec2 along = side.to - side.from;
+  return dot(p - side.from, along) / dot(along, along);
+}
+
+/// True if the point can split the side, which it need not lie on.
+bool can_split(Vec2 p, const OutlineSide& side) {
+  const double share = share_along(p, side);
+  return p != side.from && p != side.to && share > 0.0 && share < 1.0;
 }
 
 /// All ends, each once, sorted.
@@ -178,8 +186,32 @@ std::vector<OutlineSides::Cut> OutlineSides::ends_on_sides(JobControl& job) cons
   return cuts;
 }
 
+// Sides that are nearly collinear, or cross near an end, are split at ends: then splitting does not go on, since each
+// round adds few points.
+void OutlineSides::add_cuts_of_crossing(std::uint32_t i, std::uint32_t j, double tolerance,
+                                        std::vector<Cut>& cuts) const {
+  const OutlineSide& a = sides_[i];
+  const OutlineSide& b = sides_[j];
+  const std::size_t before = cuts.size();
+  const auto split_at_end = [&](std::uint32_t number, const OutlineSide& side, Vec2 end) {
+    if (can_split(end, side) && distance_from_chord(end, side.from, side.to) <= tolerance)
+      cuts.emplace_back(number, end);
+  };
+  for (const Vec2 end : {b.from, b.to}) split_at_end(i, a, end);
+  for (const Vec2 end : {a.from, a.to}) split_at_end(j, b, end);
+  if (cuts.size() != before) return;
+  const Vec2 at = crossing_of(a, b);
+  if (!is_finite(at)) return;
+  if (can_split(at, a)) cuts.emplace_back(i, at);
+  if (can_split(at, b)) cuts.emplace_back(j, at);
+}
+
 std::vector<OutlineSides::Cut> OutlineSides::crossings_of_sides(JobControl& job) {
   const BoxTree<std::uint32_t> tree = tree_of(sides_);
+  Box2 extent;
+  for (const OutlineSide& side : sides_) extent.add(box_of(side));
+  const double tolerance = 0x1p-44 * std::max({std::abs(extent.low.x), std::abs(extent.low.y),
+                                               std::abs(extent.high.x), std::abs(extent.high.y)});
   std::vector<Cut> cuts;
   for (std::uint32_t i = 0; i < sides_.size(); ++i) {
     if (i % kOften == 0) job.checkpoint();
@@ -193,29 +225,38 @@ std::vector<OutlineSides::Cut> OutlineSides::crossings_of_sides(JobControl& job)
                            orientation(b.from, b.to, a.from) * orientation(b.from, b.to, a.to) >= 0)
                          return;
                        ++crossings_;
-                       const Vec2 at = crossing_of(a, b);
-                       if (is_between(at, a)) cuts.emplace_back(i, at);
-                       if (is_between(at, b)) cuts.emplace_back(j, at);
+                       add_cuts_of_crossing(i, j, tolerance, cuts);
                      });
   }
   return cuts;
 }
 
-void OutlineSides::split(std::vector<Cut> cuts) {
-  std::ranges::sort(cuts, [](const Cut& a, const Cut& b) {
-    return std::tie(a.first, a.second.x, a.second.y) < std::tie(b.first, b.second.x, b.second.y);
+void OutlineSides::split(std::vector<Cut> cuts, Cuts where) {
+  // Points on a side lie in lexicographic order from its first end to its second.
+  const auto along = [&](const Cut& cut) {
+    return where == Cuts::beside_sides ? share_along(cut.second, sides_[cut.first]) : 0.0;
+  };
+  std::ranges::sort(cuts, [&](const Cut& a, const Cut& b) {
+    return std::tuple(a.first, along(a), a.second.x, a.second.y) <
+           std::tuple(b.first, along(b), b.second.x, b.second.y);
   });
+  std::vector<OutlineSide> pieces;
   for (std::size_t k = 0; k < cuts.size();) {
     const std::uint32_t i = cuts[k].first;
-    std::size_t piece = i;  // `sides_` grows
-    for (; k < cuts.size() && cuts[k].first == i; ++k) {
-      if (cuts[k].second == sides_[piece].from) continue;
-      OutlineSide rest = sides_[piece];
-      sides_[piece].to = rest.from = cuts[k].second;
-      piece = sides_.size();
-      sides_.push_back(rest);
-    }
+    const OutlineSide side = sides_[i];
+    Vec2 at = side.from;
+    const auto go_to = [&](Vec2 next) {
+      if (next == at) return;
+      const auto [from, to] = std::minmax(at, next, lexicographically_less);
+      pieces.push_back({from, to, side.separates, side.smooth});
+      at = next;
+    };
+    for (; k < cuts.size() && cuts[k].first == i; ++k) go_to(cuts[k].second);
+    go_to(side.to);
+    sides_[i] = pieces.back();
+    pieces.pop_back();
   }
+  sides_.insert(sides_.end(), pieces.begin(), pieces.end());
   merge();
 }
 
@@ -233,14 +274,16 @@ void OutlineSides::merge() {
 
 std::vector<OutlineSide> OutlineSides::take(JobControl& job) {
   merge();
-  split(ends_on_sides(job));
+  split(ends_on_sides(job), Cuts::on_sides);
   constexpr int kMostRounds = 32;
   for (int round = 0;; ++round) {
+    const std::size_t before = crossings_;
     std::vector<Cut> cuts = crossings_of_sides(job);
-    if (cuts.empty()) return std::move(sides_);
+    if (crossings_ == before) return std::move(sides_);
+    if (round != 0) crossings_ = before;  // caused by rounding
     if (round == kMostRounds) throw GeometryError("the sides of the outline cross too often at almost one point");
-    split(std::move(cuts));
-    split(ends_on_sides(job));
+    split(std::move(cuts), Cuts::beside_sides);
+    split(ends_on_sides(job), Cuts::on_sides);
   }
 }
 

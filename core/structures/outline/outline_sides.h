@@ -5,7 +5,8 @@
 //  1. Sides are different, and two of them have at most one point in common: an end of both.
 //  2. The sides depend on the outline as a set: not on the order of contours, their directions, or where they begin.
 //  3. Straight sides are exact. A vertex that lies exactly on a side splits it, as where parcels meet in a T. Sides that
-//     cross are split at the crossing, rounded to doubles; this alone moves them.
+//     cross are split at the crossing, rounded to doubles, or at an end that lies within 2^-44 of the largest coordinate.
+//     This alone moves sides.
 //
 // Cost: O(n log n) for n sides where few boxes of sides overlap. Threads: any.
 #pragma once
@@ -56,10 +57,12 @@ class OutlineSides {
  private:
   void add(Vec2 from, Vec2 to, bool is_of_closed_contour, const SmoothPlace& smooth);
 
-  using Cut = std::pair<std::uint32_t, Vec2>;  // a side, and a point inside it
+  using Cut = std::pair<std::uint32_t, Vec2>;  // a side, and a point that splits it
+  enum class Cuts : std::uint8_t { on_sides, beside_sides };
   std::vector<Cut> ends_on_sides(JobControl& job) const;
   std::vector<Cut> crossings_of_sides(JobControl& job);
-  void split(std::vector<Cut> cuts);
+  void add_cuts_of_crossing(std::uint32_t i, std::uint32_t j, double tolerance, std::vector<Cut>& cuts) const;
+  void split(std::vector<Cut> cuts, Cuts where);
   void merge();
 
   std::vector<OutlineSide> sides_;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The axis of the outline and the distances from it as columns.
 #include "core/graph/table_maker.h"
-#include "core/structures/outline/axis_error.h"
+#include "core/structures/outline/axis_deviation.h"
 #include "core/structures/outline/outline_axis.h"
 
 namespace mes {
@@ -43,7 +43,7 @@ std::vector<TableColumns> OutlineAxis::table_columns() const {
   return taken(features, nodes, edges, pieces);
 }
 
-std::vector<TableColumns> AxisError::table_columns() const {
+std::vector<TableColumns> AxisDeviation::table_columns() const {
   TableMaker<PieceSlot> pieces("pieces", "Pieces of both axes with their distance from the other one", pieces_.size(),
                                [](PieceSlot) { return true; });
   pieces.column("from", "One end", pieces_, &Piece::from);

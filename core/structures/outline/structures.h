@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/graph/registry.h"
-#include "core/structures/outline/axis_error.h"
+#include "core/structures/outline/axis_deviation.h"
 #include "core/structures/outline/outline_axis.h"
 
 namespace mes {
@@ -11,7 +11,7 @@ namespace mes {
 /// Call after the rooms that this one uses.
 inline void add_outline_structures(Registry& registry) {
   registry.add_structure<OutlineAxis, CurveSourceInput, Samples, Contours>();
-  registry.add_structure<AxisError, Delaunay, MedialAxis, OutlineAxis>();
+  registry.add_structure<AxisDeviation, Delaunay, MedialAxis, OutlineAxis>();
 }
 
 }  // namespace mes

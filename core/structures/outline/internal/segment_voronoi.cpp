@@ -281,6 +281,18 @@ class InnerVoronoi {
     return out;
   }
 
+  /// Two sides from one end in nearly the same direction: rounding would place what lies between them anywhere.
+  static bool are_a_sliver(const OutlineFeature& a, const OutlineFeature& b) {
+    if (a.is_point() || b.is_point()) return false;
+    for (const auto& [common, other] : {std::pair{a.from, a.to}, {a.to, a.from}})
+      for (const auto& [end, far] : {std::pair{b.from, b.to}, {b.to, b.from}}) {
+        const Vec2 u = other - common;
+        const Vec2 v = far - end;
+        if (common == end && dot(u, v) > 0.0 && std::abs(cross(u, v)) <= 0x1p-40 * dot(u, v)) return true;
+      }
+    return false;
+  }
+
   using Triple = std::array<OutlineFeatureSlot, 3>;
   /// The features of a face counter-clockwise, the least first. The order decides which circle they define.
   Triple features(Face f) const {
@@ -316,7 +328,7 @@ class InnerVoronoi {
       }
       const OutlineFeature& first = out_.features[feature(a)];
       const OutlineFeature& second = out_.features[feature(b)];
-      if (!first.smooth.is_next_to(second.smooth))
+      if (!first.smooth.is_next_to(second.smooth) && !are_a_sliver(first, second))
         kept.push_back({{feature(a), feature(b)}, {face(f), face(g)}, region});
     }
     // The least triple of features stands for a node, and puts nodes and edges in order.

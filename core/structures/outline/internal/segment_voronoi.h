@@ -19,6 +19,7 @@ namespace mes {
 ///  1. Which edges there are, where they end, and what lies inside is decided exactly for the given doubles.
 ///  2. Centres of nodes are rounded: the distances from their three features differ by a few units in the last place
 ///     of the largest coordinate.
+///  3. Edges between sides from one end with an angle below 2^-40 are left out.
 ///
 /// Cost: O(n log n) typically, some 50 us a side. Throws `Cancelled`.
 /// Source: Karavelas, "A robust and efficient implementation for the segment Voronoi diagram", 2004, as implemented in CGAL.

@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "core/base/rng.h"
-#include "core/structures/outline/axis_error.h"
+#include "core/structures/outline/axis_deviation.h"
 #include "core/structures/outline/outline_axis.h"
 #include "tests/support/parcels.h"
 #include "tests/support/workbench.h"
@@ -354,7 +354,7 @@ TEST_CASE("the axis follows vertices that are moved, and stays where samples of 
   CHECK(has({1, 1}));
 }
 
-TEST_CASE("the error of the axis is the largest distance of its points, and falls with denser samples") {
+TEST_CASE("the deviation of the axis is the largest distance of its points, and falls with denser samples") {
   std::array<double, 2> before{1.0, 4.0};
   for (const int count : {8, 32, 128}) {
     // The sides of a rectangle. The axis of the samples ends before the corners, by less for denser samples.
@@ -368,12 +368,12 @@ TEST_CASE("the error of the axis is the largest distance of its points, and fall
         data.positions.push_back(p);
     }
     TestBench bench;
-    bench.show({"axis-error", "medial-axis"});
+    bench.show({"axis-deviation", "medial-axis"});
     bench.load(data);
-    const auto& error = bench.get<AxisError>();
+    const auto& deviation = bench.get<AxisDeviation>();
     const auto from_all = [&](Vec2 p, bool is_of_outline) {
       double out = std::numeric_limits<double>::infinity();
-      for (const AxisError::Piece& other : error.pieces())
+      for (const AxisDeviation::Piece& other : deviation.pieces())
         if (other.is_of_outline == is_of_outline) {
           const Vec2 along = other.to - other.from;
           const double t =
@@ -382,7 +382,7 @@ TEST_CASE("the error of the axis is the largest distance of its points, and fall
         }
       return out;
     };
-    for (const AxisError::Piece& piece : error.pieces()) {
+    for (const AxisDeviation::Piece& piece : deviation.pieces()) {
       double seen = 0.0;
       constexpr int kSteps = 200;
       for (int k = 0; k <= kSteps; ++k)
@@ -391,9 +391,10 @@ TEST_CASE("the error of the axis is the largest distance of its points, and fall
       CHECK(piece.distance >= seen / (1.0 + 0x1p-10) - 1e-12);
       CHECK(piece.distance <= seen + distance(piece.from, piece.to) / kSteps + 1e-12);
     }
-    CHECK(bench.measure("axis-error", "hausdorff_distance") == std::max(error.largest(false), error.largest(true)));
-    CHECK(error.largest(false) < 0.3 * before[0]);
-    CHECK(error.largest(true) < 0.3 * before[1]);
-    before = {error.largest(false), error.largest(true)};
+    CHECK(bench.measure("axis-deviation", "hausdorff_distance") ==
+          std::max(deviation.largest(false), deviation.largest(true)));
+    CHECK(deviation.largest(false) < 0.3 * before[0]);
+    CHECK(deviation.largest(true) < 0.3 * before[1]);
+    before = {deviation.largest(false), deviation.largest(true)};
   }
 }

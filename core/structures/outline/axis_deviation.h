@@ -21,15 +21,15 @@ namespace mes {
 /// Arcs are measured as they are drawn (`OutlineAxis::pieces`).
 ///
 /// Cost: a change of either axis measures everything again, O(n log n) on all cores.
-class AxisError final : public Structure {
+class AxisDeviation final : public Structure {
  public:
   struct Piece {
     Vec2 from{}, to{};
     double distance = 0.0;  ///< largest distance of its points from the other axis
     bool is_of_outline = false;
   };
-  using PieceSlot = Slot<struct ErrorPieceTag>;
-  AxisError(Delaunay& delaunay, MedialAxis& axis, OutlineAxis& outline);
+  using PieceSlot = Slot<struct DeviationPieceTag>;
+  AxisDeviation(Delaunay& delaunay, MedialAxis& axis, OutlineAxis& outline);
 
   const Table<PieceSlot, Piece>& pieces() const { return pieces_; }
   const ChangeSet<PieceSlot>& changes() const { return no_changes<PieceSlot>(); }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/structures/outline/axis_error.h"
+#include "core/structures/outline/axis_deviation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <tuple>
 
 #include "core/base/box_tree.h"
 #include "core/base/parallel.h"
@@ -14,28 +15,33 @@
 namespace mes {
 namespace {
 
-using ErrorPiece = AxisError::Piece;
+using DeviationPiece = AxisDeviation::Piece;
 
-double distance_from(const ErrorPiece& piece, Vec2 p) {
+double distance_from(const DeviationPiece& piece, Vec2 p) {
   const Vec2 along = piece.to - piece.from;
   const double squared = dot(along, along);
   const double at = squared > 0.0 ? std::clamp(dot(p - piece.from, along) / squared, 0.0, 1.0) : 0.0;
   return distance(p, piece.from + at * along);
 }
 
+/// An order that does not depend on rows: of several nearest segments, the first counts.
+bool comes_before(const DeviationPiece& a, const DeviationPiece& b) {
+  return std::tie(a.from.x, a.from.y, a.to.x, a.to.y) < std::tie(b.from.x, b.from.y, b.to.x, b.to.y);
+}
+
 /// Segments that are searched.
 class Segments {
  public:
-  explicit Segments(std::span<const ErrorPiece> pieces) {
+  explicit Segments(std::span<const DeviationPiece> pieces) {
     tree_.build(
         pieces,
-        [](const ErrorPiece& piece) {
+        [](const DeviationPiece& piece) {
           TreeBounds bounds;
           bounds.box.add(piece.from);
           bounds.box.add(piece.to);
           return bounds;
         },
-        [](const ErrorPiece&, std::uint32_t) {});
+        [](const DeviationPiece&, std::uint32_t) {});
   }
 
   /// The largest distance of the points of a segment from these.
@@ -48,18 +54,18 @@ class Segments {
  private:
   static constexpr int kMostHalvings = 32;
   struct Near {
-    ErrorPiece piece{};
+    DeviationPiece piece{};
     double distance = std::numeric_limits<double>::infinity();
   };
 
   Near nearest(Vec2 p) const {
     Near out;
     double squared = std::numeric_limits<double>::infinity();
-    tree_.visit_near(p, squared, [&](const ErrorPiece& piece) {
+    tree_.visit_near(p, squared, [&](const DeviationPiece& piece) {
       const double own = distance_from(piece, p);
-      if (!(own < out.distance)) return;
+      if (!(own < out.distance || (own == out.distance && comes_before(piece, out.piece)))) return;
       out = {piece, own};
-      squared = own * own;
+      squared = own * own * (1.0 + 0x1p-50);  // equally near ones are visited too
     });
     return out;
   }
@@ -78,10 +84,10 @@ class Segments {
     return farthest(middle, between, to, last, known, halvings - 1);
   }
 
-  BoxTree<ErrorPiece> tree_;
+  BoxTree<DeviationPiece> tree_;
 };
 
-void measure(std::span<ErrorPiece> pieces, const Segments& others, JobControl& job) {
+void measure(std::span<DeviationPiece> pieces, const Segments& others, JobControl& job) {
   parallel_for(pieces.size(), [&](std::size_t begin, std::size_t end, std::size_t) {
     constexpr std::size_t kOften = 256;
     for (std::size_t i = begin; i < end; ++i) {
@@ -93,40 +99,46 @@ void measure(std::span<ErrorPiece> pieces, const Segments& others, JobControl& j
 
 }  // namespace
 
-AxisError::AxisError(Delaunay& delaunay, MedialAxis& axis, OutlineAxis& outline)
-    : Structure("axis-error", {&delaunay, &axis, &outline}), delaunay_(delaunay), axis_(axis), outline_(outline) {}
+AxisDeviation::AxisDeviation(Delaunay& delaunay, MedialAxis& axis, OutlineAxis& outline)
+    : Structure("axis-deviation", {&delaunay, &axis, &outline}),
+      delaunay_(delaunay),
+      axis_(axis),
+      outline_(outline) {}
 
-void AxisError::rebuild(JobControl& job) {
+void AxisDeviation::rebuild(JobControl& job) {
   pieces_ = {};
-  std::vector<ErrorPiece> sampled;
+  std::vector<DeviationPiece> sampled;
   for (const EdgeSlot edge : delaunay_.edge_slots()) {
     const EdgeRow& row = delaunay_.edge(edge);
     if (!row.is_alive() || !axis_.is_axis_edge(edge) || axis_.is_zero_length(edge)) continue;
-    sampled.push_back({delaunay_.circumcenter(row.f[0]), delaunay_.circumcenter(row.f[1]), 0.0, false});
+    const Vec2 first = delaunay_.circumcenter(row.f[0]);
+    const Vec2 second = delaunay_.circumcenter(row.f[1]);
+    const auto [from, to] = std::minmax(first, second, lexicographically_less);
+    sampled.push_back({from, to, 0.0, false});
   }
-  std::vector<ErrorPiece> exact;
+  std::vector<DeviationPiece> exact;
   for (const OutlinePiece& piece : outline_.pieces()) exact.push_back({piece.from, piece.to, 0.0, true});
   if (sampled.empty() || exact.empty()) return;
   const Segments sampled_axis(sampled);
   const Segments exact_axis(exact);
   measure(sampled, exact_axis, job);
   measure(exact, sampled_axis, job);
-  for (const std::vector<ErrorPiece>* some : {&sampled, &exact})
-    for (const ErrorPiece& piece : *some) pieces_.push_back(piece);
+  for (const std::vector<DeviationPiece>* some : {&sampled, &exact})
+    for (const DeviationPiece& piece : *some) pieces_.push_back(piece);
 }
 
-bool AxisError::update(JobControl&) {
-  return axis_.touched() == 0 && outline_.touched() == 0;
+bool AxisDeviation::update(JobControl&) {
+  return outline_.pieces().empty() || axis_.touched() == 0;
 }
 
-double AxisError::largest(bool is_of_outline) const {
+double AxisDeviation::largest(bool is_of_outline) const {
   double out = 0.0;
-  for (const ErrorPiece& piece : pieces_)
+  for (const DeviationPiece& piece : pieces_)
     if (piece.is_of_outline == is_of_outline) out = std::max(out, piece.distance);
   return out;
 }
 
-StatList AxisError::statistics() const {
+StatList AxisDeviation::statistics() const {
   if (pieces_.empty()) {
     const bool is_outline = outline_.pieces().empty();
     return {{"nothing_because",
