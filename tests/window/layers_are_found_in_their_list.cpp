@@ -36,7 +36,7 @@ struct ListedWindow : DrivenProgram {
 
 // The colour behind the row that was found: that of the theme over the panel.
 bool is_marked(Color c) {
-  return std::abs(c.r - 0xD6) <= 1 && std::abs(c.g - 0xE6) <= 1 && std::abs(c.b - 0xF0) <= 1;
+  return std::abs(c.r - 0xD6) <= 1 && std::abs(c.g - 0xE4) <= 1 && std::abs(c.b - 0xED) <= 1;
 }
 
 }  // namespace
