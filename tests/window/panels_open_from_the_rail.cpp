@@ -62,6 +62,9 @@ TEST_CASE("the next window has the panels and the width of this one") {
   RailWindow window;
   static_cast<void>(window.drawn());
   static_cast<void>(window.after_click(kPersistenceIcon));
+  // The line between drawing and column answers once the pointer is seen over it.
+  window.screen.xdotool("mousemove 938 200");
+  static_cast<void>(window.screen.settled());
   window.screen.drag({938, 200}, {738, 200}, 4);
   window.screen.xdotool("mouseup 1");
   window.screen.xdotool("mousemove 1200 6");
