@@ -453,7 +453,7 @@ void Picture::complete_painting() {
 
 void Picture::stop_painting() {
   if (!painting_) return;
-  // That it took long counts, so that the next picture is painted in less detail.
+  // A long painting counts, so that the next picture is painted in less detail.
   if (painting_->counts && painting_->ms >= kLongMs) detail_.painted(painting_->ms);
   painting_.reset();
   shown_.patches = kNoPatches;  // the views are those of the dropped picture

@@ -55,7 +55,7 @@ bool default_button(const Gui& gui, const char* label, ImVec2 size, bool is_defa
 /// in parts.
 void polyline(ImDrawList& list, std::span<const ImVec2> points, ImU32 color, bool is_closed, float thickness);
 
-/// What decides where a tooltip stands, in screen coordinates.
+/// The boxes that a tooltip is placed by, in screen coordinates.
 struct TooltipRoom {
   PanelArea item;   ///< the explained control
   PanelArea panel;  ///< the panel, popup or dialog that it is in
@@ -65,7 +65,7 @@ struct TooltipRoom {
   float gap = 0.0F;
 };
 /// The upper left corner of the tooltip: beside its panel, towards the middle of the window; above or below a wide
-/// panel; in a dialog, and where there is no room, beside the control. Never over the control, and within the window;
+/// panel; in a dialog, and where there is no room, beside the control. It never covers the control, and stays within the window;
 /// nothing if that is impossible.
 std::optional<ImVec2> tooltip_place(const TooltipRoom& room);
 

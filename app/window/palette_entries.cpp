@@ -63,7 +63,7 @@ void add_lessons(const Panels::Uses& uses, Entries& out) {
 }
 
 void add_layers(const Panels::Uses& uses, Entries& out) {
-  // Of layers that show the same for several families, those of the family in use come first.
+  // Layers of the family in use come before those that show the same for other families.
   constexpr double kLessThanFamily = -5.0;
   LayerStack& layers = uses.work.layers();
   const auto is_in_use = [&](FamilyKind family) {

@@ -27,7 +27,7 @@ TEST_CASE("problems that come together are all in the log, and the first ones ab
   }
 }
 
-TEST_CASE("notices are no problems, and a new one is told from an old one with the same words") {
+TEST_CASE("notices are not problems, and a repeated notice counts as a new one") {
   Messages messages;
   messages.notice("two lines were left out");
   CHECK(messages.problem().empty());

@@ -136,7 +136,7 @@ TEST_CASE("a click of the right button asks for a menu, and a drag of it only pa
   CHECK(bench.canvas.has_pointer());
   CHECK(bench.canvas.release(PointerButton::right, {101, 102}, {}));
   CHECK(bench.view.camera() == before);
-  // A drag that returns is no click.
+  // A drag that returns to its start does not count as a click.
   bench.canvas.press(PointerButton::right, {100, 100}, {});
   bench.canvas.move({140, 100}, {});
   bench.canvas.move({100, 100}, {});

@@ -22,7 +22,7 @@ TEST_CASE("the card of an element opens in the corner where no samples are, and 
   const Screenshot shown = window.screen.settled();
   // Highlights of the element may reach there; a card would change all of it.
   CHECK(shown.changes(kLowerLeft, before) < 2000);
-  // By its head, to the right.
+  // The card is dragged to the right by its header.
   window.screen.drag({120, 50}, {620, 60}, 4);
   window.screen.xdotool("mouseup 1");
   CHECK(eventually([&] { return window.screen.shoot().changes(kUpperLeft, before) == 0; }));

@@ -80,7 +80,7 @@ TEST_CASE("a diagram opens large on white paper, is moved, and Escape closes it"
   const PixelBox paper = large.box_of(kCanvas, is_paper);
   REQUIRE(paper.right - paper.left > 400);
   REQUIRE(paper.bottom - paper.top > 300);
-  // By its title, which is above three rows of controls.
+  // The window is dragged by its title, above three rows of controls.
   const int title = large.box_of_changes(kCanvas, before).top + 12;
   window.screen.drag({paper.left + 150, title}, {paper.left + 90, title + 40}, 4);
   window.screen.xdotool("mouseup 1");

@@ -21,7 +21,7 @@ struct SidePage {
   ActionId toggle = ActionId::toggle_layers;
   bool begins_group = false;      ///< a line of the rail is above its icon
   std::function<void()> draw{};   ///< draws the content
-  std::function<void()> large{};  ///< draws the content of a window over the canvas; empty: there is no such window
+  std::function<void()> large{};  ///< draws the content of the large window; empty: the panel has none
 };
 
 /// A panel has the height of the column, or shares it with a second one. Width, share and open panels are settings.

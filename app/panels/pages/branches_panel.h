@@ -33,7 +33,7 @@ class BranchesPanel {
   void draw_large();
 
  private:
-  /// Follows the document; returns false if there is no table, after saying why.
+  /// Follows the document. Returns false without a table, and then draws the reason.
   bool draw_head();
   void draw_choices();
   void draw_histogram(float height, bool is_large);

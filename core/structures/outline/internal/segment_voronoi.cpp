@@ -263,7 +263,8 @@ class InnerVoronoi {
     }
   }
 
-  /// A face on either side of a side that is no point, or kNoSlot: faces surround the side, and its two ends part them.
+  /// Two faces of positive radius, left and right of a side, or kNoSlot. The two ends of the side divide the faces that
+  /// surround it.
   std::array<GraphFaceSlot, 2> faces_beside(Vertex v, const Table<GraphFaceSlot, bool>& is_point) const {
     const auto is_behind_end = [&](Face at) {
       const Vertex before = at->vertex(Graph::ccw(at->index(v)));
