@@ -65,8 +65,8 @@ struct TooltipRoom {
   float gap = 0.0F;
 };
 /// The upper left corner of the tooltip: beside its panel, towards the middle of the window; above or below a wide
-/// panel; in a dialog, and where there is no room, beside the control. It never covers the control, and stays within the window;
-/// nothing if that is impossible.
+/// panel; in a dialog, and where there is no room, beside the control. It never covers the control, and stays within
+/// the window; nothing if that is impossible.
 std::optional<ImVec2> tooltip_place(const TooltipRoom& room);
 
 /// Explains the last item when the pointer rests on it, even if it is disabled.
