@@ -41,7 +41,9 @@ struct ReplacedWindow {
 
   /// What is framed in the accent colour in the status bar.
   PixelBox chip() const {
-    const auto is_accent = [](Color c) { return std::abs(c.r) < 12 && c.g > 90 && c.g < 115 && c.b > 145 && c.b < 170; };
+    const auto is_accent = [](Color c) {
+      return std::abs(c.r) < 12 && c.g > 90 && c.g < 115 && c.b > 145 && c.b < 170;
+    };
     return screen.shoot().box_of({0, 772, 1280, 800}, is_accent);
   }
   bool has_chip() const { return chip().right - chip().left > 40; }

@@ -24,7 +24,9 @@ void CanvasMenu::open(Engine& engine, const LayerStack& layers, Target target, b
   if (!is_asking_) return;
   ProvenanceQuestion question = question_at(target_.pointer, layers);
   question.ticket = ticket_;
-  question.wish = ProvenanceWish::shape;
+  // A question for the shape alone could replace that of the element under the pointer, or be replaced by it, and one
+  // of the two would wait for ever. Only clicks ask for the story.
+  question.wish = ProvenanceWish::story;
   engine.ask(std::move(question));
 }
 
