@@ -119,7 +119,10 @@ void describe_render(const Registry& registry, CLI::App& app, RenderRequest& to)
                    "Size of a vector format on paper: WxH, or a width to which the height\n"
                    "follows, with units mm, cm, in, pt or px, as in 84mmx60mm;\n"
                    "or " +
-                       page_preset_words())
+                       page_preset_words() +
+                       ".\n"
+                       "Where samples are dense, lines are not made finer than 0.5 pt; the\n"
+                       "letters of the legend have 8 pt, times --scale, on a small page too")
       ->excludes(size);
   render->add_option("--bounds", to.bounds, "Of a vector format: view, or tight to cut it to what is drawn")
       ->capture_default_str();

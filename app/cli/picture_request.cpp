@@ -13,9 +13,11 @@
 #include "app/cli/output.h"
 #include "app/cli/session_settings.h"
 #include "app/cli/style_request.h"
+#include "app/model/figure_settings.h"
 #include "core/base/lower_case.h"
 #include "core/graph/registry.h"
 #include "core/io/text/text_numbers.h"
+#include "render/figure/figure.h"
 
 namespace mes::cli {
 namespace {
@@ -178,6 +180,8 @@ Expected<PictureRequest> understand(const Registry& registry, const RenderReques
   if (!scale || *scale < kLeastScale || *scale > kMostScale)
     return usage_error("--scale expects a number from 0.01 to 100, not " + in_quotes(request.scale));
   picture.shown.scale = *scale;
+  if (picture.page)
+    picture.shown.least_line_px = FigureSettings().least_line_pt / (figure::kPointsPerPixel * picture.shown.scale);
   return picture;
 }
 

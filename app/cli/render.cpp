@@ -136,11 +136,11 @@ Expected<void> run_render(const Registry& registry, const RenderRequest& request
       return draw_panes(*picture, request, comparison, *result, canvas ? &*canvas : nullptr, mirror, drawn_from,
                         std::move(session));
     if (canvas) {
-      const TitleBand title = title_of(request, picture->size, picture->shown);
-      const auto image = draw_pixels(picture->shown, {}, *canvas,
-                                     camera_for(picture->size, seen_by(*picture, bounds, mirror), request.marks.axes,
-                                                picture->shown.scale, title.pixels),
-                                     drawn_from, figure_request(*picture, request), title.drawing);
+      const FigureRequest wanted = figure_request(*picture, request);
+      const PictureLayout layout =
+          layout_of(picture->size, seen_by(*picture, bounds, mirror),
+                    title_of(request, picture->size, picture->shown), *canvas, drawn_from, wanted);
+      const auto image = draw_pixels(*canvas, layout, drawn_from, wanted);
       if (!image) return std::unexpected(image.error());
       return encoded(*image, session);
     }

@@ -44,9 +44,11 @@ Expected<render::Image> draw_panes_in_pixels(const DrawnPanes& panes, Canvas& ca
     const Pane& pane = panes.comparison.panes[i];
     const bool is_free = panes.request.has_free_cameras;
     const SeenByAll seen = is_free ? seen_alone(panes.comparison, panes.sources, i) : panes.seen;
-    auto part =
-        draw_pixels(pane.shown, pane.marks, canvas, camera_for(size, {seen.box, seen.margin}, all.marks.axes, scale),
-                    panes.sources[i], request_for(all, panes.comparison, i, is_free), {});
+    FigureRequest one = request_for(all, panes.comparison, i, is_free);
+    one.shown = pane.shown;
+    one.marks_above = pane.marks;
+    auto part = draw_pixels(canvas, {camera_for(size, {seen.box, seen.margin}, all.marks.axes, scale)},
+                            panes.sources[i], one);
     if (!part) return part;
     parts.push_back(std::move(*part));
     sheet.labels.push_back(pane.label);

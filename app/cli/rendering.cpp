@@ -10,11 +10,9 @@
 #include "app/cli/messages.h"
 #include "app/cli/progress.h"
 #include "app/editing/sample_spacing.h"
+#include "app/export/explanations.h"
 #include "app/picture/lacking_letters.h"
-#include "app/picture/legend_place.h"
 #include "app/picture/sample_texts.h"
-#include "app/picture/scale_drawing.h"
-#include "app/picture/shapes_below.h"
 #include "app/picture/title_drawing.h"
 #include "app/store/sample_shapes.h"
 #include "render/offscreen.h"
@@ -23,38 +21,31 @@
 namespace mes::cli {
 namespace {
 
+std::vector<LegendEntry> entries_in(const render::Scene& scene, const FigureRequest& request) {
+  return legend_of(request.shown.descriptors, scene, views_of(request.shown, 0.0), request.legend);
+}
+
 /// Adds the explanations on top of the finished picture.
-void add_paper(render::Image& image, const render::Scene& scene, const render::Camera& camera,
-               const ShownLayers& shown, const FigureRequest& request, const FigureSource& source,
-               const PaperDrawing& title, const PaperFonts* fonts) {
-  if (fonts == nullptr) return;
-  const AnnotationDrawing annotated = layout_annotations(source.annotations, seen_plane(camera, shown.scale),
-                                                         measure_with(*fonts, shown.scale), shown.background);
-  for (const std::string& complaint : annotated.complaints) say(complaint);
-  paint(image, *fonts, annotated.highlights, {0.0, 0.0}, shown.scale);
-  paint(image, *fonts, annotated.drawing, {0.0, 0.0}, shown.scale);
-  SeenPlane plane = seen_plane(camera, shown.scale);
-  plane.covered_above = title.height;
-  const MeasureText measure = measure_with(*fonts, shown.scale);
-  LegendSurroundings around{.place = request.legend_at, .words = annotated.words, .hides = [&](const Box2& box) {
-                              return shapes_below(source.mirror, shown.layers, below(plane, box));
-                            }};
-  const ScaleMarks scale_marks =
-      with_free_bar(request.marks, plane, measure, [&](const Box2& box) { return around.cost_of(box); });
-  if (!scale_marks.is_empty())
-    paint(image, *fonts, layout_scale_marks(scale_marks, plane, measure, shown.background), {0.0, 0.0}, shown.scale);
-  paint(image, *fonts, title, {0.0, 0.0}, shown.scale);
+void add_paper(render::Image& image, const render::Scene& scene, const PictureLayout& layout,
+               const FigureSource& source, const FigureRequest& request, const PaperFonts& fonts) {
+  const double scale = request.shown.scale;
+  const PaperDrawing& title = layout.title.drawing;
+  const Explanations around = explain(request, source, seen_plane(layout.camera, scale), title.height,
+                                      entries_in(scene, request), layout.strip, fonts);
+  for (const std::string& complaint : around.annotated.complaints) say(complaint);
+  paint(image, fonts, around.annotated.highlights, {0.0, 0.0}, scale);
+  paint(image, fonts, around.annotated.drawing, {0.0, 0.0}, scale);
+  if (!around.marks.is_empty())
+    paint(image, fonts,
+          layout_scale_marks(around.marks, around.plane, measure_with(fonts, scale), request.shown.background),
+          {0.0, 0.0}, scale);
+  paint(image, fonts, title, {0.0, 0.0}, scale);
   LackingLetters lacking;
-  lacking.look_at(*fonts, annotated.drawing);
-  lacking.look_at(*fonts, title);
+  lacking.look_at(fonts, around.annotated.drawing);
+  lacking.look_at(fonts, title);
   if (const std::string words = lacking.words(); !words.empty()) say(words);
-  const MarksPlace marks = place_of_marks(scale_marks, plane, measure);
-  around.room = marks.room;
-  around.bar = marks.longest_bar;
-  const PlacedLegend legend = place_legend(legend_of(shown.descriptors, scene, views_of(shown, 0.0), request.legend),
-                                           *fonts, shown.scale, around, shown.background);
-  paint(image, *fonts, legend, shown.scale);
-  if (legend.lacks_room) say(kLegendLacksRoom);
+  paint(image, fonts, around.legend, scale);
+  if (around.legend.lacks_room) say(kLegendLacksRoom);
 }
 
 /// Draws in bands from the top if there is much to draw, so that a terminal shows the progress. Bands meet without a
@@ -90,11 +81,36 @@ Seen seen_by(const PictureRequest& picture, const Box2& samples, const LayerMirr
   return {fit_box(picture.shown.descriptors, samples, mirror, picture.shown.layers), kFitMargin};
 }
 
-render::Camera camera_for(const PictureSize& size, const Seen& seen, bool has_axes, double scale, int band) {
-  EdgeRoom edges;
-  if (has_axes && seen.margin > 0.0) edges = room_of_axes(scale);
-  edges.above = band;
+render::Camera camera_for(const PictureSize& size, const Seen& seen, bool has_axes, double scale,
+                          const EdgeRoom& taken) {
+  EdgeRoom edges = taken;
+  if (has_axes && seen.margin > 0.0) {
+    const EdgeRoom axes = room_of_axes(scale);
+    edges.below += axes.below;
+    edges.left += axes.left;
+  }
   return camera_within(edges, size.width, size.height, seen.box, seen.margin);
+}
+
+PictureLayout layout_of(const PictureSize& size, const Seen& seen, TitleBand title, const Canvas& canvas,
+                        const FigureSource& source, const FigureRequest& request) {
+  const double scale = request.shown.scale;
+  const auto camera_with = [&](const LegendStrip& strip) {
+    const auto pixels = [&](double length) { return static_cast<int>(std::ceil(scale * length)); };
+    return camera_for(size, seen, request.marks.axes, scale,
+                      {.above = title.pixels, .below = pixels(strip.below), .right = pixels(strip.right)});
+  };
+  LegendStrip strip;
+  const auto entries = entries_in(canvas.scene, request);
+  const auto fonts = PaperFonts::read(find_assets({}));
+  if (request.legend_beside && !request.legend_at && !entries.empty() && fonts)
+    strip = strip_for_legend([&](const LegendStrip& tried) {
+      const render::Camera camera = camera_with(tried);
+      return LegendTrial{
+          explain(request, source, seen_plane(camera, scale), title.drawing.height, entries, tried, *fonts).legend,
+          size.width / scale, size.height / scale, camera.units_per_pixel()};
+    });
+  return {camera_with(strip), std::move(title), strip};
 }
 
 TitleBand title_of(const RenderRequest& request, const PictureSize& size, const ShownLayers& shown) {
@@ -111,19 +127,19 @@ TitleBand title_of(const RenderRequest& request, const PictureSize& size, const 
   return {std::move(title.drawing), pixels};
 }
 
-Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const render::LayerView> marks,
-                                    Canvas& canvas, const render::Camera& camera, const FigureSource& source,
-                                    const FigureRequest& request, const PaperDrawing& title) {
-  const double units_per_px = camera.units_per_pixel() * shown.scale;
+Expected<render::Image> draw_pixels(Canvas& canvas, const PictureLayout& layout, const FigureSource& source,
+                                    const FigureRequest& request) {
+  const ShownLayers& shown = request.shown;
+  const double units_per_px = layout.camera.units_per_pixel() * shown.scale;
   std::vector<render::LayerView> all = views_of(shown, typical_spacing(source.document) / units_per_px);
-  all.insert(all.end(), marks.begin(), marks.end());
+  all.insert(all.end(), request.marks_above.begin(), request.marks_above.end());
   const auto fonts = PaperFonts::read(find_assets({}));
   if (!fonts) say("annotations, numbers, legend, scale bar and axes are left out: " + fonts.error().message());
-  add_texts(shown.descriptors, all, {source.document}, {camera.visible(), units_per_px},
+  add_texts(shown.descriptors, all, {source.document}, {layout.camera.visible(), units_per_px},
             fonts ? &fonts->plain : nullptr);
-  auto image = draw_in_bands(canvas.device, canvas.scene, camera, all,
+  auto image = draw_in_bands(canvas.device, canvas.scene, layout.camera, all,
                              {.background = shown.background, .content_scale = shown.scale});
-  if (image) add_paper(*image, canvas.scene, camera, shown, request, source, title, fonts ? &*fonts : nullptr);
+  if (image && fonts) add_paper(*image, canvas.scene, layout, source, request, *fonts);
   return image;
 }
 
@@ -139,8 +155,10 @@ FigureRequest figure_request(const PictureRequest& picture, const RenderRequest&
                         .page = picture.page,
                         .pixels = {picture.size.width, picture.size.height},
                         .is_tight = picture.is_tight,
+                        .keeps_letters = picture.page.has_value(),
                         .legend = legend_scope(wanted.with_legend, wanted.with_key),
                         .legend_at = wanted.legend_at,
+                        .legend_beside = true,
                         .marks = wanted.marks,
                         .title = wanted.title,
                         .image = picture.image,

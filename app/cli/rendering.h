@@ -12,7 +12,9 @@
 #include "app/cli/requests.h"
 #include "app/export/figure.h"
 #include "app/export/shown_layers.h"
+#include "app/picture/legend_place.h"
 #include "app/picture/paper_drawing.h"
+#include "app/picture/title_drawing.h"
 #include "core/base/box2.h"
 #include "core/base/error.h"
 #include "core/draw/layer_mirror.h"
@@ -30,8 +32,9 @@ struct Seen {
   double margin = 0.0;
 };
 Seen seen_by(const PictureRequest& picture, const Box2& samples, const LayerMirror& mirror);
-/// A camera for the area below a band of `band` pixels at the upper edge. A box with a margin also avoids the axes.
-render::Camera camera_for(const PictureSize& size, const Seen& seen, bool has_axes, double scale, int band = 0);
+/// A camera for the area within these edges. A box with a margin also avoids the axes.
+render::Camera camera_for(const PictureSize& size, const Seen& seen, bool has_axes, double scale,
+                          const EdgeRoom& taken = {});
 
 /// The title of a picture in pixels, and the height of its band in pixels.
 struct TitleBand {
@@ -49,11 +52,20 @@ struct Canvas {
   explicit Canvas(render::EglContext made) : context(std::move(made)) {}
 };
 
-/// Draws a picture in pixels; of the request, only the explanations beside the layers matter. `marks` lie above the
-/// layers and are in no legend; the title lies above everything.
-Expected<render::Image> draw_pixels(const ShownLayers& shown, std::span<const render::LayerView> marks,
-                                    Canvas& canvas, const render::Camera& camera, const FigureSource& source,
-                                    const FigureRequest& request, const PaperDrawing& title);
+/// What is where in a picture in pixels.
+struct PictureLayout {
+  render::Camera camera;
+  TitleBand title{};
+  LegendStrip strip{};
+};
+/// Leaves a strip free for the legend if the request permits and the legend hides the drawing otherwise.
+PictureLayout layout_of(const PictureSize& size, const Seen& seen, TitleBand title, const Canvas& canvas,
+                        const FigureSource& source, const FigureRequest& request);
+
+/// Draws a picture in pixels; the request gives the layers, the marks above them, which are in no legend, and the
+/// explanations. The title lies above everything.
+Expected<render::Image> draw_pixels(Canvas& canvas, const PictureLayout& layout, const FigureSource& source,
+                                    const FigureRequest& request);
 
 /// The bytes of a PNG file that carries a session, if it is not empty.
 Expected<std::string> encoded(const render::Image& image, std::string_view session);

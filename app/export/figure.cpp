@@ -7,11 +7,10 @@
 #include <span>
 
 #include "app/editing/sample_spacing.h"
-#include "app/picture/figure_legend.h"
+#include "app/export/explanations.h"
 #include "app/picture/lacking_letters.h"
 #include "app/picture/sample_texts.h"
 #include "app/picture/scale_drawing.h"
-#include "app/picture/shapes_below.h"
 #include "app/picture/title_drawing.h"
 #include "app/store/sample_shapes.h"
 #include "core/draw/variant.h"
@@ -53,12 +52,15 @@ double natural_height(const FittedBox& shown, double width) {
   return ratio < 1.0 ? ratio * width / (1.0 - both + both * ratio) : (1.0 - both) * width * ratio + both * width;
 }
 
-/// The request for the part below a band of this many points. If the height of the page follows from its content, the
+/// The request for the part within strips at the edges. If the height of the page follows from its content, the
 /// content keeps its full height.
-FigureRequest below(FigureRequest request, double band) {
-  if (request.page && request.page->height) *request.page->height -= band;
-  if (!request.page && !std::holds_alternative<figure::Page>(request.part))
-    request.pixels[1] -= static_cast<int>(std::lround(band / figure::kPointsPerPixel));
+FigureRequest within(FigureRequest request, const PageEdges& edges) {
+  const double both = edges.above + edges.below;
+  if (request.page) request.page->width -= edges.right;
+  if (request.page && request.page->height) *request.page->height -= both;
+  if (request.page || std::holds_alternative<figure::Page>(request.part)) return request;
+  request.pixels[0] -= static_cast<int>(std::lround(edges.right / figure::kPointsPerPixel));
+  request.pixels[1] -= static_cast<int>(std::lround(both / figure::kPointsPerPixel));
   return request;
 }
 
@@ -93,28 +95,16 @@ PictureTitle title_on(const figure::Page& page, const FigureRequest& request, co
                       measure_with(fonts, request.shown.scale), request.shown.background);
 }
 
-/// The height of the title's band in points, rounded up to whole pixels of 1/96 inch.
-double band_of(const PictureTitle& title, const FigureRequest& request) {
-  return figure::kPointsPerPixel * std::ceil(request.shown.scale * title.drawing.height);
+/// Rounded up to whole pixels of 1/96 inch, in points.
+double whole_pixels(double points) {
+  return figure::kPointsPerPixel * std::ceil(points / figure::kPointsPerPixel);
 }
 
-SeenPlane plane_below(const PictureTitle& title, const figure::Page& page, double scale) {
-  SeenPlane plane = seen_plane(page, scale);
-  plane.covered_above = title.drawing.height;
-  return plane;
-}
-
-/// Adds the scale marks, and returns their positions.
-MarksPlace add_scale_marks(figure::Figure& figure, const SeenPlane& plane, const FigureRequest& request,
-                           const LegendSurroundings& around, const PaperFonts& fonts) {
-  const double scale = request.shown.scale;
-  const MeasureText measure = measure_with(fonts, scale);
-  const ScaleMarks marks =
-      with_free_bar(request.marks, plane, measure, [&](const Box2& box) { return around.cost_of(box); });
-  if (!marks.is_empty())
-    add_to(figure, fonts, layout_scale_marks(marks, plane, measure, request.shown.background), {0.0, 0.0}, scale);
-  return place_of_marks(marks, plane, measure);
-}
+/// A page with room for its title.
+struct TitledPage {
+  figure::Page page;
+  PictureTitle title;
+};
 
 bool has_texts(const ShownLayers& shown) {
   return std::ranges::any_of(
@@ -129,19 +119,14 @@ Box2 plane_on(const figure::Page& page) {
 }
 
 /// Adds layers of their own above all others: highlights first, then the rest.
-AnnotationDrawing add_annotations(figure::Figure& figure, const figure::Page& page, const FigureRequest& request,
-                                  const PlacedAnnotations& annotations, const PaperFonts& fonts) {
-  const double scale = request.shown.scale;
-  AnnotationDrawing drawn =
-      layout_annotations(annotations, seen_plane(page, scale), measure_with(fonts, scale), request.shown.background);
+void add_annotations(figure::Figure& figure, const AnnotationDrawing& drawn, double scale, const PaperFonts& fonts) {
   const double points = scale * figure::kPointsPerPixel;
   if (!drawn.highlights.is_empty())
     add_layer(figure, fonts, drawn.highlights, {0.0, 0.0}, scale,
               {.id = "highlights", .title = "Highlights", .line_width = kHighlightLine * points});
-  if (drawn.drawing.is_empty()) return drawn;
-  add_layer(figure, fonts, drawn.drawing, {0.0, 0.0}, scale,
-            {.id = "annotations", .title = "Annotations", .line_width = kAnnotationLine * points});
-  return drawn;
+  if (!drawn.drawing.is_empty())
+    add_layer(figure, fonts, drawn.drawing, {0.0, 0.0}, scale,
+              {.id = "annotations", .title = "Annotations", .line_width = kAnnotationLine * points});
 }
 
 }  // namespace
@@ -153,38 +138,33 @@ const figure::FigureLayer* largest_layer(const figure::Figure& figure) {
 }
 
 Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSource& source) {
-  figure::Page page = page_for(request, source);
+  const double scale = request.shown.scale;
+  const double points = scale * figure::kPointsPerPixel;
   const std::vector<render::LayerView> views = views_of(request.shown, 0.0);
   const figure::Drawing explained{.mirror = source.mirror,
                                   .layers = request.shown.descriptors,
                                   .views = views,
                                   .maps = source.maps,
                                   .background = request.shown.background,
-                                  .scale = request.shown.scale,
+                                  .scale = scale,
                                   .traced = {find_layer(request.shown.descriptors, "image"),
                                              source.traced,
                                              {request.image.center, request.image.width}}};
   const bool is_annotated = request.with_annotations && !source.annotations.is_empty();
-  const bool is_explained = has_legend(explained, request.legend);
+  const std::vector<LegendEntry> entries = legend_of(explained, request.legend);
   const bool is_numbered = has_texts(request.shown);
   std::optional<PaperFonts> fonts;
   DrawnFigure out;
-  if (is_annotated || is_explained || is_numbered || !request.title.empty() || !request.marks.is_empty()) {
+  if (is_annotated || !entries.empty() || is_numbered || !request.title.empty() || !request.marks.is_empty()) {
     if (auto read = PaperFonts::read(find_assets({})))
       fonts = std::move(*read);
     else
       out.remarks.push_back("title, annotations, numbers, legend, scale bar and axes are left out: " +
                             read.error().message());
   }
-  PictureTitle title;
-  if (fonts) title = title_on(page, request, *fonts);
-  if (!title.complaint.empty()) out.remarks.push_back("the title: " + title.complaint);
-  if (const double band = band_of(title, request); band > 0.0 && !request.is_tight)
-    page = with_band(page_for(below(request, band), source), band);
-  AnnotationDrawing annotated;
   const double spacing = typical_spacing(source.document);
-  const auto drawn_on_page = [&] {
-    const double units_per_px = page.units_per_point * figure::kPointsPerPixel * request.shown.scale;
+  const auto drawn_on = [&](const figure::Page& page, const AnnotationDrawing& annotated) {
+    const double units_per_px = page.units_per_point * points;
     std::vector<render::LayerView> all = views_of(request.shown, spacing / units_per_px);
     all.insert(all.end(), request.marks_above.begin(), request.marks_above.end());
     add_texts(request.shown.descriptors, all, {source.document}, {plane_on(page), units_per_px},
@@ -197,34 +177,56 @@ Expected<DrawnFigure> draw_figure(const FigureRequest& request, const FigureSour
       mark.title += ", only here";
     }
     if (is_numbered && fonts) set_fonts(figure, *fonts);
-    if (is_annotated && fonts) annotated = add_annotations(figure, page, request, source.annotations, *fonts);
+    if (fonts) add_annotations(figure, annotated, scale, *fonts);
     return figure;
   };
-  out.figure = drawn_on_page();
+  const auto explained_on = [&](const TitledPage& titled, const LegendStrip& strip) {
+    if (!fonts) return Explanations();
+    const double covered_above = titled.title.drawing.height;
+    return explain(request, source, seen_plane(titled.page, scale), covered_above, entries, strip, *fonts);
+  };
+  // The page without title and strip, if what is drawn on a larger one decides it.
+  std::optional<figure::Page> tight;
   if (request.is_tight) {
-    const Box2 ink = figure::ink_box(out.figure);
-    if (!ink.is_empty() && ink.width() > 0.0 && ink.height() > 0.0) {
-      page = figure::part_of(page, ink);
-      if (fonts) title = title_on(page, request, *fonts);
-    }
-    page = with_band(page, band_of(title, request));
-    out.figure = drawn_on_page();
+    tight = page_for(request, source);
+    const Box2 ink = figure::ink_box(drawn_on(*tight, explained_on({*tight, {}}, {}).annotated));
+    if (!ink.is_empty() && ink.width() > 0.0 && ink.height() > 0.0) tight = figure::part_of(*tight, ink);
   }
+  const auto laid_out = [&](const LegendStrip& strip) {
+    PageEdges edges{.below = whole_pixels(points * strip.below), .right = whole_pixels(points * strip.right)};
+    const auto page = [&] { return with_edges(tight ? *tight : page_for(within(request, edges), source), edges); };
+    TitledPage titled{page(), {}};
+    if (!fonts || request.title.empty()) return titled;
+    titled.title = title_on(titled.page, request, *fonts);
+    edges.above = whole_pixels(points * titled.title.drawing.height);
+    titled.page = page();
+    return titled;
+  };
+  LegendStrip strip;
+  if (request.legend_beside && !request.legend_at && !entries.empty() && fonts)
+    strip = strip_for_legend([&](const LegendStrip& tried) {
+      const TitledPage titled = laid_out(tried);
+      const figure::Page& page = titled.page;
+      return LegendTrial{explained_on(titled, tried).legend, page.width / points, page.height / points,
+                         page.units_per_point};
+    });
+  const TitledPage titled = laid_out(strip);
+  const Explanations around = explained_on(titled, strip);
+  if (!titled.title.complaint.empty()) out.remarks.push_back("the title: " + titled.title.complaint);
+  out.figure = drawn_on(titled.page, around.annotated);
   if (auto good = figure::rasterize_layers(out.figure, request.rasterized, request.dots_per_inch); !good)
     return std::unexpected(good.error());
-  out.remarks.insert(out.remarks.end(), annotated.complaints.begin(), annotated.complaints.end());
+  out.remarks.insert(out.remarks.end(), around.annotated.complaints.begin(), around.annotated.complaints.end());
   if (!fonts) return out;
-  const SeenPlane plane = plane_below(title, page, request.shown.scale);
-  LegendSurroundings around{
-      .place = request.legend_at,
-      .words = annotated.words,
-      .hides = [&](const Box2& box) { return shapes_below(source.mirror, request.shown.layers, below(plane, box)); },
-      .keeps_letters = request.keeps_letters};
-  const MarksPlace marks = add_scale_marks(out.figure, plane, request, around, *fonts);
-  around.room = marks.room;
-  around.bar = marks.longest_bar;
-  if (!title.drawing.is_empty()) add_to(out.figure, *fonts, title.drawing, {0.0, 0.0}, request.shown.scale);
-  if (!add_legend(out.figure, explained, request.legend, around, *fonts)) out.remarks.push_back(kLegendLacksRoom);
+  if (!around.marks.is_empty())
+    add_to(out.figure, *fonts,
+           layout_scale_marks(around.marks, around.plane, measure_with(*fonts, scale), request.shown.background),
+           {0.0, 0.0}, scale);
+  if (!titled.title.drawing.is_empty()) add_to(out.figure, *fonts, titled.title.drawing, {0.0, 0.0}, scale);
+  const PlacedLegend& legend = around.legend;
+  if (!legend.drawing.is_empty())
+    add_to(out.figure, *fonts, legend.drawing, points * legend.corner, scale * legend.shrink);
+  if (legend.lacks_room) out.remarks.push_back(kLegendLacksRoom);
   LackingLetters lacking;
   lacking.look_at(out.figure);
   if (std::string words = lacking.words(); !words.empty()) out.remarks.push_back(std::move(words));

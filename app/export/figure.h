@@ -40,6 +40,7 @@ struct FigureRequest {
   bool keeps_letters = false;    ///< the letters of the legend are as large as others, on a small page as well
   LegendScope legend = LegendScope::color_maps;
   std::optional<PaperPlace> legend_at{};  ///< nothing: where it hides least
+  bool legend_beside = false;  ///< a legend that would hide the drawing in each corner has a strip beside it
   ScaleMarks marks{};
   std::string title{};  ///< in the syntax of `rich_text`, in a band above the drawing; empty: no title
   bool with_annotations = true;

@@ -51,6 +51,7 @@ FigureRequest request_of(const FigureSubject& subject, const FigureSettings& set
   out.is_tight = settings.extent == FigureExtent::ink;
   out.legend = legend_scope(settings.with_legend, settings.with_key);
   out.legend_at = subject.legend_at;
+  out.legend_beside = true;
   out.marks = settings.marks;
   out.marks.bar_at = subject.scale_bar_at;
   out.title = settings.title;
@@ -61,6 +62,10 @@ FigureRequest request_of(const FigureSubject& subject, const FigureSettings& set
   } else {
     out.shown.scale = settings.letters_pt / (figure::kPointsPerPixel * figure::kEmOfSize * kSmallTextSize);
     out.shown.least_line_px = settings.least_line_pt / (figure::kPointsPerPixel * out.shown.scale);
+    for (LayerStyle& style : out.shown.styles) {
+      style.line_width_px = std::max(style.line_width_px, out.shown.least_line_px);
+      style.point_size_px = std::max(style.point_size_px, out.shown.least_line_px);
+    }
     out.keeps_letters = true;
   }
   const figure::Format* const format = figure::format_for(settings.extension);

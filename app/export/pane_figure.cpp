@@ -97,6 +97,8 @@ FigureRequest request_for(const FigureRequest& all, const Comparison& comparison
                           bool are_cameras_free) {
   FigureRequest out = all;
   out.title.clear();
+  // All panes show the same part of the plane.
+  out.legend_beside = false;
   if (pane == 0) return out;
   if (!are_cameras_free) out.marks.bar = false;
   std::vector<ShownPanes::Layers> layers;

@@ -42,9 +42,10 @@ Box2 box_of(const LayerMirror& mirror, VariantLayer layer) {
 std::vector<render::LayerView> views_of(const ShownLayers& shown, double spacing_px) {
   std::vector<render::LayerView> views;
   for (const VariantLayer layer : shown.layers) {
-    LayerStyle style = thinned(shown.styles[layer.layer], shown.descriptors[layer.layer], spacing_px);
-    style.line_width_px = std::max(style.line_width_px, shown.least_line_px);
-    style.point_size_px = std::max(style.point_size_px, shown.least_line_px);
+    const LayerStyle& own = shown.styles[layer.layer];
+    LayerStyle style = thinned(own, shown.descriptors[layer.layer], spacing_px);
+    style.line_width_px = std::max(style.line_width_px, std::min(shown.least_line_px, own.line_width_px));
+    style.point_size_px = std::max(style.point_size_px, std::min(shown.least_line_px, own.point_size_px));
     views.push_back({layer, drawn_on(style, shown.background)});
   }
   return views;

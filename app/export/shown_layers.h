@@ -25,7 +25,7 @@ struct ShownLayers {
   std::vector<LayerStyle> styles{};              ///< styles of all layers of one variant, by index
   std::optional<Rgb> background{};               ///< nothing: transparent
   double scale = 1.0;                            ///< factor for line widths and point sizes
-  double least_line_px = 0.0;                    ///< no line and no dot is finer, in logical pixels
+  double least_line_px = 0.0;                    ///< density makes no line and no dot finer, in logical pixels
 };
 
 /// The layers of one variant with their styles, in the form of sessions.

@@ -60,13 +60,6 @@ class LegendLayout {
       : measure_(&measure), colors_(paper_colors(background)), background_(background) {}
 
   double y() const { return y_; }
-  /// The right end of the longest line of text.
-  double right() const {
-    double out = 0.0;
-    for (const PaperDrawing::Line& line : drawing_.lines)
-      out = std::max(out, line.x + (*measure_)(line.text, line.size, line.face));
-    return out;
-  }
   PaperDrawing& drawing() { return drawing_; }
 
   void text(const std::string& line, bool is_bold, Rgb color) {
@@ -211,6 +204,46 @@ class LegendLayout {
   double y_ = kPadding;
 };
 
+/// The width that entries laid out below each other take, with the padding.
+double width_of(std::span<const LegendEntry> entries, const PaperDrawing& drawing, const MeasureText& measure) {
+  // Programs that display figures may substitute a wider font.
+  constexpr double kWiderFont = 1.1;
+  if (std::ranges::any_of(entries, [](const LegendEntry& entry) { return entry.map != nullptr; })) return kWidth;
+  double right = 0.0;
+  for (const PaperDrawing::Line& line : drawing.lines)
+    right = std::max(right, line.x + measure(line.text, line.size, line.face));
+  return kWiderFont * right + kPadding;
+}
+
+void add_frame(PaperDrawing& drawing, const std::optional<Rgb>& background) {
+  const PaperColors colors = paper_colors(background);
+  drawing.boxes.insert(drawing.boxes.begin(), {{0.0, 0.0, drawing.width, drawing.height, colors.frame},
+                                               {1.0, 1.0, drawing.width - 2.0, drawing.height - 2.0, colors.paper}});
+}
+
+/// Entries below each other, without a frame.
+PaperDrawing column_of(std::span<const LegendEntry> entries, const MeasureText& measure,
+                       const std::optional<Rgb>& background) {
+  LegendLayout layout(measure, background);
+  for (const LegendEntry& entry : entries) layout.entry(entry);
+  PaperDrawing out = std::move(layout.drawing());
+  out.width = width_of(entries, out, measure);
+  out.height = layout.y() + kPadding - 4.0;
+  return out;
+}
+
+/// Adds a column without points, arcs and triangles, which legends do not have.
+void add_column(PaperDrawing& drawing, PaperDrawing column) {
+  for (PaperDrawing::Box& box : column.boxes) box.left += drawing.width;
+  for (PaperDrawing::Dot& dot : column.dots) dot.x += drawing.width;
+  for (PaperDrawing::Line& line : column.lines) line.x += drawing.width;
+  drawing.boxes.insert(drawing.boxes.end(), column.boxes.begin(), column.boxes.end());
+  drawing.dots.insert(drawing.dots.end(), column.dots.begin(), column.dots.end());
+  drawing.lines.insert(drawing.lines.end(), column.lines.begin(), column.lines.end());
+  drawing.width += column.width;
+  drawing.height = std::max(drawing.height, column.height);
+}
+
 }  // namespace
 
 std::vector<LegendEntry> legend_of(std::span<const LayerDescriptor> descriptors, const render::Scene& scene,
@@ -219,6 +252,12 @@ std::vector<LegendEntry> legend_of(std::span<const LayerDescriptor> descriptors,
       descriptors, views, scope,
       [&](const render::LayerView& view) { return scene.shown_map(view.layer, view.style); },
       [&](VariantLayer layer, PrimitiveKind kind) { return scene.instances(layer, kind) > 0; });
+}
+
+std::vector<LegendEntry> legend_of(const figure::Drawing& drawing, LegendScope scope) {
+  return entries_of(
+      drawing.layers, drawing.views, scope, [&](const render::LayerView& view) { return shown_map(drawing, view); },
+      [&](VariantLayer layer, PrimitiveKind kind) { return !drawing.mirror.instances(layer, kind).empty(); });
 }
 
 std::vector<LegendTick> legend_ticks(const render::ScalarRange& range) {
@@ -260,16 +299,24 @@ PaperDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureTe
     ++shown;
   }
   if (shown < entries.size()) layout.text(fmt::format("and {} more", entries.size() - shown), false, colors.quiet);
-  const bool has_bar =
-      std::ranges::any_of(entries.first(shown), [](const LegendEntry& entry) { return entry.map != nullptr; });
-  // Programs that display figures may substitute a wider font.
-  constexpr double kWiderFont = 1.1;
-  const double width = has_bar ? kWidth : kWiderFont * layout.right() + kPadding;
   PaperDrawing out = std::move(layout.drawing());
-  out.width = width;
+  out.width = width_of(entries.first(shown), out, measure);
   out.height = layout.y() + kPadding - 4.0;
-  out.boxes.insert(out.boxes.begin(), {{0.0, 0.0, out.width, out.height, colors.frame},
-                                       {1.0, 1.0, out.width - 2.0, out.height - 2.0, colors.paper}});
+  add_frame(out, background);
+  return out;
+}
+
+PaperDrawing layout_wide_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double width,
+                                const std::optional<Rgb>& background) {
+  if (entries.empty()) return {};
+  PaperDrawing out;
+  for (std::size_t each = 1; each <= entries.size(); ++each) {
+    out = {};
+    for (std::size_t begin = 0; begin < entries.size(); begin += each)
+      add_column(out, column_of(entries.subspan(begin, std::min(each, entries.size() - begin)), measure, background));
+    if (out.width <= width) break;
+  }
+  add_frame(out, background);
   return out;
 }
 

@@ -20,6 +20,7 @@
 #include "core/draw/layer_style.h"
 #include "core/draw/primitives.h"
 #include "render/colormap.h"
+#include "render/figure/figure_of.h"
 #include "render/scene.h"
 
 namespace mes {
@@ -56,6 +57,8 @@ struct LegendEntry {
 std::vector<LegendEntry> legend_of(std::span<const LayerDescriptor> descriptors, const render::Scene& scene,
                                    std::span<const render::LayerView> views,
                                    LegendScope scope = LegendScope::color_maps);
+/// The same for a figure, whose maps are those of the drawing.
+std::vector<LegendEntry> legend_of(const figure::Drawing& drawing, LegendScope scope);
 
 /// The ends of a range and a few round numbers between, with as few digits as distinguish them. A range of one value
 /// has one tick, an empty one none.
@@ -65,5 +68,9 @@ std::vector<LegendTick> legend_ticks(const render::ScalarRange& range);
 /// not fit into the height `room`. Without entries the legend is empty.
 PaperDrawing layout_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double room,
                            const std::optional<Rgb>& background);
+
+/// Places all entries in as few rows as the width permits, column by column.
+PaperDrawing layout_wide_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double width,
+                                const std::optional<Rgb>& background);
 
 }  // namespace mes

@@ -29,6 +29,8 @@ class LegendPlaces {
   std::optional<Vec2> best() const {
     if (around_.place)
       if (const auto there = nearest_free(placed(*around_.place, size_, around_.room))) return there;
+    if (!around_.strip.is_empty())
+      if (const auto there = nearest_free(corners().front())) return there;
     std::optional<Vec2> out;
     std::pair<std::size_t, std::size_t> least;
     for (const Vec2 corner : corners()) {
@@ -90,13 +92,22 @@ PlacedLegend place_legend(std::span<const LegendEntry> entries, const MeasureTex
                           const LegendSurroundings& around, const std::optional<Rgb>& background) {
   if (entries.empty()) return {};
   const double margin = shrink * kUsualMarginPx;
-  const auto at_most = [&](double height) -> std::optional<PlacedLegend> {
-    PaperDrawing drawing = layout_legend(entries, measure, height / shrink, background);
-    const Vec2 size = shrink * Vec2{drawing.width, drawing.height};
-    const auto corner = LegendPlaces(around, size, margin).best();
+  const auto with = [&](PaperDrawing drawing) -> std::optional<PlacedLegend> {
+    PlacedLegend out{.drawing = std::move(drawing), .shrink = shrink};
+    const auto corner = LegendPlaces(around, out.size(), margin).best();
     if (!corner) return std::nullopt;
-    return PlacedLegend{std::move(drawing), shrink, *corner};
+    out.corner = *corner;
+    out.hides = around.cost_of({out.corner, out.corner + out.size()});
+    return out;
   };
+  const auto at_most = [&](double height) {
+    return with(layout_legend(entries, measure, height / shrink, background));
+  };
+  if (around.strip.below > 0.0) {
+    const double bar = around.bar ? around.bar->width() + kBarApart : 0.0;
+    const double width = around.room.width() - 2.0 * margin - bar;
+    if (auto wide = with(layout_wide_legend(entries, measure, width / shrink, background))) return std::move(*wide);
+  }
   if (auto whole = at_most(around.room.height() - 2.0 * margin)) return std::move(*whole);
   // Only a scale bar can leave no free position.
   const double above = around.bar->low.y - around.room.low.y;
@@ -113,6 +124,31 @@ PlacedLegend place_legend(std::span<const LegendEntry> entries, const PaperFonts
   const double shrink =
       around.keeps_letters ? 1.0 : std::clamp(kShare * around.room.high.x / kLegendWidth, kLeast, 1.0);
   return place_legend(entries, measure_with(fonts, scale * shrink), shrink, around, background);
+}
+
+LegendStrip strip_for_legend(const std::function<LegendTrial(const LegendStrip&)>& lay_out) {
+  constexpr std::size_t kLessHidden = 4;
+  constexpr double kMostOfSide = 0.5;  // share of the side of the picture
+  const PlacedLegend corner = lay_out({}).legend;
+  if (corner.drawing.is_empty() || corner.hides == std::pair<std::size_t, std::size_t>()) return {};
+  const auto is_better = [&](const PlacedLegend& legend) {
+    if (legend.hides.first != corner.hides.first) return legend.hides.first < corner.hides.first;
+    return legend.hides.second < corner.hides.second && kLessHidden * legend.hides.second <= corner.hides.second;
+  };
+  const double margins = 2.0 * corner.shrink * kUsualMarginPx;
+  LegendStrip out;
+  double least = 0.0;
+  const auto try_strip = [&](const LegendStrip& strip) {
+    const LegendTrial trial = lay_out(strip);
+    if (strip.below > kMostOfSide * trial.height || strip.right > kMostOfSide * trial.width) return;
+    if (!is_better(trial.legend) || (!out.is_empty() && trial.units_per_pixel >= least)) return;
+    out = strip;
+    least = trial.units_per_pixel;
+  };
+  // The strip below is as high as the legend in columns, whose layout depends on the width only.
+  try_strip({.below = lay_out({.below = margins}).legend.size().y + margins});
+  try_strip({.right = corner.size().x + margins});
+  return out;
 }
 
 void paint(render::Image& image, const PaperFonts& fonts, const PlacedLegend& legend, double scale) {

@@ -9,7 +9,9 @@
 //     texts of annotations, of these the ones that hide the least of the drawing, and of these the first of lower
 //     right, lower left, upper right, upper left. In a sequence of pictures it ignores texts and drawing, so that it
 //     does not move.
-//  4. If no such position is free, the legend lists fewer layers and counts the others: as many as fit above or below
+//  4. A picture that can leave a strip at its lower or right edge free does so if the legend then hides at most a
+//     quarter of what it would hide in the best corner. Of both edges it takes the one that leaves the drawing larger.
+//  5. If no such position is free, the legend lists fewer layers and counts the others: as many as fit above or below
 //     the scale bar, or else one. If not even one layer has room, the legend is left out.
 //
 // Smallest use:
@@ -33,6 +35,13 @@
 
 namespace mes {
 
+/// An edge of a picture that is left free for the legend, in logical pixels; at most one is above 0.
+struct LegendStrip {
+  double below = 0.0;
+  double right = 0.0;
+  bool is_empty() const { return below == 0.0 && right == 0.0; }
+};
+
 /// The other contents of the picture, in its logical pixels, y down.
 struct LegendSurroundings {
   Box2 room{};                        ///< the area that title, caption and axes leave free
@@ -42,17 +51,31 @@ struct LegendSurroundings {
   /// Returns how much of the drawing a box would hide; null: unknown.
   std::function<std::size_t(const Box2&)> hides{};
   bool keeps_letters = false;  ///< a small picture has a legend of the usual size
+  LegendStrip strip{};         ///< where the legend is then: at the right end, in several columns if it is below
 
   /// The number of these texts that the box covers, and the amount of drawing.
   std::pair<std::size_t, std::size_t> cost_of(const Box2& box) const;
 };
 
 struct PlacedLegend {
-  PaperDrawing drawing{};   ///< empty: no legend
-  double shrink = 1.0;      ///< logical pixels of the picture per logical pixel of the drawing
-  Vec2 corner{};            ///< upper left, in logical pixels of the picture
-  bool lacks_room = false;  ///< it was left out for lack of room
+  PaperDrawing drawing{};                       ///< empty: no legend
+  double shrink = 1.0;                          ///< logical pixels of the picture per logical pixel of the drawing
+  Vec2 corner{};                                ///< upper left, in logical pixels of the picture
+  std::pair<std::size_t, std::size_t> hides{};  ///< the number of texts that it covers, and the amount of drawing
+  bool lacks_room = false;                      ///< it was left out for lack of room
+  Vec2 size() const { return shrink * Vec2{drawing.width, drawing.height}; }
 };
+
+/// A picture laid out with a strip for the legend.
+struct LegendTrial {
+  PlacedLegend legend;
+  double width = 0.0;  ///< of the picture, in logical pixels
+  double height = 0.0;
+  double units_per_pixel = 1.0;  ///< the larger, the smaller the drawing
+};
+
+/// The strip for the legend of a picture; empty: the legend is in a corner. Calls `lay_out` at most four times.
+LegendStrip strip_for_legend(const std::function<LegendTrial(const LegendStrip&)>& lay_out);
 
 /// `measure` is for the texts of the legend, which is drawn smaller by `shrink`.
 PlacedLegend place_legend(std::span<const LegendEntry> entries, const MeasureText& measure, double shrink,

@@ -65,10 +65,10 @@ PictureTitle layout_title(std::string_view words, double width, double height, c
 
 render::Camera camera_within(const EdgeRoom& edges, int width, int height, const Box2& box, double margin) {
   render::Camera camera;
-  camera.set_viewport(std::max(1, width - edges.left), std::max(1, height - edges.above - edges.below));
+  camera.set_viewport(std::max(1, width - edges.left - edges.right), std::max(1, height - edges.above - edges.below));
   camera.fit(box, margin * std::min(camera.width(), camera.height()));
   camera.set_viewport(width, height);
-  camera.pan({0.5 * edges.left, 0.5 * (edges.above - edges.below)});
+  camera.pan({0.5 * (edges.left - edges.right), 0.5 * (edges.above - edges.below)});
   return camera;
 }
 
@@ -77,10 +77,11 @@ EdgeRoom room_of_axes(double scale) {
           .left = static_cast<int>(std::ceil(scale * kAxisRoomBeside))};
 }
 
-figure::Page with_band(figure::Page page, double band) {
-  page.height += band;
+figure::Page with_edges(figure::Page page, const PageEdges& edges) {
+  page.width += edges.right;
+  page.height += edges.above + edges.below;
   // The low part of the number takes the shift, which is of the size of the page.
-  page.center_low.y += 0.5 * band * page.units_per_point;
+  page.center_low = page.center_low + 0.5 * page.units_per_point * Vec2{edges.right, edges.above - edges.below};
   return page;
 }
 

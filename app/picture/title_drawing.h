@@ -34,6 +34,7 @@ struct EdgeRoom {
   int above = 0;
   int below = 0;
   int left = 0;
+  int right = 0;
 };
 /// A camera that shows the box in the rest of the picture, with a margin that is this share of the shorter side
 /// there; at the edges it shows more of the plane.
@@ -42,7 +43,13 @@ render::Camera camera_within(const EdgeRoom& edges, int width, int height, const
 /// The room that axes take at the edges, for a picture with `scale` pixels per logical pixel.
 EdgeRoom room_of_axes(double scale);
 
-/// The page with a band of this many points above it, which shows more of the plane.
-figure::Page with_band(figure::Page page, double band);
+/// Strips at the edges of a page, in points.
+struct PageEdges {
+  double above = 0.0;
+  double below = 0.0;
+  double right = 0.0;
+};
+/// The page with these strips around it, which show more of the plane.
+figure::Page with_edges(figure::Page page, const PageEdges& edges);
 
 }  // namespace mes

@@ -22,6 +22,7 @@ using mes::test::run;
 using mes::test::RunOptions;
 using mes::test::RunResult;
 using mes::test::TemporaryFolder;
+using mes::test::with;
 
 namespace {
 
@@ -407,6 +408,31 @@ TEST_CASE("a figure has the size on paper that was asked for") {
   for (const char* size : {"84mmx60mm", "200mmx150mm"})
     CHECK_THAT(svg({"--figure-size", size, "--layers", "curve", "--set-style", "curve:line-width=0.6pt"}),
                Catch::Contains("stroke-width=\"0.6\""));
+}
+
+TEST_CASE("on paper lines have half a point at least, and letters eight points") {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "a.svg").string();
+  // The numbers that follow a word in the file.
+  const auto numbers_after = [&](const std::string& word) {
+    const std::string text = contents_of(file);
+    std::vector<double> out;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+      out.push_back(std::stod(text.substr(at + word.size())));
+    return out;
+  };
+  const std::vector<std::string> dense{"assets/shapes/lizard.poff", "--layers", "voronoi,curve,points", "--key"};
+  render_figure(with(dense, {"--size", "200x200"}), file);
+  CHECK(std::ranges::min(numbers_after("stroke-width=\"")) < 0.5);
+  for (const char* size : {"one-column", "40mm", "84mmx60mm"}) {
+    CAPTURE(size);
+    render_figure(with(dense, {"--figure-size", size}), file);
+    CHECK(std::ranges::min(numbers_after("stroke-width=\"")) >= 0.5);
+    CHECK(std::ranges::min(numbers_after("font-size=\"")) == Approx(8.06).margin(0.01));
+  }
+  // A width that was given stays.
+  render_figure(with(dense, {"--figure-size", "40mm", "--set-style", "voronoi:line-width=0.2pt"}), file);
+  CHECK(std::ranges::min(numbers_after("stroke-width=\"")) == Approx(0.2));
 }
 
 TEST_CASE("a tight figure is cut to what is drawn") {

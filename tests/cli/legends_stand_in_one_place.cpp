@@ -64,6 +64,37 @@ class Pictures {
   TemporaryFolder folder_;
 };
 
+/// The box of the frame of a legend: between the first and the last row with so many grey pixels beside each other.
+Box2 frame_in(const Image& image) {
+  constexpr int kLeastWidth = 100;
+  const auto is_frame = [&](int x, int y) {
+    const std::uint8_t* const pixel = &image.rgba[image.offset(x, y)];
+    return pixel[0] < 250 &&
+           std::max({pixel[0], pixel[1], pixel[2]}) - std::min({pixel[0], pixel[1], pixel[2]}) < 16 && pixel[0] > 150;
+  };
+  Box2 out;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0, run = 0; x < image.width; ++x) {
+      run = is_frame(x, y) ? run + 1 : 0;
+      if (run >= kLeastWidth) out.add(Box2{{x + 1.0 - run, 1.0 * y}, {x + 1.0, y + 1.0}});
+    }
+  return out;
+}
+
+/// Pixels that are neither grey nor pale within five pixels around a box.
+int colored_around(const Image& image, const Box2& box) {
+  const Box2 near{box.low - Vec2{5.0, 5.0}, box.high + Vec2{5.0, 5.0}};
+  int out = 0;
+  for (int y = 0; y < image.height; ++y)
+    for (int x = 0; x < image.width; ++x) {
+      const Vec2 middle{x + 0.5, y + 0.5};
+      const std::uint8_t* const pixel = &image.rgba[image.offset(x, y)];
+      const int color = std::max({pixel[0], pixel[1], pixel[2]}) - std::min({pixel[0], pixel[1], pixel[2]});
+      if (color >= 30 && near.contains(middle) && !box.contains(middle)) ++out;
+    }
+  return out;
+}
+
 bool overlap(const Box2& a, const Box2& b) {
   return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
 }
@@ -77,8 +108,8 @@ TEST_CASE("the key is at one place in pixels and in vectors, clear of scale bar,
     std::vector<std::string> bar;
   };
   const std::vector<Case> cases{
-      {{kDude, "--size", "330x433"}, {"--scale-bar"}},
-      {{kDude, "--size", "330x433", "--axes"}, {"--scale-bar"}},
+      {{kDude, "--size", "330x433", "--layers", "curve,medial-axis,points"}, {"--scale-bar"}},
+      {{kDude, "--size", "330x433", "--layers", "curve,medial-axis,points", "--axes"}, {"--scale-bar"}},
       {{kDude, "--size", "700x300", "--layers", "curve,medial-axis,points"}, {"--scale-bar"}},
       {{kDude, "--size", "500x500", "--layers", "delaunay,points,interior-voronoi-disks"}, {"--scale-bar"}},
       {{"assets/shapes/bean.poff", "--size", "400x300", "--layers", "medial-axis,points", "--title", "A bean"},
@@ -101,6 +132,37 @@ TEST_CASE("the key is at one place in pixels and in vectors, clear of scale bar,
     CHECK(keys[0].low.x == Approx(keys[1].low.x).margin(2.0));
     CHECK(keys[0].low.y == Approx(keys[1].low.y).margin(2.0));
     CHECK(keys[0].high.x == Approx(keys[1].high.x).margin(2.0));
+    CHECK(keys[0].high.y == Approx(keys[1].high.y).margin(2.0));
+  }
+}
+
+TEST_CASE("a key for which no corner is free has a strip beside the drawing, in pixels and in vectors") {
+  const auto shown = [](const char* shape, const std::vector<std::string>& more) {
+    return with(
+        {"assets/shapes/" + std::string(shape), "--layers", "interior-voronoi-disks,medial-axis", "--scale-bar"},
+        more);
+  };
+  const std::vector<std::vector<std::string>> cases{
+      shown("rounded-rectangle.poff", {"--size", "420x300"}),
+      shown("rounded-rectangle.poff", {"--size", "420x330", "--title", "A rectangle", "--axes"}),
+      shown("rounded-rectangle.poff", {"--size", "560x240"}),
+      shown("plate.poff", {"--size", "500x330"}),
+      {kDude, "--size", "330x433", "--scale-bar"}};
+  Pictures pictures;
+  for (const std::vector<std::string>& one : cases) {
+    std::vector<Box2> keys;
+    for (const char* extension : {".png", ".svg"}) {
+      CAPTURE(one, extension);
+      CHECK(frame_in(pictures.drawn(with(one, {"--no-legend"}), extension)).is_empty());
+      const Image image = pictures.drawn(with(one, {"--key"}), extension);
+      CHECK(pictures.said.empty());
+      const Box2 key = frame_in(image);
+      REQUIRE(key.width() > 100.0);
+      REQUIRE(key.height() > 20.0);
+      CHECK(colored_around(image, key) == 0);
+      keys.push_back(key);
+    }
+    CHECK(keys[0].low.x == Approx(keys[1].low.x).margin(2.0));
     CHECK(keys[0].high.y == Approx(keys[1].high.y).margin(2.0));
   }
 }

@@ -215,3 +215,45 @@ TEST_CASE("a scale bar without a position stands where it hides least, and the l
   const PaperPlace given{PaperCorner::top_right, {3.0, 4.0}};
   CHECK(with_free_bar({.bar = true, .bar_at = given}, plane, test::half_size_a_byte, covers_all).bar_at == given);
 }
+
+TEST_CASE(
+    "a strip for the legend is taken only where it hides much less, at the edge that leaves the drawing larger") {
+  using Cost = std::pair<std::size_t, std::size_t>;
+  const auto strip_with = [&](Cost corner, Cost below, Cost right, double below_shrinks, double right_shrinks) {
+    return strip_for_legend([&](const LegendStrip& strip) {
+      LegendTrial out{
+          {.drawing = layout_legend(key_of(3), test::half_size_a_byte, 1e9, kWhiteCanvas)}, 800.0, 600.0, 1.0};
+      out.legend.hides = strip.is_empty() ? corner : strip.below > 0.0 ? below : right;
+      if (!strip.is_empty()) out.units_per_pixel = strip.below > 0.0 ? below_shrinks : right_shrinks;
+      return out;
+    });
+  };
+  CHECK(strip_with({0, 0}, {0, 0}, {0, 0}, 1.0, 1.0).is_empty());
+  CHECK(strip_with({0, 3}, {0, 1}, {0, 2}, 1.0, 1.0).is_empty());
+  CHECK(strip_with({0, 9}, {1, 0}, {0, 3}, 1.0, 1.0).is_empty());
+  CHECK(strip_with({0, 4}, {0, 1}, {0, 2}, 2.0, 1.0).below > 0.0);
+  CHECK(strip_with({1, 0}, {0, 7}, {1, 0}, 2.0, 1.0).below > 0.0);
+  CHECK(strip_with({0, 4}, {0, 0}, {0, 1}, 1.5, 1.2).right > 0.0);
+  CHECK(strip_with({0, 4}, {0, 1}, {0, 0}, 1.2, 1.2).below > 0.0);
+}
+
+TEST_CASE("a wide legend has all layers in as few rows as the width permits") {
+  const std::vector<LegendEntry> entries = key_of(7);
+  const auto rows_of = [](const PaperDrawing& drawing) {
+    std::vector<double> tops;
+    for (const PaperDrawing::Line& line : drawing.lines) tops.push_back(line.top);
+    std::ranges::sort(tops);
+    return std::ranges::unique(tops).begin() - tops.begin();
+  };
+  std::ptrdiff_t before = 8;
+  for (double width = 50.0; width < 1500.0; width += 10.0) {
+    const PaperDrawing drawing = layout_wide_legend(entries, test::half_size_a_byte, width, kWhiteCanvas);
+    CHECK(drawing.lines.size() == entries.size());
+    const std::ptrdiff_t rows = rows_of(drawing);
+    CHECK(rows <= before);
+    if (rows < 7) CHECK(drawing.width <= width);
+    before = rows;
+  }
+  CHECK(before == 1);
+  CHECK(layout_wide_legend({}, test::half_size_a_byte, 100.0, kWhiteCanvas).is_empty());
+}
