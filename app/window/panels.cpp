@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "app/panels/bars/evolution_strip.h"
 #include "app/panels/on_canvas/canvas_legend.h"
@@ -275,14 +276,21 @@ HiddenAdditionsNote Panels::hidden_additions_note() const {
 }
 
 // The audience of a presentation sees no messages; those of problems appear after it.
-void Panels::draw_messages(const Sides& sides, float width) {
+void Panels::draw_messages(const Sides& sides, float width, std::span<const Box2> covered) {
   if (presenter_.is_on()) return problem_note_.wait();
   const Gui& gui = uses_.screen.gui;
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const ImVec2 top(sides.left + 8 * unit, sides.top + 10 * unit);
-  const float height =
-      problem_note_.draw(gui, uses_.messages, top, std::max(1.0F, width - 16 * unit), ImGui::GetTime());
+  const Vec2 high{top.x + std::max(1.0F, width - 16 * unit), screen.y - sides.bottom - 10 * unit};
+  const auto hides = [&](const Box2& box) {
+    constexpr std::size_t kMark = 64;  // a legend or a scale bar counts as much as an area full of samples
+    const auto lies_on = [&](const Box2& mark) {
+      return mark.low.x < box.high.x && box.low.x < mark.high.x && mark.low.y < box.high.y && box.low.y < mark.high.y;
+    };
+    return uses_.board.hidden_by(box) + (std::ranges::any_of(covered, lies_on) ? kMark : 0U);
+  };
+  const float height = problem_note_.draw(gui, uses_.messages, {{{top.x, top.y}, high}, hides}, ImGui::GetTime());
   const ImVec2 middle(sides.left + 0.5F * width, sides.top + 0.5F * (screen.y - sides.top - sides.bottom));
   if (!uses_.demo.is_running() &&
       !EmptyViewNote{gui, uses_.work.editor(), uses_.work.layers(), uses_.board.picture(), uses_.work.engine()}.draw(
@@ -350,7 +358,7 @@ Panels::Room Panels::draw() {
   divide(sides);
   draw_annotation_card(sides);
   const MarksPlace marks = draw_scale_marks(sides);
-  const ImVec2 legend = draw_legend(sides, marks);
+  const std::optional<Box2> legend = draw_legend(sides, marks);
   mark_drag_.end_frame();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const float width = screen.x - sides.left - sides.right;
@@ -364,12 +372,24 @@ Panels::Room Panels::draw() {
     column_.draw_large(
         {{around.left, around.top}, {screen.x - around.left - around.right, screen.y - around.top - around.bottom}});
   presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), screen.y - sides.bottom, ImGui::GetTime());
-  draw_messages(sides, width);
+  const auto on_screen = [&](const Box2& box) {
+    const Vec2 origin{sides.left, sides.top};
+    const double scale = gui.unit();
+    return Box2{origin + scale * box.low, origin + scale * box.high};
+  };
+  std::vector<Box2> covered;
+  if (legend) covered.push_back(on_screen(*legend));
+  if (marks.bar) covered.push_back(on_screen(*marks.bar));
+  draw_messages(sides, width, covered);
   uses_.work.insight().end_frame();
   const double ratio = uses_.screen.window->pixel_ratio();
   const auto in_pixels = [ratio](float length) { return static_cast<double>(length) * ratio; };
+  // With its margin: the drawing avoids a legend in its corner.
+  const auto legend_size = [&](const Box2& box) {
+    return ratio * gui.unit() * (box.high - box.low + Vec2{kUsualMarginPx, kUsualMarginPx});
+  };
   return {{in_pixels(sides.left), in_pixels(sides.top), in_pixels(sides.right), in_pixels(sides.bottom)},
-          {in_pixels(legend.x), in_pixels(legend.y)}};
+          legend && !uses_.settings.legend_at ? legend_size(*legend) : Vec2{}};
 }
 
 void Panels::draw_lesson(Sides& sides) {
@@ -509,14 +529,13 @@ MarksPlace Panels::draw_scale_marks(const Sides& sides) {
   return marks;
 }
 
-// Draws the legend. Returns its size with margin if it is in its corner, so that the drawing can avoid it.
-ImVec2 Panels::draw_legend(const Sides& sides, const MarksPlace& marks) {
+// Returns the box of the legend in logical pixels of the room.
+std::optional<Box2> Panels::draw_legend(const Sides& sides, const MarksPlace& marks) {
   if (marks.room.is_empty()) return {};
   const Gui& gui = uses_.screen.gui;
   const float unit = gui.unit();
   std::optional<PaperPlace>& place = uses_.settings.legend_at;
   const ImVec2 low(sides.left, sides.top);
-  const bool is_in_its_corner = !place;
   const auto box = CanvasLegend{
       gui, uses_.board.picture(), uses_.work.layers(),
       legend_scope(uses_.settings.show_legend, uses_.settings.show_key), [&](const Box2& box) {
@@ -529,9 +548,7 @@ ImVec2 Panels::draw_legend(const Sides& sides, const MarksPlace& marks) {
           gui, {"##legend-handle", "Drag to move the legend; double click to put it back", low, *box, marks.room},
           place))
     uses_.screen.clock.want(2);
-  if (!is_in_its_corner) return {};
-  return {static_cast<float>(box->width() + kUsualMarginPx) * unit,
-          static_cast<float>(box->height() + kUsualMarginPx) * unit};
+  return box;
 }
 
 }  // namespace mes

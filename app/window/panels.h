@@ -2,6 +2,9 @@
 // All panels around and over the canvas, and their positions.
 #pragma once
 
+#include <optional>
+#include <span>
+
 #include "app/actions/action_bindings.h"
 #include "app/model/palette.h"
 #include "app/panels/bars/menu_bar.h"
@@ -105,9 +108,10 @@ class Panels {
   void draw_over(Sides& sides);
   void draw_annotation_card(const Sides& sides);
   MarksPlace draw_scale_marks(const Sides& sides);
-  ImVec2 draw_legend(const Sides& sides, const MarksPlace& marks);
+  std::optional<Box2> draw_legend(const Sides& sides, const MarksPlace& marks);
   HiddenAdditionsNote hidden_additions_note() const;
-  void draw_messages(const Sides& sides, float width);
+  /// `covered`: the boxes of the legend and the scale bar on the screen.
+  void draw_messages(const Sides& sides, float width, std::span<const Box2> covered);
   void bind_shown(ActionBindings& actions);
   void bind_look(ActionBindings& actions);
   void bind_brush(ActionBindings& actions);

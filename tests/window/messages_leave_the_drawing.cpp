@@ -50,3 +50,27 @@ TEST_CASE("Esc closes a problem, and none is over the drawing of a presentation"
   window.press("Escape");
   CHECK(eventually([&] { return window.screen.shoot().box_of(kTop, kIsOrange).is_empty(); }));
 }
+
+TEST_CASE("a problem appears where the drawing leaves room, and stays there") {
+  DrivenProgram window;
+  std::string samples;
+  for (int x = 0; x <= 40; ++x)
+    for (int y = 8; y <= 36; ++y) samples += std::to_string(x) + ' ' + std::to_string(y) + '\n';
+  window.folder.write("upper.txt", samples + "0 0\n");
+  window.start("upper.txt");
+  static_cast<void>(window.drawn());
+  window.press("1");  // samples alone
+  CHECK(eventually([&] { return window.screen.shoot().box_of(kTop, kIsOrange).is_empty(); }));
+  window.press("ctrl+v");
+  constexpr PixelBox kBottom{80, 600, 970, 780};
+  CHECK(eventually([&] { return !window.screen.shoot().box_of(kBottom, kIsOrange).is_empty(); }));
+  const Screenshot rested = window.screen.settled();
+  CHECK(rested.box_of(kTop, kIsOrange).is_empty());
+  const PixelBox there = rested.box_of(kBottom, kIsOrange);
+  // The view moves, the message does not.
+  window.press("minus");
+  CHECK(eventually([&] { return window.screen.shoot().changes({100, 200, 900, 500}, rested) > 0; }));
+  const PixelBox later = window.screen.settled().box_of(kBottom, kIsOrange);
+  CHECK(later.left == there.left);
+  CHECK(later.top == there.top);
+}

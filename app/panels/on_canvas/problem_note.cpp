@@ -29,11 +29,23 @@ struct DrawnNote {
   bool is_hovered = false;
 };
 
-DrawnNote draw_note(const Gui& gui, const NoteLook& look, const std::string& text, ImVec2 at, float width) {
+float width_of(const Gui& gui, const std::string& text, float room) {
+  return std::min(room, ImGui::CalcTextSize(text.c_str()).x + 76 * gui.unit());
+}
+
+/// The height with the gap to the next message.
+float height_of(const Gui& gui, const std::string& text, float room) {
+  const float wrap = width_of(gui, text, room) - 34 * gui.unit() - ImGui::GetStyle().WindowPadding.x;
+  return ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap).y + 2 * ImGui::GetStyle().WindowPadding.y +
+         6 * gui.unit();
+}
+
+DrawnNote draw_note(const Gui& gui, const NoteLook& look, const std::string& text, ImVec2 at, ImVec2 pivot,
+                    float room) {
   DrawnNote out;
   const float unit = gui.unit();
-  const float wanted = std::min(width, ImGui::CalcTextSize(text.c_str()).x + 76 * unit);
-  ImGui::SetNextWindowPos({at.x + 0.5F * (width - wanted), at.y});
+  const float wanted = width_of(gui, text, room);
+  ImGui::SetNextWindowPos(at, ImGuiCond_Always, pivot);
   ImGui::SetNextWindowSize({wanted, 0});
   ImGui::PushStyleVar(ImGuiStyleVar_Alpha, look.strength);
   ImGui::PushStyleColor(ImGuiCol_WindowBg, look.ground);
@@ -62,41 +74,78 @@ DrawnNote draw_note(const Gui& gui, const NoteLook& look, const std::string& tex
 
 }  // namespace
 
-float ProblemNote::draw(const Gui& gui, Messages& messages, ImVec2 at, float width, double now) {
-  float height = 0.0F;
-  const ThemeColors& colors = gui.colors();
-  if (const std::string problem = messages.problem(); !problem.empty()) {
-    const DrawnNote drawn =
-        draw_note(gui, {"##problem", colors.warning, colors.warning_soft, colors.warning_border}, problem, at, width);
-    if (drawn.is_closed) messages.clear_problem();
-    height = drawn.height + 6 * gui.unit();
+void ProblemNote::choose_place(const Gui& gui, const std::string& text, const NoteRoom& room) {
+  if (text == placed_text_) return;
+  placed_text_ = text;
+  const auto width = static_cast<float>(room.area.width());
+  const Vec2 size{width_of(gui, text, width), height_of(gui, text, width)};
+  std::optional<std::size_t> least;
+  for (const Place place :
+       {Place{0.5F, 0.0F}, {0.0F, 0.0F}, {1.0F, 0.0F}, {0.5F, 1.0F}, {0.0F, 1.0F}, {1.0F, 1.0F}}) {
+    const Vec2 rest = room.area.high - room.area.low - size;
+    const Vec2 low = room.area.low + Vec2{place.across * rest.x, place.down * rest.y};
+    const std::size_t hidden = room.hides({low, low + size});
+    if (least && hidden >= *least) continue;
+    least = hidden;
+    place_ = place;
   }
-  return height + draw_notice(gui, messages, {at.x, at.y + height}, width, now);
 }
 
-float ProblemNote::draw_notice(const Gui& gui, Messages& messages, ImVec2 at, float width, double now) {
-  const std::string text = messages.notice();
-  if (text.empty()) {
-    notice_ends_.reset();
-    return 0.0F;
-  }
+// Begins the time of a new notice.
+bool ProblemNote::is_notice_over(const Messages& messages, double now) {
   if (!notice_ends_ || notice_number_ != messages.notice_number()) {
     notice_number_ = messages.notice_number();
-    const double seconds = kNoticeSeconds + kSecondsPerLetter * static_cast<double>(text.size());
+    const double seconds = kNoticeSeconds + kSecondsPerLetter * static_cast<double>(messages.notice().size());
     notice_ends_ = now + std::min(seconds, kMostNoticeSeconds);
   }
-  if (now >= *notice_ends_) {
+  return now >= *notice_ends_;
+}
+
+float ProblemNote::draw(const Gui& gui, Messages& messages, const NoteRoom& room, double now) {
+  if (messages.notice().empty()) {
+    notice_ends_.reset();
+  } else if (is_notice_over(messages, now)) {
     messages.clear_notice();
     notice_ends_.reset();
+  }
+  const std::string problem = messages.problem();
+  const std::string notice = messages.notice();
+  if (problem.empty() && notice.empty()) {
+    placed_text_.clear();
     return 0.0F;
   }
+  const char* const between = problem.empty() || notice.empty() ? "" : "\n\n";
+  choose_place(gui, problem + between + notice, room);
+  const auto width = static_cast<float>(room.area.width());
+  const Vec2 side = room.area.high - room.area.low;
+  const ImVec2 edge(static_cast<float>(room.area.low.x + place_.across * side.x),
+                    static_cast<float>(room.area.low.y + place_.down * side.y));
+  // From the lower edge the messages stack upwards.
+  const float direction = place_.down > 0.0F ? -1.0F : 1.0F;
+  const ImVec2 pivot(place_.across, place_.down);
+  float taken = 0.0F;
   const ThemeColors& colors = gui.colors();
-  const double strength = std::clamp((*notice_ends_ - now) / kFadeSeconds, 0.0, 1.0);
-  const DrawnNote drawn = draw_note(
-      gui, {"##notice", colors.text, colors.raised, colors.border, static_cast<float>(strength)}, text, at, width);
-  if (drawn.is_closed) messages.clear_notice();
-  if (drawn.is_hovered) notice_ends_ = std::max(*notice_ends_, now + kNoticeSeconds);
-  return drawn.height + 6 * gui.unit();
+  const auto draw_problem = [&] {
+    if (problem.empty()) return;
+    const DrawnNote drawn = draw_note(gui, {"##problem", colors.warning, colors.warning_soft, colors.warning_border},
+                                      problem, {edge.x, edge.y + direction * taken}, pivot, width);
+    if (drawn.is_closed) messages.clear_problem();
+    taken += drawn.height + 6 * gui.unit();
+  };
+  const auto draw_notice = [&] {
+    if (notice.empty()) return;
+    const double strength = std::clamp((*notice_ends_ - now) / kFadeSeconds, 0.0, 1.0);
+    const DrawnNote drawn =
+        draw_note(gui, {"##notice", colors.text, colors.raised, colors.border, static_cast<float>(strength)}, notice,
+                  {edge.x, edge.y + direction * taken}, pivot, width);
+    if (drawn.is_closed) messages.clear_notice();
+    if (drawn.is_hovered) notice_ends_ = std::max(*notice_ends_, now + kNoticeSeconds);
+    taken += drawn.height + 6 * gui.unit();
+  };
+  if (direction < 0.0F) draw_notice();
+  draw_problem();
+  if (direction > 0.0F) draw_notice();
+  return place_.across == 0.5F && place_.down == 0.0F ? taken : 0.0F;
 }
 
 std::optional<double> ProblemNote::next_due(double now) const {
