@@ -32,7 +32,7 @@ std::string to_text(const StatValue& value) {
 std::string grouped(std::size_t number) {
   std::string out = std::to_string(number);
   for (auto i = static_cast<std::ptrdiff_t>(out.size()) - 3; i > 0; i -= 3)
-    out.insert(static_cast<std::size_t>(i), 1, ' ');
+    out.insert(static_cast<std::size_t>(i), 1, ',');
   return out;
 }
 

@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "app/editing/sample_spacing.h"
+#include "app/layers/statistics_text.h"
 #include "app/ui/icons.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
@@ -72,13 +73,6 @@ void draw_color_choice(float unit, LayerStyle& style) {
           "##picker", glm::value_ptr(rgb),
           ImGuiColorEditFlags_NoSidePreview | ImGuiColorEditFlags_NoSmallPreview | ImGuiColorEditFlags_DisplayHex))
     style.color = render::to_rgb(rgb);
-}
-
-/// "12,345".
-std::string with_commas(std::size_t count) {
-  std::string out = std::to_string(count);
-  for (std::size_t at = out.size(); at > 3; at -= 3) out.insert(at - 3, ",");
-  return out;
 }
 
 /// Below the switch of families the headings of unions do not repeat what they are of.
@@ -352,7 +346,7 @@ void LayersPanel::draw_row_text(LayerIndex layer, const LayerSection& section, I
   const auto count = end.x - text_at > kLeastRoom * unit ? count_of(layer) : std::nullopt;
   if (count) {
     ImGui::PushFont(gui_.small());
-    const std::string words = with_commas(*count);
+    const std::string words = grouped(*count);
     end.x -= ImGui::CalcTextSize(words.c_str()).x;
     list.AddText({end.x, middle - 0.5F * ImGui::GetFontSize()}, colors.text_quiet, words.c_str());
     ImGui::PopFont();
