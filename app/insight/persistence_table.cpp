@@ -213,6 +213,22 @@ Expected<PersistenceTable> persistence_table_of(const Registry& registry, const 
 }
 
 // The hole is the set of triangles reachable from its last one without crossing edges that exist when it closes.
+std::optional<RadiusGap> widest_gap(const PersistenceTable& table) {
+  double least = 0.0;
+  if (!table.joins.empty()) least = table.joins[(table.joins.size() - 1) / 2].radius;
+  std::vector<double> radii;
+  for (const std::vector<GrowthEvent>* const events : {&table.joins, &table.closes, &table.fills})
+    for (const GrowthEvent& event : *events)
+      if (event.radius > 0.0 && event.radius >= least) radii.push_back(event.radius);
+  std::ranges::sort(radii);
+  std::optional<RadiusGap> out;
+  for (std::size_t i = 1; i < radii.size(); ++i) {
+    const RadiusGap gap{radii[i - 1], radii[i]};
+    if (gap.end > gap.begin && (!out || gap.end / gap.begin > out->end / out->begin)) out = gap;
+  }
+  return out;
+}
+
 std::vector<std::array<Vec2, 2>> outline_of(const PersistenceTable& table, const PersistenceRow& row) {
   std::vector<std::array<Vec2, 2>> out;
   if (!row.is_hole) return out;

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <limits>
@@ -94,6 +95,18 @@ struct PersistenceTable {
 /// Throws `Cancelled`. Error: a structure failed. Cost: the triangulation and its filtration from scratch.
 Expected<PersistenceTable> persistence_table_of(const Registry& registry, const PersistenceInput& input,
                                                 JobControl& job);
+
+/// Radii between which nothing is joined, closed or filled.
+struct RadiusGap {
+  double begin = 0.0;  ///< above 0
+  double end = 0.0;
+  /// The radius whose ratios to both ends are equal.
+  double middle() const { return std::sqrt(begin) * std::sqrt(end); }
+};
+/// The gap with the largest ratio of its ends among those above the radius at which half of the joins have happened, so
+/// that samples that nearly coincide do not decide. Nothing if fewer than two events remain. A radius in it is proposed
+/// for the alpha complex: features below it are noise, and those above it are the shape.
+std::optional<RadiusGap> widest_gap(const PersistenceTable& table);
 
 /// The edges around a hole when it closes; empty for a component.
 std::vector<std::array<Vec2, 2>> outline_of(const PersistenceTable& table, const PersistenceRow& row);

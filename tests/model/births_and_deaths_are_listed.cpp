@@ -57,6 +57,54 @@ TEST_CASE("the longest class comes first, and a ring has one long hole in its mi
   CHECK(table.fills.back().radius == table.rows[1].death);
 }
 
+TEST_CASE("the widest gap separates the spacing of samples from the size of what they surround") {
+  const auto alive_at = [](const PersistenceTable& table, double radius) {
+    const std::uint32_t ranks = table.ranks_within(radius);
+    std::pair<int, int> out;
+    for (const PersistenceRow& row : table.rows)
+      if (row.is_alive(ranks)) ++(row.is_hole ? out.second : out.first);
+    return out;
+  };
+  const auto add_circle = [](SampleData& data, Vec2 center, double radius, int count) {
+    for (int i = 0; i < count; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / count;
+      data.positions.push_back(center + radius * Vec2{std::cos(angle), std::sin(angle)});
+    }
+  };
+  SampleData circle;
+  add_circle(circle, {3.0, 4.0}, 2.0, 80);
+  auto gap = widest_gap(table_of_samples(circle));
+  REQUIRE(gap);
+  const double half_spacing = 2.0 * std::sin(std::numbers::pi / 80);
+  CHECK(gap->begin == Approx(half_spacing));
+  CHECK(gap->end == Approx(2.0));
+  CHECK(gap->middle() == Approx(std::sqrt(2.0 * half_spacing)));
+  CHECK(alive_at(table_of_samples(circle), gap->middle()) == std::pair(1, 1));
+
+  // Circles of different sizes all stay, whatever nearly coincides.
+  SampleData circles = circle;
+  add_circle(circles, {20.0, 4.0}, 4.0, 160);
+  for (std::size_t i = 0; i < 210; i += 7) circles.positions.push_back(circles.positions[i] + Vec2{1e-9, 0.0});
+  const PersistenceTable table = table_of_samples(circles);
+  gap = widest_gap(table);
+  REQUIRE(gap);
+  CHECK(alive_at(table, gap->middle()) == std::pair(2, 2));
+
+  // Four times as large, four times the radii.
+  SampleData scaled = circles;
+  for (Vec2& p : scaled.positions) p = 4.0 * p;
+  const auto larger = widest_gap(table_of_samples(scaled));
+  REQUIRE(larger);
+  CHECK(larger->begin == 4.0 * gap->begin);
+  CHECK(larger->end == 4.0 * gap->end);
+
+  for (const std::size_t count : {0U, 1U, 2U}) {
+    SampleData few;
+    few.positions.assign(circle.positions.begin(), circle.positions.begin() + static_cast<std::ptrdiff_t>(count));
+    CHECK_FALSE(widest_gap(table_of_samples(few)));
+  }
+}
+
 TEST_CASE("the outline of a hole is closed, holds its edge and goes around its centre") {
   const PersistenceTable table = table_of_samples(ring(400, 2));
   std::size_t seen = 0;

@@ -20,6 +20,7 @@ constexpr float kSmallDot = 2.5F;        // half the width of a dot
 constexpr float kLargeDot = 4.0F;
 constexpr float kReach = 6.0F;
 constexpr int kLinesOfWords = 2;
+constexpr const char* kPropose = "Propose";
 constexpr std::size_t kMostDiagramSegments = 20'000;
 
 Rgb pair_color(const PersistenceRow& row) {
@@ -78,7 +79,9 @@ void PersistencePanel::draw_growths() {
   if (has_only_balls != had_only_balls_) uses_.desk.choose_growth(has_only_balls ? GrowthOf::own : GrowthOf::samples);
   had_only_balls_ = has_only_balls;
   const GrowthOf now = uses_.desk.growth();
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+  const float gap = 8 * uses_.gui.unit();
+  const float button = ImGui::CalcTextSize(kPropose).x + 2 * ImGui::GetStyle().FramePadding.x;
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button - gap);
   if (ImGui::BeginCombo("##growth", std::string(title_of(now)).c_str())) {
     for (const GrowthOf of : kGrowths)
       if (ImGui::Selectable(std::string(title_of(of)).c_str(), of == now)) {
@@ -90,6 +93,8 @@ void PersistencePanel::draw_growths() {
   tooltip(uses_.gui,
           "What grows: disks around the samples from radius 0, or the balls of a family, from radius r to sqrt(r^2 + "
           "alpha-radius^2)");
+  ImGui::SameLine(0, gap);
+  draw_proposal();
 }
 
 void PersistencePanel::draw_choices() {
@@ -105,6 +110,24 @@ void PersistencePanel::draw_choices() {
   if (ImGui::Button("Export...")) uses_.export_csv(persistence_as_csv(*uses_.desk.table()));
   ImGui::EndDisabled();
   tooltip(uses_.gui, "Write all births and deaths to a file as CSV, as mesecina persistence does");
+}
+
+void PersistencePanel::draw_proposal() {
+  if (gap_of_ != uses_.desk.shared_table()) {
+    gap_of_ = uses_.desk.shared_table();
+    gap_ = gap_of_ ? widest_gap(*gap_of_) : std::nullopt;
+  }
+  const bool is_known = uses_.desk.is_current() && gap_;
+  ImGui::BeginDisabled(!is_known);
+  if (ImGui::Button(kPropose)) {
+    ComputationSettings settings = uses_.computation.settings();
+    settings[Parameter::alpha_radius] = gap_->middle();
+    uses_.computation.set(settings);
+  }
+  ImGui::EndDisabled();
+  std::string words = "Set the radius to the middle of the widest gap, in which nothing is joined, closed or filled";
+  if (is_known) words += fmt::format(": from {:.4g} to {:.4g}", gap_->begin, gap_->end);
+  tooltip(uses_.gui, words);
 }
 
 void PersistencePanel::draw_words() {

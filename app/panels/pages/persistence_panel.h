@@ -43,6 +43,7 @@ class PersistencePanel {
   void draw_in(View& view);
   void draw_growths();
   void draw_choices();
+  void draw_proposal();
   void draw_words();
   void draw_diagram(View& view);
   void draw_key(const Plot& plot) const;
@@ -77,6 +78,8 @@ class PersistencePanel {
 
   Uses uses_;
   bool had_only_balls_ = false;
+  std::shared_ptr<const PersistenceTable> gap_of_;
+  std::optional<RadiusGap> gap_;
   bool shows_components_ = true;
   bool shows_holes_ = true;
   std::optional<std::size_t> pointed_at_;
