@@ -46,6 +46,7 @@ build          libcli11-dev        cli11-devel         cli11          cli11
 build          nlohmann-json3-dev  json-devel          nlohmann-json  nlohmann-json
 build          libpugixml-dev      pugixml-devel       pugixml        pugixml
 build          libmuparser-dev     muParser-devel      muparser       muparser
+build          libproj-dev         proj-devel          proj           proj
 build          libfontconfig-dev   fontconfig-devel    fontconfig     fontconfig
 build          libharfbuzz-dev     harfbuzz-devel      harfbuzz       harfbuzz
 build          libpolyclipping-dev  polyclipping-devel  clipper       -
@@ -70,6 +71,7 @@ test           libx11-dev          libX11-devel        libx11         -
 test           xdotool             xdotool             xdotool        -
 test           imagemagick         ImageMagick         imagemagick    imagemagick
 test           dbus-daemon         dbus-daemon         dbus           -
+test           proj-bin            proj                proj           proj
 test           librsvg2-bin        librsvg2-tools      librsvg        librsvg
 test           poppler-utils       poppler-utils       poppler        poppler
 test           ghostscript         ghostscript         ghostscript    ghostscript

@@ -32,7 +32,7 @@ constexpr auto kFileRows = std::to_array<Row>({
      "Write to another file: .json keeps everything, .poff the samples, .wpoff the balls", "Ctrl+Shift+S"},
     {Id::keep_degrees, "keep-degrees", "Keep degrees of maps",
      "Use longitude and latitude of maps (GeoJSON, WKT, KML, GPX, shapefiles) as coordinates in degrees instead of "
-     "projecting them to kilometres; an open map is read again"},
+     "projecting them to metres; an open map is read again"},
     {Id::trace_picture, "trace-picture", "Picture underneath...",
      "Show a picture below the drawing, to place samples along it"},
     {Id::picture_to_samples, "trace-into-samples", "Trace a picture...",

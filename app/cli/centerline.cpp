@@ -2,6 +2,8 @@
 // `mesecina centerline`: the centre line of each shape, or stations along it with widths.
 #include <fmt/core.h>
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -18,6 +20,7 @@
 #include "app/store/center_line_text.h"
 #include "core/base/lower_case.h"
 #include "core/graph/registry.h"
+#include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
@@ -25,6 +28,7 @@ namespace {
 
 constexpr std::uint64_t kMostBranches = 100'000;
 constexpr double kMostStations = 1e7;
+const std::string kStationColumns = "shape,line,station,x,y,width,left_x,left_y,right_x,right_y,direction\n";
 
 /// The parsed options of the command.
 struct CenterlineJob {
@@ -40,6 +44,7 @@ struct CenterlineResult {
   std::string table{};  ///< of stations
   std::size_t stations = 0;
   CenterLineTotals totals{};
+  std::optional<MapPlane> map{};  ///< of the last lines; all have the same unit
 };
 
 Expected<Vec2> parse_place(const std::string& text) {
@@ -121,11 +126,15 @@ Expected<CenterlineJob> centerline_job(const CenterlineRequest& request) {
   return out;
 }
 
-void add_station_rows(std::string& table, std::size_t shape, std::size_t line, const std::vector<Station>& stations) {
+/// Positions of a map are in its coordinate system; lengths and the direction are those of the plane.
+void add_station_rows(std::string& table, std::size_t shape, std::size_t line, const std::vector<Station>& stations,
+                      const std::optional<MapConversion>& conversion) {
   for (const Station& at : stations) {
     table += fmt::format("{},{}", shape, line);
-    for (const double x :
-         {at.along, at.place.x, at.place.y, at.width, at.left.x, at.left.y, at.right.x, at.right.y, at.direction})
+    std::array places{at.place, at.left, at.right};
+    if (conversion) conversion->from_plane(places);
+    const auto& [place, left, right] = places;
+    for (const double x : {at.along, place.x, place.y, at.width, left.x, left.y, right.x, right.y, at.direction})
       append_number(table += ',', x);
     table += '\n';
   }
@@ -143,7 +152,17 @@ void add_numbers(TextLine& line, const Feature& feature, std::vector<std::pair<s
 
 Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, const std::optional<MapPlane>& map,
                          const Feature& feature, CenterlineResult& out) {
+  std::optional<MapConversion> to_system;
+  if (map && job.every > 0.0 && job.format->name == "csv") {
+    auto conversion = MapConversion::of(*map, MapTarget::own_system);
+    if (!conversion) return std::unexpected(conversion.error());
+    to_system = *std::move(conversion);
+  }
+  if (map && out.map && map->plane_unit() != out.map->plane_unit())
+    return std::unexpected(Error{ErrorCode::bad_input, fmt::format("its lengths are in {}, and those before it in {}",
+                                                                   map->plane_unit(), out.map->plane_unit())});
   out.totals.add(found);
+  if (map) out.map = map;
   for (const CenterLine& line : found.lines) {
     if (job.every == 0.0) {
       TextLine whole = text_line_of(line, map);
@@ -157,7 +176,7 @@ Expected<void> add_lines(const CenterlineJob& job, const CenterLines& found, con
     const std::vector<Station> stations = stations_of(line, job.every);
     out.stations += stations.size();
     if (job.format->name == "csv") {
-      add_station_rows(out.table, line.shape + 1, line.rank + 1, stations);
+      add_station_rows(out.table, line.shape + 1, line.rank + 1, stations, to_system);
       continue;
     }
     for (const Station& at : stations) {
@@ -192,9 +211,11 @@ Expected<void> process(const Registry& registry, const CenterlineJob& job, const
   if (job.between) {
     wish.request.between = job.between;
     if (data.map) {
-      const MapPlane degrees{.degrees = MapDegrees::kept};
-      wish.request.between = {data.map->plane_of(degrees, job.between->first),
-                              data.map->plane_of(degrees, job.between->second)};
+      const auto to_system = MapConversion::of(*data.map, MapTarget::own_system);
+      if (!to_system) return in_file(to_system.error());
+      wish.request.between = {to_system->to_plane(job.between->first), to_system->to_plane(job.between->second)};
+      for (const Vec2 end : {wish.request.between->first, wish.request.between->second})
+        if (!is_finite(end)) return in_file({ErrorCode::usage, "--between has a point that is not on the map"});
     }
   }
   const auto ids = registry.structures();
@@ -203,7 +224,8 @@ Expected<void> process(const Registry& registry, const CenterlineJob& job, const
     progress.show(task, static_cast<double>(at) / static_cast<double>(ids.size()));
   });
   if (!found) return in_file(found.error());
-  return add_lines(job, *found, samples.map, feature, out);
+  if (auto done = add_lines(job, *found, samples.map, feature, out); !done) return in_file(done.error());
+  return {};
 }
 
 /// Each feature by itself. Error: the file is no GeoJSON, or no feature has a line.
@@ -264,11 +286,11 @@ Expected<void> run_centerline(const Registry& registry, const CenterlineRequest&
     }
   }
   const bool is_table = job->every > 0.0 && job->format->name == "csv";
-  const LineText text =
-      is_table ? LineText{"shape,line,station,x,y,width,left_x,left_y,right_x,right_y,direction\n" + result.table}
-               : job->format->write(result.lines);
-  auto done = write_output(request.output, text.text, interruption, {sources, request.force});
-  if (done) say(result.totals.text(text.off_earth, result.stations));
+  const auto text =
+      is_table ? Expected<LineText>(LineText{kStationColumns + result.table}) : job->format->write(result.lines);
+  if (!text) return std::unexpected(text.error());
+  auto done = write_output(request.output, text->text, interruption, {sources, request.force});
+  if (done) say(result.totals.text(result.map, text->off_earth, result.stations));
   return done;
 }
 

@@ -110,6 +110,7 @@ Expected<void> run_compute(const Registry& registry, const ComputeRequest& reque
   const std::size_t samples = file.data.positions.size();
   const std::size_t contours = file.data.contours.size();
   const std::size_t balls = file.data.balls.size();
+  const std::optional<MapPlane> map = file.data.map;
 
   std::vector<Measured> measured(registry.layers().size());
   const auto take = [&](const InstancePiece& piece) {
@@ -134,6 +135,10 @@ Expected<void> run_compute(const Registry& registry, const ComputeRequest& reque
   out["input"] = {{"file", request.source.file}, {"format", file.format},
                   {"samples", samples},          {"distinct", distinct_of(result->nodes)},
                   {"contours", contours},        {"balls", balls}};
+  if (map) {
+    out["input"]["system"] = map->system.empty() ? "OGC:CRS84" : map->system;
+    out["input"]["unit"] = map->plane_unit();
+  }
   out["precision"] = id_of(input->settings.precision);
   out["structures"] = Json::object();
   for (const NodeReport& node : result->nodes) out["structures"][node.structure] = json_of(node, request.with_timing);

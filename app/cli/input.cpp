@@ -9,6 +9,7 @@
 #include "app/cli/messages.h"
 #include "core/graph/registry.h"
 #include "core/io/format_spec.h"
+#include "core/io/systems/coordinate_system.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes::cli {
@@ -36,6 +37,10 @@ Expected<ReadRequest> understood_reading(const ReadingOptions& options) {
     return usage_error("--figure-side expects dark or light, not " + in_quotes(options.figure));
   if (options.keeps_degrees) request.degrees = MapDegrees::kept;
   request.keeps_vertices = options.keeps_vertices;
+  request.system = options.system;
+  if (!request.system.empty())
+    if (auto known = find_coordinate_system(request.system); !known)
+      return std::unexpected(Error{known.error().code, "--crs: " + known.error().text});
   return request;
 }
 
@@ -58,7 +63,7 @@ Expected<LoadedFile> read_input(const Registry& registry, const std::string& fil
   auto loaded = file == "-" ? read_sample_stream(STDIN_FILENO, file, format, *request)
                             : read_sample_file(file, format, nullptr, *request);
   if (!loaded) return loaded;
-  if (options.keeps_degrees && !is_map(registry, loaded->format))
+  if (options.keeps_degrees && !loaded->degrees && !is_map(registry, loaded->format))
     return std::unexpected(Error{ErrorCode::usage, "only maps have degrees to keep, and this is none", file});
   for (const std::string& warning : loaded->warnings) say(warning);
   return loaded;

@@ -280,9 +280,11 @@ void write_formats(const Registry& registry, Markdown& page) {
       "are radians, counter-clockwise.");
   page.table({"Kind", "What the columns of a line are"}, columns);
   page.paragraph(
-      "Coordinates are those of the document, with all their digits; of a map in degrees GeoJSON and WKT are in "
-      "degrees,\n"
-      "radii and other numbers in kilometres. GeoJSON and WKT have no circles: a circle, a disk\n"
+      "Coordinates are those of the document, with all their digits. Of a map GeoJSON is in longitude and latitude "
+      "on\n"
+      "WGS 84, CSV and WKT in the coordinate system of the map; radii, directions and angles are in the plane, which "
+      "is\n"
+      "in metres for a map in degrees. GeoJSON and WKT have no circles: a circle, a disk\n"
       "or an arc has 96 sides a turn there, and GeoJSON names its centre and radius. Chains of GeoJSON have the "
       "scalar\n"
       "of each of their segments. Rays and lines are in `csv` alone; elsewhere they are left out, with a message.");

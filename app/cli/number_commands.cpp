@@ -105,7 +105,8 @@ void describe_centerline(const Registry& registry, CLI::App& app, CenterlineRequ
       "The line is the longest of the pruned medial axis: between its farthest free ends by the shortest way, or\n"
       "closed if there are no ends. Outlines of drawings, maps and pictures are sampled by local feature size\n"
       "first; points and sessions keep their samples.\n"
-      "Lengths are kilometres for a map in degrees, else units of the file.");
+      "Lengths are metres for a map in degrees, else units of the file. Points are written, and --between is given,\n"
+      "in the coordinate system of the map; GeoJSON is always in longitude and latitude on WGS 84.");
 }
 
 void describe_persistence(const Registry& registry, CLI::App& app, PersistenceRequest& to) {

@@ -28,6 +28,7 @@ struct ReadingOptions {
   std::string figure;           ///< "dark" or "light"
   bool keeps_degrees = false;   ///< longitude and latitude are not projected
   bool keeps_vertices = false;  ///< curves are sampled at their vertices alone
+  std::string system{};         ///< coordinate system of the positions; empty: that of the file
 };
 
 /// The common part of all commands that read samples and compute.

@@ -12,6 +12,7 @@
 #include "core/formula/formula.h"
 #include "core/io/format.h"
 #include "core/io/session/session.h"
+#include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 #include "core/kernel/circumcircle.h"
 
@@ -284,8 +285,18 @@ Expected<SelectionDesk::Pasted> SelectionDesk::paste(std::string_view text, Vec2
   if (data.positions.empty() && data.balls.empty())
     return std::unexpected(Error{ErrorCode::bad_input, "there is nothing in it", "clipboard"});
   const Document& document = editor_.document();
-  if (data.map && document.map() && *data.map != *document.map())
-    for (Vec2& p : data.positions) p = document.map()->plane_of(*data.map, p);
+  if (data.map && document.map() && *data.map != *document.map()) {
+    const auto target = data.map->system == document.map()->system ? MapTarget::own_system : MapTarget::wgs84;
+    const auto there = MapConversion::of(*data.map, target);
+    if (!there) return std::unexpected(there.error());
+    const auto here = MapConversion::of(*document.map(), target);
+    if (!here) return std::unexpected(here.error());
+    there->from_plane(data.positions);
+    here->to_plane(data.positions);
+    if (std::ranges::any_of(data.positions, [](Vec2 p) { return !is_finite(p); }))
+      return std::unexpected(
+          Error{ErrorCode::bad_input, "a position is not on the map of the document", "clipboard"});
+  }
   const auto is_taken = [&](Vec2 shift) {
     return std::ranges::any_of(data.positions,
                                [&](Vec2 p) { return editor_.index().nearest(p + shift, 0.0) != kNoSlot; }) ||

@@ -30,10 +30,12 @@ void CenterLineTotals::add(const CenterLines& found) {
   }
 }
 
-std::string CenterLineTotals::text(std::uint64_t off_earth, std::size_t stations) const {
-  std::string out = fmt::format("{} of length {:.6g} in all, width {:.6g} to {:.6g}",
-                                lines == 1 ? "1 line" : fmt::format("{} lines", lines), length.value(), widths.least,
-                                widths.largest);
+std::string CenterLineTotals::text(const std::optional<MapPlane>& map, std::uint64_t off_earth,
+                                   std::size_t stations) const {
+  const std::string unit = map ? fmt::format(" {}", map->plane_unit()) : std::string();
+  std::string out = fmt::format("{} of length {:.6g}{} in all, width {:.6g} to {:.6g}{}",
+                                lines == 1 ? "1 line" : fmt::format("{} lines", lines), length.value(), unit,
+                                widths.least, widths.largest, unit);
   if (stations != 0) out += fmt::format(", {} stations", stations);
   if (points != 0)
     out += fmt::format("; {} no line, since {} pruned axis is a point",

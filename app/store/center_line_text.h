@@ -25,8 +25,9 @@ struct CenterLineTotals {
   Widths widths{std::numeric_limits<double>::infinity(), 0.0, 0.0};
 
   void add(const CenterLines& found);
-  /// "2 lines of length 12.6 in all, width 1.1 to 1.3". `off_earth` lines were left out of the text.
-  std::string text(std::uint64_t off_earth, std::size_t stations = 0) const;
+  /// "2 lines of length 12.6 m in all, width 1.1 to 1.3 m"; without a map lengths have no unit. `off_earth` lines were
+  /// left out of the text.
+  std::string text(const std::optional<MapPlane>& map, std::uint64_t off_earth, std::size_t stations = 0) const;
 };
 
 }  // namespace mes

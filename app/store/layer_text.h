@@ -43,7 +43,8 @@ struct LayerTextFormat {
   bool needs_curve = false;     ///< needs the layers `curve` and `curve-normals` to be computed too
   std::string_view contents{};  ///< required content of a layer, such as "points"; empty: any layer
   bool (*holds)(const LayerDescriptor& layer) = nullptr;
-  LayerText (*write)(const LayerGeometry& geometry) = nullptr;
+  /// Error: as for `MapConversion::of` (core/io/systems/map_conversion.h).
+  Expected<LayerText> (*write)(const LayerGeometry& geometry) = nullptr;
 };
 
 /// The formats in the order of help and menus.

@@ -8,24 +8,58 @@
 #include "app/store/internal/geo_text.h"
 #include "app/store/internal/shapes_on_earth.h"
 #include "core/base/box2.h"
+#include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes {
 namespace {
 
-GeoParts parts_of(const TextLine& line) {
-  if (!line.map) return {line.points};
-  return parts_on_earth({.kind = StraightKind::chain, .of = PrimitiveKind::segment, .corners = line.points},
-                        *line.map);
-}
+/// Converts lines of maps. Most lines have the map of the line before them.
+class LineConversions {
+ public:
+  explicit LineConversions(MapTarget target) : target_(target) {}
 
-LineText lines_as_geojson(std::span<const TextLine> lines) {
+  /// Null for a line in no map.
+  Expected<const MapConversion*> of(const TextLine& line) {
+    if (!line.map) return nullptr;
+    if (!conversion_ || *line.map != plane_) {
+      auto conversion = MapConversion::of(*line.map, target_);
+      if (!conversion) return std::unexpected(conversion.error());
+      conversion_ = *std::move(conversion);
+      plane_ = *line.map;
+    }
+    return &*conversion_;
+  }
+  Expected<std::vector<Vec2>> points_of(const TextLine& line) {
+    const auto conversion = of(line);
+    if (!conversion) return std::unexpected(conversion.error());
+    std::vector<Vec2> out = line.points;
+    if (*conversion != nullptr) (*conversion)->from_plane(out);
+    return out;
+  }
+  Expected<GeoParts> parts_of(const TextLine& line) {
+    const auto conversion = of(line);
+    if (!conversion) return std::unexpected(conversion.error());
+    if (*conversion == nullptr) return GeoParts{line.points};
+    return parts_on_earth({.kind = StraightKind::chain, .of = PrimitiveKind::segment, .corners = line.points},
+                          **conversion);
+  }
+
+ private:
+  MapTarget target_;
+  MapPlane plane_{};
+  std::optional<MapConversion> conversion_{};
+};
+
+Expected<LineText> lines_as_geojson(std::span<const TextLine> lines) {
+  LineConversions conversions(MapTarget::wgs84);
   LineText out{
       begin_of_features(std::ranges::any_of(lines, [](const TextLine& line) { return line.map.has_value(); }))};
   bool is_first = true;
   for (const TextLine& line : lines) {
-    const GeoParts parts = parts_of(line);
-    if (parts.empty()) {
+    const auto parts = conversions.parts_of(line);
+    if (!parts) return std::unexpected(parts.error());
+    if (parts->empty()) {
       ++out.off_earth;
       continue;
     }
@@ -41,29 +75,34 @@ LineText lines_as_geojson(std::span<const TextLine> lines) {
       out.text += '"' + name + "\":" + json_number(value);
     }
     out.text += R"(},"geometry":)";
-    append_geojson(out.text, StraightKind::chain, parts);
+    append_geojson(out.text, StraightKind::chain, *parts);
     out.text += '}';
   }
   out.text += kEndOfFeatures;
   return out;
 }
 
-LineText lines_as_wkt(std::span<const TextLine> lines) {
+Expected<LineText> lines_as_wkt(std::span<const TextLine> lines) {
+  LineConversions conversions(MapTarget::own_system);
   LineText out;
   for (const TextLine& line : lines) {
-    const GeoParts parts = parts_of(line);
-    if (parts.empty())
+    const auto parts = conversions.parts_of(line);
+    if (!parts) return std::unexpected(parts.error());
+    if (parts->empty())
       ++out.off_earth;
     else
-      append_wkt(out.text, StraightKind::chain, parts, line.map.has_value());
+      append_wkt(out.text, StraightKind::chain, *parts, srid_of(line.map));
   }
   return out;
 }
 
-LineText lines_as_csv(std::span<const TextLine> lines) {
+Expected<LineText> lines_as_csv(std::span<const TextLine> lines) {
+  LineConversions conversions(MapTarget::own_system);
   LineText out{"line,x,y\n"};
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    for (const Vec2 p : lines[i].points) {
+    const auto points = conversions.points_of(lines[i]);
+    if (!points) return std::unexpected(points.error());
+    for (const Vec2 p : *points) {
       out.text += std::to_string(i + 1);
       append_number(out.text += ',', p.x);
       append_number(out.text += ',', p.y);
@@ -78,7 +117,7 @@ void append_pair(std::string& out, double x, double y) {
   append_number(out += ' ', y);
 }
 
-LineText lines_as_svg(std::span<const TextLine> lines) {
+Expected<LineText> lines_as_svg(std::span<const TextLine> lines) {
   Box2 box;
   for (const TextLine& line : lines)
     for (const Vec2 p : line.points) box.add(Vec2{p.x, p.y == 0.0 ? 0.0 : -p.y});
@@ -104,7 +143,8 @@ LineText lines_as_svg(std::span<const TextLine> lines) {
 }
 
 // Group codes: 0 begins an entity, 8 is its layer, 66 says that vertices follow, 70 has the bit 1 for closed.
-LineText lines_as_dxf(std::span<const TextLine> lines) {
+Expected<LineText> lines_as_dxf(std::span<const TextLine> lines) {
+  LineConversions conversions(MapTarget::own_system);
   constexpr std::string_view kLayer = "8\ncenterline\n";
   LineText out{"0\nSECTION\n2\nENTITIES\n"};
   const auto append_place = [&](Vec2 p) {
@@ -117,11 +157,13 @@ LineText lines_as_dxf(std::span<const TextLine> lines) {
     out.text += kLayer;
     out.text += line.is_closed ? "66\n1\n70\n1\n" : "66\n1\n70\n0\n";
     append_place({});
-    const std::size_t n = line.points.size() - (line.is_closed ? 1 : 0);
+    const auto points = conversions.points_of(line);
+    if (!points) return std::unexpected(points.error());
+    const std::size_t n = points->size() - (line.is_closed ? 1 : 0);
     for (std::size_t k = 0; k < n; ++k) {
       out.text += "0\nVERTEX\n";
       out.text += kLayer;
-      append_place(line.points[k]);
+      append_place((*points)[k]);
     }
     out.text += "0\nSEQEND\n";
     out.text += kLayer;

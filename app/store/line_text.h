@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/error.h"
 #include "core/base/vec2.h"
 #include "core/document/map_plane.h"
 
@@ -21,7 +22,7 @@ struct TextLine {
   std::vector<std::pair<std::string, double>> numbers{};  ///< names and values that describe the line
   std::string id{};                                       ///< JSON of the id of a feature; empty: none
   std::string properties{};                               ///< JSON members of a feature, before the numbers
-  std::optional<MapPlane> map{};                          ///< nothing: the line is in no map of degrees
+  std::optional<MapPlane> map{};                          ///< nothing: the line is in no map
 };
 
 struct LineText {
@@ -34,11 +35,13 @@ struct LineTextFormat {
   std::string_view name;        ///< its name on the command line, and the extension of files without the dot
   std::string_view help;        ///< one line
   bool is_of_features = false;  ///< holds ids and properties
-  LineText (*write)(std::span<const TextLine> lines) = nullptr;
+  /// Error: as for `MapConversion::of` (core/io/systems/map_conversion.h).
+  Expected<LineText> (*write)(std::span<const TextLine> lines) = nullptr;
 };
 
-/// GeoJSON and WKT are in degrees where a line has a map, and cut at the 180th meridian. CSV has a row for each point.
-/// DXF has polylines of release 12; SVG has y downwards.
+/// Lines of a map are in longitude and latitude on WGS 84 in GeoJSON, and in the coordinate system of the map in all
+/// other formats but SVG, which is a picture of the plane. GeoJSON and WKT are cut at the 180th meridian. CSV has a row
+/// for each point. DXF has polylines of release 12; SVG has y downwards.
 std::span<const LineTextFormat> line_text_formats();
 /// The format of this name, or null.
 const LineTextFormat* find_line_text_format(std::string_view name);

@@ -171,12 +171,13 @@ void FigureFlow::write_center_lines(const std::filesystem::path& file) {
       if (!found) return {file, std::unexpected(found.error())};
       std::vector<TextLine> lines;
       for (const CenterLine& line : found->lines) lines.push_back(text_line_of(line, data.map));
-      const LineText text = format->write(lines);
-      if (auto written = write_file_atomically(file, text.text); !written)
+      const auto text = format->write(lines);
+      if (!text) return {file, std::unexpected(text.error())};
+      if (auto written = write_file_atomically(file, text->text); !written)
         return {file, std::unexpected(written.error())};
       CenterLineTotals totals;
       totals.add(*found);
-      return {file, {}, totals.text(text.off_earth)};
+      return {file, {}, totals.text(data.map, text->off_earth)};
     } catch (const Cancelled&) {
       return {file, std::unexpected(Error{ErrorCode::cancelled, "the export was stopped"})};
     } catch (const std::bad_alloc&) {

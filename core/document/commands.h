@@ -66,7 +66,7 @@ struct SampleData {
   std::vector<Disk> balls{};
   Annotations annotations{};                    ///< refer to samples by index in `positions`
   std::shared_ptr<const CurveSource> source{};  ///< curves that samples were taken from, or null
-  std::optional<MapPlane> map{};                ///< where on the Earth they lie; set only for a map in degrees
+  std::optional<MapPlane> map{};                ///< where on the Earth they lie; set only for a map
 };
 
 /// Replaces the annotations. Error: the fault that `fault_of` reports.

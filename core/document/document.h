@@ -62,7 +62,7 @@ class Document {
   const std::shared_ptr<const Annotations>& annotations() const { return annotations_; }
   /// Null if samples were not taken from curves.
   const std::shared_ptr<const CurveSource>& source() const { return source_; }
-  /// Position of the plane on the Earth, for data from a map in degrees. Only a replacement of everything changes it.
+  /// Position of the plane on the Earth, for data from a map. Only a replacement of everything changes it.
   const std::optional<MapPlane>& map() const { return map_; }
   /// The remaining samples of the source curves, by increasing id. O(samples ever taken from them).
   std::vector<SampleId> samples_of_source() const;

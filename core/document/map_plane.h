@@ -1,53 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Relation of the plane of a document to the Earth, for data from a map in degrees. Plain data.
+// Relation of the plane of a document to the Earth, for data from a map. Plain data.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
-
-#include "core/base/vec2.h"
+#include <string>
+#include <string_view>
 
 namespace mes {
 
 /// Treatment of longitude and latitude.
 enum class MapDegrees : std::uint8_t {
-  projected,  ///< projected to kilometres about the middle of the map
+  projected,  ///< projected to metres about the middle of the map
   kept,       ///< used as coordinates of the plane, in degrees
 };
 
-/// Conversion of degrees to coordinates of the plane: equirectangular about an origin, true to scale there and along
-/// meridians; or the identity.
-///
-/// Guarantees: converting to the plane and back has an error below 1e-12 degrees for positions on the Earth.
-struct MapPlane {
-  MapDegrees degrees = MapDegrees::projected;
-  double longitude = 0.0;  ///< origin of the plane, in degrees, may exceed 180; ignored if degrees are kept
-  double latitude = 0.0;   ///< between -90 and 90
+/// How coordinates of the plane arise from those of the coordinate system of the map.
+enum class MapProjection : std::uint8_t {
+  none,             ///< they are the same
+  azimuthal,        ///< azimuthal equidistant about an origin, in metres
+  equirectangular,  ///< about an origin, on a sphere, in kilometres; for maps wider than a hemisphere, and old files
+};
 
-  /// Kilometres in a degree of longitude and of latitude.
-  Vec2 scale() const {
-    // Mean radius of the Earth by the International Union of Geodesy and Geophysics, in kilometres.
-    constexpr double kEarthRadius = 6371.0088;
-    constexpr double kRadian = std::numbers::pi / 180.0;
-    if (degrees == MapDegrees::kept) return {1.0, 1.0};
-    const double north = kEarthRadius * kRadian;
-    return {north * std::cos(latitude * kRadian), north};
-  }
-  Vec2 origin() const { return degrees == MapDegrees::kept ? Vec2{} : Vec2{longitude, latitude}; }
-  Vec2 plane_of(Vec2 place) const {
-    const Vec2 from = place - origin();
-    return {scale().x * from.x, scale().y * from.y};
-  }
-  /// Longitude and latitude of a point of the plane; not on the Earth if they exceed 180 or 90 degrees.
-  Vec2 degrees_of(Vec2 place) const { return origin() + Vec2{place.x / scale().x, place.y / scale().y}; }
-  /// Converts a point from the plane of another map, the shorter way around the Earth.
-  Vec2 plane_of(const MapPlane& other, Vec2 place) const {
-    Vec2 there = other.degrees_of(place);
-    if (degrees == MapDegrees::projected) there.x = longitude + std::remainder(there.x - longitude, 360.0);
-    return plane_of(there);
+/// Their names in files, in order.
+inline constexpr std::array<std::string_view, 3> kMapProjections{"none", "azimuthal", "equirectangular"};
+
+/// The coordinate system of a map, and the plane in which the program computes with it. `MapConversion`
+/// (core/io/systems/map_conversion.h) converts between the two.
+struct MapPlane {
+  MapProjection projection = MapProjection::none;
+  double longitude = 0.0;  ///< origin of the projection, in units of the system, may exceed 180 degrees
+  double latitude = 0.0;
+  /// An authority and its code ("EPSG:25832"), or WKT in one line; empty: longitude and latitude on WGS 84.
+  std::string system{};
+  /// Unit of the system, as PROJ names it: "degree", "metre", "US survey foot". Not set for a projection, which
+  /// determines the unit of the plane.
+  std::string unit = "degree";
+
+  /// Symbol or name of the unit of lengths in the plane.
+  std::string_view plane_unit() const {
+    if (projection == MapProjection::azimuthal || unit == "metre") return "m";
+    if (projection == MapProjection::equirectangular || unit == "kilometre") return "km";
+    return unit;
   }
   friend bool operator==(const MapPlane&, const MapPlane&) = default;
 };
+
+/// Whether the origin can be that of this plane. In systems other than WGS 84 a right angle may have 100 units.
+inline bool is_origin_of_map(double longitude, double latitude, const MapPlane& plane) {
+  const double quarter = plane.system.empty() ? 90.0 : 100.0;
+  return std::abs(longitude) <= 4.0 * quarter && std::abs(latitude) <= quarter;
+}
 
 }  // namespace mes

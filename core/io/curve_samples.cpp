@@ -51,11 +51,12 @@ Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& wanted
 }
 
 Expected<LoadedFile> load_samples(CurveSet curves, const std::string& name, ReadJob& job,
-                                  const std::function<bool(Vec2)>& on_cut) {
+                                  const std::function<bool(Vec2)>& on_cut, std::size_t added_vertices) {
   remove_cuts(curves, on_cut, job);
   const SamplingRequest request = default_sampling(curves);
   std::size_t vertices = curves.points.size();
   for (const PlaneCurve& curve : curves.curves) vertices += curve.piece_count() + (curve.is_closed() ? 0 : 1);
+  vertices -= std::min(vertices, added_vertices);
   auto file = samples_of(std::move(curves), request, name, job);
   if (!file || job.keeps_vertices() || request.rule != SamplingRule::refined) return file;
   const std::size_t samples = file->data.positions.size();

@@ -2,6 +2,7 @@
 // Samples the curves of a file. Private to core/io.
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 
@@ -19,9 +20,9 @@ namespace mes {
 Expected<LoadedFile> load_samples(CurveSet curves, const SamplingRequest& wanted, const std::string& name,
                                   ReadJob& job);
 /// Samples the curves by `default_sampling`. A warning gives the number of samples added between vertices, if any.
-/// Curves are also cut along pieces between positions for which `on_cut` holds.
+/// Curves are also cut along pieces between positions for which `on_cut` holds. `added_vertices` are not in the file.
 Expected<LoadedFile> load_samples(
     CurveSet curves, const std::string& name, ReadJob& job,
-    const std::function<bool(Vec2)>& on_cut = [](Vec2) { return false; });
+    const std::function<bool(Vec2)>& on_cut = [](Vec2) { return false; }, std::size_t added_vertices = 0);
 
 }  // namespace mes

@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <cmath>
 #include <new>
 #include <system_error>
 #include <utility>
@@ -12,6 +13,8 @@
 #include "core/io/carried_session.h"
 #include "core/io/files/read_file.h"
 #include "core/io/format_spec.h"
+#include "core/io/systems/chosen_plane.h"
+#include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 #include "core/io/xml/xml_source.h"
 
@@ -128,13 +131,43 @@ std::string root_of(std::string_view bytes) {
   return name.empty() ? std::string() : fmt::format(" ({})", printable(name));
 }
 
+std::unexpected<Error> no_system_for(std::string_view why, const std::string& name) {
+  return std::unexpected(Error{ErrorCode::usage, fmt::format("a coordinate system is given, but {}", why), name});
+}
+
+/// Takes positions of a format without coordinate systems, as a table, as those of the requested system.
+Expected<LoadedFile> in_system(LoadedFile file, const ReadRequest& request, const std::string& name) {
+  if (file.session || file.data.map) return no_system_for("this file already says where its plane lies", name);
+  if (file.data.positions.empty()) return no_system_for("there are no samples here", name);
+  const auto system = find_coordinate_system(request.system);
+  if (!system) return std::unexpected(system.error());
+  if (system->is_geographic && file.data.source)
+    return no_system_for("curves of drawings have no longitude and latitude", name);
+  const double half_turn = system->half_turn();
+  const auto is_outside = [&](Vec2 p) { return std::abs(p.x) > 2.0 * half_turn || std::abs(p.y) > 0.5 * half_turn; };
+  if (system->is_geographic && std::ranges::any_of(file.data.positions, is_outside))
+    return bad_input(fmt::format("not every sample is a longitude and latitude, as {} needs", system->title()), name,
+                     1, 1);
+  auto chosen = choose_plane(file.data.positions, *system, request.degrees);
+  if (!chosen) return std::unexpected(chosen.error());
+  const auto conversion = MapConversion::of(chosen->plane, MapTarget::own_system);
+  if (!conversion) return std::unexpected(conversion.error());
+  conversion->to_plane(file.data.positions);
+  file.data.map = std::move(chosen->plane);
+  if (system->is_geographic) file.degrees = request.degrees;
+  file.warnings.insert(file.warnings.begin(), Error{ErrorCode::bad_input, chosen->remark, name}.message());
+  return file;
+}
+
 Expected<LoadedFile> read_as(const Format& format, std::string_view bytes, const std::string& name,
                              const ReadRequest& request, const fs::path* path, ReadJob& job) {
   job.begin(bytes);
   if (!request.trace.is_default()) return format.read_traced(bytes, name, request.trace, job);
-  if (format.read_map) return format.read_map(bytes, name, request.degrees, path, job);
-  if (path != nullptr && format.read_beside) return format.read_beside(bytes, name, *path, job);
-  return format.read(bytes, name, job);
+  if (format.read_map) return format.read_map(bytes, name, request, path, job);
+  if (!request.system.empty() && format.read_traced) return no_system_for("pictures have none", name);
+  auto file = path != nullptr && format.read_beside ? format.read_beside(bytes, name, *path, job)
+                                                    : format.read(bytes, name, job);
+  return file && !request.system.empty() ? in_system(*std::move(file), request, name) : std::move(file);
 }
 
 Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name, std::string_view wanted,
@@ -146,6 +179,8 @@ Expected<LoadedFile> read_bytes(std::string_view bytes, const std::string& name,
       const auto text = carried_session(bytes, name);
       if (!text) return std::unexpected(text.error());
       const auto session = formats.find("session");
+      if (*text && session != nullptr && !request.system.empty())
+        return no_system_for("this file already says where its plane lies", name);
       if (*text && session != nullptr)
         return request.trace.is_default() ? read_carried(*session, **text, name, job) : untraceable(name);
     }

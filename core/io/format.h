@@ -28,6 +28,9 @@ struct Session;
 struct ReadRequest {
   TraceRequest trace{};                        ///< for pictures; if not the default, other formats are refused
   MapDegrees degrees = MapDegrees::projected;  ///< for maps; no effect on other formats
+  /// Coordinate system of the positions, as `find_coordinate_system` (core/io/systems/coordinate_system.h) understands
+  /// it, whatever the file says; empty: that of the file, if it has one. Refused for a file that stores its plane.
+  std::string system{};
   /// Samples are only the vertices of curves; otherwise `default_sampling` samples the curves.
   bool keeps_vertices = false;
   const NamedList<Format>* formats = nullptr;  ///< available formats; null: those of the program
@@ -73,7 +76,7 @@ Expected<LoadedFile> read_sample_stream(int descriptor, const std::string& name,
 /// `# map` line; every double reads back bit for bit.
 std::string write_poff(const Document& document);
 
-/// Appends the POFF line with the location on the Earth; nothing if the points were no map in degrees.
+/// Appends the POFF line with the location on the Earth; nothing if the points were no map.
 void append_map_line(std::string& out, const std::optional<MapPlane>& map);
 
 /// WPOFF text of balls; every double reads back bit for bit.

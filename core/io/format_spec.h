@@ -37,9 +37,9 @@ struct Format {
   std::function<Expected<LoadedFile>(std::string_view bytes, const std::string& name,
                                      const std::filesystem::path& path, ReadJob& job)>
       read_beside{};
-  /// For maps: like `read`, with a treatment of longitude and latitude. `path` is that of the file, null for bytes in
-  /// memory.
-  std::function<Expected<LoadedFile>(std::string_view bytes, const std::string& name, MapDegrees degrees,
+  /// For maps: like `read`, with a coordinate system and a treatment of longitude and latitude. `path` is that of the
+  /// file, null for bytes in memory.
+  std::function<Expected<LoadedFile>(std::string_view bytes, const std::string& name, const ReadRequest& request,
                                      const std::filesystem::path* path, ReadJob& job)>
       read_map{};
   /// Its files may be XML or binary and identify themselves: bytes that do not look like text may be of this format.

@@ -5,6 +5,7 @@
 
 #include "core/document/curve_source.h"
 #include "core/io/format.h"
+#include "core/io/systems/map_conversion.h"
 #include "tests/io/checked_reading.h"
 
 using namespace mes;
@@ -15,7 +16,12 @@ namespace {
 using Indices = std::vector<std::uint32_t>;
 using Contours = std::vector<SampleData::Contour>;
 
-constexpr double kKilometresADegree = 6371.0088 * 3.14159265358979323846 / 180.0;
+/// Longitude and latitude of a position of a map.
+Vec2 degrees_of(const LoadedFile& file, Vec2 position) {
+  const auto conversion = MapConversion::of(file.data.map.value(), MapTarget::wgs84);
+  REQUIRE(conversion);
+  return conversion->from_plane(position);
+}
 
 }  // namespace
 
@@ -78,13 +84,14 @@ TEST_CASE("a line that ends where it begins is a ring") {
 
 TEST_CASE("WKT is in the plane unless it names degrees") {
   CHECK(read_map("POINT (30 60)").data.positions == std::vector<Vec2>{{30, 60}});
-  CHECK(read_map("SRID=3857;POINT (30 60)").warnings.empty());
+  CHECK(read_map("SRID=3857;POINT (30 60)").data.positions == std::vector<Vec2>{{30, 60}});
+  CHECK(read_map("SRID=0;POINT (30 60)").warnings.empty());
   const LoadedFile file = read_map("SRID=4326;LINESTRING (29 60, 31 60)");
   REQUIRE(file.warnings.size() == 1);
-  CHECK_THAT(file.warnings[0], Catch::Contains("kilometres about 30 E, 60 N"));
-  // At 60 degrees a degree of longitude is half as long as one of latitude.
-  CHECK(file.data.positions[1].x == Approx(0.5 * kKilometresADegree).epsilon(1e-12));
-  CHECK(file.data.positions[0].x == -file.data.positions[1].x);
+  CHECK_THAT(file.warnings[0], Catch::Contains("metres about 30 E, 60 N"));
+  // The length of a degree of longitude at 60 degrees by the program geod: 55799.47039 m.
+  CHECK(length(file.data.positions[1]) == Approx(55799.47039).epsilon(1e-9));
+  CHECK(file.data.positions[0].x == Approx(-file.data.positions[1].x).epsilon(1e-12));
 }
 
 TEST_CASE("every geometry of GeoJSON gives its positions in order") {
@@ -113,20 +120,23 @@ TEST_CASE("every geometry of GeoJSON gives its positions in order") {
                                        {true, {14, 15, 16}}});
 }
 
-TEST_CASE("degrees become kilometres about the middle of the map") {
+TEST_CASE("degrees become metres about the middle of the map") {
   const LoadedFile file = read_map(R"({"type": "LineString", "coordinates": [[10, 59, 8.5], [14, 61, 9]]})");
   REQUIRE(file.warnings.size() == 2);
-  CHECK_THAT(file.warnings[0], Catch::Contains("kilometres about 12 E, 60 N"));
+  CHECK_THAT(file.warnings[0],
+             Catch::Contains("metres about 12 E, 60 N: azimuthal equidistant, lengths are right to 0.01 %"));
   CHECK_THAT(file.warnings[1], Catch::StartsWith("map:1:49: ") && Catch::Contains("heights"));
   REQUIRE(file.data.positions.size() == 2);
-  CHECK(file.data.positions[1].x == Approx(kKilometresADegree).epsilon(1e-12));
-  CHECK(file.data.positions[1].y == Approx(kKilometresADegree).epsilon(1e-12));
-  CHECK(file.data.positions[0].x == Approx(-file.data.positions[1].x).epsilon(1e-12));
+  // Distance and direction from 12 E, 60 N by the program geod: 156496.16988 m, 43.742219 degrees from north.
+  CHECK(length(file.data.positions[1]) == Approx(156496.16988).epsilon(1e-9));
+  CHECK(std::atan2(file.data.positions[1].x, file.data.positions[1].y) ==
+        Approx(43.742219 * 3.14159265358979323846 / 180).epsilon(1e-7));
 
   const LoadedFile fiji = read_map(R"({"type": "MultiPoint", "coordinates": [[179, -17], [-179, -17], [177, -17]]})");
   CHECK_THAT(fiji.warnings[0], Catch::Contains("about 179 E, 17 S"));
-  CHECK(fiji.data.positions[1].x - fiji.data.positions[0].x ==
-        Approx(2 * kKilometresADegree * std::cos(17 * 3.14159265358979323846 / 180)).epsilon(1e-12));
+  // By geod; the plane is true to scale only from its origin, 179 E.
+  CHECK(length(fiji.data.positions[1]) == Approx(212970.73716).epsilon(1e-9));
+  CHECK(length(fiji.data.positions[0]) < 1e-6);
 }
 
 TEST_CASE("degrees are kept bit for bit where that is asked for") {
@@ -224,8 +234,9 @@ TEST_CASE("reference systems in degrees are known by their names and numbers") {
   };
   for (const char* name : {"urn:ogc:def:crs:OGC:1.3:CRS84", "EPSG:4326", "urn:ogc:def:crs:EPSG::4258", "EPSG:4269"})
     CHECK(read_map(with(name)).degrees == MapDegrees::projected);
-  for (const char* name : {"EPSG:3857", "urn:ogc:def:crs:EPSG::25832", "local", "EPSG:43260"})
+  for (const char* name : {"EPSG:3857", "urn:ogc:def:crs:EPSG::25832", "local"})
     CHECK_FALSE(read_map(with(name)).degrees.has_value());
+  CHECK_FALSE(read_sample_bytes(with("EPSG:43260"), "map"));
   CHECK(read_map("SRID=4258;POINT (9 50)").degrees == MapDegrees::projected);
   CHECK_FALSE(read_map("SRID=25832;POINT (9 50)").degrees.has_value());
   // What this program exports lies in the plane, unless it says that these are degrees.
@@ -287,12 +298,20 @@ TEST_CASE("curves of WKT are arcs of circles") {
                   "), POLYGON ((20 0, 24 0, 20 3, 20 0)))")
             .size() == 3);
   CHECK(curves_of("GEOMETRYCOLLECTION (MULTICURVE EMPTY, CURVEPOLYGON (" + slot + "), POINT (9 9))").size() == 1);
-  // In degrees a circle of the file becomes an ellipse of the plane.
-  const LoadedFile degrees = read_map("SRID=4326;CIRCULARSTRING (21 60, 20 61, 19 60)");
+  // In degrees a circle of the file becomes an ellipse of the plane, or lines where it is too large for one.
+  const std::string large = "SRID=4326;CIRCULARSTRING (21 60, 20 61, 19 60)";
+  CHECK(read_map(large).data.source->curves->curves.at(0).arcs().size() == 1);
+  const LoadedFile degrees = good(read_sample_bytes(large, "map"));
   const PlaneCurve& arc = degrees.data.source->curves->curves.at(0);
-  const Vec2 top = arc.arcs().at(0).center + arc.arcs().at(0).v;
-  CHECK(degrees.data.map->degrees_of(top).x == Approx(20.0));
-  CHECK(degrees.data.map->degrees_of(top).y == Approx(61.0));
+  for (const Vec2 p : arc.points())
+    CHECK(distance(degrees_of(degrees, p), {20.0, 60.0}) == Approx(1.0).epsilon(1e-9));
+  CHECK(arc.piece_count() > 100);  // so many lines are not far from it
+  const LoadedFile small = read_map("SRID=4326;CIRCULARSTRING (20.0001 60, 20 60.0001, 19.9999 60)");
+  const PlaneCurve& kept = small.data.source->curves->curves.at(0);
+  REQUIRE(kept.arcs().size() == 1);
+  const Vec2 top = degrees_of(small, kept.arcs().at(0).center + kept.arcs().at(0).v);
+  CHECK(top.x == Approx(20.0).epsilon(1e-11));
+  CHECK(top.y == Approx(60.0001).epsilon(1e-11));
 
   const auto refused = [](const std::string& text) {
     const auto read = read_sample_bytes(text, "a");

@@ -34,7 +34,7 @@ Session sample_session() {
                  {{.text = "$r_1$ \"is\"\nlong", .anchors = {{{0.1, -1e-100}, {}}}, .letters = 20.5}},
                  std::make_shared<const CurveSource>(
                      CurveSource{some_curves(), {.rule = SamplingRule::spacing, .spacing = 0.1}, 1, 2}),
-                 MapPlane{MapDegrees::projected, 24.9, -1.0 / 3.0}});
+                 MapPlane{MapProjection::equirectangular, 24.9, -1.0 / 3.0}});
   LayerStyle style;
   style.color = {1, 2, 3};
   style.color_map = "viridis";
@@ -469,7 +469,7 @@ TEST_CASE("what is not known is skipped, what makes no sense is refused") {
        "[]",
        "null",
        R"({"mesecina":"session"})",
-       R"({"mesecina":"session","schema":3})",
+       R"({"mesecina":"session","schema":4})",
        R"({"mesecina":"session","schema":1,"data":{"samples":[1]}})",
        R"({"mesecina":"session","schema":1,"data":{"samples":[1,"2"]}})",
        R"({"mesecina":"session","schema":1,"data":{"samples":{"0":1}}})",
@@ -606,12 +606,14 @@ TEST_CASE("where a map lies reads back bit for bit, or is refused") {
     return read_session(
         R"({"mesecina":"session","schema":1,"data":{"samples":[],"contours":[],"balls":[],"map":)" + map + "}}", "a");
   };
-  CHECK(read_with(R"({"degrees":"kept"})")->data->map == MapPlane{.degrees = MapDegrees::kept});
+  CHECK(read_with(R"({"degrees":"kept"})")->data->map == MapPlane{});
   CHECK(read_with(R"({"degrees":"projected","longitude":181.5,"latitude":-17})")->data->map ==
-        MapPlane{MapDegrees::projected, 181.5, -17});
+        MapPlane{MapProjection::equirectangular, 181.5, -17});
   for (const char* map : {"1", "{}", R"({"degrees":"lost"})", R"({"degrees":"projected","longitude":1})",
                           R"({"degrees":"projected","longitude":1,"latitude":90.5})",
-                          R"({"degrees":"projected","longitude":1000,"latitude":9})"}) {
+                          R"({"degrees":"projected","longitude":1000,"latitude":9})", R"({"projection":"lost"})",
+                          R"({"projection":"azimuthal","longitude":1})", R"({"projection":"none","system":"a\nb"})",
+                          R"({"projection":"azimuthal","longitude":1,"latitude":91})"}) {
     INFO(map);
     const auto read = read_with(map);
     REQUIRE_FALSE(read);

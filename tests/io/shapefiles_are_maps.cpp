@@ -76,6 +76,11 @@ constexpr const char* kDegrees =
     "GEOGCS[\"GCS_WGS_1984\",DATUM[\"D_WGS_1984\",SPHEROID[\"WGS_1984\",6378137.0,298.257223563]],PRIMEM["
     "\"Greenwich\","
     "0.0],UNIT[\"Degree\",0.0174532925199433]]";
+/// Comes after the system of degrees in a projected one.
+constexpr const char* kUtm32 =
+    ",PROJECTION[\"Transverse_Mercator\"],PARAMETER[\"False_Easting\",500000.0],PARAMETER[\"False_Northing\",0.0],"
+    "PARAMETER[\"Central_Meridian\",9.0],PARAMETER[\"Scale_Factor\",0.9996],PARAMETER[\"Latitude_Of_Origin\",0.0],"
+    "UNIT[\"Meter\",1.0]]";
 
 }  // namespace
 
@@ -150,8 +155,8 @@ TEST_CASE("the .prj beside it says whether positions are degrees") {
   const auto beside = folder.write("a.prj", kDegrees);
   const LoadedFile projected = good(read_sample_file(path, {}, nullptr, {.keeps_vertices = true}));
   REQUIRE(projected.warnings.size() == 1);
-  CHECK_THAT(projected.warnings[0], Catch::Contains("kilometres about 10 E, 50.5 N"));
-  CHECK(distance(projected.data.positions[1], projected.data.positions[2]) == Approx(111.195).epsilon(1e-4));
+  CHECK_THAT(projected.warnings[0], Catch::Contains("metres about 10 E, 50.5 N"));
+  CHECK(distance(projected.data.positions[1], projected.data.positions[2]) == Approx(111238.7).epsilon(1e-3));
   REQUIRE(projected.sources.size() == 2);
   CHECK(projected.sources[0].path == beside);
   CHECK(projected.degrees == MapDegrees::projected);
@@ -170,10 +175,27 @@ TEST_CASE("the .prj beside it says whether positions are degrees") {
   CHECK_THAT(unread.warnings[1],
              Catch::Contains("a.prj: it is too large to read; coordinates are taken as they are"));
 
-  folder.write("a.prj", "PROJCS[\"ETRS_1989_UTM_Zone_32N\"," + std::string(kDegrees) + ",UNIT[\"Meter\",1.0]]");
+  folder.write("a.prj", "PROJCS[\"WGS_1984_UTM_Zone_32N\"," + std::string(kDegrees) + kUtm32);
   const LoadedFile plane = good(read_sample_file(path, {}, nullptr, {.keeps_vertices = true}));
   CHECK(plane.data.positions.front() == Vec2{9, 50});
-  CHECK(plane.warnings.empty());
+  CHECK(plane.data.map == MapPlane{.system = "EPSG:32632", .unit = "metre"});
+
+  // A system that is nonsense is refused; another one may be given.
+  for (const char* nonsense : {"WGS 84", "PROJCS[\"a\"", "GEOGCS[\"a\",UNIT[\"Degree\",0.01]]", "\xff\xfe[\x01"}) {
+    folder.write("a.prj", nonsense);
+    const auto refused = read_sample_file(path);
+    REQUIRE_FALSE(refused);
+    CHECK(refused.error().code == ErrorCode::bad_input);
+    CHECK_THAT(refused.error().message(), Catch::StartsWith(beside.string()));
+    CHECK(good(read_sample_file(path, {}, nullptr, {.system = "EPSG:25832"})).data.map->system == "EPSG:25832");
+  }
+  folder.write("a.prj", " \n");
+  const LoadedFile blank = good(read_sample_file(path, {}, nullptr, {.keeps_vertices = true}));
+  CHECK_FALSE(blank.data.map);
+  REQUIRE(blank.warnings.size() == 1);
+  CHECK_THAT(blank.warnings[0], Catch::Contains("a.prj: the file is empty"));
+  REQUIRE(plane.warnings.size() == 1);
+  CHECK_THAT(plane.warnings[0], Catch::Contains("WGS 84 / UTM zone 32N (EPSG:32632), in m; lengths are right to "));
 }
 
 TEST_CASE("a shapefile that is wrong is refused with its record and byte") {

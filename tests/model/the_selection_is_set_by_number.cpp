@@ -9,6 +9,7 @@
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
 #include "core/io/format.h"
+#include "core/io/systems/map_conversion.h"
 
 using namespace mes;
 
@@ -258,6 +259,23 @@ TEST_CASE("text that holds no samples is refused in one line, and nothing change
   CHECK(d.document().sample_count() >= 4);
   REQUIRE(d.desk.paste("SRID=4326;MULTIPOINT ((9 50), (11.5 51))", {1, 1}, MapDegrees::kept));
   CHECK(d.positions().back() == Vec2{11.5, 51});
+}
+
+TEST_CASE("text of another coordinate system is pasted where it lies on the Earth") {
+  SampleData data{.positions = {{0, 0}}};
+  data.map = MapPlane{MapProjection::azimuthal, 9.7, 52.3};
+  SelectionBench d(data);
+  REQUIRE(d.desk.paste("SRID=25832;POINT (548206 5803104)", {1, 1}));
+  const auto conversion = MapConversion::of(*data.map, MapTarget::wgs84);
+  REQUIRE(conversion);
+  // By cs2cs.
+  CHECK(distance(conversion->from_plane(d.positions().back()), {9.708148085036, 52.376078240013}) < 1e-8);
+  // A text without a system is taken as it is, and one that PROJ does not know is refused.
+  REQUIRE(d.desk.paste("POINT (30 40)", {1, 1}));
+  CHECK(d.positions().back() == Vec2{30, 40});
+  const auto unknown = d.desk.paste("SRID=999999;POINT (1 2)", {1, 1});
+  REQUIRE_FALSE(unknown);
+  CHECK_THAT(unknown.error().message(), Catch::Contains("PROJ knows"));
 }
 
 TEST_CASE("what is pasted lies on nothing that is there, whichever of its places is taken") {

@@ -48,8 +48,17 @@ void append_geojson(std::string& out, StraightKind kind, const GeoParts& parts) 
   out += '}';
 }
 
-void append_wkt(std::string& out, StraightKind kind, const GeoParts& parts, bool is_in_degrees) {
-  if (is_in_degrees) out += "SRID=4326;";
+std::string srid_of(const std::optional<MapPlane>& map) {
+  if (!map) return {};
+  if (map->system.empty()) return "SRID=4326;";
+  for (const std::string_view authority : {"EPSG:", "ESRI:"})
+    if (map->system.starts_with(authority) && parse_count(map->system.substr(authority.size())))
+      return "SRID=" + map->system.substr(authority.size()) + ';';
+  return {};
+}
+
+void append_wkt(std::string& out, StraightKind kind, const GeoParts& parts, std::string_view srid) {
+  out += srid;
   if (parts.size() > 1) out += "MULTI";
   switch (kind) {
     case StraightKind::point: out += "POINT "; break;

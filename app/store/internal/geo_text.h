@@ -2,11 +2,13 @@
 // Geometries in GeoJSON and well-known text.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "app/store/internal/straight_shapes.h"
+#include "core/document/map_plane.h"
 
 namespace mes {
 
@@ -19,6 +21,9 @@ std::string begin_of_features(bool are_in_degrees);
 inline constexpr std::string_view kEndOfFeatures = "\n]}\n";
 
 void append_geojson(std::string& out, StraightKind kind, const GeoParts& parts);
-void append_wkt(std::string& out, StraightKind kind, const GeoParts& parts, bool is_in_degrees);
+/// `srid`: as `srid_of` gives it.
+void append_wkt(std::string& out, StraightKind kind, const GeoParts& parts, std::string_view srid);
+/// "SRID=25832;" for positions in the system of the map; empty without a map, or if no number is known for its system.
+std::string srid_of(const std::optional<MapPlane>& map);
 
 }  // namespace mes

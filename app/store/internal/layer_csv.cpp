@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <array>
 #include <cmath>
+#include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "app/store/internal/layer_writers.h"
 #include "core/base/arc.h"
@@ -23,16 +25,31 @@ void append_values(std::string& out, std::span<const double> values) {
   }
 }
 
-/// Appends one row without its scalar; arcs have angles in radians, a0 <= a1.
-void append_coordinates(std::string& out, PrimitiveKind kind, std::span<const double> values) {
-  if (kind != PrimitiveKind::arc) {
-    append_values(out, values);
-    return;
+/// Pairs of numbers at the beginning of an instance that are positions. Others are directions.
+std::size_t positions_of(PrimitiveKind kind) {
+  switch (kind) {
+    case PrimitiveKind::segment: return 2;
+    case PrimitiveKind::triangle: return 3;
+    default: return 1;
   }
-  const Arc arc = arc_of(values.data());
-  const Vec2 start = arc.from - arc.center;
-  const double a0 = std::atan2(start.y, start.x);
-  append_values(out, std::array{arc.center.x, arc.center.y, arc.radius, a0, a0 + sweep_of(arc)});
+}
+
+/// Appends one row without its scalar; arcs have angles in radians, a0 <= a1.
+void append_coordinates(std::string& out, PrimitiveKind kind, std::span<const double> instance,
+                        const std::optional<MapConversion>& conversion) {
+  std::vector<double> values(instance.begin(), instance.end());
+  if (kind == PrimitiveKind::arc) {
+    const Arc arc = arc_of(instance.data());
+    const Vec2 start = arc.from - arc.center;
+    const double a0 = std::atan2(start.y, start.x);
+    values = {arc.center.x, arc.center.y, arc.radius, a0, a0 + sweep_of(arc)};
+  }
+  for (std::size_t i = 0; conversion && i < positions_of(kind); ++i) {
+    const Vec2 place = conversion->from_plane({values[2 * i], values[2 * i + 1]});
+    values[2 * i] = place.x;
+    values[2 * i + 1] = place.y;
+  }
+  append_values(out, values);
 }
 
 }  // namespace
@@ -43,7 +60,9 @@ std::string_view csv_columns(PrimitiveKind kind) {
   return names[static_cast<std::size_t>(kind)];
 }
 
-LayerText csv_of(const LayerGeometry& geometry) {
+Expected<LayerText> csv_of(const LayerGeometry& geometry) {
+  const auto conversion = conversion_for(geometry, MapTarget::own_system);
+  if (!conversion) return std::unexpected(conversion.error());
   const LayerIndex layer = geometry.layers.front();
   const LayerDescriptor& descriptor = geometry.registry.layers()[layer];
   const bool has_kind = descriptor.kinds.size() > 1;
@@ -66,7 +85,7 @@ LayerText csv_of(const LayerGeometry& geometry) {
         out.text += name_of(kind);
         out.text += ',';
       }
-      append_coordinates(out.text, kind, values.first(stride - 1));
+      append_coordinates(out.text, kind, values.first(stride - 1), *conversion);
       out.text.append(columns - csv_width(kind), ',');
       if (has_scalar) {
         out.text += ',';

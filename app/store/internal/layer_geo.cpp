@@ -21,13 +21,13 @@ void append_json_number(std::string& out, double x) {
     out += "null";
 }
 
-/// Calls `use` for each shape, in degrees if the plane is that of a map. Shapes not on the Earth are left out.
+/// Calls `use` for each converted shape. Shapes not on the Earth are left out.
 template <class Use>
-void for_each_shape(const LayerGeometry& geometry, LayerText& out, Use use) {
-  const std::optional<MapPlane>& map = geometry.document.map();
+void for_each_shape(const LayerGeometry& geometry, const std::optional<MapConversion>& conversion, LayerText& out,
+                    Use use) {
   for (const LayerIndex layer : geometry.layers) {
     for (const StraightShape& shape : straight_shapes_of(geometry, layer, out.left_out)) {
-      const GeoParts parts = map ? parts_on_earth(shape, *map) : GeoParts{shape.corners};
+      const GeoParts parts = conversion ? parts_on_earth(shape, *conversion) : GeoParts{shape.corners};
       if (parts.empty())
         ++out.off_earth;
       else
@@ -37,14 +37,14 @@ void for_each_shape(const LayerGeometry& geometry, LayerText& out, Use use) {
 }
 
 void append_feature(std::string& out, std::string_view layer, const StraightShape& shape, const GeoParts& parts,
-                    const std::optional<MapPlane>& map) {
+                    const std::optional<MapConversion>& conversion) {
   out += R"({"type":"Feature","properties":{"layer":")";
   out += layer;
   out += R"(","kind":")";
   out += name_of(shape.of);
   out += '"';
   if (shape.circle) {
-    const Vec2 center = map ? map->degrees_of(shape.circle->center) : shape.circle->center;
+    const Vec2 center = conversion ? conversion->from_plane(shape.circle->center) : shape.circle->center;
     out += R"(,"center":[)";
     append_number(out, center.x);
     out += ',';
@@ -71,23 +71,36 @@ void append_feature(std::string& out, std::string_view layer, const StraightShap
 
 }  // namespace
 
-LayerText geojson_of(const LayerGeometry& geometry) {
+Expected<std::optional<MapConversion>> conversion_for(const LayerGeometry& geometry, MapTarget target) {
   const std::optional<MapPlane>& map = geometry.document.map();
-  LayerText out{begin_of_features(map.has_value())};
+  if (!map) return std::nullopt;
+  auto conversion = MapConversion::of(*map, target);
+  if (!conversion) return std::unexpected(conversion.error());
+  return std::optional<MapConversion>(*std::move(conversion));
+}
+
+Expected<LayerText> geojson_of(const LayerGeometry& geometry) {
+  const auto conversion = conversion_for(geometry, MapTarget::wgs84);
+  if (!conversion) return std::unexpected(conversion.error());
+  LayerText out{begin_of_features(conversion->has_value())};
   bool is_first = true;
-  for_each_shape(geometry, out, [&](LayerIndex layer, const StraightShape& shape, const GeoParts& parts) {
-    out.text += is_first ? "\n" : ",\n";
-    is_first = false;
-    append_feature(out.text, geometry.registry.layers()[layer].id, shape, parts, map);
-  });
+  for_each_shape(geometry, *conversion, out,
+                 [&](LayerIndex layer, const StraightShape& shape, const GeoParts& parts) {
+                   out.text += is_first ? "\n" : ",\n";
+                   is_first = false;
+                   append_feature(out.text, geometry.registry.layers()[layer].id, shape, parts, *conversion);
+                 });
   out.text += kEndOfFeatures;
   return out;
 }
 
-LayerText wkt_of(const LayerGeometry& geometry) {
+Expected<LayerText> wkt_of(const LayerGeometry& geometry) {
+  const auto conversion = conversion_for(geometry, MapTarget::own_system);
+  if (!conversion) return std::unexpected(conversion.error());
+  const std::string srid = srid_of(geometry.document.map());
   LayerText out;
-  for_each_shape(geometry, out, [&](LayerIndex, const StraightShape& shape, const GeoParts& parts) {
-    append_wkt(out.text, shape.kind, parts, geometry.document.map().has_value());
+  for_each_shape(geometry, *conversion, out, [&](LayerIndex, const StraightShape& shape, const GeoParts& parts) {
+    append_wkt(out.text, shape.kind, parts, srid);
   });
   return out;
 }

@@ -55,35 +55,35 @@ Normals normals_in(const LayerGeometry& geometry) {
 
 }  // namespace
 
-LayerText wpoff_of(const LayerGeometry& geometry) {
+Expected<LayerText> wpoff_of(const LayerGeometry& geometry) {
   const LayerIndex layer = geometry.layers.front();
   const LayerDescriptor& descriptor = geometry.registry.layers()[layer];
-  if (descriptor.data == LayerData::balls) return {write_wpoff(geometry.document)};
+  if (descriptor.data == LayerData::balls) return LayerText{write_wpoff(geometry.document)};
   std::vector<Disk> balls;
   const PrimitiveKind kind = emits(descriptor, PrimitiveKind::disk) ? PrimitiveKind::disk : PrimitiveKind::circle;
   const std::span<const double> instances = geometry.mirror.instances(layer, kind);
   for (std::size_t at = 0; at < instances.size(); at += stride_of(kind))
     balls.push_back({{instances[at], instances[at + 1]}, instances[at + 2]});
-  return {write_wpoff(balls)};
+  return LayerText{write_wpoff(balls)};
 }
 
-LayerText poff_of(const LayerGeometry& geometry) {
+Expected<LayerText> poff_of(const LayerGeometry& geometry) {
   const LayerIndex layer = geometry.layers.front();
   const LayerDescriptor& descriptor = geometry.registry.layers()[layer];
   // Keeps the input order and the curve order of the input.
-  if (descriptor.data == LayerData::samples) return {write_poff(geometry.document)};
+  if (descriptor.data == LayerData::samples) return LayerText{write_poff(geometry.document)};
   if (!emits(descriptor, PrimitiveKind::point)) {
     const SegmentChains found = chains_of(geometry.mirror.instances(layer, PrimitiveKind::segment));
-    return {poff_text(found.points, found.chains, geometry.document.map())};
+    return LayerText{poff_text(found.points, found.chains, geometry.document.map())};
   }
   std::vector<Vec2> points;
   const std::span<const double> instances = geometry.mirror.instances(layer, PrimitiveKind::point);
   for (std::size_t at = 0; at < instances.size(); at += stride_of(PrimitiveKind::point))
     points.push_back({instances[at], instances[at + 1]});
-  return {poff_text(points, {}, geometry.document.map())};
+  return LayerText{poff_text(points, {}, geometry.document.map())};
 }
 
-LayerText npoff_of(const LayerGeometry& geometry) {
+Expected<LayerText> npoff_of(const LayerGeometry& geometry) {
   const Normals normals = normals_in(geometry);
   const SegmentChains found = chains_of(
       geometry.mirror.instances(find_layer(geometry.registry.layers(), LayerData::curve), PrimitiveKind::segment));

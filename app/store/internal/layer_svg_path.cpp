@@ -90,7 +90,7 @@ void append_chains(PathText& path, std::span<const double> segments) {
 
 }  // namespace
 
-LayerText svg_path_of(const LayerGeometry& geometry) {
+Expected<LayerText> svg_path_of(const LayerGeometry& geometry) {
   LayerText out;
   PathText path(out.text);
   for (const LayerIndex layer : geometry.layers) {

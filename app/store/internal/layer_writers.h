@@ -3,9 +3,11 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 
 #include "app/store/layer_text.h"
 #include "core/graph/registry.h"
+#include "core/io/systems/map_conversion.h"
 
 namespace mes {
 
@@ -13,27 +15,30 @@ inline bool emits(const LayerDescriptor& layer, PrimitiveKind kind) {
   return std::ranges::find(layer.kinds, kind) != layer.kinds.end();
 }
 
-/// One header line, then one primitive per line; a layer that may emit several kinds has a first column `kind`.
-LayerText csv_of(const LayerGeometry& geometry);
+/// The conversion of the positions of the document; nothing without a map, where they stay as they are.
+Expected<std::optional<MapConversion>> conversion_for(const LayerGeometry& geometry, MapTarget target);
+
+/// One header line, then one primitive per line. Positions of a map are in its coordinate system; radii, directions and
+/// angles are those of the plane. A layer that may emit several kinds has a first column `kind`.
+Expected<LayerText> csv_of(const LayerGeometry& geometry);
 
 /// The points of a layer. For a layer of segments: their distinct ends in order of appearance, with the chains that
 /// the segments form as `# loop` lines. The layer of samples is written as the document has them.
-LayerText poff_of(const LayerGeometry& geometry);
+Expected<LayerText> poff_of(const LayerGeometry& geometry);
 /// The disks of a layer, or its circles.
-LayerText wpoff_of(const LayerGeometry& geometry);
+Expected<LayerText> wpoff_of(const LayerGeometry& geometry);
 /// The samples of the curve in order, each with its unit normal: one block per chain.
-LayerText npoff_of(const LayerGeometry& geometry);
+Expected<LayerText> npoff_of(const LayerGeometry& geometry);
 
-/// RFC 7946. Data of a map in degrees are in degrees again, with the name of their reference system; all others are
-/// in coordinates of the document, which RFC 7946 does not provide for. Circles, disks and arcs become polygons and
-/// chains with 96 sides per turn and have centre and radius as properties; radii and scalars stay as the document has
-/// them.
-LayerText geojson_of(const LayerGeometry& geometry);
-/// Well-known text, one geometry per line, round shapes as in GeoJSON; `SRID=4326;` precedes each of a map in
-/// degrees.
-LayerText wkt_of(const LayerGeometry& geometry);
+/// RFC 7946. Data of a map are in longitude and latitude on WGS 84, with the name of this system; all others are in
+/// coordinates of the document, which RFC 7946 does not provide for. Circles, disks and arcs become polygons and chains
+/// with 96 sides per turn and have centre and radius as properties; radii and scalars stay as the document has them.
+Expected<LayerText> geojson_of(const LayerGeometry& geometry);
+/// Well-known text, one geometry per line, round shapes as in GeoJSON. Data of a map are in its coordinate system, and
+/// its number precedes each geometry (`SRID=25832;`) if it has one.
+Expected<LayerText> wkt_of(const LayerGeometry& geometry);
 
 /// The `d` of one path. In SVG y grows downwards, so it is negated.
-LayerText svg_path_of(const LayerGeometry& geometry);
+Expected<LayerText> svg_path_of(const LayerGeometry& geometry);
 
 }  // namespace mes

@@ -8,10 +8,6 @@
 namespace mes {
 namespace {
 
-constexpr double kHalfTurn = 180.0;
-constexpr double kTurn = 360.0;
-constexpr double kPole = 90.0;
-
 using Corners = std::vector<Vec2>;
 
 Vec2 crossing(Vec2 from, Vec2 to, double longitude) {
@@ -65,27 +61,37 @@ void shift(Corners& corners, double longitude) {
 
 }  // namespace
 
-std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const MapPlane& map) {
-  Corners corners;
-  corners.reserve(shape.corners.size());
-  for (const Vec2 p : shape.corners) corners.push_back(map.degrees_of(p));
+std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const MapConversion& conversion) {
+  Corners corners = shape.corners;
+  conversion.from_plane(corners);
+  if (corners.empty() || std::ranges::any_of(corners, [](Vec2 p) { return !is_finite(p); })) return {};
+  const double half_turn = conversion.half_turn();
+  if (half_turn == 0.0) return {std::move(corners)};
+  const double turn = 2.0 * half_turn;
   // Degrees that were kept as coordinates may lie beyond the poles; such a shape is not on the Earth.
-  const auto is_beyond = [](Vec2 p) { return !(std::abs(p.y) <= kPole) || !std::isfinite(p.x); };
-  if (corners.empty() || std::ranges::any_of(corners, is_beyond)) return {};
+  if (std::ranges::any_of(corners, [&](Vec2 p) { return std::abs(p.y) > 0.5 * half_turn; })) return {};
+  if (conversion.turns_longitudes()) {
+    // Longitudes jump by a turn where the shape crosses the 180th meridian.
+    for (std::size_t i = 1; i < corners.size(); ++i)
+      corners[i].x = corners[i - 1].x + std::remainder(corners[i].x - corners[i - 1].x, turn);
+    const bool is_closed = shape.corners.front() == shape.corners.back();
+    if (is_closed && std::abs(corners.back().x - corners.front().x) > half_turn) return {};
+    if (is_closed) corners.back() = corners.front();
+  }
   const auto [low, high] = std::ranges::minmax(corners, {}, &Vec2::x);
-  if (high.x - low.x > kTurn) return {};
-  const double turns = std::ceil((high.x - kHalfTurn) / kTurn);
-  if (turns != 0.0) shift(corners, -kTurn * turns);
-  if (low.x - kTurn * turns >= -kHalfTurn) return {std::move(corners)};
+  if (high.x - low.x > turn) return {};
+  const double turns = std::ceil((high.x - half_turn) / turn);
+  if (turns != 0.0) shift(corners, -turn * turns);
+  if (low.x - turn * turns >= -half_turn) return {std::move(corners)};
   // The shape now reaches from west of -180 degrees to at most 180.
   std::vector<Corners> out;
   if (shape.kind == StraightKind::polygon)
-    out = {cut_ring(corners, -kHalfTurn, 1.0), cut_ring(corners, -kHalfTurn, -1.0)};
+    out = {cut_ring(corners, -half_turn, 1.0), cut_ring(corners, -half_turn, -1.0)};
   else
-    out = cut_chain(corners, -kHalfTurn);
+    out = cut_chain(corners, -half_turn);
   std::erase_if(out, [](const Corners& part) { return part.size() < 2; });
   for (Corners& part : out)
-    if (std::ranges::any_of(part, [](Vec2 p) { return p.x < -kHalfTurn; })) shift(part, kTurn);
+    if (std::ranges::any_of(part, [&](Vec2 p) { return p.x < -half_turn; })) shift(part, turn);
   return out;
 }
 

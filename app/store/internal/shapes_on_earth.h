@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Converts shapes in the plane of a map to longitude and latitude.
+// Converts shapes in the plane of a map to a coordinate system.
 #pragma once
 
 #include <vector>
 
 #include "app/store/internal/straight_shapes.h"
-#include "core/document/map_plane.h"
+#include "core/io/systems/map_conversion.h"
 
 namespace mes {
 
 /// Longitudes are from -180 to 180 and latitudes from -90 to 90: a shape across the 180th meridian is cut there, as
 /// RFC 7946 (3.1.9) requires, and may become several chains or polygons. Returns none for a shape that reaches beyond
-/// a pole or all around the Earth. O(corners).
-std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const MapPlane& map);
+/// a pole, around a pole or all around the Earth, or out of the system. O(corners).
+std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const MapConversion& conversion);
 
 }  // namespace mes

@@ -2,8 +2,9 @@
 // GeoJSON (RFC 7946), as one text or several in sequence (newline-delimited, or with the record separators of RFC
 // 8142), and plain lists of rings or points in JSON.
 //
-// Positions are longitude and latitude, projected or kept (core/io/maps/map_shapes.h). They are plane coordinates in plain
-// lists, if a member `crs` names another system, and in exports of plane data by this program, which have no `crs`.
+// Positions are longitude and latitude, projected or kept (core/io/maps/map_shapes.h), unless a member `crs` names
+// another system. They are plane coordinates in plain lists, and in exports of plane data by this program, which have no
+// `crs`.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -38,25 +39,25 @@ constexpr std::array<std::string_view, 3> kContainers{"GeometryCollection", "Fea
 
 class GeoJsonReader {
  public:
-  GeoJsonReader(std::string_view text, const std::string& name, MapDegrees degrees, ReadJob& job)
-      : text_(text), name_(name), degrees_(degrees), job_(job) {}
+  GeoJsonReader(std::string_view text, const std::string& name, const ReadRequest& request, ReadJob& job)
+      : text_(text), name_(name), job_(job), shapes_(request) {
+    shapes_.assume_degrees();
+  }
 
   Expected<LoadedFile> read() {
     std::string_view ahead = text_;
     const JsonView first = JsonView::whole(take_json_text(ahead));
     if (first.is_list()) {
-      unit_ = MapShapes::Unit::plane;
+      shapes_.assume_plane();
       if (auto done = read_list(first); !done) return std::unexpected(done.error());
     }
     for (std::string_view rest = first.is_list() ? std::string_view{} : text_, record = take_json_text(rest);
          !record.empty(); record = take_json_text(rest)) {
       const JsonView whole = JsonView::whole(record);
-      const Crs crs = crs_of(whole);
-      if (crs == Crs::other) unit_ = MapShapes::Unit::plane;
-      says_degrees_ = crs == Crs::degrees;
+      if (auto done = read_system(whole); !done) return std::unexpected(done.error());
       if (auto done = read_object(whole); !done) return std::unexpected(done.error());
     }
-    auto file = std::move(shapes_).load(name_, unit_, degrees_, job_);
+    auto file = std::move(shapes_).load(name_, job_);
     if (file && first_height_)
       file->warnings.push_back(refuse(first_height_, "heights are left out").error().message());
     return file;
@@ -67,17 +68,19 @@ class GeoJsonReader {
     return bad_json(text_, at ? at.offset_in(text_) : 0, std::move(text), name_);
   }
 
-  /// The `crs` member of earlier versions of GeoJSON.
-  enum class Crs : std::uint8_t { not_said, degrees, other };
-  static Crs crs_of(JsonView whole) {
+  /// Reads the `crs` member of earlier versions of GeoJSON. A name without an authority is that of a plane.
+  Expected<void> read_system(JsonView whole) {
     const JsonView system = whole.find("crs").find("properties").find("name");
     constexpr std::size_t kLongest = 256;
-    if (!system.is_text() || system.text_length() > kLongest) return Crs::not_said;
+    has_system_ = system.is_text() && system.text_length() <= kLongest;
+    if (!has_system_) return {};
     const std::string text = system.text();
-    if (text.contains("CRS84") || text.contains("CRS83")) return Crs::degrees;
-    const std::size_t digits = text.find_last_not_of("0123456789") + 1;
-    const auto code = parse_count(std::string_view(text).substr(digits));
-    return code && MapShapes::unit_of_epsg(*code) == MapShapes::Unit::degrees ? Crs::degrees : Crs::other;
+    if (!text.contains(':')) {
+      shapes_.assume_plane();
+      return {};
+    }
+    if (auto done = shapes_.name_system(text); !done) return refuse(system, done.error().text);
+    return {};
   }
 
   Expected<void> read_object(JsonView object) {
@@ -105,8 +108,8 @@ class GeoJsonReader {
 
   Expected<void> read_feature(JsonView geometry, JsonView properties) {
     // This program exports layers of the plane in this form.
-    if (!says_degrees_ && properties.find("layer").is_text() && properties.find("kind").is_text())
-      unit_ = MapShapes::Unit::plane;
+    if (!has_system_ && properties.find("layer").is_text() && properties.find("kind").is_text())
+      shapes_.assume_plane();
     const bool is_null = geometry && !geometry.is_object();
     return !geometry || is_null ? Expected<void>{} : read_object(geometry);
   }
@@ -170,11 +173,9 @@ class GeoJsonReader {
 
   std::string_view text_;
   const std::string& name_;
-  MapDegrees degrees_;
   ReadJob& job_;
   MapShapes shapes_;
-  MapShapes::Unit unit_ = MapShapes::Unit::degrees;
-  bool says_degrees_ = false;
+  bool has_system_ = false;
   Magnitudes seen_;
   JsonView first_height_;
 };
@@ -226,14 +227,14 @@ Expected<void> check_texts(std::string_view text, const std::string& name, ReadJ
   return {};
 }
 
-Expected<LoadedFile> read_geojson(std::string_view bytes, const std::string& name, MapDegrees degrees,
+Expected<LoadedFile> read_geojson(std::string_view bytes, const std::string& name, const ReadRequest& request,
                                   const std::filesystem::path*, ReadJob& job) {
   const std::string_view text = without_bom(bytes);
   constexpr double kChecked = 0.4;  // share of the reading time
   job.begin(text, kChecked);
   if (auto good = check_texts(text, name, job); !good) return std::unexpected(good.error());
   job.begin(text);
-  return GeoJsonReader(text, name, degrees, job).read();
+  return GeoJsonReader(text, name, request, job).read();
 }
 
 }  // namespace

@@ -17,8 +17,10 @@ using pugi::xml_node;
 
 class GpxReader {
  public:
-  GpxReader(std::string_view bytes, const std::string& name, MapDegrees degrees, ReadJob& job)
-      : source_(bytes, name), name_(name), degrees_(degrees), job_(job) {}
+  GpxReader(std::string_view bytes, const std::string& name, const ReadRequest& request, ReadJob& job)
+      : source_(bytes, name), name_(name), job_(job), shapes_(request) {
+    shapes_.assume_degrees();
+  }
 
   Expected<LoadedFile> read() {
     const auto root = source_.parse(job_);
@@ -33,7 +35,7 @@ class GpxReader {
       if (!done) return std::unexpected(done.error());
       if (kind == "wpt") shapes_.end_points();
     }
-    auto file = std::move(shapes_).load(name_, MapShapes::Unit::degrees, degrees_, job_);
+    auto file = std::move(shapes_).load(name_, job_);
     if (file && first_height_)
       file->warnings.push_back(source_.error_at(*first_height_, "heights are left out").message());
     return file;
@@ -78,7 +80,6 @@ class GpxReader {
 
   XmlSource source_;
   const std::string& name_;
-  MapDegrees degrees_;
   ReadJob& job_;
   MapShapes shapes_;
   CoordinateReader coordinates_;
@@ -89,9 +90,9 @@ Match match_gpx(std::string_view bytes) {
   return xml_root_name(bytes) == "gpx" ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read_gpx(std::string_view bytes, const std::string& name, MapDegrees degrees,
+Expected<LoadedFile> read_gpx(std::string_view bytes, const std::string& name, const ReadRequest& request,
                               const std::filesystem::path*, ReadJob& job) {
-  return GpxReader(without_bom(bytes), name, degrees, job).read();
+  return GpxReader(without_bom(bytes), name, request, job).read();
 }
 
 }  // namespace

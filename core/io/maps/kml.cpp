@@ -20,8 +20,10 @@ constexpr std::string_view kBlanks = " \t\r\n";
 
 class KmlReader {
  public:
-  KmlReader(std::string_view bytes, const std::string& name, MapDegrees degrees, ReadJob& job)
-      : source_(bytes, name), name_(name), degrees_(degrees), job_(job) {}
+  KmlReader(std::string_view bytes, const std::string& name, const ReadRequest& request, ReadJob& job)
+      : source_(bytes, name), name_(name), job_(job), shapes_(request) {
+    shapes_.assume_degrees();
+  }
 
   Expected<LoadedFile> read() {
     const auto root = source_.parse(job_);
@@ -32,7 +34,7 @@ class KmlReader {
       if (node.type() != pugi::node_element) continue;
       if (auto done = read_element(node); !done) return std::unexpected(done.error());
     }
-    auto file = std::move(shapes_).load(name_, MapShapes::Unit::degrees, degrees_, job_);
+    auto file = std::move(shapes_).load(name_, job_);
     if (!file) return file;
     if (first_height_) file->warnings.push_back(source_.error_at(*first_height_, "heights are left out").message());
     std::ranges::copy(source_.messages(), std::back_inserter(file->warnings));
@@ -125,7 +127,6 @@ class KmlReader {
 
   XmlSource source_;
   const std::string& name_;
-  MapDegrees degrees_;
   ReadJob& job_;
   MapShapes shapes_;
   CoordinateReader coordinates_;
@@ -136,9 +137,9 @@ Match match_kml(std::string_view bytes) {
   return xml_root_name(bytes) == "kml" ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read_kml(std::string_view bytes, const std::string& name, MapDegrees degrees,
+Expected<LoadedFile> read_kml(std::string_view bytes, const std::string& name, const ReadRequest& request,
                               const std::filesystem::path*, ReadJob& job) {
-  return KmlReader(without_bom(bytes), name, degrees, job).read();
+  return KmlReader(without_bom(bytes), name, request, job).read();
 }
 
 }  // namespace

@@ -5,17 +5,17 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <set>
 #include <span>
 #include <utility>
 
 #include "core/base/box2.h"
-#include "core/curves/affine.h"
 #include "core/curves/joined_ends.h"
 #include "core/curves/resolution.h"
 #include "core/io/curve_samples.h"
+#include "core/io/systems/chosen_plane.h"
+#include "core/io/systems/map_conversion.h"
 
 namespace mes {
 namespace {
@@ -26,27 +26,6 @@ Box2 box_of(std::span<const Vec2> positions) {
   Box2 box;
   for (const Vec2 p : positions) box.add(p);
   return box;
-}
-
-/// Shifts positions west of the 180th meridian to the east of it, if this makes the map narrower.
-void join_across_the_antimeridian(std::vector<Vec2>& positions) {
-  const auto eastern = [](Vec2 p) { return p.x < 0.0 ? Vec2{p.x + 360.0, p.y} : p; };
-  const Box2 box = box_of(positions);
-  Box2 turned;
-  for (const Vec2 p : positions) turned.add(eastern(p));
-  if (turned.high.x - turned.low.x < box.high.x - box.low.x)
-    std::ranges::transform(positions, positions.begin(), eastern);
-}
-
-std::string in_degrees(double value, char positive, char negative) {
-  return fmt::format("{:.4g} {}", std::abs(value), value < 0.0 ? negative : positive);
-}
-
-std::string remark_of(const MapPlane& plane) {
-  if (plane.degrees == MapDegrees::kept) return "degrees are kept as coordinates of the plane";
-  const double longitude = plane.longitude > 180.0 ? plane.longitude - 360.0 : plane.longitude;
-  return fmt::format("degrees are projected to kilometres about {}, {}", in_degrees(longitude, 'E', 'W'),
-                     in_degrees(plane.latitude, 'N', 'S'));
 }
 
 /// The arc along the circle through three points. Nothing if they are collinear.
@@ -79,6 +58,125 @@ std::optional<EllipticArc> arc_through(Vec2 from, Vec2 through, Vec2 to) {
 
 }  // namespace
 
+/// Places positions and pieces of curves in the plane of a map. Without a map they stay as they are.
+class MapPlacement {
+ public:
+  MapPlacement() = default;
+  MapPlacement(const MapPlane& plane, const CoordinateSystem& system, MapConversion conversion)
+      : plane_(plane), system_(system), conversion_(std::move(conversion)) {}
+
+  /// Coordinates of the plane in a unit of the system.
+  double size_of_unit() const {
+    constexpr double kMetres = 6371008.8;  // of a radian
+    constexpr double kKilometres = 1e-3 * kMetres;
+    if (is_unchanged()) return 1.0;
+    return system_.unit_size * (is_azimuthal() ? kMetres : kKilometres);
+  }
+
+  std::vector<Vec2> place(std::span<const Vec2> positions) {
+    std::vector<Vec2> out;
+    out.reserve(positions.size());
+    for (const Vec2 p : positions) out.push_back(placed(p));
+    const Box2 box = box_of(out);
+    tolerance_ = kLeastBend * std::hypot(box.width(), box.height());
+    return out;
+  }
+
+  void split_lines(bool are_split) { splits_ = are_split && is_azimuthal(); }
+
+  /// The azimuthal projection bends lines between degrees. Where this can be seen, the line gets vertices.
+  void add_line(PlaneCurve& curve, Vec2 from, Vec2 to, Vec2 placed_to) {
+    constexpr int kDeepest = 12;
+    if (splits_) split_line(curve, from, to, placed_to, kDeepest);
+    curve.line_to(placed_to);
+  }
+
+  /// `arc` is in coordinates of the system. It stays an arc if its image is that of an affine map, up to the tolerance,
+  /// or if vertices are kept.
+  void add_arc(PlaneCurve& curve, const EllipticArc& arc, Vec2 placed_to) {
+    const auto at = [&](double angle) { return arc.center + std::cos(angle) * arc.u + std::sin(angle) * arc.v; };
+    const Vec2 east = placed(arc.center + arc.u);
+    const Vec2 west = placed(arc.center - arc.u);
+    const Vec2 north = placed(arc.center + arc.v);
+    const Vec2 south = placed(arc.center - arc.v);
+    EllipticArc image = arc;
+    image.center = is_unchanged() ? arc.center : 0.25 * (east + west + north + south);
+    image.u = is_unchanged() ? arc.u : 0.5 * (east - west);
+    image.v = is_unchanged() ? arc.v : 0.5 * (north - south);
+    if (!is_azimuthal()) return curve.arc_to(image, placed_to);
+    constexpr int kTried = 16;
+    bool is_affine = true;
+    for (int i = 0; i <= kTried; ++i) {
+      const double angle = arc.start + arc.sweep * i / kTried;
+      const Vec2 expected = image.center + std::cos(angle) * image.u + std::sin(angle) * image.v;
+      is_affine = is_affine && distance(expected, placed(at(angle))) <= tolerance_;
+    }
+    if (is_affine || !splits_) return curve.arc_to(image, placed_to);
+    // Lines that deviate from the arc by the tolerance.
+    constexpr double kMostLines = 4096.0;
+    const double step = std::sqrt(8.0 * tolerance_ / std::max(length(image.u), length(image.v)));
+    const int lines = static_cast<int>(std::clamp(std::ceil(std::abs(arc.sweep) / step), 1.0, kMostLines));
+    for (int i = 1; i < lines; ++i) curve.line_to(placed(at(arc.start + arc.sweep * i / lines)));
+    added_vertices_ += static_cast<std::size_t>(lines - 1);
+    curve.line_to(placed_to);
+  }
+
+  std::size_t added_vertices() const { return added_vertices_; }
+
+  bool is_on_cut(Vec2 p) const { return on_cut_.contains({p.x, p.y}); }
+
+ private:
+  // Part of the diagonal of the map by which a line may deviate.
+  static constexpr double kLeastBend = 1e-5;
+
+  bool is_unchanged() const { return !conversion_ || plane_.projection == MapProjection::none; }
+  bool is_azimuthal() const { return conversion_ && plane_.projection == MapProjection::azimuthal; }
+
+  Vec2 placed(Vec2 p) {
+    if (is_unchanged()) return p;
+    const double half_turn = system_.half_turn();
+    const bool may_be_on_cut = std::abs(p.x) == half_turn;
+    // Equal positions on the Earth have equal images.
+    if (is_azimuthal() && p.x == -half_turn) p.x = half_turn;
+    if (is_azimuthal() && std::abs(p.y) == 0.5 * half_turn) p.x = plane_.longitude;
+    const Vec2 out = conversion_->to_plane(p);
+    if (may_be_on_cut) on_cut_.emplace(out.x, out.y);
+    return out;
+  }
+
+  /// Spares most lines the conversion of their middle. A parallel has the curvature tan(latitude) / radius; a quarter
+  /// of the tolerance is allowed here, since this is not exact for other lines.
+  bool is_surely_straight(Vec2 from, Vec2 to, double size) const {
+    constexpr double kRadius = 6.335e6;
+    const double latitude = system_.unit_size * std::max(std::abs(from.y), std::abs(to.y));
+    return size * size * std::max(1.0, std::tan(latitude)) < 2.0 * tolerance_ * kRadius;
+  }
+
+  /// Adds what comes before the end. A line there and back has the same vertices.
+  void split_line(PlaneCurve& curve, Vec2 from, Vec2 to, Vec2 placed_to, int deepest) {
+    const Vec2 start = curve.end();
+    if (is_surely_straight(from, to, distance(start, placed_to))) return;
+    const Vec2 middle = 0.5 * (from + to);
+    const Vec2 placed_middle = placed(middle);
+    const auto [low, high] = std::minmax(start, placed_to, lexicographically_less);
+    const Vec2 along = high - low;
+    const bool is_bent = std::abs(cross(along, placed_middle - low)) > tolerance_ * length(along);
+    if (deepest == 0 || !is_bent) return;
+    split_line(curve, from, middle, placed_middle, deepest - 1);
+    curve.line_to(placed_middle);
+    ++added_vertices_;
+    split_line(curve, middle, to, placed_to, deepest - 1);
+  }
+
+  MapPlane plane_{};
+  CoordinateSystem system_{};
+  std::optional<MapConversion> conversion_{};
+  double tolerance_ = 0.0;
+  bool splits_ = false;
+  std::size_t added_vertices_ = 0;
+  std::set<std::pair<double, double>> on_cut_{};  // images of positions on the 180th meridian
+};
+
 void MapShapes::end(Kind kind) {
   const std::size_t begin = this->begin();
   if (begin == positions_.size()) return;
@@ -89,68 +187,48 @@ void MapShapes::end(Kind kind) {
   parts_.push_back({kind, positions_.size()});
 }
 
-MapShapes::Unit MapShapes::unit_of_epsg(std::uint64_t code) {
-  // WGS 84 in the plane and with heights, ETRS89, NAD83 and its versions, GDA94 and 2020, SIRGAS 2000.
-  constexpr std::array<std::uint64_t, 10> kDegrees{4326, 4979, 4258, 4269, 4617, 6318, 4283, 7844, 4674, 4148};
-  return std::ranges::find(kDegrees, code) != kDegrees.end() ? Unit::degrees : Unit::plane;
+Expected<void> MapShapes::name_system(std::string_view text) {
+  if (!wanted_.empty()) return {};
+  auto system = find_coordinate_system(text);
+  if (!system) return std::unexpected(system.error());
+  if (named_ && *named_ != *system)
+    return std::unexpected(Error{
+        ErrorCode::bad_input, fmt::format("this is in {}, and what comes before it in {}; a file may have only one "
+                                          "coordinate system",
+                                          system->title(), named_->title())});
+  named_ = *std::move(system);
+  return {};
 }
 
-bool MapShapes::is_on_earth() const {
-  const auto is_position = [](Vec2 p) { return std::abs(p.x) <= 180.0 && std::abs(p.y) <= 90.0; };
-  return !positions_.empty() && std::ranges::all_of(positions_, is_position);
+Expected<void> MapShapes::name_srid(std::uint64_t number) {
+  if (number == 0 || number == srid_ || !wanted_.empty()) return {};
+  srid_ = number;
+  const std::string of_esri = fmt::format("ESRI:{}", number);
+  const std::string of_epsg = fmt::format("EPSG:{}", number);
+  constexpr std::uint64_t kLeastOfEsri = 37000;
+  const bool is_of_esri = number >= kLeastOfEsri && !find_coordinate_system(of_epsg);
+  return name_system(is_of_esri && find_coordinate_system(of_esri) ? of_esri : of_epsg);
 }
 
-/// Projects about the middle of the map.
-MapPlane MapShapes::project() {
-  join_across_the_antimeridian(positions_);
-  const Box2 box = box_of(positions_);
-  const Vec2 middle{0.5 * (box.low.x + box.high.x), 0.5 * (box.low.y + box.high.y)};
-  return {MapDegrees::projected, middle.x, middle.y};
-}
-
-CurveSet MapShapes::curves(const MapPlane& plane, ReadJob& job) {
-  const Vec2 scale = plane.scale();
-  const Vec2 origin = plane.origin();
-  const auto placed = [&](Vec2 p) { return Vec2{scale.x * (p.x - origin.x), scale.y * (p.y - origin.y)}; };
-  CurveSet out;
-  out.resolution = resolution_of(positions_);
-  if (plane.degrees == MapDegrees::projected) out.resolution *= scale.y;
-  std::size_t begin = 0;
-  auto arc = arcs_.begin();
-  for (const Part& part : parts_) {
-    job.checkpoint();
-    if (part.kind == Kind::points) {
-      for (std::size_t i = begin; i < part.end; ++i) out.points.push_back(placed(positions_[i]));
-      begin = part.end;
-      continue;
-    }
-    PlaneCurve& curve = out.curves.emplace_back(placed(positions_[begin]));
-    for (std::size_t i = begin + 1; i < part.end; ++i) {
-      const bool is_arc = arc != arcs_.end() && *arc == i;
-      if (!is_arc) {
-        curve.line_to(placed(positions_[i]));
-        continue;
-      }
-      ++arc;
-      ++i;
-      // A circle in file coordinates; the projection makes it an ellipse.
-      auto along = arc_through(positions_[i - 2], positions_[i - 1], positions_[i]);
-      if (!along) {
-        if (positions_[i - 1] != positions_[i - 2]) curve.line_to(placed(positions_[i - 1]));
-        curve.line_to(placed(positions_[i]));
-        continue;
-      }
-      along->center = placed(along->center);
-      along->u = {scale.x * along->u.x, scale.y * along->u.y};
-      along->v = {scale.x * along->v.x, scale.y * along->v.y};
-      curve.arc_to(*along, placed(positions_[i]));
-    }
-    if (part.kind == Kind::ring) curve.close();
-    begin = part.end;
+Expected<std::optional<CoordinateSystem>> MapShapes::system_of_positions() const {
+  std::optional<CoordinateSystem> system = named_ ? named_ : assumed_;
+  const bool is_assumed = !named_ && wanted_.empty();
+  if (!wanted_.empty()) {
+    auto found = find_coordinate_system(wanted_);
+    if (!found) return std::unexpected(found.error());
+    system = *std::move(found);
   }
-  positions_ = {};
-  turn_filled_holes(out.curves);
-  return out;
+  if (!system || !system->is_geographic) return system;
+  const double half_turn = system->half_turn();
+  // Some files count longitudes from 0 to 360 degrees. Without a system these may be coordinates of a plane.
+  const double longest = is_assumed ? half_turn : 2.0 * half_turn;
+  const auto outside = std::ranges::find_if(
+      positions_, [&](Vec2 p) { return std::abs(p.x) > longest || std::abs(p.y) > 0.5 * half_turn; });
+  if (outside == positions_.end()) return system;
+  if (is_assumed) return std::nullopt;
+  return std::unexpected(
+      Error{ErrorCode::bad_input, fmt::format("{:.12g}, {:.12g} is not a longitude and latitude, as {} needs",
+                                              outside->x, outside->y, system->title())});
 }
 
 // A hole that repeats an outer ring in the same direction would be dropped as a duplicate; in the other direction it is
@@ -186,24 +264,77 @@ void MapShapes::turn_filled_holes(std::vector<PlaneCurve>& curves) const {
     if (outer.contains(key_of(curves[hole]))) curves[hole] = reversed(curves[hole]);
 }
 
-Expected<LoadedFile> MapShapes::load(const std::string& name, Unit unit, MapDegrees degrees, ReadJob& job) && {
-  std::optional<MapPlane> map;
-  if (unit == Unit::degrees && is_on_earth())
-    map = degrees == MapDegrees::projected ? project() : MapPlane{.degrees = MapDegrees::kept};
-  const MapPlane plane = map.value_or(MapPlane{.degrees = MapDegrees::kept});
-  // Polygons that cross the antimeridian are cut there.
-  constexpr double kAntimeridian = 180.0;
-  const bool is_projected = plane.degrees == MapDegrees::projected;
-  const double end =
-      is_projected ? plane.scale().x * (kAntimeridian - plane.origin().x) : std::numeric_limits<double>::infinity();
-  auto file = load_samples(curves(plane, job), name, job, [end](Vec2 p) { return p.x == end; });
-  if (file && map) {
-    file->data.map = map;
-    file->degrees = degrees;
-    // This is the first warning because the window offers there to change the treatment of degrees.
-    file->warnings.insert(file->warnings.begin(), Error{ErrorCode::bad_input, remark_of(*map), name}.message());
+Expected<LoadedFile> MapShapes::load(const std::string& name, ReadJob& job) && {
+  const auto refused = [&](Error error) {
+    error.file = name;
+    error.line = error.column = 1;
+    return std::unexpected(std::move(error));
+  };
+  const auto system = system_of_positions();
+  if (!system) return refused(system.error());
+  if (!*system || positions_.empty()) {
+    MapPlacement in_plane;
+    return load_samples(curves(in_plane, job), name, job);
   }
+  auto chosen = choose_plane(positions_, **system, degrees_);
+  if (!chosen) return refused(chosen.error());
+  auto conversion = MapConversion::of(chosen->plane, MapTarget::own_system);
+  if (!conversion) return refused(conversion.error());
+  MapPlacement placement(chosen->plane, **system, *std::move(conversion));
+  CurveSet placed = curves(placement, job);
+  auto file = load_samples(
+      std::move(placed), name, job, [&](Vec2 p) { return placement.is_on_cut(p); }, placement.added_vertices());
+  if (!file) return file;
+  file->data.map = chosen->plane;
+  if ((*system)->is_geographic) file->degrees = degrees_;
+  // This is the first warning because the window offers there to change the treatment of degrees.
+  file->warnings.insert(file->warnings.begin(), Error{ErrorCode::bad_input, chosen->remark, name}.message());
   return file;
+}
+
+CurveSet MapShapes::curves(MapPlacement& placement, ReadJob& job) {
+  CurveSet out;
+  out.resolution = placement.size_of_unit() * resolution_of(positions_);
+  const std::vector<Vec2> placed = placement.place(positions_);
+  placement.split_lines(!job.keeps_vertices());
+  std::size_t begin = 0;
+  auto arc = arcs_.begin();
+  for (const Part& part : parts_) {
+    job.checkpoint();
+    if (part.kind == Kind::points) {
+      out.points.insert(out.points.end(), placed.begin() + static_cast<std::ptrdiff_t>(begin),
+                        placed.begin() + static_cast<std::ptrdiff_t>(part.end));
+      begin = part.end;
+      continue;
+    }
+    PlaneCurve& curve = out.curves.emplace_back(placed[begin]);
+    for (std::size_t i = begin + 1; i < part.end; ++i) {
+      const bool is_arc = arc != arcs_.end() && *arc == i;
+      if (!is_arc) {
+        placement.add_line(curve, positions_[i - 1], positions_[i], placed[i]);
+        continue;
+      }
+      ++arc;
+      ++i;
+      // A circle in file coordinates; the projection may make it an ellipse.
+      if (const auto along = arc_through(positions_[i - 2], positions_[i - 1], positions_[i])) {
+        placement.add_arc(curve, *along, placed[i]);
+        continue;
+      }
+      if (positions_[i - 1] != positions_[i - 2])
+        placement.add_line(curve, positions_[i - 2], positions_[i - 1], placed[i - 1]);
+      placement.add_line(curve, positions_[i - 1], positions_[i], placed[i]);
+    }
+    if (part.kind == Kind::ring) {
+      if (positions_[begin] != positions_[part.end - 1])
+        placement.add_line(curve, positions_[part.end - 1], positions_[begin], placed[begin]);
+      curve.close();
+    }
+    begin = part.end;
+  }
+  positions_ = {};
+  turn_filled_holes(out.curves);
+  return out;
 }
 
 }  // namespace mes

@@ -5,34 +5,45 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <limits>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/error.h"
 #include "core/base/vec2.h"
 #include "core/curves/curve.h"
 #include "core/io/format.h"
+#include "core/io/systems/coordinate_system.h"
 #include "core/io/text/read_job.h"
 
 namespace mes {
+
+class MapPlacement;
 
 /// Positions in the order of the file, and their grouping into points, lines and rings. Samples are the positions, and
 /// points between them on long lines (`default_sampling`).
 ///
 /// Smallest use:
-///     MapShapes shapes;
+///     MapShapes shapes(request);
+///     shapes.assume_degrees();
 ///     for (const Vec2 corner : {Vec2{23.9, 35.5}, Vec2{26.0, 35.2}, Vec2{24.8, 34.9}}) shapes.add(corner);
 ///     shapes.end_ring();
-///     return std::move(shapes).load(name, MapShapes::Unit::degrees, MapDegrees::projected, job);
+///     return std::move(shapes).load(name, job);
 class MapShapes {
  public:
-  /// The meaning of the numbers of a position.
-  enum class Unit : std::uint8_t {
-    plane,    ///< coordinates of the plane
-    degrees,  ///< longitude and latitude, unless some are out of range
-  };
+  /// Positions are coordinates of a plane without a coordinate system, until one of the three is called or the request
+  /// names a system.
+  explicit MapShapes(const ReadRequest& request) : degrees_(request.degrees), wanted_(request.system) {}
+  /// Positions are longitudes and latitudes on WGS 84, unless some are out of range or the file names a system.
+  void assume_degrees() { assumed_ = CoordinateSystem{}; }
+  void assume_plane() { assumed_.reset(); }
+  /// Takes the system that the file names, as `find_coordinate_system` understands it. A request for another system
+  /// takes precedence: then the name is not looked up. Error: `bad_input` without a place, if PROJ does not know it, or
+  /// if the file has named another one.
+  Expected<void> name_system(std::string_view text);
+  /// The same by a number, as databases have it: a code of EPSG, or of ESRI; 0 stands for no system.
+  Expected<void> name_srid(std::uint64_t number);
 
   void add(Vec2 position) { positions_.push_back(position); }
   /// Adds an arc from the last position along a circle through `through` to `to`; if `to` is the last position, a full
@@ -56,13 +67,12 @@ class MapShapes {
   /// another polygon fills then differs from a repeated polygon, whatever the directions of rings.
   void begin_polygon() { rings_of_polygon_ = 0; }
 
-  /// Degrees for EPSG codes of longitude and latitude on WGS 84 or within about two metres of it.
-  static Unit unit_of_epsg(std::uint64_t code);
-  /// Samples the shapes. Projected degrees become kilometres about the middle of the map, equirectangularly: true to
-  /// scale there and along meridians. A map across the 180th meridian stays in one piece, and polygons cut there are
-  /// joined. Kept degrees stay bit for bit, so such a map has pieces at both ends. A warning names the treatment, and
-  /// the data keep it (`SampleData::map`). Error: as `load_samples`. Throws `Cancelled`.
-  Expected<LoadedFile> load(const std::string& name, Unit unit, MapDegrees degrees, ReadJob& job) &&;
+  /// Samples the shapes in the plane that `choose_plane` chooses; without a system their coordinates stay. A map across
+  /// the 180th meridian stays in one piece, and polygons cut there are joined. Kept degrees stay bit for bit, so such a
+  /// map has pieces at both ends. Long lines of projected degrees follow the straight line between degrees, by more
+  /// vertices unless the job keeps vertices. A warning names system and plane, and the data keep them
+  /// (`SampleData::map`). Error: as `load_samples`; for a position that is not in the named system. Throws `Cancelled`.
+  Expected<LoadedFile> load(const std::string& name, ReadJob& job) &&;
 
  private:
   enum class Kind : std::uint8_t { points, line, ring };
@@ -73,11 +83,15 @@ class MapShapes {
   };
   void end(Kind kind);
   std::size_t begin() const { return parts_.empty() ? 0 : parts_.back().end; }
-  bool is_on_earth() const;
-  MapPlane project();
-  CurveSet curves(const MapPlane& plane, ReadJob& job);
+  Expected<std::optional<CoordinateSystem>> system_of_positions() const;
+  CurveSet curves(MapPlacement& placement, ReadJob& job);
   void turn_filled_holes(std::vector<PlaneCurve>& curves) const;
 
+  MapDegrees degrees_;
+  std::string wanted_;                       // the system of the request; empty: none
+  std::optional<CoordinateSystem> assumed_;  // the system of the format
+  std::optional<CoordinateSystem> named_;    // the system that the file names
+  std::uint64_t srid_ = 0;                   // the last number that was looked up
   std::vector<Vec2> positions_;
   std::vector<Part> parts_;
   std::optional<std::size_t> rings_of_polygon_;  // nothing if polygons do not mark their holes

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Shapefiles of ESRI (technical description of July 1998): only the geometry, the .shp file. Polygons, lines, points
-// and sets of points; heights and measures are left out. The .prj file beside it tells whether positions are longitude
-// and latitude, projected or kept (core/io/maps/map_shapes.h); without it they are coordinates of the plane.
+// and sets of points; heights and measures are left out. The .prj file beside it names the coordinate system
+// (core/io/maps/map_shapes.h); without it positions are coordinates of the plane.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -53,11 +53,13 @@ enum class ShapeType : std::uint32_t { null = 0, point = 1, lines = 3, rings = 5
 
 class ShapeFileReader {
  public:
-  ShapeFileReader(std::string_view bytes, const std::string& name, ReadJob& job)
-      : bytes_(bytes), name_(name), job_(job) {}
+  ShapeFileReader(std::string_view bytes, const std::string& name, const ReadRequest& request, ReadJob& job)
+      : bytes_(bytes), name_(name), job_(job), shapes_(request) {}
 
-  /// `unit`: the unit of the numbers, if known.
-  Expected<LoadedFile> read(std::optional<MapShapes::Unit> unit, MapDegrees degrees) {
+  Expected<void> name_system(std::string_view text) { return shapes_.name_system(text); }
+
+  /// `has_system`: it is known what system the numbers are in, or that they are in none.
+  Expected<LoadedFile> read(bool has_system) && {
     if (bytes_.size() < kFileHeader)
       return fail(fmt::format("the file ends at byte {}, within its header", bytes_.size()));
     if (match_shapefile(bytes_) == Match::no) return fail("at byte 0: this is not the header of a shapefile");
@@ -65,10 +67,10 @@ class ShapeFileReader {
       if (auto done = read_record(); !done) return std::unexpected(done.error());
       pass_over_padding();
     }
-    auto file = std::move(shapes_).load(name_, unit.value_or(MapShapes::Unit::plane), degrees, job_);
+    auto file = std::move(shapes_).load(name_, job_);
     if (!file) return file;
     if (has_heights_) remark(*file, "heights and measures are left out");
-    if (!unit && is_on_earth_)
+    if (!has_system && is_on_earth_)
       remark(*file, "no .prj file beside it says whether these are degrees, so coordinates are taken as they are");
     remarks_.for_each([&](const std::string& text, std::size_t) { remark(*file, text); });
     return file;
@@ -212,44 +214,60 @@ class ShapeFileReader {
   bool is_on_earth_ = true;
 };
 
-/// Unit of a reference system as text (WKT of OGC or ESRI): geographic systems have degrees, unless they name another.
-MapShapes::Unit unit_of(std::string_view system) {
-  constexpr std::size_t kLookedAt = 65536;
-  const std::string text = lower_case(system.substr(0, kLookedAt));
-  const std::size_t begin = std::min(text.find_first_not_of(" \t\r\n"), text.size());
-  const std::string_view kind = std::string_view(text).substr(begin);
-  // A compound system with heights consists of two systems.
-  const bool is_compound = kind.starts_with("compd_cs") || kind.starts_with("compoundcrs");
-  const bool is_projected = text.contains("projcs") || text.contains("projcrs") || text.contains("geoccs");
-  const bool is_geographic = kind.starts_with("geogcs") || kind.starts_with("geogcrs") ||
-                             kind.starts_with("geodcrs") || (is_compound && !is_projected);
-  return is_geographic && text.contains("degree") ? MapShapes::Unit::degrees : MapShapes::Unit::plane;
-}
+/// The content of the .prj file beside the shapefile.
+struct SystemFile {
+  std::optional<SourceFile> source{};  ///< nothing: there is none that can be read
+  std::string text{};                  ///< WKT of OGC or ESRI; empty: it names no system of the Earth
+  std::string remark{};                ///< why coordinates are taken as they are; empty: no reason
+};
 
-Expected<LoadedFile> read_shapefile(std::string_view bytes, const std::string& name, MapDegrees degrees,
-                                    const std::filesystem::path* path, ReadJob& job) {
-  if (path == nullptr) return ShapeFileReader(bytes, name, job).read(std::nullopt, degrees);
-  std::optional<MapShapes::Unit> unit;
-  std::optional<SourceFile> source;
-  std::string unread;
+Expected<SystemFile> read_system_beside(const std::filesystem::path& path) {
+  SystemFile out;
   for (const char* extension : {".prj", ".PRJ"}) {
-    std::filesystem::path beside = *path;
+    std::filesystem::path beside = path;
     beside.replace_extension(extension);
     std::error_code error;
-    if (source || !std::filesystem::exists(beside, error)) continue;
+    if (out.source || !std::filesystem::exists(beside, error)) continue;
     // The longest coordinate systems take a few kilobytes.
     constexpr std::uint64_t kMostBytes = 1U << 20U;
-    const auto system = read_regular_file(beside, {.most_bytes = kMostBytes});
-    if (!system) {
-      unread = system.error().message();
+    const auto text = read_regular_file(beside, {.most_bytes = kMostBytes});
+    if (!text) {
+      out.remark = text.error().message() + "; coordinates are taken as they are";
       continue;
     }
-    unit = unit_of(*system);
-    source = SourceFile{beside, fingerprint_of(*system)};
+    out.remark.clear();
+    out.source = SourceFile{beside, fingerprint_of(*text)};
+    const std::string_view system = without_bom(*text);
+    const std::size_t begin = system.find_first_not_of(" \t\r\n");
+    if (begin == std::string_view::npos) {
+      out.remark = beside.string() + ": the file is empty; coordinates are taken as they are";
+      continue;
+    }
+    if (!system.contains('[') && !system.contains('('))
+      return bad_input("this is not the well-known text of a coordinate system", beside.string(), 1, begin + 1);
+    const bool is_local = lower_case(system.substr(begin, std::string_view("local_cs").size())) == "local_cs";
+    if (!is_local) out.text = system.substr(begin);
   }
-  auto file = ShapeFileReader(bytes, name, job).read(unit, degrees);
-  if (file && source) file->sources.push_back(*std::move(source));
-  if (file && !source && !unread.empty()) file->warnings.push_back(unread + "; coordinates are taken as they are");
+  return out;
+}
+
+Expected<LoadedFile> read_shapefile(std::string_view bytes, const std::string& name, const ReadRequest& request,
+                                    const std::filesystem::path* path, ReadJob& job) {
+  SystemFile system;
+  // A system that the request names takes precedence.
+  if (path != nullptr && request.system.empty()) {
+    auto beside = read_system_beside(*path);
+    if (!beside) return std::unexpected(beside.error());
+    system = *std::move(beside);
+  }
+  ShapeFileReader reader(bytes, name, request, job);
+  if (!system.text.empty())
+    if (auto done = reader.name_system(system.text); !done)
+      return bad_input(std::move(done.error().text), system.source->path.string(), 0, 0);
+  auto file = std::move(reader).read(system.source.has_value() || !request.system.empty());
+  if (!file) return file;
+  if (system.source) file->sources.push_back(*std::move(system.source));
+  if (!system.remark.empty()) file->warnings.push_back(std::move(system.remark));
   return file;
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // WKB, well-known binary (OGC 06-103r4, section 8, with the curves of SQL/MM), and EWKB of PostGIS: the bytes, or one
-// geometry a line in hexadecimal digits. Heights and measures are left out. If a reference system is in degrees, all
-// positions are degrees; without one they are coordinates of the plane.
+// geometry a line in hexadecimal digits. Heights and measures are left out. The code of a reference system is that of
+// all positions; without one they are coordinates of the plane.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -70,7 +70,8 @@ std::optional<WkbKind> kind_of(std::uint32_t code) {
 /// Reads geometries from bytes.
 class WkbReader {
  public:
-  WkbReader(const std::string& name, ReadJob& job) : name_(name), job_(job) {}
+  WkbReader(const std::string& name, const ReadRequest& request, ReadJob& job)
+      : name_(name), job_(job), shapes_(request) {}
 
   /// Reads one geometry and everything after it. `line` is its line in text, 0 for bytes.
   Expected<void> read(std::string_view bytes, std::uint64_t line) {
@@ -81,8 +82,8 @@ class WkbReader {
     return {};
   }
 
-  Expected<LoadedFile> load(MapDegrees degrees) && {
-    auto file = std::move(shapes_).load(name_, unit_, degrees, job_);
+  Expected<LoadedFile> load() && {
+    auto file = std::move(shapes_).load(name_, job_);
     if (file && has_heights_)
       file->warnings.push_back(Error{ErrorCode::bad_input, "heights and measures are left out", name_}.message());
     return file;
@@ -116,8 +117,7 @@ class WkbReader {
     if (!kind) return fail(fmt::format("there is no type {}", code));
     if (kind->has_system) {
       if (left() < 4) return ends_early();
-      if (MapShapes::unit_of_epsg(take<std::uint32_t>()) == MapShapes::Unit::degrees)
-        unit_ = MapShapes::Unit::degrees;
+      if (auto done = shapes_.name_srid(take<std::uint32_t>()); !done) return fail(done.error().text);
     }
     has_heights_ = has_heights_ || kind->numbers > 2;
     return *kind;
@@ -257,7 +257,6 @@ class WkbReader {
   std::size_t at_ = 0;
   bool is_little_ = true;
   MapShapes shapes_;
-  MapShapes::Unit unit_ = MapShapes::Unit::plane;
   Magnitudes seen_;
   bool has_heights_ = false;
 };
@@ -314,12 +313,12 @@ Match match_wkb(std::string_view bytes) {
                                                                                             : Match::no;
 }
 
-Expected<LoadedFile> read_wkb(std::string_view bytes, const std::string& name, MapDegrees degrees,
+Expected<LoadedFile> read_wkb(std::string_view bytes, const std::string& name, const ReadRequest& request,
                               const std::filesystem::path*, ReadJob& job) {
-  WkbReader reader(name, job);
+  WkbReader reader(name, request, job);
   if (begins_geometry(bytes, bytes.size())) {
     if (auto done = reader.read(bytes, 0); !done) return std::unexpected(done.error());
-    return std::move(reader).load(degrees);
+    return std::move(reader).load();
   }
   std::string geometry;
   std::string_view rest = without_bom(bytes);
@@ -341,7 +340,7 @@ Expected<LoadedFile> read_wkb(std::string_view bytes, const std::string& name, M
     }
     if (auto done = reader.read(geometry, number); !done) return std::unexpected(done.error());
   }
-  return std::move(reader).load(degrees);
+  return std::move(reader).load();
 }
 
 }  // namespace

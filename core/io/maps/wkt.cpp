@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // WKT, well-known text (OGC 06-103r4, section 7, with the curves of ISO 19125-2 and SQL/MM): any number of geometries
-// in sequence, optionally separated by line breaks, commas or semicolons. Heights and measures (Z, M) are left out. If
-// `SRID=4326;` (the PostGIS notation), or another code of degrees, precedes one, all positions are degrees; otherwise
-// they are coordinates of the plane.
+// in sequence, optionally separated by line breaks, commas or semicolons. Heights and measures (Z, M) are left out. A
+// code before a geometry, as `SRID=25832;` (the notation of PostGIS), is that of the coordinate system of all;
+// otherwise positions are coordinates of the plane.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -96,8 +96,8 @@ const WktType* wkt_type_named(std::string_view word) {
 
 class WktReader {
  public:
-  WktReader(std::string_view text, const std::string& name, MapDegrees degrees, ReadJob& job)
-      : text_(text), name_(name), degrees_(degrees), job_(job), words_(text) {}
+  WktReader(std::string_view text, const std::string& name, const ReadRequest& request, ReadJob& job)
+      : text_(text), name_(name), job_(job), words_(text), shapes_(request) {}
 
   Expected<LoadedFile> read() {
     while (!words_.is_at_end()) {
@@ -105,7 +105,7 @@ class WktReader {
       if (auto done = read_geometry(0); !done) return std::unexpected(done.error());
       while (words_.take(';') || words_.take(',')) continue;
     }
-    auto file = std::move(shapes_).load(name_, unit_, degrees_, job_);
+    auto file = std::move(shapes_).load(name_, job_);
     if (file && first_height_)
       file->warnings.push_back(bad("heights and measures are left out", *first_height_).error().message());
     return file;
@@ -137,11 +137,12 @@ class WktReader {
     if (lower_case(words_.word().substr(0, 5)) != "srid") return {};
     words_.skip_word();
     if (!words_.take('=')) return unexpected_here("\"=\" after SRID");
+    const std::size_t place = words_.place();
     const auto number = parse_count(words_.word());
     if (!number) return unexpected_here("the number of a reference system");
     words_.skip_word();
     if (!words_.take(';')) return unexpected_here("\";\" after the reference system");
-    if (MapShapes::unit_of_epsg(*number) == MapShapes::Unit::degrees) unit_ = MapShapes::Unit::degrees;
+    if (auto done = shapes_.name_srid(*number); !done) return bad(done.error().text, place);
     return {};
   }
 
@@ -303,11 +304,9 @@ class WktReader {
 
   std::string_view text_;
   const std::string& name_;
-  MapDegrees degrees_;
   ReadJob& job_;
   Words words_;
   MapShapes shapes_;
-  MapShapes::Unit unit_ = MapShapes::Unit::plane;
   CoordinateReader coordinates_;
   std::optional<std::size_t> first_height_;
   bool joins_ = false;  // the parts of a curve share their ends
@@ -327,9 +326,9 @@ Match match_wkt(std::string_view bytes) {
   return follows ? Match::surely : Match::no;
 }
 
-Expected<LoadedFile> read_wkt(std::string_view bytes, const std::string& name, MapDegrees degrees,
+Expected<LoadedFile> read_wkt(std::string_view bytes, const std::string& name, const ReadRequest& request,
                               const std::filesystem::path*, ReadJob& job) {
-  return WktReader(without_bom(bytes), name, degrees, job).read();
+  return WktReader(without_bom(bytes), name, request, job).read();
 }
 
 }  // namespace

@@ -16,6 +16,7 @@
 #include "core/io/session/session.h"
 #include "core/io/session/session_values.h"
 #include "core/io/text/read_job.h"
+#include "core/io/text/text_numbers.h"
 
 namespace mes {
 namespace {
@@ -66,16 +67,38 @@ SourceEdit source_from(JsonView object) {
   return out;
 }
 
+/// A text that can stand in one line of other files.
+std::string line_from(JsonView value, const char* key, const std::string& where) {
+  constexpr std::size_t kLongest = 1U << 16U;
+  std::string out = short_text_from(value, key, kLongest, where);
+  if (printable(out) != out) throw Nonsense{fmt::format("{}: \"{}\" is not a printable line", where, key), value};
+  return out;
+}
+
 MapPlane map_from(JsonView object) {
   const std::string where = "map";
   if (!object.is_object()) throw Nonsense{"map: not an object", object};
-  const auto [degrees, longitude, latitude] = object.pick<3>({"degrees", "longitude", "latitude"});
-  const std::string kind = text_from(degrees, "degrees", where);
-  if (kind == "kept") return {.degrees = MapDegrees::kept};
-  if (kind != "projected") throw Nonsense{"map: degrees are neither projected nor kept", degrees};
-  MapPlane out{.longitude = number_of(longitude, where), .latitude = number_of(latitude, where)};
-  if (!(std::abs(out.longitude) <= 360.0)) throw Nonsense{"map: there is no such longitude", longitude};
-  if (!(std::abs(out.latitude) <= 90.0)) throw Nonsense{"map: there is no such latitude", latitude};
+  const auto [degrees, projection, longitude, latitude, system, unit] =
+      object.pick<6>({"degrees", "projection", "longitude", "latitude", "system", "unit"});
+  MapPlane out;
+  if (projection) {
+    const auto name = std::ranges::find(kMapProjections, text_from(projection, "projection", where));
+    if (name == kMapProjections.end()) throw Nonsense{"map: there is no such projection", projection};
+    out.projection = static_cast<MapProjection>(name - kMapProjections.begin());
+  } else {
+    const std::string kind = text_from(degrees, "degrees", where);
+    if (kind != "kept" && kind != "projected") throw Nonsense{"map: degrees are neither projected nor kept", degrees};
+    if (kind == "projected") out.projection = MapProjection::equirectangular;
+  }
+  if (system) out.system = line_from(system, "system", where);
+  if (out.projection == MapProjection::none) {
+    if (unit) out.unit = line_from(unit, "unit", where);
+    return out;
+  }
+  out.longitude = number_of(longitude, where);
+  out.latitude = number_of(latitude, where);
+  if (!is_origin_of_map(out.longitude, 0.0, out)) throw Nonsense{"map: there is no such longitude", longitude};
+  if (!is_origin_of_map(0.0, out.latitude, out)) throw Nonsense{"map: there is no such latitude", latitude};
   return out;
 }
 

@@ -62,9 +62,25 @@ json source_to_json(const CurveSet* curves, const SamplingRequest& sampling, std
   return out;
 }
 
+/// What the first schema can hold: longitude and latitude on WGS 84, kept or projected equirectangularly.
+bool is_old_plane(const MapPlane& map) {
+  return map.system.empty() && map.projection != MapProjection::azimuthal;
+}
+
 json to_json(const MapPlane& map) {
-  if (map.degrees == MapDegrees::kept) return {{"degrees", "kept"}};
-  return {{"degrees", "projected"}, {"longitude", map.longitude}, {"latitude", map.latitude}};
+  const bool is_projected = map.projection != MapProjection::none;
+  json out;
+  if (is_old_plane(map))
+    out["degrees"] = is_projected ? "projected" : "kept";
+  else
+    out["projection"] = kMapProjections[static_cast<std::size_t>(map.projection)];
+  if (is_projected) {
+    out["longitude"] = map.longitude;
+    out["latitude"] = map.latitude;
+  }
+  if (!map.system.empty()) out["system"] = map.system;
+  if (!map.system.empty() && !is_projected) out["unit"] = map.unit;
+  return out;
 }
 
 json to_json(const SampleData& data) {
@@ -223,7 +239,9 @@ std::uint64_t entry_schema(const TimelineEntry& entry) {
 
 std::string write_session(const Session& session) {
   // One entry a line, because session files are compared and kept under version control.
-  std::uint64_t schema = schema_of(session.data->annotations);
+  constexpr std::uint64_t kSchemaOfSystems = 3;
+  const std::optional<MapPlane>& map = session.data->map;
+  std::uint64_t schema = map && !is_old_plane(*map) ? kSchemaOfSystems : schema_of(session.data->annotations);
   std::string out = head_text(session, 0);
   out.pop_back();
   out += lesson_text(session.lesson, true);

@@ -5,8 +5,9 @@
 // skip as comments, and a file `x.contours` beside `x.poff` with the number of points of each closed contour, in file
 // order. The lines in the file take precedence.
 //
-// A line `# map kilometres about LONGITUDE LATITUDE`, or `# map degrees`, gives the location on the Earth of points
-// that were a map in degrees.
+// A line gives the location on the Earth of points that were a map: `# map UNIT of SYSTEM` if they are in a coordinate
+// system, `# map metres about LONGITUDE LATITUDE of SYSTEM` if they were projected. Without a system this is longitude
+// and latitude on WGS 84; old files have `kilometres` and the equirectangular projection, or just `# map degrees`.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -18,6 +19,7 @@
 #include "core/io/files/read_file.h"
 #include "core/io/format_spec.h"
 #include "core/io/meshes/off_header.h"
+#include "core/io/text/ascii_text.h"
 #include "core/io/text/repeated_corners.h"
 #include "core/io/text/text_numbers.h"
 
@@ -40,17 +42,39 @@ std::string_view take_word(std::string_view& text) {
   return word;
 }
 
+/// "of SYSTEM", or nothing for longitude and latitude on WGS 84. False if it is neither.
+bool read_map_system(std::string_view rest, MapPlane& map) {
+  if (trimmed(rest).empty()) return true;
+  if (take_word(rest) != "of" || trimmed(rest).empty()) return false;
+  map.system = trimmed(rest);
+  return true;
+}
+
 /// Nothing if the comment is not a map line.
 std::optional<MapPlane> read_map(std::string_view rest) {
   take_word(rest);
+  const std::string_view whole = rest;
   const std::string_view unit = take_word(rest);
-  if (unit == "degrees" && take_word(rest).empty()) return MapPlane{.degrees = MapDegrees::kept};
-  if (unit != "kilometres" || take_word(rest) != "about") return std::nullopt;
+  MapPlane out;
+  if (unit == "degrees" && trimmed(rest).empty()) return out;
+  if (take_word(rest) != "about") {
+    // The unit may be several words.
+    const std::size_t of = whole.find(" of ");
+    if (of == std::string_view::npos || whole.find_first_of(":[", of) == std::string_view::npos ||
+        !read_map_system(whole.substr(of), out))
+      return std::nullopt;
+    out.unit = trimmed(whole.substr(0, of));
+    return out.unit.empty() ? std::nullopt : std::optional(out);
+  }
+  if (unit != "kilometres" && unit != "metres") return std::nullopt;
+  out.projection = unit == "metres" ? MapProjection::azimuthal : MapProjection::equirectangular;
   const auto longitude = parse_number(take_word(rest));
   const auto latitude = parse_number(take_word(rest));
-  const bool is_place = longitude && latitude && std::abs(*longitude) <= 360.0 && std::abs(*latitude) <= 90.0;
-  if (!is_place || !take_word(rest).empty()) return std::nullopt;
-  return MapPlane{.longitude = *longitude, .latitude = *latitude};
+  if (!longitude || !latitude || !read_map_system(rest, out) || !is_origin_of_map(*longitude, *latitude, out))
+    return std::nullopt;
+  out.longitude = *longitude;
+  out.latitude = *latitude;
+  return out;
 }
 
 /// Records the comments about loops, which can be checked only after the points, and about a map.

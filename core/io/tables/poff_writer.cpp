@@ -9,14 +9,15 @@ namespace mes {
 
 void append_map_line(std::string& out, const std::optional<MapPlane>& map) {
   if (!map) return;
-  if (map->degrees == MapDegrees::kept) {
-    out += "# map degrees\n";
-    return;
+  out += "# map ";
+  if (map->projection == MapProjection::none) {
+    out += map->system.empty() ? "degrees" : map->unit;
+  } else {
+    out += map->projection == MapProjection::azimuthal ? "metres about " : "kilometres about ";
+    append_number(out, map->longitude);
+    append_number(out += ' ', map->latitude);
   }
-  out += "# map kilometres about ";
-  append_number(out, map->longitude);
-  out += ' ';
-  append_number(out, map->latitude);
+  if (!map->system.empty()) out += " of " + map->system;
   out += '\n';
 }
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Chooses the plane in which a map is computed.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/error.h"
+#include "core/base/vec2.h"
+#include "core/document/map_plane.h"
+#include "core/io/systems/coordinate_system.h"
+
+namespace mes {
+
+struct ChosenPlane {
+  MapPlane plane{};
+  std::string remark{};  ///< one line: projection and system, with the largest error of lengths
+};
+
+/// A system that is not geographic is its own plane. Longitudes and latitudes are kept where that is wanted. Else they
+/// are projected to metres, azimuthal equidistant about the middle of the map, or about a pole that the map surrounds;
+/// if the map does not fit on a hemisphere, equirectangular in kilometres. A map across the 180th meridian is joined
+/// there: positions west of it move a turn to the east. Error: as for `MapConversion::of`.
+///
+/// Smallest use:
+///     auto chosen = choose_plane(positions, *find_coordinate_system("EPSG:4258"), MapDegrees::projected);
+Expected<ChosenPlane> choose_plane(std::vector<Vec2>& positions, const CoordinateSystem& system, MapDegrees degrees);
+
+}  // namespace mes
