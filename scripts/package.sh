@@ -35,7 +35,7 @@ system='linux-vdso|ld-linux|libc\.|libm\.|libdl\.|libpthread\.|librt\.'
 
 # make_archive: from build/release into build/package.
 make_archive() {
-  local version name root_folder library file owner licences packages
+  local version name root_folder library file owner licences packages proj
   version=$(sed -n 's/^CMAKE_PROJECT_VERSION:STATIC=//p' build/release/CMakeCache.txt)
   name=mesecina-$version-$(uname -m)
   root_folder=build/package/$name
@@ -45,6 +45,10 @@ make_archive() {
   mkdir -p "$root_folder/include/mesecina" "$root_folder/lib/desktop" "$root_folder/share/doc/mesecina/licences"
   install -m 644 core/library/mesecina/*.h "$root_folder/include/mesecina" || return 1
   licences=$root_folder/share/doc/mesecina/licences
+  # The program loads this one itself when a map needs it.
+  proj=$(strings build/release/mesecina | grep -m 1 '^libproj\.so')
+  proj=$(ldconfig -p | awk -v name="$proj" '$1 == name { print $NF; exit }')
+  [[ -n $proj ]] || fail "the library PROJ is not there"
   packages=()
   while read -r library; do
     if grep -qE "/($desktop)" <<<"$library"; then
@@ -58,7 +62,13 @@ make_archive() {
     [[ -n $owner ]] || fail "no package has $file"
     packages+=("$owner")
     install -m 644 "/usr/share/doc/$owner/copyright" "$licences/$owner"
-  done < <(ldd build/release/mesecina | awk '$2 == "=>" { print $3 }' | grep -vE "/($system)" | sort)
+  done < <({ printf '%s\n' "$proj"; ldd build/release/mesecina "$proj" | awk '$2 == "=>" { print $3 }'; } |
+    grep -vE "/($system)" | sort -u)
+  # PROJ looks for its database, and for the grids of old systems, here relative to itself.
+  mkdir -p "$root_folder/share/proj"
+  install -m 644 /usr/share/proj/proj.db /usr/share/proj/*.gsb "$root_folder/share/proj" || return 1
+  packages+=(proj-data)
+  install -m 644 /usr/share/doc/proj-data/copyright "$licences/proj-data"
   strip --strip-unneeded "$root_folder"/lib/*.so* "$root_folder"/lib/desktop/*.so*
   # Unlike a run path, this one holds for what the libraries need themselves.
   patchelf --force-rpath --set-rpath "\$ORIGIN/../lib" "$root_folder/bin/mesecina" || return 1
@@ -140,11 +150,16 @@ debootstrap --variant=minbase bookworm "$bare" </dev/null >"$log" 2>&1 || fail "
 mount -t proc proc "$bare/proc" || fail "/proc cannot be mounted"
 
 build/release/mesecina compute assets/shapes/lizard.poff --no-timing >"$staged/expected.json"
+# A point of the old German grid, which needs the database and a grid.
+grid_point='SRID=31467;POINT (3548200 5803100)'
+build/release/mesecina export - --layer points --format geojson <<<"$grid_point" 2>/dev/null >"$staged/expected.geojson"
 # check_computed PROGRAM ASSETS: it computes there what it computes here.
 check_computed() {
   in_bare "$1" --version || fail "it does not start"
   in_bare "$1" compute "$2/shapes/lizard.poff" --no-timing >"$staged/computed.json" || fail "it does not compute"
   sed "s|\"assets/|\"$2/|" "$staged/expected.json" | cmp - "$staged/computed.json" || fail "it computes something else"
+  in_bare "$1" export - --layer points --format geojson <<<"$grid_point" 2>/dev/null | cmp - "$staged/expected.geojson" ||
+    fail "it has other coordinates"
 }
 # Anywhere, and nothing is written there.
 unpacked="/opt/a place/$(basename "$archive" .tar.xz)"
