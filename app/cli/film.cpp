@@ -235,6 +235,7 @@ class Studio {
         render::draw_image(device_, scene_, camera, views, {.background = kWhiteCanvas, .content_scale = scale_});
     if (!image) return std::unexpected(image.error());
     if (film_.with_annotations) content.annotations = place(document);
+    content.unit = unit_of_lengths(document);
     return Shot{std::move(*image), picture_overlay_of(std::move(content), fonts_, {camera, scale_, kWhiteCanvas})};
   }
 

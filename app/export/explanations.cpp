@@ -15,6 +15,7 @@ Explanations explain(const FigureRequest& request, const FigureSource& source, c
     out.annotated = layout_annotations(source.annotations, plane, measure, shown.background);
   out.plane = plane;
   out.plane.covered_above = title_height;
+  out.plane.unit = unit_of_lengths(source.document);
   LegendSurroundings around{
       .place = request.legend_at,
       .words = out.annotated.words,

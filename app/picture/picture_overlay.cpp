@@ -72,6 +72,7 @@ PictureOverlay picture_overlay_of(OverlayContent content, std::shared_ptr<const 
   SeenPlane plane = seen_plane(camera, scale);
   plane.covered = caption_size(camera.width(), camera.height(), out.fonts->bold, out.caption).band / scale;
   plane.covered_above = out.title.height;
+  plane.unit = std::move(content.unit);
   if (!content.marks.is_empty()) out.marks = layout_scale_marks(content.marks, plane, measure, background);
   const MarksPlace marks = place_of_marks(content.marks, plane, measure);
   out.legend = place_legend(content.legend, *out.fonts, scale,

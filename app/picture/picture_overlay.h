@@ -58,6 +58,7 @@ struct OverlayContent {
   PlacedAnnotations annotations{};
   PaperDrawing title{};                   ///< made by `layout_title`
   std::optional<PaperPlace> legend_at{};  ///< nothing: the lower right corner, whatever is drawn there
+  std::string unit{};                     ///< of lengths, as `unit_of_lengths` gives it
 };
 
 /// Without fonts the overlay is empty.

@@ -89,7 +89,7 @@ class ScaleLayout {
     if (!(most > 0.0) || !std::isfinite(most)) return;
     const double units = round_number_up_to(most);
     const double length = units / plane_.units_per_pixel;
-    const std::string label = number_text(units, units);
+    const std::string label = number_text(units, units) + (plane_.unit.empty() ? "" : " " + plane_.unit);
     const double width = measure_(label, kSmallTextSize, Face::plain);
     const Vec2 size{std::max(length, width), kEnd + kSmallLineHeight};
     const Vec2 at = bar_corner(place, length, size);
@@ -210,6 +210,10 @@ ScaleMarks with_free_bar(ScaleMarks marks, const SeenPlane& plane, const Measure
   }
   marks.bar_at = best;
   return marks;
+}
+
+std::string unit_of_lengths(const Document& document) {
+  return document.map() ? std::string(document.map()->plane_unit()) : std::string();
 }
 
 double grid_step(double units_per_pixel) {

@@ -11,11 +11,13 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "app/model/scale_marks.h"
 #include "app/picture/paper_drawing.h"
 #include "core/base/box2.h"
+#include "core/document/document.h"
 #include "render/camera.h"
 #include "render/figure/figure_of.h"
 
@@ -29,7 +31,10 @@ struct SeenPlane {
   double height = 0.0;
   double covered = 0.0;        ///< height of anything over the lower end, such as a caption
   double covered_above = 0.0;  ///< height of anything over the upper end, such as a title
+  std::string unit{};          ///< follows the number of the scale bar; empty: none
 };
+/// The unit of lengths in a document, such as "m" for a map in metres; empty without a map.
+std::string unit_of_lengths(const Document& document);
 /// `scale`: pixels, or units of 1/96 inch, per logical pixel.
 SeenPlane seen_plane(const render::Camera& camera, double scale);
 SeenPlane seen_plane(const figure::Page& page, double scale);

@@ -258,7 +258,8 @@ bool RecordDesk::ask_sheet(const Drawn& drawn, const RecordSettings& settings, P
                                                  marks,
                                                  drawn.state.annotations ? place(document) : PlacedAnnotations{},
                                                  {},
-                                                 drawn.state.legend_at},
+                                                 drawn.state.legend_at,
+                                                 unit_of_lengths(document)},
                                                 fonts_, {view.camera, view.content_scale, behind});
     const render::CaptureOptions options{
         .background = behind, .content_scale = view.content_scale, .supersampling = settings.supersampling};
@@ -280,7 +281,8 @@ bool RecordDesk::ask_one(const Drawn& drawn, const RecordSettings& settings, con
                           drawn.state.marks,
                           drawn.state.annotations ? place(drawn.editor.document()) : PlacedAnnotations{},
                           {},
-                          drawn.state.legend_at},
+                          drawn.state.legend_at,
+                          unit_of_lengths(drawn.editor.document())},
                          fonts_, {view.camera, view.content_scale, behind});
   const bool is_on_screen = view.camera.width() == part.width && view.camera.height() == part.height &&
                             view.content_scale == drawn.content_scale && settings.supersampling == 1 &&

@@ -509,7 +509,8 @@ MarksPlace Panels::draw_scale_marks(const Sides& sides) {
   const ImVec2 low(sides.left, sides.top);
   const ImVec2 high(screen.x - sides.right, screen.y - sides.bottom);
   const double ratio = uses_.screen.window->pixel_ratio();
-  const MarksPlace marks = CanvasMarks{gui, uses_.board.picture(), {uses_.board.view().camera()}}.draw(
+  const std::string unit = unit_of_lengths(uses_.work.document());
+  const MarksPlace marks = CanvasMarks{gui, uses_.board.picture(), {uses_.board.view().camera()}, unit}.draw(
       uses_.settings.marks, low, high, ratio);
   // If all panes have the same scale, one bar is enough.
   const Canvas& canvas = uses_.board.canvas();
@@ -518,8 +519,8 @@ MarksPlace Panels::draw_scale_marks(const Sides& sides) {
     beside.bar = beside.bar && canvas.views().is_own(i);
     const Vec2 shift = canvas.panes().shift(i);
     const ImVec2 on_screen(static_cast<float>(shift.x / ratio), static_cast<float>(shift.y / ratio));
-    CanvasMarks{gui, uses_.board.picture(), {canvas.views().of(i).camera(), on_screen}}.draw(beside, low, high,
-                                                                                             ratio);
+    CanvasMarks{gui, uses_.board.picture(), {canvas.views().of(i).camera(), on_screen}, unit}.draw(beside, low, high,
+                                                                                                   ratio);
   }
   if (marks.bar && mark_drag_.follow(gui,
                                      {"##scale-bar-handle", "Drag to move the scale bar; double click to put it back",

@@ -10,6 +10,7 @@
 #include "app/picture/scale_drawing.h"
 #include "app/store/sample_shapes.h"
 #include "core/base/rng.h"
+#include "tests/io/document_of.h"
 #include "tests/model/letters_of_one_width.h"
 
 using namespace mes;
@@ -53,6 +54,21 @@ TEST_CASE("a scale bar is as long as it says, round, and at most a quarter of th
     const double mantissa = said / std::pow(10.0, std::floor(std::log10(said) + 1e-9));
     CHECK((std::abs(mantissa - 1.0) < 1e-6 || std::abs(mantissa - 2.0) < 1e-6 || std::abs(mantissa - 5.0) < 1e-6));
   }
+}
+
+TEST_CASE("the bar of a map has the unit of its plane") {
+  SeenPlane plane{.units_per_pixel = 2.0, .width = 800.0, .height = 600.0};
+  CHECK(laid_out({.bar = true}, plane).lines.at(0).text == "200");
+  SampleData data{.positions = {{0, 0}}};
+  const auto unit_on = [&](const std::optional<MapPlane>& map) {
+    data.map = map;
+    plane.unit = unit_of_lengths(test::document_of(data));
+    return laid_out({.bar = true}, plane).lines.at(0).text;
+  };
+  CHECK(unit_on(std::nullopt) == "200");
+  CHECK(unit_on(MapPlane{MapProjection::azimuthal, 9, 52}) == "200 m");
+  CHECK(unit_on(MapPlane{MapProjection::equirectangular, 9, 52}) == "200 km");
+  CHECK(unit_on(MapPlane{.system = "EPSG:2263", .unit = "US survey foot"}) == "200 US survey foot");
 }
 
 TEST_CASE("numbers along the axes are where they say, apart from each other, and within the picture") {

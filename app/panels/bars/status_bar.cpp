@@ -7,6 +7,7 @@
 
 #include "app/layers/statistics_text.h"
 #include "app/panels/bars/changed_chips.h"
+#include "app/picture/scale_drawing.h"
 #include "app/ui/theme.h"
 
 namespace mes {
@@ -27,6 +28,21 @@ std::string coordinate(double value, double units_per_px) {
   return fmt::format("{:.{}g}", value, digits);
 }
 
+/// " m" if the document is a map in metres; empty without a map.
+std::string unit_of(const Document& document) {
+  const std::string unit = unit_of_lengths(document);
+  return unit.empty() ? unit : " " + unit;
+}
+
+/// The plane of a map, for the tooltip of the coordinates.
+std::string plane_in_words(const MapPlane& map) {
+  const std::string system = map.system.empty() ? "WGS 84" : map.system.contains('[') ? "its own system" : map.system;
+  if (map.projection == MapProjection::none) return fmt::format("Coordinates of {}, in {}", system, map.plane_unit());
+  return fmt::format("Projected from {} to {}, {} about longitude {:.4f}, latitude {:.4f}", system, map.plane_unit(),
+                     map.projection == MapProjection::azimuthal ? "azimuthal equidistant" : "equirectangular",
+                     map.longitude, map.latitude);
+}
+
 std::string counts(const Editor& editor, double units_per_px) {
   const Document& document = editor.document();
   const auto some = [](std::size_t n, const char* noun) { return grouped(n) + ' ' + noun + (n == 1 ? "" : "s"); };
@@ -40,7 +56,7 @@ std::string counts(const Editor& editor, double units_per_px) {
   // The radius of a single ball is what the user watches while changing it.
   BallSlot ball;
   if (selection.size() == 1 && selection.ball_count() == 1) ball = selection.ball_slots().front();
-  if (ball != kNoSlot) out += ", radius " + coordinate(document.disk(ball).radius, units_per_px);
+  if (ball != kNoSlot) out += ", radius " + coordinate(document.disk(ball).radius, units_per_px) + unit_of(document);
   return out;
 }
 
@@ -56,11 +72,12 @@ std::string share_text(std::uint32_t every) {
   return "Drawing every " + std::to_string(every) + ending + " disk";
 }
 
-std::string coordinates(const Canvas& canvas) {
-  if (!canvas.is_hovered()) return {};
+std::string coordinates(const Canvas& canvas, const Document& document) {
+  // Without the pointer the unit stays, where its tooltip can be reached.
+  if (!canvas.is_hovered()) return unit_of_lengths(document);
   const double units = canvas.view_at_pointer().camera().units_per_pixel();
   const Vec2 p = canvas.pointer_world();
-  return coordinate(p.x, units) + ", " + coordinate(p.y, units);
+  return coordinate(p.x, units) + ", " + coordinate(p.y, units) + unit_of(document);
 }
 
 }  // namespace
@@ -75,7 +92,7 @@ void StatusBar::draw(const PanelArea& area) const {
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {7 * unit, 1 * unit});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, {1, 1});
   if (begin_panel("##status", area, ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
-    const std::string right_text = coordinates(canvas);
+    const std::string right_text = coordinates(canvas, editor.document());
     const std::string count_text = counts(editor, canvas.view_at_pointer().camera().units_per_pixel());
     const float count_width = ImGui::CalcTextSize(count_text.c_str()).x;
     const float end = ImGui::GetContentRegionMax().x;
@@ -126,6 +143,13 @@ void StatusBar::draw(const PanelArea& area) const {
     if (has_room) {
       ImGui::SameLine(verdict_at - 14 * unit - ImGui::CalcTextSize(right_text.c_str()).x);
       ImGui::TextDisabled("%s", right_text.c_str());
+      if (const auto& map = editor.document().map()) {
+        // Only an item with a name makes the window wait for its tooltip.
+        const ImVec2 size = ImGui::GetItemRectSize();
+        ImGui::SetCursorScreenPos(ImGui::GetItemRectMin());
+        ImGui::InvisibleButton("##plane", {std::max(1.0F, size.x), size.y});
+        tooltip(gui, plane_in_words(*map));
+      }
     }
     ImGui::SameLine(verdict_at);
     verdict.draw();

@@ -14,7 +14,8 @@ MarksPlace CanvasMarks::draw(const ScaleMarks& marks, ImVec2 low, ImVec2 high, d
   const int width = in_pixels(high.x) - left;
   const int height = in_pixels(high.y) - top;
   if (width < 1 || height < 1) return {};
-  const SeenPlane plane = seen_plane(pane.camera.part(left, top, width, height), pixel_ratio * gui.unit());
+  SeenPlane plane = seen_plane(pane.camera.part(left, top, width, height), pixel_ratio * gui.unit());
+  plane.unit = unit;
   const MeasureText measure = measure_on_canvas(gui);
   if (!marks.is_empty())
     paint_on_canvas(gui, layout_scale_marks(marks, plane, measure, picture.canvas()),
