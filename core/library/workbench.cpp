@@ -19,6 +19,7 @@ mes::ReadRequest inner(const ReadOptions& options) {
   mes::ReadRequest out;
   out.degrees = options.projects_degrees ? mes::MapDegrees::projected : mes::MapDegrees::kept;
   out.keeps_vertices = options.keeps_vertices;
+  out.system = options.system;
   return out;
 }
 

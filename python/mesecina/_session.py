@@ -503,7 +503,7 @@ class _Changed:
         return self._session.structure(structure)[name].changed
 
 
-def open(path, format="", *, vertices=False, degrees=False, experiments=()):
+def open(path, format="", *, vertices=False, degrees=False, crs="", experiments=()):
     """Opens a file of any format that `mesecina list formats` names, and returns a `Session`.
 
     format
@@ -511,7 +511,9 @@ def open(path, format="", *, vertices=False, degrees=False, experiments=()):
     vertices
         True: samples of a drawing, map or mesh are its vertices alone; else its curves are sampled
     degrees
-        True: longitude and latitude of a map stay degrees; else they are projected to kilometres
+        True: longitude and latitude of a map stay degrees; else they are projected to metres
+    crs
+        coordinate system of the positions, as "EPSG:25832"; default: that which the file names
 
     Raises FileNotFoundError, and InputError with file, line and column. Other remarks of the reader become
     warnings.
@@ -519,7 +521,8 @@ def open(path, format="", *, vertices=False, degrees=False, experiments=()):
     path = _arrays.path(path)
     io.open(path, "rb").close()  # raises the exceptions of Python
     out = Session(experiments=experiments)
-    out.remarks = out._bench.open(path, _arrays.text(format, "format"), bool(vertices), bool(degrees))["warnings"]
+    out.remarks = out._bench.open(path, _arrays.text(format, "format"), bool(vertices), bool(degrees),
+                                  _arrays.text(crs, "crs"))["warnings"]
     for line in out.remarks:
         warnings.warn(line, stacklevel=2)
     out._bench.forget_history()

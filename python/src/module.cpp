@@ -154,8 +154,8 @@ py::list all_described(const std::vector<Info>& all) {
   return out;
 }
 
-mesecina::ReadOptions options_of(const std::string& format, bool vertices, bool degrees) {
-  return {.format = format, .keeps_vertices = vertices, .projects_degrees = !degrees};
+mesecina::ReadOptions options_of(const std::string& format, bool vertices, bool degrees, const std::string& crs) {
+  return {.format = format, .keeps_vertices = vertices, .projects_degrees = !degrees, .system = crs};
 }
 
 void add_catalogue(py::module_& module) {
@@ -176,11 +176,11 @@ void add_catalogue(py::module_& module) {
 void add_bench(py::module_& module) {
   py::class_<Bench>(module, "Bench")
       .def(py::init<const mesecina::Catalogue&, bool>())
-      .def("open", [](Bench& of, const std::string& path, const std::string& format, bool vertices,
-                      bool degrees) { return of.open(path, options_of(format, vertices, degrees)); })
+      .def("open", [](Bench& of, const std::string& path, const std::string& format, bool vertices, bool degrees,
+                      const std::string& crs) { return of.open(path, options_of(format, vertices, degrees, crs)); })
       .def("open_bytes",
            [](Bench& of, const py::bytes& bytes, const std::string& name, const std::string& format, bool vertices,
-              bool degrees) { return of.open_bytes(bytes, name, options_of(format, vertices, degrees)); })
+              bool degrees) { return of.open_bytes(bytes, name, options_of(format, vertices, degrees, {})); })
       .def("text", &Bench::text)
       .def("save", &Bench::save)
       .def("load", &Bench::load)

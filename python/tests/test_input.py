@@ -271,3 +271,14 @@ def test_without_numpy():
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 1
     assert done.stderr.splitlines()[-1] == "ImportError: mesecina needs NumPy (on Debian: apt install python3-numpy)"
+
+
+def test_a_coordinate_system_is_named(tmp_path):
+    table = tmp_path / "house.txt"
+    table.write_text("548200 5803100\n548212 5803100\n548212 5803108\n")
+    with pytest.warns(UserWarning, match="ETRS89 / UTM zone 32N"):
+        session = mes.open(table, crs="EPSG:25832")
+    assert session.save(tmp_path / "a.poff") is None
+    assert "# map metre of EPSG:25832" in (tmp_path / "a.poff").read_text()
+    with pytest.raises(mes.InputError, match="PROJ knows"):
+        mes.open(table, crs="EPSG:999999")

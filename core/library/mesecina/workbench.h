@@ -62,7 +62,8 @@ struct WorkbenchOptions {
 struct ReadOptions {
   std::string format{};          ///< id; empty: by content, then by extension
   bool keeps_vertices = false;   ///< the vertices of curves are the samples; else curves are sampled
-  bool projects_degrees = true;  ///< longitude and latitude become kilometres; else they stay degrees
+  bool projects_degrees = true;  ///< longitude and latitude become metres; else they stay degrees
+  std::string system{};          ///< coordinate system, as "EPSG:25832"; empty: that of the file
 };
 
 struct OpenedFile {
