@@ -42,7 +42,7 @@ struct MapPlane {
   std::string_view plane_unit() const {
     if (projection == MapProjection::azimuthal || unit == "metre") return "m";
     if (projection == MapProjection::equirectangular || unit == "kilometre") return "km";
-    return unit;
+    return unit == "degree" ? "degrees" : std::string_view(unit);
   }
   friend bool operator==(const MapPlane&, const MapPlane&) = default;
 };

@@ -119,6 +119,9 @@ TEST_CASE("the local plane of degrees is a plane of the same system, within a mi
     CHECK(positions == before);
     CHECK(chosen->plane.projection == MapProjection::azimuthal);
     CHECK(chosen->plane.plane_unit() == "m");
+    const auto kept = choose_plane(positions, system, MapDegrees::kept);
+    REQUIRE(kept);
+    CHECK(kept->plane.plane_unit() == "degrees");
     const MapConversion conversion = conversion_of(chosen->plane, MapTarget::own_system);
     std::vector<Vec2> placed = positions;
     conversion.to_plane(placed);
