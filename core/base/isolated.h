@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <functional>
 #include <type_traits>
@@ -28,7 +29,7 @@ inline constexpr bool kForksBesideThreads = true;
 
 struct IsolationLimits {
   double seconds = 0.0;     ///< wall-clock time; 0 = no limit
-  std::size_t bytes = 0;    ///< memory beyond the memory of this process; 0 = no limit
+  std::uint64_t bytes = 0;  ///< memory beyond the memory of this process; 0 = no limit
   const char* what = "it";  ///< subject of error messages, e.g. "naive arithmetic"
 };
 

@@ -18,7 +18,7 @@ void PowerDiagram::rebuild(JobControl& job) {
   const PipelineInput input = balls.input();
   switch (made_with_) {
     case Precision::naive: {
-      constexpr IsolationLimits kLimits{10.0, std::size_t{1} << 32U, "naive arithmetic"};
+      constexpr IsolationLimits kLimits{10.0, std::uint64_t{1} << 32U, "naive arithmetic"};
       const auto bytes = run_isolated(
           [&] {
             JobControl own;

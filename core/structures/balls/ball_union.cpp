@@ -30,8 +30,8 @@ void for_each_table(Tables& t, Visit&& visit) {
   visit(t.measures);
 }
 
-constexpr IsolationLimits kNaive{10.0, std::size_t{1} << 32U, "naive arithmetic"};
-constexpr IsolationLimits kRoots{0.0, std::size_t{1} << 34U, "arithmetic with roots"};
+constexpr IsolationLimits kNaive{10.0, std::uint64_t{1} << 32U, "naive arithmetic"};
+constexpr IsolationLimits kRoots{0.0, std::uint64_t{1} << 34U, "arithmetic with roots"};
 
 UnionTables isolated(UnionTables (*run)(const PipelineInput&, JobControl&), const PipelineInput& input,
                      const IsolationLimits& limits, JobControl& job) {
