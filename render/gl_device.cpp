@@ -10,6 +10,7 @@
 #include <string_view>
 
 #include "core/base/assert.h"
+#include "render/gl_dialect.h"
 #include "render/gl_programs.h"
 #include "render/instance_layout.h"
 
@@ -54,12 +55,6 @@ GLenum internal_format(TargetFormat format) {
   return format == TargetFormat::color ? GL_RGBA8 : GL_R8;
 }
 
-/// Makes the bound texture read as white with its one channel as alpha.
-void read_as_alpha() {
-  for (const auto channel : {GL_TEXTURE_SWIZZLE_G, GL_TEXTURE_SWIZZLE_B, GL_TEXTURE_SWIZZLE_A})
-    glTexParameteri(GL_TEXTURE_2D, static_cast<GLenum>(channel), GL_RED);
-}
-
 GlTexture make_texture(const FramebufferSpec& spec) {
   GLuint name = 0;
   glGenTextures(1, &name);
@@ -71,7 +66,6 @@ GlTexture make_texture(const FramebufferSpec& spec) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  if (!is_color) read_as_alpha();
   glBindTexture(GL_TEXTURE_2D, 0);
   throw_if_out_of_memory();
   return texture;
@@ -110,7 +104,7 @@ GlFramebuffer make_framebuffer() {
 }  // namespace
 
 GlDevice::GlDevice(const GlDeviceOptions& options) {
-  if (!epoxy_is_desktop_gl() || epoxy_gl_version() < 33) throw AssertionFailure("OpenGL 3.3 is needed");
+  if (!has_needed_gl()) throw AssertionFailure("OpenGL 3.3 is needed");
   int texture = 0;
   int renderbuffer = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture);
@@ -119,8 +113,8 @@ GlDevice::GlDevice(const GlDeviceOptions& options) {
   glGetIntegerv(GL_MAX_VIEWPORT_DIMS, viewport.data());
   max_size_ = std::min({texture, renderbuffer, viewport[0], viewport[1]});
   glGetIntegerv(GL_MAX_SAMPLES, &max_samples_);
-  uses_precise_ = options.allow_precise && epoxy_has_gl_extension("GL_ARB_gpu_shader5");
-  uses_double_ = options.allow_double && uses_precise_ && epoxy_has_gl_extension("GL_ARB_gpu_shader_fp64");
+  uses_precise_ = options.allow_precise && has_gl_extension("GL_ARB_gpu_shader5");
+  uses_double_ = options.allow_double && uses_precise_ && has_gl_extension("GL_ARB_gpu_shader_fp64");
   const Costs costs = costs_of(text_of(GL_RENDERER));
   pixel_cost_ns_ = options.pixel_cost_ns.value_or(costs.pixel_ns);
   instance_cost_ns_ = options.instance_cost_ns.value_or(costs.instance_ns);
@@ -131,6 +125,7 @@ GlDevice::GlDevice(const GlDeviceOptions& options) {
   composite_.group = glGetUniformLocation(composite_.handle.get(), "u_group");
   composite_.tint = glGetUniformLocation(composite_.handle.get(), "u_tint");
   composite_.corner = glGetUniformLocation(composite_.handle.get(), "u_corner");
+  composite_.channels = glGetUniformLocation(composite_.handle.get(), "u_channels");
   composite_.parts = glGetUniformLocation(composite_.handle.get(), "u_parts");
   picture_.handle = build_picture_program();
   picture_.picture = glGetUniformLocation(picture_.handle.get(), "u_picture");
@@ -214,8 +209,7 @@ void GlDevice::update_buffer(BufferId id, std::span<const ByteRange> ranges, std
   glBindBuffer(GL_ARRAY_BUFFER, buffer.handle.get());
   std::byte* mapped = nullptr;
   if (ranges.size() > kMapFrom) {
-    mapped = static_cast<std::byte*>(glMapBufferRange(GL_ARRAY_BUFFER, static_cast<GLintptr>(low),
-                                                      static_cast<GLsizeiptr>(high - low), GL_MAP_WRITE_BIT));
+    mapped = map_to_write(low, high - low);
   }
   const auto write = [&](std::byte* to) {
     std::size_t from = 0;
@@ -230,8 +224,7 @@ void GlDevice::update_buffer(BufferId id, std::span<const ByteRange> ranges, std
     }
   };
   write(mapped);
-  // False: the memory was lost, for example by a change of the video mode.
-  if (mapped != nullptr && glUnmapBuffer(GL_ARRAY_BUFFER) == GL_FALSE) write(nullptr);
+  if (mapped != nullptr && !unmap_written()) write(nullptr);
   glBindBuffer(GL_ARRAY_BUFFER, 0);
   counters_.bytes_uploaded += total;
   counters_.updates += ranges.size();
@@ -303,11 +296,11 @@ TextureId GlDevice::create_mask(int width, int height) {
   glGenTextures(1, &name);
   GlTexture texture(name);
   glBindTexture(GL_TEXTURE_2D, name);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_R16, width, height, 0, GL_RED, GL_UNSIGNED_SHORT, nullptr);
+  const MaskFormat mask = mask_format();
+  glTexImage2D(GL_TEXTURE_2D, 0, mask.internal, width, height, 0, mask.format, mask.type, nullptr);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
-  read_as_alpha();
   glBindTexture(GL_TEXTURE_2D, 0);
   throw_if_out_of_memory();
   const TextureId id{next_id_++};
@@ -323,8 +316,8 @@ void GlDevice::update_mask(TextureId mask, int first_row, std::span<const std::u
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
   glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
   glTexSubImage2D(GL_TEXTURE_2D, 0, 0, first_row, width->second,
-                  static_cast<GLsizei>(rows.size() / static_cast<std::size_t>(width->second)), GL_RED,
-                  GL_UNSIGNED_SHORT, rows.data());
+                  static_cast<GLsizei>(rows.size() / static_cast<std::size_t>(width->second)), mask_format().format,
+                  mask_format().type, rows.data());
   glBindTexture(GL_TEXTURE_2D, 0);
   counters_.mask_rows += rows.size() / static_cast<std::size_t>(width->second);
 }
@@ -483,25 +476,30 @@ void GlDevice::composite(FramebufferId target, const PixelRect& area, Framebuffe
                          const PremultipliedColor& color) {
   static_cast<void>(resolved(group));
   const PixelRect all{0, 0, area.width, area.height};
-  paint_texture(target, area, framebuffer_of(group).texture, std::span(&all, 1), color);
+  const Framebuffer& painted = framebuffer_of(group);
+  constexpr int kColor = 4;
+  constexpr int kCoverage = 1;
+  paint_texture(target, area, painted.texture, painted.spec.format == TargetFormat::color ? kColor : kCoverage,
+                std::span(&all, 1), color);
   ++counters_.composites;
 }
 
 void GlDevice::paint_mask(FramebufferId target, const PixelRect& area, TextureId mask,
                           std::span<const PixelRect> parts, const PremultipliedColor& color) {
   MES_ASSERT(mask_widths_.contains(mask.value));
-  paint_texture(target, area, texture_of(mask), parts, color);
+  paint_texture(target, area, texture_of(mask), mask_format().channels, parts, color);
   ++counters_.masks;
 }
 
 // Maps pixels one to one.
-void GlDevice::paint_texture(FramebufferId target, const PixelRect& area, const GlTexture& texture,
+void GlDevice::paint_texture(FramebufferId target, const PixelRect& area, const GlTexture& texture, int channels,
                              std::span<const PixelRect> parts, const PremultipliedColor& color) {
   bind_target(target, area);
   glUseProgram(composite_.handle.get());
   glUniform4fv(composite_.tint, 1, glm::value_ptr(color));
   glUniform2i(composite_.corner, area.left, area.bottom);
   glUniform1i(composite_.group, 0);
+  glUniform1i(composite_.channels, channels);
   glActiveTexture(GL_TEXTURE0);
   glBindTexture(GL_TEXTURE_2D, texture.get());
   begin_painting_over();

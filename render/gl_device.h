@@ -88,6 +88,7 @@ class GlDevice final : public Device {
     int group = -1;
     int tint = -1;
     int corner = -1;
+    int channels = -1;
     int parts = -1;
   };
 
@@ -106,7 +107,7 @@ class GlDevice final : public Device {
   void bind_target(FramebufferId target, const PixelRect& area);
   void begin_painting_over();
   void end_painting_over();
-  void paint_texture(FramebufferId target, const PixelRect& area, const GlTexture& texture,
+  void paint_texture(FramebufferId target, const PixelRect& area, const GlTexture& texture, int channels,
                      std::span<const PixelRect> parts, const PremultipliedColor& color);
   /// Makes multisampled pixels readable. Returns the framebuffer to read from.
   unsigned resolved(FramebufferId source);

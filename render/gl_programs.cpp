@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/base/assert.h"
+#include "render/gl_dialect.h"
 #include "render/shader_sources.h"
 
 namespace mes::render {
@@ -15,7 +16,7 @@ namespace {
 using Sources = std::initializer_list<std::string_view>;
 
 std::string preamble(const ProgramKey& key, const ProgramFeatures& features) {
-  std::string out = "#version 330 core\n";
+  std::string out(shader_head());
   // The compiler must not reorder sums whose rounding matters. `precise` forbids it; without `precise`, each term is
   // combined with zero bits that the compiler cannot know.
   if (features.use_precise) {
@@ -120,11 +121,11 @@ GlProgram build_program(const ProgramKey& key, const ProgramFeatures& features) 
 }
 
 GlProgram build_picture_program() {
-  return link("#version 330 core\n", {shaders::picture_vert}, {shaders::picture_frag});
+  return link(std::string(shader_head()), {shaders::picture_vert}, {shaders::picture_frag});
 }
 
 GlProgram build_composite_program() {
-  return link("#version 330 core\n", {shaders::composite_vert}, {shaders::composite_frag});
+  return link(std::string(shader_head()), {shaders::composite_vert}, {shaders::composite_frag});
 }
 
 }  // namespace mes::render

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "render/readback.h"
 
-#include <limits>
 #include <new>
 #include <utility>
+
+#include "render/gl_dialect.h"
 
 namespace mes::render {
 
@@ -47,20 +48,17 @@ void Readback::ask(FramebufferId source, const PixelRect& area) {
 // Frees the slot even after an error.
 RawImage Readback::take_oldest() noexcept {
   Place& place = oldest();
-  glClientWaitSync(place.fence, GL_SYNC_FLUSH_COMMANDS_BIT, std::numeric_limits<GLuint64>::max());
+  wait_for(place.fence);
   if (place.fence != nullptr) glDeleteSync(std::exchange(place.fence, nullptr));
   RawImage out{place.width, place.height, {}};
   glBindBuffer(GL_PIXEL_PACK_BUFFER, place.buffer.get());
-  const auto* pixels = static_cast<const std::uint8_t*>(
-      glMapBufferRange(GL_PIXEL_PACK_BUFFER, 0, static_cast<GLsizeiptr>(place.bytes), GL_MAP_READ_BIT));
-  if (pixels != nullptr) {
-    try {
-      out.rgba.assign(pixels, pixels + place.bytes);
-    } catch (const std::bad_alloc&) {
-      out.rgba.clear();
-    }
-    glUnmapBuffer(GL_PIXEL_PACK_BUFFER);
-  } else {
+  try {
+    out.rgba.resize(place.bytes);
+  } catch (const std::bad_alloc&) {
+    out.rgba.clear();
+  }
+  if (!out.rgba.empty() && !read_packed(out.rgba)) {
+    out.rgba.clear();
     place.bytes = 0;  // the card may have lacked memory for the buffer
   }
   glBindBuffer(GL_PIXEL_PACK_BUFFER, 0);
