@@ -3,7 +3,6 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <dlfcn.h>
 #include <fmt/core.h>
 
 #include <algorithm>
@@ -268,21 +267,6 @@ std::optional<Vec2> GlfwWindow::take_click() {
   return std::exchange(press_ ? press_ : release_, std::nullopt);
 }
 
-void GlfwWindow::poll() {
-  glfwPollEvents();
-}
-
-void GlfwWindow::wait(double seconds) {
-  if (seconds > 0.0)
-    glfwWaitEventsTimeout(seconds);
-  else
-    glfwWaitEvents();
-}
-
-void GlfwWindow::wake() {
-  glfwPostEmptyEvent();
-}
-
 void GlfwWindow::swap() {
   glfwSwapBuffers(window_);
   tell_gui_of_releases();
@@ -336,14 +320,6 @@ double GlfwWindow::content_scale() const {
   float y = 1.0F;
   glfwGetWindowContentScale(window_, &x, &y);
   return std::clamp(static_cast<double>(std::max(x, y)), 0.5, 8.0);
-}
-
-// GLFW has this function only when it was built for X11, and another build may be installed later.
-std::string GlfwWindow::desktop_handle() const {
-  using Number = unsigned long (*)(GLFWwindow*);
-  const auto number_of = reinterpret_cast<Number>(dlsym(RTLD_DEFAULT, "glfwGetX11Window"));
-  const unsigned long number = number_of == nullptr ? 0 : number_of(window_);
-  return number == 0 ? std::string() : fmt::format("x11:{:x}", number);
 }
 
 GlfwWindow::Frame GlfwWindow::frame() const {
