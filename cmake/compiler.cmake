@@ -44,7 +44,7 @@ if(MESECINA_SANITIZE)
     # under the address sanitizer as well, and pointers are cast between types of bytes only, which cannot lie misaligned.
     add_compile_options(-fno-sanitize-recover=undefined -fno-sanitize=null,alignment)
   endif()
-else()
+elseif(NOT EMSCRIPTEN)
   # An error in memory ends the program before a file made for the purpose can use it. Sanitizers see more without
   # this; the checked functions of the C library come with optimisation only.
   add_compile_options(-fstack-protector-strong)

@@ -12,5 +12,5 @@ case ${1:-} in
 esac
 
 "$root/scripts/install_packages.sh" format || exit 1
-find app core examples python render tests \( -name '*.cpp' -o -name '*.h' \) -print0 |
+find app core examples python render tests web \( -name '*.cpp' -o -name '*.h' \) -print0 |
   xargs -0 -n 32 -P "$(nproc)" clang-format-14 "${task[@]}" || fail "sources are not formatted; scripts/format.sh --fix does it"
