@@ -292,15 +292,16 @@ void CoverSearch::take(Lanes& lanes, std::size_t lane, std::uint32_t by) const {
   const Vec2 away = other.center - ball.center;
   const double squared = dot(away, away);
   const double quotient = std::sqrt(squared) / (other.radius - ball.radius);
-  auto& best = lanes.best[lane / 2][lane % 2];
+  DoublePair& pair = lanes.best[lane / 2];
+  const double best = pair[lane % 2];
   const bool is_clear = squared > 0x1p-900 && squared < 0x1p1000 && quotient > 1.0 + 0x1p-40;
   if (is_clear && quotient < lanes.quotient[lane] * (1.0 - 0x1p-46) && quotient < lanes.date[lane]) {
     lanes.quotient[lane] = quotient;
     lanes.pending[lane] = by;
-    best = std::min(best, quotient * (1.0 + 0x1p-48));
+    pair[lane % 2] = std::min(best, quotient * (1.0 + 0x1p-48));
   } else {
     lanes.date[lane] = std::min(lanes.date[lane], date_of(ball, other));
-    best = std::min(best, lanes.date[lane]);
+    pair[lane % 2] = std::min(best, lanes.date[lane]);
   }
 }
 
