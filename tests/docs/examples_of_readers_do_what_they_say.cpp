@@ -19,6 +19,9 @@
 #include "core/io/session/json_view.h"
 #include "core/io/session/session.h"
 #include "core/io/session/session_values.h"
+#include "core/io/systems/chosen_plane.h"
+#include "core/io/systems/coordinate_system.h"
+#include "core/io/systems/map_conversion.h"
 #include "core/io/text/coordinate_pairs.h"
 #include "core/io/text/counted_remarks.h"
 #include "core/io/text/line_layout.h"
@@ -261,4 +264,27 @@ TEST_CASE("files are read as headers show") {
   remarks.add("text element is left out", "text elements are left out", place);
   remarks.for_each([&](const std::string& text, std::size_t at) { warn(text, at); });
   CHECK(said == "1 text element is left out");
+}
+
+TEST_CASE("coordinates are converted as headers show") {
+  // core/io/systems/coordinate_system.h
+  const auto system = find_coordinate_system("EPSG:25832");
+  REQUIRE(system);
+  CHECK_FALSE(system->is_geographic);
+
+  std::vector<Vec2> positions{{9.7, 52.3}, {9.8, 52.3}, {9.75, 52.4}};
+  // core/io/systems/chosen_plane.h
+  auto chosen = choose_plane(positions, *find_coordinate_system("EPSG:4258"), MapDegrees::projected);
+  REQUIRE(chosen);
+  const MapPlane plane = chosen->plane;
+  const std::vector<Vec2> outline{{0.0, 0.0}};
+  std::vector<Vec2> in_degrees;
+  {
+    // core/io/systems/map_conversion.h
+    std::vector<Vec2> places = outline;
+    if (const auto conversion = MapConversion::of(plane, MapTarget::wgs84)) conversion->from_plane(places);
+    in_degrees = places;
+  }
+  CHECK(in_degrees[0].x == Approx(plane.longitude));
+  CHECK(in_degrees[0].y == Approx(plane.latitude));
 }
