@@ -97,6 +97,7 @@ PlacedLegend place_legend(std::span<const LegendEntry> entries, const MeasureTex
     const auto corner = LegendPlaces(around, out.size(), margin).best();
     if (!corner) return std::nullopt;
     out.corner = *corner;
+    out.from_below = around.room.high.y - out.corner.y;
     out.hides = around.cost_of({out.corner, out.corner + out.size()});
     return out;
   };
@@ -128,8 +129,9 @@ PlacedLegend place_legend(std::span<const LegendEntry> entries, const PaperFonts
 
 LegendStrip strip_for_legend(const std::function<LegendTrial(const LegendStrip&)>& lay_out) {
   constexpr std::size_t kLessHidden = 4;
-  constexpr double kMostOfSide = 0.5;  // share of the side of the picture
-  const PlacedLegend corner = lay_out({}).legend;
+  constexpr double kMostOfSide = 0.6;  // share of the side of the picture
+  const LegendTrial bare = lay_out({});
+  const PlacedLegend& corner = bare.legend;
   if (corner.drawing.is_empty() || corner.hides == std::pair<std::size_t, std::size_t>()) return {};
   const auto is_better = [&](const PlacedLegend& legend) {
     if (legend.hides.first != corner.hides.first) return legend.hides.first < corner.hides.first;
@@ -145,8 +147,12 @@ LegendStrip strip_for_legend(const std::function<LegendTrial(const LegendStrip&)
     out = strip;
     least = trial.units_per_pixel;
   };
-  // The strip below is as high as the legend in columns, whose layout depends on the width only.
-  try_strip({.below = lay_out({.below = margins}).legend.size().y + margins});
+  // The strip below has the legend in columns, whose layout depends on the width only, above the scale bar if both do
+  // not fit beside each other. A picture that grows by a strip has one that is high enough at first.
+  constexpr double kHighEnough = 8.0;
+  LegendTrial below = lay_out({.below = margins});
+  if (below.height > bare.height) below = lay_out({.below = kHighEnough * bare.height});
+  try_strip({.below = below.legend.from_below + 0.5 * margins});
   try_strip({.right = corner.size().x + margins});
   return out;
 }

@@ -58,9 +58,10 @@ struct LegendSurroundings {
 };
 
 struct PlacedLegend {
-  PaperDrawing drawing{};                       ///< empty: no legend
-  double shrink = 1.0;                          ///< logical pixels of the picture per logical pixel of the drawing
-  Vec2 corner{};                                ///< upper left, in logical pixels of the picture
+  PaperDrawing drawing{};   ///< empty: no legend
+  double shrink = 1.0;      ///< logical pixels of the picture per logical pixel of the drawing
+  Vec2 corner{};            ///< upper left, in logical pixels of the picture
+  double from_below = 0.0;  ///< distance of the upper edge from the lower end of the room, such as above a scale bar
   std::pair<std::size_t, std::size_t> hides{};  ///< the number of texts that it covers, and the amount of drawing
   bool lacks_room = false;                      ///< it was left out for lack of room
   Vec2 size() const { return shrink * Vec2{drawing.width, drawing.height}; }
@@ -74,7 +75,7 @@ struct LegendTrial {
   double units_per_pixel = 1.0;  ///< the larger, the smaller the drawing
 };
 
-/// The strip for the legend of a picture; empty: the legend is in a corner. Calls `lay_out` at most four times.
+/// The strip for the legend of a picture; empty: the legend is in a corner. Calls `lay_out` at most five times.
 LegendStrip strip_for_legend(const std::function<LegendTrial(const LegendStrip&)>& lay_out);
 
 /// `measure` is for the texts of the legend, which is drawn smaller by `shrink`.

@@ -147,7 +147,10 @@ TEST_CASE("a key for which no corner is free has a strip beside the drawing, in 
       shown("rounded-rectangle.poff", {"--size", "420x330", "--title", "A rectangle", "--axes"}),
       shown("rounded-rectangle.poff", {"--size", "560x240"}),
       shown("plate.poff", {"--size", "500x330"}),
-      {kDude, "--size", "330x433", "--scale-bar"}};
+      {kDude, "--size", "330x433", "--scale-bar"},
+      // The legend does not fit beside the scale bar.
+      {"assets/shapes/elephant.poff", "--size", "330x433", "--scale-bar", "--layers",
+       "points,curve,lambda-medial-axis"}};
   Pictures pictures;
   for (const std::vector<std::string>& one : cases) {
     std::vector<Box2> keys;
