@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/layers/layer_topics.h"
 #include "app/layers/parameter_words.h"
 #include "app/layers/synonyms.h"
 #include "app/panels/bars/interface_sizes.h"
@@ -78,7 +79,7 @@ void add_layers(const Panels::Uses& uses, Entries& out) {
                    .explanation = std::string(descriptor.tooltip),
                    .more = std::string(descriptor.id) + ' ' + std::string(title_of(descriptor.group)),
                    .words = synonyms_of(descriptor.id),
-                   .place = fmt::format("Layers > {}", title_of(descriptor.group)),
+                   .place = fmt::format("Layers > {}", layer_topics()[topic_place_of(descriptor).topic].title),
                    .handicap = family && !is_in_use(*family) ? kLessThanFamily : 0.0,
                    .is_checked = layers.is_visible(layer),
                    .run = [&layers, layer, show = uses.show_layer] {
