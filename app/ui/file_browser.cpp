@@ -369,7 +369,7 @@ std::optional<fs::path> FileBrowser::draw_choice(const Gui& gui) {
       accepted_ = true;
     follow_name();
     if (!is_saving_) {
-      if (ImGui::Checkbox("All files", &all_files_)) list_wanted();
+      if (checkbox("All files", &all_files_)) list_wanted();
     } else {
       ImGui::AlignTextToFramePadding();
       ImGui::TextDisabled("%s", purpose_.heading.empty() ? ".json everything   .poff samples   .wpoff balls" : "");

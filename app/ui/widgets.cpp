@@ -110,6 +110,16 @@ bool begin_context_popup(const Gui& gui, const char* id) {
   return true;
 }
 
+bool checkbox(const char* label, bool* value) {
+  constexpr float kEdgeOfLetters = 1.0F / 16.0F;
+  ImGui::PushStyleColor(ImGuiCol_Border, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+  ImGui::PushStyleVar(ImGuiStyleVar_FrameBorderSize, std::max(1.0F, kEdgeOfLetters * ImGui::GetFontSize()));
+  const bool is_changed = ImGui::Checkbox(label, value);
+  ImGui::PopStyleVar();
+  ImGui::PopStyleColor();
+  return is_changed;
+}
+
 bool default_button(const Gui& gui, const char* label, ImVec2 size, bool is_default) {
   if (!is_default) return ImGui::Button(label, size);
   ImGui::PushStyleColor(ImGuiCol_Button, gui.colors().accent_soft);

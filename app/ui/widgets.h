@@ -45,6 +45,9 @@ SplitterMove splitter(const Gui& gui, const char* id, const PanelArea& area);
 SplitterMove drag_handle(const Gui& gui, const char* id, const PanelArea& area, const std::string& explanation,
                          const char* back);
 
+/// As ImGui::Checkbox, with an edge that can be seen while it is not checked.
+bool checkbox(const char* label, bool* value);
+
 /// The text, or as much of its beginning as fits into the width, with "...".
 std::string elided(const std::string& text, float width);
 

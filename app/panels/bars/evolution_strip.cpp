@@ -203,7 +203,7 @@ void parameter_field(const EvolutionStrip& strip, const Parameter& parameter) {
     }
   } else if (is_switch(parameter)) {
     bool is_on = value != 0.0;
-    if (ImGui::Checkbox(title.c_str(), &is_on)) value = is_on ? 1.0 : 0.0;
+    if (checkbox(title.c_str(), &is_on)) value = is_on ? 1.0 : 0.0;
   } else {
     ImGui::TextUnformatted(title.c_str());
     const std::string number = parameter.unit == "%" ? "%.4g %%" : "%.4g " + std::string(parameter.unit);

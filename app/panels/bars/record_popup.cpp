@@ -129,7 +129,7 @@ void draw_contents(const RecordPopup& popup) {
   ImGui::InputTextWithHint("##folder", takes_folder().c_str(), &record.folder);
   tooltip(gui, "Snapshots go here, and each recording to a new folder in it");
   row_name("Source", column);
-  ImGui::Checkbox("Document in snapshots and takes", &record.with_source);
+  checkbox("Document in snapshots and takes", &record.with_source);
   tooltip(gui,
           "A snapshot holds samples, balls, view and layers, without the history; the manifest of a recording holds "
           "the session, with its history. Either opens here again as the document");

@@ -170,7 +170,7 @@ void FigureDialog::draw_size(const Gui& gui) const {
   }
   constexpr const char* kFollows = "As needed";
   go_on(gui, std::string("[x] ") + kFollows);
-  if (ImGui::Checkbox(kFollows, &follows))
+  if (checkbox(kFollows, &follows))
     settings.height_mm = follows ? 0.0 : std::clamp(height, kLeastFigureSide, kMostFigureSide);
   tooltip(gui, "The height follows from the width");
 }
@@ -187,7 +187,7 @@ void FigureDialog::draw_panes(const Gui& gui) const {
   tooltip(gui, "The first pane alone");
   ImGui::SameLine();
   ImGui::BeginDisabled(!settings.all_panes);
-  ImGui::Checkbox("Differences", &settings.with_differences);
+  checkbox("Differences", &settings.with_differences);
   ImGui::EndDisabled();
   tooltip(gui, "Mark what only some of the panes have");
 }
@@ -240,29 +240,29 @@ void FigureDialog::draw_look(const Gui& gui) const {
       gui,
       "Text and a little LaTeX, as in annotations: $x_i^2 \\le \\varepsilon$, \\textbf{...}, \\\\ for a new line");
   row_title(gui, "Legend");
-  ImGui::Checkbox("Of colour maps", &settings.with_legend);
+  checkbox("Of colour maps", &settings.with_legend);
   tooltip(gui, "At its dragged position on the canvas, otherwise in the corner where it hides least");
   ImGui::SameLine();
-  ImGui::Checkbox("Of all layers", &settings.with_key);
+  checkbox("Of all layers", &settings.with_key);
   tooltip(gui, "The names of the layers, with a sample of how each is drawn");
   row_title(gui, "Scale");
-  ImGui::Checkbox("Bar", &settings.marks.bar);
+  checkbox("Bar", &settings.marks.bar);
   tooltip(gui, "A bar of a round length, labelled in units of the samples, at its dragged position on the canvas");
   ImGui::SameLine();
-  ImGui::Checkbox("Axes", &settings.marks.axes);
+  checkbox("Axes", &settings.marks.axes);
   tooltip(gui, "Numbers along the bottom and left edges");
   ImGui::SameLine();
-  ImGui::Checkbox("Grid", &settings.marks.grid);
+  checkbox("Grid", &settings.marks.grid);
   tooltip(gui, "Faint lines at the round numbers of the axes");
   row_title(gui, "Annotations");
-  ImGui::Checkbox("Text, arrows, dimensions, highlights", &settings.with_annotations);
+  checkbox("Text, arrows, dimensions, highlights", &settings.with_annotations);
   tooltip(gui, "Annotations on the drawing, as a separate layer");
   row_title(gui, "Source");
   const figure::Format* const format = figure::format_for(settings.extension);
   const bool can_carry = format != nullptr && format->carries_session;
   bool carries = can_carry && settings.with_source;
   ImGui::BeginDisabled(!can_carry);
-  if (ImGui::Checkbox("Document in the file", &carries)) settings.with_source = carries;
+  if (checkbox("Document in the file", &carries)) settings.with_source = carries;
   ImGui::EndDisabled();
   tooltip(
       gui,
@@ -309,7 +309,7 @@ void FigureDialog::draw_layers(const Gui& gui) {
     const auto chosen = std::ranges::find(rasterized_, layer->id);
     bool is_picture = chosen != rasterized_.end();
     if (layer->shapes == 0 && !is_picture) continue;
-    if (ImGui::Checkbox(layer->title.c_str(), &is_picture)) {
+    if (checkbox(layer->title.c_str(), &is_picture)) {
       if (is_picture)
         rasterized_.push_back(layer->id);
       else
@@ -420,7 +420,7 @@ void FigureDialog::draw(const Gui& gui) {
                  ImGui::EndChild();
                  ImGui::SameLine(0, 16 * unit);
                  ImGui::BeginGroup();
-                 ImGui::Checkbox("Real size", &is_at_real_size_);
+                 checkbox("Real size", &is_at_real_size_);
                  tooltip(gui, "Show the page as large as on paper, if the screen has 96 pixels per inch at 100 %");
                  ImGui::BeginChild("preview", {0, 0}, false, ImGuiWindowFlags_HorizontalScrollbar);
                  draw_preview(gui);

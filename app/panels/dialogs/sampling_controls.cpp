@@ -27,7 +27,7 @@ Box2 extent_of(const SampleData& data) {
 
 void SamplingControls::draw(const Gui& gui) {
   const float width = ImGui::GetContentRegionAvail().x;
-  ImGui::Checkbox("Number of samples", &has_samples_);
+  checkbox("Number of samples", &has_samples_);
   tooltip(gui, "Evenly along curves; otherwise about 400, more where parts are close together");
   ImGui::BeginDisabled(!has_samples_);
   slider(gui, "##samples", samples_, 3.0, kMostSamples,

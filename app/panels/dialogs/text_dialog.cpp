@@ -58,12 +58,12 @@ void TextDialog::draw_settings(const Gui& gui) {
   ImGui::InputTextMultiline("##words", &wish_.request.text, {width, kTextLines * ImGui::GetTextLineHeight()});
   tooltip(gui, "Enter begins a new line");
   ImGui::BeginDisabled(wish_.family.empty());
-  ImGui::Checkbox("Bold", &wish_.is_bold);
+  checkbox("Bold", &wish_.is_bold);
   ImGui::SameLine();
-  ImGui::Checkbox("Italic", &wish_.is_italic);
+  checkbox("Italic", &wish_.is_italic);
   ImGui::EndDisabled();
   ImGui::SameLine();
-  ImGui::Checkbox("Kerning", &wish_.request.has_kerning);
+  checkbox("Kerning", &wish_.request.has_kerning);
   tooltip(gui, "Letters move together where the font defines it, such as A and V");
   ImGui::TextUnformatted("Size");
   slider(gui, "##size", wish_.request.size, kLeastTextSize, kMostTextSize,

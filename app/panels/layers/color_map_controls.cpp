@@ -81,7 +81,7 @@ void ColorMapControls::draw_range(LayerIndex layer, LayerStyle& style) {
   tooltip(gui_, "Value of the last colour of the map; a number typed here locks the range");
   ImGui::SameLine(0, 6 * unit);
   bool locked = style.range_locked;
-  if (ImGui::Checkbox("Lock", &locked)) {
+  if (checkbox("Lock", &locked)) {
     if (locked)
       set_range(style, range);
     else

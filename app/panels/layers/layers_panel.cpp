@@ -122,7 +122,7 @@ void LayersPanel::draw_head() {
       ImGui::CalcTextSize("Only shown").x + ImGui::GetFrameHeight() + ImGui::GetStyle().ItemInnerSpacing.x;
   ImGui::SameLine(0, gap);
   if (ImGui::GetContentRegionAvail().x < check) ImGui::NewLine();
-  ImGui::Checkbox("Only shown", &options_.only_shown);
+  checkbox("Only shown", &options_.only_shown);
   tooltip(gui_, "List only the layers that are shown");
   if (layers_.soloed() != kNoLayer) {
     if (ImGui::Button("End solo")) layers_.end_solo();
@@ -234,17 +234,17 @@ void LayersPanel::draw_style_popup(LayerIndex layer) {
   if (descriptor.points_as != PointsAs::dots) slider(gui_, "Letters", style.point_size_px, 4.0, 64.0, in_pixels);
   if (has_strokes(descriptor)) {
     slider(gui_, "Line width", style.line_width_px, 0.1, 64.0, in_pixels);
-    ImGui::Checkbox("Dashed", &style.dashed);
+    checkbox("Dashed", &style.dashed);
   }
   if (is_made_of_samples(descriptor) && (has_points(descriptor) || has_strokes(descriptor))) {
-    ImGui::Checkbox("Thinner where dense", &style.thin_when_dense);
+    checkbox("Thinner where dense", &style.thin_when_dense);
     tooltip(gui_,
             "Where samples are closer than two pixels, dots and lines are drawn finer than set here, so that they do "
             "not merge; dots of samples in their default size are kept apart earlier");
   }
   // Letters do not overlap, so they have no such option.
   const bool may_overlap = !is_picture && descriptor.points_as == PointsAs::dots;
-  if (may_overlap) ImGui::Checkbox("Merge overlaps", &style.flat);
+  if (may_overlap) checkbox("Merge overlaps", &style.flat);
   if (may_overlap)
     tooltip(gui_, "Overlapping parts of this layer do not darken each other: a union of disks is one even area");
   layers_.set_style(layer, style);

@@ -96,7 +96,7 @@ void AnnotationCard::draw_look(const Gui& gui, Annotation& annotation) {
   tooltip(gui, "Size of the text");
   ImGui::SameLine();
   bool has_color = annotation.color.has_value();
-  if (ImGui::Checkbox("Colour", &has_color)) {
+  if (checkbox("Colour", &has_color)) {
     if (has_color)
       annotation.color = palette::vermilion;
     else

@@ -8,6 +8,7 @@
 #include "app/picture/caption_text.h"
 #include "app/ui/icons.h"
 #include "app/ui/theme.h"
+#include "app/ui/widgets.h"
 
 namespace mes {
 namespace {
@@ -101,7 +102,7 @@ LessonCard::Wish LessonCard::draw_buttons(const PanelArea& area) const {
     if (ImGui::Button("Take back")) out = Wish::restore;
     tooltip(gui, "Show the drawing of this step again");
     bool keeps = presenter.keeps_edits();
-    if (ImGui::Checkbox("Keep it in the next steps", &keeps)) presenter.set_keeps_edits(keeps);
+    if (checkbox("Keep it in the next steps", &keeps)) presenter.set_keeps_edits(keeps);
     tooltip(gui, "On: the next steps apply to your drawing; off: they show the drawing of the lesson again");
   }
   const auto step_button = [&](const char* id, Icon icon, ActionId action, bool enabled, Wish wish) {

@@ -127,7 +127,7 @@ void BranchesPanel::draw_choices() {
     ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(to_imgui(palette::vermilion)), "%s", filter_problem_.c_str());
     ImGui::PopTextWrapPos();
   }
-  ImGui::Checkbox("Share of the shape", &measures_area_);
+  checkbox("Share of the shape", &measures_area_);
   tooltip(uses_.gui,
           "Share of the shape, the union of the inside triangles, covered by the balls along the kept axis. Their "
           "union takes much longer than the table");

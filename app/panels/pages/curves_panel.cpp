@@ -149,7 +149,7 @@ void CurvesPanel::draw_corners(SamplingRequest& request) {
                             kDegrees * request.corner_angle));
   ImGui::SameLine(0, 10 * unit);
   bool is_rounded = request.corner_radius > 0.0;
-  if (ImGui::Checkbox("Rounded", &is_rounded)) request.corner_radius = is_rounded ? 0.02 * extent_ : 0.0;
+  if (checkbox("Rounded", &is_rounded)) request.corner_radius = is_rounded ? 0.02 * extent_ : 0.0;
   tooltip(gui_, "Samples are taken as if corners were arcs of circles");
   ImGui::SameLine(0, 10 * unit);
   if (ImGui::Button("Mark")) actions_.run(ActionId::mark_corners);

@@ -285,7 +285,7 @@ void ParametersPanel::draw_parameter(const Parameter& parameter) {
   const float buttons_at = ImGui::GetContentRegionMax().x - 2 * button - 2 * unit;
   if (is_switch(parameter)) {
     bool on = value != 0.0;
-    if (ImGui::Checkbox(title.c_str(), &on)) value = on ? 1.0 : 0.0;
+    if (checkbox(title.c_str(), &on)) value = on ? 1.0 : 0.0;
     tooltip(gui_, parameter_explanation(parameter));
   } else {
     ImGui::AlignTextToFramePadding();

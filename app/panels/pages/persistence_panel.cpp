@@ -99,11 +99,11 @@ void PersistencePanel::draw_growths() {
 
 void PersistencePanel::draw_choices() {
   const float unit = uses_.gui.unit();
-  ImGui::Checkbox("Components", &shows_components_);
+  checkbox("Components", &shows_components_);
   tooltip(uses_.gui,
           "Show components, which are born at samples or balls and die where an edge joins them to older ones");
   ImGui::SameLine(0, 8 * unit);
-  ImGui::Checkbox("Holes", &shows_holes_);
+  checkbox("Holes", &shows_holes_);
   tooltip(uses_.gui, "Show holes, which an edge closes and a triangle fills");
   ImGui::SameLine(0, 8 * unit);
   ImGui::BeginDisabled(!uses_.desk.is_current() || !uses_.export_csv);
