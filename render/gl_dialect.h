@@ -29,7 +29,7 @@ struct MaskFormat {
 };
 MaskFormat mask_format();
 
-/// The bytes of the buffer bound to GL_ARRAY_BUFFER, to be written until `unmap_written`; null if there is no such way.
+/// Maps bytes of the buffer bound to GL_ARRAY_BUFFER for writing, until `unmap_written`; null if that is not supported.
 std::byte* map_to_write(std::size_t offset, std::size_t size);
 /// False: what was written is lost.
 bool unmap_written();

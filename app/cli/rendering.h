@@ -52,7 +52,7 @@ struct Canvas {
   explicit Canvas(render::EglContext made) : context(std::move(made)) {}
 };
 
-/// What is where in a picture in pixels.
+/// The positions of the parts of a picture in pixels.
 struct PictureLayout {
   render::Camera camera;
   TitleBand title{};

@@ -67,9 +67,9 @@ struct TooltipRoom {
   ImVec2 screen;  ///< size of the window
   float gap = 0.0F;
 };
-/// The upper left corner of the tooltip: beside its panel, towards the middle of the window; above or below a wide
-/// panel; in a dialog, and where there is no room, beside the control. It never covers the control, and stays within
-/// the window; nothing if that is impossible.
+/// The upper left corner of the tooltip. It stands beside its panel, towards the middle of the window, or above or
+/// below a wide panel. In a dialog, and where the panel leaves no room, it stands beside the control. It stays within
+/// the window and does not cover the control; the result is empty if that is impossible.
 std::optional<ImVec2> tooltip_place(const TooltipRoom& room);
 
 /// Explains the last item when the pointer rests on it, even if it is disabled.

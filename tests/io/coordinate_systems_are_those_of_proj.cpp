@@ -160,7 +160,7 @@ TEST_CASE("a system has one name, whatever it was called") {
   CHECK(system_of(local.id) == local);
 }
 
-TEST_CASE("what is no system of positions on the Earth is refused in one line") {
+TEST_CASE("a text that names no horizontal system of the Earth is refused in one line") {
   for (const char* name : {"EPSG:999999", "EPSG:43260", "no system", "EPSG:5773", "EPSG:4978", "GEOGCS[", "[[[[",
                            "+proj=nonsense", "+proj=", "PROJCS[\"a\nb\"]", "\x01\x02"}) {
     INFO(name);

@@ -134,7 +134,7 @@ TEST_CASE("degrees become metres about the middle of the map") {
 
   const LoadedFile fiji = read_map(R"({"type": "MultiPoint", "coordinates": [[179, -17], [-179, -17], [177, -17]]})");
   CHECK_THAT(fiji.warnings[0], Catch::Contains("about 179 E, 17 S"));
-  // By geod; the plane is true to scale only from its origin, 179 E.
+  // The length is that of geod; the plane is true to scale only from its origin, 179 E.
   CHECK(length(fiji.data.positions[1]) == Approx(212970.73716).epsilon(1e-9));
   CHECK(length(fiji.data.positions[0]) < 1e-6);
 }

@@ -268,7 +268,7 @@ TEST_CASE("text of another coordinate system is pasted where it lies on the Eart
   REQUIRE(d.desk.paste("SRID=25832;POINT (548206 5803104)", {1, 1}));
   const auto conversion = MapConversion::of(*data.map, MapTarget::wgs84);
   REQUIRE(conversion);
-  // By cs2cs.
+  // The numbers are those of cs2cs.
   CHECK(distance(conversion->from_plane(d.positions().back()), {9.708148085036, 52.376078240013}) < 1e-8);
   // A text without a system is taken as it is, and one that PROJ does not know is refused.
   REQUIRE(d.desk.paste("POINT (30 40)", {1, 1}));

@@ -18,7 +18,7 @@ bool has_gl_extension(const char* /*name*/) {
   return false;
 }
 
-// There is no texture of 16 bits that can be read everywhere: the low and the high byte have a channel each.
+// WebGL cannot read textures of 16 bits on every machine, so the low and the high byte have a channel each.
 MaskFormat mask_format() {
   return {.internal = GL_RG8, .format = GL_RG, .type = GL_UNSIGNED_BYTE, .channels = 2};
 }

@@ -263,7 +263,7 @@ void ProvenanceCard::choose_corner(const PanelArea& room, ImVec2 size,
     const Vec2 low{is_right ? room.at.x + room.size.x - size.x : room.at.x,
                    is_top ? room.at.y : room.at.y + room.size.y - size.y};
     const Box2 box{low, low + Vec2{size.x, size.y}};
-    // What was clicked is below the pointer while the card opens.
+    // The clicked element is below the pointer while the card opens.
     constexpr std::size_t kClicked = 64;
     const ImVec2 pointer = ImGui::GetIO().MousePos;
     const std::size_t hidden = hides(box) + (box.contains({pointer.x, pointer.y}) ? kClicked : 0U);

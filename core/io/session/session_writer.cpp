@@ -62,7 +62,7 @@ json source_to_json(const CurveSet* curves, const SamplingRequest& sampling, std
   return out;
 }
 
-/// What the first schema can hold: longitude and latitude on WGS 84, kept or projected equirectangularly.
+/// True if the first schema can hold it: longitude and latitude on WGS 84, kept or projected equirectangularly.
 bool is_old_plane(const MapPlane& map) {
   return map.system.empty() && map.projection != MapProjection::azimuthal;
 }

@@ -19,7 +19,7 @@ Box2 box_around(std::span<const Vec2> positions) {
   return box;
 }
 
-/// Longitudes west of 0 a turn to the east, so that the 180th meridian is no border.
+/// Adds a full turn to longitudes west of 0, so that longitudes increase across the 180th meridian.
 Vec2 eastern(Vec2 p, double half_turn) {
   return p.x < 0.0 ? Vec2{p.x + 2.0 * half_turn, p.y} : p;
 }
