@@ -60,11 +60,11 @@ inline void require_round_trip(SampleData data) {
 
 /// Reads the bytes as the format, or as whatever they look like.
 inline void check_sample_file(std::string_view bytes, const std::string& name, std::string_view format,
-                              ReadingWork work = kPlainWork) {
+                              ReadingWork work = kPlainWork, std::size_t memory = kAnyMemory) {
   // A picture has no lines, and its pixels take more memory than its bytes; it has a target of its own.
   if (format.empty() && looks_like_picture(bytes)) return;
   const auto file = read_sample_bytes(bytes, name, format);
-  require_little_memory(bytes.size());
+  require_little_memory(bytes.size(), 400, memory);
   require_little_work(bytes.size(), work);
   // Bytes that look like WKB have no lines either; the message says at which byte.
   const bool has_lines = file || !format.empty() || !file.error().text.starts_with("at byte ");

@@ -17,6 +17,7 @@ void run_bundle(std::string_view bytes);
 void run_carried_session(std::string_view bytes);
 void run_color_map(std::string_view bytes);
 void run_contours(std::string_view bytes);
+void run_coordinate_system(std::string_view bytes);
 void run_dxf(std::string_view bytes);
 void run_edits(std::string_view bytes);
 void run_formula(std::string_view bytes);
@@ -40,12 +41,13 @@ struct Target {
   std::string_view name;  ///< its folder in corpus/ has the same
   void (*run)(std::string_view bytes);
 };
-inline constexpr std::array<Target, 23> kTargets{{
+inline constexpr std::array<Target, 24> kTargets{{
     {"bnd", run_bnd},
     {"bundle", run_bundle},
     {"carried_session", run_carried_session},
     {"color_map", run_color_map},
     {"contours", run_contours},
+    {"coordinate_system", run_coordinate_system},
     {"dxf", run_dxf},
     {"edits", run_edits},
     {"formula", run_formula},

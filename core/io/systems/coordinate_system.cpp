@@ -118,6 +118,12 @@ std::string CoordinateSystem::title() const {
 Expected<CoordinateSystem> find_coordinate_system(std::string_view text) {
   const std::string wanted = as_proj_expects(trimmed(text));
   if (wanted.empty() || is_wgs84(wanted) || wanted == "urn:ogc:def:crs:OGC:1.3:CRS84") return CoordinateSystem{};
+  constexpr std::size_t kLongest = 65536;
+  if (wanted.size() > kLongest)
+    return std::unexpected(Error{ErrorCode::bad_input, fmt::format("a coordinate system of {} bytes is too long; the "
+                                                                   "longest has {}",
+                                                                   wanted.size(), kLongest)});
+  constexpr std::size_t kMostKept = 100;
   static std::mutex mutex;
   static std::map<std::string, CoordinateSystem> found;
   const std::scoped_lock lock(mutex);
@@ -125,7 +131,10 @@ Expected<CoordinateSystem> find_coordinate_system(std::string_view text) {
   const auto proj = proj_library();
   if (!proj) return std::unexpected(proj.error());
   auto system = SystemSearch(**proj).find(wanted);
-  if (system) found.emplace(wanted, *system);
+  if (system) {
+    if (found.size() == kMostKept) found.clear();
+    found.emplace(wanted, *system);
+  }
   return system;
 }
 

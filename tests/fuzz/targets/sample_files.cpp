@@ -24,7 +24,7 @@ void check_drawing(std::string_view bytes, const std::string& name, std::string_
 }  // namespace
 
 void run_geojson(std::string_view bytes) {
-  check_sample_file(bytes, "a.geojson", "geojson", kCurveWork);
+  check_sample_file(bytes, "a.geojson", "geojson", kCurveWork, kMemoryOfProj);
 }
 void run_gpx(std::string_view bytes) {
   check_sample_file(bytes, "a.gpx", "gpx", kCurveWork);
@@ -36,7 +36,7 @@ void run_poff(std::string_view bytes) {
   check_sample_file(bytes, "a.poff", "poff");
 }
 void run_wkt(std::string_view bytes) {
-  check_sample_file(bytes, "a.wkt", "wkt", kCurveWork);
+  check_sample_file(bytes, "a.wkt", "wkt", kCurveWork, kMemoryOfProj);
 }
 void run_wpoff(std::string_view bytes) {
   check_sample_file(bytes, "a.wpoff", "wpoff");
