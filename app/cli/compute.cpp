@@ -57,14 +57,11 @@ std::string_view level_name(FindingLevel level) {
   return level == FindingLevel::note ? "note" : name_of(light_of(level));
 }
 
-/// More samples than this are measured only if a layer asks for it: the epsilon takes longer than all the rest, 0.3 s
-/// instead of 0.2 s at 100,000 samples.
-constexpr std::size_t kMostMeasured = 10'000;
-
 /// The structure that measures the epsilon, if it is wanted.
 std::vector<std::string_view> measures_of(const Registry& registry, std::size_t samples) {
   constexpr std::string_view kMeasure = "feature-size";
-  if (samples > kMostMeasured || std::ranges::find(registry.structures(), kMeasure) == registry.structures().end())
+  if (samples > kMostSamplesMeasuredUnasked ||
+      std::ranges::find(registry.structures(), kMeasure) == registry.structures().end())
     return {};
   return {kMeasure};
 }

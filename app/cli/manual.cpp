@@ -11,6 +11,7 @@
 #include "app/cli/markdown.h"
 #include "app/cli/output.h"
 #include "app/cli/requests.h"
+#include "app/layers/verdict_word.h"
 #include "app/picture/rich_text.h"
 #include "app/store/bundles.h"
 #include "app/store/color_maps.h"
@@ -156,6 +157,35 @@ void write_computation(const Registry& registry, Markdown& page) {
   page.section("Parameters of the computation");
   page.paragraph("Set in the panel of parameters, or by `--set NAME=VALUE`.");
   page.table(parameter_titles(), rows_of(registry.parameters()));
+}
+
+void write_verdict(Markdown& page) {
+  page.section("Verdict on the samples");
+  page.paragraph(
+      "The theorem: if the samples are dense enough, the Voronoi edges that the one-step crust keeps are the medial "
+      "axis of the union of the inner balls. The program proves this for the samples at hand with exact arithmetic. "
+      "The "
+      "light at the right end of the status bar has the result, and its tooltip, the panel of sampling and "
+      "`mesecina compute` have the same words.");
+  Rows rows;
+  for (const TheoremLight light :
+       {TheoremLight::green, TheoremLight::yellow, TheoremLight::red, TheoremLight::none}) {
+    const VerdictWord word = verdict_word({.light = light}, false, Checking::done);
+    rows.push_back({plain(word.word), code(name_of(light)), plain(sentence_of(light)), plain(word.meaning)});
+  }
+  page.table({"Light", "Id", "In words", "Meaning"}, rows);
+  page.paragraph(fmt::format(
+      "The verdict also has the epsilon of the samples, the smallest for which each point of the curve has a sample "
+      "within epsilon times its local feature size, that is, its distance to the medial axis. Where the curves are "
+      "not "
+      "known it is estimated from the samples. It is measured for up to {} samples, and for more while the panel of "
+      "sampling or the layer `sampling-epsilon` shows it.",
+      kMostSamplesMeasuredUnasked));
+  page.paragraph(
+      "Exempt: at a corner the distance to the medial axis is 0, so no density would be enough there; at the end of "
+      "a "
+      "curve, or where curves meet, the samples do not tell the distance. Such samples do not count for the epsilon. "
+      "The verdict says how many they are, as in \"epsilon 0.241 (2 corners exempt)\".");
 }
 
 void write_evolutions(const Registry& registry, Markdown& page) {
@@ -431,6 +461,7 @@ std::string manual_text(const Registry& registry, std::span<const CommandHelp> c
   write_starting_bundles(registry, page, assets);
   write_color_maps(page, assets);
   write_computation(registry, page);
+  write_verdict(page);
   write_evolutions(registry, page);
   write_shapes(registry, page);
   write_structures(registry, page);

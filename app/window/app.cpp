@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <new>
 #include <utility>
 
 #include "app/export/carried.h"
 #include "app/model/memory_problem.h"
 #include "app/window/selection_actions.h"
+#include "core/engine/sampling_verdict.h"
 
 namespace mes {
 namespace {
@@ -78,7 +80,8 @@ void App::bind_actions() {
                            },
                            [](const std::string& text) { ImGui::SetClipboardText(text.c_str()); },
                            [this] { return board_.canvas().pointer().units_per_px; },
-                           [this] { return board_.view().free_box(); }});
+                           [this] { return board_.view().free_box(); },
+                           [this](std::string text) { documents_.open_text(std::move(text)); }});
   board_.bind(actions);
   lesson_.bind(actions);
   recording_.bind(actions);
@@ -250,7 +253,8 @@ void App::take_steps() {
   if (demo_.advance(now, may_step())) screen_.clock.settle();
   if (lesson_.advance(now, may_step())) screen_.clock.settle();
   work_.engine().set_want_findings(panels_.are_shown());
-  work_.look_at_density(panels_.is_seen(PanelPage::sampling));
+  const std::size_t unasked = panels_.are_shown() ? kMostSamplesMeasuredUnasked : 0;
+  work_.measure_density(panels_.is_seen(PanelPage::sampling) ? std::numeric_limits<std::size_t>::max() : unasked);
   work_.engine().set_want_statistics(panels_.is_seen(PanelPage::statistics));
 }
 

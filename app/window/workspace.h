@@ -78,8 +78,8 @@ class Workspace {
   PaneList& panes() { return panes_; }
   const PaneList& panes() const { return panes_; }
   const ShownPanes& shown_panes() const { return demand_.shown(); }
-  /// Keeps the density of the samples up to date even if no layer shows it.
-  void look_at_density(bool looks) { looks_at_density_ = looks; }
+  /// Keeps the density of up to so many samples up to date even if no layer shows it.
+  void measure_density(std::size_t most_samples) { most_measured_ = most_samples; }
   /// Asks the engine for all layers again.
   void ask_again_for_layers() { demand_.ask_again(); }
   /// A description of each pane, the main one first.
@@ -148,7 +148,7 @@ class Workspace {
             document().revision(),
             {evolution_.choice(), evolution_.first_value()},
             !hold_.waiting().empty(),
-            looks_at_density_};
+            document().sample_count() <= most_measured_};
   }
   void report(const Expected<void>& done);
   void report(const Expected<std::string>& done);
@@ -176,7 +176,7 @@ class Workspace {
   PaneList panes_;
   PaneDocuments pane_documents_;
   EngineDemand demand_;
-  bool looks_at_density_ = false;
+  std::size_t most_measured_ = 0;
   FirstBall first_ball_;
   HiddenAdditions hidden_additions_;
   FamilyChoice family_;

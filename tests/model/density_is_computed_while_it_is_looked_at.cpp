@@ -6,6 +6,7 @@
 
 #include "app/editing/editor.h"
 #include "app/model/engine_demand.h"
+#include "app/window/workspace.h"
 #include "core/builtins/builtins.h"
 #include "core/engine/sampling_verdict.h"
 #include "tests/support/builtin_layers.h"
@@ -42,4 +43,29 @@ TEST_CASE("the engine keeps the density of samples up to date while it is looked
   CHECK(summary_where(false).empty());
   layers.set_visible(find_layer("sampling-epsilon"), true);
   CHECK(summary_where(true).starts_with("estimated epsilon "));
+}
+
+TEST_CASE("a workspace measures the density of so many samples without a layer") {
+  Messages messages;
+  Workspace work(builtins(), "assets", messages, [] {});
+  work.layers().set_visible(find_layer("sampling-epsilon"), false);
+  work.layers().set_visible(find_layer("feature-size"), false);
+  work.engine().set_want_findings(true);
+  const auto verdict_on = [&](int samples) {
+    SampleData data;
+    for (int i = 0; i < samples; ++i) data.positions.push_back({std::cos(0.15 * i), 0.7 * std::sin(0.15 * i)});
+    REQUIRE(work.editor().load(data));
+    work.follow_layers(false, true);
+    std::string out;
+    while (auto patch = work.engine().sync()) {
+      out = sampling_verdict(patch->nodes).text();
+      work.engine().recycle(std::move(patch));
+    }
+    return out;
+  };
+  work.measure_density(40);
+  CHECK(verdict_on(40).starts_with("estimated epsilon "));
+  CHECK_FALSE(verdict_on(41).contains("epsilon"));
+  work.measure_density(41);
+  CHECK(verdict_on(41).starts_with("estimated epsilon "));
 }

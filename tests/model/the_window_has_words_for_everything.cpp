@@ -54,7 +54,7 @@ TEST_CASE("a finding is said with its count, one as one, and whose balls it is a
                   .places = {},
                   .epsilon = {}};
   CHECK(text_of(finding, "one-step-crust") ==
-        "1 sample with an odd number of curve edges: a corner, noise, the end of a stroke");
+        "1 sample with an odd number of curve edges instead of two: a corner, noise, the end of a stroke");
   finding.count = 12;
   CHECK(text_of(finding, "one-step-crust").starts_with("12 samples with"));
   finding.text =
