@@ -275,11 +275,21 @@ Expected<void> SelectionDesk::add(std::vector<Vec2> samples, std::vector<Disk> b
   return {};
 }
 
-Expected<SelectionDesk::Pasted> SelectionDesk::paste(std::string_view text, Vec2 step, MapDegrees degrees) {
+Expected<LoadedFile> SelectionDesk::read(std::string_view text, MapDegrees degrees) const {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     return std::unexpected(Error{ErrorCode::bad_input, "There is no text on the clipboard"});
-  auto read = read_sample_bytes(text, "clipboard", {},
-                                {.degrees = degrees, .keeps_vertices = true, .formats = &registry_.now().formats()});
+  return read_sample_bytes(text, "clipboard", {},
+                           {.degrees = degrees, .keeps_vertices = true, .formats = &registry_.now().formats()});
+}
+
+bool SelectionDesk::begins_document(std::string_view text, MapDegrees degrees) const {
+  if (!editor_.document().is_empty()) return false;
+  const auto read = this->read(text, degrees);
+  return read && (read->session || read->data.source || read->data.map || !what_is_left_out(read->data).empty());
+}
+
+Expected<SelectionDesk::Pasted> SelectionDesk::paste(std::string_view text, Vec2 step, MapDegrees degrees) {
+  auto read = this->read(text, degrees);
   if (!read) return std::unexpected(read.error());
   SampleData& data = read->data;
   if (data.positions.empty() && data.balls.empty())

@@ -86,10 +86,14 @@ class SelectionDesk {
   /// taken, all are moved by as many `step`s as are needed to find free ones. Curve order and annotations of the text
   /// are left out. `degrees` applies to maps. Error: that of the reader, or an empty clipboard.
   Expected<Pasted> paste(std::string_view text, Vec2 step, MapDegrees degrees = MapDegrees::projected);
+  /// True if the document is empty and the text is a session, a map, or has curves, contours or annotations: it is then
+  /// better opened as a document of its own, which keeps them. Cost: reads the text.
+  bool begins_document(std::string_view text, MapDegrees degrees) const;
   /// Adds a copy of the selection, moved by a step, and selects it. Completely selected contours are copied, too.
   Expected<void> duplicate(Vec2 step);
 
  private:
+  Expected<LoadedFile> read(std::string_view text, MapDegrees degrees) const;
   struct Places {
     std::vector<SampleId> samples;
     std::vector<BallId> balls;

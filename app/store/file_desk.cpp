@@ -30,6 +30,18 @@ fs::path key_of(const fs::path& file) {
   return (error ? file : absolute).lexically_normal();
 }
 
+/// Reads; exceptions become errors.
+template <class Read>
+Expected<LoadedFile> guarded(const std::string& name, Read read) {
+  try {
+    return read();
+  } catch (const std::bad_alloc&) {
+    return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", name});
+  } catch (const std::exception& error) {
+    return std::unexpected(Error{ErrorCode::bad_input, error.what(), name});
+  }
+}
+
 }  // namespace
 
 FileDesk::FileDesk(LiveRegistry registry, Editor& editor, std::function<Session()> session_now, Waker wake)
@@ -43,13 +55,7 @@ FileDesk::FileDesk(LiveRegistry registry, Editor& editor, std::function<Session(
 FileDesk::~FileDesk() = default;
 
 Expected<LoadedFile> FileDesk::read(const fs::path& file, const ReadRequest& request, JobControl& control) {
-  try {
-    return read_sample_file(file, {}, &control, request);
-  } catch (const std::bad_alloc&) {
-    return std::unexpected(Error{ErrorCode::out_of_memory, "there is not enough memory for it", file.string()});
-  } catch (const std::exception& error) {
-    return std::unexpected(Error{ErrorCode::bad_input, error.what(), file.string()});
-  }
+  return guarded(file.string(), [&] { return read_sample_file(file, {}, &control, request); });
 }
 
 void FileDesk::read(const Asked& asked, Reading& reading, ReadFiles& out) {
@@ -67,6 +73,7 @@ void FileDesk::read(const Asked& asked, Reading& reading, ReadFiles& out) {
     out.data = asked.made;
     return prepare(reading, out);
   }
+  if (asked.text) return read_text(asked, reading, out);
   out.outcome.is_shape = !asked.title.empty();
   std::vector<LoadedFile> files;
   for (const fs::path& file : asked.files) {
@@ -80,6 +87,26 @@ void FileDesk::read(const Asked& asked, Reading& reading, ReadFiles& out) {
     reading.next_part();
   }
   join(asked, std::move(files), out);
+  prepare(reading, out);
+}
+
+void FileDesk::read_text(const Asked& asked, Reading& reading, ReadFiles& out) {
+  Outcome& outcome = out.outcome;
+  outcome.file = asked.title;
+  outcome.is_made = true;
+  auto loaded = guarded(asked.title, [&] {
+    return read_sample_bytes(*asked.text, asked.title, {},
+                             {.degrees = asked.degrees, .formats = &asked.registry->formats()}, &reading.control);
+  });
+  if (!loaded) {
+    outcome.error = std::move(loaded.error());
+    return;
+  }
+  outcome.format = loaded->format;
+  outcome.session = loaded->session;
+  outcome.degrees = loaded->degrees;
+  outcome.warnings = std::move(loaded->warnings);
+  out.data = outcome.session ? outcome.session->data : std::make_shared<const SampleData>(std::move(loaded->data));
   prepare(reading, out);
 }
 
@@ -191,6 +218,10 @@ void FileDesk::open_shape(const fs::path& file, const std::string& title) {
 void FileDesk::open_made(std::shared_ptr<const SampleData> made, const std::string& title,
                          const std::string& remark) {
   begin({.title = title, .made = std::move(made), .remark = remark});
+}
+
+void FileDesk::open_text(std::string text, const std::string& title, MapDegrees degrees) {
+  begin({.title = title, .text = std::make_shared<const std::string>(std::move(text)), .degrees = degrees});
 }
 
 void FileDesk::recover(std::shared_ptr<const Session> work) {

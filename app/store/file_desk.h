@@ -92,6 +92,9 @@ class FileDesk {
   /// Begins to make a document of generated samples or of a picture, as `open` does of files. It has this title, and
   /// no file holds it. `remark` is delivered with the outcome.
   void open_made(std::shared_ptr<const SampleData> made, const std::string& title, const std::string& remark = {});
+  /// Begins to make a document of a text in any format that can be opened, as `open` does of files. It has this title,
+  /// unless it is a session with one, and no file holds it.
+  void open_text(std::string text, const std::string& title, MapDegrees degrees);
   /// Begins to make the document of work left behind by a crash, as `open` does of files; no file holds it.
   void recover(std::shared_ptr<const Session> work);
   /// Begins to write the session, or samples and balls, to their files. Waits for a writing under way.
@@ -138,6 +141,7 @@ class FileDesk {
     std::string title{};                         // title of a shape or of made samples
     std::shared_ptr<const SampleData> made{};    // set instead of files
     std::string remark{};                        // about made samples
+    std::shared_ptr<const std::string> text{};   // set instead of files
     std::shared_ptr<const Session> recovered{};  // set instead of files
     MapDegrees degrees = MapDegrees::projected;
     std::shared_ptr<const Registry> registry{};
@@ -178,6 +182,7 @@ class FileDesk {
   static Expected<LoadedFile> read(const std::filesystem::path& file, const ReadRequest& request,
                                    JobControl& control);
   static void read(const Asked& asked, Reading& reading, ReadFiles& out);
+  static void read_text(const Asked& asked, Reading& reading, ReadFiles& out);
   static void join(const Asked& asked, std::vector<LoadedFile> files, ReadFiles& out);
   static void prepare(Reading& reading, ReadFiles& out);
   /// The files of the document and their contents.

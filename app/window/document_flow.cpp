@@ -126,6 +126,13 @@ void DocumentFlow::open_made(const SampleData& data, const std::string& title) {
   });
 }
 
+void DocumentFlow::open_text(std::string text) {
+  with_saved_work([this, text = std::move(text)] {
+    traced_with_next_.clear();
+    files_.open_text(text, "Clipboard", degrees_wanted());
+  });
+}
+
 void DocumentFlow::ask_trace() {
   uses_.dialogs.browser.ask_open(browse_folder(), remembering([this](const fs::path& file) { tracing_.open(file); }),
                                  {.heading = "Trace a picture", .extensions = picture_extensions()});

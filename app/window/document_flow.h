@@ -71,6 +71,8 @@ class DocumentFlow {
   /// alone, the user decides whether it becomes samples or is placed below the present drawing.
   void open(std::vector<std::string> files);
   void open_shape(const SampleShape& shape);
+  /// Opens a text in any format as a document of its own, after the question about unsaved work.
+  void open_text(std::string text);
   /// Opens the lesson, and presents it once it is loaded.
   void open_lesson(const ShippedLesson& lesson);
   /// Asks for a file for one bundle, or for all.

@@ -57,13 +57,15 @@ void bind_clipboard(ActionBindings& actions, const Shared& shared) {
   actions.bind(ActionId::paste, {[shared, step] {
                  const SelectionUses& u = shared->uses;
                  const auto degrees = u.settings.keep_degrees ? MapDegrees::kept : MapDegrees::projected;
-                 const auto done = u.desk.paste(u.clipboard(), step(), degrees);
+                 std::string text = u.clipboard();
+                 if (u.desk.begins_document(text, degrees)) return u.open_text(std::move(text));
+                 const auto done = u.desk.paste(text, step(), degrees);
                  if (!shared->report(done)) return;
                  u.messages.notices(done->warnings);
-                 std::string text = "Pasted " + shared->selected();
-                 if (!done->without.empty()) text += ", without " + done->without;
-                 if (!u.desk.numbers().is_in(u.view())) text += ", outside the view";
-                 u.messages.remark(std::move(text));
+                 std::string remark = "Pasted " + shared->selected();
+                 if (!done->without.empty()) remark += ", without " + done->without;
+                 if (!u.desk.numbers().is_in(u.view())) remark += ", outside the view";
+                 u.messages.remark(std::move(remark));
                }});
   actions.bind(ActionId::duplicate, {[shared, step] {
                                        const SelectionUses& u = shared->uses;

@@ -20,8 +20,9 @@ struct SelectionUses {
   const Settings& settings;
   std::function<std::string()> clipboard;  ///< returns its text
   std::function<void(const std::string&)> to_clipboard;
-  std::function<double()> units_per_px;  ///< scale of the view, per logical pixel
-  std::function<Box2()> view;            ///< the visible area
+  std::function<double()> units_per_px;             ///< scale of the view, per logical pixel
+  std::function<Box2()> view;                       ///< the visible area
+  std::function<void(std::string text)> open_text;  ///< as a document of its own
 };
 void bind_selection(ActionBindings& actions, SelectionUses uses);
 

@@ -311,6 +311,23 @@ TEST_CASE("what a pasted text has besides is said") {
   CHECK_THAT(drawing->warnings[0], Catch::Contains("2 text"));
 }
 
+TEST_CASE("a drawing or map begins a document where there is none, and a table of samples never does") {
+  const std::string polygon = "POLYGON ((0 0, 4 0, 4 4, 0 0))";
+  const std::string map = "SRID=25832;POINT (548206 5803104)";
+  const std::string table = "0\t0\n5\t6\n";
+  SelectionBench filled({.positions = {{1, 2}}});
+  for (const std::string& text : {polygon, map, table})
+    CHECK_FALSE(filled.desk.begins_document(text, MapDegrees::projected));
+  SelectionBench empty({});
+  CHECK(empty.desk.begins_document(polygon, MapDegrees::projected));
+  CHECK(empty.desk.begins_document(map, MapDegrees::projected));
+  const std::string circle = R"(<svg xmlns="http://www.w3.org/2000/svg"><circle r="5"/></svg>)";
+  CHECK(empty.desk.begins_document(circle, MapDegrees::projected));
+  // What was cut comes back by an edit.
+  for (const std::string& text : {table, std::string("WPOFF 1 0 0\n7 7 1\n"), std::string("hello"), std::string()})
+    CHECK_FALSE(empty.desk.begins_document(text, MapDegrees::projected));
+}
+
 TEST_CASE("a clipboard without text is said to have none") {
   SelectionBench d({.positions = {{1, 2}}});
   for (const std::string text : {"", " \t\r\n"}) {

@@ -69,3 +69,39 @@ TEST_CASE("what is edited while something is made is not lost without a question
   CHECK(bench.editor.document().sample_count() == 1);
   CHECK(bench.desk.title() == "Untitled");
 }
+
+TEST_CASE("a text that is opened has its contours, curves and map, its own title, and no file") {
+  Bench bench;
+  const auto file = bench.folder.write("a.poff", "POFF 1 0 0\n5 6\n");
+  REQUIRE_FALSE(bench.open(file).error);
+  const auto open = [&](const std::string& text) {
+    bench.desk.open_text(text, "Clipboard", MapDegrees::projected);
+    CHECK(bench.desk.reading_name() == "Clipboard");
+    return bench.outcome();
+  };
+  const FileDesk::Outcome drawing =
+      open(R"(<svg xmlns="http://www.w3.org/2000/svg"><circle cx="5" cy="5" r="5"/><text>a</text></svg>)");
+  REQUIRE_FALSE(drawing.error);
+  CHECK(drawing.is_made);
+  CHECK(drawing.format == "svg");
+  REQUIRE(drawing.warnings.size() == 1);
+  CHECK_THAT(drawing.warnings[0], Catch::StartsWith("Clipboard:") && Catch::Contains("text"));
+  CHECK(bench.desk.title() == "Clipboard");
+  CHECK(bench.desk.file().empty());
+  CHECK(bench.desk.sample_file().empty());
+  CHECK(bench.editor.is_modified());
+  CHECK(bench.editor.document().sample_count() > 8);
+  CHECK(bench.editor.document().curve_order()->contours.size() == 1);
+  CHECK(bench.editor.document().source() != nullptr);
+
+  const FileDesk::Outcome map = open("SRID=4326;POLYGON ((9 50, 9.1 50, 9.1 50.1, 9 50))");
+  CHECK(map.degrees == MapDegrees::projected);
+  CHECK(bench.editor.document().map().has_value());
+
+  const std::string garbage = "no samples at all";
+  const SampleData before = data_of(bench.editor.document());
+  const FileDesk::Outcome refused = open(garbage);
+  REQUIRE(refused.error);
+  CHECK(data_of(bench.editor.document()).positions == before.positions);
+  CHECK(contents_of(file) == "POFF 1 0 0\n5 6\n");
+}
