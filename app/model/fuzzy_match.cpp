@@ -38,23 +38,29 @@ class WordSearch {
     const auto last = score_.end() - static_cast<std::ptrdiff_t>(text_.size());
     const auto top = std::max_element(last, score_.end());
     if (*top == kImpossible) return std::nullopt;
-    FuzzyMatch out{*top, {}};
+    FuzzyMatch out{.score = *top, .letters = {}};
     std::size_t j = static_cast<std::size_t>(top - last);
     for (std::size_t i = word_.size(); i-- > 0;) {
       out.letters.push_back(j);
       j = from_[at(i, j)];
     }
     std::ranges::reverse(out.letters);
+    for (std::size_t i = 1; i < out.letters.size(); ++i)
+      if (out.letters[i] != out.letters[i - 1] + 1 && !begins_word(out.letters[i])) ++out.scattered;
     return out;
   }
 
  private:
   std::size_t at(std::size_t i, std::size_t j) const { return i * text_.size() + j; }
 
+  bool begins_word(std::size_t j) const {
+    return j == 0 || (is_part_of_word(text_[j]) && !is_part_of_word(text_[j - 1]));
+  }
+
   double value_of(std::size_t i, std::size_t j) const {
     double out = kLetter;
     if (j == 0) out += kTextBegins;
-    if (j == 0 || (is_part_of_word(text_[j]) && !is_part_of_word(text_[j - 1]))) out += kWordBegins;
+    if (begins_word(j)) out += kWordBegins;
     const bool ends = j + 1 == text_.size() || !is_part_of_word(text_[j + 1]);
     if (i + 1 == word_.size() && ends) out += kWordEnds;
     return out;
@@ -106,6 +112,7 @@ std::optional<FuzzyMatch> fuzzy_match(std::string_view query, std::string_view t
     const auto found = WordSearch(word, small_text).best();
     if (!found) return std::nullopt;
     out.score += found->score;
+    out.scattered += found->scattered;
     out.letters.insert(out.letters.end(), found->letters.begin(), found->letters.end());
   }
   out.score -= kLength * static_cast<double>(small_text.size());

@@ -12,6 +12,8 @@ namespace mes {
 struct FuzzyMatch {
   double score = 0.0;                ///< larger is better; comparable within one query
   std::vector<std::size_t> letters;  ///< matching bytes of the text, ascending
+  /// Letters that are neither next to the one before nor at the beginning of a word.
+  std::size_t scattered = 0;
 };
 
 /// Each word of the query must occur in the text, with its letters in order but not necessarily adjacent; case does

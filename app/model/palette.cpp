@@ -20,6 +20,7 @@ struct Found {
   double score = 0.0;
   std::size_t age = 0;
   bool is_enabled = true;
+  bool is_scattered = false;
 };
 
 /// Calls `visit(word)` for each of the words, which spaces and punctuation separate.
@@ -54,16 +55,18 @@ std::optional<double> match_beginnings(std::string_view query, std::string_view 
 std::optional<FuzzyMatch> match(const PaletteEntry& entry, std::string_view query) {
   std::optional<FuzzyMatch> out = fuzzy_match(query, entry.name);
   const auto offer = [&out](std::optional<FuzzyMatch> other, double handicap) {
-    if (other && (!out || other->score + handicap > out->score)) out = {other->score + handicap, other->letters};
+    if (other && (!out || other->score + handicap > out->score))
+      out = {other->score + handicap, other->letters, other->scattered};
   };
   const std::string words = std::string(entry.words) + ' ' + entry.name;
-  if (const auto by_synonym = match_beginnings(query, words)) offer(FuzzyMatch{*by_synonym, {}}, kBySynonym);
+  if (const auto by_synonym = match_beginnings(query, words))
+    offer(FuzzyMatch{.score = *by_synonym, .letters = {}}, kBySynonym);
   if (out) return out;
   auto by_all = fuzzy_match(query, entry.name + ' ' + entry.kind + ' ' + entry.more);
   if (by_all) std::erase_if(by_all->letters, [&](std::size_t at) { return at >= entry.name.size(); });
   offer(std::move(by_all), kByOtherWords);
   if (const auto by_explanation = match_beginnings(query, entry.explanation))
-    offer(FuzzyMatch{*by_explanation, {}}, kByExplanation);
+    offer(FuzzyMatch{.score = *by_explanation, .letters = {}}, kByExplanation);
   return out;
 }
 
@@ -85,8 +88,11 @@ std::vector<PaletteHit> find_entries(std::span<const PaletteEntry> entries, std:
     found.push_back({{i, fit->letters},
                      is_empty ? 0.0 : fit->score + entries[i].handicap,
                      static_cast<std::size_t>(age),
-                     is_empty || entries[i].is_enabled});
+                     is_empty || entries[i].is_enabled,
+                     fit->scattered != 0});
   }
+  // An abbreviation fits many names by accident.
+  if (!std::ranges::all_of(found, &Found::is_scattered)) std::erase_if(found, &Found::is_scattered);
   std::ranges::stable_sort(found, [](const Found& a, const Found& b) {
     if (a.score != b.score) return a.score > b.score;
     if (a.age != b.age) return a.age < b.age;

@@ -50,6 +50,15 @@ TEST_CASE("what matches best comes first: whole names, beginnings of words, lett
   CHECK(found(entries_of({"One-step axis", "Medial axis", "Axis nodes"}), "max").front() == "Medial axis");
 }
 
+TEST_CASE("names with scattered letters are listed only if nothing has the letters together") {
+  CHECK(fuzzy_match("CRV", "Curve")->scattered == 1);
+  CHECK(fuzzy_match("ma", "Normal medial axis")->scattered == 0);
+  CHECK(fuzzy_match("ial", "Medial axis")->scattered == 0);
+  const auto entries = entries_of({"Select all", "Snap to all", "Sample", "Save as..."});
+  CHECK(found(entries, "sap").size() == 2);
+  CHECK(found(entries, "sam") == std::vector<std::string>{"Sample"});
+}
+
 TEST_CASE("other words than the name count less, and are not emphasised") {
   std::vector<PaletteEntry> entries = entries_of({"Normals of the layer", "Curve"});
   entries[1].kind = "Layer";

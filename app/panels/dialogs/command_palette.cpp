@@ -155,13 +155,17 @@ void CommandPalette::draw_foot(const Gui& gui) const {
   std::string text = " ";
   if (list_.marked() < list_.hits().size()) {
     const PaletteEntry& entry = list_.entries()[list_.hits()[list_.marked()].entry];
-    text = entry.is_enabled ? entry.explanation : "Not possible now: " + entry.missing;
+    text = entry.is_enabled ? entry.explanation : "Not possible now: " + entry.missing + ". " + entry.explanation;
     if (!entry.place.empty()) text = entry.place + ": " + text;
   }
   ImGui::PushFont(gui.small());
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
-  const std::size_t line_end = text.find('\n');
-  ImGui::TextUnformatted(elided(text.substr(0, line_end), ImGui::GetContentRegionAvail().x).c_str());
+  constexpr std::size_t kFootLines = 3;
+  const float bottom = ImGui::GetCursorPosY() + kFootLines * ImGui::GetTextLineHeight();
+  ImGui::PushTextWrapPos(0.0F);
+  ImGui::TextUnformatted(text.substr(0, text.find('\n')).c_str());
+  ImGui::PopTextWrapPos();
+  ImGui::SetCursorPosY(std::max(bottom, ImGui::GetCursorPosY()));
   ImGui::PopStyleColor();
   ImGui::PopFont();
 }
