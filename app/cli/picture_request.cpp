@@ -144,8 +144,14 @@ Expected<PictureRequest> understand(const Registry& registry, const RenderReques
   }
   std::vector<std::string> map_names;
   for (const render::ColorMap& map : maps) map_names.push_back(map.name);
-  auto styles =
-      changed_styles(registry, std::move(picture.shown.styles), request.styles, picture.shown.layers, map_names);
+  if (!request.figure_size.empty()) {
+    const auto page = parse_page_size(request.figure_size);
+    if (!page) return usage_error("--figure-size " + page.error().text);
+    picture.page = *page;
+  }
+  const double lettering = picture.page ? picture.page->lettering : 1.0;
+  auto styles = changed_styles(registry, std::move(picture.shown.styles), request.styles, picture.shown.layers,
+                               map_names, lettering);
   if (!styles) return std::unexpected(styles.error());
   picture.shown.styles = std::move(*styles);
   const auto format = format_of(request);
@@ -155,11 +161,6 @@ Expected<PictureRequest> understand(const Registry& registry, const RenderReques
   const auto size = parse_size(request.size);
   if (!size) return std::unexpected(size.error());
   picture.size = *size;
-  if (!request.figure_size.empty()) {
-    const auto page = parse_page_size(request.figure_size);
-    if (!page) return usage_error("--figure-size " + page.error().text);
-    picture.page = *page;
-  }
   if (request.bounds != kBoundsOfView && request.bounds != kBoundsOfInk)
     return usage_error("--bounds expects view or tight, not " + in_quotes(request.bounds));
   picture.is_tight = request.bounds == kBoundsOfInk;
@@ -179,7 +180,7 @@ Expected<PictureRequest> understand(const Registry& registry, const RenderReques
   const auto scale = parse_number(request.scale);
   if (!scale || *scale < kLeastScale || *scale > kMostScale)
     return usage_error("--scale expects a number from 0.01 to 100, not " + in_quotes(request.scale));
-  picture.shown.scale = *scale;
+  picture.shown.scale = *scale * lettering;
   if (picture.page)
     picture.shown.least_line_px = FigureSettings().least_line_pt / (figure::kPointsPerPixel * picture.shown.scale);
   return picture;

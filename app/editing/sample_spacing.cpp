@@ -2,6 +2,7 @@
 #include "app/editing/sample_spacing.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <bitset>
 #include <cmath>
@@ -176,14 +177,19 @@ bool is_made_of_samples(const LayerDescriptor& descriptor) {
 LayerStyle thinned(LayerStyle style, const LayerDescriptor& descriptor, double spacing_px) {
   constexpr double kShareOfSpacing = 0.7;
   constexpr double kSmallestApart = 1.5;  // logical pixels, like the others
+  constexpr double kSmallestOfOthers = 2.5;
+  constexpr double kLargestDot = 5.0;  // larger ones mark single places
   constexpr double kDense = 2.0;
   constexpr double kThinnest = 0.2;  // share of the width in the style
   constexpr double kSmallestDot = 1.0;
   constexpr double kThinnestLine = 0.3;
   if (!style.thin_when_dense || !is_made_of_samples(descriptor) || !(spacing_px > 0.0)) return style;
   const double point = style.point_size_px;
-  if (descriptor.data == LayerData::samples && point == descriptor.style.point_size_px)
-    style.point_size_px = std::min(point, std::max(kSmallestApart, kShareOfSpacing * spacing_px));
+  const bool is_of_dots = std::ranges::equal(descriptor.kinds, std::array{PrimitiveKind::point}) &&
+                          descriptor.style.point_size_px <= kLargestDot;
+  const double smallest = descriptor.data == LayerData::samples ? kSmallestApart : kSmallestOfOthers;
+  if (is_of_dots && point == descriptor.style.point_size_px)
+    style.point_size_px = std::min(point, std::max(smallest, kShareOfSpacing * spacing_px));
   if (spacing_px >= kDense) return style;
   const double factor = std::max(kThinnest, spacing_px / kDense);
   style.point_size_px = std::min(style.point_size_px, std::max(kSmallestDot, factor * point));

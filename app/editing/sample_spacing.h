@@ -44,8 +44,9 @@ class FollowedSpacing {
 bool is_made_of_samples(const LayerDescriptor& descriptor);
 
 /// The style with thinner points and lines if samples are closer than two pixels: the closer, the thinner, down to a
-/// fifth. Dots of samples with their default size are also kept apart: they are no wider than 0.7 times the spacing,
-/// if that is more than 1.5 pixels. Layers not made of samples stay as they are, and so do styles that opt out.
+/// fifth. Layers of dots with their default size are also kept apart: the dots are as wide as 0.7 times the spacing at
+/// most, if that is more than 1.5 pixels for samples, and 2.5 for others such as v-points. Larger dots, which mark single
+/// places, keep their size. Layers not made of samples stay as they are, and so do styles that opt out.
 /// `spacing_px`: logical pixels; 0: unknown.
 LayerStyle thinned(LayerStyle style, const LayerDescriptor& descriptor, double spacing_px);
 

@@ -21,7 +21,7 @@ constexpr std::array kUnits{Unit{"mm", kMillimeter}, Unit{"cm", 10.0 * kMillimet
 
 // The column widths of common journals, and a slide of 16:9 as presentation programs have it.
 constexpr std::array kPresets{PagePreset{"one-column", "84mm"}, PagePreset{"two-columns", "174mm"},
-                              PagePreset{"slide", "960ptx540pt"}, PagePreset{"square", "84mmx84mm"}};
+                              PagePreset{"slide", "960ptx540pt", 2.0}, PagePreset{"square", "84mmx84mm"}};
 
 // The largest page of PDF is 200 inches wide.
 constexpr double kLeast = kMillimeter;
@@ -57,6 +57,7 @@ Expected<PageSize> parse_page_size(const std::string& text) {
   const auto preset = std::ranges::find(kPresets, text, &PagePreset::name);
   const std::string_view size = preset != kPresets.end() ? preset->size : std::string_view(text);
   PageSize out;
+  if (preset != kPresets.end()) out.lettering = preset->lettering;
   // Finds the x between two sides, not that of px.
   std::size_t cross = size.find_first_of("xX");
   if (cross != std::string_view::npos && cross > 0 && size[cross - 1] == 'p')

@@ -15,12 +15,14 @@ namespace mes {
 struct PageSize {
   double width = 0.0;
   std::optional<double> height;  ///< nothing: follows from the drawing
+  double lettering = 1.0;        ///< factor for letters and lines; a slide is read from afar
 };
 
 /// A named size.
 struct PagePreset {
   std::string_view name;
   std::string_view size;
+  double lettering = 1.0;
 };
 std::span<const PagePreset> page_presets();
 

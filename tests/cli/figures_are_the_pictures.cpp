@@ -430,8 +430,12 @@ TEST_CASE("on paper lines have half a point at least, and letters eight points")
     CHECK(std::ranges::min(numbers_after("stroke-width=\"")) >= 0.5);
     CHECK(std::ranges::min(numbers_after("font-size=\"")) == Approx(8.06).margin(0.01));
   }
+  render_figure(with(dense, {"--figure-size", "slide"}), file);
+  CHECK(std::ranges::min(numbers_after("font-size=\"")) == Approx(16.12).margin(0.02));
   // A width that was given stays.
   render_figure(with(dense, {"--figure-size", "40mm", "--set-style", "voronoi:line-width=0.2pt"}), file);
+  CHECK(std::ranges::min(numbers_after("stroke-width=\"")) == Approx(0.2));
+  render_figure(with(dense, {"--figure-size", "slide", "--set-style", "voronoi:line-width=0.2pt"}), file);
   CHECK(std::ranges::min(numbers_after("stroke-width=\"")) == Approx(0.2));
 }
 

@@ -76,8 +76,14 @@ TEST_CASE("dots of samples that have their default size are kept apart") {
   }
   style.point_size_px += 0.5;
   CHECK(drawn(4.0) == style.point_size_px);
-  const LayerDescriptor& others = descriptor_of("interior-voronoi-vertices");
-  CHECK(thinned(others.style, others, 4.0) == others.style);
+  // Other dots remain larger; marks of single places, and layers with more than dots, stay as they are.
+  const LayerDescriptor& v_points = descriptor_of("a-v-points");
+  CHECK(thinned(v_points.style, v_points, 4.0).point_size_px == Approx(2.8));
+  CHECK(thinned(v_points.style, v_points, 2.1).point_size_px == 2.5);
+  for (const char* id : {"theorem-check", "axis-nodes", "curve-defects"}) {
+    const LayerDescriptor& others = descriptor_of(id);
+    CHECK(thinned(others.style, others, 4.0) == others.style);
+  }
 }
 
 namespace {

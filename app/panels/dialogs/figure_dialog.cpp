@@ -137,7 +137,7 @@ void FigureDialog::draw_size(const Gui& gui) const {
   const auto presets = page_presets();
   for (std::size_t i = 0; i < presets.size() && i < kPresetTitles.size(); ++i) {
     if (i != 0) go_on(gui, kPresetTitles[i]);
-    const auto size = parse_page_size(std::string(presets[i].size));
+    const auto size = parse_page_size(std::string(presets[i].name));
     constexpr double kMillimetersPerPoint = figure::kMillimetersPerInch / figure::kPointsPerInch;
     const double width = size ? kMillimetersPerPoint * size->width : 0.0;
     const double height = size ? kMillimetersPerPoint * size->height.value_or(0.0) : 0.0;
@@ -147,6 +147,7 @@ void FigureDialog::draw_size(const Gui& gui) const {
     if (choice_button(kPresetTitles[i], is_chosen) && size) {
       settings.width_mm = width;
       settings.height_mm = height;
+      settings.letters_pt = FigureSettings().letters_pt * size->lettering;
     }
     tooltip(gui, std::string(presets[i].size));
   }
