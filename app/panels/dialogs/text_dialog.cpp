@@ -3,6 +3,7 @@
 
 #include <fmt/core.h>
 #include <algorithm>
+#include <utility>
 
 #include "app/ui/large_dialog.h"
 #include "app/ui/slider.h"
@@ -28,12 +29,14 @@ constexpr double kMostLineSpacing = 4.0;
 
 void TextDialog::open() {
   is_open_ = true;
+  takes_keyboard_ = true;
   families_ = font_families();
   if (!own_font_ && wish_.family.empty() && !families_.empty()) wish_.family = families_.front();
 }
 
 void TextDialog::press(const KeyChord& chord) {
-  if (chord.symbol == key::enter && !ImGui::IsAnyItemActive()) maker_.accept();
+  // Dear ImGui misses a Ctrl that is released in the same frame.
+  if (chord.symbol == key::enter && !chord.modifiers.ctrl && (writes_ || !ImGui::IsAnyItemActive())) maker_.accept();
 }
 
 void TextDialog::draw_fonts(const Gui& gui) {
@@ -55,8 +58,17 @@ void TextDialog::draw_fonts(const Gui& gui) {
 void TextDialog::draw_settings(const Gui& gui) {
   const float width = ImGui::GetContentRegionAvail().x;
   ImGui::TextUnformatted("Text");
-  ImGui::InputTextMultiline("##words", &wish_.request.text, {width, kTextLines * ImGui::GetTextLineHeight()});
-  tooltip(gui, "Enter begins a new line");
+  if (takes_keyboard_) ImGui::SetKeyboardFocusHere();
+  // The first letters that are typed replace the text before.
+  const auto select_all = [](ImGuiInputTextCallbackData* field) {
+    if (std::exchange(*static_cast<bool*>(field->UserData), false)) field->SelectAll();
+    return 0;
+  };
+  ImGui::InputTextMultiline("##words", &wish_.request.text, {width, kTextLines * ImGui::GetTextLineHeight()},
+                            ImGuiInputTextFlags_CtrlEnterForNewLine | ImGuiInputTextFlags_CallbackAlways, select_all,
+                            &takes_keyboard_);
+  writes_ = ImGui::IsItemActive();
+  tooltip(gui, "Ctrl+Enter begins a new line");
   ImGui::BeginDisabled(wish_.family.empty());
   checkbox("Bold", &wish_.is_bold);
   ImGui::SameLine();

@@ -60,6 +60,8 @@ class TextDialog final : public Dialog {
   SamplingControls sampling_;
   SampleMaker maker_;
   bool is_open_ = false;
+  bool takes_keyboard_ = false;  // the text field, when the dialog opens
+  bool writes_ = false;          // the text field has the keyboard
   std::optional<Wish> wished_for_;
 };
 
