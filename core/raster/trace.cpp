@@ -174,7 +174,7 @@ Expected<Tracing> traced(Expected<Outlined> found, const GrayImage& image, const
   Tracing out = std::move(found->tracing);
   const PixelContours& contours = found->contours;
   const std::string side =
-      fmt::format("{} than {:.1f} of 255", out.is_figure_light ? "lighter" : "darker", out.level.value());
+      fmt::format("{} than grey level {:.1f}", out.is_figure_light ? "lighter" : "darker", out.level.value());
   if (contours.kept.empty() && contours.specks == 0)
     return refused(ErrorCode::bad_input, "no figure stands out: nothing is " + side);
   if (contours.kept.empty())
@@ -304,7 +304,7 @@ std::string left_out_text(const TraceCounts& counts) {
 }
 
 std::string remark_of(const Tracing& tracing) {
-  std::string out = fmt::format("traced all pixels {} than {:.1f} of 255",
+  std::string out = fmt::format("traced all pixels {} than grey level {:.1f}",
                                 tracing.is_figure_light ? "lighter" : "darker", tracing.level.value());
   if (tracing.counts.blur > 0.0)
     out += fmt::format(", blurred by {:.2g} pixels because of noise", tracing.counts.blur);

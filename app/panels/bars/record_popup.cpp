@@ -33,7 +33,7 @@ void draw_size(const Gui& gui, RecordSettings& record, float column) {
   if (choice_button("Canvas", is_canvas)) record.width = record.height = 0;
   tooltip(gui, "As large as the canvas between the panels when the recording begins");
   ImGui::SameLine();
-  if (choice_button("Set", !is_canvas) && is_canvas) {
+  if (choice_button("Custom", !is_canvas) && is_canvas) {
     record.width = kFirstSize.width;
     record.height = kFirstSize.height;
   }
@@ -77,7 +77,7 @@ void draw_background(const RecordPopup& popup, RecordSettings& record, float col
   if (choice_button("Transparent", record.transparent)) record.transparent = true;
   tooltip(gui, "Nothing behind the drawing");
   ImGui::SameLine();
-  if (choice_button("Set##background", !record.transparent && record.background)) {
+  if (choice_button("Custom##background", !record.transparent && record.background)) {
     record.transparent = false;
     if (!record.background) record.background = popup.picture.canvas();
   }
@@ -119,11 +119,11 @@ void draw_contents(const RecordPopup& popup) {
   draw_panes(gui, record, column);
   ImGui::EndDisabled();
   row_name("Pan and zoom", column);
-  if (choice_button("At rest", !record.each_motion)) record.each_motion = false;
+  if (choice_button("Last frame", !record.each_motion)) record.each_motion = false;
   tooltip(gui, "One frame at the end of a motion");
   ImGui::SameLine();
-  if (choice_button("Each step", record.each_motion)) record.each_motion = true;
-  tooltip(gui, "One frame for each step of a motion");
+  if (choice_button("All frames", record.each_motion)) record.each_motion = true;
+  tooltip(gui, "Every frame of a motion");
   row_name("Folder", column);
   ImGui::SetNextItemWidth(230 * unit);
   ImGui::InputTextWithHint("##folder", takes_folder().c_str(), &record.folder);
@@ -135,10 +135,10 @@ void draw_contents(const RecordPopup& popup) {
           "the session, with its history. Either opens here again as the document");
   ImGui::EndDisabled();
   row_name("Pace of video", column);
-  if (choice_button("Steady", !record.real_time)) record.real_time = false;
+  if (choice_button("Constant", !record.real_time)) record.real_time = false;
   tooltip(gui, "Every frame is shown equally long");
   ImGui::SameLine();
-  if (choice_button("Real time", record.real_time)) record.real_time = true;
+  if (choice_button("As recorded", record.real_time)) record.real_time = true;
   tooltip(gui, "Each frame is shown as long as it was during the recording");
   row_name("Video", column);
   slider(gui, "##fps", record.fps, 1.0, 60.0, {.format = "%.0f fps", .is_whole = true, .width = 170 * unit});

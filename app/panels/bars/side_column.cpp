@@ -2,6 +2,7 @@
 #include "app/panels/bars/side_column.h"
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 #include "app/ui/button_columns.h"
@@ -37,10 +38,11 @@ float SideColumn::draw(float top, float height) {
   const float wanted = static_cast<float>(settings_.column_width) * unit;
   const float free = screen.x - rail;
   const float least = std::min(static_cast<float>(kLeastWidth) * unit, kMostOfSmallScreen * free);
-  const float width = std::max(1.0F, std::min(wanted, std::max(least, kMostOfScreen * free)));
+  // Windows begin at whole pixels, so fractions would leave a slit between them.
+  const float width = std::max(1.0F, std::floor(std::min(wanted, std::max(least, kMostOfScreen * free))));
   const PanelArea column{{screen.x - rail - width, top}, {width, height}};
   const bool has_two = shown.size() == 2;
-  const float upper = has_two ? (1.0F - static_cast<float>(settings_.lower_panel_share)) * height : 0.0F;
+  const float upper = has_two ? std::floor((1.0F - static_cast<float>(settings_.lower_panel_share)) * height) : 0.0F;
   if (has_two) draw_panel(page_of(shown.front()), {column.at, {width, upper}});
   draw_panel(page_of(shown.back()), {{column.at.x, top + upper}, {width, height - upper}});
   draw_splitters(column, upper);
@@ -56,7 +58,7 @@ float SideColumn::draw_rail(float top, float height) {
   const float size = column_button_size(pages_.size(), groups, room / unit) * unit;
   ButtonColumns measure({}, size, unit, room);
   for (const SidePage& page : pages_) measure.advance(page.begins_group);
-  const float width = measure.width() + 2 * padding;
+  const float width = std::ceil(measure.width() + 2 * padding);
   if (begin_panel("##rail", {{ImGui::GetIO().DisplaySize.x - width, top}, {width, height}},
                   ImGuiWindowFlags_NoScrollbar | ImGuiWindowFlags_NoScrollWithMouse)) {
     ButtonColumns columns({padding, padding}, size, unit, room);

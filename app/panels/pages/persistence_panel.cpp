@@ -59,8 +59,8 @@ void PersistencePanel::draw_in(View& view) {
     return;
   }
   if (table->rows.empty()) {
-    ImGui::TextDisabled("%s", uses_.desk.growth() == GrowthOf::samples ? "No sample, so nothing is born"
-                                                                       : "No ball, so nothing is born");
+    ImGui::TextDisabled("%s",
+                        uses_.desk.growth() == GrowthOf::samples ? "There are no samples" : "There are no balls");
     return;
   }
   pointed_at_.reset();

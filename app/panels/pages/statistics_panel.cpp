@@ -33,7 +33,7 @@ std::string work_text(const NodeReport& node) {
   if (node.update_ms == 0.0 && !node.rebuilt && node.touched == 0) return {};
   const int decimals = node.update_ms < 10 ? 2 : 0;
   if (node.rebuilt) return fmt::format("{:.{}f} ms, rebuilt", node.update_ms, decimals);
-  return fmt::format("{:.{}f} ms, {} touched", node.update_ms, decimals, node.touched);
+  return fmt::format("{:.{}f} ms, {} changed", node.update_ms, decimals, node.touched);
 }
 
 void draw_node(const Gui& gui, const NodeReport& node) {
@@ -61,7 +61,10 @@ void draw_node(const Gui& gui, const NodeReport& node) {
     ImGui::PushFont(gui.small());
     ImGui::TextDisabled("%s", std::string(node.kernel).c_str());
     ImGui::PopFont();
-    tooltip(gui, "Number type that is used here");
+    tooltip(
+        gui,
+        "Numbers of this computation. EPICK and EPECK are CGAL's kernels with exact decisions: coordinates that are "
+        "constructed are rounded to doubles in the first, and exact in the second");
   }
   if (!node.stats.empty() && ImGui::BeginTable("stats", 2, ImGuiTableFlags_SizingStretchProp)) {
     for (const Stat& stat : node.stats) {
