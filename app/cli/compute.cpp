@@ -17,6 +17,7 @@
 #include "core/draw/layer_digest.h"
 #include "core/engine/sampling_verdict.h"
 #include "core/graph/registry.h"
+#include "core/io/systems/map_conversion.h"
 
 namespace mes::cli {
 namespace {
@@ -133,7 +134,7 @@ Expected<void> run_compute(const Registry& registry, const ComputeRequest& reque
                   {"samples", samples},          {"distinct", distinct_of(result->nodes)},
                   {"contours", contours},        {"balls", balls}};
   if (map) {
-    out["input"]["system"] = map->system.empty() ? "OGC:CRS84" : map->system;
+    if (is_on_earth(*map)) out["input"]["system"] = map->system.empty() ? "OGC:CRS84" : map->system;
     out["input"]["unit"] = map->plane_unit();
   }
   out["precision"] = id_of(input->settings.precision);

@@ -293,6 +293,12 @@ void write_formats(const Registry& registry, Markdown& page) {
   page.paragraph(
       "The format is found by what a file holds, then by its name; `--from ID` overrides both. Files appear\n"
       "complete or not at all.");
+  page.paragraph(
+      "Lengths have the unit of the file where it has one: an SVG that of the width and height of its page (mm, cm, "
+      "in "
+      "or pt), otherwise px of 1/96 inch; a DXF that of `$INSUNITS`; Ipe pt; a map that of its plane. Scale bar, "
+      "status "
+      "bar, `compute` and the totals of centre lines have it, and sessions and POFF (`# unit mm`) keep it.");
 
   page.subsection("Geometry of layers");
   Rows exported;

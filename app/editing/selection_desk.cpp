@@ -295,7 +295,8 @@ Expected<SelectionDesk::Pasted> SelectionDesk::paste(std::string_view text, Vec2
   if (data.positions.empty() && data.balls.empty())
     return std::unexpected(Error{ErrorCode::bad_input, "there is nothing in it", "clipboard"});
   const Document& document = editor_.document();
-  if (data.map && document.map() && *data.map != *document.map()) {
+  const auto is_of_map = [](const std::optional<MapPlane>& plane) { return plane && is_on_earth(*plane); };
+  if (is_of_map(data.map) && is_of_map(document.map()) && *data.map != *document.map()) {
     const auto target = data.map->system == document.map()->system ? MapTarget::own_system : MapTarget::wgs84;
     const auto there = MapConversion::of(*data.map, target);
     if (!there) return std::unexpected(there.error());

@@ -14,6 +14,10 @@
 namespace mes {
 namespace {
 
+bool is_of_map(const TextLine& line) {
+  return line.map && is_on_earth(*line.map);
+}
+
 /// Converts lines of maps. Most lines have the map of the line before them.
 class LineConversions {
  public:
@@ -21,7 +25,7 @@ class LineConversions {
 
   /// Null for a line in no map.
   Expected<const MapConversion*> of(const TextLine& line) {
-    if (!line.map) return nullptr;
+    if (!is_of_map(line)) return nullptr;
     if (!conversion_ || *line.map != plane_) {
       auto conversion = MapConversion::of(*line.map, target_);
       if (!conversion) return std::unexpected(conversion.error());
@@ -53,8 +57,7 @@ class LineConversions {
 
 Expected<LineText> lines_as_geojson(std::span<const TextLine> lines) {
   LineConversions conversions(MapTarget::wgs84);
-  LineText out{
-      begin_of_features(std::ranges::any_of(lines, [](const TextLine& line) { return line.map.has_value(); }))};
+  LineText out{begin_of_features(std::ranges::any_of(lines, is_of_map))};
   bool is_first = true;
   for (const TextLine& line : lines) {
     const auto parts = conversions.parts_of(line);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Relation of the plane of a document to the Earth, for data from a map. Plain data.
+// Unit of the plane of a document, and its relation to the Earth for data from a map. Plain data.
 #pragma once
 
 #include <array>
@@ -26,16 +26,16 @@ enum class MapProjection : std::uint8_t {
 /// Their names in files, in order.
 inline constexpr std::array<std::string_view, 3> kMapProjections{"none", "azimuthal", "equirectangular"};
 
-/// The coordinate system of a map, and the plane in which the program computes with it. `MapConversion`
-/// (core/io/systems/map_conversion.h) converts between the two.
+/// The unit of a drawing, or the coordinate system of a map and the plane in which the program computes with it.
+/// `MapConversion` (core/io/systems/map_conversion.h) converts between the latter two.
 struct MapPlane {
   MapProjection projection = MapProjection::none;
   double longitude = 0.0;  ///< origin of the projection, in units of the system, may exceed 180 degrees
   double latitude = 0.0;
   /// An authority and its code ("EPSG:25832"), or WKT in one line; empty: longitude and latitude on WGS 84.
   std::string system{};
-  /// Unit of the system, as PROJ names it: "degree", "metre", "US survey foot". Not set for a projection, which
-  /// determines the unit of the plane.
+  /// Unit of the system, as PROJ names it: "degree", "metre". Not set for a projection, which determines that of the
+  /// plane. Without a system and a projection any other unit than "degree" is that of a drawing: "mm", "px".
   std::string unit = "degree";
 
   /// Symbol or name of the unit of lengths in the plane.

@@ -137,7 +137,8 @@ std::unexpected<Error> no_system_for(std::string_view why, const std::string& na
 
 /// Takes positions of a format without coordinate systems, as a table, as those of the requested system.
 Expected<LoadedFile> in_system(LoadedFile file, const ReadRequest& request, const std::string& name) {
-  if (file.session || file.data.map) return no_system_for("this file already says where its plane lies", name);
+  if (file.session || (file.data.map && is_on_earth(*file.data.map)))
+    return no_system_for("this file already says where its plane lies", name);
   if (file.data.positions.empty()) return no_system_for("there are no samples here", name);
   const auto system = find_coordinate_system(request.system);
   if (!system) return std::unexpected(system.error());

@@ -199,4 +199,16 @@ TEST_CASE("what is of the plane stays in the plane") {
         "# map kilometres about 1 95", "# map degrees of freedom"})
     CHECK_FALSE(Json::parse(done(exporting("-", "points", "geojson"), std::string("POFF 1 0 0\n1 2\n") + note + "\n"))
                     .contains("crs"));
+  // A drawing has a unit, and no place on the Earth: lines beyond 180 units are not cut.
+  const std::string drawing = "POFF 2 0 0\n100 200\n300 200\n# loop open 0 1\n# unit mm\n";
+  CHECK_FALSE(Json::parse(done(exporting("-", "contours", "geojson"), drawing)).contains("crs"));
+  CHECK(done(exporting("-", "contours", "wkt"), drawing) == "LINESTRING (100 200,300 200)\n");
+  CHECK_THAT(done(exporting("-", "points", "poff"), drawing), Catch::Contains("# unit mm\n"));
+  const Json input = Json::parse(done({"compute", "-", "--layers", "points"}, drawing))["input"];
+  CHECK(input["unit"] == "mm");
+  CHECK_FALSE(input.contains("system"));
+  for (const char* note : {"# unit", "# unit of lengths", "# unit degree"})
+    CHECK_FALSE(Json::parse(done({"compute", "-", "--layers", "points"},
+                                 std::string("POFF 1 0 0\n1 2\n") + note + "\n"))["input"]
+                    .contains("unit"));
 }

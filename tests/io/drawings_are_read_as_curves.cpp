@@ -186,7 +186,7 @@ TEST_CASE("lengths have units, and percentages are of the viewport") {
   // A page in millimetres, with a millimetre for a unit.
   const SvgDrawing page =
       good_drawing("<svg width='210mm' height='297mm' viewBox='0 0 210 297'><rect width='210' height='297'/></svg>");
-  CHECK(distance(page.curves.curves.at(0).start(), {0, 297 * 96 / 25.4}) < 1e-9);
+  CHECK(page.curves.curves.at(0).start() == Vec2{0, 297});
 }
 
 TEST_CASE("use draws what it refers to at its place") {
@@ -291,4 +291,46 @@ TEST_CASE("a drawing is found by its content, and gives samples with their curve
   for (const std::uint32_t i : read->data.contours[1].points) CHECK(read->data.positions[i].y == 100);
   const double each = 2 * kPi * 30 / static_cast<double>(read->data.contours[0].points.size());
   CHECK(each == Approx((2 * kPi * 30 + 100) / 400).epsilon(0.02));
+}
+
+TEST_CASE("a drawing has the unit of its page, and a number of the file is a number of the plane") {
+  const auto read = [](const std::string& attributes, const std::string& content) {
+    return good_drawing(R"(<svg xmlns="http://www.w3.org/2000/svg" )" + attributes + ">" + content + "</svg>");
+  };
+  const std::string square = "<path fill='none' stroke='red' d='M10.1 20 H30.3 V70'/>";
+  const auto corners_of = [](const SvgDrawing& drawing) {
+    REQUIRE(drawing.curves.curves.size() == 1);
+    std::vector<Vec2> out{drawing.curves.curves[0].start()};
+    drawing.curves.curves[0].for_each_piece([&](const Piece& piece) { out.push_back(piece.to()); });
+    return out;
+  };
+  const std::vector<Vec2> as_written{{10.1, 80.0}, {30.3, 80.0}, {30.3, 30.0}};
+  for (const char* unit : {"mm", "cm", "in", "pt"}) {
+    INFO(unit);
+    const std::string page = std::string("width='200") + unit + "' height='100" + unit + "'";
+    const SvgDrawing same = read(page + " viewBox='0 0 200 100'", square);
+    CHECK(same.unit == unit);
+    CHECK(corners_of(same) == as_written);
+    // Half as many units in the view box.
+    const SvgDrawing larger = read(page + " viewBox='0 0 100 50'", "<path stroke='red' d='M1 1 L2 1'/>");
+    CHECK(corners_of(larger) == std::vector<Vec2>{{2.0, 98.0}, {4.0, 98.0}});
+  }
+  // Without a view box a number is a pixel, and a length with its unit is a length.
+  const SvgDrawing plain =
+      read("width='200mm' height='100mm'", "<line stroke='red' x1='10mm' y1='0' x2='96' y2='0'/>");
+  CHECK(plain.unit == "mm");
+  const std::vector<Vec2> ends = corners_of(plain);
+  CHECK(distance(ends[0], {10.0, 100.0}) < 1e-12);
+  CHECK(distance(ends[1], {25.4, 100.0}) < 1e-12);
+  for (const char* page : {"width='200' height='100'", "width='200px' height='100px'", "width='200mm'",
+                           "width='200mm' height='10cm'", "width='100%' height='100%'", "viewBox='0 0 200 100'",
+                           "width='200mm' height='100mm' style='width:200px;height:100px'"}) {
+    INFO(page);
+    CHECK(read(page, square).unit == "px");
+  }
+  const auto file = read_sample_bytes(
+      R"(<svg xmlns="http://www.w3.org/2000/svg" width="8cm" height="8cm" viewBox="0 0 8 8"><circle r="3"/></svg>)",
+      "a");
+  REQUIRE(file);
+  CHECK(file->data.map == MapPlane{.unit = "cm"});
 }

@@ -335,3 +335,18 @@ TEST_CASE("a bulge of rounding is a straight side") {
   CHECK(square.data.source->curves->curves[0].is_polyline());
   CHECK(length_of(square.data) == Approx(16.0));
 }
+
+TEST_CASE("drawings of CAD have the unit of their header, and Ipe has points") {
+  const auto unit_of = [](const std::string& header) {
+    const LoadedFile file =
+        read_cad("0\nSECTION\n2\nHEADER\n" + header + "0\nENDSEC\n" + entities("0 LINE 10 0 20 0 11 3 21 4"));
+    return file.data.map ? file.data.map->unit : std::string();
+  };
+  CHECK(unit_of("9\n$ACADVER\n1\nAC1015\n9\n$INSUNITS\n70\n     4\n9\n$LUNITS\n70\n2\n") == "mm");
+  CHECK(unit_of("9\n$INSUNITS\n70\n1\n") == "in");
+  CHECK(unit_of("9\n$INSUNITS\n70\n6\n") == "m");
+  for (const char* header :
+       {"", "9\n$INSUNITS\n70\n0\n", "9\n$INSUNITS\n70\n99\n", "9\n$INSUNITS\n", "9\n$LUNITS\n70\n4\n"})
+    CHECK(unit_of(header).empty());
+  CHECK(read_cad(ipe(ipe_path("0 0 m\n3 4 l"))).data.map == MapPlane{.unit = "pt"});
+}

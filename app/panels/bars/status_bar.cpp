@@ -9,6 +9,7 @@
 #include "app/panels/bars/changed_chips.h"
 #include "app/picture/scale_drawing.h"
 #include "app/ui/theme.h"
+#include "core/io/systems/map_conversion.h"
 
 namespace mes {
 namespace {
@@ -36,6 +37,7 @@ std::string unit_of(const Document& document) {
 
 /// The plane of a map, for the tooltip of the coordinates.
 std::string plane_in_words(const MapPlane& map) {
+  if (!is_on_earth(map)) return fmt::format("Coordinates in {}, the unit of the drawing", map.plane_unit());
   const std::string system = map.system.empty() ? "WGS 84" : map.system.contains('[') ? "its own system" : map.system;
   if (map.projection == MapProjection::none) return fmt::format("Coordinates of {}, in {}", system, map.plane_unit());
   return fmt::format("Projected from {} to {}, {} about longitude {:.4f}, latitude {:.4f}", system, map.plane_unit(),
@@ -74,7 +76,8 @@ std::string share_text(std::uint32_t every) {
 
 std::string coordinates(const Canvas& canvas, const Document& document) {
   // Without the pointer the unit stays, where its tooltip can be reached.
-  if (!canvas.is_hovered()) return unit_of_lengths(document);
+  const std::string unit = unit_of_lengths(document);
+  if (!canvas.is_hovered()) return unit.empty() ? unit : "Lengths in " + unit;
   const double units = canvas.view_at_pointer().camera().units_per_pixel();
   const Vec2 p = canvas.pointer_world();
   return coordinate(p.x, units) + ", " + coordinate(p.y, units) + unit_of(document);

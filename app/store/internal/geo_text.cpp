@@ -3,6 +3,7 @@
 
 #include <span>
 
+#include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes {
@@ -49,7 +50,7 @@ void append_geojson(std::string& out, StraightKind kind, const GeoParts& parts) 
 }
 
 std::string srid_of(const std::optional<MapPlane>& map) {
-  if (!map) return {};
+  if (!map || !is_on_earth(*map)) return {};
   if (map->system.empty()) return "SRID=4326;";
   for (const std::string_view authority : {"EPSG:", "ESRI:"})
     if (map->system.starts_with(authority) && parse_count(map->system.substr(authority.size())))

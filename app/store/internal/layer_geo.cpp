@@ -8,6 +8,7 @@
 #include "app/store/internal/layer_writers.h"
 #include "app/store/internal/shapes_on_earth.h"
 #include "app/store/internal/straight_shapes.h"
+#include "core/io/systems/map_conversion.h"
 #include "core/io/text/text_numbers.h"
 
 namespace mes {
@@ -73,7 +74,7 @@ void append_feature(std::string& out, std::string_view layer, const StraightShap
 
 Expected<std::optional<MapConversion>> conversion_for(const LayerGeometry& geometry, MapTarget target) {
   const std::optional<MapPlane>& map = geometry.document.map();
-  if (!map) return std::nullopt;
+  if (!map || !is_on_earth(*map)) return std::nullopt;
   auto conversion = MapConversion::of(*map, target);
   if (!conversion) return std::unexpected(conversion.error());
   return std::optional<MapConversion>(*std::move(conversion));

@@ -18,6 +18,7 @@
 #include "core/io/curve_samples.h"
 #include "core/io/drawings/dxf_pairs.h"
 #include "core/io/format_spec.h"
+#include "core/io/text/ascii_text.h"
 #include "core/io/text/counted_remarks.h"
 #include "core/io/text/text_numbers.h"
 #include "core/io/text/written_decimals.h"
@@ -54,6 +55,7 @@ class DxfReader {
     const SamplingRequest request = default_sampling(set_);
     auto file = load_samples(std::move(set_), request, name_, job_);
     if (!file) return file;
+    if (!unit_.empty()) file->data.map = MapPlane{.unit = std::string(unit_)};
     remarks_.for_each([&](const std::string& text, std::size_t line) {
       file->warnings.push_back(Error{ErrorCode::bad_input, text, name_, line, 1}.message());
     });
@@ -96,6 +98,7 @@ class DxfReader {
       if (kind == "SECTION") {
         section = dxf_text(entity, 2).value_or("");
         is_in_section = true;
+        if (section == "HEADER") note_unit(entity);
       } else if (kind == "ENDSEC") {
         section = {};
         is_in_section = false;
@@ -116,6 +119,25 @@ class DxfReader {
     }
     if (is_in_section && !pairs_.empty()) return refuse(pairs_.back(), "the file ends within a section");
     return {};
+  }
+
+  /// The variable $INSUNITS, as the reference of DXF numbers units.
+  void note_unit(DxfEntity header) {
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 10> kUnits{{{"1", "in"},
+                                                                                    {"2", "ft"},
+                                                                                    {"3", "mi"},
+                                                                                    {"4", "mm"},
+                                                                                    {"5", "cm"},
+                                                                                    {"6", "m"},
+                                                                                    {"7", "km"},
+                                                                                    {"10", "yd"},
+                                                                                    {"13", "um"},
+                                                                                    {"14", "dm"}}};
+    for (std::size_t i = 0; i + 1 < header.size(); ++i) {
+      if (header[i].code != 9 || header[i].value != "$INSUNITS") continue;
+      const auto unit = std::ranges::find(kUnits, trimmed(header[i + 1].value), &decltype(kUnits)::value_type::first);
+      if (unit != kUnits.end()) unit_ = unit->second;
+    }
   }
 
   void note_layer(DxfEntity layer) {
@@ -533,6 +555,7 @@ class DxfReader {
   double end_rounding_ = 0.0;  // rounding error of arc ends, from that of their angles
   CountedRemarks remarks_;
   CurveSet set_;
+  std::string_view unit_;  // symbol; empty: the file names none
 };
 
 /// Recognises "0", "SECTION", perhaps after comments.

@@ -98,7 +98,9 @@ class IpeReader {
     if (set_.curves.empty() && set_.points.empty()) return nothing();
     const SamplingRequest request = default_sampling(set_);
     auto file = load_samples(std::move(set_), request, name_, job_);
-    if (file) file->warnings = source_.messages();
+    if (!file) return file;
+    file->warnings = source_.messages();
+    file->data.map = MapPlane{.unit = "pt"};
     return file;
   }
 

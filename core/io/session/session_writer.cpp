@@ -64,7 +64,8 @@ json source_to_json(const CurveSet* curves, const SamplingRequest& sampling, std
 
 /// True if the first schema can hold it: longitude and latitude on WGS 84, kept or projected equirectangularly.
 bool is_old_plane(const MapPlane& map) {
-  return map.system.empty() && map.projection != MapProjection::azimuthal;
+  return map.system.empty() && map.projection != MapProjection::azimuthal &&
+         (map.projection != MapProjection::none || map.unit == "degree");
 }
 
 json to_json(const MapPlane& map) {
@@ -79,7 +80,7 @@ json to_json(const MapPlane& map) {
     out["latitude"] = map.latitude;
   }
   if (!map.system.empty()) out["system"] = map.system;
-  if (!map.system.empty() && !is_projected) out["unit"] = map.unit;
+  if (!is_old_plane(map) && !is_projected) out["unit"] = map.unit;
   return out;
 }
 

@@ -81,6 +81,13 @@ bool is_left_to_others(std::string_view value) {
   return value.empty() || value == "inherit" || value == "unset";
 }
 
+/// The page in the unit of the coordinates that are read.
+struct SvgPage {
+  SvgViewport size{};
+  std::string_view unit = "px";
+  double pixels = 1.0;  ///< of 1/96 inch, in a unit
+};
+
 class DrawingReader {
  public:
   DrawingReader(std::string_view bytes, const std::string& name, ReadJob& job)
@@ -109,6 +116,7 @@ class DrawingReader {
     if (auto good = check_bounds(root); !good) return std::unexpected(good.error());
     SvgDrawing out;
     out.curves.curves = queue_.take();
+    out.unit = unit_;
     out.warnings = source_.messages();
     return out;
   }
@@ -246,6 +254,17 @@ class DrawingReader {
     return box_;
   }
 
+  /// The unit of width and height, if these attributes have the same and are what counts, else pixels.
+  static SvgPage page_of(xml_node root, const SvgViewport& size) {
+    SvgPage out{.size = size};
+    const auto width = svg_paper_length(root.attribute("width").value());
+    const auto height = svg_paper_length(root.attribute("height").value());
+    const bool is_moved = !std::string_view(root.attribute("transform").value()).empty();
+    if (!width || !height || width->unit != height->unit || is_moved) return out;
+    if (width->pixels * width->value != size.width || height->pixels * height->value != size.height) return out;
+    return {.size = {width->value, height->value}, .unit = width->unit, .pixels = width->pixels};
+  }
+
   Expected<void> read_root(xml_node root) {
     SvgContext context;
     const SvgStyle style = styles_->of(root);
@@ -253,14 +272,17 @@ class DrawingReader {
     if (box) context.viewport = {(*box)[2], (*box)[3]};
     const SvgViewport size{length(root, style, P::width, SvgAxis::x, context).value_or(context.viewport.width),
                            length(root, style, P::height, SvgAxis::y, context).value_or(context.viewport.height)};
-    clip_paths_->set_extent(std::max(size.width, size.height));
+    const SvgPage page = page_of(root, size);
+    unit_ = page.unit;
+    clip_paths_->set_extent(std::max(page.size.width, page.size.height));
     const std::string_view overflow = style[P::overflow];
     if (size.width > 0.0 && size.height > 0.0 && overflow != "visible")
-      queue_.set_page({{0.0, 0.0}, {size.width, size.height}});
-    // y points down in SVG.
-    context.map = Affine{1.0, 0.0, 0.0, -1.0, 0.0, size.height};
+      queue_.set_page({{0.0, 0.0}, {page.size.width, page.size.height}});
+    // Without a view box coordinates are in pixels. y points down in SVG.
+    const double factor = box && size.width > 0.0 && size.height > 0.0 ? 1.0 : 1.0 / page.pixels;
+    context.map = Affine{factor, 0.0, 0.0, -factor, 0.0, page.size.height};
     const auto inner = context_of(root, "svg", style, context);
-    return inner ? read_viewport(root, *inner, size) : Expected<void>{};
+    return inner ? read_viewport(root, *inner, box ? page.size : size) : Expected<void>{};
   }
 
   /// Reads the content of an `svg` or `symbol` of this size.
@@ -417,6 +439,7 @@ class DrawingReader {
   std::optional<SvgClipPaths> clip_paths_;
   SvgShapeQueue queue_;
   bool is_measuring_ = false;
+  std::string_view unit_ = "px";
   Box2 box_;  // bounding box of the measured content
 };
 

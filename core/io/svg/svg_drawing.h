@@ -20,7 +20,8 @@
 namespace mes {
 
 struct SvgDrawing {
-  CurveSet curves;                    ///< in pixels, y up, the lower left corner of the drawing at the origin
+  CurveSet curves;                    ///< y up, the lower left corner of the drawing at the origin
+  std::string unit = "px";            ///< of coordinates: that of width and height of the page, else 1/96 inch
   std::vector<std::string> warnings;  ///< one line a kind, with the position of the first
 };
 

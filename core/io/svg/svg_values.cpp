@@ -75,6 +75,16 @@ double SvgViewport::reference(SvgAxis axis) const {
   return std::hypot(width, height) / std::numbers::sqrt2;
 }
 
+std::optional<SvgPaperLength> svg_paper_length(std::string_view text) {
+  SvgText rest(trimmed(text));
+  const auto value = rest.number();
+  const std::string word = lower_case(rest.word());
+  for (const std::string_view unit : {"mm", "cm", "in", "pt"})
+    if (value && rest.is_at_end() && word == unit)
+      return SvgPaperLength{*value, unit, *svg_length("1" + word, SvgAxis::both, {})};
+  return std::nullopt;
+}
+
 std::optional<double> svg_length(std::string_view text, SvgAxis axis, const SvgViewport& viewport) {
   using Unit = std::pair<std::string_view, double>;
   constexpr double kInch = 96.0;

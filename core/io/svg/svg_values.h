@@ -77,6 +77,15 @@ struct SvgViewport {
 /// A length in pixels of 1/96 inch; the font size is 16. Nothing for text that is not a length.
 std::optional<double> svg_length(std::string_view text, SvgAxis axis, const SvgViewport& viewport);
 
+/// A length on paper, such as "84mm".
+struct SvgPaperLength {
+  double value = 0.0;
+  std::string_view unit{};  ///< mm, cm, in or pt
+  double pixels = 1.0;      ///< of 1/96 inch, in a unit
+};
+/// Nothing for another text.
+std::optional<SvgPaperLength> svg_paper_length(std::string_view text);
+
 /// The product of a list of transforms, also in style sheet form with units; nothing for invalid text.
 std::optional<Affine> svg_transform(std::string_view text);
 

@@ -13,6 +13,11 @@
 
 namespace mes {
 
+/// False for the plane of a drawing.
+inline bool is_on_earth(const MapPlane& plane) {
+  return plane.projection != MapProjection::none || !plane.system.empty() || plane.unit == "degree";
+}
+
 enum class MapTarget : std::uint8_t {
   own_system,  ///< the coordinate system of the map
   wgs84,       ///< longitude and latitude on WGS 84, in degrees

@@ -8,6 +8,7 @@
 // A line gives the location on the Earth of points that were a map: `# map UNIT of SYSTEM` if they are in a coordinate
 // system, `# map metres about LONGITUDE LATITUDE of SYSTEM` if they were projected. Without a system this is longitude
 // and latitude on WGS 84; old files have `kilometres` and the equirectangular projection, or just `# map degrees`.
+// Points of a drawing may have a unit: `# unit mm`.
 #include <fmt/core.h>
 #include <algorithm>
 #include <array>
@@ -77,6 +78,13 @@ std::optional<MapPlane> read_map(std::string_view rest) {
   return out;
 }
 
+/// Whether the text is the symbol of a unit of a drawing; a comment may say more.
+bool is_unit(std::string_view text) {
+  constexpr std::size_t kLongest = 20;
+  return !text.empty() && text.size() <= kLongest && text != "degree" &&
+         text.find_first_of(" \t") == std::string_view::npos && printable(text) == text;
+}
+
 /// Records the comments about loops, which can be checked only after the points, and about a map.
 class PoffScanner final : public Scanner {
  public:
@@ -95,6 +103,8 @@ class PoffScanner final : public Scanner {
     if (begin == std::string_view::npos) return;
     text.remove_prefix(begin);
     if (const auto map = text.starts_with("map ") ? read_map(text) : std::nullopt) map_ = map;
+    if (const auto unit = text.starts_with("unit ") ? trimmed(text.substr(5)) : std::string_view(); is_unit(unit))
+      map_ = MapPlane{.unit = std::string(unit)};
     if (text.starts_with("loop")) notes_.push_back({text, line(), column_of(text.data())});
   }
   std::vector<Note> notes_;

@@ -9,8 +9,13 @@ namespace mes {
 
 void append_map_line(std::string& out, const std::optional<MapPlane>& map) {
   if (!map) return;
+  const bool is_in_system = map->projection == MapProjection::none;
+  if (is_in_system && map->system.empty() && map->unit != "degree") {
+    out += "# unit " + map->unit + '\n';
+    return;
+  }
   out += "# map ";
-  if (map->projection == MapProjection::none) {
+  if (is_in_system) {
     out += map->system.empty() ? "degrees" : map->unit;
   } else {
     out += map->projection == MapProjection::azimuthal ? "metres about " : "kilometres about ";
