@@ -20,8 +20,8 @@ EXAMPLES = ROOT / "examples" / "python"
 FIGURES = sorted(one for one in EXAMPLES.glob("*.py") if one.stem != "many_shapes")
 
 
-def test_there_are_ten():
-    assert len(FIGURES) == 10
+def test_there_are_eleven():
+    assert len(FIGURES) == 11
 
 
 @pytest.mark.parametrize("example", FIGURES, ids=lambda one: one.stem)
@@ -36,6 +36,37 @@ def test_an_example_draws_its_figure(example, tmp_path):
     assert 0.01 < is_drawn.mean() < 0.9
     # The drawing fills the picture, not only a corner.
     assert is_drawn.any(axis=0).mean() > 0.5 and is_drawn.any(axis=1).mean() > 0.5
+
+
+def test_a_carved_letter_stays_in_its_outline(tmp_path):
+    geometry = pytest.importorskip("shapely.geometry")
+    subprocess.run([sys.executable, EXAMPLES / "v_carve.py"], cwd=tmp_path, capture_output=True, check=True)
+    letters = mes.text("Vela", font="DejaVu Serif", size=40, spacing=0.25)
+    border = geometry.MultiLineString([np.vstack([letters.points[one], letters.points[one[:1]]])
+                                       for one in letters.contours])
+    cut, at, is_down = [], np.zeros(3), False
+    for line in (tmp_path / "v_carve.ngc").read_text().splitlines()[1:-1]:
+        to = at.copy()
+        for word in line.split()[1:]:
+            if word[0] in "XYZ":
+                to["XYZ".index(word[0])] = float(word[1:])
+        if line.startswith("G0"):
+            # The bit only travels above the material, and straight up or down elsewhere.
+            assert (at[2] > 0 and to[2] > 0) or (at[:2] == to[:2]).all()
+        elif at[2] < 0:
+            cut.append((at[:2], to[:2]))
+        if to[2] < 0:
+            # The cone of 60 degrees touches samples; the border between two of them is half a spacing away from each.
+            wide = -to[2] * np.tan(np.radians(30))
+            near = border.distance(geometry.Point(to[:2]))
+            rounded = 0.001  # mm
+            assert near < wide + rounded and wide**2 - near**2 < (0.25 / 2) ** 2 + 2 * wide * rounded
+        at = to
+    # Each edge of the axis is cut once.
+    axis = letters.axis
+    length = sum(np.linalg.norm(to - of) for of, to in cut)
+    assert len(cut) == len(axis.edges)
+    assert abs(length - np.linalg.norm(np.diff(axis.points[axis.edges], axis=1)[:, 0], axis=1).sum()) < 0.1
 
 
 def test_the_notebook(tmp_path):
