@@ -40,7 +40,7 @@ Expected<ReadRequest> understood_reading(const ReadingOptions& options) {
   request.system = options.system;
   if (!request.system.empty())
     if (auto known = find_coordinate_system(request.system); !known)
-      return std::unexpected(Error{known.error().code, "--crs: " + known.error().text});
+      return usage_error("--crs: " + known.error().text);
   return request;
 }
 

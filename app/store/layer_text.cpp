@@ -24,7 +24,7 @@ bool holds_curve(const LayerDescriptor& layer) {
 }
 
 // One line per format.
-constexpr std::array<LayerTextFormat, 7> kFormats{{
+constexpr std::array<LayerTextFormat, 8> kFormats{{
     {"csv", "csv", "CSV table",
      "one primitive a line, segments without length left out; the second pair of numbers is the other end of a "
      "segment, "
@@ -39,6 +39,8 @@ constexpr std::array<LayerTextFormat, 7> kFormats{{
     {"geojson", "geojson", "GeoJSON", "features with layer, kind and scalar, segments as the chains they form", true,
      false, "", holds_all, geojson_of},
     {"wkt", "wkt", "WKT", "well-known text, a geometry a line", true, false, "", holds_all, wkt_of},
+    {"dxf", "dxf", "DXF", "entities of release 12, arcs and circles as such, on a layer with the id of theirs", true,
+     false, "", holds_all, dxf_of},
     {"svg-path", "txt", "SVG path", "the d of one path, upright in SVG", true, false, "", holds_all, svg_path_of},
 }};
 
@@ -58,7 +60,7 @@ Expected<void> check_layers(std::span<const LayerDescriptor> descriptors, const 
   const auto refuse = [](std::string text) { return std::unexpected(Error{ErrorCode::usage, std::move(text)}); };
   if (layers.size() > 1 && !format.is_of_many)
     return refuse(
-        fmt::format("a file of format {} holds one layer; geojson, wkt and svg-path hold several", format.name));
+        fmt::format("a file of format {} holds one layer; geojson, wkt, dxf and svg-path hold several", format.name));
   for (const LayerIndex layer : layers)
     if (!format.holds(descriptors[layer]))
       return refuse(fmt::format("layer {} has no {} to write as {}; csv can hold it", descriptors[layer].id,

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/store/internal/dxf_text.h"
 #include "app/store/internal/geo_text.h"
 #include "app/store/internal/shapes_on_earth.h"
 #include "core/base/box2.h"
@@ -145,33 +146,16 @@ Expected<LineText> lines_as_svg(std::span<const TextLine> lines) {
   return out;
 }
 
-// Group codes: 0 begins an entity, 8 is its layer, 66 says that vertices follow, 70 has the bit 1 for closed.
 Expected<LineText> lines_as_dxf(std::span<const TextLine> lines) {
   LineConversions conversions(MapTarget::own_system);
-  constexpr std::string_view kLayer = "8\ncenterline\n";
-  LineText out{"0\nSECTION\n2\nENTITIES\n"};
-  const auto append_place = [&](Vec2 p) {
-    append_number(out.text += "10\n", p.x);
-    append_number(out.text += "\n20\n", p.y);
-    out.text += "\n30\n0\n";
-  };
+  LineText out{std::string(DxfText::kBegin)};
+  DxfText dxf(out.text, "centerline");
   for (const TextLine& line : lines) {
-    out.text += "0\nPOLYLINE\n";
-    out.text += kLayer;
-    out.text += line.is_closed ? "66\n1\n70\n1\n" : "66\n1\n70\n0\n";
-    append_place({});
     const auto points = conversions.points_of(line);
     if (!points) return std::unexpected(points.error());
-    const std::size_t n = points->size() - (line.is_closed ? 1 : 0);
-    for (std::size_t k = 0; k < n; ++k) {
-      out.text += "0\nVERTEX\n";
-      out.text += kLayer;
-      append_place((*points)[k]);
-    }
-    out.text += "0\nSEQEND\n";
-    out.text += kLayer;
+    dxf.polyline(std::span(*points).first(points->size() - (line.is_closed ? 1 : 0)), line.is_closed);
   }
-  out.text += "0\nENDSEC\n0\nEOF\n";
+  out.text += DxfText::kEnd;
   return out;
 }
 

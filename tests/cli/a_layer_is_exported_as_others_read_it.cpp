@@ -2,12 +2,14 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <cstdio>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "run_binary.h"
 #include "tests/cli/inputs.h"
+#include "tests/io/temporary_folder.h"
 
 using mes::test::kDude;
 using mes::test::run;
@@ -251,6 +253,46 @@ TEST_CASE("circles and arcs keep their radius in a path of SVG") {
   // Both arcs of two equal disks turn by more than half a circle, counter-clockwise in the plane.
   REQUIRE(lines_of(arcs).size() == 2);
   for (const std::string& arc : lines_of(arcs)) CHECK_THAT(arc, Catch::Contains(" A 5 5 0 1 0 "));
+}
+
+TEST_CASE("a layer in DXF has polylines, circles and arcs, on a layer with its id") {
+  CHECK(exported("-", "b-inner-circles", "dxf", "WPOFF 1 0 0\n1 2 3\n") ==
+        "0\nSECTION\n2\nENTITIES\n0\nCIRCLE\n8\nb-inner-circles\n10\n1\n20\n2\n30\n0\n40\n3\n0\nENDSEC\n0\nEOF\n");
+  CHECK_THAT(exported("-", "points", "dxf", "0.1 -2\n"), Catch::Contains("0\nPOINT\n8\npoints\n10\n0.1\n20\n-2\n"));
+  const std::string square = "POFF 4 0 0\n0 0\n4 0\n4 3\n0 3\n# loop closed 0 1 2 3\n";
+  const std::string polyline = exported("-", "contours", "dxf", square);
+  CHECK_THAT(polyline, Catch::Contains("0\nPOLYLINE\n8\ncontours\n66\n1\n70\n1\n"));
+  const auto count = [](const std::string& text, std::string_view word) {
+    std::size_t out = 0;
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++out;
+    return out;
+  };
+  CHECK(count(polyline, "0\nVERTEX\n") == 4);
+  // Two disks whose circles meet at (3, 4) and (3, -4).
+  const std::string arcs = exported("-", "b-union-boundary", "dxf", "WPOFF 2 0 0\n0 0 5\n6 0 5\n");
+  CHECK(count(arcs, "0\nARC\n8\nb-union-boundary\n") == 2);
+  const double angle = std::atan2(4.0, 3.0) * 180.0 / std::acos(-1.0);
+  const auto angles_of = [&](const std::string& center) {
+    const std::size_t at = arcs.find("10\n" + center + "\n20\n0\n30\n0\n40\n5\n50\n");
+    REQUIRE(at != std::string::npos);
+    const std::size_t first = arcs.find("\n50\n", at) + 4, second = arcs.find("\n51\n", at) + 4;
+    return std::pair(std::stod(arcs.substr(first)), std::stod(arcs.substr(second)));
+  };
+  CHECK(angles_of("0").first == Approx(angle));
+  CHECK(angles_of("0").second == Approx(360.0 - angle));
+  CHECK(angles_of("6").first == Approx(180.0 + angle));
+  CHECK(angles_of("6").second == Approx(180.0 - angle));
+  // Read back, the arcs are the two circles beyond their crossings.
+  const mes::test::TemporaryFolder folder;
+  const std::string file = folder.write("a.dxf", arcs).string();
+  std::size_t seen = 0;
+  for (const std::string& line : lines_of(exported(file, "points", "csv"))) {
+    double x = 0.0, y = 0.0;
+    if (std::sscanf(line.c_str(), "%lf,%lf", &x, &y) != 2) continue;
+    CHECK(std::min(std::abs(std::hypot(x, y) - 5.0), std::abs(std::hypot(x - 6.0, y) - 5.0)) < 1e-9);
+    ++seen;
+  }
+  CHECK(seen > 100);
 }
 
 TEST_CASE("samples of the curve are exported with their normals, a block a chain") {

@@ -205,11 +205,11 @@ TEST_CASE("POFF and sessions keep the system on the way from map to map") {
 TEST_CASE("a coordinate system that makes no sense is one line with exit code 3") {
   const TemporaryFolder folder;
   const std::string plain = folder.write("a.wkt", kHouse).string();
-  CHECK_THAT(refusal_of({"centerline", plain, "--crs", "EPSG:999999"}, 3),
+  CHECK_THAT(refusal_of({"centerline", plain, "--crs", "EPSG:999999"}, 2),
              Catch::Contains("--crs: \"EPSG:999999\" is not a coordinate system that PROJ knows"));
   CHECK_THAT(refusal_of({"centerline", plain, "--crs", "EPSG:4326"}, 3),
              Catch::Contains("not a longitude and latitude"));
-  CHECK_THAT(refusal_of({"centerline", plain, "--crs", "EPSG:5773"}, 3),
+  CHECK_THAT(refusal_of({"centerline", plain, "--crs", "EPSG:5773"}, 2),
              Catch::Contains("not a coordinate system of the Earth's surface"));
   const std::string unknown = folder.write("b.wkt", std::string("SRID=99999;") + kHouse).string();
   CHECK_THAT(refusal_of({"centerline", unknown}, 3), Catch::Contains("b.wkt:1:6: \"EPSG:99999\" is not"));
