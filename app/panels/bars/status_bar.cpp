@@ -105,9 +105,12 @@ void StatusBar::draw(const PanelArea& area) const {
     const float coordinates_width =
         std::max(kCoordinatesWidth * unit, ImGui::CalcTextSize(right_text.c_str()).x + 24 * unit);
     const ChangedChips chips(gui, computation, messages);
-    // If there is not enough room, the present task or the hint is more important than the coordinates, and invisible
-    // changes of the picture are more important than both.
-    const bool has_room = before_verdict > coordinates_width + kLeastRemark * unit + chips.full_width();
+    // If there is not enough room, the present task, message or hint is more important than the coordinates, and
+    // invisible changes of the picture are more important than both. A hint may be cut, a message is shown whole.
+    const std::string& remark = messages.remark();
+    const float remark_width = remark.empty() ? 0.0F : ImGui::CalcTextSize(remark.c_str()).x + 24 * unit;
+    const float left_width = std::max(kLeastRemark * unit, remark_width);
+    const bool has_room = before_verdict > coordinates_width + left_width + chips.full_width();
     const bool has_counts = before_verdict > chips.width_in(0.0F);
     const float counts_at =
         has_counts ? std::max(0.0F, before_verdict - (has_room ? coordinates_width : 0.0F)) : verdict_at - 14 * unit;
@@ -118,7 +121,6 @@ void StatusBar::draw(const PanelArea& area) const {
     work.draw_recording();
     const std::string share = share_text(picture.every());
     if (!work.draw()) {
-      const std::string& remark = messages.remark();
       const std::string text = remark.empty() ? std::string(canvas.tool().hint()) : remark;
       const float share_width = share.empty() ? 0.0F : ImGui::CalcTextSize(share.c_str()).x + 16 * unit;
       const std::string shown = elided(text, chips_at - 16 * unit - ImGui::GetCursorPosX() - share_width);
