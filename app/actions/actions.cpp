@@ -74,7 +74,7 @@ constexpr auto kEditRows = std::to_array<Row>({
     {Id::shrink_selection, "shrink-selection", "Shrink selection",
      "Remove from the selection the samples with an unselected neighbour on the curve", "<", always, kRepeats},
     {Id::select_sources, "select-sources", "Select the samples of the clicked element",
-     "Select the samples or balls that the element on the card is or derives from"},
+     "Select the samples or balls from which the element on the card derives"},
     {Id::canvas_menu, "canvas-menu", "Menu at the cursor",
      "Open the menu of a right click: commands for the sample, annotation or element at the cursor",
      "Menu Shift+F10"},

@@ -223,7 +223,7 @@ Expected<Compiler> Compiler::find(std::string_view wanted) {
   if (!headers) return failure("there is no <mesecina/experiment.h>; install the package libmesecina-dev");
   out.headers = *headers;
   out.cache = cache_folder();
-  if (out.cache.empty()) return failure("no home folder is known, where what is compiled could be kept");
+  if (out.cache.empty()) return failure("there is no home folder to keep compiled experiments in");
   out.cache /= "experiments";
   return out;
 }

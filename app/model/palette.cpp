@@ -10,8 +10,8 @@
 namespace mes {
 namespace {
 
-// Entries found by name come first. A synonym is typed as a whole, so it is better than letters scattered in a name.
-constexpr double kBySynonym = -5.0;
+// A synonym counts as a word within a name.
+constexpr double kBeginsText = 2.0;  // what a match gets at the beginning of a name
 constexpr double kByOtherWords = -20.0;
 constexpr double kByExplanation = -30.0;
 
@@ -44,7 +44,7 @@ std::optional<double> match_beginnings(std::string_view query, std::string_view 
     std::optional<double> best;
     for_each_word(text, [&](std::string_view word) {
       if (lower_case(word.substr(0, typed.size())) != lower_case(typed)) return;
-      best = std::max(best.value_or(0.0), fuzzy_match(typed, word)->score);
+      best = std::max(best.value_or(0.0), fuzzy_match(typed, word)->score - kBeginsText);
     });
     is_found = is_found && best;
     score += best.value_or(0.0);
@@ -60,7 +60,7 @@ std::optional<FuzzyMatch> match(const PaletteEntry& entry, std::string_view quer
   };
   const std::string words = std::string(entry.words) + ' ' + entry.name;
   if (const auto by_synonym = match_beginnings(query, words))
-    offer(FuzzyMatch{.score = *by_synonym, .letters = {}}, kBySynonym);
+    offer(FuzzyMatch{.score = *by_synonym, .letters = {}}, 0.0);
   if (out) return out;
   auto by_all = fuzzy_match(query, entry.name + ' ' + entry.kind + ' ' + entry.more);
   if (by_all) std::erase_if(by_all->letters, [&](std::size_t at) { return at >= entry.name.size(); });

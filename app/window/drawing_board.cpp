@@ -494,11 +494,23 @@ std::size_t DrawingBoard::hidden_by(const Box2& on_screen) const {
   const Vec2 part{on_screen.width() / kParts, on_screen.height() / kParts};
   const double reach = 0.5 * length(part) * ratio * camera.units_per_pixel();
   const Editor& editor = work_.editor();
+  // Balls by themselves are large; of many the centres tell where they are.
+  constexpr std::size_t kFewBalls = 500;
+  const Document& document = editor.document();
+  const auto balls =
+      document.ball_count() <= kFewBalls ? document.ball_slots_in_input_order() : std::vector<BallSlot>();
+  const auto is_on_ball = [&](Vec2 p) {
+    return std::ranges::any_of(balls, [&](BallSlot slot) {
+      const Disk& ball = document.disk(slot);
+      return distance(p, ball.center) <= ball.radius + reach;
+    });
+  };
   std::size_t out = 0;
   for (int i = 0; i < kParts * kParts; ++i) {
     const Vec2 at = on_screen.low + Vec2{(i % kParts + 0.5) * part.x, (i / kParts + 0.5) * part.y};
     const Vec2 world = camera.to_world(ratio * at);
-    out += editor.index().nearest(world, reach) != kNoSlot || editor.centers().nearest(world, reach) != kNoSlot;
+    out += editor.index().nearest(world, reach) != kNoSlot || editor.centers().nearest(world, reach) != kNoSlot ||
+           is_on_ball(world);
   }
   return out;
 }

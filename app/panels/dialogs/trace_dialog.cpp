@@ -28,7 +28,7 @@ struct SideWord {
   const char* explanation;
 };
 constexpr std::array kSides{
-    SideWord{FigureSide::found, "Found", "Whichever is rarer along the edge of the picture"},
+    SideWord{FigureSide::found, "Found", "Trace what the edge of the picture has less of"},
     SideWord{FigureSide::dark, "Dark", "Pixels darker than the threshold"},
     SideWord{FigureSide::light, "Light", "Pixels lighter than the threshold"},
 };

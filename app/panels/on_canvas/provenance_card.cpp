@@ -241,7 +241,7 @@ void ProvenanceCard::draw_rows(const Gui& gui, float width) {
 
 void ProvenanceCard::draw_foot(const Gui& gui, const LayerStack& layers, float width) {
   if (ImGui::SmallButton("Select the samples")) wants_sources_ = true;
-  tooltip(gui, "Select the samples or balls that this is or derives from");
+  tooltip(gui, "Select the samples or balls from which this derives");
   if (!beneath_answer_) return;
   ImGui::SameLine();
   const float room = width - ImGui::GetCursorPosX() - 16 * gui.unit();

@@ -284,8 +284,9 @@ void PersistencePanel::draw_diagram(View& view) {
     if (pointed_at_)
       ImGui::SetTooltip("%s", in_words(table.rows[*pointed_at_]).c_str());
     else
-      ImGui::SetTooltip("Birth to the right, death upwards; drag to set the radius of the alpha complex%s",
-                        begin < 0.0 ? ". Left of the line at 0 are births before the balls grow" : "");
+      tooltip(uses_.gui,
+              std::string("Birth to the right, death upwards; drag to set the radius of the alpha complex") +
+                  (begin < 0.0 ? ". Left of the line at 0 are births before the balls grow" : ""));
   }
 }
 

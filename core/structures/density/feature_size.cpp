@@ -581,9 +581,9 @@ void FeatureSize::find(std::vector<Finding>& out) const {
   finding.level = FindingLevel::note;
   finding.epsilon = measured;
   finding.text = fmt::format(
-      "curve edge with the fewest samples for its feature size: {}, half its length over the distance of its ends to "
-      "the axis, as far as the samples show curve and axis; up to {} smooth curves have the axis that the theorem "
-      "promises",
+      "curve edge is the sparsest: {}, half its length over the distance of its ends to the axis, as far as the "
+      "samples "
+      "show both; up to {} samples of smooth curves are dense",
       measured->text(), kDenseEpsilon);
   finding.count = 1;
   finding.places.push_back({0.5 * a.x + 0.5 * b.x, 0.5 * a.y + 0.5 * b.y});
