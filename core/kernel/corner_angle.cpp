@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/angle.h"
 #include "core/base/power_of_two.h"
 
 namespace mes {
@@ -24,7 +25,7 @@ Vec2 direction(Vec2 from, Vec2 to) {
 double angle_at(Vec2 p, Vec2 q, Vec2 r) {
   const Vec2 u = direction(p, q);
   const Vec2 v = direction(p, r);
-  return std::atan2(std::abs(cross(u, v)), dot(u, v)) * (180.0 / std::numbers::pi);
+  return angle_of({dot(u, v), std::abs(cross(u, v))}) * (180.0 / std::numbers::pi);
 }
 
 double cotangent_at(Vec2 p, Vec2 q, Vec2 r) {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/structures/inputs/contours.h"
 
-#include <cmath>
 #include <numbers>
 
+#include "core/base/angle.h"
 #include "core/layers/parts/helpers.h"
 
 namespace mes {
@@ -27,8 +27,7 @@ Layer make_contours_layer(const StructureSet& set) {
             if (!contours.has_link(row)) return;
             const auto [from, to] = contours.link(row);
             const Vec2 along = samples.position(to) - samples.position(from);
-            out.segment(samples.position(from), samples.position(to),
-                        std::atan2(along.y, along.x) * (180.0 / std::numbers::pi));
+            out.segment(samples.position(from), samples.position(to), angle_of(along) * (180.0 / std::numbers::pi));
           },
           ElementType{ElementKind::contour_link, &contours}));
 }

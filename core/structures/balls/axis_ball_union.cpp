@@ -8,6 +8,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/angle.h"
 #include "core/graph/explain.h"
 
 namespace mes {
@@ -68,7 +69,7 @@ class TouchedGaps {
     family_.touched_samples(arc.ball, touched_);
     if (touched_.size() < 2) return std::numeric_limits<double>::infinity();
     const Vec2 center = family_.plain_disk(arc.ball).center;
-    const auto direction = [center](Vec2 at) { return std::atan2(at.y - center.y, at.x - center.x); };
+    const auto direction = [center](Vec2 at) { return angle_of(at - center); };
     const double from = direction(arc.from);
     const double middle = from + 0.5 * turn_between(from, direction(arc.to));
     // The last sample before the middle, and the first one after it.

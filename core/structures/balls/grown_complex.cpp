@@ -6,6 +6,8 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/angle.h"
+
 namespace mes {
 
 GrownComplex::GrownComplex(std::string_view id, SettingsSource& settings, BallFiltration& filtration)
@@ -89,7 +91,7 @@ constexpr double kHalfTurn = std::numbers::pi;
 /// Counter-clockwise angle from `a` to `b`, which is less than half a turn exactly if a triangle lies between them.
 double turn_between(Vec2 a, Vec2 b, bool is_triangle) {
   // Rounding carries an angle beyond the ends of its range, but never half as far.
-  const double turn = std::atan2(cross(a, b), dot(a, b));
+  const double turn = angle_of({dot(a, b), cross(a, b)});
   if (is_triangle) return turn < -0.5 * kHalfTurn ? kHalfTurn : std::max(0.0, turn);
   return turn < 0.5 * kHalfTurn ? turn + 2.0 * kHalfTurn : turn;
 }
@@ -126,7 +128,7 @@ Vec2 GrownComplex::crossing(GrownEndSlot end) const {
 
 double GrownComplex::half_angle(GrownEndSlot end) const {
   const GrownEdgeSlot edge = edge_of(end);
-  return std::atan2(half_chord(edge), filtration_.edges()[edge].axis.foot[end.index() % 2]);
+  return angle_of({filtration_.edges()[edge].axis.foot[end.index() % 2], half_chord(edge)});
 }
 
 Vec2 GrownComplex::direction(GrownEndSlot end) const {

@@ -8,6 +8,7 @@
 #include <numbers>
 #include <vector>
 
+#include "core/base/angle.h"
 #include "core/base/parallel.h"
 
 namespace mes {
@@ -45,7 +46,7 @@ double AngleAxis::group_value(FaceSlot node) const {
   std::vector<Place> around;
   for (const SiteSlot site : sites) {
     const Vec2 at = delaunay_.site_position(site);
-    around.push_back({std::atan2(at.y - center.y, at.x - center.x), at});
+    around.push_back({angle_of(at - center), at});
   }
   std::ranges::sort(around, [](const Place& a, const Place& b) {
     return a.turn != b.turn ? a.turn < b.turn : lexicographically_less(a.at, b.at);
@@ -64,7 +65,7 @@ double AngleAxis::group_value(FaceSlot node) const {
       height = distance({0.5 * place.at.x + 0.5 * other.x, 0.5 * place.at.y + 0.5 * other.y}, center);
     }
   }
-  return std::atan2(0.5 * longest, height) * (180.0 / std::numbers::pi);
+  return angle_of({height, 0.5 * longest}) * (180.0 / std::numbers::pi);
 }
 
 double AngleAxis::value(FaceSlot node) const {

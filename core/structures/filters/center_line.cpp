@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/angle.h"
 #include "core/base/sum.h"
 
 namespace mes {
@@ -182,7 +183,7 @@ std::vector<Station> stations_of(const CenterLine& line, double spacing) {
       station.right = foot_on(line.banks[at.piece][1], at.place);
       station.width = distance(station.left, at.place) + distance(station.right, at.place);
       const Vec2 way = b.place - a.place;
-      station.direction = std::atan2(way.y, way.x) * 180.0 / std::numbers::pi;
+      station.direction = angle_of(way) * 180.0 / std::numbers::pi;
       if (station.direction < 0.0) station.direction += 360.0;
       if (!(station.direction < 360.0)) station.direction = 0.0;
     }
