@@ -71,9 +71,15 @@ bool is_within(double power_error, double half, double tolerance) {
   return power_error <= 2.0 * tolerance * half;
 }
 
+AxisTerms<Interval> interval_terms(const BallOf<Interval>& a, const BallOf<Interval>& b) {
+  const CGAL::Protect_FPU_rounding<true> rounding;
+  return axis_terms(a, b);
+}
+
 /// Returns nothing if intervals are too wide.
 std::optional<RadicalAxis> quick_axis(const BallOf<Interval>& a, const BallOf<Interval>& b) {
-  const AxisTerms<Interval> terms = axis_terms(a, b);
+  // What is drawn is rounded to nearest, as with exact numbers.
+  const AxisTerms<Interval> terms = interval_terms(a, b);
   const double radius = std::sqrt(std::max(0.0, std::min(a.w.inf(), b.w.inf())));
   const Vec2 way{middle(terms.x), middle(terms.y)};
   const RadicalAxis out =
@@ -113,13 +119,13 @@ std::vector<RadicalAxis> radical_axes(const PipelineInput& input, std::span<cons
   {
     const CGAL::Protect_FPU_rounding<true> rounding;
     for (const InputSlot i : ball.rows()) ball[i] = ball_in<Interval>(input.balls[i]);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-      const auto [a, b] = std::minmax(pairs[i][0], pairs[i][1]);
-      if (const auto axis = quick_axis(ball[a], ball[b])) {
-        out[i] = pairs[i][0] == a ? *axis : turned(*axis);
-      } else {
-        left.push_back(i);
-      }
+  }
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    const auto [a, b] = std::minmax(pairs[i][0], pairs[i][1]);
+    if (const auto axis = quick_axis(ball[a], ball[b])) {
+      out[i] = pairs[i][0] == a ? *axis : turned(*axis);
+    } else {
+      left.push_back(i);
     }
   }
   for (const std::size_t i : left) {
