@@ -24,3 +24,8 @@ function(mes_replace_by_web folder)
     mes_replace_by_web(${inner})
   endforeach()
 endfunction()
+
+# Rooms that use what the standard library of emscripten lacks.
+foreach(room IN ITEMS mes_structures mes_io)
+  target_compile_options(${room} PRIVATE -include ${PROJECT_SOURCE_DIR}/web/include/lacking.h)
+endforeach()

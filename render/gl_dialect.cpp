@@ -10,6 +10,10 @@ std::string_view shader_head() {
   return "#version 330 core\n";
 }
 
+const char* shader_version() {
+  return "#version 330 core";
+}
+
 bool has_needed_gl() {
   constexpr int kNeeded = 33;
   return epoxy_is_desktop_gl() && epoxy_gl_version() >= kNeeded;

@@ -15,6 +15,8 @@ namespace mes::render {
 
 /// The first lines of every program.
 std::string_view shader_head();
+/// The version alone, for Dear ImGui, which adds the rest.
+const char* shader_version();
 
 /// False: the context is too old.
 bool has_needed_gl();

@@ -1,6 +1,10 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Compiles the predicates for browsers, as WebAssembly, and runs their tests under node.
+# The program as WebAssembly, for browsers.
+#
+#   scripts/web.sh           makes the page in build/web
+#   scripts/web.sh --test    runs the tests of the predicates under node, compares what the program computes there with
+#                            what it computes here, and starts the page in Chromium
 #
 # Emscripten 3.1.60 or later is taken where it is found. Otherwise Debian 13, which has 3.1.69, is installed into a
 # folder (mmdebstrap, as root), which takes three minutes and 2.9 GB once. The sources of libraries come from Debian
@@ -11,7 +15,12 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 cache=${MESECINA_WEB_CACHE:-${XDG_CACHE_HOME:-$HOME/.cache}/mesecina/web}
 mkdir -p "$cache"
 
-(($# == 0)) || fail "unknown option '$1'; there are none"
+is_test=
+case "$*" in
+  "") ;;
+  --test) is_test=1 ;;
+  *) fail "unknown options '$*'; there is --test" ;;
+esac
 
 is_new_enough() {
   local version
@@ -57,7 +66,10 @@ with_emscripten() {
 # The source packages of Debian 12, whose versions the program is tested with; those of Debian 13 where a mirror lacks
 # them.
 fetch_sources() {
-  if [[ -e $cache/sources.stamp ]]; then return; fi
+  local sources="cairo fmtlib freetype gmp harfbuzz imgui libdeflate libjpeg-turbo libpng1.6 libpolyclipping libstb \
+mpfi mpfr4 muparser pixman pugixml zlib"
+  local headers="libcgal-dev libboost1.74-dev nlohmann-json3-dev libcli11-dev libglm-dev catch2 libproj-dev"
+  [[ $(cat "$cache/sources.stamp" 2>/dev/null) != "$sources $headers" ]] || return
   command -v apt-get >/dev/null || fail "the sources of libraries come through apt, which is not here"
   say "Fetching the sources of libraries ..."
   mkdir -p "$cache"/apt/{lists/partial,cache/archives/partial,files} "$cache/src" "$cache/prefix"
@@ -77,8 +89,7 @@ CONFIGURATION
   apt-get --quiet update >"$cache/apt/log" 2>&1 || fail "apt-get update failed; its log is $cache/apt/log"
   cd "$cache/apt/files" || exit 1
   local package archive
-  for package in cairo fmtlib freetype gmp harfbuzz imgui libdeflate libjpeg-turbo libpng1.6 libpolyclipping libstb \
-    mpfi mpfr4 muparser pixman pugixml zlib; do
+  for package in $sources; do
     for suite in bookworm trixie; do
       apt-get --quiet source --download-only --tar-only "$package/$suite" >>"$cache/apt/log" 2>&1
       # Some packages have a second archive, of examples, whose name is longer.
@@ -90,14 +101,14 @@ CONFIGURATION
       tar xf "$archive" -C "$cache/src/$package" --strip-components=1 || fail "$archive could not be unpacked"
   done
   # Libraries of headers alone.
-  apt-get --quiet download libcgal-dev libboost1.74-dev nlohmann-json3-dev libcli11-dev libglm-dev \
-    catch2 >>"$cache/apt/log" 2>&1 ||
+  # shellcheck disable=SC2086
+  apt-get --quiet download $headers >>"$cache/apt/log" 2>&1 ||
     fail "the headers of libraries could not be fetched; the log is $cache/apt/log"
   for archive in ./*.deb; do
     dpkg -x "$archive" "$cache/headers" || exit 1
   done
   mkdir -p "$cache/prefix/include" && cp -r "$cache"/headers/usr/include/* "$cache/prefix/include/" || exit 1
-  cd "$root" && touch "$cache/sources.stamp" || exit 1
+  cd "$root" && printf %s "$sources $headers" >"$cache/sources.stamp" || exit 1
 }
 
 is_new_enough || make_root
@@ -121,6 +132,92 @@ build_web() {
     _ "$root" "$cache/prefix" "$(job_count)" "$@" >&2 || fail "the build failed"
 }
 
-build_web mesecina_test_kernel
+# What the programs are told: every sample and session of the tree, in two number types. Positions of outline axes come
+# from an iteration whose start differs in last bits (docs/features/web.md).
+commands() {
+  local file precision layers
+  layers=$(build/release/mesecina list layers | awk '$1 !~ /^(outline-axis|axis-deviation)$/ { print $1 }' | paste -sd,)
+  for file in tests/data/*.{poff,wpoff,csv,json} assets/shapes/*.poff assets/lessons/*.json; do
+    for precision in fast exact; do
+      echo "compute $file --precision $precision --layers $layers --digest --no-timing"
+    done
+    [[ $file != *.json ]] || echo "play $file"
+  done
+}
+
+# answer_all FOLDER PROGRAM...: what the program writes for each command, in a file each.
+answer_all() {
+  local folder=$1 words number=0
+  shift
+  rm -rf "$folder" && mkdir -p "$folder" || return 1
+  while read -r -a words; do
+    MESECINA_ASSETS=assets "$@" "${words[@]}" >"$folder/$number" 2>/dev/null </dev/null
+    echo "exit code $?" >>"$folder/$number"
+    ((++number))
+  done <build/wasm/commands
+}
+
+# Every line is compared: digests, counts, findings. Lengths of arcs are sums of angles by the C library.
+compare_programs() {
+  local number=0 equal=0 digests=0 command difference
+  commands >build/wasm/commands
+  say "Computing $(wc -l <build/wasm/commands) commands here and in WebAssembly ..."
+  answer_all build/wasm/here build/release/mesecina
+  with_emscripten bash -c "cd $(printf %q "$root"); $(declare -f answer_all); answer_all build/wasm/there \
+    node build/wasm/mesecina_command.js" || return 1
+  while read -r command; do
+    digests=$((digests + $(grep -cE '"digest' "build/wasm/here/$number")))
+    if difference=$(diff <(grep -vE '"(length|perimeter)"' "build/wasm/here/$number") \
+      <(grep -vE '"(length|perimeter)"' "build/wasm/there/$number")); then
+      ((++equal))
+    else
+      say "mesecina ${command/--layers */...} differs:"
+      head -n 12 <<<"$difference" >&2
+    fi
+    ((++number))
+  done <build/wasm/commands
+  say "$equal of $number commands write the same in WebAssembly, with $digests lines of digests."
+  ((equal == number))
+}
+
+# Starts the page in Chromium where that is installed, from a server that knows nothing of it. Its title has the name of
+# the document as soon as the first frame is drawn.
+start_page() {
+  command -v chromium >/dev/null || {
+    say "The page was not started: chromium is not installed."
+    return 0
+  }
+  say "Starting the page in Chromium ..."
+  local announcement profile browser second started=1
+  profile=$root/build/wasm/chromium
+  rm -rf "$profile"
+  coproc server { exec python3 -u -m http.server --bind 127.0.0.1 --directory build/web 0 2>/dev/null; }
+  # shellcheck disable=SC2154
+  read -r announcement <&"${server[0]}"
+  chromium --headless=new --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$profile" \
+    --remote-debugging-port=0 \
+    "http://127.0.0.1:$(sed 's/.* port \([0-9]*\).*/\1/' <<<"$announcement")/index.html" >/dev/null 2>&1 &
+  browser=$!
+  for ((second = 0; second < 120 && started != 0; ++second)); do
+    sleep 1
+    curl --silent "http://127.0.0.1:$(head -n 1 "$profile/DevToolsActivePort" 2>/dev/null)/json/list" |
+      grep -q '"title": ".* - Mesecina"' && started=0
+  done
+  # shellcheck disable=SC2154
+  kill "$browser" "$server_PID"
+  wait "$browser"
+  return "$started"
+}
+
+if [[ -z $is_test ]]; then
+  build_web mesecina_page
+  say "The page is in build/web."
+  exit 0
+fi
+build_web mesecina_test_kernel mesecina_command mesecina_page
+configure_program
+build release --target mesecina
 say "Comparing predicates with exact integers ..."
 with_emscripten node "$root/build/wasm/mesecina_test_kernel.js" || fail "the predicates are wrong in WebAssembly"
+compare_programs || fail "the program computes something else in WebAssembly"
+start_page || fail "the page does not start"

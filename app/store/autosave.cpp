@@ -3,13 +3,14 @@
 
 #include <fcntl.h>
 #include <fmt/core.h>
-#include <stdio.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
+#include <cstdio>
 #include <cstring>
 #include <ctime>
 #include <expected>
@@ -36,15 +37,19 @@ std::string local_time(std::time_t when, const char* format) {
 
 /// Renames the file to a free name, so that no file set aside before is lost. Empty: the file could not be renamed.
 fs::path set_aside(const fs::path& file) {
-  for (int twin = 1;; ++twin) {
+  constexpr int kMostTwins = 10'000;
+  for (int twin = 1; twin <= kMostTwins; ++twin) {
     fs::path aside = file.string() + (twin == 1 ? ".broken" : fmt::format(".broken-{}", twin));
-    if (::renameat2(AT_FDCWD, file.c_str(), AT_FDCWD, aside.c_str(), RENAME_NOREPLACE) == 0) return aside;
-    // Some file systems lack an atomic rename without replacement.
-    if (errno == EINVAL && ::access(aside.c_str(), F_OK) != 0 && ::rename(file.c_str(), aside.c_str()) == 0)
-      return aside;
-    constexpr int kMostTwins = 10'000;
-    if ((errno != EEXIST && errno != EINVAL) || twin == kMostTwins) return {};
+    // The rename replaces this empty file, which no other program has made.
+    const int reserved = ::open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0600);
+    if (reserved < 0 && errno == EEXIST) continue;
+    if (reserved < 0) return {};
+    ::close(reserved);
+    if (::rename(file.c_str(), aside.c_str()) == 0) return aside;
+    ::unlink(aside.c_str());
+    return {};
   }
+  return {};
 }
 
 /// Creates a new, locked file. If locking fails, no file is kept: another program would take it for left behind.
@@ -295,11 +300,8 @@ LeftWork::LeftWork(fs::path file, int lock, Journaled journal)
       session_(std::make_shared<const Session>(std::move(journal.session))),
       edits_(journal.unsaved_edits),
       is_partial_(!journal.complaint.empty()) {
-  std::error_code error;
-  const auto written = fs::last_write_time(file_, error);
-  if (!error)
-    when_ =
-        local_time(std::chrono::system_clock::to_time_t(std::chrono::file_clock::to_sys(written)), "%Y-%m-%d %H:%M");
+  struct stat status {};
+  if (::stat(file_.c_str(), &status) == 0) when_ = local_time(status.st_mtime, "%Y-%m-%d %H:%M");
 }
 
 LeftWork::~LeftWork() {

@@ -8,6 +8,7 @@
 #include "imgui_impl_glfw.h"
 #include "imgui_impl_opengl3.h"
 #include "imgui_internal.h"
+#include "render/gl_dialect.h"
 #include "render/text.h"
 
 namespace mes {
@@ -47,7 +48,7 @@ Gui::Gui(GlfwWindow& window, std::filesystem::path assets) : window_(window), as
   io.ConfigWindowsMoveFromTitleBarOnly = true;
   // Callbacks are forwarded by GlfwWindow.
   ImGui_ImplGlfw_InitForOpenGL(window_.handle(), false);
-  ImGui_ImplOpenGL3_Init("#version 330 core");
+  ImGui_ImplOpenGL3_Init(render::shader_version());
 }
 
 Gui::~Gui() {

@@ -149,15 +149,22 @@ void App::wait_for_event() {
   window.wait(limit);
 }
 
+bool App::wants_turn() const {
+  return screen_.clock.wants_frame() || board_.canvas().views().is_moving();
+}
+
+bool App::step() {
+  if (wants_turn())
+    screen_.window->poll();
+  else
+    wait_for_event();
+  screen_.times.begin();
+  turn();
+  return !documents_.is_left();
+}
+
 void App::run(const Termination& termination) {
-  while (!documents_.is_left() && termination.signal() == 0) {
-    if (screen_.clock.wants_frame() || board_.canvas().views().is_moving())
-      screen_.window->poll();
-    else
-      wait_for_event();
-    screen_.times.begin();
-    turn();
-  }
+  while (!documents_.is_left() && termination.signal() == 0) step();
   end();
 }
 

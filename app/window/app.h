@@ -38,6 +38,14 @@ class App {
 
   /// Runs until the user has left or a signal asks for it.
   void run(const Termination& termination);
+  /// One turn of `run`, which waits for an event unless a frame is wanted. False: the user has left, and `end` is due.
+  bool step();
+  /// A frame is wanted without an event.
+  bool wants_turn() const;
+  /// Seconds until a turn is needed without an event; 0: without limit.
+  double next_wait();
+  /// Saves the settings and closes what is under way.
+  void end();
 
  private:
   App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const std::filesystem::path& assets,
@@ -47,7 +55,6 @@ class App {
   bool clear_selection();
   bool cancel_lesson_export();
   bool end_lesson();
-  double next_wait();
   void wait_for_event();
   void turn();
   void follow_hold();
@@ -58,7 +65,6 @@ class App {
   void take_steps();
   void draw();
   void update_title();
-  void end();
 
   Waker wake_;
   SettingsFile settings_;

@@ -48,7 +48,7 @@ void Workspace::report(const Expected<void>& done) {
   if (!done) messages_.problem(done.error().message());
 }
 
-void Workspace::report(const Expected<std::string>& done) {
+void Workspace::report_remark(const Expected<std::string>& done) {
   if (!done) return refusal_.say(done.error());
   refusal_.forget();
   messages_.remark(*done);

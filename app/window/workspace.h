@@ -151,7 +151,7 @@ class Workspace {
             document().sample_count() <= most_measured_};
   }
   void report(const Expected<void>& done);
-  void report(const Expected<std::string>& done);
+  void report_remark(const Expected<std::string>& done);
   void show_family();
   void follow_family();
 

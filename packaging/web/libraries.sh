@@ -4,7 +4,7 @@
 #
 #   libraries.sh SOURCES PREFIX JOBS    SOURCES has an unpacked folder for each Debian source package
 #
-# A library is finished when its stamp lies in PREFIX; what fails says where its log is.
+# A library is finished when its stamp in PREFIX names its recipe; what fails says where its log is.
 set -uo pipefail
 sources=$1 prefix=$2 jobs=$3
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -120,7 +120,7 @@ library_polyclipping() {
 library_muparser() { with_cmake "$sources/muparser" -DENABLE_SAMPLES=OFF -DENABLE_OPENMP=OFF; }
 library_freetype() {
   with_cmake "$sources/freetype" -DFT_DISABLE_HARFBUZZ=ON -DFT_DISABLE_BROTLI=ON -DFT_DISABLE_BZIP2=ON \
-    -DFT_DISABLE_PNG=ON -DFT_DISABLE_ZLIB=ON
+    -DFT_DISABLE_PNG=ON -DFT_REQUIRE_ZLIB=ON
 }
 library_harfbuzz() {
   mkdir -p "$prefix/include/harfbuzz" && cp "$sources"/harfbuzz/src/hb*.h "$prefix/include/harfbuzz/" &&
@@ -129,10 +129,10 @@ library_harfbuzz() {
     sed -i "s|^Cflags:.*|Cflags: -I$prefix/include/harfbuzz|" "$prefix/lib/pkgconfig/harfbuzz.pc"
 }
 library_imgui() {
-  mkdir -p "$prefix/include/imgui/backends" && cp "$sources"/imgui/*.h "$prefix/include/imgui/" &&
+  mkdir -p "$prefix/include/imgui/backends" && cp "$sources"/imgui/{,misc/cpp/}*.h "$prefix/include/imgui/" &&
     cp "$sources"/imgui/backends/imgui_impl_{glfw,opengl3}.h "$prefix/include/imgui/backends/" &&
     archive imgui -I"$sources/imgui" -DIMGUI_IMPL_OPENGL_ES3 -- "$sources"/imgui/imgui{,_draw,_tables,_widgets}.cpp \
-      "$sources"/imgui/backends/imgui_impl_{glfw,opengl3}.cpp
+      "$sources"/imgui/misc/cpp/imgui_stdlib.cpp "$sources"/imgui/backends/imgui_impl_{glfw,opengl3}.cpp
 }
 library_stb() {
   # Dear ImGui has copies of its own; the library that Debian's needs is empty here.
@@ -163,8 +163,7 @@ library_cairo() {
     printf '#define CAIRO_HAS_%s 1\n' "$feature"
   done >>cairo-features.h
   cp cairo-features.h "$source"/cairo{,-version,-deprecated,-ps,-pdf,-ft}.h "$prefix/include/" &&
-    described cairo "$version" '-lcairo -lpixman-1 -lfreetype -lz' && described cairo-ps "$version" -lcairo &&
-    described cairo-ft "$version" -lcairo &&
+    described cairo-ps "$version" '-lcairo -lpixman-1 -lz' && described cairo-ft "$version" -lcairo &&
     sed -i "s|^Cflags:.*|Cflags: -I$prefix/include -I$prefix/include/freetype2|" "$prefix/lib/pkgconfig/cairo-ft.pc" &&
     archive cairo -I. -I"$source" -I"$prefix/include" -I"$prefix/include/freetype2" -Wno-everything \
       -DHAVE_STDINT_H=1 -DHAVE_INTTYPES_H=1 -DHAVE_UNISTD_H=1 -DHAVE_SYS_TYPES_H=1 -DHAVE_STRNDUP=1 -DHAVE_CTIME_R=1 \
@@ -177,12 +176,14 @@ library_cairo() {
 failed=0
 for name in gmp mpfr mpfi zlib deflate png jpeg pugixml fmt polyclipping muparser freetype harfbuzz stb imgui browser \
   pixman cairo; do
-  [[ -e $prefix/stamp/$name ]] && continue
+  # A library whose recipe has changed is compiled again.
+  recipe=$(declare -f "library_$name" | cksum)
+  [[ $(cat "$prefix/stamp/$name" 2>/dev/null) == "$recipe" ]] && continue
   printf 'Compiling %s ...\n' "$name" >&2
   folder=$prefix/work/$name
   rm -rf "$folder" && mkdir -p "$folder" && cd "$folder" || exit 1
   if ("library_$name") >"$prefix/log/$name.log" 2>&1; then
-    touch "$prefix/stamp/$name"
+    printf %s "$recipe" >"$prefix/stamp/$name"
     rm -rf "$folder"
   else
     printf '%s could not be compiled; its log is %s\n' "$name" "$prefix/log/$name.log" >&2

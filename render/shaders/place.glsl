@@ -8,7 +8,7 @@ const float kTurn = 6.28318530717958648;
 vec2 strip_corner() { return vec2((gl_VertexID & 1) * 2 - 1, (gl_VertexID & 2) - 1); }
 
 // The corner of an equilateral triangle around the unit disk that this vertex is.
-vec2 triangle_corner() { return vec2((gl_VertexID - 1) * 1.7320508, gl_VertexID == 1 ? 2.0 : -1.0); }
+vec2 triangle_corner() { return vec2(float(gl_VertexID - 1) * 1.7320508, gl_VertexID == 1 ? 2.0 : -1.0); }
 
 vec4 place(vec2 px) { return vec4(px / u_half_view, 0.0, 1.0); }
 

@@ -10,6 +10,10 @@ std::string_view shader_head() {
   return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;\n";
 }
 
+const char* shader_version() {
+  return "#version 300 es";
+}
+
 bool has_needed_gl() {
   return glGetString(GL_VERSION) != nullptr;
 }

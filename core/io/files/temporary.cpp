@@ -5,7 +5,6 @@
 #include <fcntl.h>
 #include <fmt/core.h>
 #include <stdlib.h>
-#include <sys/random.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -63,7 +62,7 @@ bool is_scratch_name(std::string_view name) {
 std::string part_name() {
   std::uint64_t number = 0;
   // If the system gives no randomness, EEXIST still keeps the names unique.
-  if (::getrandom(&number, sizeof number, GRND_NONBLOCK) != sizeof number)
+  if (::getentropy(&number, sizeof number) != 0)
     number = static_cast<std::uint64_t>(Clock::now().time_since_epoch().count()) ^
              (static_cast<std::uint64_t>(::getpid()) << 32U);
   return fmt::format("{}{:0{}x}{}", kPartBegin, number, kPartDigits, kPartEnd);

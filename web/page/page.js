@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Starts the program on the page, and stands between it and the browser: keys, clipboard, files.
+'use strict';
+
+const canvas = document.getElementById('canvas');
+const say = text => {
+  document.getElementById('status').textContent = text;
+  document.getElementById('progress').hidden = true;
+  document.getElementById('start').style.display = 'flex';
+};
+
+// Threads share memory on isolated pages only. Where the server does not send the headers, a service worker adds them.
+async function isIsolated() {
+  if (crossOriginIsolated) return true;
+  if (!('serviceWorker' in navigator) || sessionStorage.getItem('isolated')) return false;
+  await navigator.serviceWorker.register('isolation.js');
+  await navigator.serviceWorker.ready;
+  sessionStorage.setItem('isolated', '1');
+  location.reload();
+  return new Promise(() => {});
+}
+
+async function start() {
+  if (!await isIsolated()) return say('This browser does not let the page use threads, which Mesecina needs.');
+  sessionStorage.removeItem('isolated');
+  // The program gets this context: one with its own attributes would blend the drawing with the page. Where the picture
+  // is not preserved, Chromium clears it after the first copy into it, and the copy with it.
+  const attributes = {alpha: false, antialias: false, depth: false, stencil: false, preserveDrawingBuffer: true};
+  if (!canvas.getContext('webgl2', attributes))
+    return say('This browser has no WebGL 2, which Mesecina needs.');
+  const progress = document.getElementById('progress');
+  window.Module = {
+    canvas,
+    setStatus(text) {
+      const found = /\((\d+)\/(\d+)\)/.exec(text);
+      if (found) progress.value = found[1] / found[2];
+    },
+    preRun: [() => {
+      ENV.HOME = '/home';
+      FS.mkdirTree('/home');
+      FS.mkdirTree('/files');
+      watchFiles();
+    }],
+    onAbort: reason => say('Mesecina has stopped: ' + reason),
+    postRun: [() => {
+      document.getElementById('start').style.display = 'none';
+      addEventListener('resize', fit);
+      fit();
+    }],
+  };
+  const program = document.createElement('script');
+  program.src = 'mesecina.js';
+  program.onerror = () => say('mesecina.js cannot be loaded.');
+  document.body.append(program);
+}
+
+function fit() {
+  Module.setCanvasSize(innerWidth, innerHeight);
+}
+
+// Keys. GLFW hears them after this listener. Those that the browser has no better use for are the program's.
+addEventListener('keydown', event => {
+  const isCommand = event.ctrlKey || event.metaKey;
+  // The program asks for the text at once, but a page gets it from the event "paste" only, which comes next.
+  if (isCommand && event.code === 'KeyV' && event.isTrusted) {
+    event.stopImmediatePropagation();
+    return;
+  }
+  const isForBrowser = event.key === 'F5' || event.key === 'F12' || (isCommand && /^[cxvrtwn]$/i.test(event.key));
+  const isText = event.key.length === 1 && !isCommand && !event.altKey;
+  if (!isText && !isForBrowser) event.preventDefault();
+}, true);
+addEventListener('paste', event => {
+  globalThis.pastedText = event.clipboardData.getData('text/plain');
+  dispatchEvent(new KeyboardEvent('keydown', {keyCode: 86, code: 'KeyV', key: 'v', ctrlKey: true}));
+}, true);
+
+// A drag goes on outside the window.
+canvas.addEventListener('pointerdown', event => canvas.setPointerCapture(event.pointerId));
+addEventListener('beforeunload', event => { if (document.title.startsWith('* ')) event.preventDefault(); });
+addEventListener('contextmenu', event => event.preventDefault());
+
+// The file that the user chooses in the dialog of the browser is copied to /files. Of the answers 0 is none yet, 1 a
+// file and 2 none at all.
+let answer = 0;
+let answeredName = '';
+function askFile(extensions) {
+  answer = 0;
+  const field = document.createElement('input');
+  field.type = 'file';
+  field.accept = extensions;
+  field.onchange = async () => {
+    answeredName = field.files[0].name;
+    FS.writeFile('/files/' + answeredName, new Uint8Array(await field.files[0].arrayBuffer()));
+    answer = 1;
+  };
+  field.oncancel = () => { answer = 2; };
+  field.click();
+}
+function answerFile(name, size) {
+  if (answer === 1) stringToUTF8(answeredName, name, size);
+  return answer;
+}
+
+// Files are written beside their target and renamed, so a name that appears outside /home is a complete file.
+function watchFiles() {
+  const rename = FS.rename;
+  FS.rename = (from, to) => {
+    rename.call(FS, from, to);
+    const target = FS.lookupPath(to).path;
+    if (target.startsWith('/home/') || target.startsWith('/tmp/')) return;
+    const link = document.createElement('a');
+    link.href = URL.createObjectURL(new Blob([FS.readFile(target)]));
+    link.download = target.split('/').pop();
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+  };
+}
+
+start().catch(error => say('Mesecina cannot start: ' + error.message));
