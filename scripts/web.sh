@@ -181,27 +181,27 @@ compare_programs() {
 }
 
 # Starts the page in Chromium where that is installed, from a server that knows nothing of it. Its title has the name of
-# the document as soon as the first frame is drawn.
+# the file in the link as soon as the first frame with it is drawn.
 start_page() {
   command -v chromium >/dev/null || {
     say "The page was not started: chromium is not installed."
     return 0
   }
   say "Starting the page in Chromium ..."
-  local announcement profile browser second started=1
+  local announcement profile link browser second started=1
   profile=$root/build/wasm/chromium
   rm -rf "$profile"
-  coproc server { exec python3 -u -m http.server --bind 127.0.0.1 --directory build/web 0 2>/dev/null; }
+  coproc server { exec python3 -u -m http.server --bind 127.0.0.1 0 2>/dev/null; }
   # shellcheck disable=SC2154
   read -r announcement <&"${server[0]}"
+  link="http://127.0.0.1:$(sed 's/.* port \([0-9]*\).*/\1/' <<<"$announcement")/build/web/index.html"
   chromium --headless=new --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$profile" \
-    --remote-debugging-port=0 \
-    "http://127.0.0.1:$(sed 's/.* port \([0-9]*\).*/\1/' <<<"$announcement")/index.html" >/dev/null 2>&1 &
+    --remote-debugging-port=0 "$link?open=../../assets/shapes/bean.poff" >/dev/null 2>&1 &
   browser=$!
   for ((second = 0; second < 120 && started != 0; ++second)); do
     sleep 1
     curl --silent "http://127.0.0.1:$(head -n 1 "$profile/DevToolsActivePort" 2>/dev/null)/json/list" |
-      grep -q '"title": ".* - Mesecina"' && started=0
+      grep -q '"title": "bean.poff - Mesecina"' && started=0
   done
   # shellcheck disable=SC2154
   kill "$browser" "$server_PID"

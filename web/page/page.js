@@ -20,6 +20,17 @@ async function isIsolated() {
   return new Promise(() => {});
 }
 
+// The file of this site that the address names, as ?open=crust.json does; null if it names none.
+async function fileOfAddress() {
+  const name = new URLSearchParams(location.search).get('open');
+  if (!name) return null;
+  const address = new URL(name, location.href);
+  if (address.origin !== location.origin) throw Error('only files of this site are opened');
+  const answer = await fetch(address);
+  if (!answer.ok) throw Error(`${name} cannot be read (${answer.status})`);
+  return {path: '/files/' + address.pathname.split('/').pop(), bytes: new Uint8Array(await answer.arrayBuffer())};
+}
+
 async function start() {
   if (!await isIsolated()) return say('This browser does not let the page use threads, which Mesecina needs.');
   sessionStorage.removeItem('isolated');
@@ -29,8 +40,10 @@ async function start() {
   if (!canvas.getContext('webgl2', attributes))
     return say('This browser has no WebGL 2, which Mesecina needs.');
   const progress = document.getElementById('progress');
+  const opened = await fileOfAddress();
   window.Module = {
     canvas,
+    arguments: opened ? [opened.path] : [],
     setStatus(text) {
       const found = /\((\d+)\/(\d+)\)/.exec(text);
       if (found) progress.value = found[1] / found[2];
@@ -39,6 +52,7 @@ async function start() {
       ENV.HOME = '/home';
       FS.mkdirTree('/home');
       FS.mkdirTree('/files');
+      if (opened) FS.writeFile(opened.path, opened.bytes);
       watchFiles();
     }],
     onAbort: reason => say('Mesecina has stopped: ' + reason),
