@@ -28,7 +28,8 @@ async function fileOfAddress() {
   if (address.origin !== location.origin) throw Error('only files of this site are opened');
   const answer = await fetch(address);
   if (!answer.ok) throw Error(`${name} cannot be read (${answer.status})`);
-  return {path: '/files/' + address.pathname.split('/').pop(), bytes: new Uint8Array(await answer.arrayBuffer())};
+  const leaf = decodeURIComponent(address.pathname.split('/').pop());
+  return {path: '/files/' + leaf, bytes: new Uint8Array(await answer.arrayBuffer())};
 }
 
 async function start() {
