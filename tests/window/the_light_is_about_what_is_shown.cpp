@@ -16,7 +16,7 @@ using namespace mes::test;
 
 namespace {
 
-constexpr PixelBox kLight{1130, 775, 1160, 798};
+constexpr PixelBox kLight{780, 775, 1270, 798};
 bool is_green(Color c) {
   return c.g > 130 && c.r < 60 && c.b < 150;
 }
@@ -88,7 +88,7 @@ TEST_CASE("a place that the light names is shown with its neighbours") {
   REQUIRE(eventually([&] { return !window.screen.shoot().box_of(kLight, is_amber).is_empty(); }));
   const Screenshot before = window.screen.settled();
   window.screen.click(before.box_of(kLight, is_amber).middle());
-  constexpr PixelBox kReasons{915, 560, 950, 770};
+  constexpr PixelBox kReasons{780, 520, 950, 770};
   REQUIRE(eventually([&] { return !window.screen.shoot().box_of(kReasons, is_amber).is_empty(); }));
   const Screenshot reasons = window.screen.settled();
   // The first dot, a sentence of two lines beside it, and below that a button for each place.
