@@ -9,7 +9,7 @@ namespace {
 // 0 <= y <= x, neither so large nor so small that a square leaves the range of doubles.
 double corrected_hypotenuse(double x, double y) {
   const double h = std::sqrt(x * x + y * y);
-  // What is left of h^2 - x^2 - y^2, from differences that are exact.
+  // The two terms add up to h^2 - x^2 - y^2. They come from differences that are exact.
   double first = 0.0;
   double second = 0.0;
   if (h <= 2.0 * y) {

@@ -46,9 +46,9 @@ T require_read(Expected<T> read) {
   return *std::move(read);
 }
 
-/// What a reader takes however few the bytes are.
+/// A reader may take this many bytes of memory for a file of any size.
 inline constexpr std::size_t kAnyMemory = std::size_t{4} << 20U;
-/// The library PROJ reads its database.
+/// The same for a reader of maps: the library PROJ reads its database.
 inline constexpr std::size_t kMemoryOfProj = std::size_t{16} << 20U;
 
 /// Memory grows with the bytes, not with what they announce. Checked where the build can measure it.

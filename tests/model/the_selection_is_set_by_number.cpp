@@ -323,7 +323,7 @@ TEST_CASE("a drawing or map begins a document where there is none, and a table o
   CHECK(empty.desk.begins_document(map, MapDegrees::projected));
   const std::string circle = R"(<svg xmlns="http://www.w3.org/2000/svg"><circle r="5"/></svg>)";
   CHECK(empty.desk.begins_document(circle, MapDegrees::projected));
-  // What was cut comes back by an edit.
+  // Samples that were cut come back by an edit.
   for (const std::string& text : {table, std::string("WPOFF 1 0 0\n7 7 1\n"), std::string("hello"), std::string()})
     CHECK_FALSE(empty.desk.begins_document(text, MapDegrees::projected));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the standard library of emscripten (libc++ 18) lacks of C++20. The compiler reads it before each source of the
-// rooms that use it (cmake/web.cmake). It is for this library alone, so it adds to namespace std.
+// Adds parts of C++20 that the standard library of emscripten (libc++ 18) lacks. The compiler reads it before each
+// source of the rooms that use it (cmake/web.cmake). It is for this library alone, so it adds to namespace std.
 #pragma once
 
 #include <atomic>

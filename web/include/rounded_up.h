@@ -56,8 +56,8 @@ inline bool is_below_product(double p, double a, double b) {
   return std::fma(x.digits, y.digits, -std::ldexp(z.digits, z.power - x.power - y.power)) > 0.0;
 }
 
-/// The result where the nearest double is not finite although the operands are: there is no double above +infinity, and
-/// the least one that is not less than a number below all doubles is the lowest.
+/// The result of finite operands whose nearest double is infinite. Above all doubles it is +infinity; below all doubles
+/// it is the lowest double, which is the least one that is not less.
 inline double overflown(double nearest) {
   return nearest < 0.0 ? std::numeric_limits<double>::lowest() : nearest;
 }

@@ -78,7 +78,7 @@ AxisTerms<Interval> interval_terms(const BallOf<Interval>& a, const BallOf<Inter
 
 /// Returns nothing if intervals are too wide.
 std::optional<RadicalAxis> quick_axis(const BallOf<Interval>& a, const BallOf<Interval>& b) {
-  // What is drawn is rounded to nearest, as with exact numbers.
+  // Drawn positions are rounded to nearest, as with exact numbers.
   const AxisTerms<Interval> terms = interval_terms(a, b);
   const double radius = std::sqrt(std::max(0.0, std::min(a.w.inf(), b.w.inf())));
   const Vec2 way{middle(terms.x), middle(terms.y)};
