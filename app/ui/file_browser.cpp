@@ -7,6 +7,7 @@
 #include <system_error>
 #include <utility>
 
+#include "app/ui/paragraph.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "core/base/lower_case.h"
@@ -323,7 +324,7 @@ void FileBrowser::draw_entries(const Gui& gui, float height) {
 
 bool FileBrowser::draw_overwrite_question(const Gui& gui) {
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-  ImGui::TextWrapped("%s exists already.", overwrite_.filename().c_str());
+  paragraph(overwrite_.filename().string() + " exists already.");
   ImGui::PopStyleColor();
   const bool is_confirmed = std::exchange(accepted_, false);
   const bool yes = default_button(gui, "Replace it", {}, replaces_) || (is_confirmed && replaces_);

@@ -10,6 +10,7 @@
 #include <optional>
 #include <utility>
 
+#include "app/ui/paragraph.h"
 #include "core/io/text/text_numbers.h"
 #include "imgui.h"
 #include "imgui_internal.h"
@@ -116,7 +117,8 @@ void show(const std::string& reason) {
   const ImVec2 field_end = ImGui::GetItemRectMax();
   const ImVec2 padding = style.FramePadding;
   const float wrap = std::min(22.0F * ImGui::GetFontSize(), screen.x - 2 * padding.x);
-  const ImVec2 text = ImGui::CalcTextSize(reason.c_str(), nullptr, false, wrap);
+  const std::string lines = broken_lines(reason, wrap);
+  const ImVec2 text = ImGui::CalcTextSize(lines.c_str());
   const ImVec2 size(text.x + 2 * padding.x, text.y + 2 * padding.y);
   const bool is_below = field_end.y + size.y <= screen.y;
   const ImVec2 at(std::max(0.0F, std::min(field.x, screen.x - size.x)), is_below ? field_end.y : field.y - size.y);
@@ -126,8 +128,7 @@ void show(const std::string& reason) {
   list.AddRect(field, field_end, color, style.FrameRounding);
   list.AddRectFilled(at, end, ImGui::GetColorU32(ImGuiCol_PopupBg), style.FrameRounding);
   list.AddRect(at, end, color, style.FrameRounding);
-  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + padding.x, at.y + padding.y}, color, reason.c_str(),
-               nullptr, wrap);
+  list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + padding.x, at.y + padding.y}, color, lines.c_str());
 }
 
 bool text_field(const char* label, const char* hint, std::string& text, ImGuiInputTextFlags flags) {

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "app/ui/paragraph.h"
 #include "app/ui/widgets.h"
 
 namespace mes {
@@ -20,7 +21,7 @@ void Question::press(const KeyChord& chord) {
 std::optional<std::size_t> Question::draw_question(const Gui& gui, const char* id,
                                                    std::span<const char* const> answers, std::size_t usual,
                                                    const std::string& heading,
-                                                   const std::function<void()>& draw_rest) {
+                                                   const std::function<void(float width)>& draw_rest) {
   const bool is_confirmed = std::exchange(is_confirmed_, false);
   if (!is_open()) steps_ = 0;
   const float unit = gui.unit();
@@ -30,12 +31,11 @@ std::optional<std::size_t> Question::draw_question(const Gui& gui, const char* i
   std::optional<std::size_t> out;
   if (Gui::begin_dialog(id, is_open(), ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_AlwaysAutoResize)) {
     // File names may be long.
-    ImGui::PushTextWrapPos(0.6F * screen.x);
+    const float width = 0.6F * screen.x;
     ImGui::PushFont(gui.bold());
-    ImGui::TextUnformatted(heading.c_str());
+    paragraph(heading, width);
     ImGui::PopFont();
-    draw_rest();
-    ImGui::PopTextWrapPos();
+    draw_rest(width);
     ImGui::Dummy({1, 6 * unit});
     const auto count = static_cast<std::ptrdiff_t>(answers.size());
     const auto chosen =

@@ -24,7 +24,7 @@ class Question : public Dialog {
   /// Returns the index of the answer that was given. `usual`: the default button when the dialog opens.
   std::optional<std::size_t> draw_question(const Gui& gui, const char* id, std::span<const char* const> answers,
                                            std::size_t usual, const std::string& heading,
-                                           const std::function<void()>& draw_rest);
+                                           const std::function<void(float width)>& draw_rest);
 
  private:
   std::ptrdiff_t steps_ = 0;  // of the default button, since the dialog opened

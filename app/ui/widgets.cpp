@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-#include "app/ui/note.h"
+#include "app/ui/paragraph.h"
 #include "imgui_internal.h"
 
 namespace mes {
@@ -43,7 +43,7 @@ void place_tooltip(const Gui& gui, const std::string& text) {
   const ImVec2 high = ImGui::GetItemRectMax();
   const ImGuiWindow* const root = ImGui::GetCurrentContext()->CurrentWindow->RootWindow;
   const ImRect panel = root->OuterRectClipped;
-  const ImVec2 size = note_size(text, kTooltipWidth * gui.unit());
+  const ImVec2 size = paragraph_window_size(text, kTooltipWidth * gui.unit());
   // Without this, Dear ImGui would draw the text in the size of the previous one for a frame.
   ImGui::SetNextWindowSize(size);
   const auto at = tooltip_place({.item = {low, {high.x - low.x, high.y - low.y}},
@@ -220,7 +220,7 @@ void tooltip(const Gui& gui, const std::string& text) {
   if (text.empty() || !gui.is_resting() || !ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
   place_tooltip(gui, text);
   ImGui::BeginTooltip();
-  note(text, kTooltipWidth * gui.unit());
+  paragraph(text, kTooltipWidth * gui.unit());
   ImGui::EndTooltip();
 }
 

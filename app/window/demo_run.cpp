@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "app/ui/icons.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/widgets.h"
 
 namespace mes {
@@ -110,10 +111,8 @@ bool DemoRun::draw(const Gui& gui, ImVec2 middle, float width) {
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
   // A font must be popped in the window where it was pushed: another window would lose its texture.
   ImGui::PushFont(gui.bold());
-  ImGui::PushTextWrapPos(wanted - buttons - 10 * unit);
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(caption.c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(caption, wanted - buttons - 10 * unit - ImGui::GetCursorPosX());
   ImGui::PopFont();
   // Put at the bottom, which does not move when a caption has more lines.
   ImGui::SetCursorPosY(std::max(ImGui::GetStyle().WindowPadding.y, ImGui::GetCursorPosY() - button - 4 * unit));

@@ -2,9 +2,10 @@
 // A window as large as a text is said to need shows all of it.
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cmath>
 #include <string>
 
-#include "app/ui/note.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/widgets.h"
 #include "core/base/rng.h"
 #include "imgui_internal.h"
@@ -40,10 +41,10 @@ class ExplainedFrames {
     // The library knows in the second frame whether the first one needed a scrollbar.
     for (int frame = 0; frame < 3; ++frame) {
       ImGui::NewFrame();
-      ImGui::SetNextWindowSize(note_size(text, width));
+      ImGui::SetNextWindowSize(paragraph_window_size(text, width));
       ImGui::SetNextWindowPos({20, 30});
       ImGui::BeginTooltip();
-      note(text, width);
+      paragraph(text, width);
       const ImGuiWindow* const window = ImGui::GetCurrentWindow();
       out = {window->WorkRect.GetSize(), ImGui::GetItemRectSize(), window->ScrollbarX || window->ScrollbarY};
       ImGui::EndTooltip();
@@ -106,4 +107,33 @@ TEST_CASE("an explanation has room for all of its words, however wide it may be"
       }
     }
   }
+}
+
+TEST_CASE("lines break between words, never within a number, and keep every word") {
+  const ExplainedFrames frames;
+  const std::string text =
+      "Radius 12.25: born at 0.51234, dead at 1234.5678, scores 3.14.\nA_word_that_is_wider_than_most_lines.txt ends "
+      "it";
+  const auto without_spaces = [](std::string words) {
+    std::erase_if(words, [](char c) { return c == ' ' || c == '\n'; });
+    return words;
+  };
+  ImGui::NewFrame();
+  const float word = ImGui::CalcTextSize("1234.5678,").x;
+  for (float width = 10.0F; width < 700.0F; width += 3.0F) {
+    const std::string lines = broken_lines(text, width);
+    INFO(lines);
+    CHECK(without_spaces(lines) == without_spaces(text));
+    if (width < word) continue;
+    for (const char* const number : {"12.25:", "0.51234,", "1234.5678,", "3.14."})
+      CHECK(lines.find(number) != std::string::npos);
+    CHECK(ImGui::CalcTextSize(lines.c_str()).x <= std::ceil(width));
+  }
+  CHECK(broken_lines(text, 5000.0F) == text);
+  CHECK(broken_lines("", 100.0F).empty());
+  CHECK(broken_lines("a", 0.5F) == "a");
+  CHECK(broken_lines("  indented", 500.0F) == "  indented");
+  // The letters of a word that is cut stay whole.
+  CHECK(broken_lines("\u00e4\u00f6", 1.0F) == "\u00e4\n\u00f6");
+  ImGui::EndFrame();
 }

@@ -12,6 +12,7 @@
 #include "app/ui/icons.h"
 #include "app/ui/mark_band.h"
 #include "app/ui/number_field.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -218,9 +219,7 @@ void parameter_field(const EvolutionStrip& strip, const Parameter& parameter) {
   if (value != player.choice().values[parameter]) player.set_value(parameter, value);
   if (beyond) strip.messages.remark(beyond_words(title, *beyond, parameter.low, parameter.high));
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
-  ImGui::PushTextWrapPos(330 * unit);
-  ImGui::TextUnformatted(spoken_explanation(parameter).c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(spoken_explanation(parameter), 330 * unit);
   ImGui::PopStyleColor();
   ImGui::Spacing();
 }

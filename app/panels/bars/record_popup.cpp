@@ -10,6 +10,7 @@
 #include "app/model/record_settings.h"
 #include "app/ui/icons.h"
 #include "app/ui/number_field.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -150,9 +151,7 @@ void draw_contents(const RecordPopup& popup) {
   tooltip(gui, popup.actions.tooltip_of(ActionId::make_video));
   if (const auto good = check(record); !good) {
     ImGui::PushStyleColor(ImGuiCol_Text, popup.gui.colors().warning);
-    ImGui::PushTextWrapPos(column + 230 * unit);
-    ImGui::TextUnformatted(good.error().message().c_str());
-    ImGui::PopTextWrapPos();
+    paragraph(good.error().message(), column + 230 * unit);
     ImGui::PopStyleColor();
   }
 }

@@ -9,6 +9,7 @@
 
 #include "app/editing/neighborhood.h"
 #include "app/picture/shown_verdict.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 
@@ -67,18 +68,15 @@ void draw_reasons(const Verdict& verdict) {
   const float unit = verdict.gui.unit();
   static constexpr float kWidth = 380;
   const VerdictWord look = shown_verdict(verdict.engine, verdict.picture);
-  ImGui::PushTextWrapPos(kWidth * unit);
-  ImGui::TextUnformatted(look.text.c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(look.text, kWidth * unit);
   ImGui::Dummy({0, 2 * unit});
   bool gives_reasons = false;
   for (const NodeReport& node : verdict.picture.nodes()) {
     if (node.state == NodeState::failed) {
       gives_reasons = true;
-      ImGui::PushTextWrapPos(kWidth * unit);
-      ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(verdict.gui.colors().warning), "Failed: %s. %s",
-                         structure_name(node.structure).c_str(), node.reason.c_str());
-      ImGui::PopTextWrapPos();
+      ImGui::PushStyleColor(ImGuiCol_Text, verdict.gui.colors().warning);
+      paragraph(fmt::format("Failed: {}. {}", structure_name(node.structure), node.reason), kWidth * unit);
+      ImGui::PopStyleColor();
     }
     for (std::size_t i = 0; i < node.findings.size(); ++i) {
       const Finding& finding = node.findings[i];
@@ -89,9 +87,7 @@ void draw_reasons(const Verdict& verdict) {
       ImGui::GetWindowDrawList()->AddCircleFilled({at.x + 5 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()},
                                                   4 * unit, mood_color(verdict.gui.colors(), mood_of(finding.level)));
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
-      ImGui::PushTextWrapPos(kWidth * unit);
-      ImGui::TextUnformatted(text_of(finding, node.structure).c_str());
-      ImGui::PopTextWrapPos();
+      paragraph(text_of(finding, node.structure), kWidth * unit);
       ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 16 * unit);
       constexpr std::size_t kShown = 8;
       for (std::size_t k = 0; k < std::min(finding.places.size(), kShown); ++k) {
@@ -110,9 +106,7 @@ void draw_reasons(const Verdict& verdict) {
     }
   }
   if (gives_reasons || look.meaning == look.text) return;
-  ImGui::PushTextWrapPos(kWidth * unit);
-  ImGui::TextUnformatted(look.meaning.data(), look.meaning.data() + look.meaning.size());
-  ImGui::PopTextWrapPos();
+  paragraph(look.meaning, kWidth * unit);
 }
 
 }  // namespace

@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "app/ui/paragraph.h"
+
 namespace mes {
 namespace {
 
@@ -76,15 +78,15 @@ void AskConflict::cancel() {
   if (const Answers answers = std::exchange(answers_, {}); answers.cancel) answers.cancel();
 }
 
-void AskConflict::draw_facts(const Gui& gui) const {
+void AskConflict::draw_facts(const Gui& gui, float width) const {
   const float unit = gui.unit();
   ImGui::Dummy({1, 2 * unit});
-  ImGui::TextUnformatted("Saving here would remove what was written to it since it was opened or last saved.");
+  paragraph("Saving here would remove what was written to it since it was opened or last saved.", width);
   ImGui::Dummy({1, 4 * unit});
   if (conflict_->theirs)
     draw_counts(gui, conflict_->mine, *conflict_->theirs);
   else
-    ImGui::Text("Its present contents cannot be shown: %s", conflict_->problem.c_str());
+    paragraph("Its present contents cannot be shown: " + conflict_->problem, width);
   if (!conflict_->shared_edits) return;
   ImGui::Dummy({1, 2 * unit});
   ImGui::TextDisabled("%s", shared_text(*conflict_->shared_edits).c_str());
@@ -93,10 +95,10 @@ void AskConflict::draw_facts(const Gui& gui) const {
 void AskConflict::draw(const Gui& gui) {
   static constexpr std::array kAnswers{"Save as...", "Overwrite", "Cancel"};
   const std::string name = conflict_ ? conflict_->file.filename().string() : std::string();
-  const auto answer =
-      draw_question(gui, kConflictTitle, kAnswers, 0, name + " has been changed by another program", [this, &gui] {
-        if (conflict_) draw_facts(gui);
-      });
+  const auto answer = draw_question(gui, kConflictTitle, kAnswers, 0, name + " has been changed by another program",
+                                    [this, &gui](float width) {
+                                      if (conflict_) draw_facts(gui, width);
+                                    });
   if (!answer || !conflict_) return;
   if (*answer == 2) return cancel();
   const FileConflict conflict = *std::exchange(conflict_, std::nullopt);

@@ -24,7 +24,7 @@ class AskConflict final : public Question {
   void draw(const Gui& gui) override;
 
  private:
-  void draw_facts(const Gui& gui) const;
+  void draw_facts(const Gui& gui, float width) const;
 
   std::optional<FileConflict> conflict_{};
   Answers answers_{};

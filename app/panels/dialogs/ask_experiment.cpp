@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "app/ui/paragraph.h"
+
 namespace mes {
 namespace {
 constexpr const char* kExperimentTitle = "##ask-experiment";
@@ -23,10 +25,11 @@ void AskExperiment::cancel() {
 void AskExperiment::draw(const Gui& gui) {
   static constexpr std::array kAnswers{"Run it", "Cancel"};
   const auto answer =
-      draw_question(gui, kExperimentTitle, kAnswers, 1, file_.filename().string() + " is a program", [] {
-        ImGui::TextUnformatted(
+      draw_question(gui, kExperimentTitle, kAnswers, 1, file_.filename().string() + " is a program", [](float width) {
+        paragraph(
             "An experiment is code that runs with your rights: it may read and change your files. Run it only if you "
-            "know where it is from.");
+            "know where it is from.",
+            width);
       });
   if (!answer) return;
   const std::function<void()> run = std::exchange(run_, {});

@@ -4,6 +4,8 @@
 #include <fmt/core.h>
 #include <array>
 
+#include "app/ui/paragraph.h"
+
 namespace mes {
 
 std::optional<LeftWork> AskRecover::take() {
@@ -20,15 +22,15 @@ void AskRecover::offer(std::vector<LeftWork> works, std::function<void()> recove
 
 void AskRecover::draw(const Gui& gui) {
   static constexpr std::array kAnswers{"Recover", "Discard", "Not now"};
-  const auto answer =
-      draw_question(gui, "##ask-recover", kAnswers, 0, "Work was left unsaved when Mesecina ended", [this, &gui] {
+  const auto answer = draw_question(
+      gui, "##ask-recover", kAnswers, 0, "Work was left unsaved when Mesecina ended", [this, &gui](float width) {
         if (!is_open()) return;
         const LeftWork& work = works_.front();
         const std::string title = work.session().title.empty() ? "Untitled" : work.session().title;
         ImGui::Dummy({1, 2 * gui.unit()});
-        ImGui::TextUnformatted(fmt::format("{}, {} {} at {}", title, work.edits(),
-                                           work.edits() == 1 ? "change," : "changes, the last", work.when())
-                                   .c_str());
+        paragraph(fmt::format("{}, {} {} at {}", title, work.edits(),
+                              work.edits() == 1 ? "change," : "changes, the last", work.when()),
+                  width);
         if (works_.size() > 1) ImGui::TextDisabled("%zu more after this one", works_.size() - 1);
       });
   if (!answer) return;

@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "app/ui/paragraph.h"
+
 namespace mes {
 namespace {
 constexpr const char* kUnsavedTitle = "##ask-unsaved";
@@ -24,8 +26,8 @@ void AskUnsaved::cancel() {
 void AskUnsaved::draw(const Gui& gui) {
   static constexpr std::array kAnswers{"Save", "Don't save", "Cancel"};
   const auto answer =
-      draw_question(gui, kUnsavedTitle, kAnswers, 0, title_ + " has changes that are not saved", [this] {
-        if (!reason_.empty()) ImGui::TextUnformatted(reason_.c_str());
+      draw_question(gui, kUnsavedTitle, kAnswers, 0, title_ + " has changes that are not saved", [this](float width) {
+        if (!reason_.empty()) paragraph(reason_, width);
       });
   if (!answer) return;
   const Answers answers = std::exchange(answers_, {});

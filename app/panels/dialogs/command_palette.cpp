@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "app/ui/paragraph.h"
 #include "app/ui/widgets.h"
 
 namespace mes {
@@ -162,9 +163,7 @@ void CommandPalette::draw_foot(const Gui& gui) const {
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
   constexpr std::size_t kFootLines = 3;
   const float bottom = ImGui::GetCursorPosY() + kFootLines * ImGui::GetTextLineHeight();
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(text.substr(0, text.find('\n')).c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(text.substr(0, text.find('\n')));
   ImGui::SetCursorPosY(std::max(bottom, ImGui::GetCursorPosY()));
   ImGui::PopStyleColor();
   ImGui::PopFont();

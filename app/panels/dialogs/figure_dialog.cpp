@@ -12,6 +12,7 @@
 #include "app/ui/icons.h"
 #include "app/ui/large_dialog.h"
 #include "app/ui/number_field.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/widgets.h"
 #include "imgui_stdlib.h"
 
@@ -107,9 +108,7 @@ void draw_chequers(const Gui& gui, ImVec2 at, ImVec2 end) {
 
 void warning(const Gui& gui, const std::string& text) {
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(text);
   ImGui::PopStyleColor();
 }
 

@@ -9,6 +9,7 @@
 
 #include "app/model/even_columns.h"
 #include "app/ui/icons.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/widgets.h"
 
 namespace mes {
@@ -106,8 +107,7 @@ class SheetSizes {
   float heading() const { return ImGui::GetTextLineHeight() + 9 * unit_; }
   float height_of(const Line& line, float text_at) const {
     const float wrap = std::max(1.0F, column_ - (line.is_gesture ? 0.0F : text_at));
-    const float text =
-        ImGui::CalcTextSize(line.text.data(), line.text.data() + line.text.size(), false, wrap).y + 2 * unit_;
+    const float text = ImGui::CalcTextSize(broken_lines(line.text, wrap).c_str()).y + 2 * unit_;
     return gap() + (line.is_gesture ? cap() + text : std::max(cap(), text));
   }
   float column() const { return column_; }
@@ -136,11 +136,9 @@ void draw_part(const Gui& gui, const Group& group, const ColumnPart& part, const
     }
     const ImVec2 text = line.is_gesture ? ImVec2(at.x, at.y + sizes.cap()) : ImVec2(at.x + text_at, at.y + 2 * unit);
     ImGui::SetCursorScreenPos(text);
-    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + at.x + sizes.column() - text.x);
     if (line.is_gesture) ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
-    ImGui::TextUnformatted(line.text.data(), line.text.data() + line.text.size());
+    paragraph(line.text, at.x + sizes.column() - text.x);
     if (line.is_gesture) ImGui::PopStyleColor();
-    ImGui::PopTextWrapPos();
     at.y += sizes.height_of(line, text_at);
   }
 }
@@ -174,11 +172,10 @@ void draw_foot(const Gui& gui, const std::string& keys_file) {
   if (keys_file.empty()) return;
   ImGui::Dummy({0, 8 * gui.unit()});
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().text_quiet);
-  ImGui::TextWrapped(
-      "Keys are set in %s. Help > Write or reread the file of keys creates it, with all commands. A command without "
-      "a "
-      "key is found by its name with Help > Find anything.",
-      keys_file.c_str());
+  paragraph(
+      fmt::format("Keys are set in {}. Help > Write or reread the file of keys creates it, with all commands. A "
+                  "command without a key is found by its name with Help > Find anything.",
+                  keys_file));
   ImGui::PopStyleColor();
 }
 

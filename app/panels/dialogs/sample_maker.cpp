@@ -7,6 +7,7 @@
 #include "app/editing/selection.h"
 #include "app/panels/dialogs/sampling_controls.h"
 #include "app/ui/number_field.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 
@@ -19,19 +20,17 @@ void SampleMaker::set_uses(Make make, Waker wake) {
 
 void SampleMaker::draw_facts(const Gui& gui) const {
   const SampleMaking::Made* made = making_->made();
-  ImGui::PushTextWrapPos(0.0F);
   if (made != nullptr && made->data) {
     const std::size_t balls = made->data->balls.size();
     const std::size_t samples = made->data->positions.size();
-    ImGui::TextDisabled("%s", counted(samples, balls).c_str());
+    quiet_paragraph(counted(samples, balls));
   }
   ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
   if (made != nullptr) {
-    if (!made->data) ImGui::TextUnformatted(made->data.error().text.c_str());
-    for (const std::string& remark : made->remarks) ImGui::TextUnformatted(remark.c_str());
+    if (!made->data) paragraph(made->data.error().text);
+    for (const std::string& remark : made->remarks) paragraph(remark);
   }
   ImGui::PopStyleColor();
-  ImGui::PopTextWrapPos();
 }
 
 bool SampleMaker::draw_buttons(const Gui& gui, const std::string& name, const char* explanation) {

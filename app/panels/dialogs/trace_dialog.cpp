@@ -9,6 +9,7 @@
 
 #include "app/ui/icons.h"
 #include "app/ui/large_dialog.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -122,21 +123,19 @@ void TraceDialog::draw_facts(const Gui& gui) {
     return;
   }
   const Expected<Tracing>& outlines = uses_->desk.outlines(request());
-  ImGui::PushTextWrapPos(0.0F);
   if (outlines) {
     if (const auto counts = uses_->desk.counts(request())) {
-      ImGui::TextUnformatted(count_with_noun(counts->outlines, "outline").c_str());
+      paragraph(count_with_noun(counts->outlines, "outline"));
       if (const std::string left_out = left_out_text(*counts); !left_out.empty())
-        ImGui::TextDisabled("Left out: %s", left_out.c_str());
+        quiet_paragraph("Left out: " + left_out);
     } else {
       ImGui::TextDisabled("Counting outlines...");
     }
   } else {
     ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-    ImGui::TextUnformatted(outlines.error().text.c_str());
+    paragraph(outlines.error().text);
     ImGui::PopStyleColor();
   }
-  ImGui::PopTextWrapPos();
 }
 
 void TraceDialog::draw_buttons(const Gui& gui) {

@@ -5,6 +5,7 @@
 
 #include "app/store/background_loader.h"
 #include "app/ui/number_field.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "core/base/coordinate_range.h"
@@ -42,9 +43,7 @@ void ImageControls::draw() const {
     return;
   }
   const float unit = gui.unit();
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + 250 * unit);
-  ImGui::TextUnformatted(std::filesystem::path(image.file).filename().c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(std::filesystem::path(image.file).filename().string(), 250 * unit);
   tooltip(gui, image.file);
   const double aspect = picture.background_aspect();
   if (aspect == 0.0) ImGui::TextDisabled("Not shown: it is still being read, or cannot be read");

@@ -8,6 +8,7 @@
 
 #include "app/picture/rich_text.h"
 #include "app/ui/icons.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -82,9 +83,8 @@ bool AnnotationCard::draw_words(const Gui& gui, Annotation& annotation, bool is_
                             annotation.kind != AnnotationKind::arrow;
   const std::string hint = is_dimension ? "Empty for the number alone; \\value is the number, as in $d = \\value$"
                                         : "$r_i^2$, \\alpha, \\textbf{bold}; Ctrl+Enter: another line";
-  ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + kAnnotationWidth * unit);
-  ImGui::TextDisabled("%s", (words.complaint.empty() ? hint : words.complaint + "; it is shown as typed").c_str());
-  ImGui::PopTextWrapPos();
+  quiet_paragraph(words.complaint.empty() ? hint : words.complaint + "; it is shown as typed",
+                  kAnnotationWidth * unit);
   ImGui::PopFont();
   return is_entered || is_left;
 }

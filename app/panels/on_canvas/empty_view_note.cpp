@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/layers/empty_view.h"
+#include "app/ui/paragraph.h"
 
 namespace mes {
 
@@ -26,9 +27,7 @@ bool EmptyViewNote::draw(ImVec2 middle, float width) const {
   ImGui::Begin("##empty-view", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
-  ImGui::PushTextWrapPos(wrap);
-  ImGui::TextUnformatted(empty->text.c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(empty->text, wrap - ImGui::GetCursorPosX());
   ImGui::Dummy({0, 3 * unit});
   const std::string label = label_of(empty->offer);
   const bool is_wanted = ImGui::Button(label.c_str());

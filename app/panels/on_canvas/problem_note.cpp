@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/ui/icons.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 
@@ -36,7 +37,7 @@ float width_of(const Gui& gui, const std::string& text, float room) {
 /// The height with the gap to the next message.
 float height_of(const Gui& gui, const std::string& text, float room) {
   const float wrap = width_of(gui, text, room) - 34 * gui.unit() - ImGui::GetStyle().WindowPadding.x;
-  return ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap).y + 2 * ImGui::GetStyle().WindowPadding.y +
+  return ImGui::CalcTextSize(broken_lines(text, wrap).c_str()).y + 2 * ImGui::GetStyle().WindowPadding.y +
          6 * gui.unit();
 }
 
@@ -56,9 +57,7 @@ DrawnNote draw_note(const Gui& gui, const NoteLook& look, const std::string& tex
   const float size = ImGui::GetTextLineHeight();
   const float start = ImGui::GetCursorPosY();
   ImGui::PushStyleColor(ImGuiCol_Text, look.ink);
-  ImGui::PushTextWrapPos(wanted - 34 * unit);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(text, wanted - 34 * unit - ImGui::GetCursorPosX());
   ImGui::PopStyleColor();
   ImGui::SameLine(wanted - 30 * unit);
   ImGui::SetCursorPosY(start);

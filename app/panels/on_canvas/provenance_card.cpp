@@ -6,6 +6,7 @@
 #include "app/panels/on_canvas/shape_pen.h"
 #include "app/picture/highlight_drawing.h"
 #include "app/ui/icons.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 
@@ -182,7 +183,8 @@ std::optional<std::size_t> ProvenanceCard::draw_lines(const Gui& gui, float widt
       ImGui::TextDisabled("%s", look.heading);
     }
     const float wrap = width - 40 * unit;
-    const float height = ImGui::CalcTextSize(line.text.c_str(), nullptr, false, wrap).y;
+    const std::string text = broken_lines(line.text, wrap);
+    const float height = ImGui::CalcTextSize(text.c_str()).y;
     const ImVec2 at = ImGui::GetCursorScreenPos();
     ImGui::PushID(static_cast<int>(i));
     const bool is_clicked = hit_area("line", {width - 20 * unit, height});
@@ -202,8 +204,7 @@ std::optional<std::size_t> ProvenanceCard::draw_lines(const Gui& gui, float widt
     if (line.role == ProvenanceRole::origin) list.AddCircle(mark, r, color, 0, 2 * unit);
     if (line.role == ProvenanceRole::product)
       list.AddRect({mark.x - r, mark.y - r}, {mark.x + r, mark.y + r}, color, 0.0F, 0, 2 * unit);
-    list.AddText(ImGui::GetFont(), ImGui::GetFontSize(), {at.x + 18 * unit, at.y}, gui.colors().text,
-                 line.text.c_str(), nullptr, wrap);
+    list.AddText({at.x + 18 * unit, at.y}, gui.colors().text, text.c_str());
   }
   pointed_at_ = pointed_at;
   return clicked;
@@ -230,9 +231,7 @@ void ProvenanceCard::draw_rows(const Gui& gui, float width) {
       ImGui::TextDisabled("%s", value.name.c_str());
       tooltip(gui, value.description);
       ImGui::SameLine(150 * unit);
-      ImGui::PushTextWrapPos(width - 10 * unit);
-      ImGui::TextUnformatted(value.text.c_str());
-      ImGui::PopTextWrapPos();
+      paragraph(value.text, width - 10 * unit - ImGui::GetCursorPosX());
     }
     ImGui::Unindent(12 * unit);
   }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/on_canvas/refusal_note.h"
 
+#include "app/ui/paragraph.h"
+
 namespace mes {
 
 void RefusalNote::draw(ImVec2 at, float width) const {
@@ -11,9 +13,7 @@ void RefusalNote::draw(ImVec2 at, float width) const {
   ImGui::Begin("##refusal", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoInputs | ImGuiWindowFlags_AlwaysAutoResize |
                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_NoNav);
-  ImGui::PushTextWrapPos(width - 20 * unit);
-  ImGui::TextUnformatted(messages.remark().c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(messages.remark(), width - 30 * unit);
   ImGui::End();
   ImGui::PopStyleVar();
 }

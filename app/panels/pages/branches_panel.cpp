@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "app/panels/on_canvas/shape_pen.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/plot.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
@@ -70,9 +71,7 @@ bool BranchesPanel::draw_head() {
     return false;
   }
   if (!uses_.desk.problem().empty()) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(uses_.desk.problem().c_str());
-    ImGui::PopTextWrapPos();
+    paragraph(uses_.desk.problem());
     return false;
   }
   return true;
@@ -123,9 +122,9 @@ void BranchesPanel::draw_choices() {
   ImGui::EndDisabled();
   tooltip(uses_.gui, "Write all branches to a file as CSV, as mesecina branches does");
   if (!filter_problem_.empty()) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextColored(ImGui::ColorConvertU32ToFloat4(to_imgui(palette::vermilion)), "%s", filter_problem_.c_str());
-    ImGui::PopTextWrapPos();
+    ImGui::PushStyleColor(ImGuiCol_Text, uses_.gui.colors().warning);
+    paragraph(filter_problem_);
+    ImGui::PopStyleColor();
   }
   checkbox("Share of the shape", &measures_area_);
   tooltip(uses_.gui,
@@ -202,14 +201,10 @@ void BranchesPanel::draw_table() {
   const BranchTable& table = *uses_.desk.table();
   const bool is_current = uses_.desk.is_current();
   if (table.branches.empty()) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("No branch: %s", table.reason.c_str());
-    ImGui::PopTextWrapPos();
+    quiet_paragraph("No branch: " + table.reason);
     return;
   }
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextDisabled("%s", fmt::format("Kept: {}{}", kept_in_words(table), is_current ? "" : "; computing").c_str());
-  ImGui::PopTextWrapPos();
+  quiet_paragraph(fmt::format("Kept: {}{}", kept_in_words(table), is_current ? "" : "; computing"));
   if (rows_.size() != table.branches.size())
     ImGui::TextDisabled("%s",
                         fmt::format("{} of {} branches are listed", rows_.size(), table.branches.size()).c_str());

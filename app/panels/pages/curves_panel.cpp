@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "app/ui/paragraph.h"
 #include "app/ui/slider.h"
 #include "app/ui/widgets.h"
 #include "core/base/box2.h"
@@ -79,11 +80,9 @@ void CurvesPanel::draw() {
 }
 
 void CurvesPanel::draw_none() {
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextDisabled(
+  quiet_paragraph(
       "These samples were not taken from curves. Drawings, maps, traced pictures and shapes have curves, which can "
       "be sampled again here. A curve can also be laid through the existing samples.");
-  ImGui::PopTextWrapPos();
   ImGui::BeginDisabled(!actions_.is_enabled(ActionId::curves_of_samples));
   if (ImGui::Button("Curves through samples")) actions_.run(ActionId::curves_of_samples);
   ImGui::EndDisabled();
@@ -175,12 +174,10 @@ void CurvesPanel::draw_jitter(SamplingRequest& request) {
 
 void CurvesPanel::draw_facts() {
   ImGui::Dummy({1, 2 * gui_.unit()});
-  ImGui::PushTextWrapPos(0.0F);
   const std::string remark = sampler_.remark();
-  ImGui::TextDisabled("%s%s", count_words(sampler_.source()->count, "sample", "samples").c_str(),
-                      sampler_.is_busy() ? ", being sampled again ..." : "");
-  if (!remark.empty()) ImGui::TextDisabled("%s", remark.c_str());
-  ImGui::PopTextWrapPos();
+  quiet_paragraph(count_words(sampler_.source()->count, "sample", "samples") +
+                  (sampler_.is_busy() ? ", being sampled again ..." : ""));
+  if (!remark.empty()) quiet_paragraph(remark);
 }
 
 }  // namespace mes

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/ui/icons.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "imgui_stdlib.h"
@@ -89,15 +90,13 @@ void ExperimentsPanel::draw_message(const CompilerMessage& message) const {
   const float width = ImGui::GetContentRegionAvail().x;
   const std::string shown = elided(label, kMostLines * width);
   const ImVec2 at = ImGui::GetCursorPos();
-  const ImVec2 size = ImGui::CalcTextSize(shown.c_str(), nullptr, false, width);
+  const ImVec2 size = ImGui::CalcTextSize(broken_lines(shown, width).c_str());
   if (ImGui::Selectable("##message", false, 0, {width, size.y})) edit(message.file, message.line);
   tooltip(gui, label + "\n\nClick to open the file and to copy its name and line");
   const ImVec2 below = ImGui::GetCursorPos();
   ImGui::SetCursorPos(at);
   if (message.is_error) ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(shown.c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(shown);
   if (message.is_error) ImGui::PopStyleColor();
   ImGui::SetCursorPos(below);
 }
@@ -116,9 +115,7 @@ void ExperimentsPanel::draw_entry(std::size_t index) const {
   const bool is_explained = std::ranges::any_of(entry.messages, &CompilerMessage::is_error);
   if (entry.state == ExperimentDesk::State::failed && !is_explained) {
     ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(entry.problem.c_str());
-    ImGui::PopTextWrapPos();
+    paragraph(entry.problem);
     ImGui::PopStyleColor();
   }
   for (std::size_t i = 0; i < entry.messages.size(); ++i) {
@@ -147,11 +144,9 @@ void ExperimentsPanel::draw() const {
   ImGui::Separator();
   ImGui::BeginChild("experiments");
   if (desk.entries().empty()) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled(
+    quiet_paragraph(
         "Your own structures, layers, evolutions and shapes, as C++ sources. \"mesecina new structure NAME\" writes "
         "one to start from.");
-    ImGui::PopTextWrapPos();
   }
   for (std::size_t i = 0; i < desk.entries().size(); ++i) draw_entry(i);
   ImGui::EndChild();

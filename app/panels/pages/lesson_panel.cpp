@@ -9,6 +9,7 @@
 #include "app/playing/lesson_walk.h"
 #include "app/ui/icons.h"
 #include "app/ui/number_field.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/widgets.h"
 #include "imgui_stdlib.h"
 
@@ -43,11 +44,9 @@ void LessonPanel::draw() {
   draw_head();
   if (presenter_.is_running()) return;
   if (shown_.steps.empty()) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled(
+    quiet_paragraph(
         "A step records the samples, the layers, the number type and the view as they are now. Set up what it should "
         "show, then mark it.");
-    ImGui::PopTextWrapPos();
     return;
   }
   const float unit = gui_.unit();

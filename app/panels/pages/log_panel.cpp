@@ -5,6 +5,7 @@
 #include <array>
 #include <ctime>
 
+#include "app/ui/paragraph.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 
@@ -49,9 +50,7 @@ void LogPanel::draw() const {
     ImGui::PopFont();
     ImGui::SameLine(0, 6 * unit);
     if (entry->is_problem) ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextUnformatted(line_of(*entry).c_str());
-    ImGui::PopTextWrapPos();
+    paragraph(line_of(*entry));
     if (entry->is_problem) ImGui::PopStyleColor();
   }
   ImGui::EndChild();

@@ -8,6 +8,7 @@
 #include <unordered_set>
 
 #include "app/panels/on_canvas/shape_pen.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "core/base/color.h"
@@ -52,10 +53,7 @@ void PersistencePanel::draw_in(View& view) {
   draw_choices();
   const PersistenceTable* const table = uses_.desk.table();
   if (table == nullptr || (!uses_.desk.is_current() && !uses_.desk.problem().empty())) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled("%s",
-                        uses_.desk.problem().empty() ? "Computing births and deaths" : uses_.desk.problem().c_str());
-    ImGui::PopTextWrapPos();
+    quiet_paragraph(uses_.desk.problem().empty() ? "Computing births and deaths" : uses_.desk.problem());
     return;
   }
   if (table->rows.empty()) {
@@ -141,33 +139,15 @@ void PersistencePanel::draw_words() {
   }
   const std::size_t components = alive_.components;
   const std::size_t holes = alive_.holes;
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextDisabled("%s", fmt::format("Radius {:.4g}: {} {}, {} {}{}", radius, components,
-                                        components == 1 ? "component" : "components", holes,
-                                        holes == 1 ? "hole" : "holes", uses_.desk.is_current() ? "" : "; computing")
-                                .c_str());
-  ImGui::PopTextWrapPos();
+  quiet_paragraph(fmt::format("Radius {:.4g}: {} {}, {} {}{}", radius, components,
+                              components == 1 ? "component" : "components", holes, holes == 1 ? "hole" : "holes",
+                              uses_.desk.is_current() ? "" : "; computing"));
 }
 
 // Drawn below the diagram, which would otherwise move under the pointer when the text takes another line.
 void PersistencePanel::draw_chosen() {
   const auto chosen = uses_.desk.chosen();
-  const std::string words = chosen ? in_words(uses_.desk.table()->rows[*chosen]) : std::string("Click on a point");
-  ImGui::PushTextWrapPos(0.0F);
-  // Dear ImGui would break a line within a number, after its point.
-  for (std::size_t from = 0; from < words.size();) {
-    const std::size_t comma = words.find(", ", from);
-    const bool is_last = comma == std::string::npos;
-    const std::string part = words.substr(from, is_last ? comma : comma + 1 - from);
-    if (from != 0) {
-      const float space = ImGui::CalcTextSize(" ").x;
-      const float end = ImGui::GetItemRectMax().x + space + ImGui::CalcTextSize(part.c_str()).x;
-      if (end <= ImGui::GetWindowPos().x + ImGui::GetContentRegionMax().x) ImGui::SameLine(0, space);
-    }
-    ImGui::TextUnformatted(part.c_str());
-    from = is_last ? words.size() : comma + 2;
-  }
-  ImGui::PopTextWrapPos();
+  paragraph(chosen ? in_words(uses_.desk.table()->rows[*chosen]) : "Click on a point");
 }
 
 void PersistencePanel::place_dots(View& view, const Scale& scale) {

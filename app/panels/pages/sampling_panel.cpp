@@ -8,6 +8,7 @@
 #include "app/layers/parameter_words.h"
 #include "app/picture/shown_verdict.h"
 #include "app/ui/number_field.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 
@@ -15,9 +16,7 @@ namespace mes {
 namespace {
 
 void wrapped(const std::string& text) {
-  ImGui::PushTextWrapPos(0.0F);
-  ImGui::TextUnformatted(text.c_str());
-  ImGui::PopTextWrapPos();
+  paragraph(text);
 }
 
 }  // namespace

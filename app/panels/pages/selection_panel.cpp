@@ -4,6 +4,7 @@
 #include <array>
 
 #include "app/ui/number_field.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/widgets.h"
 #include "core/formula/formula.h"
 #include "imgui_stdlib.h"
@@ -79,10 +80,8 @@ void SelectionPanel::action_button(ActionId id, const char* label) {
 void SelectionPanel::draw() {
   const SelectionDesk::Numbers numbers = desk_.numbers();
   if (numbers.samples + numbers.balls == 0) {
-    ImGui::PushTextWrapPos(0.0F);
-    ImGui::TextDisabled(
+    quiet_paragraph(
         "Nothing is selected. Click a sample or a ball, or drag a box around several, to set them by number.");
-    ImGui::PopTextWrapPos();
     return;
   }
   // At a large scale the content is longer than the panel and scrolls below its header.

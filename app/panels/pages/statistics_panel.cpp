@@ -4,6 +4,7 @@
 #include <fmt/core.h>
 
 #include "app/layers/statistics_text.h"
+#include "app/ui/paragraph.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "core/draw/variant.h"
@@ -53,7 +54,7 @@ void draw_node(const Gui& gui, const NodeReport& node) {
   ImGui::PopFont();
   if (!node.reason.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, gui.colors().warning);
-    ImGui::TextWrapped("%s", node.reason.c_str());
+    paragraph(node.reason);
     ImGui::PopStyleColor();
   }
   if (!node.kernel.empty()) {
