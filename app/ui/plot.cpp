@@ -55,22 +55,20 @@ std::vector<PlotTick> plot_ticks(const PlotAxis& axis, double length, double apa
   return out;
 }
 
-Plot::Plot(const Gui& gui, const PanelArea& area, PlotAxis x, PlotAxis y, bool on_paper)
+Plot::Plot(const Gui& gui, const PanelArea& area, PlotAxis x, PlotAxis y, bool is_large)
     : gui_(gui),
       area_(area),
       x_(std::move(x)),
       y_(std::move(y)),
-      on_paper_(on_paper),
-      font_(on_paper ? ImGui::GetFont() : gui.small()),
-      ink_(on_paper ? IM_COL32(0, 0, 0, 255) : gui.colors().text),
-      quiet_(on_paper ? IM_COL32(90, 90, 90, 255) : gui.colors().text_quiet) {
+      is_large_(is_large),
+      font_(is_large ? ImGui::GetFont() : gui.small()) {
   const float unit = gui_.unit();
   ImGui::PushFont(font_);
   const float line = ImGui::GetTextLineHeight();
-  const float edge = (on_paper_ ? 14 : 4) * unit;
-  const float titles = on_paper_ ? line + 4 * unit : 0.0F;
-  const float top = edge + std::max(titles, 0.5F * line);
-  const float bottom = edge + kTickGap * unit + line + titles;
+  const float edge = (is_large_ ? 14 : 6) * unit;
+  const float title = line + 4 * unit;
+  const float top = edge + title;
+  const float bottom = edge + kTickGap * unit + line + title;
   const float height = std::max(1.0F, area.size.y - top - bottom);
   y_ticks_ = plot_ticks(y_, static_cast<double>(height), static_cast<double>(kRowsApart * unit));
   float numbers = 0.0F;
@@ -100,33 +98,30 @@ void Plot::draw_frame(ImDrawList& list) const {
   const float thin = std::max(1.0F, unit);
   const ImVec2 low = inside_.at;
   const ImVec2 high(low.x + inside_.size.x, low.y + inside_.size.y);
-  const float rounding = on_paper_ ? 0.0F : 3 * unit;
-  list.AddRectFilled(area_.at, {area_.at.x + area_.size.x, area_.at.y + area_.size.y},
-                     on_paper_ ? IM_COL32_WHITE : gui_.colors().field, rounding);
+  list.AddRectFilled(area_.at, {area_.at.x + area_.size.x, area_.at.y + area_.size.y}, IM_COL32_WHITE);
   const float size = font_->FontSize * ImGui::GetIO().FontGlobalScale;
   const auto width_of = [&](const std::string& text) {
     return font_->CalcTextSizeA(size, FLT_MAX, 0.0F, text.c_str()).x;
   };
-  const ImU32 grid = on_paper_ ? IM_COL32(0, 0, 0, 24) : gui_.colors().border;
+  constexpr ImU32 kGrid = IM_COL32(0, 0, 0, 24);
   list.PushClipRect(area_.at, {area_.at.x + area_.size.x, area_.at.y + area_.size.y}, true);
   for (const PlotTick& tick : x_ticks_) {
     const float x = x_of(tick.value);
-    list.AddLine({x, low.y}, {x, high.y}, grid, thin);
-    list.AddText(font_, size, {x - 0.5F * width_of(tick.text), high.y + kTickGap * unit}, quiet_, tick.text.c_str());
+    list.AddLine({x, low.y}, {x, high.y}, kGrid, thin);
+    list.AddText(font_, size, {x - 0.5F * width_of(tick.text), high.y + kTickGap * unit}, kQuietInk,
+                 tick.text.c_str());
   }
   for (const PlotTick& tick : y_ticks_) {
     const float y = y_of(tick.value);
-    list.AddLine({low.x, y}, {high.x, y}, grid, thin);
-    list.AddText(font_, size, {low.x - kTickGap * unit - width_of(tick.text), y - 0.5F * size}, quiet_,
+    list.AddLine({low.x, y}, {high.x, y}, kGrid, thin);
+    list.AddText(font_, size, {low.x - kTickGap * unit - width_of(tick.text), y - 0.5F * size}, kQuietInk,
                  tick.text.c_str());
   }
-  list.AddLine({low.x, low.y}, {low.x, high.y}, quiet_, thin);
-  list.AddLine({low.x, high.y}, {high.x, high.y}, quiet_, thin);
-  if (on_paper_) {
-    list.AddText(font_, size, {low.x, low.y - size - 6 * unit}, ink_, y_.title.c_str());
-    list.AddText(font_, size, {high.x - width_of(x_.title), high.y + 2 * kTickGap * unit + size}, ink_,
-                 x_.title.c_str());
-  }
+  list.AddLine({low.x, low.y}, {low.x, high.y}, kQuietInk, thin);
+  list.AddLine({low.x, high.y}, {high.x, high.y}, kQuietInk, thin);
+  list.AddText(font_, size, {low.x, low.y - size - 6 * unit}, kInk, y_.title.c_str());
+  list.AddText(font_, size, {high.x - width_of(x_.title), high.y + 2 * kTickGap * unit + size}, kInk,
+               x_.title.c_str());
   list.PopClipRect();
 }
 

@@ -28,8 +28,8 @@ std::vector<PlotTick> plot_ticks(const PlotAxis& axis, double length, double apa
 /// Lays out a diagram in an area, in screen coordinates. Cost: O(numbers at the axes). Threads: the window's.
 class Plot {
  public:
-  /// `on_paper`: black on white, with titles and a grid; otherwise in the colours of the panel.
-  Plot(const Gui& gui, const PanelArea& area, PlotAxis x, PlotAxis y, bool on_paper);
+  /// The diagram is black on white, as on paper, in dark panels too. `is_large`: with larger letters and margins.
+  Plot(const Gui& gui, const PanelArea& area, PlotAxis x, PlotAxis y, bool is_large);
 
   /// Draws ground, grid, numbers and titles.
   void draw_frame(ImDrawList& list) const;
@@ -39,19 +39,16 @@ class Plot {
   float y_of(double value) const;
   double x_at(float position) const;
   const PanelArea& inside() const { return inside_; }
-  bool is_on_paper() const { return on_paper_; }
-  ImU32 ink() const { return ink_; }
-  ImU32 quiet_ink() const { return quiet_; }
+  static constexpr ImU32 kInk = IM_COL32(0, 0, 0, 255);
+  static constexpr ImU32 kQuietInk = IM_COL32(90, 90, 90, 255);  ///< numbers and helping lines
 
  private:
   const Gui& gui_;
   PanelArea area_;
   PlotAxis x_;
   PlotAxis y_;
-  bool on_paper_;
+  bool is_large_;
   ImFont* font_;
-  ImU32 ink_;
-  ImU32 quiet_;
   PanelArea inside_;
   std::vector<PlotTick> x_ticks_;
   std::vector<PlotTick> y_ticks_;

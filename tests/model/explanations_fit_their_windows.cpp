@@ -2,7 +2,7 @@
 // A window as large as a text is said to need shows all of it.
 #include <algorithm>
 #include <catch2/catch.hpp>
-#include <cmath>
+#include <cfloat>
 #include <string>
 
 #include "app/ui/paragraph.h"
@@ -127,7 +127,8 @@ TEST_CASE("lines break between words, never within a number, and keep every word
     if (width < word) continue;
     for (const char* const number : {"12.25:", "0.51234,", "1234.5678,", "3.14."})
       CHECK(lines.find(number) != std::string::npos);
-    CHECK(ImGui::CalcTextSize(lines.c_str()).x <= std::ceil(width));
+    // ImGui::CalcTextSize may round a width of whole pixels up by one.
+    CHECK(ImGui::GetFont()->CalcTextSizeA(ImGui::GetFontSize(), FLT_MAX, 0.0F, lines.c_str()).x <= width);
   }
   CHECK(broken_lines(text, 5000.0F) == text);
   CHECK(broken_lines("", 100.0F).empty());

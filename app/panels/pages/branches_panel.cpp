@@ -157,7 +157,7 @@ void BranchesPanel::draw_histogram(float height, bool is_large) {
   const double most = *std::ranges::max_element(histogram_.lengths);
   // Square roots keep short parts, such as spurious branches, visible beside long ones.
   const Plot plot(uses_.gui, {at, size}, {0.0, histogram_.high, shows_lambda_ ? "lambda" : "radius"},
-                  {0.0, most, "length of the axis", true}, is_large);
+                  {0.0, most, "length of the axis, on a scale of roots", true}, is_large);
   plot.draw_frame(list);
   ComputationSettings settings = uses_.computation.settings();
   double& limit = settings[Parameter::lambda_limit];
@@ -179,11 +179,11 @@ void BranchesPanel::draw_histogram(float height, bool is_large) {
       if (settings != uses_.computation.settings()) uses_.computation.set(settings);
     }
     const float x = plot.x_of(limit);
-    list.AddLine({x, plot.inside().at.y}, {x, bottom}, plot.ink(), 2 * unit);
+    list.AddLine({x, plot.inside().at.y}, {x, bottom}, Plot::kInk, 2 * unit);
     const std::string words = fmt::format("limit {:.4g}", limit);
     const float width = ImGui::CalcTextSize(words.c_str()).x;
     const bool fits = x + 4 * unit + width <= plot.inside().at.x + plot.inside().size.x;
-    list.AddText({fits ? x + 4 * unit : x - 4 * unit - width, plot.inside().at.y}, plot.ink(), words.c_str());
+    list.AddText({fits ? x + 4 * unit : x - 4 * unit - width, plot.inside().at.y}, Plot::kInk, words.c_str());
     if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   }
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {

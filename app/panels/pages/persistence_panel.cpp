@@ -182,7 +182,7 @@ void PersistencePanel::draw_key(const Plot& plot) const {
   for (std::size_t i = 0; i < 2; ++i) {
     if (!is_shown[i]) continue;
     draw_dot(list, {at.x - 12 * unit, at.y + 0.5F * ImGui::GetTextLineHeight()}, i == 1, kLargeDot * unit, 1.0);
-    list.AddText(at, plot.ink(), words[i]);
+    list.AddText(at, Plot::kInk, words[i]);
     at.y += line;
   }
 }
@@ -212,11 +212,11 @@ void PersistencePanel::draw_diagram(View& view) {
   ComputationSettings settings = uses_.computation.settings();
   double& radius = settings[Parameter::alpha_radius];
   // The area left of and above the radius contains the pairs alive at it.
-  list.AddRectFilled(low, {plot.x_of(radius), plot.y_of(radius)}, (plot.ink() & ~IM_COL32_A_MASK) | 0x12U << 24U);
-  list.AddLine({low.x, high.y}, {high.x, low.y}, plot.quiet_ink(), unit);
+  list.AddRectFilled(low, {plot.x_of(radius), plot.y_of(radius)}, (Plot::kInk & ~IM_COL32_A_MASK) | 0x12U << 24U);
+  list.AddLine({low.x, high.y}, {high.x, low.y}, Plot::kQuietInk, unit);
   if (begin < 0.0) {
-    list.AddLine({plot.x_of(0.0), low.y}, {plot.x_of(0.0), high.y}, plot.quiet_ink(), unit);
-    list.AddLine({low.x, plot.y_of(0.0)}, {high.x, plot.y_of(0.0)}, plot.quiet_ink(), unit);
+    list.AddLine({plot.x_of(0.0), low.y}, {plot.x_of(0.0), high.y}, Plot::kQuietInk, unit);
+    list.AddLine({low.x, plot.y_of(0.0)}, {high.x, plot.y_of(0.0)}, Plot::kQuietInk, unit);
   }
 
   const ImVec2 mouse = ImGui::GetIO().MousePos;
@@ -238,7 +238,7 @@ void PersistencePanel::draw_diagram(View& view) {
   if (view.is_large) draw_key(plot);
   const auto mark = [&](std::size_t i, float width) {
     const PersistenceRow& row = table.rows[i];
-    list.AddCircle({plot.x_of(row.birth), plot.y_of(row.death)}, half + 3.5F * unit, plot.ink(), 0, width);
+    list.AddCircle({plot.x_of(row.birth), plot.y_of(row.death)}, half + 3.5F * unit, Plot::kInk, 0, width);
   };
   if (const auto chosen = uses_.desk.chosen()) mark(*chosen, 2 * unit);
   if (pointed_at_) mark(*pointed_at_, unit);
@@ -257,8 +257,8 @@ void PersistencePanel::draw_diagram(View& view) {
     radius = std::max(0.0, plot.x_at(mouse.x));
     if (settings != uses_.computation.settings()) uses_.computation.set(settings);
   }
-  list.AddLine({plot.x_of(radius), low.y}, {plot.x_of(radius), plot.y_of(radius)}, plot.ink(), 2 * unit);
-  list.AddLine({low.x, plot.y_of(radius)}, {plot.x_of(radius), plot.y_of(radius)}, plot.ink(), unit);
+  list.AddLine({plot.x_of(radius), low.y}, {plot.x_of(radius), plot.y_of(radius)}, Plot::kInk, 2 * unit);
+  list.AddLine({low.x, plot.y_of(radius)}, {plot.x_of(radius), plot.y_of(radius)}, Plot::kInk, unit);
   if (is_hovered && !pointed_at_) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (is_hovered && !is_active) {
     if (pointed_at_)
