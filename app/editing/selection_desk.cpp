@@ -278,8 +278,7 @@ Expected<void> SelectionDesk::add(std::vector<Vec2> samples, std::vector<Disk> b
 Expected<LoadedFile> SelectionDesk::read(std::string_view text, MapDegrees degrees) const {
   if (text.find_first_not_of(" \t\r\n") == std::string_view::npos)
     return std::unexpected(Error{ErrorCode::bad_input, "There is no text on the clipboard"});
-  return read_sample_bytes(text, "clipboard", {},
-                           {.degrees = degrees, .keeps_vertices = true, .formats = &registry_.now().formats()});
+  return read_sample_bytes(text, "clipboard", {}, {.degrees = degrees, .formats = &registry_.now().formats()});
 }
 
 bool SelectionDesk::begins_document(std::string_view text, MapDegrees degrees) const {

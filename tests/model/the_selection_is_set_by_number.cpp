@@ -301,14 +301,19 @@ TEST_CASE("what a pasted text has besides is said") {
   const auto map = d.desk.paste("POLYGON ((0 0, 4 0, 4 4, 0 0))\nPOINT Z (7 8 9)", {1, 1});
   REQUIRE(map);
   CHECK(map->without == "their order along 1 contour");
-  REQUIRE(map->warnings.size() == 1);
-  CHECK_THAT(map->warnings[0], Catch::StartsWith("clipboard:2:") && Catch::Contains("heights"));
+  REQUIRE(map->warnings.size() == 2);
+  CHECK_THAT(map->warnings[0], Catch::Contains("samples were added between the 4 vertices"));
+  CHECK_THAT(map->warnings[1], Catch::StartsWith("clipboard:2:") && Catch::Contains("heights"));
+  const std::size_t before = d.document().sample_count();
+  CHECK(before > 100);
   const auto drawing = d.desk.paste(
       R"(<svg xmlns="http://www.w3.org/2000/svg"><rect width="3" height="2"/><text>a</text><text>b</text></svg>)",
       {1, 1});
   REQUIRE(drawing);
   REQUIRE(drawing->warnings.size() == 1);
   CHECK_THAT(drawing->warnings[0], Catch::Contains("2 text"));
+  // The sides are sampled as in a file, not at their corners alone.
+  CHECK(d.document().sample_count() > before + 20);
 }
 
 TEST_CASE("a drawing or map begins a document where there is none, and a table of samples never does") {
