@@ -17,7 +17,6 @@ constexpr double kWidth = kLegendWidth;
 constexpr double kPadding = 12.0;
 constexpr double kBar = 12.0;
 constexpr double kTickLength = 4.0;
-constexpr double kTitleSize = 15.0;
 constexpr double kEntryGap = 12.0;  // gap between entries
 constexpr double kRow = 19.0;       // height of an entry in a key
 constexpr double kSample = 15.0;
@@ -63,8 +62,7 @@ class LegendLayout {
   PaperDrawing& drawing() { return drawing_; }
 
   void text(const std::string& line, bool is_bold, Rgb color) {
-    drawing_.lines.push_back(
-        {kPadding, y_, is_bold ? kTitleSize : kSmallTextSize, is_bold ? Face::bold : Face::plain, color, line});
+    drawing_.lines.push_back({kPadding, y_, kSmallTextSize, is_bold ? Face::bold : Face::plain, color, line});
     y_ += is_bold ? kSmallLineHeight + 2.0 : kSmallLineHeight;
   }
 

@@ -117,7 +117,7 @@ TEST_CASE("a legend on a picture shows the map's colours, and one of any size do
   for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
     red += image.rgba[i] > 240 && image.rgba[i + 2] < 15 ? 1U : 0U;
     blue += image.rgba[i] < 15 && image.rgba[i + 2] > 240 ? 1U : 0U;
-    ink += image.rgba[i] < 80 && image.rgba[i + 1] < 80 && image.rgba[i + 2] < 80 ? 1U : 0U;
+    ink += image.rgba[i] < 128 && image.rgba[i + 1] < 128 && image.rgba[i + 2] < 128 ? 1U : 0U;
   }
   CHECK(red > 20);
   CHECK(blue > 20);
