@@ -13,6 +13,7 @@ namespace {
 // Logical pixels.
 constexpr float kRailPadding = 4.0F;
 constexpr float kRoomForTwo = 460.0F;
+constexpr float kLeastPanel = 180.0F;  // height in which the panel of layers shows its first rows
 constexpr double kLeastWidth = 240.0;
 constexpr double kMostWidth = 1200.0;
 constexpr float kLargeSide = 640.0F;
@@ -42,7 +43,9 @@ float SideColumn::draw(float top, float height) {
   const float width = std::max(1.0F, std::floor(std::min(wanted, std::max(least, kMostOfScreen * free))));
   const PanelArea column{{screen.x - rail - width, top}, {width, height}};
   const bool has_two = shown.size() == 2;
-  const float upper = has_two ? std::floor((1.0F - static_cast<float>(settings_.lower_panel_share)) * height) : 0.0F;
+  const float least_height = std::min(kLeastPanel * unit, 0.5F * height);
+  const float shared = (1.0F - static_cast<float>(settings_.lower_panel_share)) * height;
+  const float upper = has_two ? std::floor(std::clamp(shared, least_height, height - least_height)) : 0.0F;
   if (has_two) draw_panel(page_of(shown.front()), {column.at, {width, upper}});
   draw_panel(page_of(shown.back()), {{column.at.x, top + upper}, {width, height - upper}});
   draw_splitters(column, upper);
