@@ -275,27 +275,34 @@ HiddenAdditionsNote Panels::hidden_additions_note() const {
           uses_.work.layers(), uses_.board.shows_annotations(), uses_.settings.show_annotations};
 }
 
+NoteRoom Panels::note_room(const Sides& sides, std::vector<Box2> covered) const {
+  const float unit = uses_.screen.gui.unit();
+  const ImVec2 screen = ImGui::GetIO().DisplaySize;
+  const Vec2 low{sides.left + 8 * unit, sides.top + 10 * unit};
+  const Vec2 high{std::max(low.x + 1.0, static_cast<double>(screen.x - sides.right - 8 * unit)),
+                  screen.y - sides.bottom - 10 * unit};
+  return {{low, high}, [this, covered = std::move(covered)](const Box2& box) {
+            constexpr std::size_t kMark = 64;  // a legend or a scale bar counts as much as an area full of samples
+            const auto lies_on = [&](const Box2& mark) {
+              return mark.low.x < box.high.x && box.low.x < mark.high.x && mark.low.y < box.high.y &&
+                     box.low.y < mark.high.y;
+            };
+            return uses_.board.hidden_by(box) + (std::ranges::any_of(covered, lies_on) ? kMark : 0U);
+          }};
+}
+
 // The audience of a presentation sees no messages; those of problems appear after it.
-void Panels::draw_messages(const Sides& sides, float width, std::span<const Box2> covered) {
+void Panels::draw_messages(const Sides& sides, float width, const NoteRoom& room) {
   if (presenter_.is_on()) return problem_note_.wait();
   const Gui& gui = uses_.screen.gui;
   const float unit = gui.unit();
   const ImVec2 screen = ImGui::GetIO().DisplaySize;
-  const ImVec2 top(sides.left + 8 * unit, sides.top + 10 * unit);
-  const Vec2 high{top.x + std::max(1.0F, width - 16 * unit), screen.y - sides.bottom - 10 * unit};
-  const auto hides = [&](const Box2& box) {
-    constexpr std::size_t kMark = 64;  // a legend or a scale bar counts as much as an area full of samples
-    const auto lies_on = [&](const Box2& mark) {
-      return mark.low.x < box.high.x && box.low.x < mark.high.x && mark.low.y < box.high.y && box.low.y < mark.high.y;
-    };
-    return uses_.board.hidden_by(box) + (std::ranges::any_of(covered, lies_on) ? kMark : 0U);
-  };
-  const float height = problem_note_.draw(gui, uses_.messages, {{{top.x, top.y}, high}, hides}, ImGui::GetTime());
+  const float height = problem_note_.draw(gui, uses_.messages, room, ImGui::GetTime());
   const ImVec2 middle(sides.left + 0.5F * width, sides.top + 0.5F * (screen.y - sides.top - sides.bottom));
   if (!uses_.demo.is_running() &&
       !EmptyViewNote{gui, uses_.work.editor(), uses_.work.layers(), uses_.board.picture(), uses_.work.engine()}.draw(
           middle, width))
-    hidden_additions_note().draw({middle.x, top.y + height});
+    hidden_additions_note().draw({middle.x, sides.top + 10 * unit + height});
   if (!are_shown_) RefusalNote{gui, uses_.messages}.draw({sides.left, screen.y - sides.bottom - 14 * unit}, width);
 }
 
@@ -371,7 +378,6 @@ Panels::Room Panels::draw() {
   if (are_shown_)
     column_.draw_large(
         {{around.left, around.top}, {screen.x - around.left - around.right, screen.y - around.top - around.bottom}});
-  presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), screen.y - sides.bottom, ImGui::GetTime());
   const auto on_screen = [&](const Box2& box) {
     const Vec2 origin{sides.left, sides.top};
     const double scale = gui.unit();
@@ -380,7 +386,9 @@ Panels::Room Panels::draw() {
   std::vector<Box2> covered;
   if (legend) covered.push_back(on_screen(*legend));
   if (marks.bar) covered.push_back(on_screen(*marks.bar));
-  draw_messages(sides, width, covered);
+  const NoteRoom room = note_room(sides, std::move(covered));
+  presenter_.draw(gui, presenter_.shows_slide() ? slide() : std::string(), room, ImGui::GetTime());
+  draw_messages(sides, width, room);
   uses_.work.insight().end_frame();
   const double ratio = uses_.screen.window->pixel_ratio();
   const auto in_pixels = [ratio](float length) { return static_cast<double>(length) * ratio; };

@@ -111,7 +111,9 @@ class Panels {
   std::optional<Box2> draw_legend(const Sides& sides, const MarksPlace& marks);
   HiddenAdditionsNote hidden_additions_note() const;
   /// `covered`: the boxes of the legend and the scale bar on the screen.
-  void draw_messages(const Sides& sides, float width, std::span<const Box2> covered);
+  /// The room for texts over the canvas; `covered`: the boxes of legend and scale bar on the screen.
+  NoteRoom note_room(const Sides& sides, std::vector<Box2> covered) const;
+  void draw_messages(const Sides& sides, float width, const NoteRoom& room);
   void bind_shown(ActionBindings& actions);
   void bind_look(ActionBindings& actions);
   void bind_brush(ActionBindings& actions);

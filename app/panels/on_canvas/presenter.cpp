@@ -59,8 +59,11 @@ std::optional<double> Presenter::next_due(double now) const {
   return std::min(*pointer, *key);
 }
 
-void Presenter::draw(const Gui& gui, const std::string& bundle, float bottom, double now) {
-  if (std::exchange(has_pressed_, false)) key_at_ = now;
+void Presenter::draw(const Gui& gui, const std::string& bundle, const NoteRoom& room, double now) {
+  if (std::exchange(has_pressed_, false)) {
+    key_at_ = now;
+    place_.reset();
+  }
   if (std::exchange(has_moved_, false)) pointer_at_ = now;
   if (!is_on_) return;
   const float unit = gui.unit();
@@ -75,14 +78,17 @@ void Presenter::draw(const Gui& gui, const std::string& bundle, float bottom, do
   const double shown = strength(key_at_, kKey, now);
   if (shown <= 0.0) return;
   const float size = 1.5F * ImGui::GetFontSize();
-  const ImVec2 screen = ImGui::GetIO().DisplaySize;
   const std::string text = bundle.empty() ? meaning_ : bundle;
   const ImVec2 key = gui.bold()->CalcTextSizeA(size, 1e9F, 0.0F, key_.c_str());
   const ImVec2 words = ImGui::GetFont()->CalcTextSizeA(size, 1e9F, 0.0F, text.c_str());
   const float pad = 12 * unit;
-  const float width = key.x + words.x + 4 * pad;
-  const ImVec2 low(0.5F * (screen.x - width), bottom - key.y - 4 * pad);
-  const ImVec2 high(low.x + width, low.y + key.y + 2 * pad);
+  const ImVec2 box(key.x + words.x + 4 * pad, key.y + 2 * pad);
+  if (!place_)
+    place_ = least_hiding(room, {box.x, box.y},
+                          {{0.5F, 1.0F}, {0.0F, 1.0F}, {1.0F, 1.0F}, {0.5F, 0.0F}, {0.0F, 0.0F}, {1.0F, 0.0F}});
+  const Vec2 corner = place_->corner(room.area, {box.x, box.y});
+  const ImVec2 low(static_cast<float>(corner.x), static_cast<float>(corner.y));
+  const ImVec2 high(low.x + box.x, low.y + box.y);
   const ThemeColors& colors = gui.colors();
   list.AddRectFilled(low, high, faded(colors.raised, shown), 8 * unit);
   list.AddRect(low, high, faded(colors.border, shown), 8 * unit);

@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "app/panels/on_canvas/note_room.h"
 #include "app/ui/gui.h"
 
 namespace mes {
@@ -23,8 +24,9 @@ class Presenter {
   /// True if the pointer has faded: then no element is highlighted under it either.
   bool hides_pointer(double now) const;
 
-  /// Draws over everything, keys above `bottom`; `bundle`: the slide that is shown.
-  void draw(const Gui& gui, const std::string& bundle, float bottom, double now);
+  /// Draws over everything; `bundle`: the slide that is shown. A key appears where it hides least, of equal places in
+  /// the middle of the lower edge, and stays there.
+  void draw(const Gui& gui, const std::string& bundle, const NoteRoom& room, double now);
   /// Seconds until a mark begins to fade; 0 while one fades; nothing when none is left.
   std::optional<double> next_due(double now) const;
 
@@ -36,6 +38,7 @@ class Presenter {
   std::string key_;
   std::string meaning_;
   std::optional<double> key_at_;
+  std::optional<NotePlace> place_;  ///< of the present key
   std::optional<double> pointer_at_;
 };
 

@@ -78,16 +78,8 @@ void ProblemNote::choose_place(const Gui& gui, const std::string& text, const No
   placed_text_ = text;
   const auto width = static_cast<float>(room.area.width());
   const Vec2 size{width_of(gui, text, width), height_of(gui, text, width)};
-  std::optional<std::size_t> least;
-  for (const Place place :
-       {Place{0.5F, 0.0F}, {0.0F, 0.0F}, {1.0F, 0.0F}, {0.5F, 1.0F}, {0.0F, 1.0F}, {1.0F, 1.0F}}) {
-    const Vec2 rest = room.area.high - room.area.low - size;
-    const Vec2 low = room.area.low + Vec2{place.across * rest.x, place.down * rest.y};
-    const std::size_t hidden = room.hides({low, low + size});
-    if (least && hidden >= *least) continue;
-    least = hidden;
-    place_ = place;
-  }
+  place_ =
+      least_hiding(room, size, {{0.5F, 0.0F}, {0.0F, 0.0F}, {1.0F, 0.0F}, {0.5F, 1.0F}, {0.0F, 1.0F}, {1.0F, 1.0F}});
 }
 
 // Begins the time of a new notice.

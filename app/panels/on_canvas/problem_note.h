@@ -2,24 +2,15 @@
 // Shows the last problem over the canvas until it is closed, and notices for some seconds.
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <optional>
 #include <string>
 
 #include "app/model/messages.h"
+#include "app/panels/on_canvas/note_room.h"
 #include "app/ui/gui.h"
-#include "core/base/box2.h"
 
 namespace mes {
-
-/// The area for messages on the screen.
-struct NoteRoom {
-  Box2 area;
-  /// Returns how much of the drawing and its marks a box on the screen would hide.
-  std::function<std::size_t(const Box2&)> hides;
-};
 
 /// Guarantees: a message appears where it hides least, of equal places in the middle of the upper edge, and stays there.
 /// A notice fades by itself, later if it is long or under the pointer, and then requires no more frames. Times are
@@ -34,16 +25,11 @@ class ProblemNote {
   std::optional<double> next_due(double now) const;
 
  private:
-  /// A place in the area: 0 is the left or upper edge, 1 the right or lower one.
-  struct Place {
-    float across = 0.5F;
-    float down = 0.0F;
-  };
   void choose_place(const Gui& gui, const std::string& text, const NoteRoom& room);
   bool is_notice_over(const Messages& messages, double now);
 
   std::string placed_text_;  // the messages for which the place was chosen
-  Place place_;
+  NotePlace place_;
   std::uint64_t notice_number_ = 0;
   std::optional<double> notice_ends_;
 };
