@@ -130,9 +130,10 @@ void describe_export(const Registry& registry, CLI::App& app, ExportRequest& to)
   CLI::App* const exported =
       app.add_subcommand("export", "The geometry of layers as text, or a table of a structure");
   add_source(registry, *exported, to.source);
-  exported->add_option("--layer", to.layer,
-                       "Layer id (mesecina list layers);\nfor geojson, wkt, dxf and svg-path also several separated "
-                       "by commas, or all");
+  exported->add_option(
+      "--layer", to.layer,
+      "Layer id (mesecina list layers);\nfor geojson, wkt, their areas, dxf and svg-path also several separated "
+      "by commas, or all");
   exported->add_option("--structure", to.structure,
                        "Structure id (mesecina list structures): a table of it is written instead, as csv or npy");
   exported->add_option("--table", to.table, "Which table of the structure, if it has several");

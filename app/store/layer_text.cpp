@@ -19,12 +19,17 @@ bool holds_points(const LayerDescriptor& layer) {
 bool holds_balls(const LayerDescriptor& layer) {
   return emits(layer, PrimitiveKind::disk) || emits(layer, PrimitiveKind::circle) || layer.data == LayerData::balls;
 }
+bool holds_areas(const LayerDescriptor& layer) {
+  return std::ranges::any_of(layer.kinds, [](PrimitiveKind kind) {
+    return kind != PrimitiveKind::point && kind != PrimitiveKind::ray && kind != PrimitiveKind::line;
+  });
+}
 bool holds_curve(const LayerDescriptor& layer) {
   return layer.data == LayerData::curve || layer.data == LayerData::curve_normals;
 }
 
 // One line per format.
-constexpr std::array<LayerTextFormat, 8> kFormats{{
+constexpr std::array<LayerTextFormat, 10> kFormats{{
     {"csv", "csv", "CSV table",
      "one primitive a line, segments without length left out; the second pair of numbers is the other end of a "
      "segment, "
@@ -39,6 +44,11 @@ constexpr std::array<LayerTextFormat, 8> kFormats{{
     {"geojson", "geojson", "GeoJSON", "features with layer, kind and scalar, segments as the chains they form", true,
      false, "", holds_all, geojson_of},
     {"wkt", "wkt", "WKT", "well-known text, a geometry a line", true, false, "", holds_all, wkt_of},
+    {"geojson-areas", "geojson", "GeoJSON of areas",
+     "polygons with holes: the areas that the lines of a layer enclose", true, false, "lines or areas", holds_areas,
+     geojson_areas_of},
+    {"wkt-areas", "wkt", "WKT of areas", "the same as well-known text", true, false, "lines or areas", holds_areas,
+     wkt_areas_of},
     {"dxf", "dxf", "DXF", "entities of release 12, arcs and circles as such, on a layer with the id of theirs", true,
      false, "", holds_all, dxf_of},
     {"svg-path", "txt", "SVG path", "the d of one path, upright in SVG", true, false, "", holds_all, svg_path_of},
@@ -60,7 +70,8 @@ Expected<void> check_layers(std::span<const LayerDescriptor> descriptors, const 
   const auto refuse = [](std::string text) { return std::unexpected(Error{ErrorCode::usage, std::move(text)}); };
   if (layers.size() > 1 && !format.is_of_many)
     return refuse(
-        fmt::format("a file of format {} holds one layer; geojson, wkt, dxf and svg-path hold several", format.name));
+        fmt::format("a file of format {} holds one layer; geojson, wkt, their areas, dxf and svg-path hold several",
+                    format.name));
   for (const LayerIndex layer : layers)
     if (!format.holds(descriptors[layer]))
       return refuse(fmt::format("layer {} has no {} to write as {}; csv can hold it", descriptors[layer].id,

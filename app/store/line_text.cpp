@@ -45,9 +45,8 @@ class LineConversions {
   Expected<GeoParts> parts_of(const TextLine& line) {
     const auto conversion = of(line);
     if (!conversion) return std::unexpected(conversion.error());
-    if (*conversion == nullptr) return GeoParts{line.points};
-    return parts_on_earth({.kind = StraightKind::chain, .of = PrimitiveKind::segment, .corners = line.points},
-                          **conversion);
+    const StraightShape shape{.kind = StraightKind::chain, .of = PrimitiveKind::segment, .corners = line.points};
+    return geo_parts_of(shape, *conversion);
   }
 
  private:

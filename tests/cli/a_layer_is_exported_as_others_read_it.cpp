@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/core.h>
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -323,4 +324,32 @@ TEST_CASE("rays and lines are counted where a format cannot hold them") {
   CHECK(result.exit_code == 0);
   CHECK_THAT(result.err, Catch::Contains("rays and lines are left out: wkt holds finite shapes only"));
   CHECK(result.out.starts_with("LINESTRING ("));
+}
+
+TEST_CASE("areas of a union are polygons with holes, as large as the union") {
+  const std::string ring = [] {
+    std::string out = "WPOFF 12 0 0\n";
+    for (int i = 0; i < 12; ++i)
+      out += fmt::format("{} {} 0.7\n", 2.0 * std::cos(0.5236 * i), 2.0 * std::sin(0.5236 * i));
+    return out;
+  }();
+  const Json all = Json::parse(exported("-", "b-union-boundary", "geojson-areas", ring));
+  REQUIRE(all["features"].size() == 1);
+  const Json& geometry = all["features"][0]["geometry"];
+  CHECK(geometry["type"] == "Polygon");
+  REQUIRE(geometry["coordinates"].size() == 2);
+  CHECK(doubled_area(geometry["coordinates"][0]) > 0.0);
+  CHECK(doubled_area(geometry["coordinates"][1]) < 0.0);
+  const double area = 0.5 * (doubled_area(geometry["coordinates"][0]) + doubled_area(geometry["coordinates"][1]));
+  const Json numbers = Json::parse(
+      run({"compute", "-", "--layers", "b-union-boundary"}, {.input = ring}).out)["structures"]["b-union"];
+  // Arcs are chords here, with 96 sides per turn.
+  CHECK(std::abs(area / numbers["area"].get<double>() - 1.0) < 2e-3);
+  CHECK_THAT(exported("-", "b-union-boundary", "wkt-areas", ring),
+             Catch::StartsWith("POLYGON ((") && Catch::Contains("), ("));
+
+  const RunResult none =
+      run({"export", "-", "--layer", "delaunay", "--format", "wkt-areas"}, {.input = "0 0\n3 4\n"});
+  CHECK(none.exit_code == 0);
+  CHECK(none.err == "mesecina: 1 line is left out: it encloses no area\n");
 }

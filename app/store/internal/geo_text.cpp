@@ -42,7 +42,11 @@ void append_geojson(std::string& out, StraightKind kind, const GeoParts& parts) 
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (i != 0) out += ',';
     out += kind == StraightKind::point ? "" : kind == StraightKind::chain ? "[" : "[[";
-    append_list(out, parts[i], "[", ",", "]");
+    append_list(out, parts[i].corners, "[", ",", "]");
+    for (const std::vector<Vec2>& hole : parts[i].holes) {
+      out += "],[";
+      append_list(out, hole, "[", ",", "]");
+    }
     out += kind == StraightKind::point ? "" : kind == StraightKind::chain ? "]" : "]]";
   }
   if (parts.size() > 1) out += ']';
@@ -70,7 +74,11 @@ void append_wkt(std::string& out, StraightKind kind, const GeoParts& parts, std:
   for (std::size_t i = 0; i < parts.size(); ++i) {
     if (i != 0) out += ", ";
     out += kind == StraightKind::polygon ? "((" : "(";
-    append_list(out, parts[i], "", " ", "");
+    append_list(out, parts[i].corners, "", " ", "");
+    for (const std::vector<Vec2>& hole : parts[i].holes) {
+      out += "), (";
+      append_list(out, hole, "", " ", "");
+    }
     out += kind == StraightKind::polygon ? "))" : ")";
   }
   out += parts.size() > 1 ? ")\n" : "\n";

@@ -12,8 +12,12 @@
 
 namespace mes {
 
-/// The written parts of a shape; in the plane it is one part with its corners.
-using GeoParts = std::vector<std::vector<Vec2>>;
+/// A part of a shape as it is written; in the plane a shape is one part.
+struct GeoPart {
+  std::vector<Vec2> corners;
+  std::vector<std::vector<Vec2>> holes{};
+};
+using GeoParts = std::vector<GeoPart>;
 
 /// Begins and ends a collection of features. Readers that follow RFC 7946 ignore the name of the system of degrees;
 /// without it this program reads features as lying in the plane.

@@ -22,13 +22,19 @@ void append_json_number(std::string& out, double x) {
     out += "null";
 }
 
+using ShapesOf = std::vector<StraightShape> (*)(const LayerGeometry&, LayerIndex, LayerText&);
+
+std::vector<StraightShape> all_shapes_of(const LayerGeometry& geometry, LayerIndex layer, LayerText& out) {
+  return straight_shapes_of(geometry, layer, out.left_out);
+}
+
 /// Calls `use` for each converted shape. Shapes not on the Earth are left out.
 template <class Use>
-void for_each_shape(const LayerGeometry& geometry, const std::optional<MapConversion>& conversion, LayerText& out,
-                    Use use) {
+void for_each_shape(const LayerGeometry& geometry, const std::optional<MapConversion>& conversion, ShapesOf shapes_of,
+                    LayerText& out, Use use) {
   for (const LayerIndex layer : geometry.layers) {
-    for (const StraightShape& shape : straight_shapes_of(geometry, layer, out.left_out)) {
-      const GeoParts parts = conversion ? parts_on_earth(shape, *conversion) : GeoParts{shape.corners};
+    for (const StraightShape& shape : shapes_of(geometry, layer, out)) {
+      const GeoParts parts = geo_parts_of(shape, conversion ? &*conversion : nullptr);
       if (parts.empty())
         ++out.off_earth;
       else
@@ -70,6 +76,33 @@ void append_feature(std::string& out, std::string_view layer, const StraightShap
   out += '}';
 }
 
+Expected<LayerText> features_of(const LayerGeometry& geometry, ShapesOf shapes_of) {
+  const auto conversion = conversion_for(geometry, MapTarget::wgs84);
+  if (!conversion) return std::unexpected(conversion.error());
+  LayerText out{begin_of_features(conversion->has_value())};
+  bool is_first = true;
+  for_each_shape(geometry, *conversion, shapes_of, out,
+                 [&](LayerIndex layer, const StraightShape& shape, const GeoParts& parts) {
+                   out.text += is_first ? "\n" : ",\n";
+                   is_first = false;
+                   append_feature(out.text, geometry.registry.layers()[layer].id, shape, parts, *conversion);
+                 });
+  out.text += kEndOfFeatures;
+  return out;
+}
+
+Expected<LayerText> well_known_text_of(const LayerGeometry& geometry, ShapesOf shapes_of) {
+  const auto conversion = conversion_for(geometry, MapTarget::own_system);
+  if (!conversion) return std::unexpected(conversion.error());
+  const std::string srid = srid_of(geometry.document.map());
+  LayerText out;
+  for_each_shape(geometry, *conversion, shapes_of, out,
+                 [&](LayerIndex, const StraightShape& shape, const GeoParts& parts) {
+                   append_wkt(out.text, shape.kind, parts, srid);
+                 });
+  return out;
+}
+
 }  // namespace
 
 Expected<std::optional<MapConversion>> conversion_for(const LayerGeometry& geometry, MapTarget target) {
@@ -81,29 +114,17 @@ Expected<std::optional<MapConversion>> conversion_for(const LayerGeometry& geome
 }
 
 Expected<LayerText> geojson_of(const LayerGeometry& geometry) {
-  const auto conversion = conversion_for(geometry, MapTarget::wgs84);
-  if (!conversion) return std::unexpected(conversion.error());
-  LayerText out{begin_of_features(conversion->has_value())};
-  bool is_first = true;
-  for_each_shape(geometry, *conversion, out,
-                 [&](LayerIndex layer, const StraightShape& shape, const GeoParts& parts) {
-                   out.text += is_first ? "\n" : ",\n";
-                   is_first = false;
-                   append_feature(out.text, geometry.registry.layers()[layer].id, shape, parts, *conversion);
-                 });
-  out.text += kEndOfFeatures;
-  return out;
+  return features_of(geometry, all_shapes_of);
+}
+Expected<LayerText> geojson_areas_of(const LayerGeometry& geometry) {
+  return features_of(geometry, area_shapes_of);
 }
 
 Expected<LayerText> wkt_of(const LayerGeometry& geometry) {
-  const auto conversion = conversion_for(geometry, MapTarget::own_system);
-  if (!conversion) return std::unexpected(conversion.error());
-  const std::string srid = srid_of(geometry.document.map());
-  LayerText out;
-  for_each_shape(geometry, *conversion, out, [&](LayerIndex, const StraightShape& shape, const GeoParts& parts) {
-    append_wkt(out.text, shape.kind, parts, srid);
-  });
-  return out;
+  return well_known_text_of(geometry, all_shapes_of);
+}
+Expected<LayerText> wkt_areas_of(const LayerGeometry& geometry) {
+  return well_known_text_of(geometry, area_shapes_of);
 }
 
 }  // namespace mes

@@ -38,6 +38,10 @@ Expected<LayerText> geojson_of(const LayerGeometry& geometry);
 /// its number precedes each geometry (`SRID=25832;`) if it has one.
 Expected<LayerText> wkt_of(const LayerGeometry& geometry);
 
+/// The same formats with the areas that lines enclose, by the even-odd rule, as polygons with holes.
+Expected<LayerText> geojson_areas_of(const LayerGeometry& geometry);
+Expected<LayerText> wkt_areas_of(const LayerGeometry& geometry);
+
 /// DXF of release 12: points, polylines, circles and arcs, each on a layer of the file with the id of theirs. Data of a
 /// map are in its coordinate system; if it is another one than the plane, round shapes are polylines as in GeoJSON.
 Expected<LayerText> dxf_of(const LayerGeometry& geometry);

@@ -95,4 +95,23 @@ std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const 
   return out;
 }
 
+GeoParts geo_parts_of(const StraightShape& shape, const MapConversion* conversion) {
+  if (conversion == nullptr) return {{shape.corners, shape.holes}};
+  GeoParts out;
+  for (Corners& part : parts_on_earth(shape, *conversion)) out.push_back({std::move(part)});
+  // Parts are cut along meridians, so longitudes tell which one is around a hole.
+  const auto is_around = [](const Corners& part, const Corners& hole) {
+    const auto [low, high] = std::ranges::minmax(part, {}, &Vec2::x);
+    const auto [first, last] = std::ranges::minmax(hole, {}, &Vec2::x);
+    return low.x <= first.x && last.x <= high.x;
+  };
+  for (const Corners& hole : shape.holes) {
+    for (Corners& part : parts_on_earth({.kind = shape.kind, .of = shape.of, .corners = hole}, *conversion)) {
+      const auto around = std::ranges::find_if(out, [&](const GeoPart& one) { return is_around(one.corners, part); });
+      if (around != out.end()) around->holes.push_back(std::move(part));
+    }
+  }
+  return out;
+}
+
 }  // namespace mes

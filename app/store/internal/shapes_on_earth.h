@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "app/store/internal/geo_text.h"
 #include "app/store/internal/straight_shapes.h"
 #include "core/io/systems/map_conversion.h"
 
@@ -13,5 +14,8 @@ namespace mes {
 /// RFC 7946 (3.1.9) requires, and may become several chains or polygons. Returns none for a shape that reaches beyond
 /// a pole, around a pole or all around the Earth, or out of the system. O(corners).
 std::vector<std::vector<Vec2>> parts_on_earth(const StraightShape& shape, const MapConversion& conversion);
+
+/// The same with the holes of a polygon, each in the part around it. Null: the shape stays in the plane, as one part.
+GeoParts geo_parts_of(const StraightShape& shape, const MapConversion* conversion);
 
 }  // namespace mes

@@ -5,6 +5,7 @@
 #include <span>
 #include <utility>
 
+#include "app/store/internal/line_areas.h"
 #include "app/store/internal/round_shapes.h"
 #include "app/store/internal/segment_chains.h"
 #include "core/draw/primitive_values.h"
@@ -67,6 +68,22 @@ std::vector<StraightShape> straight_shapes_of(const LayerGeometry& geometry, Lay
       if (has_scalar) shape.scalar = values[stride - 1];
     }
   }
+  return out;
+}
+
+std::vector<StraightShape> area_shapes_of(const LayerGeometry& geometry, LayerIndex layer, LayerText& text) {
+  std::vector<StraightShape> out = straight_shapes_of(geometry, layer, text.left_out);
+  std::vector<std::vector<Vec2>> lines;
+  for (StraightShape& shape : out)
+    if (shape.kind == StraightKind::chain) lines.push_back(std::move(shape.corners));
+  std::erase_if(out, [](const StraightShape& shape) { return shape.kind == StraightKind::chain; });
+  LineAreas areas = areas_of(std::move(lines));
+  text.without_area += areas.left_out;
+  for (LineArea& area : areas.areas)
+    out.push_back({.kind = StraightKind::polygon,
+                   .of = PrimitiveKind::segment,
+                   .corners = std::move(area.outer),
+                   .holes = std::move(area.holes)});
   return out;
 }
 
