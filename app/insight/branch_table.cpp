@@ -11,6 +11,7 @@
 
 #include "core/io/text/text_numbers.h"
 #include "core/structures/balls/kept_union.h"
+#include "core/structures/filters/center_lines.h"
 #include "core/workbench/workbench.h"
 
 namespace mes {
@@ -39,6 +40,29 @@ void add_shares(const Workbench& bench, BranchTable& out) {
     if (!std::isfinite(length) || !std::isfinite(radius)) continue;
     out.radii.push_back({radius, length});
     out.lambdas.push_back({lambda.value(edge), length});
+  }
+}
+
+void add_stations(const AxisFilter& filter, const OneStepCrust& crust, const ComputationSettings& settings,
+                  JobControl& job, BranchTable& out) {
+  constexpr double kOfLongest = 400.0;
+  constexpr double kMost = 100'000.0;  // of all lines
+  CenterLines set = center_lines_of(filter, crust, out.branches,
+                                    {.least_salience = settings[Parameter::center_line_pruning],
+                                     .most = static_cast<std::size_t>(settings[Parameter::center_line_branches])},
+                                    job);
+  smooth(set, kUsualSmoothing);
+  double longest = 0.0;
+  double all = 0.0;
+  for (const CenterLine& line : set.lines) {
+    longest = std::max(longest, length_of(line));
+    all += length_of(line);
+  }
+  const double spacing = std::max(longest / kOfLongest, all / kMost);
+  if (!(spacing > 0.0)) return;
+  for (const CenterLine& line : set.lines) {
+    job.checkpoint();
+    out.stations.push_back(stations_of(line, spacing));
   }
 }
 
@@ -141,6 +165,7 @@ Expected<BranchTable> branch_table_of(const Registry& registry, const SampleData
     if (stat.key == "share_of_shape") out.share_of_shape = std::get<double>(stat.value);
   }
   add_shares(bench, out);
+  add_stations(filter, bench.get<OneStepCrust>(), settings, job, out);
   return out;
 }
 

@@ -14,6 +14,7 @@
 #include "core/document/commands.h"
 #include "core/document/computation_settings.h"
 #include "core/structures/filters/axis_branches.h"
+#include "core/structures/filters/center_line.h"
 
 namespace mes {
 
@@ -46,6 +47,9 @@ struct BranchTable {
   /// Shares of the whole axis, edge by edge, regardless of the filter.
   std::vector<AxisShare> radii;
   std::vector<AxisShare> lambdas;
+  /// Stations along the centre lines of the filtered axis, in equal steps from the beginning of each, the longest shape
+  /// first.
+  std::vector<std::vector<Station>> stations;
 };
 
 /// Throws `Cancelled`. Error: a structure failed; if only the union fails, the table is returned without its area.

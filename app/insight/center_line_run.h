@@ -16,7 +16,7 @@ namespace mes {
 class Registry;
 
 struct CenterLineWish {
-  SmoothingTolerance tolerance{.length = 0.0, .share = 0.25};
+  SmoothingTolerance tolerance = kUsualSmoothing;
   bool is_extended = false;  ///< free ends reach the curve
   CenterLineRequest request{};
 };

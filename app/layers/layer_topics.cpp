@@ -15,7 +15,8 @@ constexpr auto kTopics = std::to_array<LayerTopic>({
      false, LayerGroup::delaunay_voronoi},
     {"Curve", "curve voronoi-crust curve-normals feature-size sampling-epsilon"},
     {"Medial axis",
-     "medial-axis outline-axis interior-voronoi-disks interior-voronoi-circles interior-voronoi-vertices "
+     "medial-axis center-lines transects outline-axis interior-voronoi-disks interior-voronoi-circles "
+     "interior-voronoi-vertices "
      "all-medial-axis "
      "exterior-voronoi-disks exterior-voronoi-circles exterior-voronoi-vertices",
      false, LayerGroup::crust_axis},

@@ -107,6 +107,8 @@ constexpr auto kSynonyms = std::to_array<Synonyms>({
     {"voronoi-crust", "reconstruction amenta bern eppstein"},
     {"power-crust", "reconstruction amenta choi kolluri"},
     {"medial-axis", "skeleton skeletonize thinning centre line center centerline midline"},
+    {"center-lines", "centerline midline skeleton river road spine"},
+    {"transects", "width cross section station profile"},
     {"axis-deviation", "hausdorff distance accuracy truth compare quality"},
     {"outline-axis", "exact polygon segment voronoi straight skeleton centre line center centerline parabola"},
     {"all-medial-axis", "skeleton exterior symmetry"},
@@ -128,6 +130,7 @@ constexpr auto kSynonyms = std::to_array<Synonyms>({
     {"a-v-points", "vertices union boundary"},
     {"contours", "polylines order connectivity"},
 
+    {"center-line-pruning", kPruning},
     {"lambda-limit", kPruning},
     {"angle-limit", kPruning},
     {"scale-axis-factor", kPruning},

@@ -34,6 +34,7 @@ constexpr auto kNames = std::to_array<Name>({
     {"labels", "inside and outside"},
     {"inner-balls", "the inner balls"},
     {"medial-axis", "the medial axis"},
+    {"center-lines", "the centre lines"},
     {"axis-nodes", "the nodes of the axis"},
     {"outline-axis", "the axis of the outline"},
     {"axis-deviation", "the deviation of the axis"},

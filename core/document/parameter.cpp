@@ -137,13 +137,53 @@ const Parameter Parameter::alpha_radius{
         "Radius of the disks about the samples. Balls grow with it: one of radius r has the radius sqrt(r^2 + "
         "alpha-radius^2)"};
 
+const Parameter Parameter::center_line_pruning{
+    .id = "center-line-pruning",
+    .explanation =
+        "Centre lines ignore branches of the axis that reach beyond the ball at their junction by less than this "
+        "part "
+        "of its radius; 0.5 ignores those into corners of 84 degrees and more, 0 none",
+    .low = 0.0,
+    .high = 10.0,
+    .default_value = 0.5,
+    .is_limit = true,
+    .title = "Centre lines: pruning"};
+const Parameter Parameter::center_line_branches{
+    .id = "center-line-branches",
+    .explanation = "Number of centre lines of each shape at most, the longest first",
+    .low = 1.0,
+    .high = 1000.0,
+    .default_value = 1.0,
+    .is_whole = true,
+    .is_limit = true,
+    .title = "Centre lines: lines of a shape"};
+const Parameter Parameter::transects{
+    .id = "transects",
+    .explanation = "Number of transects across all centre lines, up to one for each line; they are equally far apart",
+    .low = 1.0,
+    .high = 100'000.0,
+    .default_value = 100.0,
+    .is_whole = true,
+    .is_limit = true,
+    .title = "Transects: number"};
+
 std::span<const Parameter> computation_parameters() {
-  static const std::vector<Parameter> all{
-      Parameter::union_shortcut, Parameter::pole_propagation,  Parameter::medial_sampling_angle,
-      Parameter::a_scale,        Parameter::p_scale,           Parameter::b_scale,
-      Parameter::lambda_limit,   Parameter::angle_limit,       Parameter::angle_mode,
-      Parameter::keep_topology,  Parameter::scale_axis_factor, Parameter::scale_skeleton_step,
-      Parameter::alpha_radius};
+  static const std::vector<Parameter> all{Parameter::union_shortcut,
+                                          Parameter::pole_propagation,
+                                          Parameter::medial_sampling_angle,
+                                          Parameter::a_scale,
+                                          Parameter::p_scale,
+                                          Parameter::b_scale,
+                                          Parameter::lambda_limit,
+                                          Parameter::angle_limit,
+                                          Parameter::angle_mode,
+                                          Parameter::keep_topology,
+                                          Parameter::scale_axis_factor,
+                                          Parameter::scale_skeleton_step,
+                                          Parameter::alpha_radius,
+                                          Parameter::center_line_pruning,
+                                          Parameter::center_line_branches,
+                                          Parameter::transects};
   return all;
 }
 

@@ -49,6 +49,9 @@ struct Parameter {
   static const Parameter scale_axis_factor;
   static const Parameter scale_skeleton_step;
   static const Parameter alpha_radius;
+  static const Parameter center_line_pruning;
+  static const Parameter center_line_branches;
+  static const Parameter transects;
 };
 
 /// The parameters above, in listing order.

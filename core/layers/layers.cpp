@@ -40,6 +40,8 @@ Layer make_curve_layer(const StructureSet&);
 Layer make_sampling_epsilon_layer(const StructureSet&);
 Layer make_medial_axis_layer(const StructureSet&);
 Layer make_outline_axis_layer(const StructureSet&);
+Layer make_transects_layer(const StructureSet&);
+Layer make_center_lines_layer(const StructureSet&);
 std::vector<Layer> make_kept_boundary_layers(const StructureSet&);
 std::vector<Layer> make_removed_axis_layers(const StructureSet&);
 std::vector<Layer> make_filtered_axis_layers(const StructureSet&);
@@ -226,6 +228,8 @@ void add_layers(Registry& registry) {
   registry.add_layer(make_sampling_epsilon_layer);
   registry.add_layer(make_medial_axis_layer);
   registry.add_layer(make_outline_axis_layer);
+  registry.add_layer(make_transects_layer);
+  registry.add_layer(make_center_lines_layer);
   registry.add_layers(make_kept_boundary_layers);
   registry.add_layers(make_removed_axis_layers);
   registry.add_layers(make_filtered_axis_layers);

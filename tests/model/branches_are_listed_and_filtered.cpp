@@ -39,6 +39,18 @@ void wait_for(BranchDesk& desk, const BranchDesk::State& state, const SampleData
 
 }  // namespace
 
+TEST_CASE("a table has stations of each centre line in equal steps, with the width of the shape") {
+  const BranchTable table = table_of(rectangle());
+  REQUIRE(table.stations.size() == 1);
+  const std::vector<Station>& stations = table.stations.front();
+  REQUIRE(stations.size() > 300);
+  for (std::size_t i = 1; i < stations.size(); ++i)
+    CHECK(std::abs(stations[i].along - static_cast<double>(i) * stations[1].along) < 1e-9);
+  // Halves of its sides are 3 and 2.
+  for (const Station& at : stations) CHECK(std::abs(at.width - 4.0) < 0.1);
+  CHECK(table_of({.positions = {{0, 0}, {1, 0}}}).stations.empty());
+}
+
 TEST_CASE("lines of branches are as long as the branches, and end where they do") {
   const BranchTable table = table_of(rectangle());
   REQUIRE(table.branches.size() == table.lines.size());

@@ -9,6 +9,7 @@
 #include "app/panels/on_canvas/shape_pen.h"
 #include "app/ui/paragraph.h"
 #include "app/ui/plot.h"
+#include "app/ui/slider.h"
 #include "app/ui/theme.h"
 #include "app/ui/widgets.h"
 #include "core/base/color.h"
@@ -35,7 +36,7 @@ constexpr std::array<Column, kBranchColumns> kColumns{
 
 constexpr std::array<const char*, kBranchAxes.size()> kAxes{"Whole axis", "Lambda axis", "Angle axis", "Cover axis"};
 constexpr std::size_t kBins = 96;
-constexpr float kLeastHistogram = 96.0F;  // logical pixels
+constexpr float kLeastHistogram = 140.0F;  // logical pixels
 constexpr float kHistogramShare = 0.35F;
 constexpr float kLeastTable = 150.0F;
 constexpr std::size_t kMostBranchSegments = 20'000;
@@ -82,8 +83,8 @@ void BranchesPanel::draw() {
   pointed_at_.reset();
   // In a low panel the table keeps some rows, and histogram and table scroll together.
   if (ImGui::BeginChild("##branches")) {
-    draw_histogram(std::max(kLeastHistogram * uses_.gui.unit(), kHistogramShare * ImGui::GetContentRegionAvail().y),
-                   false);
+    draw_diagram(std::max(kLeastHistogram * uses_.gui.unit(), kHistogramShare * ImGui::GetContentRegionAvail().y),
+                 false);
     draw_table();
   }
   ImGui::EndChild();
@@ -132,31 +133,94 @@ void BranchesPanel::draw_choices() {
           "union takes much longer than the table");
 }
 
-// Bar heights show lengths of the axis. The limit of lambda is a line that can be dragged. A large histogram fills the
-// room.
+// A large diagram fills the room.
+void BranchesPanel::draw_diagram(float height, bool is_large) {
+  const float unit = uses_.gui.unit();
+  const auto choice = [&](const char* label, Diagram diagram, const char* explanation) {
+    if (ImGui::RadioButton(label, diagram_ == diagram)) diagram_ = diagram;
+    tooltip(uses_.gui, explanation);
+  };
+  choice("Lambda", Diagram::lambda, "Length of the whole axis by its lambda; drag the line to set the limit");
+  ImGui::SameLine(0, 8 * unit);
+  choice("Radius", Diagram::radius, "Length of the whole axis by the radius of its balls");
+  ImGui::SameLine(0, 8 * unit);
+  choice("Width", Diagram::width,
+         "Width of the shape along its centre line; drag along it to move the transect in the drawing");
+  const float room = is_large ? ImGui::GetContentRegionAvail().y : height;
+  if (diagram_ == Diagram::width)
+    draw_widths(std::max(kLeastHistogram * unit, room), is_large);
+  else
+    draw_histogram(std::max(kLeastHistogram * unit, room), is_large);
+}
+
+void BranchesPanel::draw_widths(float height, bool is_large) {
+  const float unit = uses_.gui.unit();
+  const BranchTable& table = *uses_.desk.table();
+  if (table.stations.empty()) {
+    paragraph("There is no centre line: the pruned axis of every shape is a point");
+    return;
+  }
+  line_ = std::min(line_, table.stations.size() - 1);
+  if (table.stations.size() > 1) {
+    double number = static_cast<double>(line_ + 1);
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    slider(uses_.gui, "##line", number, 1.0, static_cast<double>(table.stations.size()),
+           {.format = "Line %.0f", .is_whole = true, .width = ImGui::GetContentRegionAvail().x});
+    tooltip(uses_.gui, "Centre line whose width is shown; the longest shape is first");
+    line_ = static_cast<std::size_t>(number) - 1;
+  }
+  const std::vector<Station>& stations = table.stations[line_];
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x), height};
+  hit_area("widths", size);
+  const double length = stations.back().along > 0.0 ? stations.back().along : 1.0;
+  const double widest = std::ranges::max(stations, {}, &Station::width).width;
+  const Plot plot(uses_.gui, {at, size}, {0.0, length, "station"}, {0.0, 1.1 * widest, "width"}, is_large);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  plot.draw_frame(list);
+  std::vector<ImVec2> line;
+  for (const Station& station : stations) line.emplace_back(plot.x_of(station.along), plot.y_of(station.width));
+  polyline(list, line, to_imgui(palette::vermilion), false, 1.5F * unit);
+  if (ImGui::IsItemActive()) station_ = plot.x_at(ImGui::GetIO().MousePos.x) / length;
+  const auto last = static_cast<double>(stations.size() - 1);
+  const Station& here = stations[static_cast<std::size_t>(std::lround(std::clamp(station_, 0.0, 1.0) * last))];
+  const float x = plot.x_of(here.along);
+  list.AddLine({x, plot.inside().at.y}, {x, plot.y_of(0.0)}, to_imgui(palette::blue), 2 * unit);
+  const std::string words = fmt::format("{:.4g} at {:.4g}", here.width, here.along);
+  const float width = ImGui::CalcTextSize(words.c_str()).x;
+  const bool fits = x + 4 * unit + width <= plot.inside().at.x + plot.inside().size.x;
+  list.AddText({fits ? x + 4 * unit : x - 4 * unit - width, plot.inside().at.y}, Plot::kInk, words.c_str());
+  if (ImGui::IsItemHovered() || ImGui::IsItemActive()) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  if (uses_.desk.is_current()) draw_transect(here);
+}
+
+void BranchesPanel::draw_transect(const Station& at) const {
+  const ShapePen pen(uses_.gui, {uses_.canvas.view().camera()}, uses_.canvas.content_scale(),
+                     {to_imgui(palette::blue), 3 * uses_.gui.unit(), PenMark::ring});
+  for (const Vec2 bank : {at.left, at.right})
+    pen.draw({PrimitiveKind::segment, {bank.x, bank.y, at.axis.x, at.axis.y}});
+  pen.draw({PrimitiveKind::point, {at.place.x, at.place.y}});
+}
+
+// Bar heights show lengths of the axis. The limit of lambda is a line that can be dragged.
 void BranchesPanel::draw_histogram(float height, bool is_large) {
   const float unit = uses_.gui.unit();
   const BranchTable& table = *uses_.desk.table();
-  if (histogram_table_ != &table || histogram_is_of_lambda_ != shows_lambda_) {
+  const bool shows_lambda = diagram_ == Diagram::lambda;
+  if (histogram_table_ != &table || histogram_is_of_lambda_ != shows_lambda) {
     histogram_table_ = &table;
-    histogram_is_of_lambda_ = shows_lambda_;
-    histogram_ = histogram_of(shows_lambda_ ? table.lambdas : table.radii, kBins);
+    histogram_is_of_lambda_ = shows_lambda;
+    histogram_ = histogram_of(shows_lambda ? table.lambdas : table.radii, kBins);
   }
-  if (ImGui::RadioButton("Lambda", shows_lambda_)) shows_lambda_ = true;
-  tooltip(uses_.gui, "Length of the whole axis by its lambda; drag the line to set the limit");
-  ImGui::SameLine(0, 8 * unit);
-  if (ImGui::RadioButton("Radius", !shows_lambda_)) shows_lambda_ = false;
-  tooltip(uses_.gui, "Length of the whole axis by the radius of its balls");
   if (histogram_.lengths.empty()) return;
 
   const ImVec2 at = ImGui::GetCursorScreenPos();
-  const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x),
-                    is_large ? std::max(kLeastHistogram * unit, ImGui::GetContentRegionAvail().y) : height};
+  const ImVec2 size{std::max(40 * unit, ImGui::GetContentRegionAvail().x), height};
   hit_area("histogram", size);
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const double most = *std::ranges::max_element(histogram_.lengths);
   // Square roots keep short parts, such as spurious branches, visible beside long ones.
-  const Plot plot(uses_.gui, {at, size}, {0.0, histogram_.high, shows_lambda_ ? "lambda" : "radius"},
+  const Plot plot(uses_.gui, {at, size}, {0.0, histogram_.high, shows_lambda ? "lambda" : "radius"},
                   {0.0, most, "length of the axis, on a scale of roots", true}, is_large);
   plot.draw_frame(list);
   ComputationSettings settings = uses_.computation.settings();
@@ -168,12 +232,12 @@ void BranchesPanel::draw_histogram(float height, bool is_large) {
     const float top = std::min(plot.y_of(histogram_.lengths[i]), bottom - unit);
     const float left = plot.x_of(bin * static_cast<double>(i));
     const float right = plot.x_of(bin * static_cast<double>(i + 1));
-    const bool is_below = shows_lambda_ && bin * static_cast<double>(i + 1) <= limit;
+    const bool is_below = shows_lambda && bin * static_cast<double>(i + 1) <= limit;
     list.AddRectFilled({left, top}, {std::max(left + 1.0F, right - 1.0F), bottom},
                        to_imgui(palette::vermilion, is_below ? 0.3 : 0.85));
   }
   const float mouse = ImGui::GetIO().MousePos.x;
-  if (shows_lambda_) {
+  if (shows_lambda) {
     if (ImGui::IsItemActive()) {
       limit = plot.x_at(mouse);
       if (settings != uses_.computation.settings()) uses_.computation.set(settings);
@@ -188,13 +252,13 @@ void BranchesPanel::draw_histogram(float height, bool is_large) {
   }
   if (ImGui::IsItemHovered() && !ImGui::IsItemActive()) {
     const auto i = std::min(histogram_.lengths.size() - 1, static_cast<std::size_t>(plot.x_at(mouse) / bin));
-    ImGui::SetTooltip("%s %.4g to %.4g: length %.4g", shows_lambda_ ? "lambda" : "radius",
+    ImGui::SetTooltip("%s %.4g to %.4g: length %.4g", shows_lambda ? "lambda" : "radius",
                       bin * static_cast<double>(i), bin * static_cast<double>(i + 1), histogram_.lengths[i]);
   }
 }
 
 void BranchesPanel::draw_large() {
-  if (draw_head()) draw_histogram(0.0F, true);
+  if (draw_head()) draw_diagram(0.0F, true);
 }
 
 void BranchesPanel::draw_table() {

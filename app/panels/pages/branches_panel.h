@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The branches of the axis as a table, and histograms of radius and lambda whose limit can be dragged.
+// The branches of the axis as a table, with diagrams: histograms of radius and lambda, and the width along the centre
+// line. The limit of lambda and the transect can be dragged.
 #pragma once
 
 #include <functional>
@@ -29,14 +30,17 @@ class BranchesPanel {
   explicit BranchesPanel(Uses uses) : uses_(std::move(uses)) {}
 
   void draw();
-  /// Draws the histogram as on paper, into a window of its own.
+  /// Draws the diagram as on paper, into a window of its own.
   void draw_large();
 
  private:
   /// Follows the document. Returns false without a table, and then draws the reason.
   bool draw_head();
   void draw_choices();
+  void draw_diagram(float height, bool is_large);
   void draw_histogram(float height, bool is_large);
+  void draw_widths(float height, bool is_large);
+  void draw_transect(const Station& at) const;
   void draw_table();
   void draw_row(std::size_t row);
   void draw_branch(std::size_t row, bool is_chosen) const;
@@ -45,7 +49,10 @@ class BranchesPanel {
   Uses uses_;
   BranchAxis axis_ = BranchAxis::lambda;
   bool measures_area_ = false;
-  bool shows_lambda_ = true;
+  enum class Diagram : std::uint8_t { lambda, radius, width };
+  Diagram diagram_ = Diagram::lambda;
+  std::size_t line_ = 0;  // of which the width is shown
+  double station_ = 0.0;  // part of its length
   std::string filter_text_;
   BranchFilter filter_;
   std::string filter_problem_;

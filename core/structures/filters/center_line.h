@@ -68,6 +68,7 @@ struct SmoothingTolerance {
   double length = 0.0;
   double share = 0.0;
 };
+inline constexpr SmoothingTolerance kUsualSmoothing{.length = 0.0, .share = 0.25};
 /// Removes waves shorter than about three radii, or than thirteen tolerances where that is less, and keeps longer ones.
 /// `ends`, where given, are new places of the ends of an open line, in the balls there.
 void smooth(CenterLine& line, const SmoothingTolerance& tolerance,

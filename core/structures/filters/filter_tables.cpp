@@ -4,6 +4,7 @@
 #include <array>
 
 #include "core/graph/table_maker.h"
+#include "core/structures/filters/axis_center_lines.h"
 #include "core/structures/filters/axis_filter.h"
 #include "core/structures/filters/cover_dates.h"
 
@@ -66,6 +67,38 @@ std::vector<TableColumns> CoverDates::table_columns() const {
   faces.column("cover_date", "Factor at which a larger grown ball holds the grown ball; infinite if none does",
                date_);
   return taken(faces);
+}
+
+std::vector<TableColumns> AxisCenterLines::table_columns() const {
+  const auto always = [](auto) { return true; };
+  TableMaker<LineSlot> lines("lines", "Centre lines", lines_.size(), always);
+  lines.column("length", "Length of the line", lines_, &Line::length);
+  lines.computed("widths", "Least, mean and largest width of the shape along the line", [this](LineSlot row) {
+    const Widths& widths = lines_[row].widths;
+    return std::array{widths.least, widths.mean, widths.largest};
+  });
+  lines.computed("is_closed", "The line ends where it begins",
+                 [this](LineSlot row) { return lines_[row].is_closed; });
+
+  const std::string of_lines = table_name(id(), "lines");
+  TableMaker<PieceSlot> pieces("pieces", "Straight pieces of the centre lines, from end to end", pieces_.size(),
+                               always);
+  pieces.column("from", "One end", pieces_, &Piece::from);
+  pieces.column("to", "The other end", pieces_, &Piece::to);
+  pieces.reference("line", "The line", pieces_, &Piece::line, of_lines);
+
+  TableMaker<TransectSlot> transects("transects", "Lines across the shapes, equally far apart", transects_.size(),
+                                     always);
+  transects.column("left", "Nearest point of the left bank", transects_, &Transect::left);
+  transects.column("axis", "Point of the axis", transects_, &Transect::axis);
+  transects.column("right", "Nearest point of the right bank", transects_, &Transect::right);
+  transects.column("place", "Point of the centre line", transects_, &Transect::place);
+  transects.column("station", "Arc length of the line up to the point", transects_, &Transect::station);
+  transects.column("width", "Sum of the distances of both banks from the axis", transects_, &Transect::width);
+  transects.column("direction", "Direction of the line in degrees, counter-clockwise from the x axis", transects_,
+                   &Transect::direction);
+  transects.reference("line", "The line", transects_, &Transect::line, of_lines);
+  return taken(lines, pieces, transects);
 }
 
 }  // namespace mes

@@ -9,6 +9,7 @@
 #include "core/structures/crust/one_step_crust.h"
 #include "core/structures/delaunay/delaunay.h"
 #include "core/structures/filters/angle_axis.h"
+#include "core/structures/filters/axis_center_lines.h"
 #include "core/structures/filters/cover_axis.h"
 #include "core/structures/filters/cover_dates.h"
 #include "core/structures/filters/lambda_axis.h"
@@ -20,6 +21,7 @@ namespace mes {
 inline void add_filter_structures(Registry& registry) {
   registry.add_structure<LambdaAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>();
   registry.add_structure<AngleAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis>();
+  registry.add_structure<AxisCenterLines, SettingsSource, OneStepCrust, InnerBalls, LambdaAxis, AngleAxis>();
   registry.add_structure<CoverDates, Delaunay, InnerBalls>();
   registry
       .add_structure<CoverAxis, SettingsSource, Delaunay, OneStepCrust, Labels, InnerBalls, MedialAxis, CoverDates>();

@@ -8,10 +8,12 @@
 
 #include "core/base/rng.h"
 #include "core/builtins/builtins.h"
+#include "core/structures/filters/axis_center_lines.h"
 #include "core/structures/filters/center_lines.h"
 #include "core/workbench/workbench.h"
 #include "tests/support/pi.h"
 #include "tests/support/shapes.h"
+#include "tests/support/workbench.h"
 
 using namespace mes;
 using namespace mes::test;
@@ -386,4 +388,54 @@ TEST_CASE("samples without a shape have no line") {
     CHECK(none.lines.empty());
     CHECK(none.points == 0);
   }
+}
+
+TEST_CASE("the structure has the lines of all shapes, and transects in equal steps across them") {
+  std::vector<Vec2> samples = rectangle(8.0, 2.0, 0.05);
+  for (const Vec2 p : rectangle(4.0, 1.0, 0.05)) samples.push_back(p + Vec2{0.0, 5.0});
+  TestBench bench;
+  bench.show({"center-lines", "transects"});
+  ComputationSettings settings;
+  settings[Parameter::transects] = 20.0;
+  bench.choose(settings);
+  bench.replace(samples);
+  const auto& lines = bench.get<AxisCenterLines>();
+  const LineBench known(samples);
+  CenterLines set = known.lines();
+  smooth(set, kUsualSmoothing);
+  REQUIRE(set.lines.size() == 2);
+  REQUIRE(lines.lines().size() == 2);
+  double length = 0.0;
+  std::size_t row = 0;
+  for (const AxisCenterLines::Line& line : lines.lines()) {
+    CHECK(line.length == length_of(set.lines[row++]));
+    length += line.length;
+  }
+  std::vector<Vec2> drawn;
+  for (const AxisCenterLines::Piece& piece : lines.pieces())
+    if (piece.line == AxisCenterLines::LineSlot(0)) drawn.push_back(piece.to);
+  drawn.insert(drawn.begin(), set.lines[0].points[0].place);
+  CHECK(drawn == places(set.lines[0]));
+
+  REQUIRE(lines.transects().size() >= 20);
+  REQUIRE(lines.transects().size() <= 22);
+  double station = 0.0;
+  for (const AxisCenterLines::Transect& at : lines.transects()) {
+    const bool is_first = at.line == AxisCenterLines::LineSlot(0);
+    if (at.station == 0.0) station = 0.0;
+    CHECK(std::abs(at.station - station) < 1e-9);
+    station += length / 20.0;
+    CHECK(std::abs(at.width - (is_first ? 2.0 : 1.0)) < 1e-6);
+    CHECK(std::abs(distance(at.left, at.axis) + distance(at.axis, at.right) - at.width) < 1e-12);
+    CHECK(distance(at.axis, at.place) < 0.5 * at.width);
+  }
+  const auto of_layer = [&](std::string_view layer) { return bench.mirror().size(builtins().find_layer(layer)); };
+  CHECK(of_layer("transects") == 2 * lines.transects().size());
+
+  // Without pruning the lines run into corners, and with more lines of a shape all corners have one.
+  settings[Parameter::center_line_pruning] = 0.0;
+  settings[Parameter::center_line_branches] = 10.0;
+  bench.choose(settings);
+  CHECK(lines.lines().size() > 6);
+  CHECK(bench.state() == TestBench(samples).state());
 }

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/structures/filters/axis_center_lines.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace mes {
+
+AxisCenterLines::AxisCenterLines(SettingsSource& settings, OneStepCrust& crust, InnerBalls& balls, LambdaAxis& lambda,
+                                 AngleAxis& angle)
+    : Structure("center-lines", {&settings, &crust, &balls, &lambda, &angle}),
+      settings_(settings),
+      crust_(crust),
+      balls_(balls),
+      lambda_(lambda),
+      angle_(angle) {}
+
+std::vector<std::string_view> AxisCenterLines::parameters() const {
+  return {Parameter::center_line_pruning.id, Parameter::center_line_branches.id, Parameter::transects.id};
+}
+
+AxisCenterLines::Wish AxisCenterLines::wanted() const {
+  const ComputationSettings& settings = settings_.current();
+  return {settings[Parameter::center_line_pruning], settings[Parameter::center_line_branches],
+          settings[Parameter::transects]};
+}
+
+void AxisCenterLines::rebuild(JobControl& job) {
+  wish_ = wanted();
+  lines_ = {};
+  pieces_ = {};
+  transects_ = {};
+  const CenterLineRequest request{.least_salience = wish_.pruning, .most = static_cast<std::size_t>(wish_.branches)};
+  CenterLines set = center_lines_of(lambda_, crust_, branches_of(lambda_, balls_, lambda_, angle_), request, job);
+  smooth(set, kUsualSmoothing);
+  double length = 0.0;
+  for (const CenterLine& line : set.lines) length += length_of(line);
+  const double spacing = length / wish_.transects;
+  for (const CenterLine& line : set.lines) {
+    job.checkpoint();
+    const LineSlot slot = lines_.next();
+    lines_.push_back({length_of(line), widths_of(line), line.is_closed});
+    for (std::size_t i = 1; i < line.points.size(); ++i)
+      pieces_.push_back({line.points[i - 1].place, line.points[i].place, slot});
+    if (!(spacing > 0.0)) continue;
+    for (const Station& at : stations_of(line, spacing))
+      transects_.push_back({at.left, at.axis, at.right, at.place, at.along, at.width, at.direction, slot});
+  }
+}
+
+bool AxisCenterLines::update(JobControl&) {
+  return wish_ == wanted() && crust_.touched() == 0 && lambda_.touched() == 0;
+}
+
+StatList AxisCenterLines::statistics() const {
+  StatList out{{"lines", static_cast<std::int64_t>(lines_.size())}};
+  if (lines_.empty()) return out;
+  double length = 0.0;
+  double weighted = 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  double largest = 0.0;
+  for (const Line& line : lines_) {
+    length += line.length;
+    weighted += line.length * line.widths.mean;
+    least = std::min(least, line.widths.least);
+    largest = std::max(largest, line.widths.largest);
+  }
+  out.push_back({"length", length});
+  out.push_back({"width_least", least});
+  out.push_back({"width_mean", length > 0.0 ? weighted / length : 0.0});
+  out.push_back({"width_largest", largest});
+  return out;
+}
+
+}  // namespace mes
