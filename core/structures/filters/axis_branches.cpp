@@ -214,15 +214,30 @@ class Tracer {
 
 }  // namespace
 
+namespace {
+
+/// The point after the first one.
+Vec2 second_place(const AxisFilter& filter, const AxisBranch& branch) {
+  for (const EdgeSlot edge : branch.edges)
+    for (const int end : {0, 1})
+      if (const Vec2 place = filter.kept_end(edge, end); place != branch.from.place) return place;
+  return branch.from.place;
+}
+
+}  // namespace
+
 std::vector<AxisBranch> branches_of(const AxisFilter& filter, const InnerBalls& balls, const LambdaAxis& lambda,
                                     const AngleAxis& angle) {
   std::vector<AxisBranch> out = Tracer(filter, balls, lambda, angle).run();
-  std::ranges::sort(out, [](const AxisBranch& a, const AxisBranch& b) {
+  std::ranges::sort(out, [&filter](const AxisBranch& a, const AxisBranch& b) {
     if (a.length != b.length) return a.length > b.length;
     if (a.from.place != b.from.place) return lexicographically_less(a.from.place, b.from.place);
     if (a.to.place != b.to.place) return lexicographically_less(a.to.place, b.to.place);
     if (a.radius_mean != b.radius_mean) return a.radius_mean < b.radius_mean;
-    return std::pair(a.lambda, a.angle) < std::pair(b.lambda, b.angle);
+    if (a.lambda != b.lambda) return a.lambda < b.lambda;
+    if (a.angle != b.angle) return a.angle < b.angle;
+    // Two ways around a symmetric hole.
+    return lexicographically_less(second_place(filter, a), second_place(filter, b));
   });
   return out;
 }
