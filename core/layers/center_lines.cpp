@@ -3,6 +3,12 @@
 #include "core/structures/filters/axis_center_lines.h"
 
 namespace mes {
+namespace {
+
+/// A transect has two parts, which form an angle in bends.
+using HalfSlot = Slot<struct TransectHalfTag>;
+
+}  // namespace
 
 Layer make_center_lines_layer(const StructureSet& set) {
   const auto& lines = set.get<AxisCenterLines>();
@@ -24,23 +30,22 @@ Layer make_center_lines_layer(const StructureSet& set) {
 
 Layer make_transects_layer(const StructureSet& set) {
   const auto& lines = set.get<AxisCenterLines>();
-  const auto half = [&lines](Vec2 AxisCenterLines::Transect::*bank) {
-    return table_part(
-        {PrimitiveKind::segment}, [&lines] { return lines.transects().size(); },
-        no_changes<AxisCenterLines::TransectSlot>(),
-        [&lines, bank](AxisCenterLines::TransectSlot row, Instance& out) {
-          const AxisCenterLines::Transect& at = lines.transects()[row];
-          out.segment(at.*bank, at.axis, at.width);
-        });
-  };
-  return make_layer({.id = "transects",
-                     .name = "Transects",
-                     .tooltip = "Lines across the shapes in equal steps along the centre lines, with the width there",
-                     .group = LayerGroup::crust_axis,
-                     .scalar = "width",
-                     .style = {.color = palette::blue, .line_width_px = 1.5},
-                     .kinds = {PrimitiveKind::segment}},
-                    {&lines}, half(&AxisCenterLines::Transect::left), half(&AxisCenterLines::Transect::right));
+  return make_layer(
+      {.id = "transects",
+       .name = "Transects",
+       .tooltip = "Lines across the shapes in equal steps along the centre lines, with the width there",
+       .group = LayerGroup::crust_axis,
+       .scalar = "width",
+       .style = {.color = palette::blue, .line_width_px = 1.5},
+       .kinds = {PrimitiveKind::segment}},
+      {&lines},
+      table_part(
+          {PrimitiveKind::segment}, [&lines] { return 2 * lines.transects().size(); }, no_changes<HalfSlot>(),
+          [&lines](HalfSlot row, Instance& out) {
+            const AxisCenterLines::TransectSlot slot(row.index() / 2);
+            const AxisCenterLines::Transect& at = lines.transects()[slot];
+            out.segment(row.index() % 2 == 0 ? at.left : at.right, at.axis, at.width);
+          }));
 }
 
 }  // namespace mes

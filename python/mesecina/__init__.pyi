@@ -156,6 +156,7 @@ class Session:
     axis_nodes: _AxisNodes
     lambda_axis: _LambdaAxis
     angle_axis: _AngleAxis
+    center_lines: _CenterLines
     cover_dates: _CoverDates
     cover_axis: _CoverAxis
     curve_sampling: _CurveSampling
@@ -421,6 +422,31 @@ class _AngleAxis(Structure):
     edges: _AngleAxisEdges
     faces: _AngleAxisFaces
     removed_pieces: _LambdaAxisRemovedPieces
+
+class _CenterLinesLines(Table):
+    length: NDArray[np.float64]
+    widths: NDArray[np.float64]
+    is_closed: NDArray[np.bool_]
+
+class _CenterLinesPieces(Table):
+    from_: NDArray[np.float64]
+    to: NDArray[np.float64]
+    line: NDArray[np.uint32]
+
+class _CenterLinesTransects(Table):
+    left: NDArray[np.float64]
+    axis: NDArray[np.float64]
+    right: NDArray[np.float64]
+    place: NDArray[np.float64]
+    station: NDArray[np.float64]
+    width: NDArray[np.float64]
+    direction: NDArray[np.float64]
+    line: NDArray[np.uint32]
+
+class _CenterLines(Structure):
+    lines: _CenterLinesLines
+    pieces: _CenterLinesPieces
+    transects: _CenterLinesTransects
 
 class _CoverDatesFaces(Table):
     cover_date: NDArray[np.float64]

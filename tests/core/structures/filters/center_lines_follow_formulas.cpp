@@ -429,13 +429,13 @@ TEST_CASE("the structure has the lines of all shapes, and transects in equal ste
     CHECK(std::abs(distance(at.left, at.axis) + distance(at.axis, at.right) - at.width) < 1e-12);
     CHECK(distance(at.axis, at.place) < 0.5 * at.width);
   }
-  const auto of_layer = [&](std::string_view layer) { return bench.mirror().size(builtins().find_layer(layer)); };
-  CHECK(of_layer("transects") == 2 * lines.transects().size());
+  const LayerIndex transects = builtins().find_layer("transects");
+  CHECK(bench.mirror().instances(transects, PrimitiveKind::segment).size() ==
+        2 * lines.transects().size() * stride_of(PrimitiveKind::segment));
 
-  // Without pruning the lines run into corners, and with more lines of a shape all corners have one.
+  // Without pruning the lines run into corners. The first line of a rectangle joins two of them.
   settings[Parameter::center_line_pruning] = 0.0;
   settings[Parameter::center_line_branches] = 10.0;
   bench.choose(settings);
-  CHECK(lines.lines().size() > 6);
-  CHECK(bench.state() == TestBench(samples).state());
+  CHECK(lines.lines().size() == 6);
 }
