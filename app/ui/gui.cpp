@@ -128,12 +128,21 @@ void Gui::begin_frame(const Settings& settings) {
   ImGui_ImplGlfw_NewFrame();
   if (const auto click = window_.take_click())
     ImGui::GetIO().MousePos = {static_cast<float>(click->x), static_cast<float>(click->y)};
-  // Enter chooses a row that was reached by keys; Dear ImGui knows only the space bar for that.
-  const auto is_down = [](ImGuiKey key) { return ImGui::IsKeyDown(ImGui::GetKeyIndex(key)); };
-  if ((ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0 &&
-      (is_down(ImGuiKey_Enter) || is_down(ImGuiKey_KeyPadEnter)))
-    ImGui::GetIO().NavInputs[ImGuiNavInput_Activate] = 1.0F;
+  let_keys_choose_rows();
   ImGui::NewFrame();
+}
+
+// Arrow keys and Enter choose rows of menus and lists. Elsewhere they belong to the table of actions and to dialogs.
+void Gui::let_keys_choose_rows() {
+  const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
+  const ImGuiWindow* const top = popups.empty() ? nullptr : popups.back().Window;
+  ImGuiIO& io = ImGui::GetIO();
+  io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+  if (top == nullptr || (top->Flags & ImGuiWindowFlags_Modal) != 0) return;
+  io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  // Dear ImGui knows only the space bar for this.
+  const auto is_down = [](ImGuiKey key) { return ImGui::IsKeyDown(ImGui::GetKeyIndex(key)); };
+  if (is_down(ImGuiKey_Enter) || is_down(ImGuiKey_KeyPadEnter)) io.NavInputs[ImGuiNavInput_Activate] = 1.0F;
 }
 
 double Gui::drawing_scale() const {

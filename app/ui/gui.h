@@ -63,6 +63,7 @@ class Gui {
 
  private:
   void load_fonts(double scale);
+  static void let_keys_choose_rows();
 
   GlfwWindow& window_;
   std::filesystem::path assets_;

@@ -182,7 +182,8 @@ void draw_foot(const Gui& gui, const std::string& keys_file) {
 }  // namespace
 
 bool HelpPage::is_cancelled_by(const KeyChord& chord) const {
-  return Dialog::is_cancelled_by(chord) || keymap_->find(chord, false) == ActionId::help;
+  return Dialog::is_cancelled_by(chord) || chord.symbol == key::enter ||
+         keymap_->find(chord, false) == ActionId::help;
 }
 
 void HelpPage::draw(const Gui& gui) {

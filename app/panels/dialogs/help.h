@@ -10,7 +10,7 @@
 
 namespace mes {
 
-/// A click beside the page or on its cross closes it, and so do the keys that open it.
+/// A click beside the page or on its cross closes it, and so do Enter and the keys that open it.
 class HelpPage final : public Dialog {
  public:
   /// Sets the keys to show, which must outlive the page, and the file that changes them.

@@ -46,11 +46,7 @@ CanvasMenu::Choice CanvasMenu::draw(const Gui& gui, const ActionBindings& action
     is_wanted_ = false;
     ImGui::OpenPopup(kMenuId);
   }
-  // Keys go through the rows only here: elsewhere they belong to the table of actions.
-  ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
-  flags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   if (!ImGui::IsPopupOpen(kMenuId)) return Choice::none;
-  flags |= ImGuiConfigFlags_NavEnableKeyboard;
   ImGui::SetNextWindowPos(target_.at, ImGuiCond_Appearing);
   if (!begin_popup(gui, kMenuId)) return Choice::none;
   // No row is marked until a key is pressed, which then marks the first.
