@@ -73,20 +73,26 @@ inline void CertaintyGrowth::push_edges_of(SiteSlot site, Place place) {
 }
 
 // Most components are the seed and another odd site, with an edge between them that is more doubtful than all others
-// there. Those others need not be put in order, which takes long where they are equally certain, as in a lattice.
+// there. Those others need not be put in order, which takes long where they are equally certain, as in a lattice. Where
+// an edge mends, the keys of edges that do not are not needed.
 template <class IsOdd>
 bool CertaintyGrowth::closes_in_a_pair(IsOdd is_odd) {
   const SiteSlot seed = steps_[Place(0)].site;
   Step best{{}, seed, Place(0)};
-  for_each_edge_to_take(seed, [&](EdgeSlot edge, SiteSlot other) {
+  const auto look_at = [&](EdgeSlot edge, SiteSlot other) {
     const CertaintyOrder::Rank rank = order_.rank_of(edge);
     if (best.rank.edge == kNoSlot || order_.is_surer(best.rank, rank)) best = {rank, other, Place(0)};
+  };
+  for_each_edge_to_take(seed, [&](EdgeSlot edge, SiteSlot other) {
+    if (order_.mends(edge)) look_at(edge, other);
   });
+  const bool mends = best.rank.edge != kNoSlot;
+  if (!mends) for_each_edge_to_take(seed, look_at);
   if (best.rank.edge == kNoSlot || !is_odd(best.site)) return false;
   bool is_most_doubtful = true;
   for_each_edge_to_take(best.site, [&](EdgeSlot edge, SiteSlot) {
-    is_most_doubtful =
-        is_most_doubtful && (edge == best.rank.edge || order_.is_surer(order_.rank_of(edge), best.rank));
+    if (!is_most_doubtful || edge == best.rank.edge || (mends && !order_.mends(edge))) return;
+    is_most_doubtful = order_.is_surer(order_.rank_of(edge), best.rank);
   });
   if (!is_most_doubtful) return false;
   grown_.insert(best.site);

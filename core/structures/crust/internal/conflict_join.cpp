@@ -2,61 +2,56 @@
 #include "core/structures/crust/internal/conflict_join.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace mes {
 
-void ConflictJoin::toggle(const Cluster& cluster) {
-  for (const EdgeSlot edge : cluster.join) {
-    in_join_[edge] ^= 1U;
-    changed_edges_.push_back(edge);
+void ConflictJoin::toggle(EdgeSlot edge) {
+  in_join_[edge] ^= 1U;
+  changed_edges_.push_back(edge);
+}
+
+void ConflictJoin::dissolve(SiteSlot cluster) {
+  for (SiteSlot site = cluster; site != kNoSlot;) {
+    const Member member = std::exchange(member_[site], {});
+    if (member.join != kNoSlot) toggle(member.join);
+    site = member.next;
   }
 }
 
-void ConflictJoin::dissolve(ClusterId id) {
-  const auto found = clusters_.find(id);
-  for (const SiteSlot site : found->second.sites) cluster_of_[site] = ClusterId();
-  toggle(found->second);
-  clusters_.erase(found);
-}
-
 bool ConflictJoin::grow(SiteSlot seed, JobControl& job) {
-  if (!delaunay_.is_site(seed) || !is_odd(seed) || cluster_of_[seed].is_valid()) return true;
+  if (!delaunay_.is_site(seed) || !is_odd(seed) || member_[seed].cluster != kNoSlot) return true;
   const bool closes = growth_.grow(
       seed, a_good_part(), [this](SiteSlot site) { return is_odd(site); }, job);
   const auto& steps = growth_.steps();
   if (!closes || steps.size() > may_grow_) return false;
   may_grow_ -= steps.size();
-  Cluster cluster;
   parity_.assign(steps.size(), 0);
-  for (const auto& step : steps) {
-    // Dissolve clusters inside this one.
-    if (cluster_of_[step.site].is_valid()) dissolve(cluster_of_[step.site]);
-    cluster.sites.push_back(step.site);
-  }
-  for (std::size_t i = steps.size(); i-- > 1;) {
+  // Dissolve clusters inside this one.
+  for (const auto& step : steps)
+    if (member_[step.site].cluster != kNoSlot) dissolve(member_[step.site].cluster);
+  SiteSlot next;
+  for (std::size_t i = steps.size(); i-- > 0;) {
     const CertaintyGrowth::Place place(i);
     const CertaintyGrowth::Step& step = steps[place];
     if (is_odd(step.site)) parity_[place] ^= 1U;
-    if (parity_[place] == 0) continue;
-    cluster.join.push_back(step.rank.edge);
+    const bool is_join = i > 0 && parity_[place] != 0;
+    member_[step.site] = {seed, next, is_join ? step.rank.edge : EdgeSlot()};
+    next = step.site;
+    if (!is_join) continue;
+    toggle(step.rank.edge);
     parity_[step.from] ^= 1U;
   }
-  const ClusterId id = next_cluster_;
-  ++next_cluster_.value;
-  for (const SiteSlot site : cluster.sites) cluster_of_[site] = id;
-  toggle(cluster);
-  clusters_.emplace(id, std::move(cluster));
   return true;
 }
 
 void ConflictJoin::make_room() {
-  cluster_of_.resize(delaunay_.site_rows());
+  member_.resize(delaunay_.site_rows());
   in_join_.resize(delaunay_.edge_rows(), 0);
 }
 
 void ConflictJoin::clear() {
-  clusters_.clear();
-  cluster_of_.clear();
+  member_.clear();
   in_join_.clear();
   changed_edges_.clear();
 }
@@ -105,11 +100,10 @@ bool ConflictJoin::update(const std::vector<SiteSlot>& touched, JobControl& job)
   seeds_.clear();
   const auto touch = [this](SiteSlot site) {
     seeds_.push_back(site);
-    const ClusterId id = cluster_of_[site];
-    if (!id.is_valid()) return;
-    const std::vector<SiteSlot>& sites = clusters_.at(id).sites;
-    seeds_.insert(seeds_.end(), sites.begin(), sites.end());
-    dissolve(id);
+    const SiteSlot cluster = member_[site].cluster;
+    if (cluster == kNoSlot) return;
+    for (SiteSlot one = cluster; one != kNoSlot; one = member_[one].next) seeds_.push_back(one);
+    dissolve(cluster);
   };
   for (const SiteSlot site : touched) touch(site);
   for (const SiteSlot site : strokes_.changed_ends()) touch(site);

@@ -2,7 +2,6 @@
 // Where labels must contradict the crust if few samples are odd: pieces of the spanning tree around them.
 #pragma once
 
-#include <unordered_map>
 #include <vector>
 
 #include "core/structures/crust/internal/certainty_growth.h"
@@ -40,10 +39,11 @@ class ConflictJoin {
   const std::vector<EdgeSlot>& changed_edges() const { return changed_edges_; }
 
  private:
-  using ClusterId = Id<struct ClusterTag>;
-  struct Cluster {
-    std::vector<SiteSlot> sites;
-    std::vector<EdgeSlot> join;
+  /// The sites of a cluster are linked from the one that it was grown from, which also names it.
+  struct Member {
+    SiteSlot cluster;  ///< kNoSlot: in no cluster
+    SiteSlot next;     ///< kNoSlot at the last
+    EdgeSlot join;     ///< an edge of the join, or kNoSlot
   };
 
   bool is_odd(SiteSlot site) const { return crust_.is_odd(site) && !strokes_.ends_at(site); }
@@ -51,18 +51,16 @@ class ConflictJoin {
   std::size_t a_good_part() const { return 64 + delaunay_.site_count() / 4; }
   /// Makes the cluster around an odd site, unless it is in one already. False if it would be too large.
   bool grow(SiteSlot seed, JobControl& job);
-  void dissolve(ClusterId id);
-  void toggle(const Cluster& cluster);
+  void dissolve(SiteSlot cluster);
+  void toggle(EdgeSlot edge);
   void make_room();
 
   const Delaunay& delaunay_;
   const OneStepCrust& crust_;
   const OpenStrokes& strokes_;
   CertaintyGrowth growth_;
-  std::unordered_map<ClusterId, Cluster> clusters_;
-  ClusterId next_cluster_{0};
   // Empty until there is an odd site.
-  Table<SiteSlot, ClusterId> cluster_of_;
+  Table<SiteSlot, Member> member_;
   Table<EdgeSlot, std::uint8_t> in_join_;
 
   // Work space.

@@ -48,6 +48,35 @@ OpenStrokes::Proposal OpenStrokes::best_proposal(SiteSlot site) const {
   return best;
 }
 
+void OpenStrokes::match(const Proposal& proposal) {
+  const auto& [rank, site, partner] = proposal;
+  part(site);
+  part(partner);
+  set_match(site, {rank.edge, partner});
+  set_match(partner, {rank.edge, site});
+}
+
+// Matches those that are each other's first choice, which most are where the partner is near, and keeps the proposals
+// of the others. No site is matched twice, and nothing has to be put in order.
+void OpenStrokes::match_first_choices(JobControl& job) {
+  first_choice_.resize(delaunay_.site_rows());
+  const std::vector<SiteSlot> proposers = std::exchange(proposers_, {});
+  for (std::size_t i = 0; i < proposers.size(); ++i) {
+    if ((i & 1023U) == 0) job.checkpoint();
+    const Proposal best = best_proposal(proposers[i]);
+    if (best.partner == kNoSlot) continue;
+    first_choice_[best.site] = best.rank.edge;
+    proposals_.push_back(best);
+  }
+  std::erase_if(proposals_, [this](const Proposal& proposal) {
+    if (match_[proposal.site].edge == proposal.rank.edge) return true;
+    if (first_choice_[proposal.partner] != proposal.rank.edge) return false;
+    match(proposal);
+    return true;
+  });
+  for (const SiteSlot site : proposers) first_choice_[site] = kNoSlot;
+}
+
 // Sites propose along their most doubtful edge to those that are free or prefer it to theirs. The result does not
 // depend on the order of proposals, since all agree on which edges are better. The best come first, as far as keys and
 // places tell, so that hardly a match is undone: what a site that is left proposes next is worse than what it had.
@@ -65,6 +94,8 @@ void OpenStrokes::match_all(JobControl& job) {
     std::ranges::push_heap(proposals_, is_worse);
   };
   proposals_.clear();
+  match_first_choices(job);
+  std::ranges::make_heap(proposals_, is_worse);
   std::size_t done = 0;
   for (;;) {
     for (; !proposers_.empty(); ++done) {
@@ -74,18 +105,14 @@ void OpenStrokes::match_all(JobControl& job) {
       propose(site);
     }
     if (proposals_.empty()) return;
-    const auto [rank, site, partner] = proposals_.front();
+    const Proposal best = proposals_.front();
     std::ranges::pop_heap(proposals_, is_worse);
     proposals_.pop_back();
-    if (match_[site].edge == rank.edge) continue;
-    if (!would_take(site, rank) || !would_take(partner, rank)) {
-      proposers_.push_back(site);
-      continue;
-    }
-    part(site);
-    part(partner);
-    set_match(site, {rank.edge, partner});
-    set_match(partner, {rank.edge, site});
+    if (match_[best.site].edge == best.rank.edge) continue;
+    if (would_take(best.site, best.rank) && would_take(best.partner, best.rank))
+      match(best);
+    else
+      proposers_.push_back(best.site);
   }
 }
 
@@ -313,6 +340,7 @@ void OpenStrokes::clear() {
   free_watches_.clear();
   count_ = 0;
   proposers_.clear();
+  first_choice_.clear();
   matches_before_.clear();
   begins_.clear();
   changed_edges_.clear();

@@ -109,6 +109,8 @@ class OpenStrokes {
   Proposal best_proposal(SiteSlot site) const;
   void set_match(SiteSlot site, const Match& match);
   void part(SiteSlot site);
+  void match(const Proposal& proposal);
+  void match_first_choices(JobControl& job);
   void match_all(JobControl& job);
   void match_in_order(JobControl& job);
   bool is_on_curve(EdgeSlot edge) const;
@@ -153,6 +155,7 @@ class OpenStrokes {
   // Work space.
   std::vector<SiteSlot> proposers_;  ///< sites that may find a partner, or a better one
   std::vector<Proposal> proposals_;  ///< a heap
+  Table<SiteSlot, EdgeSlot> first_choice_;
   struct Before {
     SiteSlot site;
     Match match;

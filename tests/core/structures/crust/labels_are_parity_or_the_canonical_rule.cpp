@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/base/rng.h"
+#include "core/structures/crust/internal/conflict_join.h"
 #include "core/structures/crust/labels.h"
 #include "tests/support/exact_geometry.h"
 #include "tests/support/grid_draws.h"
@@ -26,6 +27,18 @@ struct LabelInput {
   std::string name;
   std::vector<Vec2> positions;
 };
+
+// Each has eight samples, and those of neighbours that are nearest to each other are odd.
+std::vector<Vec2> lattice_of_circles() {
+  std::vector<Vec2> out;
+  for (int row = 0; row < 10; ++row)
+    for (int column = 0; column < 10; ++column)
+      for (int i = 0; i < 8; ++i) {
+        const double angle = i * 0.78539816339744831;
+        out.push_back({10.0 * column + 3.0 * std::cos(angle), 10.0 * row + 3.0 * std::sin(angle)});
+      }
+  return out;
+}
 
 // Lengths of one and of eight, so that many an edge is as long as a long one may just not be.
 Vec2 pair_place(Rng& rng) {
@@ -537,13 +550,7 @@ TEST_CASE("the rule holds where so many samples are odd that all labels follow f
 }
 
 TEST_CASE("the rule holds in a lattice of circles, where half of the samples are odd and find partners beside them") {
-  std::vector<Vec2> positions;
-  for (int row = 0; row < 10; ++row)
-    for (int column = 0; column < 10; ++column)
-      for (int i = 0; i < 8; ++i) {
-        const double angle = i * 0.78539816339744831;
-        positions.push_back({10.0 * column + 3.0 * std::cos(angle), 10.0 * row + 3.0 * std::sin(angle)});
-      }
+  const std::vector<Vec2> positions = lattice_of_circles();
   ComparedBench bench(positions);
   // From this number on, `ConflictJoin` first tries a few clusters.
   CHECK(bench.get<OneStepCrust>().odd_count() > 64 + positions.size() / 3);
@@ -571,6 +578,24 @@ TEST_CASE("the rule holds in a lattice of circles, where half of the samples are
     bench.move(moves);
     REQUIRE(conflicts_of(bench) == conflicts_by_rule(bench));
   }
+}
+
+TEST_CASE("samples that mend with each other are joined without a look at other edges") {
+  const ComparedBench bench(lattice_of_circles());
+  const auto& delaunay = bench.get<Delaunay>();
+  const auto& crust = bench.get<OneStepCrust>();
+  CHECK(crust.odd_count() == 360);
+  JobControl job;
+  CertaintyOrder order(delaunay, crust);
+  OpenStrokes strokes(delaunay, crust, order);
+  strokes.rebuild(job);
+  ConflictJoin join(delaunay, crust, order, strokes);
+  REQUIRE(join.rebuild(job));
+  std::size_t joined = 0;
+  for (const EdgeSlot edge : delaunay.edge_slots()) joined += join.has_edge(edge) ? 1U : 0U;
+  CHECK(joined == 180);
+  // An edge that is not crust has a key only if its length was compared with the crust beside it.
+  CHECK_FALSE(order.keeps_lengths());
 }
 
 TEST_CASE("the tree of faces follows edits of noise one by one as it would be made anew") {
