@@ -92,7 +92,8 @@ std::vector<PaletteHit> find_entries(std::span<const PaletteEntry> entries, std:
                      fit->scattered != 0});
   }
   // An abbreviation fits many names by accident.
-  if (!std::ranges::all_of(found, &Found::is_scattered)) std::erase_if(found, &Found::is_scattered);
+  if (!std::ranges::all_of(found, &Found::is_scattered))
+    std::erase_if(found, [](const Found& one) { return one.is_scattered; });
   std::ranges::stable_sort(found, [](const Found& a, const Found& b) {
     if (a.score != b.score) return a.score > b.score;
     if (a.age != b.age) return a.age < b.age;
