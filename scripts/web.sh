@@ -4,7 +4,7 @@
 #
 #   scripts/web.sh           makes the page in build/web
 #   scripts/web.sh --test    runs the tests of the predicates under node, compares what the program computes there with
-#                            what it computes here, and starts the page in Chromium
+#                            what it computes here, and uses the page in Chromium
 #
 # Emscripten 3.1.60 or later is taken where it is found. Otherwise Debian 13, which has 3.1.69, is installed into a
 # folder (mmdebstrap, as root), which takes three minutes and 2.9 GB once. The sources of libraries come from Debian
@@ -180,33 +180,14 @@ compare_programs() {
   ((equal == number))
 }
 
-# Starts the page in Chromium where that is installed, from a server that knows nothing of it. Its title has the name of
-# the file in the link as soon as the first frame with it is drawn.
-start_page() {
+# Uses the page in Chromium where that is installed.
+use_page() {
   command -v chromium >/dev/null || {
     say "The page was not started: chromium is not installed."
     return 0
   }
-  say "Starting the page in Chromium ..."
-  local announcement profile link browser second started=1
-  profile=$root/build/wasm/chromium
-  rm -rf "$profile"
-  coproc server { exec python3 -u -m http.server --bind 127.0.0.1 0 2>/dev/null; }
-  # shellcheck disable=SC2154
-  read -r announcement <&"${server[0]}"
-  link="http://127.0.0.1:$(sed 's/.* port \([0-9]*\).*/\1/' <<<"$announcement")/build/web/index.html"
-  chromium --headless=new --no-sandbox --use-angle=swiftshader --enable-unsafe-swiftshader --user-data-dir="$profile" \
-    --remote-debugging-port=0 "$link?open=../../assets/shapes/bean.poff" >/dev/null 2>&1 &
-  browser=$!
-  for ((second = 0; second < 120 && started != 0; ++second)); do
-    sleep 1
-    curl --silent "http://127.0.0.1:$(head -n 1 "$profile/DevToolsActivePort" 2>/dev/null)/json/list" |
-      grep -q '"title": "bean.poff - Mesecina"' && started=0
-  done
-  # shellcheck disable=SC2154
-  kill "$browser" "$server_PID"
-  wait "$browser"
-  return "$started"
+  say "Using the page in Chromium ..."
+  tests/web/check_page.py
 }
 
 if [[ -z $is_test ]]; then
@@ -220,4 +201,4 @@ build release --target mesecina
 say "Comparing predicates with exact integers ..."
 with_emscripten node "$root/build/wasm/mesecina_test_kernel.js" || fail "the predicates are wrong in WebAssembly"
 compare_programs || fail "the program computes something else in WebAssembly"
-start_page || fail "the page does not start"
+use_page || fail "the page does not do what it promises"

@@ -30,6 +30,8 @@ constexpr auto kFileRows = std::to_array<Row>({
     {Id::save, "save", "Save", "Save the session, or the samples and balls, to the current file", "Ctrl+S"},
     {Id::save_as, "save-as", "Save as...",
      "Write to another file: .json keeps everything, .poff the samples, .wpoff the balls", "Ctrl+Shift+S"},
+    {Id::share, "share", "Share",
+     "Copy a link that opens this session; only in a browser, where a page has an address"},
     {Id::keep_degrees, "keep-degrees", "Keep degrees of maps",
      "Use longitude and latitude of maps (GeoJSON, WKT, KML, GPX, shapefiles) as coordinates in degrees instead of "
      "projecting them to metres; an open map is read again"},

@@ -18,6 +18,7 @@ enum class ActionId : std::uint8_t {
   open,
   save,
   save_as,
+  share,
   keep_degrees,
   trace_picture,
   picture_to_samples,

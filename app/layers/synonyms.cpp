@@ -14,6 +14,7 @@ constexpr auto kSynonyms = std::to_array<Synonyms>({
     {"open", "load import read"},
     {"save", "store write export"},
     {"save-as", "export store csv geojson wkt poff coordinates"},
+    {"share", "link address url send copy"},
     {"keep-degrees", "longitude latitude gps coordinates projection"},
     {"trace-picture", "background photo image scan template underlay"},
     {"trace-into-samples", "vectorize vectorise image photo scan silhouette outline bitmap raster png jpeg import"},

@@ -51,7 +51,8 @@ DocumentFlow::DocumentFlow(Uses uses, const fs::path& assets, const Waker& wake)
                   files_.open_made(std::make_shared<const SampleData>(std::move(samples.data)), title,
                                    samples.remark);
                 }},
-               wake) {
+               wake),
+      sharing_(wake) {
   const auto make = [this](const SampleData& data, const std::string& name) { open_made(data, name); };
   uses_.dialogs.shape.set_uses(uses_.work.live_registry(), make, wake);
   uses_.dialogs.text.set_uses(make, wake);
@@ -109,6 +110,7 @@ void DocumentFlow::bind_files(ActionBindings& actions) {
                }});
   actions.bind(ActionId::save, {[this] { save(); }});
   actions.bind(ActionId::save_as, {[this] { ask_save_as(); }});
+  if (may_share()) actions.bind(ActionId::share, {[this] { share(); }});
   actions.bind(ActionId::quit, {[this] { with_saved_work([this] { quit(); }); }});
   actions.bind(ActionId::present_lesson, {[this] {
                                             uses_.demo.end(true);
@@ -241,6 +243,7 @@ void DocumentFlow::take_results() {
   uses_.dialogs.follow();
   if (reads_map_again_ && !files_.is_reading()) read_map_again();
   take_saved();
+  take_shared();
   figures_.take_results();
   tracing_.take_results();
   offer_left_work();

@@ -18,6 +18,8 @@
 #include "app/store/file_desk.h"
 #include "app/store/lessons.h"
 #include "app/store/sample_shapes.h"
+#include "app/system/background_job.h"
+#include "app/system/session_link.h"
 #include "app/system/waker.h"
 #include "app/window/demo_run.h"
 #include "app/window/drawing_board.h"
@@ -142,6 +144,8 @@ class DocumentFlow {
   void ask_for(Table table, const std::filesystem::path& folder, std::string trouble = {});
   void save();
   void ask_save_as();
+  void share();
+  void take_shared();
   void take_saved();
   void ask_about(const FileConflict& conflict);
   void say_saved(const std::string& files);
@@ -161,6 +165,7 @@ class DocumentFlow {
   WorkKeeper keeper_;
   FigureFlow figures_;
   TraceFlow tracing_;
+  BackgroundJob<SharedLink> sharing_;
   std::function<void()> after_save_;              // waits for a save, perhaps under a new name
   std::filesystem::path traced_with_next_;        // the picture to trace once the present reading ends
   std::vector<std::filesystem::path> map_files_;  // files that were opened, if they had longitude and latitude

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Saves the document of the window to its files.
+#include <fmt/core.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -33,6 +35,32 @@ void DocumentFlow::ask_save_as() {
   const char* const extension = !has_format ? ".json" : wants_balls || balls_only ? ".wpoff" : ".poff";
   uses_.dialogs.browser.ask_save(browse_folder(), name + extension,
                                  remembering([this](const fs::path& file) { files_.save_as(file); }));
+}
+
+// A link is made of the text, which may be long, on a thread of its own.
+void DocumentFlow::share() {
+  uses_.lesson.end();
+  uses_.work.editor().note_layers();
+  sharing_.begin([session = session_now()](const std::stop_token&) { return share_by_link(write_session(session)); });
+}
+
+void DocumentFlow::take_shared() {
+  const auto link = sharing_.poll();
+  if (!link) return;
+  constexpr double kKilobyte = 1000.0;
+  const double length = static_cast<double>(link->length) / kKilobyte;
+  switch (link->kind) {
+    case SharedLink::Kind::copied:
+      return uses_.messages.remark(fmt::format("Copied a link of {:.1f} kB, which opens this session", length));
+    case SharedLink::Kind::shown:
+      return uses_.messages.remark(
+          fmt::format("The address of the page is now a link of {:.1f} kB, which opens this session", length));
+    case SharedLink::Kind::too_long:
+      return uses_.messages.problem(
+          fmt::format("This session is too large for a link: {:.1f} kB, and {:.1f} kB are possible; \"{}\" makes a "
+                      "file of it",
+                      length, static_cast<double>(link->limit) / kKilobyte, descriptor_of(ActionId::save_as).name));
+  }
 }
 
 void DocumentFlow::ask_table(const std::string& of, std::string csv) {

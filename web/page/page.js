@@ -3,8 +3,8 @@
 'use strict';
 
 const canvas = document.getElementById('canvas');
-const say = text => {
-  document.getElementById('status').textContent = text;
+const say = (text, ...more) => {
+  document.getElementById('status').replaceChildren(text, ...more);
   document.getElementById('progress').hidden = true;
   document.getElementById('start').style.display = 'flex';
 };
@@ -20,8 +20,60 @@ async function isIsolated() {
   return new Promise(() => {});
 }
 
-// The file of this site that the address names, as ?open=crust.json does; null if it names none.
+const linkTo = (href, textContent, target = '_self') =>
+    Object.assign(document.createElement('a'), {href, textContent, target});
+
+// A session in an address, as #s=..., is compressed and written in the letters that addresses may have.
+const linkHead = '#s=';
+const longestLink = 30000;
+const throughStream = (bytes, stream) => new Response(new Blob([bytes]).stream().pipeThrough(stream)).arrayBuffer();
+
+async function sessionOfLink(letters) {
+  try {
+    const bytes = atob(letters.replaceAll('-', '+').replaceAll('_', '/'));
+    const packed = Uint8Array.from(bytes, byte => byte.charCodeAt(0));
+    return new Uint8Array(await throughStream(packed, new DecompressionStream('deflate')));
+  } catch {
+    throw Error('the session in the link is damaged; a link must be copied whole');
+  }
+}
+
+// The name of the file that was shared, without its extension.
+function titleOf(session) {
+  try {
+    const {title} = JSON.parse(new TextDecoder().decode(session));
+    return title.replaceAll('/', '-').replace(/(?<=.)\.[^.]*$/, '') || 'shared';
+  } catch {
+    return 'shared';
+  }
+}
+
+// Copies a link, and tells the program (session_link.cpp) what became of it: 0 for copied; 1 if the clipboard refused
+// it, so that it became the address of the page; 2 if it is too long.
+async function share(session, call, answer) {
+  const packed = new Uint8Array(await throughStream(session, new CompressionStream('deflate')));
+  const head = location.origin + location.pathname + linkHead;
+  const length = head.length + Math.ceil(packed.length * 4 / 3);
+  const finish = kind => _mes_set_shared(call, answer, kind, length, longestLink);
+  if (length > longestLink) return finish(2);
+  const letters = btoa(String.fromCharCode(...packed));
+  const link = head + letters.replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
+  try {
+    await navigator.clipboard.writeText(link);
+    finish(0);
+  } catch {
+    history.replaceState(null, '', link);
+    finish(1);
+  }
+}
+
+// The file that the address brings: #s=... has a session, and ?open=crust.json names a file of this site. Null if it
+// has neither.
 async function fileOfAddress() {
+  if (location.hash.startsWith(linkHead)) {
+    const bytes = await sessionOfLink(location.hash.slice(linkHead.length));
+    return {path: `/files/${titleOf(bytes)}.json`, bytes};
+  }
   const name = new URLSearchParams(location.search).get('open');
   if (!name) return null;
   const address = new URL(name, location.href);
@@ -93,6 +145,7 @@ addEventListener('paste', event => {
 // A drag goes on outside the window.
 canvas.addEventListener('pointerdown', event => canvas.setPointerCapture(event.pointerId));
 addEventListener('beforeunload', event => { if (document.title.startsWith('* ')) event.preventDefault(); });
+addEventListener('hashchange', () => { if (location.hash.startsWith(linkHead)) location.reload(); });
 addEventListener('contextmenu', event => event.preventDefault());
 
 // The file that the user chooses in the dialog of the browser is copied to /files. Of the answers 0 is none yet, 1 a
@@ -132,4 +185,5 @@ function watchFiles() {
   };
 }
 
-start().catch(error => say('Mesecina cannot start: ' + error.message));
+start().catch(error => say(`Mesecina cannot start: ${error.message}. `,
+                           location.search || location.hash ? linkTo(location.pathname, 'Start without it.') : ''));

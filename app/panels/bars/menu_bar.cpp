@@ -55,6 +55,7 @@ void file_menu(const MenuBar& menu) {
   ImGui::Separator();
   action_item(menu, ActionId::save);
   action_item(menu, ActionId::save_as);
+  if (menu.actions.is_bound(ActionId::share)) action_item(menu, ActionId::share);
   ImGui::Separator();
   action_item(menu, ActionId::picture_to_samples);
   action_item(menu, ActionId::trace_picture);

@@ -1,0 +1,131 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Uses the page of build/web in Chromium.
+
+    tests/web/check_page.py                     prints the promises that hold; the exit code says whether all do
+    tests/web/check_page.py --pictures FOLDER     also saves what the page showed then
+
+scripts/web.sh --test calls it. Each check waits for states of the page, never for seconds.
+"""
+import argparse
+import functools
+import http.server
+import json
+import pathlib
+import shutil
+import sys
+import tempfile
+import threading
+
+import chromium
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+IS_STARTED = "document.getElementById('start').style.display === 'none'"
+
+
+def edits(session):
+    """The timeline without the views, which also depend on the panels."""
+    return [entry for entry in session["timeline"] if "view" not in entry]
+
+
+class Server:
+    """A server of the files of the tree that knows nothing of the page."""
+
+    class Handler(http.server.SimpleHTTPRequestHandler):
+        def log_message(self, *_):
+            pass
+
+    def __init__(self):
+        handler = functools.partial(self.Handler, directory=str(ROOT))
+        self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
+        threading.Thread(target=self.server.serve_forever, daemon=True).start()
+        self.link = f"http://127.0.0.1:{self.server.server_address[1]}/build/web/index.html"
+
+
+class Checks:
+    def __init__(self, pictures):
+        self.pictures = pictures
+        self.link = Server().link
+        self.profile = None  # where the browser keeps what the page gives it
+        self.browser = None
+
+    def start(self, link):
+        self.browser = chromium.Chromium(self.profile, link)
+        self.wait_for_start(self.browser.page)
+        return self.browser
+
+    def wait_for_start(self, page):
+        page.wait_for(IS_STARTED, "the program starts")
+        page.wait_for("document.title.endsWith(' - Mesecina')", "the document has a title")
+        page.evaluate("navigator.clipboard.writeText = async text => { window.copied = text; }")
+
+    def run_command(self, page, name):
+        page.press("k", control=True)
+        page.type(name)
+        page.press("Enter")
+
+    def share(self, page):
+        """The link that Share copies, and the session that it was made of."""
+        page.evaluate("""delete window.copied; window.made ??= share;
+                         window.share = (session, ...more) => { window.shared = session; return made(session, ...more); }; 0""")
+        self.run_command(page, "share")
+        link = page.wait_for("window.copied", "Share copies a link")
+        return link, json.loads(page.evaluate("shared"))
+
+    def say(self, page, name):
+        if self.pictures:
+            page.picture(pathlib.Path(self.pictures) / (name.replace(" ", "_") + ".png"))
+        if page.complaints:
+            raise AssertionError("the console has errors: " + "; ".join(page.complaints))
+        print("holds:", name, flush=True)
+
+    def check_links(self):
+        browser = self.start(self.link + "?open=../../assets/shapes/bean.poff")
+        page = browser.page
+        page.wait_for("document.title === 'bean.poff - Mesecina'", "the file of the link opens")
+        self.say(page, "a link opens a file of the site")
+
+        before = self.share(page)[1]
+        page.press("i")
+        for kind in ("mouseMoved", "mousePressed", "mouseReleased"):
+            page.mouse(kind, 300, 300, "none" if kind == "mouseMoved" else "left")
+        page.wait_for("document.title.startsWith('* ')", "a click inserts a sample")
+        link, session = self.share(page)
+        assert len(edits(session)) > len(edits(before)), "the link holds no edit"
+        self.say(page, "a link holds the session")
+
+        second = browser.open(link)
+        self.wait_for_start(second)
+        second.wait_for("document.title === 'bean.json - Mesecina'", "the session of the link opens")
+        again = self.share(second)[1]
+        assert edits(again) == edits(session), "the link loses the timeline"
+        for part in ("data", "layers", "settings"):
+            assert again[part] == session[part], f"the link loses the {part}"
+        self.say(second, "a link opens with everything in it")
+
+        second.go_to("about:blank")
+        second.go_to(link[:len(link) // 2])
+        second.wait_for("document.getElementById('status').textContent.includes('is damaged')", "the damage is said")
+        self.say(second, "half a link is refused in one line")
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--pictures", metavar="FOLDER")
+    checks = Checks(parser.parse_args().pictures)
+    for check in (checks.check_links,):
+        checks.profile = tempfile.mkdtemp(prefix="mesecina-page-")
+        try:
+            check()
+        except AssertionError as error:
+            print("FAILS:", error, file=sys.stderr)
+            return 1
+        finally:
+            if checks.browser:
+                checks.browser.kill()
+            shutil.rmtree(checks.profile, ignore_errors=True)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
