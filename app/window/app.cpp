@@ -283,15 +283,24 @@ void App::update_title() {
   screen_.window->set_title((work_.editor().is_modified() ? "* " : "") + documents_.files().title() + " - Mesecina");
 }
 
-void App::end() {
-  documents_.end();
+void App::keep_settings() {
   const GlfwWindow& window = *screen_.window;
   const double units = window.content_scale() / window.pixel_ratio();
   const GlfwWindow::Size size = window.windowed_size();
   settings_.settings().window_width = static_cast<int>(std::lround(size.width / units));
   settings_.settings().window_height = static_cast<int>(std::lround(size.height / units));
-  // The window is gone, so a failure cannot be shown.
+  // The window may be gone, so a failure cannot be shown.
   static_cast<void>(settings_.save());
+}
+
+void App::keep() {
+  documents_.keep_on_disk();
+  keep_settings();
+}
+
+void App::end() {
+  documents_.end();
+  keep_settings();
   recording_.end();
 }
 

@@ -44,6 +44,10 @@ class App {
   bool wants_turn() const;
   /// Seconds until a turn is needed without an event; 0: without limit.
   double next_wait();
+  /// Writes the settings while the window goes on, as `end` does.
+  void keep_settings();
+  /// The same for settings and unsaved work; waits for the latter.
+  void keep();
   /// Saves the settings and closes what is under way.
   void end();
 

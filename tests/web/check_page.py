@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Uses the page of build/web in Chromium.
+"""Uses the page of build/web in Chromium: what its links hold, and what it keeps.
 
     tests/web/check_page.py                     prints the promises that hold; the exit code says whether all do
     tests/web/check_page.py --pictures FOLDER     also saves what the page showed then
@@ -21,6 +21,23 @@ import chromium
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 IS_STARTED = "document.getElementById('start').style.display === 'none'"
+# Journals in the database of the page, and the settings there.
+KEPT = """new Promise((resolve, reject) => {
+  const request = indexedDB.open('mesecina', 1);
+  request.onerror = () => reject(request.error);
+  request.onsuccess = () => {
+    const files = request.result.transaction('files').objectStore('files');
+    const keys = files.getAllKeys(), values = files.getAll();
+    values.onsuccess = () => {
+      request.result.close();
+      const texts = {};
+      keys.result.forEach(([owner, path], i) => {
+        texts[path] = (texts[path] || '') + new TextDecoder().decode(values.result[i]);
+      });
+      resolve(texts);
+    };
+  };
+})"""
 
 
 def edits(session):
@@ -108,12 +125,49 @@ class Checks:
         second.wait_for("document.getElementById('status').textContent.includes('is damaged')", "the damage is said")
         self.say(second, "half a link is refused in one line")
 
+    def recover(self, page, promise):
+        """Enter answers the question, as soon as it is there."""
+        page.wait_for("document.title === '* bean.poff - Mesecina'", "the work is recovered",
+                      lambda: page.press("Enter"))
+        self.say(page, promise)
+
+    def check_keeping(self):
+        browser = self.start(self.link + "?open=../../assets/shapes/bean.poff")
+        page = browser.page
+        page.wait_for("document.title === 'bean.poff - Mesecina'", "the file of the link opens")
+        page.press("d", shift=True)
+        page.press("a", control=True)
+        page.press("Delete")
+        page.wait_for("document.title.startsWith('* ')", "the samples are deleted")
+        kept = f"Object.entries(await {KEPT})"
+        page.wait_for(f"""(async () => {kept}.some(([path, text]) => path.endsWith('.journal') &&
+                          text.trim().split('\\n').length > 1))()""", "the journal has the edit")
+        page.wait_for(f"""(async () => {kept}.some(([path, text]) => path.endsWith('settings.json') &&
+                          JSON.parse(text).theme === 'dark'))()""", "the settings have the theme")
+        self.say(page, "edits and settings are kept")
+
+        second = browser.open(self.link)
+        self.wait_for_start(second)
+        self.share(second)
+        self.say(second, "work of a living page is not offered")
+        browser.kill()
+
+        browser = self.start(self.link)
+        self.recover(browser.page, "a browser that is killed loses no work")
+        browser.page.press("z", control=True)
+        assert "undo" in edits(self.share(browser.page)[1])[-1], "nothing is undone"
+        browser.page.close()
+        page = browser.open(self.link)
+        self.wait_for_start(page)
+        self.recover(page, "a page that is closed at once loses no work")
+        assert "undo" in edits(self.share(page)[1])[-1], "the last step is lost"
+
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--pictures", metavar="FOLDER")
     checks = Checks(parser.parse_args().pictures)
-    for check in (checks.check_links,):
+    for check in (checks.check_links, checks.check_keeping):
         checks.profile = tempfile.mkdtemp(prefix="mesecina-page-")
         try:
             check()

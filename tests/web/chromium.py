@@ -95,6 +95,17 @@ class Page:
             self.connection.send(json.dumps(
                 {"id": self.calls, "method": "Page.handleJavaScriptDialog", "params": {"accept": True}}))
 
+    def close(self):
+        """Closes the page as its user does, and leaves it when it asks."""
+        self.connection.send(json.dumps({"id": 0, "method": "Page.close", "params": {}}))
+        try:
+            while True:
+                message = json.loads(self.connection.receive())
+                if "method" in message:
+                    self.note(message)
+        except ConnectionError:
+            pass
+
     def evaluate(self, expression):
         """The value of an expression of JavaScript; a promise is awaited."""
         answer = self.call("Runtime.evaluate", expression=expression, awaitPromise=True, returnByValue=True)

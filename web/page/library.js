@@ -45,6 +45,9 @@ addToLibrary({
     change.catch(() => {});
   },
 
+  // Called for journals of unsaved work (home.js). Under node the files are those of the machine.
+  __syscall_fdatasync: (fd) => globalThis.home ? globalThis.home.sync(FS.getStream(fd)) : 0,
+
   glfwSetClipboardString: (window, text) => {
     navigator.clipboard?.writeText(UTF8ToString(text)).catch(() => {});
   },

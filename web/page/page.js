@@ -94,6 +94,7 @@ async function start() {
     return say('This browser has no WebGL 2, which Mesecina needs.');
   const progress = document.getElementById('progress');
   const opened = await fileOfAddress();
+  await home.open();
   window.Module = {
     canvas,
     arguments: opened ? [opened.path] : [],
@@ -106,6 +107,7 @@ async function start() {
       FS.mkdirTree('/home');
       FS.mkdirTree('/files');
       if (opened) FS.writeFile(opened.path, opened.bytes);
+      home.begin();
       watchFiles();
     }],
     onAbort: reason => say('Mesecina has stopped: ' + reason),
@@ -113,6 +115,8 @@ async function start() {
       document.getElementById('start').style.display = 'none';
       addEventListener('resize', fit);
       fit();
+      addEventListener('visibilitychange', () => { if (document.hidden) _mes_keep(); });
+      addEventListener('pagehide', () => _mes_keep());
     }],
   };
   const program = document.createElement('script');

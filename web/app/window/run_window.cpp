@@ -6,6 +6,8 @@
 
 #include <cstdio>
 #include <exception>
+#include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "app/window/app.h"
@@ -17,7 +19,9 @@ namespace {
 struct Page {
   App app;
   double last_turn = 0.0;
+  std::optional<double> unkept_since{};  // the first turn since the settings were kept
 };
+Page* the_page = nullptr;
 
 double now() {
   constexpr double kMilliseconds = 1e-3;
@@ -28,8 +32,15 @@ void follow(void* given) {
   Page& page = *static_cast<Page*>(given);
   const double limit = page.app.next_wait();
   const bool is_due = limit > 0.0 && now() - page.last_turn >= limit;
+  // A page may end without notice.
+  constexpr double kBeforeKeeping = 1.0;
+  if (page.unkept_since && now() - *page.unkept_since >= kBeforeKeeping) {
+    page.unkept_since.reset();
+    page.app.keep_settings();
+  }
   if (!take_wake() && !is_due && !page.app.wants_turn()) return;
   page.last_turn = now();
+  if (!page.unkept_since) page.unkept_since = page.last_turn;
   try {
     if (page.app.step()) return;
     page.app.end();
@@ -37,14 +48,25 @@ void follow(void* given) {
   } catch (const std::exception& error) {
     EM_ASM({ say("Mesecina has stopped: " + UTF8ToString($0)); }, error.what());
   }
+  the_page = nullptr;
   emscripten_cancel_main_loop();
 }
 
 }  // namespace
 
+extern "C" {
+
+/// Called when the page is hidden or closed.
+EMSCRIPTEN_KEEPALIVE void mes_keep() {
+  if (the_page != nullptr) the_page->app.keep();
+}
+}
+
 int run_window(const Registry& registry, const WindowOptions& options) {
   constexpr int kNoDisplay = 4;
   LoadedSettings loaded = load_settings(default_settings_path());
+  // Settings outlive the page, and the files that were opened do not.
+  std::erase_if(loaded.settings.recent_files, [](const std::string& file) { return !std::filesystem::exists(file); });
   auto window = GlfwWindow::create({.title = "Mesecina",
                                     .width = EM_ASM_INT({ return window.innerWidth; }),
                                     .height = EM_ASM_INT({ return window.innerHeight; })});
@@ -52,8 +74,8 @@ int run_window(const Registry& registry, const WindowOptions& options) {
     std::fprintf(stderr, "mesecina: %s\n", window.error().message().c_str());
     return kNoDisplay;
   }
-  auto* const page = new Page{App(registry, std::move(*window), options, std::move(loaded))};
-  emscripten_set_main_loop_arg(follow, page, 0, false);
+  the_page = new Page{App(registry, std::move(*window), options, std::move(loaded))};
+  emscripten_set_main_loop_arg(follow, the_page, 0, false);
   return 0;
 }
 
