@@ -153,6 +153,10 @@ bool App::wants_turn() const {
   return screen_.clock.wants_frame() || board_.canvas().views().is_moving();
 }
 
+bool App::is_on_panel(Vec2 at) const {
+  return screen_.gui.wants_pointer(at * screen_.window->pixel_ratio());
+}
+
 bool App::step() {
   if (wants_turn())
     screen_.window->poll();

@@ -42,6 +42,8 @@ class App {
   bool step();
   /// A frame is wanted without an event.
   bool wants_turn() const;
+  /// Whether a panel or a dialog lies there, in screen coordinates.
+  bool is_on_panel(Vec2 at) const;
   /// Seconds until a turn is needed without an event; 0: without limit.
   double next_wait();
   /// Writes the settings while the window goes on, as `end` does.

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Uses the page of build/web in Chromium: what its links hold, and what it keeps.
+"""Uses the page of build/web in Chromium: what its links hold, what it keeps, and how it is touched.
 
     tests/web/check_page.py                     prints the promises that hold; the exit code says whether all do
     tests/web/check_page.py --pictures FOLDER     also saves what the page showed then
@@ -162,12 +162,65 @@ class Checks:
         self.recover(page, "a page that is closed at once loses no work")
         assert "undo" in edits(self.share(page)[1])[-1], "the last step is lost"
 
+    def view(self, page):
+        """The part of the plane that the page shows at rest."""
+        view = None
+        while True:
+            before, view = view, self.share(page)[1]["view"]
+            if view == before:
+                return view
+
+    def check_touch(self):
+        browser = self.start(self.link + "?open=../../assets/shapes/bean.poff")
+        page = browser.page
+        page.wait_for("document.title === 'bean.poff - Mesecina'", "the file of the link opens")
+        page.call("Emulation.setTouchEmulationEnabled", enabled=True, maxTouchPoints=5)
+        before = self.view(page)
+
+        def width(box):
+            return box[2] - box[0]
+
+        page.touch("touchStart", (400, 400))
+        page.touch("touchStart", (400, 400), (500, 400))
+        for step in range(1, 11):
+            page.touch("touchMove", (400 - 5 * step, 400), (500 + 5 * step, 400))
+        page.touch("touchEnd")
+        after = self.view(page)
+        assert abs(width(after) / width(before) - 0.5) < 0.01, f"a pinch by two enlarges by {before} {after}"
+        self.say(page, "two fingers enlarge the drawing")
+
+        page.touch("touchStart", (400, 400), (500, 400))
+        for step in range(1, 11):
+            page.touch("touchMove", (400 + 10 * step, 400), (500 + 10 * step, 400))
+        page.touch("touchEnd")
+        moved = self.view(page)
+        assert abs(width(moved) / width(after) - 1.0) < 0.001 and moved[0] < after[0], "two fingers do not move the view"
+        self.say(page, "two fingers move the drawing")
+
+        page.press("s")
+        page.touch("touchStart", (300, 300))
+        for step in range(1, 11):
+            page.touch("touchMove", (300 + 10 * step, 300))
+        page.touch("touchStart", (400, 300), (500, 300))
+        page.touch("touchMove", (400, 310), (500, 310))
+        page.touch("touchEnd")
+        self.share(page)
+        assert page.evaluate("document.title") == "bean.poff - Mesecina", "the stroke of the first finger stays"
+        self.say(page, "a second finger takes back what the first did")
+
+        page.touch("touchStart", (300, 300))
+        for step in range(1, 11):
+            page.touch("touchMove", (300 + 10 * step, 300))
+        page.touch("touchEnd")
+        page.wait_for("document.title.startsWith('* ')", "the stroke becomes samples")
+        self.say(page, "one finger is the tool")
+
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--pictures", metavar="FOLDER")
     checks = Checks(parser.parse_args().pictures)
-    for check in (checks.check_links, checks.check_keeping):
+    for check in (checks.check_links, checks.check_keeping, checks.check_touch):
         checks.profile = tempfile.mkdtemp(prefix="mesecina-page-")
         try:
             check()

@@ -109,6 +109,7 @@ async function start() {
       if (opened) FS.writeFile(opened.path, opened.bytes);
       home.begin();
       watchFiles();
+      GLFW.onMouseWheel = turnWheel;
     }],
     onAbort: reason => say('Mesecina has stopped: ' + reason),
     postRun: [() => {
@@ -145,6 +146,16 @@ addEventListener('paste', event => {
   globalThis.pastedText = event.clipboardData.getData('text/plain');
   dispatchEvent(new KeyboardEvent('keydown', {keyCode: 86, code: 'KeyV', key: 'v', ctrlKey: true}));
 }, true);
+
+// The GLFW of emscripten knows whole steps of the wheel only, though touchpads and fingers turn it a little at a time. A
+// touchpad reports two fingers that part as a wheel with Ctrl.
+function turnWheel(event) {
+  if (event.type !== 'wheel' || event.target !== canvas) return;
+  event.preventDefault();
+  const inStep = event.ctrlKey && event.deltaMode === 0 ? 20 : [100, 3, 1][event.deltaMode];
+  const {scrollFunc, id} = GLFW.active;
+  if (scrollFunc) getWasmTableEntry(scrollFunc)(id, -event.deltaX / inStep, -event.deltaY / inStep);
+}
 
 // A drag goes on outside the window.
 canvas.addEventListener('pointerdown', event => canvas.setPointerCapture(event.pointerId));

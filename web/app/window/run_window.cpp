@@ -60,6 +60,11 @@ extern "C" {
 EMSCRIPTEN_KEEPALIVE void mes_keep() {
   if (the_page != nullptr) the_page->app.keep();
 }
+
+/// Whether two fingers scroll a panel there or move the drawing.
+EMSCRIPTEN_KEEPALIVE bool mes_is_on_panel(double x, double y) {
+  return the_page != nullptr && the_page->app.is_on_panel({x, y});
+}
 }
 
 int run_window(const Registry& registry, const WindowOptions& options) {
