@@ -52,6 +52,14 @@ class Server:
         def log_message(self, *_):
             pass
 
+        def do_GET(self):
+            if not self.path.startswith("/outer?"):
+                return super().do_GET()
+            self.send_response(200)
+            self.send_header("Content-Type", "text/html")
+            self.end_headers()
+            self.wfile.write(f'<iframe src="{self.path[7:]}" width="900" height="500"></iframe>'.encode())
+
     def __init__(self):
         handler = functools.partial(self.Handler, directory=str(ROOT))
         self.server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
@@ -84,14 +92,17 @@ class Checks:
     def share(self, page):
         """The link that Share copies, and the session that it was made of."""
         page.evaluate("""delete window.copied; window.made ??= share;
-                         window.share = (session, ...more) => { window.shared = session; return made(session, ...more); }; 0""")
+                         window.share = (session, ...more) => {
+                           window.shared = session;
+                           return made(session, ...more);
+                         }; 0""")
         self.run_command(page, "share")
         link = page.wait_for("window.copied", "Share copies a link")
         return link, json.loads(page.evaluate("shared"))
 
-    def say(self, page, name):
+    def say(self, page, name, shown=None):
         if self.pictures:
-            page.picture(pathlib.Path(self.pictures) / (name.replace(" ", "_") + ".png"))
+            (shown or page).picture(pathlib.Path(self.pictures) / (name.replace(" ", "_") + ".png"))
         if page.complaints:
             raise AssertionError("the console has errors: " + "; ".join(page.complaints))
         print("holds:", name, flush=True)
@@ -186,7 +197,7 @@ class Checks:
             page.touch("touchMove", (400 - 5 * step, 400), (500 + 5 * step, 400))
         page.touch("touchEnd")
         after = self.view(page)
-        assert abs(width(after) / width(before) - 0.5) < 0.01, f"a pinch by two enlarges by {before} {after}"
+        assert abs(width(after) / width(before) - 0.5) < 0.01, f"the view {before} becomes {after}"
         self.say(page, "two fingers enlarge the drawing")
 
         page.touch("touchStart", (400, 400), (500, 400))
@@ -194,7 +205,8 @@ class Checks:
             page.touch("touchMove", (400 + 10 * step, 400), (500 + 10 * step, 400))
         page.touch("touchEnd")
         moved = self.view(page)
-        assert abs(width(moved) / width(after) - 1.0) < 0.001 and moved[0] < after[0], "two fingers do not move the view"
+        is_moved = abs(width(moved) / width(after) - 1.0) < 0.001 and moved[0] < after[0]
+        assert is_moved, "two fingers do not move the view"
         self.say(page, "two fingers move the drawing")
 
         page.press("s")
@@ -215,12 +227,20 @@ class Checks:
         page.wait_for("document.title.startsWith('* ')", "the stroke becomes samples")
         self.say(page, "one finger is the tool")
 
+    def check_frame(self):
+        self.browser = chromium.Chromium(
+            self.profile, self.link.replace("/build/web/index.html", "/outer?") +
+            self.link.replace("127.0.0.1", "localhost") + "?open=../../assets/shapes/bean.poff")
+        page = self.browser.page_at(self.link.replace("127.0.0.1", "localhost"), "iframe")
+        page.wait_for("document.title === 'bean.poff - Mesecina'", "the file of the link opens")
+        self.say(page, "the page runs within a page of another site", self.browser.page)
+
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--pictures", metavar="FOLDER")
     checks = Checks(parser.parse_args().pictures)
-    for check in (checks.check_links, checks.check_keeping, checks.check_touch):
+    for check in (checks.check_links, checks.check_keeping, checks.check_touch, checks.check_frame):
         checks.profile = tempfile.mkdtemp(prefix="mesecina-page-")
         try:
             check()

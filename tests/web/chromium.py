@@ -181,12 +181,12 @@ class Chromium:
         self.port = port_file.read_text().split("\n", 1)[0]
         self.page = self.page_at(link)
 
-    def page_at(self, link):
+    def page_at(self, link, kind="page"):
         end = time.monotonic() + PATIENCE
         while time.monotonic() < end:
             with urllib.request.urlopen(f"http://127.0.0.1:{self.port}/json/list") as answer:
                 for one in json.load(answer):
-                    if one["type"] == "page" and one["url"].startswith(link.split("#")[0]):
+                    if one["type"] == kind and one["url"].startswith(link.split("#")[0]):
                         return Page(one["webSocketDebuggerUrl"])
             time.sleep(0.1)
         raise AssertionError(f"Chromium does not open {link}")

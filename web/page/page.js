@@ -23,6 +23,13 @@ async function isIsolated() {
 const linkTo = (href, textContent, target = '_self') =>
     Object.assign(document.createElement('a'), {href, textContent, target});
 
+// Within another page, some browsers isolate this one only if that one is isolated.
+function sayNotIsolated() {
+  const isWithin = self !== top;
+  say('This browser does not let the page use threads, which Mesecina needs. ',
+      isWithin ? linkTo(location.href, 'Open it in a page of its own.', '_blank') : '');
+}
+
 // A session in an address, as #s=..., is compressed and written in the letters that addresses may have.
 const linkHead = '#s=';
 const longestLink = 30000;
@@ -85,7 +92,7 @@ async function fileOfAddress() {
 }
 
 async function start() {
-  if (!await isIsolated()) return say('This browser does not let the page use threads, which Mesecina needs.');
+  if (!await isIsolated()) return sayNotIsolated();
   sessionStorage.removeItem('isolated');
   // The program gets this context: one with its own attributes would blend the drawing with the page. Where the picture
   // is not preserved, Chromium clears it after the first copy into it, and the copy with it.
@@ -147,8 +154,8 @@ addEventListener('paste', event => {
   dispatchEvent(new KeyboardEvent('keydown', {keyCode: 86, code: 'KeyV', key: 'v', ctrlKey: true}));
 }, true);
 
-// The GLFW of emscripten knows whole steps of the wheel only, though touchpads and fingers turn it a little at a time. A
-// touchpad reports two fingers that part as a wheel with Ctrl.
+// The GLFW of emscripten knows whole steps of the wheel only, though touchpads and fingers turn it a little at a time.
+// A touchpad reports two fingers that part as a wheel with Ctrl.
 function turnWheel(event) {
   if (event.type !== 'wheel' || event.target !== canvas) return;
   event.preventDefault();
