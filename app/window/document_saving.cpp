@@ -57,8 +57,8 @@ void DocumentFlow::take_shared() {
           fmt::format("The address of the page is now a link of {:.1f} kB, which opens this session", length));
     case SharedLink::Kind::too_long:
       return uses_.messages.problem(
-          fmt::format("This session is too large for a link: {:.1f} kB, and {:.1f} kB are possible; \"{}\" makes a "
-                      "file of it",
+          fmt::format("This session is too large for a link: {:.1f} kB, and the limit is {:.1f} kB (\"{}\" writes it "
+                      "to a file)",
                       length, static_cast<double>(link->limit) / kKilobyte, descriptor_of(ActionId::save_as).name));
   }
 }

@@ -122,6 +122,15 @@ class Checks:
         assert len(edits(session)) > len(edits(before)), "the link holds no edit"
         self.say(page, "a link holds the session")
 
+        page.evaluate("""window.tell = _mes_set_shared;
+                         _mes_set_shared = (...answers) => { window.kind = answers[2]; tell(...answers); }; 0""")
+        for _ in range(4):
+            page.press("a", control=True)
+            page.press("d", control=True)
+        self.run_command(page, "share")
+        assert page.wait_for("window.kind", "a long link is refused") == 2, "a long link is not too long"
+        self.say(page, "a session that is too large for a link is not copied")
+
         second = browser.open(link)
         self.wait_for_start(second)
         second.wait_for("document.title === 'bean.json - Mesecina'", "the session of the link opens")
