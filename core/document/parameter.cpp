@@ -150,7 +150,7 @@ const Parameter Parameter::center_line_pruning{
     .title = "Centre lines: pruning"};
 const Parameter Parameter::center_line_branches{
     .id = "center-line-branches",
-    .explanation = "Number of centre lines of each shape at most, the longest first",
+    .explanation = "Largest number of centre lines in a shape; the longest come first",
     .low = 1.0,
     .high = 1000.0,
     .default_value = 1.0,
@@ -159,9 +159,9 @@ const Parameter Parameter::center_line_branches{
     .title = "Centre lines: lines of a shape"};
 const Parameter Parameter::transects{
     .id = "transects",
-    .explanation = "Number of transects across all centre lines, up to one for each line; they are equally far apart",
+    .explanation = "Number of transects across all centre lines together, in equal steps along them",
     .low = 1.0,
-    .high = 100'000.0,
+    .high = 10'000.0,
     .default_value = 100.0,
     .is_whole = true,
     .is_limit = true,

@@ -14,8 +14,8 @@ namespace mes {
 
 /// The main lines of the lambda axis, pruned and smoothed (`center_lines_of`), and transects across them.
 ///
-/// A transect joins the nearest points of both banks through the point of the axis that a station stands for. Transects
-/// are equally far apart along all lines; the parameter `transects` is their number, up to one per line.
+/// A transect joins the nearest points of both banks through the point of the axis that a station stands for. The length
+/// of all lines divided by the parameter `transects` is the step between them; each line has one at its beginning.
 ///
 /// Guarantees:
 ///  1. Each line stays inside the union of the inner balls (`smooth`).
