@@ -134,12 +134,18 @@ void Gui::begin_frame(const Settings& settings) {
 
 // Arrow keys and Enter choose rows of menus and lists. Elsewhere they belong to the table of actions and to dialogs.
 void Gui::let_keys_choose_rows() {
-  const auto& popups = ImGui::GetCurrentContext()->OpenPopupStack;
-  const ImGuiWindow* const top = popups.empty() ? nullptr : popups.back().Window;
+  ImGuiContext& context = *ImGui::GetCurrentContext();
+  const ImGuiWindow* const top = context.OpenPopupStack.empty() ? nullptr : context.OpenPopupStack.back().Window;
   ImGuiIO& io = ImGui::GetIO();
   io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   if (top == nullptr || (top->Flags & ImGuiWindowFlags_Modal) != 0) return;
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
+  // Dear ImGui marks the first row unseen when a menu opens; then the first key would mark the second.
+  if (context.NavDisableHighlight) {
+    context.NavInitRequest = false;
+    context.NavInitResultId = 0;
+    context.NavId = 0;
+  }
   // Dear ImGui knows only the space bar for this.
   const auto is_down = [](ImGuiKey key) { return ImGui::IsKeyDown(ImGui::GetKeyIndex(key)); };
   if (is_down(ImGuiKey_Enter) || is_down(ImGuiKey_KeyPadEnter)) io.NavInputs[ImGuiNavInput_Activate] = 1.0F;

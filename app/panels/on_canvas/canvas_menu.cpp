@@ -6,7 +6,6 @@
 
 #include "app/panels/on_canvas/provenance_card.h"
 #include "app/ui/widgets.h"
-#include "imgui_internal.h"
 
 namespace mes {
 namespace {
@@ -49,8 +48,6 @@ CanvasMenu::Choice CanvasMenu::draw(const Gui& gui, const ActionBindings& action
   if (!ImGui::IsPopupOpen(kMenuId)) return Choice::none;
   ImGui::SetNextWindowPos(target_.at, ImGuiCond_Appearing);
   if (!begin_popup(gui, kMenuId)) return Choice::none;
-  // No row is marked until a key is pressed, which then marks the first.
-  if (ImGui::IsWindowAppearing()) ImGui::GetCurrentContext()->NavInitRequest = false;
   const Choice out = draw_rows(gui, actions, layers);
   ImGui::EndPopup();
   return out;
