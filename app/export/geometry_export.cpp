@@ -37,9 +37,10 @@ std::string remark_about(const LayerText& text, const LayerTextFormat& format) {
   if (text.left_out != 0)
     out = fmt::format("{} rays and lines are left out: {} holds finite shapes only", text.left_out, format.name);
   if (text.without_area != 0)
-    out += fmt::format("{}{} left out: {} no area", out.empty() ? "" : "; ",
-                       text.without_area == 1 ? "1 line is" : fmt::format("{} lines are", text.without_area),
-                       text.without_area == 1 ? "it encloses" : "they enclose");
+    out +=
+        fmt::format("{}{} left out, because {} or {} free ends", out.empty() ? "" : "; ",
+                    text.without_area == 1 ? "1 line is" : fmt::format("{} lines are", text.without_area),
+                    text.without_area == 1 ? "it branches" : "they branch", text.without_area == 1 ? "has" : "have");
   if (text.off_earth != 0)
     out += fmt::format("{}{} left out that {} beyond the poles or around the Earth", out.empty() ? "" : "; ",
                        text.off_earth == 1 ? "1 shape is" : fmt::format("{} shapes are", text.off_earth),

@@ -29,7 +29,7 @@ struct LayerGeometry {
 struct LayerText {
   std::string text;
   std::uint64_t left_out = 0;      ///< rays and lines, which the format cannot hold
-  std::uint64_t without_area = 0;  ///< lines that enclose nothing, which a format of areas leaves out
+  std::uint64_t without_area = 0;  ///< lines that a format of areas leaves out, because they branch or have free ends
   std::uint64_t off_earth = 0;     ///< shapes of a map that reach beyond a pole or around the Earth; also left out
 };
 

@@ -80,11 +80,12 @@ TEST_CASE("rings that touch at points are rings of their own") {
 }
 
 TEST_CASE("lines that enclose nothing are counted and left out") {
-  // A tail at a ring, a line alone, a point, and three lines between two points.
+  // A tail at a ring, a line alone, a point, and three lines between two points, one of which has a ring beside it.
   std::vector<Line> lines{square({0, 0}, 2), {{2, 2}, {3, 3}}, {{3, 3}, {4, 3}}, {{7, 7}, {8, 8}}, {{5, 5}}};
   lines.insert(lines.end(), {{{20, 0}, {21, 1}, {22, 0}}, {{20, 0}, {22, 0}}, {{20, 0}, {21, -1}, {22, 0}}});
+  lines.push_back({{22, 0}, {24, -1}, {24, 1}, {22, 0}});
   const LineAreas areas = areas_of(lines);
-  CHECK(areas.left_out == 6);
+  CHECK(areas.left_out == 7);
   CHECK(area_of(areas) == 4.0);
   CHECK(areas_of({}).areas.empty());
   CHECK(areas_of({{{0, 0}, {1, 1}, {0, 0}}}).areas.empty());

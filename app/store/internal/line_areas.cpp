@@ -33,29 +33,29 @@ class LineGraph {
       for (const bool is_last : {false, true}) ends_[node_of({i, is_last})].push_back({i, is_last});
   }
 
-  /// Drops lines that enclose nothing, and returns their number.
+  /// Drops lines that are not parts of rings, and returns their number.
   std::uint64_t drop_open_lines() {
     std::uint64_t out = 0;
     std::vector<std::size_t> waiting(places_.size());
     std::iota(waiting.begin(), waiting.end(), std::size_t{0});
-    const auto drop = [&](std::size_t line) {
-      is_used_[line] = true;
-      ++out;
-      for (const bool is_last : {false, true}) waiting.push_back(node_of({line, is_last}));
-    };
-    // Lines that end alone first, so that rings with tails remain.
-    for (const bool is_any_odd : {false, true}) {
-      while (!waiting.empty()) {
-        const std::size_t node = waiting.back();
-        waiting.pop_back();
-        const std::size_t degree = degree_of(node);
-        if (!(is_any_odd ? degree % 2 == 1 : degree == 1)) continue;
-        for (const LineEnd& end : ends_[node])
-          if (!is_used_[end.line]) drop(end.line);
+    const auto drop_lines_at = [&](std::size_t node) {
+      for (const LineEnd& end : ends_[node]) {
+        if (is_used_[end.line]) continue;
+        is_used_[end.line] = true;
+        ++out;
+        for (const bool is_last : {false, true}) waiting.push_back(node_of({end.line, is_last}));
       }
-      waiting.resize(places_.size());
-      std::iota(waiting.begin(), waiting.end(), std::size_t{0});
-    }
+    };
+    const auto take = [&waiting] {
+      const std::size_t node = waiting.back();
+      waiting.pop_back();
+      return node;
+    };
+    while (!waiting.empty())
+      if (const std::size_t node = take(); degree_of(node) == 1) drop_lines_at(node);
+    for (std::size_t node = 0; node < places_.size(); ++node)
+      if (degree_of(node) % 2 == 1) waiting.push_back(node);
+    while (!waiting.empty()) drop_lines_at(take());
     return out;
   }
 

@@ -17,7 +17,7 @@ struct LineArea {
 
 struct LineAreas {
   std::vector<LineArea> areas;  ///< from left to right by their smallest points
-  std::uint64_t left_out = 0;   ///< lines that enclose nothing: open ones, and those joined to a point of odd degree
+  std::uint64_t left_out = 0;   ///< lines with free ends, and all lines joined to a point where an odd number meets
 };
 
 /// The points inside an odd number of rings. Lines are polylines that meet at equal ends and do not cross. Which ring
