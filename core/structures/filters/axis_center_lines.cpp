@@ -56,18 +56,18 @@ StatList AxisCenterLines::statistics() const {
   StatList out{{"lines", static_cast<std::int64_t>(lines_.size())}};
   if (lines_.empty()) return out;
   double length = 0.0;
-  double weighted = 0.0;
+  for (const Line& line : lines_) length += line.length;
+  double mean = 0.0;
   double least = std::numeric_limits<double>::infinity();
   double largest = 0.0;
   for (const Line& line : lines_) {
-    length += line.length;
-    weighted += line.length * line.widths.mean;
+    if (length > 0.0) mean += line.length / length * line.widths.mean;  // products of two lengths may overflow
     least = std::min(least, line.widths.least);
     largest = std::max(largest, line.widths.largest);
   }
   out.push_back({"length", length});
   out.push_back({"width_least", least});
-  out.push_back({"width_mean", length > 0.0 ? weighted / length : 0.0});
+  out.push_back({"width_mean", mean});
   out.push_back({"width_largest", largest});
   return out;
 }

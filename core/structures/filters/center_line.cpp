@@ -194,21 +194,22 @@ std::vector<Station> stations_of(const CenterLine& line, double spacing) {
 
 Widths widths_of(const CenterLine& line) {
   Widths out{std::numeric_limits<double>::infinity(), 0.0, 0.0};
-  Sum area;
   Sum length;
+  for (std::size_t i = 0; i + 1 < line.axis.size(); ++i) length.add(distance(line.axis[i], line.axis[i + 1]));
+  Sum mean;
   const auto width_at = [](const std::array<Bank, 2>& banks, Vec2 at) {
     return distance(foot_on(banks[0], at), at) + distance(foot_on(banks[1], at), at);
   };
   for (std::size_t i = 0; i + 1 < line.axis.size(); ++i) {
     const double a = width_at(line.banks[i], line.axis[i]);
     const double b = width_at(line.banks[i], line.axis[i + 1]);
-    const double whole = distance(line.axis[i], line.axis[i + 1]);
+    // Products of two lengths may overflow.
+    const double share = distance(line.axis[i], line.axis[i + 1]) / length.value();
     out.least = std::min({out.least, a, b});
     out.largest = std::max({out.largest, a, b});
-    area.add(0.5 * (a + b) * whole);
-    length.add(whole);
+    mean.add(share * (0.5 * a + 0.5 * b));
   }
-  out.mean = std::clamp(area.value() / length.value(), out.least, out.largest);
+  out.mean = std::clamp(mean.value(), out.least, out.largest);
   return out;
 }
 

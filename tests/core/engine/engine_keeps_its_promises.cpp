@@ -202,13 +202,14 @@ TEST_CASE("an edit sends changes only, and undo restores the instances") {
   std::size_t numbers = 0;
   for (std::size_t i = 0; i < client.last().layer_count; ++i) {
     // Diagrams of balls, what is made of all poles, what any ball may swallow, unions of what filters keep and of balls
-    // along axes of unions, and the order in which samples and balls come to alpha complexes, are made anew.
+    // along axes of unions, the longest lines of an axis, and the order in which samples and balls come to alpha
+    // complexes, are made anew.
     const LayerIndex layer = client.last().layers[i].layer.layer;
     const LayerDescriptor& descriptor = layer_descriptors()[layer];
     if (std::ranges::any_of(descriptor.structures, [](std::string_view s) {
           return s.ends_with("diagram") || s == "p-union" || s == "power-crust" || s.starts_with("cover-") ||
                  s.starts_with("alpha-") || s.ends_with("-ball-filtration") || s.ends_with("-grown-complex") ||
-                 s == "lambda-union" || s == "angle-union" || s.ends_with("-scale-union") ||
+                 s == "center-lines" || s == "lambda-union" || s == "angle-union" || s.ends_with("-scale-union") ||
                  s.ends_with("-skeleton-union");
         }))
       continue;
