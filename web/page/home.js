@@ -32,7 +32,7 @@ globalThis.home = (() => {
   function change(path, act) {
     if (!database) return;
     const transaction = database.transaction('files', 'readwrite', {durability: 'strict'});
-    // What is in the database is then not known, so the next change writes the whole file.
+    // The contents of the database are then unknown, so the next change writes the whole file.
     transaction.onabort = () => lengths.set(path, Infinity);
     act(transaction.objectStore('files'));
     transaction.commit();
