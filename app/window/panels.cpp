@@ -547,10 +547,10 @@ std::optional<Box2> Panels::draw_legend(const Sides& sides, const MarksPlace& ma
   const ImVec2 low(sides.left, sides.top);
   const auto box = CanvasLegend{
       gui, uses_.board.picture(), uses_.work.layers(),
-      legend_scope(uses_.settings.show_legend, uses_.settings.show_key), [&](const Box2& box) {
+      legend_scope(uses_.settings.show_legend, uses_.settings.show_key), [&](const Box2& one) {
         const Vec2 origin{low.x, low.y};
         const auto scaled = [&](Vec2 p) { return origin + static_cast<double>(unit) * p; };
-        return uses_.board.hidden_by({scaled(box.low), scaled(box.high)});
+        return uses_.board.hidden_by({scaled(one.low), scaled(one.high)});
       }}.draw(place, low, marks);
   if (!box) return {};
   if (mark_drag_.follow(

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/dialogs/help.h"
 
+#include <fmt/core.h>
 #include <algorithm>
 #include <array>
 #include <string>

@@ -158,14 +158,14 @@ double way_to_wall(const BoxTree<Wall>& walls, Vec2 from, Vec2 direction, double
   const auto may_meet = [&](const Box2& box, double /*reach*/) {
     double low = 0.0;
     double high = out;
-    for (const auto& [at, way, least, most] : {std::array{from.x, direction.x, box.low.x, box.high.x},
+    for (const auto& [at, way, first, last] : {std::array{from.x, direction.x, box.low.x, box.high.x},
                                                std::array{from.y, direction.y, box.low.y, box.high.y}}) {
       if (way == 0.0) {
-        if (at < least || at > most) return false;
+        if (at < first || at > last) return false;
         continue;
       }
-      const double one = (least - at) / way;
-      const double other = (most - at) / way;
+      const double one = (first - at) / way;
+      const double other = (last - at) / way;
       low = std::max(low, std::min(one, other));
       high = std::min(high, std::max(one, other));
     }
