@@ -31,7 +31,7 @@ Bank bank_at(const Delaunay& delaunay, const OneStepCrust& crust, SiteSlot site)
     ++count;
   });
   if (count > 2) out.neighbours.fill(out.sample);
-  // Of two feet that are equally near the first counts, and edges around a site have no fixed beginning.
+  // Edges around a site have no fixed beginning, and the first of two equally near feet counts.
   std::ranges::sort(out.neighbours, lexicographically_less);
   return out;
 }
