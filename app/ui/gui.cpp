@@ -140,8 +140,9 @@ void Gui::let_keys_choose_rows() {
   io.ConfigFlags &= ~ImGuiConfigFlags_NavEnableKeyboard;
   if (top == nullptr || (top->Flags & ImGuiWindowFlags_Modal) != 0) return;
   io.ConfigFlags |= ImGuiConfigFlags_NavEnableKeyboard;
-  // Dear ImGui marks the first row unseen when a menu opens; then the first key would mark the second.
-  if (context.NavDisableHighlight) {
+  // Dear ImGui marks the first row unseen when a menu opens; then the first key would mark the second. A field that is
+  // being edited is marked unseen too, and Tab goes on from it.
+  if (context.NavDisableHighlight && context.ActiveId == 0) {
     context.NavInitRequest = false;
     context.NavInitResultId = 0;
     context.NavId = 0;
