@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "imgui_impl_glfw.h"
 #include "imgui_impl_opengl3.h"
@@ -125,11 +126,26 @@ void Gui::begin_frame(const Settings& settings) {
   }
   ImGui::GetIO().FontGlobalScale = static_cast<float>(1.0 / ratio);
   ImGui_ImplOpenGL3_NewFrame();
-  ImGui_ImplGlfw_NewFrame();
-  if (const auto click = window_.take_click())
-    ImGui::GetIO().MousePos = {static_cast<float>(click->x), static_cast<float>(click->y)};
+  follow_mouse();
   let_keys_choose_rows();
   ImGui::NewFrame();
+}
+
+// Dear ImGui does not apply the last move of a drag if the button is up in the same frame.
+void Gui::follow_mouse() {
+  ImGuiIO& io = ImGui::GetIO();
+  const Vec2 last{io.MousePos.x, io.MousePos.y};
+  const bool was_down = io.MouseDown[0];
+  ImGui_ImplGlfw_NewFrame();
+  std::optional<Vec2> at = std::exchange(held_release_, std::nullopt);
+  if (!at) {
+    at = window_.take_click();
+    if (at && *at != last && was_down && !io.MouseDown[0] && ImGui::GetCurrentContext()->ActiveId != 0) {
+      held_release_ = at;
+      io.MouseDown[0] = true;
+    }
+  }
+  if (at) io.MousePos = {static_cast<float>(at->x), static_cast<float>(at->y)};
 }
 
 // Arrow keys and Enter choose rows of menus and lists. Elsewhere they belong to the table of actions and to dialogs.

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 
 #include "app/ui/glfw_window.h"
 #include "app/ui/theme.h"
@@ -49,6 +50,8 @@ class Gui {
   bool is_fading() const;
   /// True while a field takes typed text.
   bool wants_text() const;
+  /// True if this frame has shown the last move of a drag: the next frame must end it before any other event is read.
+  bool holds_release() const { return held_release_.has_value(); }
   /// True while a button of the mouse holds a control of a panel, such as a slider.
   bool holds_control() const;
   /// True while a popup, menu or dialog is open.
@@ -63,10 +66,12 @@ class Gui {
 
  private:
   void load_fonts(double scale);
+  void follow_mouse();
   static void let_keys_choose_rows();
 
   GlfwWindow& window_;
   std::filesystem::path assets_;
+  std::optional<Vec2> held_release_;  // where the button that ended a drag was released
   double font_scale_ = 0.0;
   Theme theme_ = Theme::light;
   bool for_projector_ = false;

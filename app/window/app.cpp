@@ -158,10 +158,12 @@ bool App::is_on_panel(Vec2 at) const {
 }
 
 bool App::step() {
-  if (wants_turn())
-    screen_.window->poll();
-  else
-    wait_for_event();
+  if (!screen_.gui.holds_release()) {
+    if (wants_turn())
+      screen_.window->poll();
+    else
+      wait_for_event();
+  }
   screen_.times.begin();
   turn();
   return !documents_.is_left();

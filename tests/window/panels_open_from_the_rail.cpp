@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The rail of icons at the right edge, the panels beside it, and a diagram in a window of its own.
+#include <fmt/core.h>
 #include <array>
 #include <catch2/catch.hpp>
 #include <string>
@@ -82,8 +83,9 @@ TEST_CASE("a diagram opens large on white paper, is moved, and Escape closes it"
   REQUIRE(paper.bottom - paper.top > 300);
   // The window is dragged by its title, above three rows of controls.
   const int title = large.box_of_changes(kCanvas, before).top + 12;
-  window.screen.drag({paper.left + 150, title}, {paper.left + 90, title + 40}, 4);
-  window.screen.xdotool("mouseup 1");
+  // The button is up before a frame shows that it was down.
+  const auto to = [](int x, int y) { return fmt::format("mousemove {} {} ", x, y); };
+  window.screen.xdotool(to(paper.left + 150, title) + "mousedown 1 " + to(paper.left + 90, title + 40) + "mouseup 1");
   window.screen.xdotool("mousemove 1200 6");
   const PixelBox moved = window.screen.settled().box_of(kCanvas, is_paper);
   CHECK(moved.left == paper.left - 60);
