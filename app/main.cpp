@@ -47,13 +47,12 @@ int main(int argc, char** argv) {
   std::signal(SIGXFSZ, SIG_IGN);
   // If it were ignored, as some parents leave it, we would not get the exit codes of children.
   std::signal(SIGCHLD, SIG_DFL);
-  return mes::cli::run_command_line(
-      mes::builtins(), argc, argv,
-      [argv](std::vector<std::string> files, std::vector<std::string> experiments, int link) {
-        return mes::run_window(mes::builtins(), {.files = std::move(files),
-                                                 .experiments = std::move(experiments),
-                                                 .link = link,
-                                                 .executable = argv[0],
-                                                 .manual = mes::cli::complete_manual});
-      });
+  return mes::cli::run_command_line(mes::builtins(), argc, argv, [argv](mes::cli::WindowRequest request) {
+    return mes::run_window(mes::builtins(), {.files = std::move(request.files),
+                                             .presents = request.presents,
+                                             .experiments = std::move(request.experiments),
+                                             .link = request.link,
+                                             .executable = argv[0],
+                                             .manual = mes::cli::complete_manual});
+  });
 }

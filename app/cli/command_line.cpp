@@ -37,8 +37,7 @@ Exit codes: 0 done, 1 could not be completed, 2 usage, 3 bad input, 4 output imp
 
 /// Everything that the parser fills in.
 struct Arguments {
-  std::vector<std::string> files;
-  std::vector<std::string> experiments;
+  WindowRequest window;
   ComputeRequest compute;
   SweepRequest sweep;
   BranchesRequest branches;
@@ -98,7 +97,8 @@ void describe_commands(const Registry& registry, CLI::App& app, Arguments& to) {
       "With FILEs or nothing it opens the window; every result can also be had without one.");
   app.set_version_flag("--version", "mesecina " MESECINA_VERSION, "Print the version and exit");
   app.set_help_flag("-h,--help", "Print this help and exit");
-  app.add_option("FILE", to.files, "Samples to open in the window");
+  app.add_option("FILE", to.window.files, "Samples to open in the window");
+  app.add_flag("--present", to.window.presents, "Present the lesson that FILE holds");
   app.option_defaults()->always_capture_default(false);
   app.require_subcommand(0, 1);
 
@@ -136,10 +136,10 @@ void describe_commands(const Registry& registry, CLI::App& app, Arguments& to) {
   completions->add_option("SHELL", to.completions.shell, "bash, zsh or fish")->required();
   add_output(*completions, to.completions.output);
 
-  add_experiments(app, to.experiments);
+  add_experiments(app, to.window.experiments);
   for (CLI::App* const command : app.get_subcommands({})) {
     command->set_help_flag("-h,--help", "Print this help and exit");
-    add_experiments(*command, to.experiments);
+    add_experiments(*command, to.window.experiments);
   }
   // An empty value is most likely an unset variable of a script, and never means the same as a missing option.
   const auto is_not_empty = [](const std::string& value) { return std::string(value.empty() ? "is empty" : ""); };
@@ -274,14 +274,18 @@ int run(const Registry& registry, int argc, const char* const* argv, const OpenW
     return refuse(app, words_of(app, error));
   }
   if (const auto chosen = app.get_subcommands(); !chosen.empty()) {
-    if (!arguments.files.empty()) return refuse(app, "unexpected " + in_quotes(arguments.files.front()));
-    const auto extended = with_experiments(registry, arguments.experiments);
+    if (!arguments.window.files.empty())
+      return refuse(app, "unexpected " + in_quotes(arguments.window.files.front()));
+    if (arguments.window.presents) return refuse(app, "unexpected --present");
+    const auto extended = with_experiments(registry, arguments.window.experiments);
     if (!extended) return report(extended.error());
     const auto done = run_command(**extended, *chosen.front(), arguments);
     return done ? kExitDone : report(done.error());
   }
-  if (const auto mistake = mistaken_command(app, arguments.files)) return report(*mistake);
-  return open_window(std::move(arguments.files), std::move(arguments.experiments), link);
+  if (const auto mistake = mistaken_command(app, arguments.window.files)) return report(*mistake);
+  if (arguments.window.presents && arguments.window.files.empty()) return refuse(app, "--present needs a FILE");
+  arguments.window.link = link;
+  return open_window(std::move(arguments.window));
 }
 
 }  // namespace

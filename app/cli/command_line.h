@@ -13,8 +13,15 @@ class Registry;
 
 namespace mes::cli {
 
-/// Opens the window on files, or with the document of a program at a socket; returns the exit code.
-using OpenWindow = std::function<int(std::vector<std::string> files, std::vector<std::string> experiments, int link)>;
+struct WindowRequest {
+  std::vector<std::string> files;
+  std::vector<std::string> experiments;
+  int link = -1;          ///< the socket of a program whose document is shown; -1: none
+  bool presents = false;  ///< the lesson of the first file
+};
+
+/// Opens the window; returns the exit code.
+using OpenWindow = std::function<int(WindowRequest)>;
 
 /// Runs the command in the arguments with the contents of the registry, or the window if there is no command. Returns
 /// the exit code.

@@ -21,6 +21,7 @@
 #include "app/export/carried.h"
 #include "app/export/lesson_captions.h"
 #include "app/export/lesson_files.h"
+#include "app/export/lesson_web.h"
 #include "app/export/page_size.h"
 #include "app/recording/lesson_film.h"
 #include "app/recording/video.h"
@@ -228,9 +229,13 @@ Expected<void> run_lesson(const Registry& registry, const LessonRequest& request
   const auto steps = parse_steps(request.steps, session.lesson.steps.size());
   if (!steps) return std::unexpected(steps.error());
   const bool has_frames = !request.frames.empty() || !request.video.empty();
-  if (files_of(request).empty() && !has_frames) return write_output({}, listed(session, *steps), interruption);
+  if (files_of(request).empty() && !has_frames && request.web.empty())
+    return write_output({}, listed(session, *steps), interruption);
   const auto outputs = make_outputs(registry, request, session, *steps, *look);
   if (!outputs) return std::unexpected(outputs.error());
+  if (!request.web.empty())
+    if (auto done = write_lesson_page(find_web_page(find_assets({})), request.web, session, request.force); !done)
+      return done;
   if (has_frames)
     if (auto done = write_film(registry, request, session, *steps, *look, *size); !done) return done;
   for (const Output& output : *outputs)

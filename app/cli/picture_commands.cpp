@@ -213,6 +213,9 @@ void describe_lesson(CLI::App& app, LessonRequest& to) {
   lesson->add_option(
       "--html", to.html,
       "Slides in one file for a browser, with keys and nothing from elsewhere;\n- for standard output");
+  lesson->add_option("--web", to.web,
+                     "Folder for a page with the program in it, which presents the whole lesson live in a\nbrowser; "
+                     "scripts/web.sh makes the program");
   lesson->add_option("--frames", to.frames, "Folder for a picture a step, 00001.png ..., and manifest.json");
   lesson->add_option("--video", to.video,
                      "A video that shows each step for its seconds, .mp4 or .webm; needs ffmpeg");

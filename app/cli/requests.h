@@ -167,6 +167,7 @@ struct LessonRequest {
   // The named outputs are written; if there are none, the steps are listed.
   std::string pdf;
   std::string html;
+  std::string web;     ///< folder
   std::string frames;  ///< folder
   std::string video;   ///< .mp4 or .webm
   std::string vtt;

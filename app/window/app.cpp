@@ -65,7 +65,7 @@ App::App(LiveRegistry registry, std::unique_ptr<GlfwWindow> window, const Window
     link_.open(options.link);
     board_.fitter().want(ViewFitter::How::at_once);
   } else {
-    documents_.open_first(options.files);
+    documents_.open_first(options.files, options.presents);
   }
   for (const std::string& name : options.experiments) experiments_.add(name);
 }

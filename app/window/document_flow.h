@@ -65,8 +65,8 @@ class DocumentFlow {
   void bind(ActionBindings& actions);
 
   /// Called at the start of the program; without documents it opens the first built-in shape, perhaps with a picture
-  /// to trace.
-  void open_first(std::vector<std::string> files);
+  /// to trace. `presents`: the lesson of the documents.
+  void open_first(std::vector<std::string> files, bool presents);
   /// Offers left work only at another start, because the document of this window belongs to another program.
   void leave_left_work() { offers_left_work_ = false; }
   /// Opens documents, bundles, and at most one picture, which is placed below the other files. If a picture comes

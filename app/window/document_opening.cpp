@@ -26,11 +26,12 @@ std::string take_picture(std::vector<std::string>& files) {
 
 }  // namespace
 
-void DocumentFlow::open_first(std::vector<std::string> files) {
+void DocumentFlow::open_first(std::vector<std::string> files, bool presents) {
   const std::string picture = take_picture(files);
   if (const std::vector<fs::path> documents = without_bundles(files); !documents.empty()) {
     open_documents(documents);
     traced_with_next_ = picture;
+    presents_next_ = presents;
     return;
   }
   if (!shapes_.empty())
@@ -177,7 +178,9 @@ void DocumentFlow::take_read_file() {
   say_opened(*outcome);
   if (!outcome->remark.empty()) uses_.messages.remark(outcome->remark);
   if (recovered) say_left_work_waits();
-  if (!when_presentable().holds()) return;
+  const bool has_lesson = when_presentable().holds();
+  if (presents && !has_lesson) uses_.messages.remark("There is no lesson to present in " + files_.title());
+  if (!has_lesson) return;
   if (presents)
     uses_.lesson.start(session_now());
   else if (outcome->warnings.empty())

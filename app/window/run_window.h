@@ -13,6 +13,7 @@ class Registry;
 
 struct WindowOptions {
   std::vector<std::string> files;          ///< the first is opened; empty: a built-in shape
+  bool presents = false;                   ///< the lesson of the first file
   std::vector<std::string> experiments{};  ///< files or folders, added while the window is open
   int link = -1;                           ///< a socket to the program that owns this document (LinkRun); -1: none
   std::string executable;                  ///< the name by which it was called; locates its files

@@ -206,3 +206,40 @@ TEST_CASE("the lessons are those that the script makes") {
   INFO(made.err);
   CHECK(made.exit_code == 0);
 }
+
+TEST_CASE("a lesson and the page for browsers are written into a folder, which keeps what it holds of others") {
+  const TemporaryFolder folder;
+  const std::string target = folder / "lecture";
+  RunOptions options;
+  options.environment = {"MESECINA_WEB=" + (folder / "page").string()};
+  require_refused({"lesson", kCrust, "--web", target}, 1, "the page for browsers is not here", options);
+  CHECK_FALSE(std::filesystem::exists(target));
+
+  std::filesystem::create_directories(folder / "page" / "inner");
+  folder.write("page/index.html", "<head>\n<title>Mesecina</title>\n</head>");
+  folder.write("page/mesecina.wasm", "program");
+  folder.write("page/page.js", "start();");
+  CHECK(output_of({"lesson", kCrust, "--web", target}, options).empty());
+  CHECK(contents_of(folder / "lecture/index.html") ==
+        "<head>\n<title>What a crust is</title>\n<meta name=\"lesson\" content=\"lesson.json\">\n</head>");
+  CHECK(contents_of(folder / "lecture/mesecina.wasm") == "program");
+  CHECK(contents_of(folder / "lecture/page.js") == "start();");
+  CHECK(output_of({"lesson", folder / "lecture/lesson.json"}) == output_of({"lesson", kCrust}));
+
+  // An earlier page is replaced, and titles are text.
+  folder.write("page/mesecina.wasm", "newer program");
+  folder.write("own.json", R"({"mesecina":"session","schema":1,"title":"a<b","data":{"samples":[0,0]},"lesson":)"
+                           R"({"title":"Is a < b & c?","steps":[{"caption":"One"}]}})");
+  CHECK(output_of({"lesson", folder / "own.json", "--web", target}, options).empty());
+  CHECK(contents_of(folder / "lecture/mesecina.wasm") == "newer program");
+  CHECK_THAT(contents_of(folder / "lecture/index.html"),
+             Catch::Contains("<title>Is a &lt; b &amp; c?</title>\n<meta name=\"lesson\""));
+
+  std::filesystem::create_directories(folder / "site");
+  folder.write("site/index.html", "mine");
+  require_refused({"lesson", kCrust, "--web", folder / "site"}, 4, "holds other files", options);
+  CHECK(contents_of(folder / "site/index.html") == "mine");
+  CHECK(output_of({"lesson", kCrust, "--web", folder / "site", "--force"}, options).empty());
+  CHECK(contents_of(folder / "site/index.html") != "mine");
+  require_refused({"lesson", kCrust, "--web", folder / "own.json"}, 4, "own.json", options);
+}

@@ -74,9 +74,8 @@ Ran run_with(const Registry& registry, const std::vector<std::string>& words) {
   {
     const Redirected out(STDOUT_FILENO, folder / "out");
     const Redirected err(STDERR_FILENO, folder / "err");
-    ran.exit_code =
-        cli::run_command_line(registry, static_cast<int>(argv.size()), argv.data(),
-                              [](const auto& /*files*/, const auto& /*experiments*/, int /*link*/) { return -1; });
+    ran.exit_code = cli::run_command_line(registry, static_cast<int>(argv.size()), argv.data(),
+                                          [](const cli::WindowRequest& /*request*/) { return -1; });
   }
   ran.out = text_of(folder / "out");
   ran.err = text_of(folder / "err");

@@ -13,6 +13,7 @@ import http.server
 import json
 import pathlib
 import shutil
+import subprocess
 import sys
 import tempfile
 import threading
@@ -236,6 +237,21 @@ class Checks:
         page.wait_for("document.title.startsWith('* ')", "the stroke becomes samples")
         self.say(page, "one finger is the tool")
 
+    def check_lesson(self):
+        folder = pathlib.Path(tempfile.mkdtemp(prefix="lesson-", dir=ROOT / "build"))
+        try:
+            subprocess.run([ROOT / "build/release/mesecina", "lesson", "crust", "--web", folder, "--force"], check=True)
+            page = self.start(self.link.replace("web/index.html", folder.name + "/")).page
+            page.wait_for("document.title === 'lesson.json - Mesecina'", "the lesson opens")
+            page.press("PageDown")  # from the title, which covers everything
+            page.wait_for("!_mes_is_on_panel(innerWidth - 20, innerHeight / 2)", "a presentation hides the panels")
+            self.say(page, "the folder of a lesson presents it")
+            page.press("Escape")
+            page.wait_for("_mes_is_on_panel(innerWidth - 20, innerHeight / 2)", "the panels come back")
+            self.say(page, "the lesson ends in its document")
+        finally:
+            shutil.rmtree(folder)
+
     def check_frame(self):
         self.browser = chromium.Chromium(
             self.profile, self.link.replace("/build/web/index.html", "/outer?") +
@@ -249,7 +265,8 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--pictures", metavar="FOLDER")
     checks = Checks(parser.parse_args().pictures)
-    for check in (checks.check_links, checks.check_keeping, checks.check_touch, checks.check_frame):
+    for check in (checks.check_links, checks.check_keeping, checks.check_touch, checks.check_lesson,
+                  checks.check_frame):
         checks.profile = tempfile.mkdtemp(prefix="mesecina-page-")
         try:
             check()

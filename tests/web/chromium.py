@@ -136,7 +136,7 @@ class Page:
             self.call("Input.dispatchKeyEvent", type="keyUp", key=letter, windowsVirtualKeyCode=code)
 
     def press(self, key, control=False, shift=False):
-        codes = {"Enter": 13, "Escape": 27, "Delete": 46}
+        codes = {"Enter": 13, "Escape": 27, "PageDown": 34, "Delete": 46}
         code = codes.get(key, ord(key[0].upper()))
         held = {"modifiers": (2 if control else 0) + (8 if shift else 0)}
         described = {"key": key, "code": key if key in codes else "Key" + key.upper(), "windowsVirtualKeyCode": code}

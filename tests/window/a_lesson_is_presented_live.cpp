@@ -113,6 +113,28 @@ TEST_CASE("a lesson begins with its title, and captions are large and below the 
   CHECK(window.shows_beside_caption(title));
 }
 
+TEST_CASE("a program that is told to present begins with the title of the lesson, or says that there is none") {
+  DrivenProgram window;
+  window.folder.write("house.json", house_lesson());
+  window.folder.write("house.poff", kHouse);
+  const auto present = [&](const std::string& name) {
+    window.options = {"--present"};
+    window.start(name);
+  };
+  present("house.json");
+  const auto is_ink = [](Color c) { return c.r < 90 && c.g < 90 && c.b < 100; };
+  REQUIRE(eventually([&] { return window.screen.shoot().is_white(1270, 400); }));
+  const PixelBox words = window.screen.settled().box_of({0, 0, 1280, 450}, is_ink);
+  CHECK(words.bottom - words.top > 40);
+  CHECK(words.middle()[0] == Approx(640).margin(12));
+  present("house.poff");
+  const Screenshot told = window.drawn();
+  window.options = {};
+  window.start("house.poff");
+  // The message stands at the left of the bar at the bottom.
+  CHECK(told.changes({0, 784, 300, 800}, window.drawn()) > 100);
+}
+
 TEST_CASE("a lesson is made in the window, is unsaved work, and goes into a session") {
   DrivenProgram window;
   window.folder.write("house.poff", "POFF 5 0 0\n0 0\n4 0\n4 3\n2 5\n0 3\n");

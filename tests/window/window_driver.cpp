@@ -313,7 +313,10 @@ void DrivenProgram::begin(const std::string& name, const Environment& extra) {
                           // Under a sanitizer: what the graphics driver forgets is not ours to find.
                           {"ASAN_OPTIONS", "detect_leaks=0"}};
   for (const auto& [variable, value] : extra) environment[variable] = value;
-  program = Child({MESECINA_BINARY, (folder / name).string()}, environment, folder / "errors");
+  std::vector<std::string> words{MESECINA_BINARY};
+  words.insert(words.end(), options.begin(), options.end());
+  words.push_back((folder / name).string());
+  program = Child(words, environment, folder / "errors");
 }
 
 bool DrivenProgram::shows(const Screenshot& look) const {

@@ -140,6 +140,7 @@ struct DrivenProgram {
   TemporaryFolder folder;
   VirtualScreen screen;
   Child program;
+  std::vector<std::string> options;  // of the program, before the file
 
   /// Opens this file of the folder, and moves the pointer where nothing lies. What ran before is ended.
   void start(const std::string& name, const Environment& extra = {});

@@ -74,21 +74,24 @@ async function share(session, call, answer) {
   }
 }
 
-// The file that the address brings: #s=... has a session, and ?open=crust.json names a file of this site. Null if it
-// has neither.
+// The file to open: #s=... has a session, ?open=crust.json names a file of this site, and the page of a lesson names
+// its lesson, which is presented. So is that of ?open=crust.json&present. Null if there is none.
 async function fileOfAddress() {
   if (location.hash.startsWith(linkHead)) {
     const bytes = await sessionOfLink(location.hash.slice(linkHead.length));
     return {path: `/files/${titleOf(bytes)}.json`, bytes};
   }
-  const name = new URLSearchParams(location.search).get('open');
+  const wanted = new URLSearchParams(location.search);
+  const lesson = document.querySelector('meta[name=lesson]')?.content;
+  const name = wanted.get('open') ?? lesson;
   if (!name) return null;
   const address = new URL(name, location.href);
   if (address.origin !== location.origin) throw Error('only files of this site are opened');
   const answer = await fetch(address);
   if (!answer.ok) throw Error(`${name} cannot be read (${answer.status})`);
   const leaf = decodeURIComponent(address.pathname.split('/').pop());
-  return {path: '/files/' + leaf, bytes: new Uint8Array(await answer.arrayBuffer())};
+  const presents = wanted.has('present') || name === lesson;
+  return {path: '/files/' + leaf, bytes: new Uint8Array(await answer.arrayBuffer()), presents};
 }
 
 async function start() {
@@ -104,7 +107,7 @@ async function start() {
   await home.open();
   window.Module = {
     canvas,
-    arguments: opened ? [opened.path] : [],
+    arguments: opened ? [opened.path, ...(opened.presents ? ['--present'] : [])] : [],
     setStatus(text) {
       const found = /\((\d+)\/(\d+)\)/.exec(text);
       if (found) progress.value = found[1] / found[2];
