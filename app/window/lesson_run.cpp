@@ -21,11 +21,12 @@ LessonRun::LessonRun(Workspace& work, DrawingBoard& board, Messages& messages)
       }) {}
 
 void LessonRun::bind(ActionBindings& actions) {
-  const auto bind_step = [&](ActionId id, Expected<void> (LessonPresenter::*step)()) {
+  const auto bind_step = [&](ActionId id, Expected<void> (LessonPresenter::*step)(), bool is_arrow) {
     ActionBindings::Binding binding = actions.binding(id);
     const ActionBindings::Binding otherwise = binding;
-    binding.run = [this, step, otherwise] {
-      if (!is_running()) return otherwise.run();
+    binding.run = [this, step, is_arrow, otherwise] {
+      // An arrow moves what is selected, in a lesson too.
+      if (!is_running() || (is_arrow && otherwise.enabled.holds())) return otherwise.run();
       if (shows_title_) return leave_title();
       shows_title_ = step == &LessonPresenter::go_back && presenter_.step() == 0 && has_title();
       leave_step();
@@ -34,8 +35,10 @@ void LessonRun::bind(ActionBindings& actions) {
     binding.enabled = otherwise.enabled.unless([this] { return is_running(); });
     actions.bind(id, std::move(binding));
   };
-  bind_step(ActionId::next_bundle, &LessonPresenter::go_on);
-  bind_step(ActionId::previous_bundle, &LessonPresenter::go_back);
+  bind_step(ActionId::next_bundle, &LessonPresenter::go_on, false);
+  bind_step(ActionId::previous_bundle, &LessonPresenter::go_back, false);
+  bind_step(nth(ActionId::first_nudge, 0), &LessonPresenter::go_back, true);
+  bind_step(nth(ActionId::first_nudge, 1), &LessonPresenter::go_on, true);
   actions.bind(ActionId::mark_step,
                {[this] { desk_.mark(); },
                 {{[this] { return !is_running(); }, "a lesson is being presented"},

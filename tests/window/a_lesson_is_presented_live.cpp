@@ -111,6 +111,11 @@ TEST_CASE("a lesson begins with its title, and captions are large and below the 
   CHECK(first.box_of({0, 0, 130, 690}, is_ink).is_empty());
   window.press("Prior");
   CHECK(window.shows_beside_caption(title));
+  // Arrow keys do the same while nothing is selected.
+  window.press("Right");
+  CHECK(window.shows_beside_caption(first));
+  window.press("Left");
+  CHECK(window.shows_beside_caption(title));
 }
 
 TEST_CASE("a program that is told to present begins with the title of the lesson, or says that there is none") {
