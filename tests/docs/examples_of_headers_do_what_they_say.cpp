@@ -53,6 +53,7 @@
 #include "core/shapes/shape.h"
 #include "core/structures/alpha/persistence.h"
 #include "core/structures/crust/internal/link_cut_forest.h"
+#include "core/structures/delaunay/voronoi_cells.h"
 #include "core/structures/density/feature_size.h"
 #include "core/structures/density/sample_sizes.h"
 #include "core/structures/filters/axis_paths.h"
@@ -357,7 +358,15 @@ TEST_CASE("core/engine/graph.h") {
   graph.run(patch, job);
   LayerMirror mirror;
   mirror.apply(patch);
-  CHECK(graph.structures().get<Delaunay>().site_rows() == 16);
+  const auto& delaunay = graph.structures().get<Delaunay>();
+  CHECK(delaunay.site_rows() == 16);
+
+  const Box2 box{{-10.0, -10.0}, {10.0, 10.0}};
+  const SiteSlot site(0);
+  // core/structures/delaunay/voronoi_cells.h
+  const VoronoiCells cells(delaunay);
+  std::vector<Vec2> corners = cells.cell(site, box);
+  CHECK(corners.size() >= 3);
 }
 
 TEST_CASE("core/workbench/workbench.h") {
